@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// All stages in order. sinew_bind() runs them to the end; the trainer stops after the features.
+#ifndef SINEW_BIND_PIPELINE_HPP
+#define SINEW_BIND_PIPELINE_HPP
+
+#include "features/candidates.hpp"
+#include "features/features.hpp"
+#include "heat/heat.hpp"
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+// Everything the stages before the network leave in the workspace.
+struct Prepared {
+  Mesh mesh;
+  Skeleton skeleton;
+  Candidates candidates;
+  HeatFields heat;
+  Features features;  // only when wanted
+};
+
+// Runs stages 1 to 7 in the arena (stages 1 to 4 when want_features is false).
+sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
+                     bool want_features, const Progress& progress, Arena& arena, Prepared* out);
+// Bytes prepare() needs, for a measuring arena. Leaves the arena at the mark where the network would start.
+void measure_prepare(Arena& arena, const Counts& counts, bool want_features);
+// Checks the caller's counts against the limits and fills Counts. SINEW_ERROR_COUNT, SINEW_ERROR_ARGUMENT.
+sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints, uint32_t candidates,
+                         uint32_t grid, Counts* counts);
+
+}  // namespace sinew
+#endif

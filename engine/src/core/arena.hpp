@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Workspace arena: hands out pieces of the caller's one block, or only counts them, so that the size query and the run
+// share one list of allocations and cannot drift apart.
+#ifndef SINEW_CORE_ARENA_HPP
+#define SINEW_CORE_ARENA_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace sinew {
+
+class Arena {
+ public:
+  // A measuring arena: alloc() returns null and counts bytes; used() and high_water() tell the need.
+  Arena() = default;
+  // A real arena over [base, base + size_bytes). base must be aligned to 64.
+  Arena(void* base, size_t size_bytes) : base_(static_cast<uint8_t*>(base)), size_(size_bytes) {}
+
+  bool measuring() const { return base_ == nullptr; }
+  // False once any allocation did not fit (or a size overflowed); stays false.
+  bool ok() const { return ok_; }
+  size_t used() const { return used_; }
+  size_t high_water() const { return high_; }
+
+  // Room for count objects of T, 64-byte aligned, uninitialised. Null when measuring or full: check ok() after a group.
+  template <class T>
+  T* alloc(size_t count) {
+    if (count > (SIZE_MAX / 4) / sizeof(T)) {
+      ok_ = false;
+      return nullptr;
+    }
+    return static_cast<T*>(static_cast<void*>(take(count * sizeof(T))));
+  }
+
+  // Stack discipline: everything allocated after mark() is given back by release().
+  size_t mark() const { return used_; }
+  void release(size_t mark) { used_ = mark; }
+
+ private:
+  uint8_t* take(size_t bytes) {
+    const size_t rounded = (bytes + 63u) & ~static_cast<size_t>(63u);
+    if (rounded < bytes || used_ + rounded < used_ || (base_ != nullptr && used_ + rounded > size_)) {
+      ok_ = false;
+      return nullptr;
+    }
+    uint8_t* p = base_ != nullptr ? base_ + used_ : nullptr;
+    used_ += rounded;
+    if (used_ > high_) high_ = used_;
+    return p;
+  }
+
+  uint8_t* base_ = nullptr;
+  size_t size_ = 0;
+  size_t used_ = 0;
+  size_t high_ = 0;
+  bool ok_ = true;
+};
+
+}  // namespace sinew
+#endif

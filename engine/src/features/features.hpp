@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Stages 5 to 7 of a bind: everything the network sees, as int16 in Q13 (8192 = 1.0), clamped to [-16384, 16383].
+// One implementation: the trainer calls this code, so what is trained is what runs.
+#ifndef SINEW_FEATURES_FEATURES_HPP
+#define SINEW_FEATURES_FEATURES_HPP
+
+#include "features/candidates.hpp"
+#include "heat/heat.hpp"
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kFeatureSet = 1;  // grows whenever a feature changes its meaning; models name the set they need
+constexpr int kFeatureBits = 13;
+extern const uint32_t kVertexFeatures;  // channels of buffer 0
+extern const uint32_t kPairFeatures;    // channels of buffer 1
+// Names for reports and ablations, index = channel.
+const char* vertex_feature_name(uint32_t channel);
+const char* pair_feature_name(uint32_t channel);
+// Pair channels of the prior: natural log of the rule and parts field, divided by 8 to fit Q13.
+extern const uint32_t kPairLogRule;
+extern const uint32_t kPairLogParts;
+constexpr int kLogFeatureDivisor = 8;
+
+struct Features {
+  int16_t* vertex = nullptr;  // [U x kVertexFeatures]
+  int16_t* pair = nullptr;    // [U x K x kPairFeatures]; absent slots are all 0
+  // The final candidates: the voxel candidates with heat joints merged in. kNoJoint at the end.
+  uint16_t* joints = nullptr; // [U x K]
+
+  bool allocate(Arena& arena, const Counts& counts);
+};
+
+sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates,
+                            const HeatFields& heat, const Counts& counts, Arena& arena, Features* features);
+void measure_build_features(Arena& arena, const Counts& counts);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Pictures without a window: an RGB image, a PNG writer and a small software rasteriser for characters.
+#ifndef SINEW_FORMATS_IMAGE_HPP
+#define SINEW_FORMATS_IMAGE_HPP
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+struct Image {
+  int width = 0, height = 0;
+  std::vector<uint8_t> rgb;  // [height x width x 3], row 0 on top
+};
+
+std::vector<uint8_t> encode_png(const Image& image);
+
+struct RenderOptions {
+  int width = 900, height = 900;
+  float yaw_degrees = 25.0f, pitch_degrees = 10.0f;  // camera turn about Y (front = +Z) and tilt down
+  bool draw_skeleton = true;
+  bool up_z = false;
+};
+
+// One colour per joint, spread over hue; the same joint index always gets the same colour.
+std::array<uint8_t, 3> joint_colour(size_t joint);
+// Shaded, depth-tested triangles with one colour per vertex [V].
+Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colours,
+             const RenderOptions& options = {});
+// Colours blended from the joints' colours by weight.
+std::vector<std::array<uint8_t, 3>> weight_colours(const Character& character);
+// Dark blue (0) to yellow to red (scale) for values such as L1 errors.
+std::vector<std::array<uint8_t, 3>> heat_colours(const std::vector<float>& values, float scale);
+// Side by side, same height.
+Image beside(const std::vector<Image>& images);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Readers and writers of characters. Every reader throws sinew::Error with file, line or element, expected and found.
+// Every writer writes to a temporary file beside the target and renames it, so a failure leaves the target as it was.
+#ifndef SINEW_FORMATS_IO_HPP
+#define SINEW_FORMATS_IO_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// By extension: .obj, .gltf, .glb, .vrm. An OBJ has no joints; "-" reads OBJ from standard input. Reads NAME.rig.txt beside
+// NAME.obj only when asked (read_character).
+Character read_mesh(const std::string& path);
+Character read_obj(const std::string& path);
+Character read_gltf(const std::string& path);
+
+// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm (its skin's
+// joints, world positions).
+void read_skeleton(const std::string& path, bool with_skin, Character* character);
+// Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
+Character read_character(const std::string& path);
+// All NAME.obj + NAME.rig.txt pairs and .glb/.vrm/.gltf files of a folder, sorted by name; not recursive. Paths of mesh files.
+std::vector<std::string> list_characters(const std::string& folder);
+// FAMILY of FAMILY__NAME, "all" without "__".
+std::string family_of(const std::string& character_name);
+
+void write_obj(const std::string& path, const Character& character);
+// The text form of RigNet's data: joints / root / skin / hier. Weights are printed with 6 digits.
+void write_rig(const std::string& path, const Character& character);
+// A skinned GLB. From a glTF input: the input's own vertices, UVs, normals, materials and nodes back, with skin. From OBJ: its
+// corner UVs and normals (vertices split at seams), or smooth normals. Weights unorm16 with exact sums (unorm8 when
+// `unorm8`), sorted, JOINTS_0.. as many sets as needed.
+struct GlbOptions {
+  bool unorm8 = false;
+};
+void write_glb(const std::string& path, const Character& character, const GlbOptions& options = {});
+
+// Whole files; write goes through a temporary file and rename. "-" is standard input / output.
+std::vector<uint8_t> read_file(const std::string& path);
+void write_file(const std::string& path, const std::vector<uint8_t>& bytes);
+void write_text_file(const std::string& path, const std::string& text);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Float checkpoint to int16 model: calibrated ranges, per-channel shifts, accumulator proofs, model writer.
+// quant does not depend on trainer: calibration data comes in as plain arrays.
+#ifndef SINEW_QUANT_QUANTIZE_HPP
+#define SINEW_QUANT_QUANTIZE_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/checkpoint.hpp"
+
+namespace sinew {
+
+// Largest absolute value seen in each layer's output region over the calibration set: [layers].
+struct Calibration {
+  std::vector<float> layer_max;
+};
+
+struct QuantizeOptions {
+  double margin = 1.5;      // ranges are calibrated maximum times margin
+  int weight_bits = 16;     // 16, 12, 10 or 8: weights are rounded to so many bits
+  int activation_bits = 14; // 14, or fewer to study the error (values are then rounded to a coarser grid of the same format)
+};
+
+struct QuantizeLayerReport {
+  std::string what;         // "linear 192 -> 32"
+  int64_t bound = 0;        // proven largest |accumulator|
+  bool wide = false;        // class W (int64)
+  int min_shift = 0, max_shift = 0;
+};
+struct QuantizedModel {
+  std::vector<uint8_t> bytes;  // the model file
+  std::vector<QuantizeLayerReport> layers;
+};
+
+// Writes through engine/src/model's layout, reopens the bytes with sinew_model_open and throws Error if that refuses.
+QuantizedModel quantize(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options = {});
+
+}  // namespace sinew
+#endif

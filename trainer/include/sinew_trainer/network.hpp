@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The layer list of engine/src/model/layers.hpp in float, forward and backward, on Eigen.
+#ifndef SINEW_TRAINER_NETWORK_HPP
+#define SINEW_TRAINER_NETWORK_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "sinew_formats/checkpoint.hpp"
+#include "sinew_trainer/binder.hpp"
+
+namespace sinew {
+
+struct FieldOptions {
+  uint32_t width = 32;         // channels of a pair state
+  uint32_t vertex_width = 16;  // channels of the vertex branch
+  uint32_t rounds = 2;         // message passing rounds, 0 is legal
+  uint32_t candidates = 8;
+  uint32_t grid = 64;
+};
+// Networks of DESIGN.md section 4 with seeded initial weights. field: the last layer starts at the heat prior.
+FloatNetwork make_field(const FieldOptions& options, uint64_t seed);
+// The network of patent CN110288681A, figures 7 and 8: N x 64 first feature, graph convolution, graph pooling, N x 576 second
+// feature, global and local branches, softmax over K distance-sorted candidates.
+FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed);
+
+// Logits [U x K] in natural log units (absent slots -inf is NOT used: they are 0 and masked by the caller), float64-free.
+std::vector<float> forward(const FloatNetwork& network, const Sample& sample);
+// Softmax over present candidates -> probabilities [U x K].
+std::vector<float> predict(const FloatNetwork& network, const Sample& sample);
+
+// Gradient of a scalar loss w.r.t. all parameters. Scratch is reused between calls of one instance; one instance per thread.
+class NetworkRunner {
+ public:
+  explicit NetworkRunner(const FloatNetwork& network);
+  ~NetworkRunner();
+  // Keeps activations for backward(). `dropout` drops whole input-feature channels and activations when > 0 (seeded).
+  const std::vector<float>& forward(const FloatNetwork& network, const Sample& sample, float dropout = 0, uint64_t seed = 0);
+  // d_logits [U x K]; adds into gradients (same shapes as network.parameters).
+  void backward(const FloatNetwork& network, const Sample& sample, const std::vector<float>& d_logits,
+                std::vector<LinearParameters>* gradients);
+  // Activation of a buffer after forward(): [rows x channels] row-major. For calibration.
+  const std::vector<float>& buffer(uint16_t index) const;
+
+ private:
+  struct State;
+  State* state_;
+};
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Training runs: data set cache, sampling by family, loss, optimiser, checkpoints.
+#ifndef SINEW_TRAINER_TRAIN_HPP
+#define SINEW_TRAINER_TRAIN_HPP
+
+#include <string>
+#include <vector>
+
+#include "sinew_formats/checkpoint.hpp"
+#include "sinew_trainer/binder.hpp"
+#include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/network.hpp"
+
+namespace sinew {
+
+// Everything a run can be told; read from and written to JSON (unknown keys are an Error). Defaults train the bundled model.
+struct TrainConfig {
+  std::string architecture = "field";
+  FieldOptions field;
+  std::string optimizer = "adamw";   // "adamw", "adam", "sgd"
+  double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
+  double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5;
+  uint64_t steps = 6000;             // length of the cosine schedule
+  uint32_t batch = 2;                // characters per step, one per thread
+  uint64_t seed = 1;
+  double average_decay = 0.999;      // running average of weights; 0 = off
+  uint32_t validate_every = 500;     // steps
+  // Augmentation with recomputed features: variants made once per character and cached.
+  uint32_t variants = 1;             // extra variants per character (turn, mirror, scale, jitter, decimation)
+  double variant_share = 0.3;        // how often a variant is drawn instead of the original
+  double family_power = 0.5;         // a family of n characters is drawn in proportion to n^power
+};
+TrainConfig parse_train_config(const std::string& json, const std::string& source);
+std::string train_config_json(const TrainConfig& config);
+
+struct TrainOptions {
+  std::string data_dir, val_dir;     // val_dir may be empty
+  std::string output;                // checkpoint path; log beside it as OUTPUT.csv
+  std::string cache_dir;             // features; empty = OUTPUT.cache
+  std::string init;                  // checkpoint to start from, or empty
+  bool resume = false;
+  double minutes = 0;                // stop after so much wall time (the schedule is by time then); 0 = by steps
+  uint32_t threads = 2;
+  bool quiet = false;
+};
+// Runs to the end; writes the checkpoint at every validation and at the end. Throws Error.
+void train(const TrainConfig& config, const TrainOptions& options);
+
+// Loads (or makes and caches) the samples of a folder; both cores. Characters that fail are reported on stderr and left out.
+std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid, const std::string& cache_dir,
+                                 uint32_t threads, bool quiet);
+
+}  // namespace sinew
+#endif
