@@ -112,8 +112,9 @@ typedef struct sinew_options {
   uint32_t version;          /* 0 */
   uint32_t method;           /* sinew_method */
   uint32_t influence_count;  /* 1..12 influences a vertex keeps; 0 = 4 */
-  uint32_t candidate_count;  /* heat only: 1..16; 0 = 8. A model brings its own */
-  uint32_t grid_size;        /* heat only: 16..128 voxel cells along the longest side; 0 = 64. A model brings its own */
+  uint32_t candidate_count;  /* 1..16 joints a vertex is scored against; 0 = the model's own. Heat scores all joints. A model
+                              * whose layers are tied to its own count refuses another (SINEW_ERROR_ARGUMENT) */
+  uint32_t grid_size;        /* 16..128 voxel cells along the longest side; 0 = the model's own. Heat needs no grid */
   uint32_t up_axis;          /* 0 = Y is up, 1 = Z is up */
   uint32_t weight_format;    /* sinew_weight_format */
   uint32_t reserved;

@@ -1,1 +1,53 @@
 // SPDX-License-Identifier: MIT
+// The order of the stages before the network, once for the run and once for the size query.
+#include "bind/pipeline.hpp"
+
+namespace sinew {
+
+sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints, uint32_t candidates,
+                         uint32_t grid, Counts* counts) {
+  if (vertices == 0 || vertices > SINEW_MAX_VERTICES || joints == 0 || joints > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
+  // A vertex of a closed triangle mesh has about six corners; sixteen times that is no mesh any more.
+  if (corners > 24u * SINEW_MAX_VERTICES || faces > corners) return SINEW_ERROR_COUNT;
+  if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || grid < 16 || grid > 128) return SINEW_ERROR_ARGUMENT;
+  *counts = Counts{vertices, faces, corners, joints, candidates, grid};
+  return SINEW_OK;
+}
+
+void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
+  Prepared p;
+  p.mesh.allocate(arena, counts);
+  p.skeleton.allocate(arena, counts);
+  measure_build_mesh(arena, counts);
+  p.heat.allocate(arena, counts);
+  measure_solve_heat(arena, counts);
+  if (purpose == PrepareFor::kHeat) return;
+  p.candidates.allocate(arena, counts);
+  measure_find_candidates(arena, counts);
+  p.features.allocate(arena, counts);
+  measure_build_features(arena, counts);
+}
+
+sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
+                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out) {
+  if (!out->mesh.allocate(arena, counts) || !out->skeleton.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  sinew_status status = build_mesh(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
+  if (status != SINEW_OK) return status;
+  if (!progress.report(50)) return SINEW_ERROR_CANCELLED;
+
+  if (!out->heat.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  const uint32_t heat_end = purpose == PrepareFor::kHeat ? 950 : 450;
+  status = solve_heat(out->mesh, out->skeleton, counts, progress.part(50, heat_end), arena, &out->heat);
+  if (status != SINEW_OK || purpose == PrepareFor::kHeat) return status;
+
+  if (!out->candidates.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  status = find_candidates(out->mesh, out->skeleton, counts, progress.part(450, 600), arena, &out->candidates);
+  if (status != SINEW_OK) return status;
+
+  if (!out->features.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  status = build_features(out->mesh, out->skeleton, out->candidates, out->heat, counts, arena, &out->features);
+  if (status != SINEW_OK) return status;
+  return progress.report(650) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+}
+
+}  // namespace sinew

@@ -16,14 +16,17 @@ struct Prepared {
   Skeleton skeleton;
   Candidates candidates;
   HeatFields heat;
-  Features features;  // only when wanted
+  Features features;      // candidates and features: only for kNetwork
 };
 
-// Runs stages 1 to 7 in the arena (stages 1 to 4 when want_features is false).
+// How far to go: method heat needs neither candidates nor features.
+enum class PrepareFor { kHeat, kNetwork };
+
+// Runs stages 1 to 7 in the arena (for kHeat stages 1, 2 and 4). Reports 0..650 permille (kHeat: 0..950).
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     bool want_features, const Progress& progress, Arena& arena, Prepared* out);
+                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out);
 // Bytes prepare() needs, for a measuring arena. Leaves the arena at the mark where the network would start.
-void measure_prepare(Arena& arena, const Counts& counts, bool want_features);
+void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose);
 // Checks the caller's counts against the limits and fills Counts. SINEW_ERROR_COUNT, SINEW_ERROR_ARGUMENT.
 sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints, uint32_t candidates,
                          uint32_t grid, Counts* counts);

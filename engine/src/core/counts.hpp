@@ -24,11 +24,18 @@ struct Counts {
   uint32_t triangles() const { return corners; }
 };
 
-// Progress shared by the stages; report() returns false when the caller wants to stop.
+// Progress of one stage: 0..1000 of the stage is mapped to [from, to] of the whole. report() returns false when the caller wants
+// to stop.
 struct Progress {
   sinew_progress callback = nullptr;
   void* user = nullptr;
-  bool report(uint32_t permille) const { return callback == nullptr || callback(user, permille) == 0; }
+  uint32_t from = 0;
+  uint32_t to = 1000;
+
+  bool report(uint32_t permille) const {
+    return callback == nullptr || callback(user, from + permille * (to - from) / 1000) == 0;
+  }
+  Progress part(uint32_t part_from, uint32_t part_to) const { return {callback, user, part_from, part_to}; }
 };
 
 }  // namespace sinew

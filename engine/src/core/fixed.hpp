@@ -55,7 +55,8 @@ inline uint32_t isqrt64(uint64_t v) {
 // (a * b) >> shift with floor, over the full 128-bit product; the result must fit int64. shift 0..63.
 inline int64_t mul_shift(int64_t a, int64_t b, int shift) {
 #if defined(__SIZEOF_INT128__) && !defined(SINEW_NO_INT128)
-  return static_cast<int64_t>((static_cast<__extension__ __int128>(a) * b) >> shift);
+  __extension__ typedef __int128 int128;
+  return static_cast<int64_t>((static_cast<int128>(a) * b) >> shift);
 #else
   // 64x64 -> 128 in 32-bit pieces, two's complement.
   const uint64_t ua = static_cast<uint64_t>(a), ub = static_cast<uint64_t>(b);

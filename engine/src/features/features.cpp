@@ -1,1 +1,519 @@
 // SPDX-License-Identifier: MIT
+// Stages 5 to 7 of a bind: final candidates and the feature rows of vertices and (vertex, candidate) pairs. Works part by
+// part, because what a part as a whole leans on (its own heat, its host's heat, subtrees) decides for all its vertices.
+#include "features/features.hpp"
+
+#include <string.h>
+
+#include "core/sort.hpp"
+#include "features/parts.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr int32_t kOne = 1 << kFeatureBits;
+constexpr int32_t kWeightOne = 1 << 15;        // heat weights are Q15
+constexpr uint32_t kLogFloor = 4;              // Q15: logs of heat weights start at 2^-13
+constexpr int32_t kSoftLength = kSide / 256;   // added to lengths before a logarithm, so that noise at contact does not count
+constexpr uint32_t kListedHeat = 1638;         // Q15, 5 %: a heat joint above it is always a candidate
+
+// One line per channel keeps names and order together: the enum below and the name tables are made from it.
+#define SINEW_VERTEX_FEATURES(X)                                                                                         \
+  X(mean_curvature) X(gauss_curvature) X(edge_length_log) X(part_share_log) X(part_source_share) X(part_count_log)       \
+  X(joint_count_log) X(vertex_count_log) X(part_boundary_share) X(host_gap) X(is_largest_part) X(part_extent)            \
+  X(part_flatness) X(part_purity) X(rule_is_parts) X(rule_is_open) X(has_source) X(has_source_parts) X(host_purity)      \
+  X(loose_share) X(normal_up) X(part_contact)
+#define SINEW_PAIR_FEATURES(X)                                                                                           \
+  X(rule) X(rule_root) X(rule_log) X(rule_relative) X(parts) X(parts_root) X(parts_log) X(parts_relative) X(soft)        \
+  X(soft_root) X(soft_log) X(rule_raw_root) X(voxel_distance) X(voxel_ratio) X(bone_distance) X(bone_ratio)              \
+  X(bone_position) X(bone_cosine) X(bone_normal) X(bone_up) X(bone_length) X(is_leaf) X(children) X(tree_distance)       \
+  X(is_parent_of_top) X(is_child_of_top) X(is_top) X(rule_nearest) X(soft_nearest) X(parent_rule) X(children_rule)       \
+  X(host_share) X(host_subtree) X(is_host_top) X(part_share) X(part_subtree) X(part_parent_subtree) X(is_part_top)       \
+  X(joint_in_box) X(topmost_in_box) X(deepest_of_part) X(centre_distance) X(centre_ratio) X(territory) X(is_source)      \
+  X(is_root)
+
+#define SINEW_ENUM(name) kV_##name,
+enum VertexFeature : uint32_t { SINEW_VERTEX_FEATURES(SINEW_ENUM) kVertexFeatureCount };
+#undef SINEW_ENUM
+#define SINEW_ENUM(name) kP_##name,
+enum PairFeature : uint32_t { SINEW_PAIR_FEATURES(SINEW_ENUM) kPairFeatureCount };
+#undef SINEW_ENUM
+#define SINEW_NAME(name) #name,
+const char* const kVertexNames[] = {SINEW_VERTEX_FEATURES(SINEW_NAME)};
+const char* const kPairNames[] = {SINEW_PAIR_FEATURES(SINEW_NAME)};
+#undef SINEW_NAME
+
+int16_t q13(int64_t value) { return clamp16(value, -2 * kOne, 2 * kOne - 1); }
+// value / whole in Q13, rounded half up; whole > 0.
+int16_t ratio_q13(int64_t value, int64_t whole) {
+  const int64_t twice = 2 * value * kOne + whole;
+  const int64_t q = twice / (2 * whole);
+  return q13(q * 2 * whole > twice ? q - 1 : q);
+}
+// log2(value) / 2^shift in Q13, for value >= 1; `minus` is subtracted first, both Q16.
+int16_t log_q13(uint64_t value, int32_t minus_q16, int shift) {
+  return q13(round_shift(static_cast<int64_t>(log2_q16(value)) - minus_q16, 3 + shift));
+}
+// Natural log of a Q15 weight divided by kLogFeatureDivisor = 8, in Q13. 45426 = ln 2 in Q16.
+int16_t weight_log_q13(uint32_t weight) {
+  const int64_t l = static_cast<int64_t>(log2_q16(weight < kLogFloor ? kLogFloor : weight)) - (15 << 16);
+  return q13(round_shift(l * 45426, 16 + 3 + 3));
+}
+// sqrt of a Q15 weight in Q13.
+int16_t weight_root_q13(uint32_t weight) { return q13(isqrt64(static_cast<uint64_t>(weight) << 11)); }
+int16_t weight_q13(uint32_t weight) { return q13((weight + 2) >> 2); }
+
+struct Row {  // a finished heat row
+  uint16_t joints[kHeatSlots];
+  uint16_t weights[kHeatSlots];
+  uint32_t count = 0;
+
+  void load(const HeatField& field, uint32_t vertex) { count = finish_heat_row(field, vertex, joints, weights); }
+  uint32_t at(uint32_t joint) const {
+    for (uint32_t i = 0; i < count; ++i) {
+      if (joints[i] == joint) return weights[i];
+    }
+    return 0;
+  }
+  uint32_t top() const {  // slot of the largest weight, ties to the lower joint
+    uint32_t best = 0;
+    for (uint32_t i = 1; i < count; ++i) {
+      if (weights[i] > weights[best] || (weights[i] == weights[best] && joints[i] < joints[best])) best = i;
+    }
+    return best;
+  }
+};
+
+// What one part thinks of each joint, refilled part by part.
+struct PartTables {
+  int64_t* own = nullptr;       // [J] sum of rule weights over the part's vertices, Q15
+  int64_t* subtree = nullptr;   // [J] the same summed over the joint's subtree
+  int64_t* host = nullptr;      // [J] sum of rule weights over the host vertices
+  int64_t* host_subtree = nullptr;
+  uint8_t* in_box = nullptr;    // [J]
+  uint8_t* topmost = nullptr;   // [J] in the box, and no ancestor is
+  uint8_t* covered = nullptr;   // [J] in the box or below one that is
+  uint8_t* deepest = nullptr;   // [J] subtree holds 90 % of the part, no child's does
+  int64_t host_total = 0;
+  uint16_t own_top = kNoJoint, host_top = kNoJoint, box_top = kNoJoint;
+  Vec3i centre = {0, 0, 0};
+  int32_t extent = 1, thickness = 1;
+  uint32_t contact = 0;         // mean distance of the closest quarter to the host
+
+  bool allocate(Arena& arena, uint32_t joints) {
+    own = arena.alloc<int64_t>(joints);
+    subtree = arena.alloc<int64_t>(joints);
+    host = arena.alloc<int64_t>(joints);
+    host_subtree = arena.alloc<int64_t>(joints);
+    in_box = arena.alloc<uint8_t>(joints);
+    topmost = arena.alloc<uint8_t>(joints);
+    covered = arena.alloc<uint8_t>(joints);
+    deepest = arena.alloc<uint8_t>(joints);
+    return arena.ok();
+  }
+};
+
+struct Scratch {
+  Parts parts;
+  PartTables tables;
+  uint64_t* keys = nullptr;             // [V] (host distance, vertex) of one part
+  uint32_t* child_offsets = nullptr;    // [J + 1]
+  uint32_t* children = nullptr;         // [J]
+
+  bool allocate(Arena& arena, const Counts& counts) {
+    parts.allocate(arena, counts);
+    tables.allocate(arena, counts.joints);
+    keys = arena.alloc<uint64_t>(counts.vertices);
+    child_offsets = arena.alloc<uint32_t>(static_cast<size_t>(counts.joints) + 1);
+    children = arena.alloc<uint32_t>(counts.joints);
+    return arena.ok();
+  }
+};
+
+void list_children(const Skeleton& skeleton, uint32_t* offsets, uint32_t* children) {
+  uint32_t total = 0;
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) total += skeleton.child_count[j];
+  // offsets[j] starts at the end of row j and goes down to its start while the row is filled from behind.
+  offsets[skeleton.joint_count] = total;
+  for (uint32_t j = 0, end = 0; j < skeleton.joint_count; ++j) offsets[j] = end += skeleton.child_count[j];
+  for (uint32_t j = skeleton.joint_count; j-- > 0;) {
+    if (skeleton.parents[j] >= 0) children[--offsets[skeleton.parents[j]]] = j;
+  }
+}
+
+class Builder {
+ public:
+  Builder(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates, const HeatFields& heat, Scratch& scratch,
+          Features* out)
+      : mesh_(mesh), skeleton_(skeleton), candidates_(candidates), heat_(heat), s_(scratch), out_(out), k_(candidates.k) {}
+
+  void run() {
+    for (uint32_t c = 0; c < mesh_.component_count; ++c) {
+      fill_tables(c);
+      for (uint32_t i = mesh_.component_offsets[c]; i < mesh_.component_offsets[c + 1]; ++i) {
+        const uint32_t v = mesh_.component_vertices[i];
+        rule_.load(heat_.field[kFieldRule], v);
+        parts_.load(heat_.field[kFieldParts], v);
+        soft_.load(heat_.field[kFieldSoft], v);
+        choose_candidates(v);
+        write_vertex(v, c);
+        write_pairs(v, c);
+      }
+    }
+  }
+
+ private:
+  uint16_t argmax(const int64_t* table) const {
+    uint16_t best = kNoJoint;
+    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) {
+      if (table[j] > 0 && (best == kNoJoint || table[j] > table[best])) best = static_cast<uint16_t>(j);
+    }
+    return best;
+  }
+
+  void add_rule_row(uint32_t vertex, int64_t* table) {
+    Row row;
+    row.load(heat_.field[kFieldRule], vertex);
+    for (uint32_t i = 0; i < row.count; ++i) table[row.joints[i]] += row.weights[i];
+  }
+
+  void sum_subtrees(const int64_t* own, int64_t* subtree) const {
+    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) subtree[j] = own[j];
+    for (uint32_t i = skeleton_.joint_count; i-- > 0;) {
+      const uint32_t j = skeleton_.order[i];
+      if (skeleton_.parents[j] >= 0) subtree[skeleton_.parents[j]] += subtree[j];
+    }
+  }
+
+  void fill_tables(uint32_t c) {
+    PartTables& t = s_.tables;
+    const uint32_t joints = skeleton_.joint_count;
+    const uint32_t first = mesh_.component_offsets[c], size = mesh_.component_sizes[c];
+    memset(t.own, 0, joints * sizeof(int64_t));
+    memset(t.host, 0, joints * sizeof(int64_t));
+    for (uint32_t i = 0; i < size; ++i) add_rule_row(mesh_.component_vertices[first + i], t.own);
+
+    t.host_total = 0;
+    t.contact = 0;
+    if (s_.parts.host_vertex[mesh_.component_vertices[first]] != kNoVertex) {
+      for (uint32_t i = 0; i < size; ++i) {
+        const uint32_t v = mesh_.component_vertices[first + i];
+        s_.keys[i] = static_cast<uint64_t>(s_.parts.host_distance[v]) << 32 | v;
+      }
+      heap_sort(s_.keys, size, [](uint64_t a, uint64_t b) { return a < b; });
+      const uint32_t closest = (size + 3) / 4;
+      uint64_t distance = 0;
+      for (uint32_t i = 0; i < closest; ++i) {
+        add_rule_row(s_.parts.host_vertex[static_cast<uint32_t>(s_.keys[i])], t.host);
+        distance += s_.keys[i] >> 32;
+      }
+      t.contact = static_cast<uint32_t>(distance / closest);
+      for (uint32_t j = 0; j < joints; ++j) t.host_total += t.host[j];
+    }
+    sum_subtrees(t.own, t.subtree);
+    sum_subtrees(t.host, t.host_subtree);
+
+    const Vec3i lo = s_.parts.box_min[c], hi = s_.parts.box_max[c];
+    t.centre = {(lo.x + hi.x) / 2, (lo.y + hi.y) / 2, (lo.z + hi.z) / 2};
+    const Vec3i side = hi - lo;
+    t.extent = side.x > side.y ? side.x : side.y;
+    t.extent = side.z > t.extent ? side.z : t.extent;
+    t.extent = t.extent < 1 ? 1 : t.extent;
+    t.thickness = side.x < side.y ? side.x : side.y;
+    t.thickness = side.z < t.thickness ? side.z : t.thickness;
+    const int32_t slack = t.extent / 64;
+    memset(t.deepest, 0, joints);
+    for (uint32_t i = 0; i < joints; ++i) {  // parents first
+      const uint32_t j = skeleton_.order[i];
+      const Vec3i p = skeleton_.positions[j];
+      const int32_t parent = skeleton_.parents[j];
+      t.in_box[j] = p.x >= lo.x - slack && p.x <= hi.x + slack && p.y >= lo.y - slack && p.y <= hi.y + slack &&
+                    p.z >= lo.z - slack && p.z <= hi.z + slack;
+      const bool above = parent >= 0 && t.covered[parent] != 0;
+      t.topmost[j] = t.in_box[j] != 0 && !above;
+      t.covered[j] = t.in_box[j] != 0 || above;
+      const int64_t enough = static_cast<int64_t>(size) * (kWeightOne / 10 * 9);
+      if (t.subtree[j] >= enough) {
+        t.deepest[j] = 1;
+        if (parent >= 0) t.deepest[parent] = 0;
+      }
+    }
+    t.own_top = argmax(t.own);
+    t.host_top = argmax(t.host);
+    t.box_top = kNoJoint;
+    for (uint32_t j = 0; j < joints; ++j) {
+      if (t.topmost[j] == 0 || skeleton_.usable[j] == 0) continue;
+      if (t.box_top == kNoJoint || t.subtree[j] > t.subtree[t.box_top]) t.box_top = static_cast<uint16_t>(j);
+    }
+  }
+
+  // Heat's joints and the part's favourites first, then the voxel candidates by distance until K are there. What the rigid
+  // answer for a whole part could be must be open to each of its vertices.
+  void choose_candidates(uint32_t v) {
+    const PartTables& t = s_.tables;
+    const uint16_t* voxel = candidates_.joints + static_cast<size_t>(v) * k_;
+    const uint32_t* voxel_distance = candidates_.distances + static_cast<size_t>(v) * k_;
+    count_ = 0;
+    const uint32_t top = rule_.top();
+    add(rule_.joints[top]);
+    add(heat_.field[kFieldRule].nearest[v]);
+    for (uint32_t i = 0; i < rule_.count && count_ + 3 < k_; ++i) {
+      if (rule_.weights[i] >= kListedHeat) add(rule_.joints[i]);
+    }
+    add(t.host_top);
+    add(t.own_top);
+    if (mesh_.component[v] != 0) add(t.box_top);
+    for (uint32_t i = 0; i < k_; ++i) add(voxel[i]);
+    for (uint32_t i = 0; i < parts_.count; ++i) add(parts_.joints[i]);
+
+    uint32_t farthest = 0;
+    for (uint32_t i = 0; i < k_ && voxel[i] != kNoJoint; ++i) farthest = voxel_distance[i];
+    for (uint32_t i = 0; i < count_; ++i) {
+      distances_[i] = farthest + 1;  // joints the search did not bring come after those it did
+      for (uint32_t n = 0; n < k_; ++n) {
+        if (voxel[n] == joints_[i]) distances_[i] = voxel_distance[n];
+      }
+    }
+    for (uint32_t i = 1; i < count_; ++i) {  // insertion sort by (distance, joint)
+      const uint32_t d = distances_[i];
+      const uint16_t j = joints_[i];
+      uint32_t at = i;
+      for (; at > 0 && (distances_[at - 1] > d || (distances_[at - 1] == d && joints_[at - 1] > j)); --at) {
+        distances_[at] = distances_[at - 1];
+        joints_[at] = joints_[at - 1];
+      }
+      distances_[at] = d;
+      joints_[at] = j;
+    }
+    uint16_t* out = out_->joints + static_cast<size_t>(v) * k_;
+    for (uint32_t i = 0; i < k_; ++i) out[i] = i < count_ ? joints_[i] : kNoJoint;
+  }
+
+  void add(uint16_t joint) {
+    if (joint == kNoJoint || count_ >= k_ || skeleton_.usable[joint] == 0) return;
+    for (uint32_t i = 0; i < count_; ++i) {
+      if (joints_[i] == joint) return;
+    }
+    joints_[count_++] = joint;
+  }
+
+  void write_vertex(uint32_t v, uint32_t c) {
+    const PartTables& t = s_.tables;
+    const uint32_t size = mesh_.component_sizes[c];
+    int16_t* f = out_->vertex + static_cast<size_t>(v) * kVertexFeatureCount;
+    f[kV_mean_curvature] = q13(mesh_.mean_curvature[v]);
+    f[kV_gauss_curvature] = q13(mesh_.gauss_curvature[v]);
+    f[kV_edge_length_log] = log_q13(static_cast<uint64_t>(mesh_.edge_length[v]) + 64, 14 << 16, 2);
+    f[kV_part_share_log] = q13((log2_q16(size) - log2_q16(mesh_.welded_count)) >> 6);
+    f[kV_part_source_share] = ratio_q13(s_.parts.source_count[c], size);
+    f[kV_part_count_log] = log_q13(mesh_.component_count, 0, 3);
+    f[kV_joint_count_log] = log_q13(skeleton_.joint_count, 0, 3);
+    f[kV_vertex_count_log] = log_q13(mesh_.welded_count, 8 << 16, 3);
+    f[kV_part_boundary_share] = ratio_q13(s_.parts.boundary_count[c], size);
+    f[kV_host_gap] = c == 0 ? int16_t{0} : log_q13(s_.parts.host_distance[v] + uint64_t{kSoftLength}, 12 << 16, 2);
+    f[kV_is_largest_part] = c == 0 ? kOne : 0;
+    f[kV_part_extent] = ratio_q13(t.extent, kSide);
+    f[kV_part_flatness] = ratio_q13(t.thickness, t.extent);
+    f[kV_part_purity] = t.own_top == kNoJoint ? int16_t{0} : share_q13(t.own[t.own_top], size);
+    f[kV_rule_is_parts] = heat_.component_rule[c] == 1 ? kOne : 0;
+    f[kV_rule_is_open] = heat_.component_rule[c] == 2 ? kOne : 0;
+    f[kV_has_source] = heat_.field[kFieldRule].has_source[v] != 0 ? kOne : 0;
+    f[kV_has_source_parts] = heat_.field[kFieldParts].has_source[v] != 0 ? kOne : 0;
+    f[kV_host_purity] = t.host_top == kNoJoint ? int16_t{0} : ratio_q13(t.host[t.host_top], t.host_total);
+    f[kV_loose_share] = ratio_q13(mesh_.welded_count - mesh_.component_sizes[0], mesh_.welded_count);
+    f[kV_normal_up] = q13(mesh_.normals[v].y >> (kNormalBits - kFeatureBits));
+    f[kV_part_contact] = c == 0 ? int16_t{0} : log_q13(t.contact + uint64_t{kSoftLength}, 12 << 16, 2);
+  }
+
+  // A sum of Q15 weights over `size` vertices as their mean, Q13.
+  static int16_t share_q13(int64_t sum, uint32_t size) { return q13(sum / (static_cast<int64_t>(size) * 4)); }
+
+  struct BoneFit {
+    uint32_t distance;
+    int32_t along_q13;   // 0 at the head, 8192 at the tail
+    Vec3i away;          // from the nearest point to the vertex
+    Vec3i direction;     // head to tail
+    uint32_t length;
+  };
+
+  // The nearest of a joint's bones: segments to its children, a leaf's to its tip.
+  BoneFit fit_bone(Vec3i p, uint32_t joint) const {
+    const Vec3i head = skeleton_.positions[joint];
+    BoneFit best{0xFFFFFFFFu, 0, {0, 0, 0}, {0, 0, 0}, 0};
+    const uint32_t first = s_.child_offsets[joint], end = s_.child_offsets[joint + 1];
+    for (uint32_t i = first; i < end || i == first; ++i) {
+      const Vec3i tail = first == end ? candidates_.tips[joint] : skeleton_.positions[s_.children[i]];
+      const Vec3i direction = tail - head, to = p - head;
+      const int64_t length2 = dot(direction, direction);
+      int64_t t = 0;  // Q20
+      if (length2 > 0) {
+        const int shift = length2 >> 42 != 0 ? 10 : 0;  // coordinates are below 2^23, so length2 < 2^50
+        int64_t along = dot(to, direction);
+        along = along < 0 ? 0 : along > length2 ? length2 : along;
+        t = ((along >> shift) << 20) / (length2 >> shift);
+      }
+      const Vec3i nearest = {head.x + static_cast<int32_t>(round_shift(direction.x * t, 20)),
+                             head.y + static_cast<int32_t>(round_shift(direction.y * t, 20)),
+                             head.z + static_cast<int32_t>(round_shift(direction.z * t, 20))};
+      const Vec3i away = p - nearest;
+      const uint32_t distance = isqrt64(static_cast<uint64_t>(dot(away, away)));
+      if (distance < best.distance) {
+        best = {distance, static_cast<int32_t>(t >> 7), away, direction, isqrt64(static_cast<uint64_t>(length2))};
+      }
+    }
+    return best;
+  }
+
+  // Edges between two joints in the tree, at most 15.
+  uint32_t tree_distance(uint32_t a, uint32_t b) const {
+    uint32_t steps = 0;
+    while (a != b && steps < 15) {
+      if (skeleton_.depth[a] >= skeleton_.depth[b]) {
+        if (skeleton_.parents[a] < 0) return 15;  // two roots: different trees
+        a = static_cast<uint32_t>(skeleton_.parents[a]);
+      } else {
+        b = static_cast<uint32_t>(skeleton_.parents[b]);
+      }
+      ++steps;
+    }
+    return steps;
+  }
+
+  void write_pairs(uint32_t v, uint32_t c) {
+    const PartTables& t = s_.tables;
+    const uint32_t size = mesh_.component_sizes[c];
+    const HeatField& raw = heat_.field[kFieldRule];
+    int16_t* rows = out_->pair + static_cast<size_t>(v) * k_ * kPairFeatureCount;
+    memset(rows, 0, static_cast<size_t>(k_) * kPairFeatureCount * sizeof(int16_t));
+    BoneFit fits[SINEW_MAX_CANDIDATES];
+    uint32_t nearest_bone = 0xFFFFFFFFu;
+    for (uint32_t i = 0; i < count_; ++i) {
+      fits[i] = fit_bone(mesh_.positions[v], joints_[i]);
+      if (fits[i].distance < nearest_bone) nearest_bone = fits[i].distance;
+    }
+    const uint32_t rule_top = rule_.top(), parts_top = parts_.top();
+    const uint32_t top_joint = rule_.joints[rule_top];
+    for (uint32_t i = 0; i < count_; ++i) {
+      const uint32_t j = joints_[i];
+      const int32_t parent = skeleton_.parents[j];
+      int16_t* f = rows + static_cast<size_t>(i) * kPairFeatureCount;
+      const uint32_t rule = rule_.at(j), parts = parts_.at(j), soft = soft_.at(j);
+      f[kP_rule] = weight_q13(rule);
+      f[kP_rule_root] = weight_root_q13(rule);
+      f[kP_rule_log] = weight_log_q13(rule);
+      f[kP_rule_relative] = ratio_q13(rule, rule_.weights[rule_top]);
+      f[kP_parts] = weight_q13(parts);
+      f[kP_parts_root] = weight_root_q13(parts);
+      f[kP_parts_log] = weight_log_q13(parts);
+      f[kP_parts_relative] = ratio_q13(parts, parts_.weights[parts_top]);
+      f[kP_soft] = weight_q13(soft);
+      f[kP_soft_root] = weight_root_q13(soft);
+      f[kP_soft_log] = weight_log_q13(soft);
+      for (uint32_t n = 0; n < kHeatSlots; ++n) {
+        const size_t slot = static_cast<size_t>(v) * kHeatSlots + n;
+        if (raw.joints[slot] == j) f[kP_rule_raw_root] = weight_root_q13(raw.weights[slot]);
+      }
+      f[kP_voxel_distance] = ratio_q13(2 * static_cast<int64_t>(distances_[i]), kSide);
+      f[kP_voxel_ratio] = log_q13(distances_[i] + uint64_t{kSoftLength}, log2_q16(distances_[0] + uint64_t{kSoftLength}), 2);
+      const BoneFit& bone = fits[i];
+      f[kP_bone_distance] = ratio_q13(2 * static_cast<int64_t>(bone.distance), kSide);
+      f[kP_bone_ratio] = log_q13(bone.distance + uint64_t{kSoftLength}, log2_q16(nearest_bone + uint64_t{kSoftLength}), 2);
+      f[kP_bone_position] = q13(bone.along_q13);
+      f[kP_bone_cosine] = cosine_q13(bone.away, bone.distance, mesh_.normals[v]);
+      f[kP_bone_normal] = cosine_q13(bone.direction, bone.length, mesh_.normals[v]);
+      f[kP_bone_up] = bone.length == 0 ? int16_t{0} : ratio_q13(bone.direction.y, bone.length);
+      f[kP_bone_length] = ratio_q13(4 * static_cast<int64_t>(bone.length), kSide);
+      f[kP_is_leaf] = skeleton_.child_count[j] == 0 ? kOne : 0;
+      f[kP_children] = q13(skeleton_.child_count[j] * (kOne / 4));
+      f[kP_tree_distance] = q13(tree_distance(j, top_joint) * (kOne / 8));
+      f[kP_is_parent_of_top] = skeleton_.parents[top_joint] == static_cast<int32_t>(j) ? kOne : 0;
+      f[kP_is_child_of_top] = parent == static_cast<int32_t>(top_joint) ? kOne : 0;
+      f[kP_is_top] = j == top_joint ? kOne : 0;
+      f[kP_rule_nearest] = raw.nearest[v] == j ? kOne : 0;
+      f[kP_soft_nearest] = heat_.field[kFieldSoft].nearest[v] == j ? kOne : 0;
+      f[kP_parent_rule] = parent < 0 ? int16_t{0} : weight_q13(rule_.at(static_cast<uint32_t>(parent)));
+      uint32_t below = 0;
+      for (uint32_t n = 0; n < rule_.count; ++n) {
+        if (skeleton_.parents[rule_.joints[n]] == static_cast<int32_t>(j)) below += rule_.weights[n];
+      }
+      f[kP_children_rule] = weight_q13(below);
+      if (t.host_total > 0) {
+        f[kP_host_share] = ratio_q13(t.host[j], t.host_total);
+        f[kP_host_subtree] = ratio_q13(t.host_subtree[j], t.host_total);
+        f[kP_is_host_top] = t.host_top == j ? kOne : 0;
+      }
+      f[kP_part_share] = share_q13(t.own[j], size);
+      f[kP_part_subtree] = share_q13(t.subtree[j], size);
+      f[kP_part_parent_subtree] = parent < 0 ? kOne : share_q13(t.subtree[parent], size);
+      f[kP_is_part_top] = t.own_top == j ? kOne : 0;
+      f[kP_joint_in_box] = t.in_box[j] != 0 ? kOne : 0;
+      f[kP_topmost_in_box] = t.topmost[j] != 0 ? kOne : 0;
+      f[kP_deepest_of_part] = t.deepest[j] != 0 ? kOne : 0;
+      const Vec3i to_centre = t.centre - skeleton_.positions[j];
+      const uint32_t centre_distance = isqrt64(static_cast<uint64_t>(dot(to_centre, to_centre)));
+      f[kP_centre_distance] = ratio_q13(2 * static_cast<int64_t>(centre_distance), kSide);
+      f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
+                                   log2_q16(static_cast<uint64_t>(t.extent) + kSoftLength), 2);
+      f[kP_territory] = log_q13(candidates_.territory[j] + uint64_t{16}, 16 << 16, 3);
+      f[kP_is_source] = skeleton_.source[j] != 0 ? kOne : 0;
+      f[kP_is_root] = parent < 0 ? kOne : 0;
+    }
+  }
+
+  // Cosine of a vector of known length with a Q14 unit vector, Q13; 0 for no length.
+  static int16_t cosine_q13(Vec3i vector, uint32_t length, Vec3i unit) {
+    return length == 0 ? int16_t{0} : q13(round_shift(dot(vector, unit) / length, kNormalBits - kFeatureBits));
+  }
+
+  const Mesh& mesh_;
+  const Skeleton& skeleton_;
+  const Candidates& candidates_;
+  const HeatFields& heat_;
+  Scratch& s_;
+  Features* out_;
+  const uint32_t k_;
+  // Of the vertex at work:
+  Row rule_, parts_, soft_;
+  uint16_t joints_[SINEW_MAX_CANDIDATES] = {};
+  uint32_t distances_[SINEW_MAX_CANDIDATES] = {};
+  uint32_t count_ = 0;
+};
+
+}  // namespace
+
+const uint32_t kVertexFeatures = kVertexFeatureCount;
+const uint32_t kPairFeatures = kPairFeatureCount;
+const uint32_t kPairLogRule = kP_rule_log;
+const uint32_t kPairLogParts = kP_parts_log;
+const char* vertex_feature_name(uint32_t channel) { return channel < kVertexFeatures ? kVertexNames[channel] : ""; }
+const char* pair_feature_name(uint32_t channel) { return channel < kPairFeatures ? kPairNames[channel] : ""; }
+
+bool Features::allocate(Arena& arena, const Counts& counts) {
+  const size_t pairs = static_cast<size_t>(counts.vertices) * counts.candidates;
+  vertex = arena.alloc<int16_t>(static_cast<size_t>(counts.vertices) * kVertexFeatureCount);
+  pair = arena.alloc<int16_t>(pairs * kPairFeatureCount);
+  joints = arena.alloc<uint16_t>(pairs);
+  return arena.ok();
+}
+
+void measure_build_features(Arena& arena, const Counts& counts) {
+  const size_t mark = arena.mark();
+  Scratch().allocate(arena, counts);
+  measure_find_parts(arena, counts);
+  arena.release(mark);
+}
+
+sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates, const HeatFields& heat,
+                            const Counts& counts, Arena& arena, Features* features) {
+  const size_t mark = arena.mark();
+  Scratch scratch;
+  if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  const sinew_status status = find_parts(mesh, heat, counts, arena, &scratch.parts);
+  if (status != SINEW_OK) return status;
+  list_children(skeleton, scratch.child_offsets, scratch.children);
+  Builder(mesh, skeleton, candidates, heat, scratch, features).run();
+  arena.release(mark);
+  return SINEW_OK;
+}
+
+}  // namespace sinew

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Stage 5 of a bind: what each connected component is and what it hangs on.
+#ifndef SINEW_FEATURES_PARTS_HPP
+#define SINEW_FEATURES_PARTS_HPP
+
+#include "heat/heat.hpp"
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kNoVertex = 0xFFFFFFFFu;
+
+struct Parts {
+  uint32_t* host_vertex = nullptr;    // [U] nearest vertex of a component with more vertices (a smaller component id), ties:
+                                      // lower index; kNoVertex in the first component
+  uint32_t* host_distance = nullptr;  // [U] Euclid, grid units; 0 where there is no host vertex
+  uint32_t* source_count = nullptr;   // [components] vertices that are heat sources in the rule field
+  uint32_t* boundary_count = nullptr; // [components] vertices on an open boundary
+  Vec3i* box_min = nullptr;           // [components] bounding box, grid units
+  Vec3i* box_max = nullptr;
+
+  bool allocate(Arena& arena, const Counts& counts);
+};
+
+sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& counts, Arena& arena, Parts* parts);
+void measure_find_parts(Arena& arena, const Counts& counts);
+
+}  // namespace sinew
+#endif
