@@ -1,1 +1,98 @@
 // SPDX-License-Identifier: MIT
+// The C API: argument checks and calls inward; sinew_bind() strings the stages together.
+#include "sinew/sinew.h"
+
+#include "bind/bind.hpp"
+#include "deform/skinning.hpp"
+#include "model/reader.hpp"
+
+#define SINEW_STRING_(x) #x
+#define SINEW_STRING(x) SINEW_STRING_(x)
+
+extern "C" {
+
+const char* sinew_version(void) {
+  return SINEW_STRING(SINEW_VERSION_MAJOR) "." SINEW_STRING(SINEW_VERSION_MINOR) "." SINEW_STRING(SINEW_VERSION_PATCH);
+}
+
+const char* sinew_status_text(sinew_status status) {
+  switch (status) {
+    case SINEW_OK: return "ok";
+    case SINEW_ERROR_ARGUMENT: return "a pointer is null or an option is out of its range";
+    case SINEW_ERROR_WORKSPACE: return "the workspace is too small or not aligned to 64 bytes";
+    case SINEW_ERROR_COUNT: return "too many or no vertices, corners or joints";
+    case SINEW_ERROR_NOT_FINITE: return "a position is NaN or infinite";
+    case SINEW_ERROR_INDEX: return "a face names a vertex, or a parent a joint, that does not exist";
+    case SINEW_ERROR_HIERARCHY: return "the joint parents form a cycle";
+    case SINEW_ERROR_NO_JOINT: return "every joint is excluded from binding";
+    case SINEW_ERROR_CANCELLED: return "cancelled by the progress callback";
+    case SINEW_ERROR_MODEL_MAGIC: return "not a sinew model file";
+    case SINEW_ERROR_MODEL_VERSION: return "the model needs another version of this library";
+    case SINEW_ERROR_MODEL_TRUNCATED: return "the model file is shorter or longer than its header says";
+    case SINEW_ERROR_MODEL_CHECKSUM: return "the model file's checksum does not match its bytes";
+    case SINEW_ERROR_MODEL_LAYOUT: return "the model file contradicts itself";
+    case SINEW_ERROR_MODEL_OVERFLOW: return "the model file has an accumulator that could overflow";
+    case SINEW_ERROR_MODEL_ALIGNMENT: return "the model bytes must start at an address divisible by 8";
+    case SINEW_ERROR_RANGE: return "a joint index or weight is out of its range";
+  }
+  return "unknown status";
+}
+
+sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model) {
+  if (bytes == nullptr || model == nullptr) return SINEW_ERROR_ARGUMENT;
+  return sinew::open_model(bytes, size_bytes, model);
+}
+
+sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
+                                       uint32_t corner_count, uint32_t joint_count, const sinew_options* options,
+                                       size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  sinew::BindPlan plan;
+  const sinew_status status =
+      sinew::plan_bind(model, vertex_count, face_count, corner_count, joint_count, options, &plan);
+  if (status != SINEW_OK) return status;
+  sinew::Arena arena;
+  sinew::measure_bind(arena, plan);
+  if (!arena.ok()) return SINEW_ERROR_COUNT;
+  *size_bytes = arena.high_water();
+  return SINEW_OK;
+}
+
+sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
+                        const sinew_options* options, void* workspace, size_t workspace_bytes, uint16_t* joints,
+                        void* weights, size_t* used_bytes) {
+  if (mesh == nullptr || skeleton == nullptr || workspace == nullptr || joints == nullptr || weights == nullptr ||
+      mesh->positions == nullptr || skeleton->positions == nullptr || skeleton->parents == nullptr ||
+      (mesh->face_count > 0 && mesh->face_vertices == nullptr)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew::BindPlan plan;
+  const sinew_status status = sinew::plan_bind(model, mesh->vertex_count, mesh->face_count, mesh->corner_count,
+                                               skeleton->joint_count, options, &plan);
+  if (status != SINEW_OK) return status;
+  if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  return sinew::run_bind(plan, *mesh, *skeleton, workspace, workspace_bytes, joints, weights, used_bytes);
+}
+
+sinew_status sinew_skin_linear(const float* positions, uint32_t vertex_count, const uint16_t* joints,
+                               const uint16_t* weights, uint32_t influence_count, const float* palette,
+                               uint32_t joint_count, float* out) {
+  if (positions == nullptr || joints == nullptr || weights == nullptr || palette == nullptr || out == nullptr ||
+      influence_count == 0) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  return sinew::skin_linear(positions, vertex_count, joints, weights, influence_count, palette, joint_count, out);
+}
+
+sinew_status sinew_skin_dual_quaternion(const float* positions, uint32_t vertex_count, const uint16_t* joints,
+                                        const uint16_t* weights, uint32_t influence_count, const float* palette,
+                                        uint32_t joint_count, float* out) {
+  if (positions == nullptr || joints == nullptr || weights == nullptr || palette == nullptr || out == nullptr ||
+      influence_count == 0) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  return sinew::skin_dual_quaternion(positions, vertex_count, joints, weights, influence_count, palette, joint_count, out);
+}
+
+}  // extern "C"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A whole bind: options to a plan, the plan to bytes of workspace, and the run.
+#ifndef SINEW_BIND_BIND_HPP
+#define SINEW_BIND_BIND_HPP
+
+#include "bind/pipeline.hpp"
+
+namespace sinew {
+
+// Checked options with their defaults filled in.
+struct BindPlan {
+  Counts counts;
+  sinew_model model;         // valid for PrepareFor::kNetwork
+  PrepareFor purpose;
+  uint32_t influence_count;
+  uint32_t up_axis;
+  uint32_t weight_format;
+  const uint8_t* locked;
+  Progress progress;
+};
+
+// Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT.
+sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
+                       const sinew_options* options, BindPlan* plan);
+void measure_bind(Arena& arena, const BindPlan& plan);
+sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
+                      size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes);
+
+}  // namespace sinew
+#endif
