@@ -43,8 +43,8 @@ struct Sample {
   std::vector<uint16_t> candidate;  // [U x K], 0xFFFF absent
   std::vector<uint32_t> row_offsets, col_indices;               // one-ring CSR
   std::vector<uint32_t> component, component_offsets, component_vertices;
-  std::vector<float> target;        // [U x K] reference weight of each candidate (end joints folded: the weight of a joint whose
-                                    // end markers are candidates may be put on either; see `fold`)
+  std::vector<float> target;        // [U x K] reference weight of each candidate. A joint that is no candidate but whose end
+                                    // marker is (fold[end] == joint) has its weight on the first such end marker
   std::vector<uint32_t> fold;       // [J] fold_targets of the character
   std::vector<float> missing;       // [U] reference weight no candidate has
   std::vector<float> importance;    // [U] caller's vertices welded into this one (0 when unbound): the yardstick counts those
@@ -57,6 +57,8 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
 // Network output (probabilities per candidate [U x K]) to influences per caller vertex, `keep` largest, as the engine rounds.
 std::vector<std::vector<Influence>> sample_influences(const Sample& sample, const std::vector<float>& probabilities,
                                                       uint32_t keep);
+// One row cut to its `keep` largest and rounded to unorm16 / 65535 exactly as the engine rounds; empty for an empty row.
+std::vector<Influence> round_influences(const std::vector<Influence>& row, uint32_t keep);
 
 }  // namespace sinew
 #endif
