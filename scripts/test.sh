@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Installs what is missing, builds with warnings as errors, and runs every test; then the engine and formats tests again under
+# AddressSanitizer and UndefinedBehaviorSanitizer. `scripts/test.sh quick` leaves the sanitizer build out.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+jobs=$(nproc)
+
+echo "== format"
+scripts/format.sh --check
+echo "== release build"
+cmake --preset ci >/dev/null
+cmake --build --preset ci -j "$jobs"
+ctest --test-dir build/release --output-on-failure -j "$jobs"
+if [ "${1:-}" != quick ]; then
+  echo "== sanitizer build"
+  cmake --preset dev >/dev/null
+  cmake --build --preset dev -j "$jobs"
+  ctest --test-dir build/dev --output-on-failure -j "$jobs" -LE 'slow|shared|tools'
+fi
+echo "all tests passed"

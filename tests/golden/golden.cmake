@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+add_test(NAME golden_all_compilers
+  COMMAND ${CMAKE_SOURCE_DIR}/tests/golden/golden_test.sh ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/golden)
+set_tests_properties(golden_all_compilers PROPERTIES LABELS "tools" TIMEOUT 600)
