@@ -24,7 +24,9 @@ struct JointTurn {
   double x = 0, y = 0, z = 0;
 };
 std::vector<Mat34> pose_palette(const Character& character, const std::vector<JointTurn>& turns);
-// Skins with linear blend (or dual quaternions) through the engine's C API; returns the character with moved vertices.
+// Skins with linear blend (or dual quaternions) through the engine's C API: weights as unorm16, the 12 strongest of a row,
+// rows without weight stay where they are. Returns the character with moved vertices and joints; its corner normals and glTF
+// source are dropped, since they describe the rest pose. Throws Error for missing weights or a joint that does not exist.
 Character apply_pose(const Character& character, const std::vector<Mat34>& palette, bool dual_quaternion = false);
 
 }  // namespace sinew
