@@ -13,11 +13,10 @@ constexpr int kGridBits = 20;                    // positions: longest side of t
 constexpr int32_t kSide = 1 << kGridBits;
 constexpr int kNormalBits = 14;                  // unit vectors are Q14
 
-// Maps floats to the integer grid. Built from the mesh, applied to mesh and joints alike.
-// Exact integer arithmetic on the IEEE words: grid = round_half_up((value - origin) * 2^20 / side) per axis.
+// Positions and joints are on one integer grid, built from the box of all vertices (mesh/quantize.hpp), by exact integer
+// arithmetic on the IEEE words: grid = round_half_up((value - origin) * 2^20 / side) per axis.
 // x and z are centred on 0, y has its floor at 0 (after the up axis was turned to Y). Joints may lie outside the mesh:
 // they are clamped to +-2^22.
-struct Quantizer;
 
 // The welded mesh. Vertices with the same grid position are one welded vertex. Welded vertices are in Morton order of
 // their grid position, so nothing after this stage depends on the caller's numbering. U = welded_count.
@@ -31,10 +30,14 @@ struct Mesh {
   Vec3i* face_normals = nullptr;         // [T] unit, Q14
   uint32_t* row_offsets = nullptr;       // [U + 1] CSR one-ring over edges of triangles
   uint32_t* col_indices = nullptr;       // [E2 <= 6 T] neighbours ascending
-  Vec3i* normals = nullptr;              // [U] normalised sum of the unit face normals, Q14; (0,0,0) when there is no face
-  uint64_t* areas = nullptr;             // [U] sum over its triangles of |cross| / 6, grid units squared (a third of the area)
-  int32_t* mean_curvature = nullptr;     // [U] Q13: (Laplacian . normal) / mean edge length, clamped to +-2
-  int32_t* gauss_curvature = nullptr;    // [U] Q13: angle defect / pi, clamped to +-2; 0 at boundary vertices
+  Vec3i* normals = nullptr;              // [U] normalised sum of the unit face normals, Q14; (0,0,0) when there is no
+                                         //     face or they cancel
+  uint64_t* areas = nullptr;             // [U] sum over its triangles of |cross| / 6, grid units squared (a third of the area);
+                                         //     at least 1 for a vertex with a triangle, 0 for one without
+  int32_t* mean_curvature = nullptr;     // [U] Q13: ((mean of the neighbours - vertex) . normal) / mean edge length, clamped to
+                                         //     +-2; negative where the surface bulges outward
+  int32_t* gauss_curvature = nullptr;    // [U] Q13: angle defect / pi, clamped to +-2; 0 at boundary vertices (an
+                                         //     edge with one triangle) and at vertices without a triangle
   uint32_t* edge_length = nullptr;       // [U] mean one-ring edge length, grid units
   uint32_t component_count = 0;
   uint32_t* component = nullptr;         // [U] component id; 0 = most vertices, then falling size, ties by first vertex
@@ -42,7 +45,8 @@ struct Mesh {
   uint32_t* component_offsets = nullptr; // [component_count + 1] CSR into component_vertices
   uint32_t* component_vertices = nullptr;// [U] vertices grouped by component, ascending
 
-  // Allocates everything for the upper bounds (works with a measuring arena). Returns arena.ok().
+  // Allocates everything for the upper bounds (works with a measuring arena). The caller does this before build_mesh().
+  // Returns arena.ok().
   bool allocate(Arena& arena, const Counts& counts);
 };
 
@@ -62,11 +66,14 @@ struct Skeleton {
   Vec3i* bone_tail = nullptr;    // [J] end of the bone; the head is positions[j]
   uint8_t* source = nullptr;     // [J] 1: may be a heat source. 0: not usable, or a parentless joint in the lowest 3 % of the
                                  // mesh's height with 1 to 4 children unless the caller said that it deforms
+                                 // (deform_known). If that would leave no source, every usable joint is one
 
   bool allocate(Arena& arena, const Counts& counts);
 };
 
-// Fills both from the caller's views. Scratch beyond the two structs is taken from `arena` and released.
+// Fills both, allocated beforehand, from the caller's views. Faces are checked (SINEW_ERROR_INDEX): every corner names a vertex,
+// face_offsets start at 0, never fall and end at corner_count; without them corner_count is 3 face_count. Faces of fewer than three
+// corners are legal and ignored. Scratch beyond the two structs is taken from `arena` and released.
 // Returns SINEW_OK, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY, SINEW_ERROR_NO_JOINT or
 // SINEW_ERROR_WORKSPACE. The counts were checked by the caller. A mesh of one point has side 1.
 sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_input, uint32_t up_axis,

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Normals, areas and curvatures of the welded mesh.
+#include "mesh/surface.hpp"
+
+#include "mesh/vector_math.hpp"
+
+namespace sinew {
+namespace {
+
+// round(atan(2^-i) / pi * 2^30), python3: [round(atan(2.0**-i) / pi * 2**30) for i in range(28)]
+constexpr int kAngleSteps = 28;
+constexpr int32_t kAngles[kAngleSteps] = {
+    268435456, 158466703, 83729454, 42502378, 21333666, 10677233, 5339919, 2670123, 1335082, 667543,
+    333772, 166886, 83443, 41722, 20861, 10430, 5215, 2608, 1304, 652,
+    326, 163, 81, 41, 20, 10, 5, 3};
+constexpr int64_t kHalfTurn = 1 << 30;  // pi in the format of angle_q30
+
+constexpr int kCurvatureBits = 13;
+constexpr int32_t kCurvatureLimit = 2 << kCurvatureBits;
+
+Vec3l& operator+=(Vec3l& a, Vec3l b) {
+  a.x += b.x;
+  a.y += b.y;
+  a.z += b.z;
+  return a;
+}
+
+// Twice the vector area. Mesh coordinates span at most 2^20, so every component is at most 2^40.
+Vec3l corner_cross(const Mesh& mesh, const uint32_t* t) {
+  return cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+}
+
+// Sums over the triangles of a vertex. Unit normals in Q24, so that 2^38 faces could meet without overflow.
+void add_triangles(const SurfaceScratch& scratch, Mesh* mesh) {
+  for (uint32_t v = 0; v < mesh->welded_count; ++v) {
+    scratch.normal_sums[v] = {0, 0, 0};
+    scratch.angle_sums[v] = 0;
+    mesh->areas[v] = 0;
+  }
+  for (uint32_t i = 0; i < mesh->triangle_count; ++i) {
+    const uint32_t* t = mesh->triangles + 3 * static_cast<size_t>(i);
+    const Vec3l normal = corner_cross(*mesh, t);
+    const int64_t twice_area = static_cast<int64_t>(length(normal));
+    mesh->face_normals[i] = unit_vector(normal, kNormalBits);
+    const Vec3i fine = unit_vector(normal, 24);
+    for (int corner = 0; corner < 3; ++corner) {
+      const uint32_t v = t[corner];
+      const Vec3i to_next = mesh->positions[t[(corner + 1) % 3]] - mesh->positions[v];
+      const Vec3i to_last = mesh->positions[t[(corner + 2) % 3]] - mesh->positions[v];
+      mesh->areas[v] += static_cast<uint64_t>(twice_area);
+      scratch.normal_sums[v] += Vec3l{fine.x, fine.y, fine.z};
+      scratch.angle_sums[v] += angle_q30(twice_area, dot(to_next, to_last));
+    }
+  }
+}
+
+void finish_vertex(const SurfaceScratch& scratch, uint32_t v, Mesh* mesh) {
+  mesh->normals[v] = unit_vector(scratch.normal_sums[v], kNormalBits);
+  // A sixth of the sum of |cross|; a vertex with a triangle never gets 0, so that it can be divided by.
+  if (mesh->areas[v] != 0) {
+    const uint64_t area = (mesh->areas[v] + 3) / 6;
+    mesh->areas[v] = area != 0 ? area : 1;
+  }
+  const uint32_t begin = mesh->row_offsets[v], end = mesh->row_offsets[v + 1];
+  mesh->mean_curvature[v] = 0;
+  mesh->gauss_curvature[v] = 0;
+  mesh->edge_length[v] = 0;
+  if (begin == end) return;
+
+  // Valence < 2^22, an edge is shorter than 2^21: lengths in Q10 sum below 2^53, dot products with the Q14 normal below 2^58.
+  uint64_t length_sum = 0;
+  int64_t along_normal = 0;
+  for (uint32_t e = begin; e < end; ++e) {
+    const Vec3i edge = mesh->positions[mesh->col_indices[e]] - mesh->positions[v];
+    length_sum += isqrt64(static_cast<uint64_t>(dot(edge, edge)) << 20);  // 3 * 2^40 << 20 < 2^62
+    along_normal += dot(edge, mesh->normals[v]);
+  }
+  const uint64_t valence = end - begin;
+  mesh->edge_length[v] = static_cast<uint32_t>((length_sum + (valence << 9)) / (valence << 10));
+  // mean(edge) . n / mean(|edge|) = sum / sum: Q14 over Q10 and 2^9 more gives Q13. Both are halved alike until the product fits.
+  int64_t numerator = along_normal;
+  int64_t denominator = static_cast<int64_t>(length_sum);
+  while (abs64(numerator) >= static_cast<int64_t>(1) << 51) {
+    numerator >>= 1;
+    denominator >>= 1;
+  }
+  mesh->mean_curvature[v] = clamp32(round_div(numerator * 512, denominator), -kCurvatureLimit, kCurvatureLimit);
+  if (scratch.boundary[v] == 0) {
+    mesh->gauss_curvature[v] = clamp32(round_shift(2 * kHalfTurn - scratch.angle_sums[v], 30 - kCurvatureBits),
+                                       -kCurvatureLimit, kCurvatureLimit);
+  }
+}
+
+}  // namespace
+
+int32_t angle_q30(int64_t y, int64_t x) {
+  if (x == 0 && y == 0) return 0;
+  // Brings the vector to 60 bits, so that small triangles are measured as finely as large ones.
+  uint64_t top = static_cast<uint64_t>(y) | static_cast<uint64_t>(abs64(x));
+  while (top < (static_cast<uint64_t>(1) << 59)) {
+    top <<= 1;
+    x *= 2;
+    y *= 2;
+  }
+  int64_t angle = 0;
+  if (x < 0) {  // a quarter turn back brings the vector to the right half plane
+    const int64_t t = x;
+    x = y;
+    y = -t;
+    angle = kHalfTurn / 2;
+  }
+  // CORDIC in vectoring mode (Volder 1959): turns the vector onto the x axis, its length grows by at most 1.65.
+  for (int i = 0; i < kAngleSteps; ++i) {
+    const int64_t shifted_x = x >> i, shifted_y = y >> i;
+    if (y > 0) {
+      x += shifted_y;
+      y -= shifted_x;
+      angle += kAngles[i];
+    } else {
+      x -= shifted_y;
+      y += shifted_x;
+      angle -= kAngles[i];
+    }
+  }
+  return clamp32(angle, 0, static_cast<int32_t>(kHalfTurn));
+}
+
+void measure_surface(const SurfaceScratch& scratch, Mesh* mesh) {
+  add_triangles(scratch, mesh);
+  for (uint32_t v = 0; v < mesh->welded_count; ++v) finish_vertex(scratch, v, mesh);
+}
+
+}  // namespace sinew
