@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Reads the engine library's symbol table: no allocator, no unwinder, no libm, no writable data, no recursion into stdio.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+std::string run(const std::string& command) {
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {};
+  std::string out;
+  std::array<char, 4096> block;
+  for (size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;) out.append(block.data(), n);
+  return pclose(pipe) == 0 ? out : std::string();
+}
+
+struct Symbol {
+  std::string object;
+  char type = '?';
+  std::string name;
+};
+
+// `nm -A` prints library:object:address type name.
+std::vector<Symbol> engine_symbols() {
+  std::vector<Symbol> symbols;
+  std::istringstream lines(run("nm -A " SINEW_ENGINE_LIBRARY));
+  for (std::string line; std::getline(lines, line);) {
+    const size_t name_at = line.rfind(' ');
+    if (name_at == std::string::npos || name_at < 2) continue;
+    const size_t object_at = line.find(".a:");
+    const size_t object_end = object_at == std::string::npos ? std::string::npos : line.find(':', object_at + 3);
+    symbols.push_back({object_end == std::string::npos ? "" : line.substr(object_at + 3, object_end - object_at - 3),
+                       line[name_at - 1], line.substr(name_at + 1)});
+  }
+  return symbols;
+}
+
+TEST(EngineSymbols, NeedsNothingButMemoryRoutines) {
+  const std::vector<Symbol> symbols = engine_symbols();
+  ASSERT_GT(symbols.size(), 20u) << "nm found no symbols in " << SINEW_ENGINE_LIBRARY;
+  for (const Symbol& symbol : symbols) {
+    if (symbol.type != 'U') continue;
+    const bool own = symbol.name.find("sinew") != std::string::npos;
+    const bool memory = symbol.name == "memcpy" || symbol.name == "memset" || symbol.name == "memmove" || symbol.name == "memcmp";
+    const bool toolchain = symbol.name == "_GLOBAL_OFFSET_TABLE_" || symbol.name == "__stack_chk_fail";
+    EXPECT_TRUE(own || memory || toolchain) << symbol.object << " needs " << symbol.name;
+  }
+}
+
+TEST(EngineSymbols, HasNoWritableData) {
+  for (const Symbol& symbol : engine_symbols()) {
+    // .data.rel.ro holds constant tables of pointers; nm calls it 'd' as well, so it is told apart by section below.
+    EXPECT_EQ(std::string("BbCDGgSs").find(symbol.type == 'd' ? '-' : symbol.type), std::string::npos)
+        << symbol.object << " has the variable " << symbol.name;
+  }
+  std::istringstream sections(run("size -A " SINEW_ENGINE_LIBRARY));
+  for (std::string line; std::getline(sections, line);) {
+    std::istringstream words(line);
+    std::string section;
+    size_t bytes = 0;
+    words >> section >> bytes;
+    if (section == ".data" || section == ".bss" || section == ".tdata" || section == ".tbss") {
+      EXPECT_EQ(bytes, 0u) << section;
+    }
+  }
+}
+
+}  // namespace
