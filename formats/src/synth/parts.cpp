@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: MIT
+// Lumps, shells, clothes, hats and other components of generated characters.
+#include "synth/parts.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace sinew::synth {
+
+Frame box_frame(double hx, double hy, double hz) { return {{hx, 0, 0}, {0, hy, 0}, {0, 0, hz}}; }
+
+Frame bone_frame(Point a, Point b, double hx, double hy) {
+  const Point z = (b - a) * 0.5, along = unit(z);
+  const Point helper = along.y > 0.8 || along.y < -0.8 ? Point{0, 0, 1} : Point{0, 1, 0};
+  const Point x = unit(cross(helper, along)), y = cross(along, x);
+  return {x * hx, y * hy, z};
+}
+
+Surface lump(uint32_t joint, Point centre, const Frame& frame, int n, double round, double taper) {
+  Surface surface;
+  std::map<std::array<int, 3>, uint32_t> known;
+  const auto vertex = [&](std::array<int, 3> at) {
+    const auto found = known.find(at);
+    if (found != known.end()) return found->second;
+    const Point cube = {2.0 * at[0] / n - 1, 2.0 * at[1] / n - 1, 2.0 * at[2] / n - 1};
+    const Point p = mix(cube, unit(cube), round);
+    const double across = mix(1.0, taper, (p.z + 1) * 0.5);
+    const uint32_t id = static_cast<uint32_t>(surface.positions.size());
+    surface.positions.push_back(centre + frame.x * (p.x * across) + frame.y * (p.y * across) + frame.z * p.z);
+    surface.influences.push_back({{joint, 1.0f}});
+    known.emplace(at, id);
+    return id;
+  };
+  // A mirrored frame would turn the lump inside out.
+  const bool flipped = dot(cross(frame.x, frame.y), frame.z) < 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const size_t w = static_cast<size_t>(axis), u = (w + 1) % 3, v = (w + 2) % 3;
+    for (int side = 0; side < 2; ++side) {
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          std::vector<uint32_t> face;
+          constexpr int kAround[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+          for (const auto& around : kAround) {
+            std::array<int, 3> at{};
+            at[w] = side * n;
+            at[u] = i + around[0];
+            at[v] = j + around[1];
+            face.push_back(vertex(at));
+          }
+          if ((side == 0) != flipped) std::reverse(face.begin(), face.end());
+          surface.faces.push_back(std::move(face));
+        }
+      }
+    }
+  }
+  return surface;
+}
+
+Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<double, 3>>& profile, int sides, bool closed) {
+  Surface surface;
+  std::vector<uint32_t> first;
+  std::vector<bool> pole;
+  for (const auto& [rx, rz, height] : profile) {
+    first.push_back(static_cast<uint32_t>(surface.positions.size()));
+    pole.push_back(rx == 0);
+    const int count = rx == 0 ? 1 : sides;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * kPi * i / sides;
+      surface.positions.push_back(centre + Point{rx * sine(angle), height, rz * cosine(angle)});
+      surface.influences.push_back({{joint, 1.0f}});
+    }
+  }
+  const size_t rings = profile.size();
+  for (size_t r = 0; r + (closed ? 0 : 1) < rings; ++r) {
+    const size_t next = (r + 1) % rings;
+    for (int i = 0; i < sides; ++i) {
+      const uint32_t a = static_cast<uint32_t>(i), b = static_cast<uint32_t>((i + 1) % sides);
+      std::vector<uint32_t> face;
+      if (pole[r]) {
+        face = {first[r], first[next] + a, first[next] + b};
+      } else if (pole[next]) {
+        face = {first[r] + a, first[next], first[r] + b};
+      } else {
+        face = {first[r] + a, first[next] + a, first[next] + b, first[r] + b};
+      }
+      surface.faces.push_back(std::move(face));
+    }
+  }
+  return surface;
+}
+
+namespace {
+
+double share_of(const std::vector<Influence>& row, const std::vector<bool>& joints) {
+  double sum = 0;
+  for (const Influence& i : row) sum += joints[i.joint] ? static_cast<double>(i.weight) : 0.0;
+  return sum;
+}
+
+// The faces whose corners all pass, pushed out by `offset` along the normals, with the body's weights. Faces at pinched vertices
+// (more than one fan) are dropped, so the boundary is a set of simple loops.
+Surface shell(const Surface& body, const std::vector<Point>& normals, const std::function<bool(uint32_t)>& passes, double offset) {
+  std::vector<bool> keep(body.faces.size());
+  for (size_t f = 0; f < body.faces.size(); ++f) keep[f] = std::all_of(body.faces[f].begin(), body.faces[f].end(), passes);
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::map<std::pair<uint32_t, uint32_t>, int> edges;
+    for (size_t f = 0; f < keep.size(); ++f) {
+      if (!keep[f]) continue;
+      const std::vector<uint32_t>& face = body.faces[f];
+      for (size_t i = 0; i < face.size(); ++i) {
+        const uint32_t a = face[i], b = face[(i + 1) % face.size()];
+        ++edges[{std::min(a, b), std::max(a, b)}];
+      }
+    }
+    std::vector<int> open(body.positions.size(), 0);
+    for (const auto& [edge, count] : edges) {
+      if (count != 1) continue;
+      ++open[edge.first];
+      ++open[edge.second];
+    }
+    for (size_t f = 0; f < keep.size(); ++f) {
+      if (!keep[f]) continue;
+      if (std::any_of(body.faces[f].begin(), body.faces[f].end(), [&](uint32_t v) { return open[v] > 2; })) {
+        keep[f] = false;
+        changed = true;
+      }
+    }
+  }
+  Surface surface;
+  std::vector<int64_t> map(body.positions.size(), -1);
+  for (size_t f = 0; f < keep.size(); ++f) {
+    if (!keep[f]) continue;
+    std::vector<uint32_t> face;
+    for (uint32_t v : body.faces[f]) {
+      if (map[v] < 0) {
+        map[v] = static_cast<int64_t>(surface.positions.size());
+        surface.positions.push_back(body.positions[v] + normals[v] * offset);
+        surface.influences.push_back(body.influences[v]);
+      }
+      face.push_back(static_cast<uint32_t>(map[v]));
+    }
+    surface.faces.push_back(std::move(face));
+  }
+  return surface;
+}
+
+// Weights of cloth that hangs from the trunk at height y: the trunk joints above and below share it.
+std::vector<Influence> trunk_weights(const Blueprint& plan, double y) {
+  for (size_t i = plan.trunk.size(); i-- > 1;) {
+    const double here = plan.at(plan.trunk[i]).y, below = plan.at(plan.trunk[i - 1]).y;
+    if (y > here + 0.3 * (here - below)) return {{static_cast<uint32_t>(plan.trunk[i]), 1.0f}};
+    if (y > here - 0.3 * (here - below)) {
+      const double t = smooth_step(here - 0.3 * (here - below), here + 0.3 * (here - below), y);
+      return {{static_cast<uint32_t>(plan.trunk[i]), static_cast<float>(t)},
+              {static_cast<uint32_t>(plan.trunk[i - 1]), static_cast<float>(1 - t)}};
+    }
+  }
+  return {{static_cast<uint32_t>(plan.trunk[0]), 1.0f}};
+}
+
+// What hanging cloth has to clear: not the arms, not a tail.
+std::vector<bool> trunk_and_legs(const Blueprint& plan) {
+  std::vector<bool> set(plan.joints.size(), false);
+  for (int joint : plan.trunk) set[static_cast<size_t>(joint)] = true;
+  for (const Limb& limb : plan.legs) {
+    for (int joint : limb.joints) set[static_cast<size_t>(joint)] = true;
+  }
+  return set;
+}
+
+// An open tube around hips and legs, from the waist down to `hem`; follows hips, thighs and shins.
+Surface skirt(const Blueprint& plan, const Surface& body, double waist, double hem, double flare) {
+  const Point hip = plan.at(plan.legs[0].joints[0]), knee = plan.at(plan.legs[0].joints[1]);
+  const std::vector<bool> covered = trunk_and_legs(plan);
+  const int rows = std::max(4, static_cast<int>((waist - hem) / (1.6 * plan.cell))), sides = 24;
+  std::vector<std::array<double, 3>> profile;
+  double rx = 0, rz = 0;
+  for (int r = 0; r <= rows; ++r) {
+    const double y = mix(waist, hem, static_cast<double>(r) / rows);
+    for (size_t v = 0; v < body.positions.size(); ++v) {
+      const Point p = body.positions[v];
+      if (p.y < y - plan.cell || p.y > y + plan.cell || share_of(body.influences[v], covered) < 0.8) continue;
+      rx = std::max(rx, (p.x < 0 ? -p.x : p.x) + 0.02);
+      rz = std::max(rz, (p.z < 0 ? -p.z : p.z) + 0.02);
+    }
+    const double grow = 1 + flare * r / rows;
+    profile.push_back({rx * grow * 1.06, rz * grow * 1.1, y});
+  }
+  Surface cloth = revolve(static_cast<uint32_t>(plan.trunk[0]), {0, 0, 0}, profile, sides);
+  for (size_t v = 0; v < cloth.positions.size(); ++v) {
+    const Point p = cloth.positions[v];
+    const double legs = smooth_step(hip.y + 0.05, mix(hip.y, knee.y, 0.7), p.y) * 0.9;
+    const double left = smooth_step(-hip.x, hip.x, p.x), low = smooth_step(mix(knee.y, hip.y, 0.15), mix(knee.y, 0, 0.25), p.y);
+    std::vector<Influence> row = {{static_cast<uint32_t>(plan.trunk[0]), static_cast<float>(1 - legs)}};
+    for (size_t side = 0; side < 2; ++side) {
+      const double share = legs * (side == 0 ? left : 1 - left);
+      row.push_back({static_cast<uint32_t>(plan.legs[side].joints[0]), static_cast<float>(share * (1 - low))});
+      row.push_back({static_cast<uint32_t>(plan.legs[side].joints[1]), static_cast<float>(share * low)});
+    }
+    cloth.influences[v] = tidy_weights(std::move(row));
+  }
+  return cloth;
+}
+
+// A sheet behind the back, from the shoulders to `hem`.
+Surface cape(const Blueprint& plan, const Surface& body, double hem, bool rigid) {
+  const uint32_t chest = static_cast<uint32_t>(plan.trunk.back()), hips = static_cast<uint32_t>(plan.trunk.front());
+  const Point shoulder = plan.at(plan.arms[0].joints[0]);
+  const double top = plan.at(plan.neck).y - 0.01;
+  const int columns = 10, rows = std::max(6, static_cast<int>((top - hem) / (1.7 * plan.cell)));
+  const std::vector<bool> covered = trunk_and_legs(plan);
+  Surface sheet;
+  double depth = 0;
+  for (int r = 0; r <= rows; ++r) {
+    const double t = static_cast<double>(r) / rows, y = mix(top, hem, t);
+    for (size_t v = 0; v < body.positions.size(); ++v) {
+      const Point p = body.positions[v];
+      const bool behind = p.x < shoulder.x && p.x > -shoulder.x && share_of(body.influences[v], covered) > 0.8;
+      if (behind && p.y > y - plan.cell && p.y < y + plan.cell) depth = std::max(depth, -p.z);
+    }
+    const double width = shoulder.x * mix(0.85, 1.5, t);
+    for (int c = 0; c <= columns; ++c) {
+      const double s = 2.0 * c / columns - 1;
+      sheet.positions.push_back({s * width, y, -depth - 0.03 - 0.06 * t + 0.05 * s * s});
+      std::vector<Influence> row = {{chest, 1.0f}};
+      if (!rigid) {
+        row = trunk_weights(plan, y);
+        // Below the seat the cloth trails the hips only half as much; the chest it hangs from keeps the rest.
+        const double low = 0.5 * smooth_step(plan.at(plan.trunk[0]).y, plan.at(plan.trunk[0]).y * 0.6, y);
+        for (Influence& i : row) i.weight *= static_cast<float>(1 - low);
+        if (low > 0 && row[0].joint == hips) row.push_back({chest, static_cast<float>(low)});
+      }
+      sheet.influences.push_back(tidy_weights(std::move(row)));
+    }
+  }
+  for (int r = 0; r < rows; ++r) {
+    for (int c = 0; c < columns; ++c) {
+      const uint32_t a = static_cast<uint32_t>(r * (columns + 1) + c), below = a + static_cast<uint32_t>(columns) + 1;
+      sheet.faces.push_back({a, a + 1, below + 1, below});  // seen from behind
+    }
+  }
+  std::vector<std::vector<uint32_t>> out;
+  for (std::vector<uint32_t> f : sheet.faces) {
+    const Point n = cross(sheet.positions[f[1]] - sheet.positions[f[0]], sheet.positions[f[2]] - sheet.positions[f[0]]);
+    if (n.z > 0) std::reverse(f.begin(), f.end());
+    out.push_back(std::move(f));
+  }
+  sheet.faces = std::move(out);
+  return sheet;
+}
+
+Surface torus(uint32_t joint, Point centre, double rx, double rz, double thickness, int sides) {
+  std::vector<std::array<double, 3>> profile;
+  for (int i = 0; i < 6; ++i) {
+    const double angle = 2 * kPi * i / 6;
+    profile.push_back({rx + thickness * sine(angle), rz + thickness * sine(angle), thickness * cosine(angle)});
+  }
+  return revolve(joint, centre, profile, sides, true);
+}
+
+void hat(const Blueprint& plan, Random* random, Surface* out) {
+  const uint32_t head = static_cast<uint32_t>(plan.head);
+  const double r = plan.head_radius;
+  const Point brow = plan.head_centre + Point{0, r * 0.45, 0};
+  if (random->chance(0.5)) {  // pointed, with a brim
+    const double tall = r * random->range(1.2, 2.4);
+    out->append(revolve(head, brow, {{0, 0, tall}, {r * 0.35, r * 0.35, tall * 0.6}, {r * 0.7, r * 0.7, tall * 0.25}, {r * 1.0, r * 1.0, 0},
+                                     {r * 1.35, r * 1.35, -0.02}, {r * 1.7, r * 1.7, -0.05}}, 14));
+  } else {  // a cap of hair or a helmet
+    const double w = r * 1.12;
+    out->append(revolve(head, plan.head_centre, {{0, 0, w * 1.1}, {w * 0.5, w * 0.5, w * 0.95}, {w * 0.85, w * 0.85, w * 0.55}, {w, w, w * 0.1}}, 14));
+  }
+}
+
+void horns(const Blueprint& plan, Random* random, Surface* out) {
+  const double r = plan.head_radius, tall = r * random->range(0.6, 1.3);
+  for (int side = 0; side < 2; ++side) {
+    const double s = side == 0 ? 1 : -1;
+    const Point base = plan.head_centre + Point{s * r * 0.6, r * 0.75, 0};
+    out->append(lump(static_cast<uint32_t>(plan.head), base + Point{s * tall * 0.2, tall * 0.45, 0},
+                     bone_frame(base, base + Point{s * tall * 0.4, tall, 0}, r * 0.22, r * 0.22), 3, 0.8, 0.25));
+  }
+}
+
+}  // namespace
+
+Surface eyes(const Blueprint& plan, Random* random) {
+  Surface out;
+  const double r = plan.head_radius, size = r * random->range(0.16, 0.3);
+  for (double side : {1.0, -1.0}) {
+    const Point at = plan.head_centre + unit({side * 0.5, 0.25, 1.0}) * (r * 0.97);
+    out.append(lump(static_cast<uint32_t>(plan.head), at, box_frame(size, size, size * 0.7), 2, 1.0));
+  }
+  return out;
+}
+
+Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random* random) {
+  Surface out;
+  const std::vector<Point> normals = vertex_normals(body);
+  const auto set_of = [&](const std::vector<int>& joints) {
+    std::vector<bool> set(plan.joints.size(), false);
+    for (int j : joints) set[static_cast<size_t>(j)] = true;
+    return set;
+  };
+  const uint32_t hips = static_cast<uint32_t>(plan.trunk.front()), chest = static_cast<uint32_t>(plan.trunk.back());
+  if (kind == BodyPlan::kBiped) {
+    const Point hip = plan.at(plan.trunk[0]), neck = plan.at(plan.neck);
+    const double waist = hip.y + random->range(0.06, 0.12), knee = plan.at(plan.legs[0].joints[1]).y;
+    const int bottom = random->integer(0, 3);  // trousers, skirt, robe, nothing
+    std::vector<int> legs = {plan.trunk[0]};
+    for (const Limb& limb : plan.legs) legs.insert(legs.end(), limb.joints.begin(), limb.joints.begin() + 2);
+    if (bottom == 0) {
+      const std::vector<bool> set = set_of(legs);
+      const double cut = random->chance(0.5) ? 0.14 : knee + 0.05;
+      out.append(shell(body, normals, [&](uint32_t v) {
+        return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > cut && body.positions[v].y < waist;
+      }, 0.008));
+    } else if (bottom < 3) {
+      const double hem = bottom == 1 ? knee + random->range(-0.05, 0.08) : random->range(0.05, 0.12);
+      out.append(skirt(plan, body, waist, hem, random->range(0.0, 0.35)));
+    }
+    if (random->chance(0.75)) {
+      std::vector<int> covered = plan.trunk;
+      const bool long_sleeves = random->chance(0.5);
+      for (const Limb& limb : plan.arms) {
+        covered.push_back(limb.joints[0]);
+        if (long_sleeves) covered.push_back(limb.joints[1]);
+        const int up = plan.joints[static_cast<size_t>(limb.joints[0])].parent;
+        if (up != plan.trunk.back()) covered.push_back(up);
+      }
+      const std::vector<bool> set = set_of(covered);
+      out.append(shell(body, normals, [&](uint32_t v) {
+        return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > waist - 0.06 && body.positions[v].y < neck.y + 0.02;
+      }, 0.014));
+    }
+    if (random->chance(0.4)) {
+      std::vector<int> feet;
+      for (const Limb& limb : plan.legs) feet.insert(feet.end(), limb.joints.begin() + 2, limb.joints.end());
+      const std::vector<bool> set = set_of(feet);
+      out.append(shell(body, normals, [&](uint32_t v) { return share_of(body.influences[v], set) > 0.45; }, 0.012));
+    }
+    if (random->chance(0.35)) out.append(cape(plan, body, random->chance(0.5) ? knee : 0.2, random->chance(0.3)));
+    if (random->chance(0.4)) {
+      for (size_t side = 0; side < 2; ++side) {
+        const Point at = plan.at(plan.arms[side].joints[0]) + Point{side == 0 ? 0.02 : -0.02, 0.07, 0};
+        out.append(lump(static_cast<uint32_t>(plan.arms[side].joints[0]), at, box_frame(0.09, 0.045, 0.09), 3, 0.85));
+      }
+    }
+    if (random->chance(0.3)) {
+      out.append(lump(chest, mix(plan.at(plan.trunk.back()), neck, 0.4) - Point{0, 0, 0.26}, box_frame(0.13, 0.16, 0.08), 3, 0.3));
+    }
+    if (random->chance(0.3)) {
+      double rx = 0, rz = 0;
+      const std::vector<bool> trunk = set_of(plan.trunk);
+      for (size_t v = 0; v < body.positions.size(); ++v) {
+        const Point p = body.positions[v];
+        if (p.y < waist - plan.cell || p.y > waist + plan.cell || share_of(body.influences[v], trunk) < 0.7) continue;
+        rx = std::max(rx, p.x);
+        rz = std::max(rz, p.z);
+      }
+      if (rx > 0) out.append(torus(hips, {0, waist, 0}, rx + 0.03, rz + 0.03, 0.025, 18));
+    }
+    if (random->chance(0.25)) {  // something long in the left hand
+      const Limb& arm = plan.arms[0];
+      const Point hand = plan.at(arm.joints[2]), out_by = unit(hand - plan.at(arm.joints[1]));
+      const Point grip = hand + out_by * 0.07;
+      out.append(lump(static_cast<uint32_t>(arm.joints[2]), grip + Point{0, 0, 0.28}, bone_frame(grip - Point{0, 0, 0.1}, grip + Point{0, 0, 0.66}, 0.03, 0.015), 3, 0.2, 0.5));
+    }
+    if (random->chance(0.15)) out.append(torus(static_cast<uint32_t>(plan.head), plan.head_centre + Point{0, plan.head_radius * 1.6, 0}, 0.12, 0.12, 0.015, 16));
+  } else if (kind == BodyPlan::kQuadruped && random->chance(0.6)) {
+    const std::vector<bool> trunk = set_of(plan.trunk);
+    const double back = plan.at(plan.trunk[1]).y - 0.02;
+    out.append(shell(body, normals, [&](uint32_t v) {
+      return share_of(body.influences[v], trunk) > 0.6 && body.positions[v].y > back && body.positions[v].z > plan.at(plan.trunk[1]).z - 0.1 &&
+             body.positions[v].z < plan.at(plan.trunk.back()).z + 0.08;
+    }, 0.016));
+    if (random->chance(0.5)) {
+      for (double side : {1.0, -1.0}) {
+        out.append(lump(static_cast<uint32_t>(plan.trunk[1]), plan.at(plan.trunk[1]) + Point{side * 0.24, 0.02, 0.06}, box_frame(0.05, 0.1, 0.12), 3, 0.3));
+      }
+    }
+  } else if (kind == BodyPlan::kManyLegged && random->chance(0.6)) {
+    for (int joint : plan.trunk) {  // plates on the back
+      const PlanJoint& segment = plan.joints[static_cast<size_t>(joint)];
+      out.append(lump(static_cast<uint32_t>(joint), mix(segment.position, segment.tip, 0.5) + Point{0, 0.16, 0}, box_frame(0.12, 0.03, 0.1), 3, 0.6));
+    }
+  } else if (kind == BodyPlan::kBird) {
+    const Point front = plan.head_centre + Point{0, -0.01, plan.head_radius * 0.8};
+    out.append(lump(static_cast<uint32_t>(plan.head), front + Point{0, 0, 0.08}, bone_frame(front, front + Point{0, -0.02, 0.17}, 0.035, 0.03), 3, 0.6, 0.2));
+  }
+  const double on_head = random->range(0, 1);
+  if (on_head < 0.35) {
+    hat(plan, random, &out);
+  } else if (on_head < 0.6) {
+    horns(plan, random, &out);
+  }
+  return out;
+}
+
+Surface rigid_body(const Blueprint& plan, Random* random) {
+  Surface out;
+  const double round = random->range(0.1, 0.9);
+  const bool balls = random->chance(0.5);
+  for (const Primitive& p : plan.body) {
+    const double long_way = length(p.b - p.a), r = std::max(p.ra, p.rb);
+    // Stretch short bones to their thickness, leave a gap at the ends of long ones.
+    const Point along = long_way > 1e-6 ? (p.b - p.a) * (1 / long_way) : Point{0, 1, 0};
+    const double half = long_way > 2 * r ? long_way * 0.5 - 0.15 * r : r * 0.9;
+    const Point centre = mix(p.a, p.b, 0.5);
+    Frame frame = bone_frame(centre - along * half, centre + along * half, p.ra, p.ra);
+    for (Point* axis : {&frame.x, &frame.y}) *axis = {axis->x * p.scale.x, axis->y * p.scale.y, axis->z * p.scale.z};
+    out.append(lump(static_cast<uint32_t>(p.joint), centre, frame, 3, round, p.rb / p.ra));
+    if (balls) {
+      const double ball = p.ra * 0.7;
+      out.append(lump(static_cast<uint32_t>(p.joint), p.a, box_frame(ball, ball, ball), 2, 1.0));
+    }
+  }
+  return out;
+}
+
+}  // namespace sinew::synth
