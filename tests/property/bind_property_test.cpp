@@ -296,7 +296,9 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
   EXPECT_EQ(joints[20], 1);
   EXPECT_EQ(weights[20], 65535);
   for (size_t i = 0; i < joints.size(); ++i) {
-    if (i / 4 != 5 && weights[i] > 0) EXPECT_NE(joints[i], 1) << "an excluded joint got weight";
+    if (i / 4 != 5 && weights[i] > 0) {
+      EXPECT_NE(joints[i], 1) << "an excluded joint got weight";
+    }
   }
   joints[20] = 9;
   EXPECT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
@@ -305,7 +307,9 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
   joints[20] = 0;
   ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr), SINEW_OK);
   for (size_t i = 0; i < joints.size(); ++i) {
-    if (i / 4 != 5 && weights[i] > 0) EXPECT_EQ(joints[i], 2) << "only one joint deforms";
+    if (i / 4 != 5 && weights[i] > 0) {
+      EXPECT_EQ(joints[i], 2) << "only one joint deforms";
+    }
   }
 }
 
