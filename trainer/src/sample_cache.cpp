@@ -1,1 +1,159 @@
 // SPDX-License-Identifier: MIT
+// Loads training samples through a cache of one file per sample, filled by several threads.
+#include "sample_cache.hpp"
+
+#include <atomic>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <sstream>
+
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
+
+#include "augment.hpp"
+#include "features/features.hpp"
+#include "parallel.hpp"
+#include "random.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace sinew {
+
+template <class Archive>
+void serialize(Archive& archive, Sample& s) {
+  archive(s.name, s.family, s.vertices, s.candidates, s.vertex_features, s.pair_features, s.components, s.joints, s.vertex, s.pair,
+          s.candidate, s.row_offsets, s.col_indices, s.component, s.component_offsets, s.component_vertices, s.target, s.fold,
+          s.missing, s.importance, s.heat, s.vertex_to_welded);
+}
+
+namespace {
+
+constexpr uint64_t kCacheVersion = 1;  // grows whenever the file's layout changes
+constexpr char kMagic[8] = {'S', 'N', 'W', 'S', 'M', 'P', 'L', '1'};
+
+uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {
+  uint64_t hash = mix_seeds(seed, size);
+  for (size_t i = 0; i + 8 <= size; i += 8) {
+    uint64_t word;
+    std::memcpy(&word, data + i, 8);
+    hash = mix64(hash ^ word) + 0x9E3779B97F4A7C15ull;
+  }
+  uint64_t tail = 0;
+  if (size % 8 != 0) std::memcpy(&tail, data + size - size % 8, size % 8);
+  return mix64(hash ^ tail);
+}
+
+std::string rig_beside(const std::string& mesh_path) {
+  return std::filesystem::path(mesh_path).replace_extension(".rig.txt").string();
+}
+
+// 128 bits of everything that the sample depends on.
+std::string cache_key(const SampleRequest& request, const SampleSource& source) {
+  std::vector<uint8_t> content = read_file(request.mesh_path);
+  if (std::filesystem::exists(rig_beside(request.mesh_path))) {
+    const std::vector<uint8_t> rig = read_file(rig_beside(request.mesh_path));
+    content.insert(content.end(), rig.begin(), rig.end());
+  }
+  uint64_t settings = mix_seeds(kCacheVersion, kFeatureSet, (uint64_t{kVertexFeatures} << 32) | kPairFeatures);
+  settings = mix_seeds(settings, source.candidates, source.grid);
+  if (request.variant != 0) settings = mix_seeds(settings, mix_seeds(kAugmentVersion, source.seed), request.variant);
+  char text[40];
+  std::snprintf(text, sizeof text, "%016llx%016llx",
+                static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), settings)),
+                static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), ~settings)));
+  return text;
+}
+
+// Magic, hash of the payload, payload. Nothing is parsed before the hash fits, so a damaged length cannot do harm.
+std::optional<Sample> read_cached(const std::string& path) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  const std::vector<uint8_t> bytes = read_file(path);
+  constexpr size_t kHeader = sizeof kMagic + sizeof(uint64_t);
+  if (bytes.size() < kHeader || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return std::nullopt;
+  uint64_t expected;
+  std::memcpy(&expected, bytes.data() + sizeof kMagic, sizeof expected);
+  if (hash_bytes(bytes.data() + kHeader, bytes.size() - kHeader, kCacheVersion) != expected) return std::nullopt;
+  std::istringstream stream(std::string(bytes.begin() + kHeader, bytes.end()), std::ios::binary);
+  Sample sample;
+  cereal::BinaryInputArchive archive(stream);
+  archive(sample);
+  return sample;
+}
+
+void write_cached(const std::string& path, Sample& sample) {
+  std::ostringstream stream(std::ios::binary);
+  cereal::BinaryOutputArchive{stream}(sample);
+  const std::string payload = stream.str();
+  const uint64_t hash = hash_bytes(reinterpret_cast<const uint8_t*>(payload.data()), payload.size(), kCacheVersion);
+  std::vector<uint8_t> bytes(kMagic, kMagic + sizeof kMagic);
+  bytes.insert(bytes.end(), reinterpret_cast<const uint8_t*>(&hash), reinterpret_cast<const uint8_t*>(&hash) + sizeof hash);
+  bytes.insert(bytes.end(), payload.begin(), payload.end());
+  write_file(path, bytes);
+}
+
+}  // namespace
+
+std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, const SampleSource& source) {
+  std::error_code failure;
+  std::filesystem::create_directories(source.cache_dir, failure);
+  if (failure) throw Error(source.cache_dir + ": cannot make the cache folder: " + failure.message());
+  std::vector<std::optional<Sample>> loaded(requests.size());
+  std::atomic<size_t> done{0}, made{0};
+  std::mutex print;
+  parallel_for(requests.size(), source.threads, [&](size_t item, unsigned) {
+    const SampleRequest& request = requests[item];
+    try {
+      const std::string stem = std::filesystem::path(request.mesh_path).stem().string();
+      const std::string path =
+          (std::filesystem::path(source.cache_dir) / (stem + "-" + cache_key(request, source) + ".sample")).string();
+      loaded[item] = read_cached(path);
+      if (!loaded[item]) {
+        Character character = read_character(request.mesh_path);
+        if (request.variant != 0) {
+          character = augment(character, mix_seeds(source.seed, request.variant, hash_bytes(
+              reinterpret_cast<const uint8_t*>(character.name.data()), character.name.size(), 0)));
+        }
+        loaded[item] = make_sample(character, source.candidates, source.grid);
+        write_cached(path, *loaded[item]);
+        ++made;
+      }
+    } catch (const Error& error) {
+      const std::lock_guard<std::mutex> lock(print);
+      std::fprintf(stderr, "left out: %s\n", error.what());
+    }
+    const size_t count = ++done;
+    if (!source.quiet && (count % 25 == 0 || count == requests.size())) {
+      const std::lock_guard<std::mutex> lock(print);
+      std::fprintf(stderr, "features: %zu of %zu samples, %zu made anew\n", count, requests.size(), made.load());
+    }
+  });
+  std::vector<Sample> samples;
+  for (std::optional<Sample>& sample : loaded) {
+    if (sample) samples.push_back(std::move(*sample));
+  }
+  if (samples.empty() && !requests.empty()) {
+    throw Error(requests[0].mesh_path + ": neither this nor any other of the " + std::to_string(requests.size()) +
+                " characters could be used; see the lines above");
+  }
+  return samples;
+}
+
+std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid, const std::string& cache_dir,
+                                 uint32_t threads, bool quiet) {
+  std::vector<SampleRequest> requests;
+  for (const std::string& path : list_characters(folder)) requests.push_back({path, 0});
+  if (requests.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
+  SampleSource source;
+  source.candidates = candidates;
+  source.grid = grid;
+  source.cache_dir = cache_dir;
+  source.threads = threads;
+  source.quiet = quiet;
+  return load_requests(requests, source);
+}
+
+}  // namespace sinew

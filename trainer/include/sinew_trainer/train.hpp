@@ -3,6 +3,7 @@
 #ifndef SINEW_TRAINER_TRAIN_HPP
 #define SINEW_TRAINER_TRAIN_HPP
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct TrainConfig {
   FieldOptions field;
   std::string optimizer = "adamw";   // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
+  double feature_dropout = 0;        // probability of an input channel to be missing from a whole character
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5;
   uint64_t steps = 6000;             // length of the cosine schedule
   uint32_t batch = 2;                // characters per step, one per thread
@@ -42,9 +44,15 @@ struct TrainOptions {
   double minutes = 0;                // stop after so much wall time (the schedule is by time then); 0 = by steps
   uint32_t threads = 2;
   bool quiet = false;
+  uint64_t stop_after = 0;           // stop after so many steps of this call, to be resumed; 0 = off
+  const std::atomic<bool>* stop = nullptr;  // set it (from a signal handler, say) to write the checkpoint and return
 };
-// Runs to the end; writes the checkpoint at every validation and at the end. Throws Error.
+// Runs to the end; writes the checkpoint at every validation and at the end. With `resume` the output is read first and the
+// result is, byte for byte on one machine, that of a run that was never interrupted (by steps; time is never the same twice).
+// Threads change no number. Throws Error: other configuration than the resumed one, other shapes than `init`, no usable data.
 void train(const TrainConfig& config, const TrainOptions& options);
+// The configuration a checkpoint was trained with, for --resume without --config.
+TrainConfig checkpoint_config(const std::string& path);
 
 // Loads (or makes and caches) the samples of a folder; both cores. Characters that fail are reported on stderr and left out.
 std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid, const std::string& cache_dir,
