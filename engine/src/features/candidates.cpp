@@ -1,1 +1,379 @@
 // SPDX-License-Identifier: MIT
+// The K nearest joints of every vertex: all bones grow through the voxels at once, nearest first, and a cell passes on only the
+// first K joints that reach it. The cost is K times the cells visited, whatever the joint count.
+#include "features/candidates.hpp"
+
+#include "features/voxels.hpp"
+#include "mesh/vector_math.hpp"
+
+namespace sinew {
+namespace {
+
+// Lengths in the grid are counted in fortieths of a cell: chamfer steps 5/7/9 (Borgefors 1986) in eighths of a chamfer unit, so that
+// bones and vertices need not sit at cell centres.
+constexpr int32_t kCellLength = 40;
+constexpr uint32_t kStepLengths[4] = {0, 40, 56, 72};  // by the number of axes a step moves along
+constexpr uint32_t kOutsideFactor = 4;
+constexpr uint32_t kBuckets = 512;  // a power of two above the longest step, 4 * 72
+
+// A label is (distance << 12) | joint, so labels order by (distance, joint). 12 bits hold SINEW_MAX_JOINTS. 20 bits hold any distance:
+// joints lie within 2^22 of the origin, at most 887 cells of the box at the finest grid, or 35,480; from there a straight walk of
+// at most 128 outside steps adds 36,864, and a cell cannot need more for its K-th label, because a cell that refuses a label on
+// that walk is full of nearer ones that go on in its stead. For the same reason every cell of the grid gets all its labels.
+constexpr int kJointBits = 12;
+constexpr uint32_t kJointMask = (1u << kJointBits) - 1;
+static_assert(SINEW_MAX_JOINTS <= kJointMask + 1, "a label's joint field is too small");
+constexpr uint32_t kNever = 0xFFFFFFFFu;
+uint32_t make_label(uint32_t distance, uint32_t joint) { return (distance << kJointBits) | joint; }
+
+constexpr uint32_t kReportEvery = 1u << 16;  // settled labels between two progress reports
+
+struct Step {
+  int32_t offset;
+  uint32_t length;
+};
+
+struct Propagation {
+  VoxelGrid grid;
+  uint32_t* labels;  // [cells x K] ascending; the first `settled` are final
+  uint32_t* limits;  // [cells] labels above this are refused: the last label of a full cell, 0 at the border, else kNever
+  uint8_t* found;    // [cells] labels present
+  uint8_t* settled;  // [cells]
+  uint8_t* wanted;   // [cells] 1: some vertex reads this cell
+  uint32_t* next;    // [cells + buckets + 1] rings; a cell waits in the bucket of its first unsettled label
+  uint32_t* last;    // [cells + buckets + 1]
+  uint32_t capacity; // labels a cell holds in this run
+  uint32_t waiting;  // cells in buckets
+  Step steps[26];
+
+  bool allocate(Arena& arena, const Counts& counts) {
+    const size_t cells = VoxelGrid::max_cells(counts);
+    grid.allocate(arena, counts);
+    labels = arena.alloc<uint32_t>(cells * counts.candidates);
+    limits = arena.alloc<uint32_t>(cells);
+    found = arena.alloc<uint8_t>(cells);
+    settled = arena.alloc<uint8_t>(cells);
+    wanted = arena.alloc<uint8_t>(cells);
+    next = arena.alloc<uint32_t>(cells + kBuckets + 1);
+    last = arena.alloc<uint32_t>(cells + kBuckets + 1);
+    return arena.ok();
+  }
+
+  uint32_t bucket_of(uint32_t label) const { return grid.cell_count + ((label >> kJointBits) & (kBuckets - 1)); }
+  uint32_t current_ring() const { return grid.cell_count + kBuckets; }
+
+  void link(uint32_t cell, uint32_t ring) {
+    next[cell] = next[ring];
+    last[cell] = ring;
+    last[next[ring]] = cell;
+    next[ring] = cell;
+    ++waiting;
+  }
+  void unlink(uint32_t cell) {
+    next[last[cell]] = next[cell];
+    last[next[cell]] = last[cell];
+    --waiting;
+  }
+
+  // Offers a label to a cell: kept while it is among the cell's nearest joints.
+  void offer(uint32_t cell, uint32_t label) {
+    if (label > limits[cell]) return;
+    uint32_t* const row = labels + static_cast<size_t>(cell) * capacity;
+    const uint32_t joint = label & kJointMask;
+    uint32_t at = 0;
+    while (at < found[cell] && (row[at] & kJointMask) != joint) ++at;
+    if (at < found[cell]) {
+      if (row[at] <= label) return;
+    } else if (found[cell] < capacity) {
+      ++found[cell];
+    } else {
+      at = capacity - 1;  // takes the place of the farthest
+    }
+    for (; at > 0 && row[at - 1] > label; --at) row[at] = row[at - 1];
+    row[at] = label;
+    if (found[cell] == capacity) limits[cell] = row[capacity - 1];
+    if (at != settled[cell]) return;
+    if (next[cell] != cell) unlink(cell);
+    link(cell, bucket_of(label));
+  }
+
+  void begin(uint32_t joint_capacity) {
+    capacity = joint_capacity;
+    waiting = 0;
+    for (uint32_t cell = 0; cell < grid.cell_count; ++cell) {
+      limits[cell] = grid.states[cell] == kCellBorder ? 0 : kNever;
+      found[cell] = 0;
+      settled[cell] = 0;
+    }
+    for (uint32_t ring = 0; ring < grid.cell_count + kBuckets + 1; ++ring) {  // a cell linked to itself waits nowhere
+      next[ring] = ring;
+      last[ring] = ring;
+    }
+    int count = 0;
+    for (int32_t z = -1; z <= 1; ++z) {
+      for (int32_t y = -1; y <= 1; ++y) {
+        for (int32_t x = -1; x <= 1; ++x) {
+          const int axes = (x != 0) + (y != 0) + (z != 0);
+          if (axes != 0) steps[count++] = {(z * grid.size[1] + y) * grid.size[0] + x, kStepLengths[axes]};
+        }
+      }
+    }
+  }
+
+  // Passes one settled label on to the 26 neighbours.
+  void spread(uint32_t cell, uint32_t label) {
+    const bool outside = grid.states[cell] == kCellOutside;
+    for (const Step& step : steps) {
+      const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(cell) + step.offset);
+      const bool dear = outside || grid.states[neighbour] == kCellOutside;
+      offer(neighbour, label + ((dear ? kOutsideFactor * step.length : step.length) << kJointBits));
+    }
+  }
+
+  // Settles labels by rising distance until every wanted cell is full. False when cancelled.
+  bool run(const Progress& progress, uint32_t permille) {
+    uint32_t missing = 0;
+    for (uint32_t cell = 0; cell < grid.cell_count; ++cell) missing += wanted[cell];
+    uint32_t labels_settled = 0;
+    const uint32_t ring = current_ring();
+    for (uint32_t distance = 0; missing > 0 && waiting > 0; ++distance) {
+      const uint32_t bucket = grid.cell_count + (distance & (kBuckets - 1));
+      if (next[bucket] == bucket) continue;
+      // Moves the bucket aside: cells whose turn is a whole round away go back into it.
+      next[ring] = next[bucket];
+      last[ring] = last[bucket];
+      next[last[ring]] = ring;
+      last[next[ring]] = ring;
+      next[bucket] = bucket;
+      last[bucket] = bucket;
+      while (next[ring] != ring) {
+        const uint32_t cell = next[ring];
+        unlink(cell);
+        const uint32_t* const row = labels + static_cast<size_t>(cell) * capacity;
+        if (row[settled[cell]] >> kJointBits != distance) {
+          link(cell, bucket);
+          continue;
+        }
+        next[cell] = cell;
+        // Nothing can still arrive at this distance: every step is longer than 0.
+        while (settled[cell] < found[cell] && row[settled[cell]] >> kJointBits == distance) {
+          const uint32_t label = row[settled[cell]++];
+          spread(cell, label);
+          if (++labels_settled % kReportEvery == 0 && !progress.report(permille)) return false;
+        }
+        if (settled[cell] == capacity) {
+          missing -= wanted[cell];
+        } else if (settled[cell] < found[cell] && next[cell] == cell) {
+          link(cell, bucket_of(row[settled[cell]]));
+        }
+      }
+    }
+    return true;
+  }
+};
+
+// Length of `v` in fortieths of a cell.
+uint32_t cell_length(const VoxelGrid& grid, Vec3i v) {
+  return static_cast<uint32_t>(length(v) * kCellLength / static_cast<uint64_t>(grid.cell_size));
+}
+
+// Offers a joint to every cell along a segment, with the cell centre's distance to the segment. Parts outside the grid go to the nearest
+// cell, whose distance then holds the gap.
+void seed_segment(Vec3i a, Vec3i b, uint32_t joint, Propagation* p) {
+  const Vec3i along = b - a;  // below 2^25 per axis
+  const int64_t square = dot(along, along);
+  const int64_t samples = static_cast<int64_t>(length(along)) / (p->grid.cell_size / 2) + 1;
+  uint32_t before = kNever;
+  for (int64_t i = 0; i <= samples; ++i) {
+    const Vec3i point = {a.x + static_cast<int32_t>(along.x * i / samples), a.y + static_cast<int32_t>(along.y * i / samples),
+                         a.z + static_cast<int32_t>(along.z * i / samples)};
+    const uint32_t cell = p->grid.cell_of(point);
+    if (cell == before) continue;
+    before = cell;
+    const Vec3i from_a = p->grid.centre(cell) - a;
+    // Position along the segment in Q10: |dot| < 2^50, and 2^15 units of a longest segment are no more than its cell.
+    const int64_t t = square == 0 ? 0 : clamp32(dot(from_a, along) * 1024 / square, 0, 1024);
+    const Vec3i gap = {from_a.x - static_cast<int32_t>((along.x * t) >> 10), from_a.y - static_cast<int32_t>((along.y * t) >> 10),
+                       from_a.z - static_cast<int32_t>((along.z * t) >> 10)};
+    p->offer(cell, make_label(cell_length(p->grid, gap), joint));
+  }
+}
+
+// Bones: joint to each of its children; a leaf's goes to its tip.
+void seed_bones(const Skeleton& skeleton, const Vec3i* tips, Propagation* p) {
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
+    const int32_t parent = skeleton.parents[j];
+    if (parent >= 0 && skeleton.usable[parent] != 0) {
+      seed_segment(skeleton.positions[parent], skeleton.positions[j], static_cast<uint32_t>(parent), p);
+    }
+    if (skeleton.child_count[j] == 0 && skeleton.usable[j] != 0) seed_segment(skeleton.positions[j], tips[j], j, p);
+  }
+}
+
+// The cells a vertex reads: its own and those of the 2 x 2 x 2 block around it that are not outside. Returns their number.
+uint32_t cells_around(const VoxelGrid& grid, Vec3i p, uint32_t* cells) {
+  const uint32_t own = grid.cell_of(p);
+  const Vec3i offset = p - grid.centre(own);
+  const int32_t x = offset.x < 0 ? -1 : 1, y = offset.y < 0 ? -grid.size[0] : grid.size[0];
+  const int32_t z = (offset.z < 0 ? -1 : 1) * grid.size[0] * grid.size[1];
+  uint32_t count = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const int32_t step = ((corner & 1) != 0 ? x : 0) + ((corner & 2) != 0 ? y : 0) + ((corner & 4) != 0 ? z : 0);
+    const uint32_t cell = static_cast<uint32_t>(static_cast<int32_t>(own) + step);
+    if (grid.states[cell] <= kCellSurface) cells[count++] = cell;
+  }
+  return count;
+}
+
+void want_cells(const Mesh& mesh, Propagation* p) {
+  for (uint32_t cell = 0; cell < p->grid.cell_count; ++cell) p->wanted[cell] = 0;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    uint32_t cells[8];
+    const uint32_t count = cells_around(p->grid, mesh.positions[v], cells);
+    for (uint32_t i = 0; i < count; ++i) p->wanted[cells[i]] = 1;
+  }
+}
+
+// The `keep` nearest joints of a vertex over the cells it reads, the way from the cell's centre added. Ascending labels; returns
+// their number.
+uint32_t read_labels(const Propagation& p, Vec3i position, uint32_t keep, uint32_t* row) {
+  uint32_t cells[8];
+  const uint32_t cell_count = cells_around(p.grid, position, cells);
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < cell_count; ++i) {
+    const uint32_t extra = cell_length(p.grid, position - p.grid.centre(cells[i])) << kJointBits;
+    const uint32_t* const labels = p.labels + static_cast<size_t>(cells[i]) * p.capacity;
+    for (uint32_t k = 0; k < p.settled[cells[i]]; ++k) {
+      const uint32_t label = labels[k] + extra;
+      if (count == keep && label >= row[count - 1]) break;  // the rest of the cell is farther still
+      uint32_t at = 0;
+      while (at < count && (row[at] & kJointMask) != (label & kJointMask)) ++at;
+      if (at < count) {
+        if (row[at] <= label) continue;
+      } else if (count < keep) {
+        ++count;
+      } else {
+        at = keep - 1;
+      }
+      for (; at > 0 && row[at - 1] > label; --at) row[at] = row[at - 1];
+      row[at] = label;
+    }
+  }
+  return count;
+}
+
+constexpr uint64_t kTipExtentPercent = 85;
+constexpr uint32_t kLeastTerritory = 3;  // vertices below which a leaf's surroundings say nothing about its direction
+
+// Sums for the tips, one per joint.
+struct TipScratch {
+  Vec3l* sums;       // [J] vertices nearest to the joint, relative to it
+  int64_t* extents;  // [J] farthest of them along their mean direction
+  uint32_t* counts;  // [J]
+  uint16_t* nearest; // [U]
+  bool allocate(Arena& arena, const Counts& counts_of_bind) {
+    sums = arena.alloc<Vec3l>(counts_of_bind.joints);
+    extents = arena.alloc<int64_t>(counts_of_bind.joints);
+    counts = arena.alloc<uint32_t>(counts_of_bind.joints);
+    nearest = arena.alloc<uint16_t>(counts_of_bind.vertices);
+    return arena.ok();
+  }
+};
+
+void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const TipScratch& scratch, Candidates* out) {
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
+    scratch.sums[j] = {0, 0, 0};
+    scratch.extents[j] = 0;
+    scratch.counts[j] = 0;
+  }
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    uint32_t label = 0;
+    read_labels(p, mesh.positions[v], 1, &label);  // finds one: the vertex's own cell was wanted
+    const uint32_t joint = label & kJointMask;
+    const Vec3i way = mesh.positions[v] - skeleton.positions[joint];
+    scratch.nearest[v] = static_cast<uint16_t>(joint);
+    scratch.sums[joint].x += way.x;
+    scratch.sums[joint].y += way.y;
+    scratch.sums[joint].z += way.z;
+    ++scratch.counts[joint];
+  }
+  constexpr int kDirectionBits = 14;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    const uint32_t joint = scratch.nearest[v];
+    const Vec3i direction = unit_vector(scratch.sums[joint], kDirectionBits);
+    const int64_t extent = dot(mesh.positions[v] - skeleton.positions[joint], direction) >> kDirectionBits;
+    if (extent > scratch.extents[joint]) scratch.extents[joint] = extent;
+  }
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
+    out->territory[j] = static_cast<uint32_t>((static_cast<uint64_t>(scratch.counts[j]) << 16) / mesh.welded_count);
+    out->tips[j] = skeleton.bone_tail[j];
+    if (skeleton.child_count[j] != 0 || scratch.counts[j] < kLeastTerritory || scratch.extents[j] == 0) continue;
+    const Vec3i direction = unit_vector(scratch.sums[j], kDirectionBits);
+    const int64_t reach = scratch.extents[j] * static_cast<int64_t>(kTipExtentPercent) / 100;
+    out->tips[j] = skeleton.positions[j] + Vec3i{static_cast<int32_t>(round_shift(direction.x * reach, kDirectionBits)),
+                                                 static_cast<int32_t>(round_shift(direction.y * reach, kDirectionBits)),
+                                                 static_cast<int32_t>(round_shift(direction.z * reach, kDirectionBits))};
+  }
+}
+
+void write_candidates(const Mesh& mesh, const Propagation& p, Candidates* out) {
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    uint32_t row[SINEW_MAX_CANDIDATES];
+    const uint32_t count = read_labels(p, mesh.positions[v], out->k, row);
+    uint16_t* const joints = out->joints + static_cast<size_t>(v) * out->k;
+    uint32_t* const distances = out->distances + static_cast<size_t>(v) * out->k;
+    for (uint32_t k = 0; k < out->k; ++k) {
+      joints[k] = k < count ? static_cast<uint16_t>(row[k] & kJointMask) : kNoJoint;
+      distances[k] = k < count ? static_cast<uint32_t>(static_cast<uint64_t>(row[k] >> kJointBits) *
+                                                       static_cast<uint64_t>(p.grid.cell_size) / kCellLength)
+                               : 0;
+    }
+  }
+}
+
+}  // namespace
+
+bool Candidates::allocate(Arena& arena, const Counts& counts) {
+  k = counts.candidates;
+  joints = arena.alloc<uint16_t>(static_cast<size_t>(counts.vertices) * k);
+  distances = arena.alloc<uint32_t>(static_cast<size_t>(counts.vertices) * k);
+  tips = arena.alloc<Vec3i>(counts.joints);
+  territory = arena.alloc<uint32_t>(counts.joints);
+  return arena.ok();
+}
+
+sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
+                             Arena& arena, Candidates* candidates) {
+  const size_t mark = arena.mark();
+  Propagation propagation;
+  TipScratch tips;
+  propagation.allocate(arena, counts);
+  if (!tips.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  voxelise(mesh, counts, propagation.next, &propagation.grid);
+  want_cells(mesh, &propagation);
+  if (!progress.report(200)) return SINEW_ERROR_CANCELLED;
+
+  uint32_t usable = 0;
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) usable += skeleton.usable[j];
+  propagation.begin(1);
+  seed_bones(skeleton, skeleton.bone_tail, &propagation);
+  if (!propagation.run(progress, 300)) return SINEW_ERROR_CANCELLED;
+  find_tips(mesh, skeleton, propagation, tips, candidates);
+  if (!progress.report(400)) return SINEW_ERROR_CANCELLED;
+
+  propagation.begin(usable < counts.candidates ? usable : counts.candidates);
+  seed_bones(skeleton, candidates->tips, &propagation);
+  if (!propagation.run(progress, 600)) return SINEW_ERROR_CANCELLED;
+  write_candidates(mesh, propagation, candidates);
+  arena.release(mark);
+  return progress.report(1000) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+}
+
+void measure_find_candidates(Arena& arena, const Counts& counts) {
+  const size_t mark = arena.mark();
+  Propagation().allocate(arena, counts);
+  TipScratch().allocate(arena, counts);
+  arena.release(mark);
+}
+
+}  // namespace sinew

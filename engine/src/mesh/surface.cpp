@@ -15,6 +15,7 @@ constexpr int32_t kAngles[kAngleSteps] = {
     326, 163, 81, 41, 20, 10, 5, 3};
 constexpr int64_t kHalfTurn = 1 << 30;  // pi in the format of angle_q30
 
+constexpr uint64_t kAreaCap = static_cast<uint64_t>(1) << 62;
 constexpr int kCurvatureBits = 13;
 constexpr int32_t kCurvatureLimit = 2 << kCurvatureBits;
 
@@ -47,7 +48,9 @@ void add_triangles(const SurfaceScratch& scratch, Mesh* mesh) {
       const uint32_t v = t[corner];
       const Vec3i to_next = mesh->positions[t[(corner + 1) % 3]] - mesh->positions[v];
       const Vec3i to_last = mesh->positions[t[(corner + 2) % 3]] - mesh->positions[v];
-      mesh->areas[v] += static_cast<uint64_t>(twice_area);
+      // 2^40.8 at most each: only a vertex of two million side-wide triangles can reach the cap.
+      const uint64_t area = mesh->areas[v] + static_cast<uint64_t>(twice_area);
+      mesh->areas[v] = area < kAreaCap ? area : kAreaCap;
       scratch.normal_sums[v] += Vec3l{fine.x, fine.y, fine.z};
       scratch.angle_sums[v] += angle_q30(twice_area, dot(to_next, to_last));
     }
