@@ -1,1 +1,143 @@
 // SPDX-License-Identifier: MIT
+// The heat stage from sources to three sparse fields, and the finishing of a row (stage 4).
+#include "heat/heat.hpp"
+
+#include "heat/laplacian.hpp"
+#include "heat/solver.hpp"
+#include "heat/sources.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kSourcesPermille = 300;
+
+struct Scratch {
+  HeatSources sources;
+  EdgeWeights edges;
+  HeatSolver solver;
+};
+
+// The finder's and the Laplacian's scratch lies where the solver's arrays come later.
+bool allocate_inputs(Arena& arena, const Counts& counts, Scratch* scratch) {
+  return scratch->sources.allocate(arena, counts) && scratch->edges.allocate(arena, counts);
+}
+
+bool same_sources(const Mesh& mesh, uint32_t component, const HeatSources& sources) {
+  for (uint32_t i = mesh.component_offsets[component]; i < mesh.component_offsets[component + 1]; ++i) {
+    const uint32_t v = mesh.component_vertices[i];
+    if (sources.mask[kFieldRule][v] != sources.mask[kFieldParts][v]) return false;
+  }
+  return true;
+}
+
+void copy_component(const Mesh& mesh, uint32_t component, const HeatField& from, HeatField* to) {
+  for (uint32_t i = mesh.component_offsets[component]; i < mesh.component_offsets[component + 1]; ++i) {
+    const size_t row = static_cast<size_t>(mesh.component_vertices[i]) * kHeatSlots;
+    for (uint32_t slot = 0; slot < kHeatSlots; ++slot) {
+      to->joints[row + slot] = from.joints[row + slot];
+      to->weights[row + slot] = from.weights[row + slot];
+    }
+  }
+}
+
+sinew_status solve_components(const Mesh& mesh, const Progress& progress, Scratch& scratch, HeatFields* fields) {
+  uint64_t done = 0;
+  const uint64_t work = static_cast<uint64_t>(mesh.welded_count) * kFieldCount;
+  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+    scratch.solver.begin_component(mesh, scratch.edges, c);
+    for (uint32_t f = 0; f < kFieldCount; ++f) {
+      if (f == kFieldParts && same_sources(mesh, c, scratch.sources)) {
+        copy_component(mesh, c, fields->field[kFieldRule], &fields->field[kFieldParts]);
+      } else {
+        scratch.solver.solve_field(scratch.sources, f, &fields->field[f]);
+      }
+      done += mesh.component_sizes[c];
+      const uint64_t share = done * (1000 - kSourcesPermille) / work;
+      if (!progress.report(kSourcesPermille + static_cast<uint32_t>(share))) return SINEW_ERROR_CANCELLED;
+    }
+  }
+  return SINEW_OK;
+}
+
+sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
+                 Arena& arena, HeatFields* fields) {
+  Scratch scratch;
+  if (!allocate_inputs(arena, counts, &scratch)) return SINEW_ERROR_WORKSPACE;
+  sinew_status status = find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources);
+  if (status != SINEW_OK) return status;
+  status = weigh_edges(mesh, counts, arena, &scratch.edges);
+  if (status != SINEW_OK) return status;
+  if (!scratch.solver.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  for (uint32_t f = 0; f < kFieldCount; ++f) {
+    for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+      fields->field[f].nearest[v] = scratch.sources.nearest[HeatSources::measure_of(f)][v];
+      fields->field[f].has_source[v] = scratch.sources.mask[f][v] != 0;
+    }
+  }
+  for (uint32_t c = 0; c < mesh.component_count; ++c) fields->component_rule[c] = scratch.sources.component_rule[c];
+  return solve_components(mesh, progress, scratch, fields);
+}
+
+}  // namespace
+
+bool HeatFields::allocate(Arena& arena, const Counts& counts) {
+  const size_t slots = static_cast<size_t>(counts.vertices) * kHeatSlots;
+  for (HeatField& f : field) {
+    f.joints = arena.alloc<uint16_t>(slots);
+    f.weights = arena.alloc<uint16_t>(slots);
+    f.nearest = arena.alloc<uint16_t>(counts.vertices);
+    f.has_source = arena.alloc<uint8_t>(counts.vertices);
+  }
+  component_rule = arena.alloc<uint8_t>(counts.vertices);
+  return arena.ok();
+}
+
+sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
+                        Arena& arena, HeatFields* fields) {
+  const size_t mark = arena.mark();
+  const sinew_status status = run(mesh, skeleton, counts, progress, arena, fields);
+  arena.release(mark);
+  return status;
+}
+
+void measure_solve_heat(Arena& arena, const Counts& counts) {
+  const size_t mark = arena.mark();
+  Scratch scratch;
+  (void)allocate_inputs(arena, counts, &scratch);
+  measure_find_sources(arena, counts);
+  measure_weigh_edges(arena, counts);
+  (void)scratch.solver.allocate(arena, counts);
+  arena.release(mark);
+}
+
+uint32_t finish_heat_row(const HeatField& field, uint32_t vertex, uint16_t* joints, uint16_t* weights) {
+  const uint16_t* raw_joints = field.joints + static_cast<size_t>(vertex) * kHeatSlots;
+  const uint16_t* raw_weights = field.weights + static_cast<size_t>(vertex) * kHeatSlots;
+  // Fifths of a Q15 unit: 0.025 is 4096 of them exactly.
+  constexpr uint32_t kCut = 4096;
+  uint32_t ramped[kHeatSlots];
+  uint32_t used = 0, sum = 0;
+  for (uint32_t slot = 0; slot < kHeatSlots && raw_joints[slot] != kNoJoint; ++slot) {
+    const uint32_t fifths = 5u * raw_weights[slot];
+    if (fifths <= kCut) break;  // rows fall
+    ramped[used] = fifths < 2 * kCut ? 2 * (fifths - kCut) : fifths;
+    sum += ramped[used];
+    joints[used] = raw_joints[slot];
+    ++used;
+  }
+  if (used == 0) {
+    joints[0] = field.nearest[vertex];
+    ramped[0] = sum = 1;
+    used = 1;
+  }
+  for (uint32_t slot = 0; slot < used; ++slot) {
+    weights[slot] = static_cast<uint16_t>((static_cast<uint64_t>(ramped[slot]) * 65536 / sum + 1) / 2);
+  }
+  for (uint32_t slot = used; slot < kHeatSlots; ++slot) {
+    joints[slot] = kNoJoint;
+    weights[slot] = 0;
+  }
+  return used;
+}
+
+}  // namespace sinew

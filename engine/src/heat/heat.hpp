@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stage 4 of a bind: heat-equilibrium weights (Baran and Popovic 2007, "Automatic Rigging and Animation of 3D Characters",
-// section 4), in integers: (L + A H) w = A H p for every joint, three variants. DESIGN.md 3.4 is the exact definition.
+// Stage 4 of a bind: heat-equilibrium weights (Baran and Popovic 2007, "Automatic Rigging and Animation of 3D
+// Characters", section 4), in integers: (L + A H) w = A H p for every joint, three variants. DESIGN.md 3.4 is the exact
+// definition.
 #ifndef SINEW_HEAT_HEAT_HPP
 #define SINEW_HEAT_HEAT_HPP
 
@@ -12,13 +13,13 @@ constexpr uint32_t kHeatSlots = 16;  // largest joints kept per vertex and field
 enum HeatFieldKind : uint32_t { kFieldRule = 0, kFieldParts = 1, kFieldSoft = 2, kFieldCount = 3 };
 
 // One solved field, sparse: the kHeatSlots largest joints of a vertex by raw weight (ties: lower joint), falling.
-// Weights are the raw solution (neither cut nor normalised), Q15 (32768 = 1), clamped to [0, 32768]; slots under 2^-12 are
-// left out (joint = kNoJoint, weight = 0, at the end).
+// Weights are the raw solution (neither cut nor normalised), Q15 (32768 = 1), clamped to [0, 32768]; slots under 2^-12
+// are left out (joint = kNoJoint, weight = 0, at the end).
 struct HeatField {
-  uint16_t* joints = nullptr;   // [U x kHeatSlots]
-  uint16_t* weights = nullptr;  // [U x kHeatSlots]
-  uint16_t* nearest = nullptr;  // [U] joint of the bone that is nearest by the field's distance, visible or not
-  uint8_t* has_source = nullptr;// [U] 1 when that bone is visible, so the vertex is a source
+  uint16_t* joints = nullptr;     // [U x kHeatSlots]
+  uint16_t* weights = nullptr;    // [U x kHeatSlots]
+  uint16_t* nearest = nullptr;    // [U] joint of the bone that is nearest by the field's distance, visible or not
+  uint8_t* has_source = nullptr;  // [U] 1 when that bone is visible, so the vertex is a source
 };
 
 struct HeatFields {
@@ -34,8 +35,8 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts
                         Arena& arena, HeatFields* fields);
 void measure_solve_heat(Arena& arena, const Counts& counts);
 
-// Finishes a row as the method heat does: weights under 0.025 are cut, up to 0.05 ramped linearly from 0 to themselves, then
-// normalised to Q15 (sum 32768 +- rounding). A row left empty becomes its nearest joint with 32768.
+// Finishes a row as the method heat does: weights under 0.025 are cut, up to 0.05 ramped linearly from 0 to themselves,
+// then normalised to Q15 (sum 32768 +- rounding). A row left empty becomes its nearest joint with 32768.
 //   joints, weights  out [kHeatSlots], unused = kNoJoint / 0. Returns the number used (>= 1).
 uint32_t finish_heat_row(const HeatField& field, uint32_t vertex, uint16_t* joints, uint16_t* weights);
 

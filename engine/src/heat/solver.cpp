@@ -1,1 +1,187 @@
 // SPDX-License-Identifier: MIT
+// One component, one field: matrix, factor, batches of joints, the largest weights of every vertex (stage 4).
+#include "heat/solver.hpp"
+
+#include <string.h>
+
+#include "heat/iterative.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint8_t kNoLane = 0xFF;
+constexpr uint8_t kListed = 0xFE;
+constexpr int32_t kSmallestKept = 32768 >> 12;  // Q15
+
+// Keeps a row of kHeatSlots sorted by falling weight, ties by lower joint.
+void insert(uint16_t joint, uint16_t weight, uint16_t* joints, uint16_t* weights) {
+  const auto comes_first = [&](uint32_t slot) {
+    return weight > weights[slot] || (weight == weights[slot] && joint < joints[slot]);
+  };
+  if (!comes_first(kHeatSlots - 1)) return;
+  uint32_t slot = kHeatSlots - 1;
+  for (; slot > 0 && comes_first(slot - 1); --slot) {
+    joints[slot] = joints[slot - 1];
+    weights[slot] = weights[slot - 1];
+  }
+  joints[slot] = joint;
+  weights[slot] = weight;
+}
+
+}  // namespace
+
+bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
+  const size_t lanes = static_cast<size_t>(counts.vertices) * kLanes;
+  const bool parts = ordering_.allocate(arena, counts) && factor_.allocate(arena, counts);
+  matrix_.diagonal = arena.alloc<int64_t>(counts.vertices);
+  pull_ = arena.alloc<int64_t>(counts.vertices);
+  row_pull_ = arena.alloc<int64_t>(counts.vertices);
+  rhs_ = arena.alloc<int64_t>(lanes);
+  solution_ = arena.alloc<int32_t>(lanes);
+  total_ = arena.alloc<int64_t>(counts.vertices);
+  joints_ = arena.alloc<uint16_t>(counts.joints);
+  lane_of_ = arena.alloc<uint8_t>(counts.joints);
+  joint_count_ = counts.joints;
+  return parts && arena.ok();
+}
+
+void HeatSolver::begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component) {
+  mesh_ = &mesh;
+  matrix_.mesh = &mesh;
+  matrix_.edges = &edges;
+  matrix_.ordering = &ordering_;
+  matrix_.rows = mesh.component_sizes[component];
+  ordering_.dissect(mesh, component);
+  iterative_ = !factor_.analyse(matrix_);
+}
+
+// Joints in order of their first source in the elimination order, so that the joints of a batch lie near each other and
+// share the zero part of the forward solve.
+uint32_t HeatSolver::list_joints(const HeatSources& sources, uint32_t field) {
+  memset(lane_of_, kNoLane, joint_count_);
+  uint32_t count = 0;
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const uint32_t v = ordering_.order[k];
+    const uint16_t* ties = sources.ties[HeatSources::measure_of(field)] + static_cast<size_t>(v) * kMaxTies;
+    for (uint32_t t = 0; t < kMaxTies; ++t) {
+      if ((sources.mask[field][v] >> t & 1) == 0 || lane_of_[ties[t]] == kListed) continue;
+      lane_of_[ties[t]] = kListed;
+      joints_[count++] = ties[t];
+    }
+  }
+  memset(lane_of_, kNoLane, joint_count_);
+  return count;
+}
+
+void HeatSolver::fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints,
+                                       uint32_t lanes) {
+  for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = static_cast<uint8_t>(lane);
+  memset(rhs_, 0, static_cast<size_t>(matrix_.rows) * kLanes * sizeof(rhs_[0]));
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const uint32_t v = ordering_.order[k];
+    const uint16_t* ties = sources.ties[HeatSources::measure_of(field)] + static_cast<size_t>(v) * kMaxTies;
+    for (uint32_t mask = sources.mask[field][v], t = 0; mask != 0; mask >>= 1, ++t) {
+      if ((mask & 1) == 0 || lane_of_[ties[t]] == kNoLane) continue;
+      rhs_[static_cast<size_t>(k) * kLanes + lane_of_[ties[t]]] = matrix_.to_matrix(pull_[k]);
+    }
+  }
+  for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = kNoLane;
+}
+
+void HeatSolver::keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* out) {
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const int32_t* x = solution_ + static_cast<size_t>(k) * kLanes;
+    const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
+    for (uint32_t lane = 0; lane < lanes; ++lane) {
+      total_[k] += x[lane];
+      const int64_t weight = round_shift(x[lane], kSolutionBits - 15);
+      if (weight < kSmallestKept) continue;
+      insert(lane_joints[lane], static_cast<uint16_t>(weight > 32768 ? 32768 : weight), out->joints + slots,
+             out->weights + slots);
+    }
+  }
+}
+
+void HeatSolver::divide_by_totals(HeatField* out) {
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const uint32_t v = ordering_.order[k];
+    uint16_t* joints = out->joints + static_cast<size_t>(v) * kHeatSlots;
+    uint16_t* weights = out->weights + static_cast<size_t>(v) * kHeatSlots;
+    const int64_t total = total_[k];
+    // Below 1 / 1024 nothing but noise is left of a matrix that is singular to working precision.
+    const bool usable = total >> (kSolutionBits - 10) > 0;
+    uint32_t used = 0;
+    for (uint32_t slot = 0; slot < kHeatSlots && joints[slot] != kNoJoint; ++slot) {
+      const uint16_t joint = joints[slot];
+      const int64_t scaled =
+          usable ? ((static_cast<int64_t>(weights[slot]) << (kSolutionBits + 1)) / total + 1) >> 1 : 0;
+      joints[slot] = kNoJoint;
+      weights[slot] = 0;
+      if (scaled < kSmallestKept) continue;
+      // Rounding may have made two weights equal: the lower joint goes first.
+      const uint16_t weight = static_cast<uint16_t>(scaled > 32768 ? 32768 : scaled);
+      uint32_t place = used++;
+      for (; place > 0 && weights[place - 1] == weight && joints[place - 1] > joint; --place) {
+        joints[place] = joints[place - 1];
+        weights[place] = weights[place - 1];
+      }
+      joints[place] = joint;
+      weights[place] = weight;
+    }
+    if (used == 0) {
+      joints[0] = out->nearest[v];
+      weights[0] = 32768;
+    }
+  }
+}
+
+bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField* out) {
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
+    total_[k] = 0;
+    for (uint32_t slot = 0; slot < kHeatSlots; ++slot) {
+      out->joints[slots + slot] = kNoJoint;
+      out->weights[slots + slot] = 0;
+    }
+  }
+  matrix_.assemble(row_pull_);
+  if (!iterative_) factor_.factorise(matrix_);
+  const uint32_t count = list_joints(sources, field);
+  for (uint32_t first = 0; first < count; first += kLanes) {
+    const uint32_t lanes = count - first < kLanes ? count - first : kLanes;
+    fill_right_hand_sides(sources, field, joints_ + first, lanes);
+    if (iterative_) {
+      solve_iteratively(matrix_, rhs_, factor_.value, factor_.inverse, solution_);
+    } else {
+      factor_.solve(matrix_.rows, rhs_, solution_);
+    }
+    keep(joints_ + first, lanes, out);
+  }
+  constexpr int64_t one = static_cast<int64_t>(1) << kSolutionBits;
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    if (abs64(total_[k] - one) > one / 64) return false;
+  }
+  return true;
+}
+
+void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatField* out) {
+  const int measure = HeatSources::measure_of(field);
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const uint32_t v = ordering_.order[k];
+    int64_t bones = 0;
+    for (uint32_t mask = sources.mask[field][v]; mask != 0; mask &= mask - 1) ++bones;
+    pull_[k] = bones == 0 ? 0 : source_pull_q40(mesh_->areas[v], sources.distance[measure][v], field);
+    // A bone through a vertex holds it fast long before this, and the others keep their precision.
+    constexpr int64_t kStrongest = static_cast<int64_t>(1) << 59;
+    if (bones > 0 && pull_[k] > kStrongest / bones) pull_[k] = kStrongest / bones;
+    row_pull_[k] = bones * pull_[k];
+  }
+  matrix_.positive = iterative_;
+  if (!try_field(sources, field, out) && !matrix_.positive) {
+    matrix_.positive = true;
+    (void)try_field(sources, field, out);
+  }
+  divide_by_totals(out);
+}
+
+}  // namespace sinew

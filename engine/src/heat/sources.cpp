@@ -1,1 +1,345 @@
 // SPDX-License-Identifier: MIT
+// Nearest bones, ties, the visibility rule and the strength of sources (stage 4, DESIGN.md 3.4).
+#include "heat/sources.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr int kCosineBits = 26;
+constexpr int64_t kCosineOffset = 67175973;  // 1.001 in Q26
+constexpr int64_t kCosineFloor = 67109;      // 0.001 in Q26: reached when the normal points straight at the bone
+constexpr uint64_t kTried = ~static_cast<uint64_t>(0);
+
+struct Bone {
+  Vec3i head, tail, along;
+  int64_t length2;        // |along|^2 <= 3 * 2^48
+  int64_t length2_short;  // length2 >> shift, below 2^31
+  int shift;
+  uint16_t joint;
+};
+
+struct BoneList {
+  Bone* bones = nullptr;        // [J]
+  uint64_t* euclid2 = nullptr;  // [J] of the vertex at hand, Q12
+  uint32_t count = 0;
+
+  bool allocate(Arena& arena, const Counts& counts) {
+    bones = arena.alloc<Bone>(counts.joints);
+    euclid2 = arena.alloc<uint64_t>(counts.joints);
+    return arena.ok();
+  }
+  void build(const Skeleton& skeleton) {
+    // When the floor rule leaves nothing (a lone usable root), every usable joint is a source.
+    bool any = false;
+    for (uint32_t j = 0; j < skeleton.joint_count; ++j) any = any || skeleton.source[j] != 0;
+    const uint8_t* chosen = any ? skeleton.source : skeleton.usable;
+    count = 0;
+    for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
+      if (chosen[j] == 0) continue;
+      Bone& bone = bones[count++];
+      bone.head = skeleton.positions[j];
+      bone.tail = skeleton.bone_tail[j];
+      bone.along = bone.tail - bone.head;
+      bone.length2 = dot(bone.along, bone.along);
+      bone.shift = 0;
+      while ((bone.length2 >> bone.shift) >> 31 != 0) ++bone.shift;
+      bone.length2_short = bone.length2 >> bone.shift;
+      bone.joint = static_cast<uint16_t>(j);
+    }
+  }
+};
+
+// From the nearest point of the bone to the vertex, Q6. Components stay below 2^30.
+Vec3i offset_from_bone(const Bone& bone, Vec3i vertex) {
+  const Vec3i from_head = vertex - bone.head;
+  const int64_t along = dot(from_head, bone.along);
+  constexpr int32_t one = 1 << kDistanceBits;
+  if (along <= 0) return {from_head.x * one, from_head.y * one, from_head.z * one};
+  if (along >= bone.length2) {
+    const Vec3i from_tail = vertex - bone.tail;
+    return {from_tail.x * one, from_tail.y * one, from_tail.z * one};
+  }
+  const int64_t t = ((along >> bone.shift) << 30) / bone.length2_short;  // Q30
+  return {
+      static_cast<int32_t>(static_cast<int64_t>(from_head.x) * one - round_shift(t * bone.along.x, 30 - kDistanceBits)),
+      static_cast<int32_t>(static_cast<int64_t>(from_head.y) * one - round_shift(t * bone.along.y, 30 - kDistanceBits)),
+      static_cast<int32_t>(static_cast<int64_t>(from_head.z) * one -
+                           round_shift(t * bone.along.z, 30 - kDistanceBits))};
+}
+
+int64_t euclid_q6(uint64_t euclid2) { return static_cast<int64_t>(isqrt64(euclid2)); }
+
+// Euclid / (0.5 (cos + 1.001)), Q6; below 2^42.
+int64_t cosine_distance(Vec3i offset, uint64_t euclid2, Vec3i normal) {
+  const int64_t euclid = euclid_q6(euclid2);
+  if (euclid == 0) return 0;
+  const int64_t cosine = dot(offset, normal) * (1 << (kCosineBits - kNormalBits)) / euclid;  // |dot| < 2^46
+  const int64_t lifted = cosine + kCosineOffset;
+  return (euclid << (kCosineBits + 1)) / (lifted < kCosineFloor ? kCosineFloor : lifted);
+}
+
+// Ties are 1e-4 of the smallest distance wide. Distances are below 2^42.
+bool tied(int64_t distance, int64_t smallest) { return 10000 * distance <= 10001 * smallest; }
+
+// The point of the bone that the vertex looks at, on the grid.
+Vec3i seen_point(Vec3i vertex, Vec3i offset) {
+  return {vertex.x - static_cast<int32_t>(round_shift(offset.x, kDistanceBits)),
+          vertex.y - static_cast<int32_t>(round_shift(offset.y, kDistanceBits)),
+          vertex.z - static_cast<int32_t>(round_shift(offset.z, kDistanceBits))};
+}
+
+class SourceFinder {
+ public:
+  SourceFinder(const Mesh& mesh, const FaceTree& tree, BoneList& list, HeatSources& out)
+      : mesh_(mesh), tree_(tree), list_(list), out_(out) {}
+
+  void run(uint32_t vertex) {
+    vertex_ = vertex;
+    position_ = mesh_.positions[vertex];
+    const uint32_t component = mesh_.component[vertex];
+    first_ = tree_.component_first[component];
+    last_ = tree_.component_first[component + 1];
+    own_hint_ = FaceTree::kNoFace;
+    for (uint32_t b = 0; b < list_.count; ++b) {
+      const Vec3i offset = offset_from_bone(list_.bones[b], position_);
+      list_.euclid2[b] = static_cast<uint64_t>(dot(offset, offset));
+    }
+    with_cosine();
+    soft();
+  }
+
+ private:
+  bool hidden_by_own(uint32_t bone) {
+    const Vec3i target = seen_point(position_, offset_from_bone(list_.bones[bone], position_));
+    return tree_.hidden(mesh_, vertex_, target, first_, last_, false, &own_hint_);
+  }
+  bool hidden_by_others(uint32_t bone) {
+    const Vec3i target = seen_point(position_, offset_from_bone(list_.bones[bone], position_));
+    return tree_.hidden(mesh_, vertex_, target, first_, last_, true, &other_hint_);
+  }
+  int64_t distance_of(uint32_t bone) const {
+    return cosine_distance(offset_from_bone(list_.bones[bone], position_), list_.euclid2[bone], mesh_.normals[vertex_]);
+  }
+  // No bone with a larger Euclid^2 can have a distance tied with `distance`: the cosine divides by at most 1.0005.
+  static uint64_t reach2(int64_t distance) {
+    const int64_t reach = distance + (distance >> 9) + 1;
+    const uint64_t bounded = reach > 0x7FFFFFFF ? 0x7FFFFFFFu : static_cast<uint64_t>(reach);
+    return bounded * bounded;
+  }
+
+  void with_cosine() {
+    uint32_t best =
+        last_best_ < list_.count ? last_best_ : 0;  // the neighbour's bone prunes most of the others at once
+    int64_t smallest = distance_of(best);
+    uint64_t limit = reach2(smallest);
+    for (uint32_t b = 0; b < list_.count; ++b) {
+      if (b == best || list_.euclid2[b] > limit) continue;
+      const int64_t distance = distance_of(b);
+      if (distance < smallest || (distance == smallest && b < best)) {
+        best = b;
+        smallest = distance;
+        limit = reach2(smallest);
+      }
+    }
+    last_best_ = best;
+    uint16_t* ties = out_.ties[0] + static_cast<size_t>(vertex_) * kMaxTies;
+    uint8_t parts = 0, merged = 0;
+    tie_count_ = 0;
+    for (uint32_t b = 0; b < list_.count && tie_count_ < kMaxTies; ++b) {
+      if (list_.euclid2[b] > limit || (b != best && !tied(distance_of(b), smallest))) continue;
+      tie_bones_[tie_count_] = b;
+      ties[tie_count_] = list_.bones[b].joint;
+      if (!hidden_by_own(b)) {
+        parts = static_cast<uint8_t>(parts | 1u << tie_count_);
+        if (!hidden_by_others(b)) merged = static_cast<uint8_t>(merged | 1u << tie_count_);
+      }
+      ++tie_count_;
+    }
+    for (uint32_t t = tie_count_; t < kMaxTies; ++t) ties[t] = kNoJoint;
+    out_.distance[0][vertex_] = smallest;
+    out_.nearest[0][vertex_] = list_.bones[best].joint;
+    out_.mask[kFieldRule][vertex_] = merged;
+    out_.mask[kFieldParts][vertex_] = parts;
+  }
+
+  bool seen_past_own(uint32_t bone) {
+    for (uint32_t t = 0; t < tie_count_; ++t) {  // already answered
+      if (tie_bones_[t] == bone) return (out_.mask[kFieldParts][vertex_] >> t & 1) != 0;
+    }
+    return !hidden_by_own(bone);
+  }
+
+  uint32_t nearest_untried() const {
+    uint32_t best = 0;
+    for (uint32_t b = 1; b < list_.count; ++b) {
+      if (list_.euclid2[b] < list_.euclid2[best]) best = b;
+    }
+    return best;
+  }
+
+  // Nearest visible bones by plain distance; euclid2 is used up.
+  void soft() {
+    uint16_t* ties = out_.ties[1] + static_cast<size_t>(vertex_) * kMaxTies;
+    uint32_t count = 0;
+    uint8_t mask = 0;
+    const uint32_t nearest = nearest_untried();
+    int64_t smallest = euclid_q6(list_.euclid2[nearest]);
+    out_.nearest[1][vertex_] = list_.bones[nearest].joint;
+    // Without a visible bone the tied nearest ones stay, masked out, for components that see nothing at all.
+    for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
+      if (list_.euclid2[b] <= reach2(smallest) && tied(euclid_q6(list_.euclid2[b]), smallest))
+        ties[count++] = list_.bones[b].joint;
+    }
+    for (;;) {
+      const uint32_t bone = nearest_untried();
+      if (list_.euclid2[bone] == kTried) break;
+      if (!seen_past_own(bone)) {
+        list_.euclid2[bone] = kTried;
+        continue;
+      }
+      smallest = euclid_q6(list_.euclid2[bone]);
+      count = 0;
+      for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
+        if (list_.euclid2[b] > reach2(smallest) || !tied(euclid_q6(list_.euclid2[b]), smallest)) continue;
+        if (b != bone && !seen_past_own(b)) continue;
+        mask = static_cast<uint8_t>(mask | 1u << count);
+        ties[count++] = list_.bones[b].joint;
+      }
+      break;
+    }
+    for (uint32_t t = count; t < kMaxTies; ++t) ties[t] = kNoJoint;
+    out_.distance[1][vertex_] = smallest;
+    out_.mask[kFieldSoft][vertex_] = mask;
+  }
+
+  const Mesh& mesh_;
+  const FaceTree& tree_;
+  BoneList& list_;
+  HeatSources& out_;
+  uint32_t vertex_ = 0;
+  Vec3i position_ = {0, 0, 0};
+  uint32_t first_ = 0, last_ = 0;
+  uint32_t own_hint_ = FaceTree::kNoFace, other_hint_ = FaceTree::kNoFace;
+  uint32_t last_best_ = 0;
+  uint32_t tie_count_ = 0;
+  uint32_t tie_bones_[kMaxTies] = {};
+};
+
+uint8_t full_mask(const uint16_t* ties) {
+  uint8_t mask = 0;
+  for (uint32_t t = 0; t < kMaxTies; ++t) {
+    if (ties[t] != kNoJoint) mask = static_cast<uint8_t>(mask | 1u << t);
+  }
+  return mask;
+}
+
+void open_component(const Mesh& mesh, uint32_t component, const uint16_t* ties, uint8_t* mask) {
+  for (uint32_t i = mesh.component_offsets[component]; i < mesh.component_offsets[component + 1]; ++i) {
+    const uint32_t v = mesh.component_vertices[i];
+    mask[v] = full_mask(ties + static_cast<size_t>(v) * kMaxTies);
+  }
+}
+
+// Merged when more than a tenth of the component has a source, else parts, else open; a field whose component has no
+// source at all is open there, too.
+void apply_rule(const Mesh& mesh, HeatSources* out) {
+  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+    uint32_t counts[kFieldCount] = {};
+    for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i) {
+      for (uint32_t f = 0; f < kFieldCount; ++f) counts[f] += out->mask[f][mesh.component_vertices[i]] != 0;
+    }
+    const uint32_t size = mesh.component_sizes[c];
+    out->component_rule[c] = 0;
+    if (static_cast<uint64_t>(counts[kFieldRule]) * 10 <= size) {
+      out->component_rule[c] = static_cast<uint64_t>(counts[kFieldParts]) * 10 > size ? 1 : 2;
+    }
+    if (counts[kFieldParts] == 0) open_component(mesh, c, out->ties[0], out->mask[kFieldParts]);
+    if (counts[kFieldSoft] == 0) open_component(mesh, c, out->ties[1], out->mask[kFieldSoft]);
+    if (out->component_rule[c] == 2) open_component(mesh, c, out->ties[0], out->mask[kFieldRule]);
+    if (out->component_rule[c] == 1) {
+      for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i) {
+        const uint32_t v = mesh.component_vertices[i];
+        out->mask[kFieldRule][v] = out->mask[kFieldParts][v];
+      }
+    }
+  }
+}
+
+bool allocate_scratch(Arena& arena, const Counts& counts, FaceTree* tree, BoneList* list) {
+  return tree->allocate(arena, counts) && list->allocate(arena, counts);
+}
+
+}  // namespace
+
+bool HeatSources::allocate(Arena& arena, const Counts& counts) {
+  for (int m = 0; m < 2; ++m) {
+    ties[m] = arena.alloc<uint16_t>(static_cast<size_t>(counts.vertices) * kMaxTies);
+    distance[m] = arena.alloc<int64_t>(counts.vertices);
+    nearest[m] = arena.alloc<uint16_t>(counts.vertices);
+  }
+  for (uint32_t f = 0; f < kFieldCount; ++f) mask[f] = arena.alloc<uint8_t>(counts.vertices);
+  component_rule = arena.alloc<uint8_t>(counts.vertices);
+  return arena.ok();
+}
+
+sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
+                          uint32_t permille_end, Arena& arena, HeatSources* sources) {
+  const size_t mark = arena.mark();
+  FaceTree tree;
+  BoneList list;
+  if (!allocate_scratch(arena, counts, &tree, &list)) {
+    arena.release(mark);
+    return SINEW_ERROR_WORKSPACE;
+  }
+  tree.build(mesh);
+  list.build(skeleton);
+  SourceFinder finder(mesh, tree, list, *sources);
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    if ((v & 1023u) == 0 &&
+        !progress.report(static_cast<uint32_t>(static_cast<uint64_t>(v) * permille_end / mesh.welded_count))) {
+      arena.release(mark);
+      return SINEW_ERROR_CANCELLED;
+    }
+    finder.run(v);
+  }
+  apply_rule(mesh, sources);
+  arena.release(mark);
+  return SINEW_OK;
+}
+
+void measure_find_sources(Arena& arena, const Counts& counts) {
+  const size_t mark = arena.mark();
+  FaceTree tree;
+  BoneList list;
+  (void)allocate_scratch(arena, counts, &tree, &list);
+  arena.release(mark);
+}
+
+int64_t source_pull_q40(uint64_t area, int64_t distance, uint32_t field) {
+  constexpr uint64_t kLargestArea = static_cast<uint64_t>(1) << 56;
+  const uint64_t d = static_cast<uint64_t>(distance < kMinDistance ? kMinDistance : distance);
+  const uint64_t tenths = field == kFieldSoft ? 7 : 40;
+  // tenths / 10 * area * (2^6)^2 / d^2 in Q40. Divided twice, each time from a dividend with its top bit at 62, so that
+  // at least 17 bits are left whatever d is.
+  uint64_t value = (area < 1 ? 1 : area > kLargestArea ? kLargestArea : area) * tenths;
+  int exponent = 2 * kDistanceBits + 40;
+  const uint64_t divisors[2] = {d, 10 * d};
+  for (const uint64_t divisor : divisors) {
+    while (value >> 62 == 0) {
+      value <<= 1;
+      --exponent;
+    }
+    value /= divisor;
+  }
+  constexpr int64_t kLargest = static_cast<int64_t>(1) << 62;
+  while (exponent > 0) {
+    if (value >> 61 != 0) return kLargest;
+    value <<= 1;
+    --exponent;
+  }
+  if (exponent < -62) return 1;
+  const int64_t pull = round_shift(static_cast<int64_t>(value), -exponent);
+  return pull < 1 ? 1 : pull;
+}
+
+}  // namespace sinew

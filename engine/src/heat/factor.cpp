@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Up-looking sparse L D L^T (Davis 2005, "Algorithm 849", for the row-by-row scheme) in fixed point, and its solves.
+#include "heat/factor.hpp"
+
+#include <string.h>
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kNone = 0xFFFFFFFFu;
+constexpr int kFactorBits = 40;
+constexpr int kFactorHeadroom = 20;
+constexpr int kLargestDiagonalBits = 56;
+constexpr int kLargestMatrixBits = 50;
+
+int top_bit(uint64_t v) {
+  int bit = 0;
+  for (int step = 32; step > 0; step /= 2) {
+    if (v >> step != 0) {
+      v >>= step;
+      bit += step;
+    }
+  }
+  return bit;
+}
+
+// Differences that cannot overflow on a matrix that is what it should be; wrapping keeps them defined on any other.
+int64_t subtract(int64_t a, int64_t b) {
+  return static_cast<int64_t>(static_cast<uint64_t>(a) - static_cast<uint64_t>(b));
+}
+int64_t add(int64_t a, int64_t b) { return static_cast<int64_t>(static_cast<uint64_t>(a) + static_cast<uint64_t>(b)); }
+
+}  // namespace
+
+Reciprocal reciprocal(int64_t d) {
+  const uint64_t magnitude = d < 0 ? 0 - static_cast<uint64_t>(d) : static_cast<uint64_t>(d);
+  const int exponent = top_bit(magnitude);
+  const int64_t scaled =
+      static_cast<int64_t>((exponent > 62 ? magnitude >> 1 : magnitude << (62 - exponent)));  // [2^62, 2^63)
+  // 31 correct bits from one division, the rest by one Newton step: r += r (2^62 - scaled r / 2^62) / 2^62.
+  const uint64_t seed = (static_cast<uint64_t>(1) << 63) / static_cast<uint64_t>(scaled >> 31);
+  int64_t r = static_cast<int64_t>(seed << 30);
+  constexpr int64_t one = static_cast<int64_t>(1) << 62;
+  r += mul_shift(r, one - mul_shift(scaled, r, 62), 62);
+  return {d < 0 ? -r : r, magnitude, exponent};
+}
+
+void HeatMatrix::assemble(const int64_t* pull_q40) {
+  int64_t largest = 1;
+  for (uint32_t k = 0; k < rows; ++k) {
+    const uint32_t v = ordering->order[k];
+    int64_t sum = 0;
+    for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) sum += weight(e);
+    diagonal[k] = sum;  // Q24 for now
+    const int64_t whole = abs64(sum) + (pull_q40[k] >> (40 - kEdgeWeightBits)) + 1;
+    if (whole > largest) largest = whole;
+  }
+  matrix_bits = kLargestDiagonalBits - 1 - top_bit(static_cast<uint64_t>(largest)) + kEdgeWeightBits;
+  if (matrix_bits > kLargestMatrixBits) matrix_bits = kLargestMatrixBits;
+  for (uint32_t k = 0; k < rows; ++k) {
+    diagonal[k] = diagonal[k] * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits)) + to_matrix(pull_q40[k]);
+  }
+}
+
+int64_t HeatMatrix::to_matrix(int64_t value_q40) const {
+  if (matrix_bits >= 40) return value_q40 * (static_cast<int64_t>(1) << (matrix_bits - 40));
+  const int64_t value = round_shift(value_q40, 40 - matrix_bits);
+  return value == 0 && value_q40 != 0 ? 1 : value;
+}
+
+size_t Factor::capacity_for(const Counts& counts) {
+  size_t per_vertex = 16;
+  for (uint32_t v = counts.vertices; v > 1; v = (v + 1) / 2) per_vertex += 3;
+  return per_vertex * counts.vertices;
+}
+
+bool Factor::allocate(Arena& arena, const Counts& counts) {
+  capacity = capacity_for(counts);
+  parent = arena.alloc<uint32_t>(counts.vertices);
+  mark = arena.alloc<uint32_t>(counts.vertices);
+  pattern = arena.alloc<uint32_t>(counts.vertices);
+  column_start = arena.alloc<uint64_t>(static_cast<size_t>(counts.vertices) + 1);
+  column_fill = arena.alloc<uint32_t>(counts.vertices);
+  work = arena.alloc<int64_t>(counts.vertices);
+  inverse = arena.alloc<Reciprocal>(counts.vertices);
+  row = arena.alloc<uint32_t>(capacity);
+  value = arena.alloc<int64_t>(capacity);
+  short_value = arena.alloc<int32_t>(capacity);
+  short_bits = arena.alloc<uint8_t>(counts.vertices);
+  return arena.ok();
+}
+
+bool Factor::analyse(const HeatMatrix& matrix) {
+  const Mesh& mesh = *matrix.mesh;
+  const Ordering& ordering = *matrix.ordering;
+  uint64_t total = 0;
+  for (uint32_t k = 0; k < matrix.rows; ++k) {
+    parent[k] = kNone;
+    mark[k] = k;
+    column_fill[k] = 0;
+    const uint32_t v = ordering.order[k];
+    for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
+      // Row k of L holds every node on the tree path from its neighbours up to k.
+      for (uint32_t i = ordering.place[mesh.col_indices[e]]; i < k && mark[i] != k; i = parent[i]) {
+        if (parent[i] == kNone) parent[i] = k;
+        ++column_fill[i];
+        ++total;
+        mark[i] = k;
+      }
+    }
+    if (total > capacity) return false;
+  }
+  column_start[0] = 0;
+  for (uint32_t k = 0; k < matrix.rows; ++k) column_start[k + 1] = column_start[k] + column_fill[k];
+  return true;
+}
+
+void Factor::factorise(const HeatMatrix& matrix) {
+  const Mesh& mesh = *matrix.mesh;
+  const Ordering& ordering = *matrix.ordering;
+  const uint32_t rows = matrix.rows;
+  for (uint32_t k = 0; k < rows; ++k) {
+    column_fill[k] = 0;
+    work[k] = 0;
+    mark[k] = k;
+    // Pattern of row k in topological order, in pattern[top .. rows), and row k of the matrix in `work`.
+    uint32_t top = rows;
+    const uint32_t v = ordering.order[k];
+    for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
+      const uint32_t neighbour = ordering.place[mesh.col_indices[e]];
+      if (neighbour > k) continue;
+      work[neighbour] = add(work[neighbour], matrix.entry(e));
+      uint32_t length = 0;
+      for (uint32_t i = neighbour; mark[i] != k; i = parent[i]) {
+        pattern[length++] = i;
+        mark[i] = k;
+      }
+      while (length > 0) pattern[--top] = pattern[--length];
+    }
+    int64_t d = matrix.diagonal[k];
+    for (; top < rows; ++top) {
+      const uint32_t i = pattern[top];
+      const int64_t y = work[i];
+      work[i] = 0;
+      const uint64_t begin = column_start[i], end = begin + column_fill[i];
+      for (uint64_t p = begin; p < end; ++p) work[row[p]] = subtract(work[row[p]], mul_shift(value[p], y, kFactorBits));
+      const int64_t l = divide(y, inverse[i], kFactorBits, kFactorHeadroom);
+      d = subtract(d, mul_shift(l, y, kFactorBits));
+      row[end] = k;
+      value[end] = l;
+      ++column_fill[i];
+    }
+    // Rounding may not leave a pivot smaller than this part of the diagonal.
+    const int64_t smallest = (abs64(matrix.diagonal[k]) >> 34) + 1;
+    if (d > -smallest && d < smallest) d = d < 0 ? -smallest : smallest;
+    inverse[k] = reciprocal(d);
+  }
+  for (uint32_t k = 0; k < rows; ++k) {
+    uint64_t sum = 1;
+    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+      sum += static_cast<uint64_t>(abs64(value[p])) >> 8;  // Q32, so that 2^24 saturated entries still fit
+    }
+    int bits = 31 + 32 - 1 - top_bit(sum);
+    if (bits > 31) bits = 31;
+    if (bits < 0) bits = 0;
+    short_bits[k] = static_cast<uint8_t>(bits);
+    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+      short_value[p] = clamp32(round_shift(value[p], kFactorBits - bits), -0x7FFFFFFF, 0x7FFFFFFF);
+    }
+  }
+}
+
+void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
+  for (uint32_t k = 0; k < rows; ++k) {
+    int64_t* z = rhs + static_cast<size_t>(k) * kLanes;
+    int32_t* x = out + static_cast<size_t>(k) * kLanes;
+    int64_t any = 0;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) any |= z[lane];
+    if (any == 0) {  // most columns below the top separators see none of these joints
+      for (uint32_t lane = 0; lane < kLanes; ++lane) x[lane] = 0;
+      continue;
+    }
+    const int bits = short_bits[k];
+    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+      int64_t* target = rhs + static_cast<size_t>(row[p]) * kLanes;
+      const int64_t l = short_value[p];
+      for (uint32_t lane = 0; lane < kLanes; ++lane) target[lane] = subtract(target[lane], mul_shift(z[lane], l, bits));
+    }
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+      x[lane] = clamp32(divide(z[lane], inverse[k], kSolutionBits, 3), -0x7FFFFFFF, 0x7FFFFFFF);
+    }
+  }
+  for (uint32_t k = rows; k-- > 0;) {
+    uint64_t sum[kLanes] = {};  // two's complement; below 2^62 in magnitude, see the header
+    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+      const int32_t* x = out + static_cast<size_t>(row[p]) * kLanes;
+      const int64_t l = short_value[p];
+      for (uint32_t lane = 0; lane < kLanes; ++lane) sum[lane] += static_cast<uint64_t>(l * x[lane]);
+    }
+    int32_t* x = out + static_cast<size_t>(k) * kLanes;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+      x[lane] = clamp32(x[lane] - round_shift(static_cast<int64_t>(sum[lane]), short_bits[k]), -0x7FFFFFFF, 0x7FFFFFFF);
+    }
+  }
+}
+
+}  // namespace sinew

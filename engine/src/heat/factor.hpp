@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Sparse L D L^T of one component's heat matrix in fixed point (stage 4): one symbolic analysis, then one numeric
+// factorisation per field, then triangular solves for kLanes joints at a time.
+//
+// Numbers. The matrix M = L + A H is symmetric and nearly an M-matrix (row sums A H >= 0), but not always definite: a
+// boundary edge counts in full and cotangents are limited, so obtuse triangles at a border or needles can make pivots
+// negative.
+//   matrix entries, Schur complements, right-hand sides: int64, Q = matrix_bits, chosen so that the largest diagonal is
+//     below 2^56; the rest is room for the growth of an indefinite factorisation
+//   L while it is computed: Q40, saturated at 2^20
+//   L in the solves: int32 with one exponent per column such that the column's absolute sum is below 2^31, so that a
+//     dot product with 32-bit weights stays below 2^62
+//   solution: Q28, clamped to +-8 (the exact one lies in about -0.1 .. 1.1)
+// What breaks these bounds wraps and saturates in a defined way and shows in the rows' totals, which must be 1.
+#ifndef SINEW_HEAT_FACTOR_HPP
+#define SINEW_HEAT_FACTOR_HPP
+
+#include "heat/laplacian.hpp"
+#include "heat/ordering.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kLanes = 8;  // joints solved together: the factor is read once for all of them
+constexpr int kSolutionBits = 28;
+
+// The matrix of one component for one field, rows in elimination order.
+struct HeatMatrix {
+  const Mesh* mesh = nullptr;
+  const EdgeWeights* edges = nullptr;
+  const Ordering* ordering = nullptr;
+  uint32_t rows = 0;
+  int matrix_bits = 0;
+  int64_t* diagonal = nullptr;  // [U] Q matrix_bits
+  bool positive = false;        // negative edge weights count as 0: an M-matrix, definite whatever the triangles are
+
+  // Off-diagonal entry of CSR edge e.
+  int64_t entry(uint32_t e) const { return -weight(e) * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits)); }
+  int64_t weight(uint32_t e) const { return positive && edges->weight[e] < 0 ? 0 : edges->weight[e]; }
+  // pull_q40 [rows]: A H of each row. Sets matrix_bits (27..50) and the diagonal; to_matrix() brings other Q40 values
+  // to the same format.
+  void assemble(const int64_t* pull_q40);
+  int64_t to_matrix(int64_t value_q40) const;
+};
+
+// 1 / d for d != 0 as value * 2^-(exponent + 62), |value| in (2^61, 2^62], accurate to 2^-58.
+struct Reciprocal {
+  int64_t value;
+  uint64_t magnitude;  // |d|
+  int exponent;        // floor(log2 |d|)
+};
+Reciprocal reciprocal(int64_t d);
+// n / d in Q bits (bits <= 40), saturated at +-2^headroom (headroom + bits <= 61).
+inline int64_t divide(int64_t n, const Reciprocal& r, int bits, int headroom) {
+  const uint64_t magnitude = n < 0 ? 0 - static_cast<uint64_t>(n) : static_cast<uint64_t>(n);
+  if (magnitude >> headroom >= r.magnitude) {
+    const int64_t limit = static_cast<int64_t>(1) << (bits + headroom);
+    return (n < 0) != (r.value < 0) ? -limit : limit;
+  }
+  const int shift = r.exponent + 62 - bits;
+  return shift <= 63 ? mul_shift(n, r.value, shift) : mul_shift(n, r.value, 63) >> (shift - 63);
+}
+
+struct Factor {
+  size_t capacity = 0;               // entries that fit
+  uint32_t* parent = nullptr;        // [U] elimination tree
+  uint32_t* mark = nullptr;          // [U]
+  uint32_t* pattern = nullptr;       // [U]
+  uint64_t* column_start = nullptr;  // [U + 1]
+  uint32_t* column_fill = nullptr;   // [U]
+  int64_t* work = nullptr;           // [U]
+  Reciprocal* inverse = nullptr;     // [U] 1 / D
+  uint32_t* row = nullptr;           // [capacity] row of each entry, ascending inside a column
+  int64_t* value = nullptr;          // [capacity] Q40
+  int32_t* short_value = nullptr;    // [capacity] Q short_bits of the column
+  uint8_t* short_bits = nullptr;     // [U]
+
+  // Entries reserved: 16 + 3 log2 V per vertex; nested dissection of real characters needs between a third and two
+  // thirds of that, and a tangle of faces that needs more goes to the iterative solver.
+  static size_t capacity_for(const Counts& counts);
+  bool allocate(Arena& arena, const Counts& counts);
+  // Elimination tree and column counts. False when the factor would not fit.
+  bool analyse(const HeatMatrix& matrix);
+  void factorise(const HeatMatrix& matrix);
+  // Solves for kLanes right-hand sides. rhs [rows x kLanes] Q matrix_bits, destroyed; out [rows x kLanes] Q28.
+  void solve(uint32_t rows, int64_t* rhs, int32_t* out) const;
+};
+
+}  // namespace sinew
+#endif

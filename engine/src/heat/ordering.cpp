@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Geometric nested dissection on integer coordinates, without recursion (stage 4, before the factorisation).
+#include "heat/ordering.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kSmallestPiece = 4;
+
+int32_t coordinate(Vec3i p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+struct Piece {
+  uint32_t begin, end;
+};
+
+// A cut of a piece: vertices with coordinate <= value on one side.
+struct Cut {
+  int axis = 0;
+  int32_t value = 0;
+  uint32_t low_count = 0;
+  uint32_t low_border = 0, high_border = 0;  // vertices with a neighbour on the other side
+  uint32_t separator() const { return low_border <= high_border ? low_border : high_border; }
+};
+
+class Dissection {
+ public:
+  Dissection(const Mesh& mesh, Ordering& out) : mesh_(mesh), out_(out) {}
+
+  // Median of the coordinates; when many are equal the value whose two sides are most alike. False when all are equal.
+  bool median(Piece piece, int axis, Cut* cut) const {
+    int32_t low = coordinate(mesh_.positions[out_.order[piece.begin]], axis), high = low;
+    for (uint32_t i = piece.begin + 1; i < piece.end; ++i) {
+      const int32_t c = coordinate(mesh_.positions[out_.order[i]], axis);
+      if (c < low) low = c;
+      if (c > high) high = c;
+    }
+    if (low == high) return false;
+    const uint32_t half = (piece.end - piece.begin) / 2;
+    int32_t below = low, above = high - 1;  // smallest value with at least half of the vertices at or under it
+    while (below < above) {
+      const int32_t middle = below + (above - below) / 2;
+      if (count_up_to(piece, axis, middle) >= half) {
+        above = middle;
+      } else {
+        below = middle + 1;
+      }
+    }
+    cut->axis = axis;
+    cut->value = below;
+    cut->low_count = count_up_to(piece, axis, below);
+    if (below > low) {
+      const uint32_t under = count_up_to(piece, axis, below - 1);
+      if (under > 0 && cut->low_count > half && half - under < cut->low_count - half) {
+        cut->value = below - 1;
+        cut->low_count = under;
+      }
+    }
+    return true;
+  }
+
+  void count_borders(Piece piece, uint32_t region, Cut* cut) const {
+    cut->low_border = 0;
+    cut->high_border = 0;
+    for (uint32_t i = piece.begin; i < piece.end; ++i) {
+      const uint32_t v = out_.order[i];
+      const bool low = on_low_side(v, *cut);
+      if (!touches_other_side(v, region, *cut, low)) continue;
+      ++(low ? cut->low_border : cut->high_border);
+    }
+  }
+
+  // Reorders the piece as low side, high side, separator. Returns the lengths of the first two through the pointers.
+  void split(Piece piece, uint32_t region, const Cut& cut, uint32_t* low_length, uint32_t* high_length) const {
+    const bool low_separates = cut.low_border <= cut.high_border;
+    uint32_t low = 0, high = 0, separator = 0;
+    const uint32_t length = piece.end - piece.begin;
+    // Low side grows from the front of the scratch, the separator from its back, the high side is written in place.
+    for (uint32_t i = piece.begin; i < piece.end; ++i) {
+      const uint32_t v = out_.order[i];
+      const bool on_low = on_low_side(v, cut);
+      if (on_low == low_separates && touches_other_side(v, region, cut, on_low)) {
+        out_.scratch[length - ++separator] = v;
+      } else if (on_low) {
+        out_.scratch[low++] = v;
+      } else {
+        out_.order[piece.begin + high++] = v;
+      }
+    }
+    for (uint32_t i = high; i > 0; --i) out_.order[piece.begin + low + i - 1] = out_.order[piece.begin + i - 1];
+    for (uint32_t i = 0; i < low; ++i) out_.order[piece.begin + i] = out_.scratch[i];
+    for (uint32_t i = 0; i < separator; ++i) out_.order[piece.begin + low + high + i] = out_.scratch[length - 1 - i];
+    *low_length = low;
+    *high_length = high;
+  }
+
+ private:
+  uint32_t count_up_to(Piece piece, int axis, int32_t value) const {
+    uint32_t count = 0;
+    for (uint32_t i = piece.begin; i < piece.end; ++i) {
+      count += coordinate(mesh_.positions[out_.order[i]], axis) <= value;
+    }
+    return count;
+  }
+  bool on_low_side(uint32_t vertex, const Cut& cut) const {
+    return coordinate(mesh_.positions[vertex], cut.axis) <= cut.value;
+  }
+  bool touches_other_side(uint32_t vertex, uint32_t region, const Cut& cut, bool low) const {
+    for (uint32_t e = mesh_.row_offsets[vertex]; e < mesh_.row_offsets[vertex + 1]; ++e) {
+      const uint32_t neighbour = mesh_.col_indices[e];
+      if (out_.region[neighbour] == region && on_low_side(neighbour, cut) != low) return true;
+    }
+    return false;
+  }
+
+  const Mesh& mesh_;
+  Ordering& out_;
+};
+
+}  // namespace
+
+bool Ordering::allocate(Arena& arena, const Counts& counts) {
+  order = arena.alloc<uint32_t>(counts.vertices);
+  place = arena.alloc<uint32_t>(counts.vertices);
+  region = arena.alloc<uint32_t>(counts.vertices);
+  scratch = arena.alloc<uint32_t>(counts.vertices);
+  return arena.ok();
+}
+
+void Ordering::dissect(const Mesh& mesh, uint32_t component) {
+  const uint32_t first = mesh.component_offsets[component];
+  const uint32_t count = mesh.component_offsets[component + 1] - first;
+  for (uint32_t i = 0; i < count; ++i) order[i] = mesh.component_vertices[first + i];
+
+  const Dissection dissection(mesh, *this);
+  uint32_t next_region = 0;
+  Piece stack[40];  // the smaller half is always taken first, so the depth is at most log2 of the vertex count + 1
+  uint32_t depth = 0;
+  stack[depth++] = {0, count};
+  while (depth > 0) {
+    const Piece piece = stack[--depth];
+    const uint32_t mine = next_region++;
+    for (uint32_t i = piece.begin; i < piece.end; ++i) region[order[i]] = mine;
+    if (piece.end - piece.begin <= kSmallestPiece) continue;
+
+    // All three axes are tried: the shortest separator for the balance it gives.
+    Cut best;
+    bool found = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      Cut cut;
+      if (!dissection.median(piece, axis, &cut)) continue;
+      dissection.count_borders(piece, mine, &cut);
+      const uint32_t length = piece.end - piece.begin;
+      const auto smaller_side = [length](const Cut& c) {
+        return static_cast<uint64_t>(c.low_count < length - c.low_count ? c.low_count : length - c.low_count);
+      };
+      if (!found || cut.separator() * smaller_side(best) < best.separator() * smaller_side(cut)) best = cut;
+      found = true;
+    }
+    uint32_t low = 0, high = 0;
+    dissection.split(piece, mine, best, &low, &high);
+    const Piece low_piece = {piece.begin, piece.begin + low};
+    const Piece high_piece = {piece.begin + low, piece.begin + low + high};
+    // The separator leaves the region, so that the halves do not see it.
+    for (uint32_t i = high_piece.end; i < piece.end; ++i) region[order[i]] = next_region;
+    ++next_region;
+    const bool low_first = low <= high;
+    const Piece later = low_first ? high_piece : low_piece;
+    const Piece sooner = low_first ? low_piece : high_piece;
+    if (later.begin < later.end) stack[depth++] = later;
+    if (sooner.begin < sooner.end) stack[depth++] = sooner;
+  }
+  for (uint32_t i = 0; i < count; ++i) place[order[i]] = i;
+}
+
+}  // namespace sinew

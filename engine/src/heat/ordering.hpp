@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Elimination order with little fill: geometric nested dissection (George 1973; Miller, Teng, Thurston and Vavasis 1997
+// for the idea of cutting by coordinates).
+#ifndef SINEW_HEAT_ORDERING_HPP
+#define SINEW_HEAT_ORDERING_HPP
+
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+struct Ordering {
+  uint32_t* order = nullptr;    // [U] vertex at each place of the elimination, for the component ordered last
+  uint32_t* place = nullptr;    // [U] and back; only the vertices of that component are valid
+  uint32_t* region = nullptr;   // [U] scratch: which piece a vertex is in
+  uint32_t* scratch = nullptr;  // [U]
+
+  bool allocate(Arena& arena, const Counts& counts);
+  // Orders the vertices of one component: halves first, the vertices that separate them last, again inside the halves.
+  void dissect(const Mesh& mesh, uint32_t component);
+};
+
+}  // namespace sinew
+#endif

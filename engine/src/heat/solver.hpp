@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Solves one component of one heat field for all of its joints (stage 4).
+#ifndef SINEW_HEAT_SOLVER_HPP
+#define SINEW_HEAT_SOLVER_HPP
+
+#include "heat/factor.hpp"
+#include "heat/heat.hpp"
+#include "heat/sources.hpp"
+
+namespace sinew {
+
+class HeatSolver {
+ public:
+  bool allocate(Arena& arena, const Counts& counts);
+  // Orders and analyses a component; the fields below share the result.
+  void begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component);
+  // Solves one field of that component and writes its rows. Every vertex of a component with a source gets weights that
+  // sum to 1 up to what was too small to keep: the exact solution does, so the rest of rounding is divided out. Where
+  // the totals are far from 1 the indefinite matrix has defeated fixed point; then, and in iterative components,
+  // negative edge weights count as 0.
+  void solve_field(const HeatSources& sources, uint32_t field, HeatField* out);
+
+  bool iterative() const { return iterative_; }
+  // Entries of the factor of the current component (0 when it is solved iteratively).
+  uint64_t factor_entries() const { return iterative_ ? 0 : factor_.column_start[matrix_.rows]; }
+  // For tests: pretends that no more than this fits.
+  void limit_factor(size_t entries) {
+    if (entries < factor_.capacity) factor_.capacity = entries;
+  }
+
+ private:
+  // One pass over all joints. True when every row's total came out as 1 within 1/64.
+  bool try_field(const HeatSources& sources, uint32_t field, HeatField* out);
+  uint32_t list_joints(const HeatSources& sources, uint32_t field);
+  void fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
+  void keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* out);
+  void divide_by_totals(HeatField* out);
+
+  const Mesh* mesh_ = nullptr;
+  HeatMatrix matrix_;
+  Ordering ordering_;
+  Factor factor_;
+  bool iterative_ = false;
+  int64_t* pull_ = nullptr;      // [U] Q40 of one tied bone, by elimination place
+  int64_t* row_pull_ = nullptr;  // [U] of all tied bones
+  int64_t* rhs_ = nullptr;       // [U x kLanes]
+  int32_t* solution_ = nullptr;  // [U x kLanes] Q28
+  int64_t* total_ = nullptr;     // [U] sum of the solutions over all joints, Q28
+  uint16_t* joints_ = nullptr;   // [J] joints with a source in this component and field
+  uint8_t* lane_of_ = nullptr;   // [J] kNoLane or the joint's lane in the batch at hand
+  uint32_t joint_count_ = 0;     // J
+};
+
+}  // namespace sinew
+#endif

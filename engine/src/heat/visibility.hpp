@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Which faces stand between a vertex and a bone: an implicit bounding-box tree over the triangles and an exact integer
+// segment/triangle test (stage 4, before the sources are chosen).
+#ifndef SINEW_HEAT_VISIBILITY_HPP
+#define SINEW_HEAT_VISIBILITY_HPP
+
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+// True when the open segment start -> target crosses triangle (a, b, c) from its front: it runs against the normal
+// (b - a) x (c - a), meets the closed triangle, and the meeting point is neither start nor target. A segment inside the
+// triangle's plane does not cross it. Exact for mesh points (inside a box of side 2^20 that holds `start`, too) and
+// |target| <= 2^23 per axis.
+bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
+// The same with 96-bit determinants, whatever the length of the segment; the function above uses it for long segments.
+bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
+
+// Triangles grouped by component, inside a component in the mesh's own order (Morton order of their first vertex), so
+// that consecutive triangles are near each other and a complete binary tree over runs of kLeafFaces needs no sorting.
+struct FaceTree {
+  static constexpr uint32_t kLeafFaces = 4;
+  static constexpr uint32_t kNoFace = 0xFFFFFFFFu;
+
+  uint32_t* order = nullptr;            // [T] triangle at each place
+  uint32_t* component_first = nullptr;  // [component_count + 1] first place of each component
+  Vec3i* box_low = nullptr;             // [2 x leaf_span] heap order, root 1; leaf i is node leaf_span + i
+  Vec3i* box_high = nullptr;
+  uint32_t leaf_span = 1;  // power of two >= number of leaves
+  uint32_t leaf_count = 0;
+
+  bool allocate(Arena& arena, const Counts& counts);
+  void build(const Mesh& mesh);
+  // True when a face at a place in [first, last) (outside = false) or at any other place (outside = true), not incident
+  // to `vertex`, is crossed from its front on the way to `target`. *hint is a place to try first and receives the place
+  // of the face that hides (kNoFace to start with); it changes the time, never the answer.
+  bool hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t first, uint32_t last, bool outside,
+              uint32_t* hint) const;
+};
+
+}  // namespace sinew
+#endif
