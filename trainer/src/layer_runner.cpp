@@ -122,12 +122,15 @@ void check_network(const FloatNetwork& network) {
     return region.channels > 0 && region.buffer < network.buffers.size() &&
            region.offset + region.channels <= network.buffers[region.buffer].channels;
   };
+  const auto overlap = [](const Region& a, const Region& b) {
+    return a.buffer == b.buffer && a.offset < b.offset + b.channels && b.offset < a.offset + a.channels;
+  };
   const auto domain = [&](const Region& region) { return network.buffers[region.buffer].domain; };
   for (size_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
     const std::string name = "layer " + std::to_string(i);
-    if (!inside(layer.in) || !inside(layer.out) || layer.out.buffer <= kPairInput || layer.in.buffer == layer.out.buffer) {
-      fail(name + " has a region outside its buffer");
+    if (!inside(layer.in) || !inside(layer.out) || layer.out.buffer <= kPairInput || overlap(layer.in, layer.out)) {
+      fail(name + " has a region outside its buffer, or writes over what it reads");
     }
     const Domain in = domain(layer.in), out = domain(layer.out);
     bool fits = false;
@@ -140,7 +143,7 @@ void check_network(const FloatNetwork& network) {
                p.bias.size() == p.out;
         if (layer.flags & kLayerResidual) {
           fits = fits && inside(layer.residual) && domain(layer.residual) == out &&
-                 layer.residual.channels == layer.out.channels && layer.residual.buffer != layer.out.buffer;
+                 layer.residual.channels == layer.out.channels && !overlap(layer.residual, layer.out);
         }
         break;
       }

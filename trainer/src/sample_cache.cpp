@@ -89,9 +89,10 @@ void write_cached(const std::string& path, Sample& sample) {
   cereal::BinaryOutputArchive{stream}(sample);
   const std::string payload = stream.str();
   const uint64_t hash = hash_bytes(reinterpret_cast<const uint8_t*>(payload.data()), payload.size(), kCacheVersion);
-  std::vector<uint8_t> bytes(kMagic, kMagic + sizeof kMagic);
-  bytes.insert(bytes.end(), reinterpret_cast<const uint8_t*>(&hash), reinterpret_cast<const uint8_t*>(&hash) + sizeof hash);
-  bytes.insert(bytes.end(), payload.begin(), payload.end());
+  std::vector<uint8_t> bytes(sizeof kMagic + sizeof hash + payload.size());
+  std::memcpy(bytes.data(), kMagic, sizeof kMagic);
+  std::memcpy(bytes.data() + sizeof kMagic, &hash, sizeof hash);
+  std::memcpy(bytes.data() + sizeof kMagic + sizeof hash, payload.data(), payload.size());
   write_file(path, bytes);
 }
 
