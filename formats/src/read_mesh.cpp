@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "file_names.hpp"
+#include "gltf_read.hpp"
 #include "rig.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -25,7 +26,7 @@ Character read_mesh(const std::string& path) {
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
   if (!is_gltf(path)) throw Error(path + ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm), found another extension");
-  Character other = read_gltf(path);
+  Character other = read_gltf_character(path, with_skin);
   if (other.joints.empty()) throw Error(path + ": expected a skeleton, found a file without a skin");
   if (with_skin && other.vertices.size() != character->vertices.size())
     throw Error(path + ": expected weights for " + std::to_string(character->vertices.size()) + " vertices, found " +

@@ -65,7 +65,7 @@ void check_no_cycle(const std::string& path, const std::vector<Joint>& joints) {
       seen_from[static_cast<size_t>(j)] = start;
       j = joints[static_cast<size_t>(j)].parent;
       if (j >= 0 && seen_from[static_cast<size_t>(j)] == start)
-        throw Error(path + ": expected a tree of joints, found a cycle through " + quoted(joints[static_cast<size_t>(j)].name) +
+        throw Error(path + ": expected a tree of joints, found a cycle through " + in_quotes(joints[static_cast<size_t>(j)].name) +
                     " in the hier lines");
     }
   }
@@ -87,7 +87,7 @@ void read_rig(const std::string& path, bool with_skin, Character* character) {
   if (text.find('\0') != std::string::npos) throw Error(path + ": expected a rig text file, found binary data (a zero byte)");
   const RigLines rig = split_lines(path, text);
   const auto fail = [&](const RigLine& line, const std::string& expected, const std::string& found) {
-    throw Error(path + ":" + std::to_string(line.number) + ": expected " + expected + ", found " + quoted(found));
+    throw Error(path + ":" + std::to_string(line.number) + ": expected " + expected + ", found " + in_quotes(found));
   };
 
   std::vector<Joint> joints;
@@ -113,7 +113,7 @@ void read_rig(const std::string& path, bool with_skin, Character* character) {
   for (const RigLine& line : rig.hiers) {
     const size_t parent = joint_at(line, line.words[0]), child = joint_at(line, line.words[1]);
     if (joints[child].parent >= 0)
-      fail(line, "one parent per joint (it has " + quoted(joints[static_cast<size_t>(joints[child].parent)].name) + ")", line.words[1]);
+      fail(line, "one parent per joint (it has " + in_quotes(joints[static_cast<size_t>(joints[child].parent)].name) + ")", line.words[1]);
     joints[child].parent = static_cast<int>(parent);
   }
   check_no_cycle(path, joints);
@@ -156,7 +156,7 @@ void write_rig(const std::string& path, const Character& character) {
     const Vec3& p = joint.position;
     out += "joints " + names[j] + " " + fixed(p.x, 8) + " " + fixed(p.y, 8) + " " + fixed(p.z, 8) + "\n";
     if (joint.parent >= static_cast<int>(names.size()))
-      throw Error(path + ": cannot write, joint " + quoted(joint.name) + " has a parent that does not exist");
+      throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " has a parent that does not exist");
     if (joint.parent < 0 && root == names.size()) root = j;
   }
   if (root == names.size()) throw Error(path + ": cannot write a rig " + (names.empty() ? "without joints" : "without a root joint"));

@@ -17,7 +17,7 @@
 namespace sinew {
 
 // A piece of a file made fit for one line of a message: cut to 40 bytes, bytes that do not print as \xNN.
-inline std::string quoted(std::string_view found) {
+inline std::string in_quotes(std::string_view found) {
   constexpr size_t kLongest = 40;
   std::string out = "'";
   for (size_t i = 0; i < found.size() && i < kLongest; ++i) {
@@ -86,7 +86,7 @@ class TextLines {
     fail_at(number_, expected, found);
   }
   [[noreturn]] void fail_at(size_t number, const std::string& expected, std::string_view found) const {
-    throw Error(path_ + ":" + std::to_string(number) + ": expected " + expected + ", found " + quoted(found));
+    throw Error(path_ + ":" + std::to_string(number) + ": expected " + expected + ", found " + in_quotes(found));
   }
 
  private:
