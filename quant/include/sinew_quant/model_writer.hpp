@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Integer layers to the bytes of a model file, through engine/src/model/layout.hpp. Checks nothing: the engine's reader does.
+#ifndef SINEW_QUANT_MODEL_WRITER_HPP
+#define SINEW_QUANT_MODEL_WRITER_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "model/layers.hpp"
+#include "model/layout.hpp"
+
+namespace sinew {
+
+// One linear layer in integers; see formats/spec/model.md for the arithmetic.
+struct IntegerLinear {
+  uint16_t in = 0, out = 0;
+  AccumulatorClass accumulator = AccumulatorClass::kNarrow;
+  ValueRange range = ValueRange::kPositive;
+  uint16_t block = 0;             // columns per int32 block; = in for class N
+  std::vector<int64_t> bias;      // [out] holding 1 << (shift - 1)
+  std::vector<int16_t> weights;   // [out x in]
+  std::vector<int16_t> residual;  // [out] or empty
+  std::vector<uint8_t> shifts;    // [out]
+};
+
+struct IntegerModel {
+  uint32_t candidate_count = 8, grid_size = 64, feature_set = 0;
+  std::vector<Buffer> buffers;
+  std::vector<Layer> layers;
+  std::vector<IntegerLinear> linears;  // in layer order
+};
+
+std::vector<uint8_t> write_model(const IntegerModel& model);
+// Recomputes the checksum of a file of at least kHeaderBytes after its bytes were changed.
+void seal_model(std::vector<uint8_t>* bytes);
+
+}  // namespace sinew
+#endif
