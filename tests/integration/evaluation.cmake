@@ -1,0 +1,5 @@
+# SPDX-License-Identifier: MIT
+if(SINEW_BUILD_TRAINER)
+  sinew_test(yardstick_test SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/integration/yardstick_test.cpp
+             LIBS sinew::trainer nlohmann_json::nlohmann_json LABELS integration shared)
+endif()
