@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// sinew bind: one mesh, one skeleton, weights out.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "sinew_formats/image.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/binder.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+struct Settings {
+  std::string mesh, skeleton, output, model, method, deform, never, lock, png, up = "y";
+  unsigned influences = 4, threads = 1;
+  bool json = false;
+};
+
+int show_progress(void* user, uint32_t done_permille) {
+  uint32_t* shown = static_cast<uint32_t*>(user);
+  if (done_permille / 10 != *shown) {
+    *shown = done_permille / 10;
+    std::fprintf(stderr, "\rbinding %3u %%", *shown);
+    if (*shown >= 100) std::fprintf(stderr, "\r              \r");
+    std::fflush(stderr);
+  }
+  return 0;
+}
+
+void set_flags(const Settings& settings, const Character& character, std::vector<uint8_t>* flags) {
+  if (settings.deform.empty() && settings.never.empty()) return;
+  flags->assign(character.joints.size(), 0);
+  if (!settings.deform.empty()) {
+    for (size_t j : read_joint_list(settings.deform, character)) (*flags)[j] |= SINEW_JOINT_DEFORMS;
+  }
+  if (!settings.never.empty()) {
+    for (size_t j : read_joint_list(settings.never, character)) (*flags)[j] |= SINEW_JOINT_NEVER;
+  }
+}
+
+void set_locks(const Settings& settings, const Character& character, std::vector<uint8_t>* locked) {
+  if (settings.lock.empty()) return;
+  if (character.influences.empty()) {
+    throw Error(settings.lock + ": vertices can keep only weights they have, and neither " + settings.mesh +
+                " nor its skeleton file brings any");
+  }
+  locked->assign(character.vertices.size(), 0);
+  for (size_t v : read_vertex_list(settings.lock, character)) {
+    if (character.influences[v].empty()) throw Error(settings.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
+    (*locked)[v] = 1;
+  }
+}
+
+void run(Settings settings) {
+  const bool to_stream = settings.output == "-";
+  if (settings.output.empty()) settings.output = stem(settings.mesh) + ".bound.glb";
+  check_output(settings.output, {".glb", ".rig.txt"}, true);
+  if (!settings.png.empty()) check_output(settings.png, {".png"});
+  if (to_stream && settings.json) throw UsageError("-o - and --json both want standard output: give the weights a file name");
+
+  Character character = read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty());
+  BindOptions options;
+  options.method = settings.method == "heat" ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  std::unique_ptr<LoadedModel> model;
+  if (options.method == SINEW_METHOD_MODEL) {
+    model = load_model(settings.model);
+    options.model = &model->model;
+  }
+  options.influence_count = settings.influences;
+  options.up_axis = settings.up == "z" ? 1 : 0;
+  set_flags(settings, character, &options.joint_flags);
+  set_locks(settings, character, &options.locked);
+  uint32_t shown = 0;
+  if (isatty(STDERR_FILENO) != 0) {
+    options.progress = show_progress;
+    options.progress_user = &shown;
+  }
+  BindResult result = bind(character, options);
+  character.influences = std::move(result.influences);
+
+  write_character(settings.output, character);
+  if (!settings.png.empty()) {
+    RenderOptions view;
+    view.up_z = settings.up == "z";
+    const std::vector<uint8_t> png = encode_png(render(character, weight_colours(character), view));
+    write_file(settings.png, png);
+  }
+
+  size_t pairs = 0;
+  std::vector<bool> used(character.joints.size(), false);
+  for (const std::vector<Influence>& row : character.influences) {
+    pairs += row.size();
+    for (const Influence& i : row) used[i.joint] = true;
+  }
+  const size_t used_joints = static_cast<size_t>(std::count(used.begin(), used.end(), true));
+  const double mean = static_cast<double>(pairs) / static_cast<double>(std::max<size_t>(1, character.vertices.size()));
+  const std::string method = options.method == SINEW_METHOD_HEAT ? "heat" : settings.model.empty() ? "bundled model" : file_name(settings.model);
+  if (settings.json) {
+    nlohmann::ordered_json summary = {
+        {"mesh", settings.mesh}, {"method", method}, {"vertices", character.vertices.size()}, {"faces", character.face_count()},
+        {"joints", character.joints.size()}, {"joints_used", used_joints}, {"influences", settings.influences},
+        {"mean_influences", mean}, {"seconds", result.seconds}, {"workspace_bytes", result.workspace_bytes},
+        {"workspace_used_bytes", result.used_bytes}, {"output", settings.output}};
+    if (!settings.png.empty()) summary["png"] = settings.png;
+    std::printf("%s\n", summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    return;
+  }
+  std::FILE* out = to_stream ? stderr : stdout;
+  std::fprintf(out, "%s: %zu vertices, %zu faces, %zu joints (%zu used)\n", character.name.c_str(), character.vertices.size(),
+               character.face_count(), character.joints.size(), used_joints);
+  std::fprintf(out, "bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex\n", method.c_str(),
+               result.seconds, static_cast<double>(result.workspace_bytes) / 1e6, static_cast<double>(result.used_bytes) / 1e6, mean);
+  std::fprintf(out, "wrote %s%s%s\n", to_stream ? "standard output" : settings.output.c_str(), settings.png.empty() ? "" : " and ",
+               settings.png.c_str());
+}
+
+}  // namespace
+
+void add_bind(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("bind", "Predict the skin weights of a mesh for a skeleton");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("mesh", s->mesh, "Mesh: .obj, .gltf, .glb, .vrm, or - for an OBJ on standard input")->required()->type_name("MESH");
+  sub->add_option("--skeleton", s->skeleton, "Skeleton: .rig.txt, .gltf, .glb or .vrm. Not needed when the mesh has its own")->type_name("FILE");
+  sub->add_option("-o,--output", s->output, "Output: .glb or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]")->type_name("OUT");
+  auto* model = sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
+  sub->add_option("--method", s->method, "heat: heat fields alone, no model; model: the network")
+      ->check(CLI::IsMember({"heat", "model"}))->excludes(model);
+  sub->add_option("--influences", s->influences, "Most joints per vertex")->check(CLI::Range(1, 12))->capture_default_str()->type_name("N");
+  sub->add_option("--deform", s->deform, "Joints that deform, one name per line; all others get no weight")->type_name("FILE");
+  sub->add_option("--never", s->never, "Joints that must get no weight, one name per line")->type_name("FILE");
+  sub->add_option("--lock", s->lock, "Vertices that keep the weights they have, one 0-based index per line")->type_name("FILE");
+  sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  sub->add_option("--threads", s->threads, "Accepted for scripts: one mesh is bound on one thread, with the same bytes for any N")
+      ->check(CLI::Range(1, 256))->type_name("N");
+  sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
+  sub->add_flag("--json", s->json, "Print the summary as JSON");
+  sub->footer("Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
+              "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
+              "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
+  sub->callback([s] { run(*s); });
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Runs a float network over samples and takes the largest value of every layer: what the quantizer needs to know.
+#ifndef SINEW_CLI_CALIBRATE_HPP
+#define SINEW_CLI_CALIBRATE_HPP
+
+#include <string>
+#include <vector>
+
+#include "sinew_formats/checkpoint.hpp"
+#include "sinew_quant/quantize.hpp"
+#include "sinew_trainer/binder.hpp"
+
+namespace sinew {
+
+// Largest absolute value in each layer's output region over all samples. Throws Error when there is no sample.
+Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& samples);
+
+// Samples of at most `limit` characters spread evenly over a folder's sorted list (0 = all). Characters that the engine
+// refuses are left out; throws Error when none is left.
+std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid);
+
+}  // namespace sinew
+#endif

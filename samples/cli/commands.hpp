@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// One function per subcommand: declares its options and says what runs when it is chosen.
+#ifndef SINEW_CLI_COMMANDS_HPP
+#define SINEW_CLI_COMMANDS_HPP
+
+namespace CLI {
+class App;
+}
+
+namespace sinew::cli {
+
+void add_bind(CLI::App& app);
+void add_eval(CLI::App& app);
+void add_train(CLI::App& app);
+void add_quantize(CLI::App& app);
+void add_dataset(CLI::App& app);
+void add_inspect(CLI::App& app);
+void add_pose(CLI::App& app);
+
+}  // namespace sinew::cli
+#endif

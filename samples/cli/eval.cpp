@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: MIT
+// sinew eval: binds every character of a folder and compares the weights with the reference; the accuracy report.
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "calibrate.hpp"
+#include "commands.hpp"
+#include "quantised.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/network.hpp"
+#include "sinew_trainer/report.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+using Rows = std::vector<std::vector<Influence>>;
+
+struct Settings {
+  std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label;
+  unsigned influences = 4, jobs = 1;
+  bool known = false;
+};
+
+struct Prediction {
+  Rows rows;
+  double seconds = 0;
+  std::vector<float> logits;  // for signal to noise; empty when not known
+};
+
+// One way of binding. `sample` is null unless some variant asks for it.
+struct Variant {
+  std::string label;
+  int bits = 0;
+  size_t size_bytes = 0;
+  uint32_t candidates = 0, grid = 0;  // of the sample it needs; 0 = none
+  std::function<Prediction(const Character&, const Sample*)> predict;
+  std::vector<std::pair<std::string, Metrics>> figures;
+  LogitNoise noise;
+  size_t flips = 0, compared = 0;
+};
+
+std::vector<uint8_t> known_joints(const Character& character) {
+  std::vector<uint8_t> flags(character.joints.size(), 0);
+  for (const auto& row : character.influences) {
+    for (const Influence& i : row) {
+      if (i.weight > 0) flags[i.joint] = SINEW_JOINT_DEFORMS;
+    }
+  }
+  return flags;
+}
+
+Prediction bind_with(const Settings& s, const sinew_model* model, const Character& character) {
+  BindOptions options;
+  options.method = model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  options.model = model;
+  options.influence_count = s.influences;
+  if (s.known) options.joint_flags = known_joints(character);
+  BindResult result = bind(character, options);
+  return {std::move(result.influences), result.seconds, {}};
+}
+
+Variant heat_variant(const Settings& s) {
+  Variant variant;
+  variant.label = "heat";
+  variant.predict = [&s](const Character& c, const Sample*) { return bind_with(s, nullptr, c); };
+  return variant;
+}
+
+Variant model_variant(const Settings& s, const std::string& label, std::shared_ptr<LoadedModel> model) {
+  Variant variant;
+  variant.label = label;
+  variant.bits = 16;
+  variant.size_bytes = model->model.size_bytes;
+  variant.predict = [&s, model](const Character& c, const Sample*) { return bind_with(s, &model->model, c); };
+  return variant;
+}
+
+// The float network first; with a report also the same network in integers, at fewer and fewer bits.
+std::vector<Variant> checkpoint_variants(const Settings& s) {
+  auto checkpoint = std::make_shared<Checkpoint>(read_checkpoint(s.checkpoint));
+  const FloatNetwork& network = checkpoint->network;
+  std::vector<Variant> variants(1);
+  variants[0].label = s.label.empty() ? "float checkpoint" : s.label;
+  variants[0].bits = 32;
+  variants[0].candidates = network.candidate_count;
+  variants[0].grid = network.grid_size;
+  for (const LinearParameters& p : network.parameters) variants[0].size_bytes += 4 * (p.weights.size() + p.bias.size());
+  variants[0].predict = [&s, checkpoint](const Character&, const Sample* sample) {
+    Prediction prediction;
+    prediction.logits = forward(checkpoint->network, *sample);
+    prediction.rows = sample_influences(*sample, softmax(*sample, prediction.logits), s.influences);
+    return prediction;
+  };
+  if (s.report.empty()) return variants;
+  const std::string calibrate_on = s.calibrate.empty() ? s.folder : s.calibrate;
+  const Calibration calibration =
+      calibrate(network, calibration_samples(calibrate_on, 40, network.candidate_count, network.grid_size));
+  for (int bits : {16, 12, 10, 8}) {
+    QuantizeOptions options;
+    options.weight_bits = bits;
+    options.activation_bits = std::min(bits, options.activation_bits);
+    const QuantizedModel quantised = quantize(network, calibration, options);
+    std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantised network");
+    Variant variant;
+    variant.label = bits == 16 ? "int16 model" : std::to_string(bits) + " bits";
+    variant.bits = bits;
+    variant.size_bytes = quantised.bytes.size();
+    variant.candidates = network.candidate_count;
+    variant.grid = network.grid_size;
+    // int16 goes the product's whole way; the narrower ones only differ in the network, so features are not computed again.
+    variant.predict = [&s, model, bits](const Character& c, const Sample* sample) {
+      Prediction prediction;
+      if (bits == 16) prediction = bind_with(s, &model->model, c);
+      prediction.logits = engine_logits(model->model, *sample);
+      if (bits != 16) prediction.rows = sample_influences(*sample, softmax(*sample, prediction.logits), s.influences);
+      return prediction;
+    };
+    variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+std::vector<Variant> make_variants(const Settings& s) {
+  std::vector<Variant> variants;
+  if (!s.checkpoint.empty()) {
+    variants = checkpoint_variants(s);
+  } else if (s.method == "heat") {
+    variants.push_back(heat_variant(s));
+    variants[0].label = s.label.empty() ? "heat" : s.label;
+    return variants;
+  } else {
+    const std::string label = !s.label.empty() ? s.label : s.model.empty() ? "bundled model" : file_name(s.model);
+    variants.push_back(model_variant(s, label, load_model(s.model)));
+  }
+  if (!s.report.empty()) variants.push_back(heat_variant(s));
+  return variants;
+}
+
+uint32_t strongest(const std::vector<Influence>& row) {
+  const Influence* best = nullptr;
+  for (const Influence& i : row) {
+    if (best == nullptr || i.weight > best->weight || (i.weight == best->weight && i.joint < best->joint)) best = &i;
+  }
+  return best == nullptr ? 0xFFFFFFFFu : best->joint;
+}
+
+class Evaluation {
+ public:
+  explicit Evaluation(const Settings& s) : s_(s), paths_(list_characters(s.folder)), variants_(make_variants(s)) {
+    if (paths_.empty()) throw Error(s.folder + ": no characters; expected NAME.obj with NAME.rig.txt, or .glb files");
+    main_ = 0;
+    for (size_t i = 0; i < variants_.size(); ++i) {
+      if (variants_[i].label == "int16 model") main_ = i;  // the report shows what ships
+    }
+  }
+
+  void run() {
+    if (!s_.predictions.empty()) std::filesystem::create_directories(s_.predictions);
+    std::atomic<size_t> done{0};
+    const bool show = isatty(STDERR_FILENO) != 0;
+    parallel_for(paths_.size(), s_.jobs, [&](size_t i) {
+      const std::string name = stem(paths_[i]);
+      try {
+        one(paths_[i], name);
+      } catch (const Error& error) {
+        const std::lock_guard<std::mutex> guard(lock_);
+        failures_[name] = error.what();
+      }
+      const size_t now = ++done;
+      if (show) {
+        std::fprintf(stderr, "\r%zu of %zu characters", now, paths_.size());
+        if (now == paths_.size()) std::fprintf(stderr, "\r                              \r");
+      }
+    });
+    finish();
+  }
+
+ private:
+  void one(const std::string& path, const std::string& name) {
+    const Character character = read_character(path);
+    if (character.influences.empty()) throw Error(path + ": has no reference weights to compare with");
+    std::unique_ptr<Sample> sample;
+    double sample_seconds = 0;
+    for (const Variant& variant : variants_) {
+      if (variant.candidates == 0 || sample) continue;
+      const auto start = std::chrono::steady_clock::now();
+      sample = std::make_unique<Sample>(make_sample(character, variant.candidates, variant.grid));
+      sample_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    std::vector<Prediction> predictions;
+    std::vector<Metrics> metrics;
+    for (const Variant& variant : variants_) {
+      const auto start = std::chrono::steady_clock::now();
+      predictions.push_back(variant.predict(character, sample.get()));
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      if (predictions.back().seconds == 0) predictions.back().seconds = seconds + sample_seconds;
+      metrics.push_back(measure(character, predictions.back().rows, name));
+      metrics.back().seconds = predictions.back().seconds;
+    }
+    if (!s_.predictions.empty()) {
+      Character predicted = character;
+      predicted.influences = predictions[0].rows;
+      write_rig((std::filesystem::path(s_.predictions) / (name + ".rig.txt")).string(), predicted);
+    }
+    const std::lock_guard<std::mutex> guard(lock_);
+    for (size_t i = 0; i < variants_.size(); ++i) {
+      Variant& variant = variants_[i];
+      variant.figures.emplace_back(name, metrics[i]);
+      if (i > 0) {
+        for (size_t v = 0; v < character.vertices.size(); ++v) {
+          variant.flips += strongest(predictions[i].rows[v]) != strongest(predictions[0].rows[v]) ? 1 : 0;
+        }
+        variant.compared += character.vertices.size();
+        if (!predictions[i].logits.empty()) variant.noise.add(*sample, predictions[0].logits, predictions[i].logits);
+      }
+    }
+    if (!s_.report.empty()) drawn_[name] = {path, std::move(predictions[main_].rows)};
+  }
+
+  void finish() {
+    std::vector<Scores> scores;
+    for (Variant& variant : variants_) {
+      std::sort(variant.figures.begin(), variant.figures.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      scores.push_back(summarise(variant.figures));
+      scores.back().failures = failures_;
+    }
+    if (!s_.predictions.empty()) write_status();
+    if (!variants_[0].figures.empty()) {
+      if (s_.json != "-") {
+        for (size_t i = 0; i < variants_.size(); ++i) std::printf("%s\n", scores_markdown(variants_[i].label, scores[i]).c_str());
+      }
+      if (!s_.report.empty()) write_report(scores);
+    }
+    if (!s_.json.empty()) write_json(scores);
+    if (!failures_.empty()) {
+      throw Error(print("%zu of %zu characters failed; the first: ", failures_.size(), paths_.size()) + failures_.begin()->first + ": " +
+                  failures_.begin()->second);
+    }
+  }
+
+  void write_status() const {
+    nlohmann::ordered_json status = nlohmann::ordered_json::object();
+    for (const auto& [name, metrics] : variants_[0].figures) {
+      status[name] = {{"seconds", metrics.seconds}, {"ok", true}, {"note", ""}};
+    }
+    for (const auto& [name, note] : failures_) status[name] = {{"seconds", 0.0}, {"ok", false}, {"note", note}};
+    write_text_file((std::filesystem::path(s_.predictions) / "status.json").string(),
+                    status.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  }
+
+  void write_json(const std::vector<Scores>& scores) const {
+    nlohmann::ordered_json whole = nlohmann::ordered_json::parse(scores_json(variants_[0].label, scores[0]));
+    if (variants_.size() > 1) {
+      whole["variants"] = nlohmann::ordered_json::array();
+      for (size_t i = 0; i < variants_.size(); ++i) {
+        whole["variants"].push_back(nlohmann::ordered_json::parse(scores_json(variants_[i].label, scores[i])));
+      }
+    }
+    write_text_file(s_.json, whole.dump(1) + "\n");
+  }
+
+  void write_report(const std::vector<Scores>& scores) {
+    ReportData data;
+    data.summary = print("%zu characters, %u influences per vertex.", variants_[0].figures.size(), s_.influences);
+    data.facts = {{"data", s_.folder}, {"joints that deform", s_.known ? "given" : "not given"}, {"sinew", sinew_version()}};
+    if (!s_.checkpoint.empty()) data.facts.emplace_back("checkpoint", s_.checkpoint);
+    if (!s_.model.empty()) data.facts.emplace_back("model", s_.model);
+    for (size_t i = 0; i < variants_.size(); ++i) {
+      ReportVariant row;
+      row.label = variants_[i].label;
+      row.scores = scores[i];
+      row.bits = variants_[i].bits;
+      row.size_bytes = variants_[i].size_bytes;
+      if (i > 0 && !s_.checkpoint.empty() && variants_[i].bits > 0) {
+        row.argmax_flips = static_cast<double>(variants_[i].flips) / static_cast<double>(std::max<size_t>(1, variants_[i].compared));
+        row.logit_snr_db = variants_[i].noise.decibels();
+      }
+      data.variants.push_back(std::move(row));
+    }
+    data.main_variant = main_;
+    for (const auto& [heading, name] : best_median_worst(scores[main_])) {
+      const auto& [path, rows] = drawn_.at(name);
+      data.pictures.push_back(report_picture(read_character(path), rows, heading));
+    }
+    write_text_file(s_.report, report_html(data));
+    if (data.variants.size() > 1) std::printf("%s\n", quantisation_table_markdown(data).c_str());
+  }
+
+  const Settings& s_;
+  std::vector<std::string> paths_;
+  std::vector<Variant> variants_;
+  size_t main_ = 0;
+  std::mutex lock_;
+  std::map<std::string, std::string> failures_;
+  std::map<std::string, std::pair<std::string, Rows>> drawn_;  // name -> path, main variant's rows
+};
+
+void run(const Settings& s) {
+  if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
+  if (!s.json.empty()) check_output(s.json, {".json"}, true);
+  if (s.known && !s.checkpoint.empty()) throw UsageError("--known works with --model and --method heat only");
+  if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
+  Evaluation(s).run();
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("eval", "Bind every character of a folder and compare with the reference weights");
+  auto s = std::make_shared<Settings>();
+  s->jobs = std::max(1u, std::thread::hardware_concurrency());
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")->required()->type_name("DIR");
+  auto* model = sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
+  auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")->type_name("FILE")->excludes(model);
+  sub->add_option("--method", s->method, "heat: no model")->check(CLI::IsMember({"heat"}))->excludes(model)->excludes(checkpoint);
+  sub->add_option("--predictions", s->predictions, "Folder for NAME.rig.txt of every character and status.json")->type_name("OUTDIR");
+  sub->add_option("--report", s->report, "Page with tables, plots and pictures; with --checkpoint also int16, 12, 10 and 8 bits")
+      ->type_name("OUT.html");
+  sub->add_option("--json", s->json, "All figures as JSON; - for standard output instead of the table")->type_name("OUT.json");
+  sub->add_option("--calibrate", s->calibrate, "With --checkpoint --report: characters to calibrate on [DIR]")->type_name("DIR");
+  sub->add_option("--jobs", s->jobs, "Characters at the same time")->check(CLI::Range(1, 256))->capture_default_str()->type_name("N");
+  sub->add_option("--influences", s->influences, "Most joints per vertex")->check(CLI::Range(1, 12))->capture_default_str()->type_name("N");
+  sub->add_flag("--known", s->known, "Tell the binder which joints have reference weight");
+  sub->add_option("--label", s->label, "Name in the table")->type_name("TEXT");
+  sub->footer("Examples:\n  sinew eval characters/val --predictions out --report out.html\n"
+              "  sinew eval characters/val --method heat --known --json -\n"
+              "  sinew eval characters/val --checkpoint run.sinewckpt --calibrate characters/train --report bits.html");
+  sub->callback([s] { run(*s); });
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// The sinew command: reads the command line, runs one subcommand, turns every failure into one line and an exit status.
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "commands.hpp"
+#include "sinew/sinew.h"
+#include "sinew_formats/error.hpp"
+#include "support.hpp"
+
+namespace {
+
+int fail(const std::string& text, int status) {
+  std::string line = text;
+  for (char& c : line) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  std::fflush(stdout);
+  std::fprintf(stderr, "sinew: error: %s\n", line.c_str());
+  return status;
+}
+
+// The deepest subcommand on the command line, for "see sinew ... --help".
+std::string chosen_command(const CLI::App& app) {
+  std::string name = app.get_name();
+  for (const CLI::App* sub : app.get_subcommands()) name += " " + chosen_command(*sub);
+  return name;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Binds character meshes to their skeletons with a small int16 network.", "sinew");
+  app.set_version_flag("--version", std::string("sinew ") + sinew_version());
+  app.require_subcommand(1);
+  app.footer("Example:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
+             "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.");
+  sinew::cli::add_bind(app);
+  sinew::cli::add_eval(app);
+  sinew::cli::add_train(app);
+  sinew::cli::add_quantize(app);
+  sinew::cli::add_dataset(app);
+  sinew::cli::add_inspect(app);
+  sinew::cli::add_pose(app);
+  try {
+    app.parse(argc, argv);  // runs the chosen subcommand's callback
+  } catch (const CLI::Success& done) {
+    return app.exit(done);  // --help, --version
+  } catch (const CLI::ParseError& error) {
+    return fail(std::string(error.what()) + "; see " + chosen_command(app) + " --help", 2);
+  } catch (const sinew::cli::UsageError& error) {
+    return fail(std::string(error.what()) + "; see " + chosen_command(app) + " --help", 2);
+  } catch (const sinew::Error& error) {
+    return fail(error.what(), 1);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", 1);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
+  return 0;
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The engine's integer network on a sample, and its noise against the float network.
+#include "quantised.hpp"
+
+#include <cmath>
+#include <memory>
+#include <new>
+
+#include "network/network.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+
+std::vector<float> engine_logits(const sinew_model& model, const Sample& sample) {
+  Counts counts;
+  counts.vertices = sample.vertices;
+  counts.joints = sample.joints;
+  counts.candidates = sample.candidates;
+  Arena measuring;
+  measure_run_network(measuring, model, counts);
+  struct Free {
+    void operator()(void* block) const { ::operator delete(block, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
+  };
+  const std::unique_ptr<void, Free> block(::operator new(measuring.high_water(), std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}));
+  Arena arena(block.get(), measuring.high_water());
+
+  NetworkInput input;
+  input.vertex_count = sample.vertices;
+  input.candidate_count = sample.candidates;
+  input.vertex_features = sample.vertex.data();
+  input.pair_features = sample.pair.data();
+  input.joints = sample.candidate.data();
+  input.row_offsets = sample.row_offsets.data();
+  input.col_indices = sample.col_indices.data();
+  input.component = sample.component.data();
+  input.component_offsets = sample.component_offsets.data();
+  input.component_vertices = sample.component_vertices.data();
+  input.component_count = sample.components;
+  input.joint_count = sample.joints;
+  std::vector<int16_t> logits(static_cast<size_t>(sample.vertices) * sample.candidates);
+  const sinew_status status = run_network(model, input, Progress{}, arena, logits.data());
+  if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
+
+  constexpr float kLn2 = 0.69314718056f;
+  std::vector<float> natural(logits.size());
+  for (size_t i = 0; i < logits.size(); ++i) natural[i] = static_cast<float>(logits[i]) * (kLn2 / 1024.0f);
+  return natural;
+}
+
+void LogitNoise::add(const Sample& sample, const std::vector<float>& reference, const std::vector<float>& other) {
+  const size_t k = sample.candidates;
+  for (size_t u = 0; u < sample.vertices; ++u) {
+    double mean_reference = 0, mean_other = 0;
+    size_t present = 0;
+    for (size_t i = u * k; i < (u + 1) * k; ++i) {
+      if (sample.candidate[i] == kNoJoint) continue;
+      mean_reference += static_cast<double>(reference[i]);
+      mean_other += static_cast<double>(other[i]);
+      ++present;
+    }
+    if (present == 0) continue;
+    mean_reference /= static_cast<double>(present);
+    mean_other /= static_cast<double>(present);
+    for (size_t i = u * k; i < (u + 1) * k; ++i) {
+      if (sample.candidate[i] == kNoJoint) continue;
+      const double s = static_cast<double>(reference[i]) - mean_reference;
+      const double e = static_cast<double>(other[i]) - mean_other - s;
+      signal += s * s;
+      noise += e * e;
+    }
+  }
+}
+
+double LogitNoise::decibels() const { return 10.0 * std::log10((signal + 1e-30) / (noise + 1e-30)); }
+
+}  // namespace sinew

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// sinew quantize: a float checkpoint in, an int16 model out.
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "calibrate.hpp"
+#include "commands.hpp"
+#include "sinew_formats/io.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+struct Settings {
+  std::string checkpoint, folder, output;
+  unsigned characters = 40;
+  QuantizeOptions options;
+  bool quiet = false;
+};
+
+void run(const Settings& s) {
+  check_output(s.output, {".sinew"});
+  const Checkpoint checkpoint = read_checkpoint(s.checkpoint);
+  const std::vector<Sample> samples =
+      calibration_samples(s.folder, s.characters, checkpoint.network.candidate_count, checkpoint.network.grid_size);
+  const QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
+  write_file(s.output, model.bytes);
+  if (s.quiet) return;
+  std::printf("%-4s %-24s %16s %6s  %s\n", "", "layer", "|accumulator| <=", "class", "shifts");
+  for (size_t l = 0; l < model.layers.size(); ++l) {
+    const QuantizeLayerReport& layer = model.layers[l];
+    std::printf("%-4zu %-24s %16lld %6s  %d..%d\n", l, layer.what.c_str(), static_cast<long long>(layer.bound),
+                layer.wide ? "W" : "N", layer.min_shift, layer.max_shift);
+  }
+  std::printf("calibrated on %zu characters, wrote %s, %zu bytes\n", samples.size(), s.output.c_str(), model.bytes.size());
+}
+
+}  // namespace
+
+void add_quantize(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("quantize", "Turn a checkpoint into an int16 model");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("checkpoint", s->checkpoint, "Checkpoint of sinew train")->required()->type_name("CKPT");
+  sub->add_option("--calibrate", s->folder, "Folder of characters that the ranges are measured on")->required()->type_name("DIR");
+  sub->add_option("-o,--output", s->output, "Model to write (.sinew)")->required()->type_name("MODEL");
+  sub->add_option("--characters", s->characters, "Characters to calibrate on, spread over the folder; 0 = all")
+      ->capture_default_str()->type_name("N");
+  sub->add_option("--margin", s->options.margin, "Ranges are the largest value seen times this")
+      ->check(CLI::Range(1.0, 16.0))->capture_default_str()->type_name("X");
+  sub->add_option("--bits", s->options.weight_bits, "Bits a weight keeps; under 16 to study the error")
+      ->check(CLI::IsMember({16, 12, 10, 8}))->capture_default_str()->type_name("N");
+  sub->add_flag("--quiet", s->quiet, "Print nothing");
+  sub->footer("Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew");
+  sub->callback([s] { run(*s); });
+}
+
+}  // namespace sinew::cli

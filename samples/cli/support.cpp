@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Outputs, models, lists and threads of the sinew command.
+#include "support.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "bundled_model.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sinew::cli {
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  if (text.size() < ending.size()) return false;
+  return std::equal(ending.begin(), ending.end(), text.end() - static_cast<std::ptrdiff_t>(ending.size()),
+                    [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+}
+
+void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed) {
+  if (path == "-") {
+    if (stream_allowed) return;
+    throw UsageError("this output cannot go to standard output: give a file name");
+  }
+  std::string known;
+  for (const std::string& extension : extensions) {
+    if (ends_with(path, extension)) {
+      std::error_code ignored;
+      if (fs::is_directory(path, ignored)) throw Error(path + ": cannot write, it is a directory; give a file name");
+      const fs::path folder = fs::path(path).parent_path();
+      if (!folder.empty() && !fs::is_directory(folder, ignored)) {
+        throw Error(path + ": cannot write, the folder " + folder.string() + " does not exist; create it first");
+      }
+      return;
+    }
+    known += (known.empty() ? "" : ", ") + extension;
+  }
+  throw UsageError("output " + path + ": unknown extension, expected " + known);
+}
+
+std::vector<std::string> character_outputs() { return {".glb", ".obj", ".rig.txt"}; }
+
+void write_character(const std::string& path, const Character& character) {
+  if (path == "-" || ends_with(path, ".rig.txt")) {
+    write_rig(path, character);
+  } else if (ends_with(path, ".glb")) {
+    write_glb(path, character);
+  } else {
+    write_obj(path, character);
+    if (!character.joints.empty()) write_rig(path.substr(0, path.size() - 4) + ".rig.txt", character);
+  }
+}
+
+Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin) {
+  if (ends_with(mesh, ".txt")) {
+    throw UsageError(mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
+  }
+  if (ends_with(skeleton, ".obj")) {
+    throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb or .vrm");
+  }
+  Character character = read_mesh(mesh);
+  if (!skeleton.empty()) {
+    read_skeleton(skeleton, with_skin, &character);
+  } else if (character.joints.empty()) {
+    std::string hint;
+    if (ends_with(mesh, ".obj")) {
+      const std::string beside = mesh.substr(0, mesh.size() - 4) + ".rig.txt";
+      std::error_code ignored;
+      if (fs::exists(beside, ignored)) hint = " (" + beside + " lies beside it)";
+    }
+    throw Error(mesh + ": has no skeleton; give one with --skeleton FILE" + hint);
+  }
+  return character;
+}
+
+std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what) {
+  auto loaded = std::make_unique<LoadedModel>();
+  loaded->storage.resize(bytes.size() / 8 + 1);
+  if (!bytes.empty()) std::memcpy(loaded->storage.data(), bytes.data(), bytes.size());
+  const sinew_status status = sinew_model_open(loaded->storage.data(), bytes.size(), &loaded->model);
+  if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status));
+  return loaded;
+}
+
+bool has_bundled_model() { return kBundledModelSize > 0; }
+
+std::unique_ptr<LoadedModel> load_model(const std::string& path) {
+  if (!path.empty()) return model_from_bytes(read_file(path), path);
+  if (!has_bundled_model()) throw Error("no bundled model: give --model or --method heat");
+  auto loaded = std::make_unique<LoadedModel>();
+  const sinew_status status = sinew_model_open(kBundledModel, kBundledModelSize, &loaded->model);
+  if (status != SINEW_OK) throw Error(std::string("the bundled model: ") + sinew_status_text(status));
+  return loaded;
+}
+
+namespace {
+
+// Lines of a list with their numbers, without comments and blanks around.
+std::vector<std::pair<size_t, std::string>> list_lines(const std::string& path) {
+  const std::vector<uint8_t> bytes = read_file(path);
+  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  std::vector<std::pair<size_t, std::string>> lines;
+  std::string line;
+  for (size_t number = 1; std::getline(text, line); ++number) {
+    const size_t first = line.find_first_not_of(" \t\r");
+    if (first == std::string::npos || line[first] == '#') continue;
+    lines.emplace_back(number, line.substr(first, line.find_last_not_of(" \t\r") - first + 1));
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<size_t> read_joint_list(const std::string& path, const Character& character) {
+  std::map<std::string, size_t> known;
+  for (size_t j = 0; j < character.joints.size(); ++j) known.emplace(character.joints[j].name, j);
+  std::vector<size_t> joints;
+  for (const auto& [number, name] : list_lines(path)) {
+    const auto found = known.find(name);
+    if (found == known.end()) {
+      throw Error(path + ": line " + std::to_string(number) + ": the skeleton has no joint " + name + " (its first is " +
+                  (character.joints.empty() ? std::string("missing") : character.joints[0].name) + ")");
+    }
+    joints.push_back(found->second);
+  }
+  if (joints.empty()) throw Error(path + ": names no joint; expected one name per line");
+  return joints;
+}
+
+std::vector<size_t> read_vertex_list(const std::string& path, const Character& character) {
+  std::vector<size_t> vertices;
+  for (const auto& [number, word] : list_lines(path)) {
+    size_t value = 0;
+    for (char c : word) {
+      if (c < '0' || c > '9' || value > character.vertices.size()) {
+        value = character.vertices.size();
+        break;
+      }
+      value = value * 10 + static_cast<size_t>(c - '0');
+    }
+    if (value >= character.vertices.size()) {
+      throw Error(path + ": line " + std::to_string(number) + ": expected a vertex index 0.." +
+                  std::to_string(character.vertices.size() - 1) + ", found " + word);
+    }
+    vertices.push_back(value);
+  }
+  return vertices;
+}
+
+void parallel_for(size_t count, unsigned threads, const std::function<void(size_t)>& job) {
+  std::atomic<size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_lock;
+  const auto work = [&] {
+    for (size_t i = next++; i < count; i = next++) {
+      try {
+        job(i);
+      } catch (...) {
+        const std::lock_guard<std::mutex> guard(failure_lock);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> others;
+  for (unsigned t = 1; t < threads && t < count; ++t) others.emplace_back(work);
+  work();
+  for (std::thread& thread : others) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
+
+std::string stem(const std::string& path) {
+  if (path == "-") return "stdin";
+  const std::string name = file_name(path);
+  if (ends_with(name, ".rig.txt")) return name.substr(0, name.size() - 8);
+  return fs::path(name).stem().string();
+}
+
+std::string print(const char* format, ...) {
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+}  // namespace sinew::cli

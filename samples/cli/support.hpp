@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names, threads.
+#ifndef SINEW_CLI_SUPPORT_HPP
+#define SINEW_CLI_SUPPORT_HPP
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sinew/sinew.h"
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew::cli {
+
+// The command line asks for something that makes no sense: exit status 2 instead of 1.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
+
+bool ends_with(const std::string& text, const std::string& ending);  // letters' case does not matter
+// Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is missing or
+// it is a folder itself. Called before any work.
+void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed = false);
+
+// .glb, .obj (with .rig.txt beside it when there are joints), .rig.txt / .txt; "-" is rig.txt on standard output.
+void write_character(const std::string& path, const Character& character);
+std::vector<std::string> character_outputs();
+// A mesh, with the skeleton of another file when `skeleton` is not empty. UsageError when the two are swapped.
+Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin);
+
+// A checked model and the bytes it stands on.
+struct LoadedModel {
+  std::vector<uint64_t> storage;  // 8-byte aligned copy of a file; empty for the bundled model
+  sinew_model model{};
+};
+// `path` empty: the model built into the program. Throws Error.
+std::unique_ptr<LoadedModel> load_model(const std::string& path);
+std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what);
+bool has_bundled_model();
+
+// Joints named in a text file, one per line; '#' starts a comment line. Throws Error naming the line of an unknown joint.
+std::vector<size_t> read_joint_list(const std::string& path, const Character& character);
+std::vector<size_t> read_vertex_list(const std::string& path, const Character& character);
+
+// Runs job(0..count-1) on `threads` threads; the first exception is thrown again in the caller.
+void parallel_for(size_t count, unsigned threads, const std::function<void(size_t)>& job);
+
+std::string file_name(const std::string& path);  // without its folders
+std::string stem(const std::string& path);       // folder/NAME.rig.txt -> NAME
+std::string print(const char* format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 1, 2)))
+#endif
+    ;
+
+}  // namespace sinew::cli
+#endif
