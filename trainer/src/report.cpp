@@ -27,7 +27,7 @@ constexpr const char* kStyle = R"css(
   --s0: #6ea0ff; --s1: #ff9c57; --s2: #45c99d; --s3: #d886e6; --s4: #e6c44a; --s5: #ff7387; --s6: #7ad4e6; --s7: #a4a9b5; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--page); color: var(--text); font: 15px/1.5 system-ui, "Segoe UI", Roboto, "Helvetica Neue", sans-serif; }
-main { max-width: 1180px; margin: 0 auto; padding: 32px 24px 64px; }
+main { max-width: 1360px; margin: 0 auto; padding: 32px 24px 64px; }
 h1 { font-size: 26px; margin: 0 0 4px; letter-spacing: -0.01em; }
 h2 { font-size: 18px; margin: 36px 0 10px; }
 p { margin: 4px 0 12px; max-width: 75ch; }
@@ -35,16 +35,17 @@ p { margin: 4px 0 12px; max-width: 75ch; }
 .card { background: var(--card); border: 1px solid var(--rule); border-radius: 10px; padding: 16px 18px; overflow-x: auto; }
 .facts { display: grid; grid-template-columns: max-content 1fr; gap: 2px 18px; margin: 14px 0 0; font-size: 14px; }
 .facts dt { color: var(--soft); } .facts dd { margin: 0; overflow-wrap: anywhere; }
-table { border-collapse: collapse; width: 100%; font-size: 14px; font-variant-numeric: tabular-nums; }
-th { font-weight: 600; color: var(--soft); text-align: right; padding: 5px 10px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
-td { text-align: right; padding: 5px 10px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
+table { border-collapse: collapse; width: 100%; font-size: 13.5px; font-variant-numeric: tabular-nums; }
+th { font-weight: 600; color: var(--soft); text-align: right; padding: 5px 8px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
+td { text-align: right; padding: 5px 8px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
 tr:last-child td { border-bottom: 0; }
 th.name, td.name { text-align: left; }
 td.best { font-weight: 700; }
+td.long { text-align: left; white-space: normal; overflow-wrap: anywhere; min-width: 150px; font-size: 12.5px; line-height: 1.3; }
 .key { display: inline-block; width: 10px; height: 10px; border-radius: 3px; margin-right: 8px; }
 .grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(460px, 1fr)); gap: 16px; }
 svg { width: 100%; height: auto; display: block; font: 12px system-ui, "Segoe UI", Roboto, sans-serif; }
-svg text { fill: var(--text); } svg .tick { fill: var(--soft); } svg .rule { stroke: var(--rule); stroke-width: 1; }
+svg text { fill: var(--text); } svg .tick { fill: var(--soft); } svg .value { fill: var(--soft); font-size: 9.5px; } svg .rule { stroke: var(--rule); stroke-width: 1; }
 .legend { display: flex; flex-wrap: wrap; gap: 4px 18px; font-size: 13px; margin: 0 0 8px; }
 .legend span { white-space: nowrap; }
 .panels { display: grid; grid-template-columns: repeat(4, 1fr); gap: 10px; }
@@ -116,7 +117,7 @@ std::optional<double> size_of(const ReportVariant& v) {
 const std::vector<Column>& variant_columns() {
   static const std::vector<Column> columns = {
       {"L1", 4, 1, true, [](const ReportVariant& v) { return v.scores.all.l1; }},
-      {"L1, mean of families", 4, 1, true, [](const ReportVariant& v) { return v.scores.family_mean.l1; }},
+      {"L1 (families)", 4, 1, true, [](const ReportVariant& v) { return v.scores.family_mean.l1; }},
       {"avg dist", 4, 1, true, [](const ReportVariant& v) { return v.scores.all.avg_dist; }},
       {"max dist", 3, 1, true, [](const ReportVariant& v) { return v.scores.all.max_dist; }},
       {"argmax %", 2, 100, false, [](const ReportVariant& v) { return v.scores.all.argmax; }},
@@ -143,7 +144,7 @@ std::string variant_table(const ReportData& data) {
   const std::vector<Column> columns = used_columns(data);
   std::string out = "<table><thead><tr><th class=\"name\">variant</th><th>n</th>";
   for (const Column& column : columns) out += "<th>" + escaped(column.heading) + "</th>";
-  out += "<th>failures</th><th class=\"name\">worst character (L1)</th></tr></thead><tbody>\n";
+  out += "<th>failed</th><th class=\"name\">worst character (L1)</th></tr></thead><tbody>\n";
   for (size_t i = 0; i < data.variants.size(); ++i) {
     const ReportVariant& v = data.variants[i];
     out += "<tr><td class=\"name\"><i class=\"key\" style=\"background:" + colour(i) + "\"></i>" + escaped(v.label) + "</td><td>" +
@@ -159,7 +160,7 @@ std::string variant_table(const ReportData& data) {
              (value ? number(*value * column.factor, column.digits) : "–") + "</td>";
     }
     const auto* worst = worst_character(v.scores);
-    out += "<td>" + std::to_string(v.scores.failures.size()) + "</td><td class=\"name\">" +
+    out += "<td>" + std::to_string(v.scores.failures.size()) + "</td><td class=\"long\">" +
            (worst ? escaped(worst->first) + " (" + number(worst->second.l1, 3) + ")" : "–") + "</td></tr>\n";
   }
   return out + "</tbody></table>\n";
@@ -242,8 +243,8 @@ double tick_step(double span) {
 
 int tick_digits(double step) { return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6); }
 
-std::string text_at(double x, double y, const std::string& anchor, const std::string& text, bool tick = false) {
-  return std::string("<text") + (tick ? " class=\"tick\"" : "") + " x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) +
+std::string text_at(double x, double y, const std::string& anchor, const std::string& text, const std::string& style = "") {
+  return std::string("<text") + (style.empty() ? "" : " class=\"" + style + "\"") + " x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) +
          "\" text-anchor=\"" + anchor + "\">" + escaped(text) + "</text>";
 }
 
@@ -280,8 +281,8 @@ std::string family_bars(const ReportData& data, double Metrics::*figure, int dig
     for (const auto& value : row.values) largest = std::max(largest, value.value_or(0));
   }
   const double step = tick_step(largest), end = std::max(step, std::ceil(largest / step - 1e-9) * step);
-  const double bar = data.variants.size() > 3 ? 9 : 13, gap = 12, top = 6;
-  const double left = 14 + 6.8 * static_cast<double>(longest_name), width = 760, right = 48;
+  const double bar = 11, gap = 12, top = 6;
+  const double left = 14 + 6.8 * static_cast<double>(longest_name), width = std::max(560.0, left + 300), right = 48;
   const double row_height = bar * static_cast<double>(data.variants.size()) + gap;
   const double bottom = top + row_height * static_cast<double>(rows.size());
   const auto x_of = [&](double value) { return left + (width - left - right) * value / end; };
@@ -289,7 +290,7 @@ std::string family_bars(const ReportData& data, double Metrics::*figure, int dig
   std::string out = "<svg viewBox=\"0 0 " + number(width, 0) + " " + number(bottom + 24, 0) + "\" role=\"img\">\n";
   for (int t = 0; t * step <= end * 1.0001; ++t) {
     const double x = x_of(t * step);
-    out += line(x, top, x, bottom, "class=\"rule\"") + text_at(x, bottom + 16, "middle", number(t * step, tick_digits(step)), true) + "\n";
+    out += line(x, top, x, bottom, "class=\"rule\"") + text_at(x, bottom + 16, "middle", number(t * step, tick_digits(step)), "tick") + "\n";
   }
   for (size_t r = 0; r < rows.size(); ++r) {
     const double y0 = top + row_height * static_cast<double>(r) + gap / 2;
@@ -300,7 +301,7 @@ std::string family_bars(const ReportData& data, double Metrics::*figure, int dig
       out += "<rect x=\"" + number(left, 1) + "\" y=\"" + number(y, 1) + "\" width=\"" + number(std::max(0.5, x_of(value) - left), 1) +
              "\" height=\"" + number(bar - 1.5, 1) + "\" rx=\"1.5\" style=\"fill:" + colour(i) + "\"><title>" +
              escaped(data.variants[i].label + ", " + rows[r].name + ": " + number(value, digits)) + "</title></rect>";
-      if (bar > 10 || r == 0) out += text_at(x_of(value) + 5, y + bar - 2.5, "start", number(value, digits), true);
+      if (data.variants.size() <= 3 || r == 0) out += text_at(x_of(value) + 5, y + bar - 2.2, "start", number(value, digits), "value");
       out += "\n";
     }
   }
@@ -317,9 +318,9 @@ struct Axes {
     for (int t = 0; y_low + t * y_step <= y_high + 1e-9 * y_step; ++t) {
       const double at = y(y_low + t * y_step);
       out += line(left, at, width - right, at, "class=\"rule\"") +
-             text_at(left - 7, at + 4, "end", number(y_low + t * y_step, y_digits), true) + "\n";
+             text_at(left - 7, at + 4, "end", number(y_low + t * y_step, y_digits), "tick") + "\n";
     }
-    return out + text_at((left + width - right) / 2, height - 6, "middle", x_label, true) + "\n";
+    return out + text_at((left + width - right) / 2, height - 6, "middle", x_label, "tick") + "\n";
   }
 };
 
@@ -355,7 +356,7 @@ std::string bits_plot(const ReportData& data) {
     marks += "<circle cx=\"" + number(x, 1) + "\" cy=\"" + number(y, 1) + "\" r=\"5\" style=\"fill:" + colour(order[k]) + "\"><title>" +
              escaped(v.label + ": " + number(v.scores.all.l1, 5)) + "</title></circle>" +
              text_at(x, y - 11, "middle", number(v.scores.all.l1, 4)) +
-             text_at(x, axes.height - axes.bottom + 17, "middle", std::to_string(v.bits), true) + "\n";
+             text_at(x, axes.height - axes.bottom + 17, "middle", std::to_string(v.bits), "tick") + "\n";
   }
   out += "<polyline points=\"" + points + "\" style=\"fill:none;stroke:var(--soft);stroke-width:1.5\"></polyline>\n" + marks;
   return out + "</svg>\n";
@@ -369,7 +370,7 @@ std::string sorted_plot(const ReportData& data) {
   const double step = tick_step(highest), top = std::max(step, std::ceil(highest / step - 1e-9) * step);
   Axes axes{0, 100, 0, top};
   std::string out = axes.frame("characters from best to worst, %", tick_digits(step), step);
-  for (int t = 0; t <= 100; t += 25) out += text_at(axes.x(t), axes.height - axes.bottom + 17, "middle", std::to_string(t), true);
+  for (int t = 0; t <= 100; t += 25) out += text_at(axes.x(t), axes.height - axes.bottom + 17, "middle", std::to_string(t), "tick");
   for (size_t i = 0; i < data.variants.size(); ++i) {
     std::vector<double> values;
     for (const auto& [name, m] : data.variants[i].scores.characters) values.push_back(m.l1);
@@ -497,18 +498,17 @@ std::string report_html(const ReportData& data) {
     for (const auto& [term, fact] : data.facts) out += "<dt>" + escaped(term) + "</dt><dd>" + escaped(fact) + "</dd>";
     out += "</dl>\n";
   }
-  out += "<h2>Variants</h2>\n<p class=\"soft\">Means over characters. L1: sum over joints of |predicted - reference| per vertex (0 to 2). "
+  out += "<h2>Variants</h2>\n<p class=\"soft\">Means over characters; L1 (families) counts each family the same. L1: sum over joints of |predicted - reference| per vertex (0 to 2). "
          "Distances: skinned vertices in 10 random poses, longest side of the mesh = 1. Flips: vertices whose strongest joint differs "
          "from the float variant's.</p>\n<div class=\"card\">" + variant_table(data) + "</div>\n";
   const std::string bits = bits_plot(data);
   out += "<div class=\"grid\">\n";
   if (!bits.empty()) out += card("L1 against bits", bits);
   out += card("L1 of every character, sorted", legend(data) + sorted_plot(data));
-  out += "</div>\n";
   out += card("L1 by family", legend(data) + family_bars(data, &Metrics::l1, 3));
   out += card("Deformation by family (mean distance)", legend(data) + family_bars(data, &Metrics::avg_dist, 4));
+  out += "</div>\n" + pictures(data);
   if (all_families(data).size() > 1) out += card("Table of families (L1)", family_table(data));
-  out += pictures(data);
   out += failure_list(data);
   out += "<h2>Every character</h2>\n<details class=\"card\"><summary>" + escaped(main.label) + ": " +
          std::to_string(main.scores.characters.size()) + " characters</summary>\n" + character_table(main) + "</details>\n";
