@@ -293,7 +293,8 @@ void draw_skeleton(const Character& c, const Camera& camera, Canvas* canvas) {
   };
   const auto visible = [&](size_t j) { return points[j].nearness > 0 && std::isfinite(points[j].x) && std::isfinite(points[j].y); };
   const float size = static_cast<float>(std::min(canvas->width, canvas->height));
-  const float rim = size / 700, line = size / 600;
+  // Lower bounds keep thin lines whole in small pictures.
+  const float rim = std::max(size / 700, 1.5f), line = std::max(size / 600, 1.8f);
   const Linear dark = to_linear({28, 30, 36}), bright = to_linear({250, 250, 250});
 
   std::vector<float> radius(points.size(), size / 90);
