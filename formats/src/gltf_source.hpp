@@ -15,7 +15,7 @@
 
 namespace sinew {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;  // not ordered_json, whose elements move when a key is added
 
 // One primitive of one mesh node. A mesh that several nodes use has parts for each of them.
 struct GltfPart {
