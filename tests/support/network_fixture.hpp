@@ -144,19 +144,21 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
   const size_t rows_in = size_t{g.vertices} * (pair_in ? k : 1), rows_out = size_t{g.vertices} * (pair_out ? k : 1);
   const auto in = [&](size_t row) { return (*buffers)[layer.in.buffer].data() + row * shapes[layer.in.buffer].channels + layer.in.offset; };
   const auto out = [&](size_t row) { return (*buffers)[layer.out.buffer].data() + row * shapes[layer.out.buffer].channels + layer.out.offset; };
-  // Reduces the rows that `wanted` accepts, for one channel. Divides by `divisor`, or by how many there were when it is 0.
-  const auto reduce = [&](bool is_mean, uint32_t c, uint32_t divisor, auto wanted) {
-    Value sum = 0, largest = 0;
-    uint32_t n = 0;
+  // Reduces the present rows that `wanted` accepts into one row. Divides by `divisor`, or by how many there were when it is 0.
+  const auto reduce = [&](bool is_mean, uint32_t divisor, Value* to, auto wanted) {
+    std::vector<size_t> rows;
     for (size_t row = 0; row < rows_in; ++row) {
-      if ((pair_in && !g.present(row)) || !wanted(row)) continue;
-      const Value value = in(row)[c];
-      largest = n == 0 ? value : std::max(largest, value);
-      sum += value;
-      ++n;
+      if ((!pair_in || g.present(row)) && wanted(row)) rows.push_back(row);
     }
-    if (n == 0) return Value(0);
-    return is_mean ? mean(sum, divisor == 0 ? n : divisor) : largest;
+    for (uint32_t c = 0; c < layer.out.channels; ++c) {
+      Value sum = 0, largest = rows.empty() ? Value(0) : in(rows[0])[c];
+      for (const size_t row : rows) {
+        sum += in(row)[c];
+        largest = std::max(largest, in(row)[c]);
+      }
+      const uint32_t n = divisor == 0 ? static_cast<uint32_t>(rows.size()) : divisor;
+      to[c] = rows.empty() ? Value(0) : is_mean ? mean(sum, n) : largest;
+    }
   };
   for (size_t row = 0; row < rows_out; ++row) {
     if (pair_out && !g.present(row)) continue;
@@ -177,28 +179,26 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
       }
       case LayerKind::kRingMean:
       case LayerKind::kRingMax:
-        for (uint32_t c = 0; c < layer.out.channels; ++c) {
-          out(row)[c] = reduce(layer.kind == LayerKind::kRingMean, c, 0,
-                               [&](size_t o) { return is_neighbour(vertex_of(o)) && same_joint(o); });
-        }
+        reduce(layer.kind == LayerKind::kRingMean, 0, out(row),
+               [&](size_t o) { return same_joint(o) && is_neighbour(vertex_of(o)); });
         break;
       case LayerKind::kPartMean: {
         const uint32_t part = g.component[v], size = g.component_offsets[part + 1] - g.component_offsets[part];
-        for (uint32_t c = 0; c < layer.out.channels; ++c) {
-          out(row)[c] = reduce(true, c, size, [&](size_t o) { return g.component[vertex_of(o)] == part && same_joint(o); });
-        }
+        reduce(true, size, out(row), [&](size_t o) { return g.component[vertex_of(o)] == part && same_joint(o); });
         break;
       }
       case LayerKind::kGlobalMean:
-      case LayerKind::kGlobalMax:
-        for (uint32_t c = 0; c < layer.out.channels; ++c) {
-          // Every row gets the same: computed once, at the first present row, then copied from it.
-          size_t first = 0;
-          while (pair_out && !g.present(first)) ++first;
-          out(row)[c] = row == first ? reduce(layer.kind == LayerKind::kGlobalMean, c, 0, [](size_t) { return true; })
-                                     : out(first)[c];
+      case LayerKind::kGlobalMax: {
+        // Every row gets the same: computed once, at the first present row, then copied from it.
+        size_t first = 0;
+        while (pair_out && !g.present(first)) ++first;
+        if (row == first) {
+          reduce(layer.kind == LayerKind::kGlobalMean, 0, out(row), [](size_t) { return true; });
+        } else {
+          std::copy_n(out(first), layer.out.channels, out(row));
         }
         break;
+      }
       case LayerKind::kCandidateMax:
         for (uint32_t c = 0; c < layer.out.channels; ++c) {
           Value best = in(row)[c];

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Reference kernels against their definitions in int64 and exact division: odd sizes, strides, extremes, absent rows.
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "kernels/kernels.hpp"
+#include "network_fixture.hpp"
+
+namespace sinew::test {
+namespace {
+
+constexpr int16_t kGuard = 0x7A7A;
+
+struct LinearCase {
+  IntegerLinear p;
+  std::vector<uint8_t> bias_bytes;
+  LinearView view(bool residual) {
+    bias_bytes.resize(p.bias.size() * 8);
+    for (size_t n = 0; n < p.bias.size(); ++n) store_u64(bias_bytes.data() + 8 * n, static_cast<uint64_t>(p.bias[n]));
+    LinearView v;
+    v.weights = p.weights.data();
+    v.bias = bias_bytes.data();
+    v.residual = residual ? p.residual.data() : nullptr;
+    v.shifts = p.shifts.data();
+    v.in = p.in;
+    v.out = p.out;
+    v.block = p.block;
+    v.wide = p.accumulator == AccumulatorClass::kWide;
+    v.low = range_low(p.range);
+    v.high = range_high(p.range);
+    return v;
+  }
+};
+
+TEST(LinearKernel, EqualsInt64OnOddSizesAndExtremes) {
+  Random random(1);
+  size_t clamped_low = 0, clamped_high = 0, inside = 0;
+  for (int i = 0; i < 400; ++i) {
+    const bool wide = i % 3 == 0, residual = i % 2 == 0, extreme = i % 5 == 0;
+    LinearCase c;
+    c.p.in = static_cast<uint16_t>(1 + random.below(i % 7 == 0 ? 300 : 40));
+    c.p.out = static_cast<uint16_t>(1 + random.below(35));
+    c.p.accumulator = wide ? AccumulatorClass::kWide : AccumulatorClass::kNarrow;
+    c.p.block = wide ? static_cast<uint16_t>(1 + random.below(2)) : c.p.in;
+    c.p.range = static_cast<ValueRange>(random.below(3));
+    const int32_t largest = wide ? 32767 : std::min(32767, 60000 / (c.p.in + 2));
+    const auto weight = [&] {
+      return static_cast<int16_t>(extreme ? (random.below(2) ? largest : -largest) : random.between(-largest, largest));
+    };
+    for (uint32_t n = 0; n < c.p.out; ++n) {
+      const int shift = random.between(1, wide ? 47 : 31);
+      c.p.shifts.push_back(static_cast<uint8_t>(i % 4 == 0 ? shift : random.between(8, 16)));
+      c.p.bias.push_back(wide ? (int64_t{random.between(-1000000, 1000000)} << random.below(30)) : random.between(-1000000, 1000000));
+      for (uint32_t k = 0; k < c.p.in; ++k) c.p.weights.push_back(weight());
+      c.p.residual.push_back(weight());
+    }
+    const uint32_t rows = 1 + random.below(9), in_stride = c.p.in + random.below(5), res_stride = c.p.out + random.below(5),
+                   out_stride = c.p.out + random.below(5);
+    std::vector<int16_t> in, res, out(rows * out_stride, kGuard);
+    const auto value = [&] {
+      return static_cast<int16_t>(extreme ? (random.below(2) ? 16383 : -16384) : random.between(-16384, 16383));
+    };
+    for (uint32_t k = 0; k < rows * in_stride; ++k) in.push_back(value());
+    for (uint32_t k = 0; k < rows * res_stride; ++k) res.push_back(value());
+    std::vector<uint16_t> present(rows);
+    for (uint16_t& joint : present) joint = random.below(4) == 0 ? kNoJoint : 3;
+    const bool masked = i % 2 == 1;
+    linear_s16_ref(c.view(residual), {in.data(), in_stride}, {res.data(), res_stride}, masked ? present.data() : nullptr, rows,
+                   out.data(), out_stride);
+    for (uint32_t r = 0; r < rows; ++r) {
+      for (uint32_t n = 0; n < out_stride; ++n) {
+        int64_t want = kGuard;
+        if (n < c.p.out) {
+          int64_t sum = c.p.bias[n] + (residual ? int64_t{res[r * res_stride + n]} * c.p.residual[n] : 0);
+          for (uint32_t k = 0; k < c.p.in; ++k) sum += int64_t{in[r * in_stride + k]} * c.p.weights[size_t{n} * c.p.in + k];
+          const int64_t value_out = floor_divide(sum, int64_t{1} << c.p.shifts[n]);
+          want = std::clamp<int64_t>(value_out, range_low(c.p.range), range_high(c.p.range));
+          clamped_low += value_out < want;
+          clamped_high += value_out > want;
+          inside += value_out == want;
+          if (masked && present[r] == kNoJoint) want = 0;
+        }
+        ASSERT_EQ(out[r * out_stride + n], want) << "case " << i << " row " << r << " channel " << n;
+      }
+    }
+  }
+  EXPECT_GT(clamped_low, 100u);
+  EXPECT_GT(clamped_high, 100u);
+  EXPECT_GT(inside, 1000u);
+}
+
+TEST(RoundMean, IsHalfUpEverywhere) {
+  Random random(2);
+  for (const uint32_t n : {1u, 2u, 3u, 7u, 255u, 32767u, 32768u, 32769u, 65535u, 65536u, 4000000u, 2147483647u}) {
+    const int64_t lowest = -32768 * int64_t{n}, highest = 32767 * int64_t{n};
+    std::vector<int64_t> sums = {lowest, lowest + 1, highest, highest - 1, 0, n / 2, -int64_t{n / 2}, (n + 1) / 2, -int64_t{(n + 1) / 2}};
+    for (int i = 0; i < 2000; ++i) sums.push_back(lowest + static_cast<int64_t>(random.uniform() * static_cast<double>(highest - lowest)));
+    for (const int64_t sum : sums) {
+      ASSERT_EQ(round_mean(sum, n), floor_divide(2 * sum + n, 2 * int64_t{n})) << sum << " / " << n;
+    }
+  }
+  EXPECT_EQ(round_mean(1, 2), 1);
+  EXPECT_EQ(round_mean(-1, 2), 0);
+  EXPECT_EQ(round_mean(-3, 2), -1);
+}
+
+TEST(RingKernels, ManyNeighboursDoNotOverflow) {
+  const uint32_t count = 70000, channels = 67;  // beyond what int32 sums hold, and more than one chunk of channels
+  std::vector<int16_t> values(channels, -32767);
+  const std::vector<uint32_t> neighbours(count, 0);
+  std::vector<int16_t> out(channels + 1, kGuard);
+  ring_mean_vertex_s16_ref({values.data(), channels}, channels, neighbours.data(), count, out.data());
+  EXPECT_EQ(out, [&] { auto want = values; want.push_back(kGuard); return want; }());
+  const uint16_t joints[1] = {5};
+  ring_mean_pair_s16_ref({values.data(), channels}, channels, joints, 1, 5, neighbours.data(), count, out.data());
+  EXPECT_EQ(out[66], -32767);
+  ring_mean_pair_s16_ref({values.data(), channels}, channels, joints, 1, 6, neighbours.data(), count, out.data());
+  EXPECT_EQ(out[66], 0);
+}
+
+TEST(RingKernels, MaximumOfNegativesIsNotZero) {
+  const std::vector<int16_t> values = {-5, -9, -3, -20};
+  const uint32_t neighbours[2] = {0, 1};
+  int16_t out[2];
+  ring_max_vertex_s16_ref({values.data(), 2}, 2, neighbours, 2, out);
+  EXPECT_EQ(out[0], -3);
+  EXPECT_EQ(out[1], -9);
+  ring_max_vertex_s16_ref({values.data(), 2}, 2, neighbours, 0, out);
+  EXPECT_EQ(out[0], 0);
+}
+
+TEST(CandidateMax, SkipsAbsentSlotsWhereverTheyAre) {
+  const std::vector<int16_t> values = {0, -7, -4, 0};
+  const uint16_t joints[4] = {kNoJoint, 3, 1, kNoJoint};
+  std::vector<int16_t> out(8, kGuard);
+  candidate_max_s16_ref({values.data(), 1}, 1, joints, 4, out.data(), 2);
+  EXPECT_EQ(out, (std::vector<int16_t>{0, kGuard, -4, kGuard, -4, kGuard, 0, kGuard}));
+}
+
+TEST(PartMean, DividesByThePartsVerticesAndTouchesItsJointsOnly) {
+  // Three vertices of two slots; the part is {0, 2}. Joint 1 at both, joint 4 at one of them, joint 2 elsewhere.
+  const std::vector<uint16_t> joints = {1, 4, 2, kNoJoint, 1, kNoJoint};
+  const std::vector<int16_t> values = {10, 5, 1000, 0, 21, 0};
+  const uint32_t part[2] = {0, 2};
+  std::vector<int64_t> sums(5, 99);
+  std::vector<int16_t> out(5, kGuard);
+  part_mean_pair_s16_ref({values.data(), 1}, 1, joints.data(), 2, part, 2, sums.data(), out.data());
+  EXPECT_EQ(out, (std::vector<int16_t>{kGuard, 16, kGuard, kGuard, 3}));  // 31 / 2 and 5 / 2, half up
+}
+
+TEST(Global, NothingPresentIsZero) {
+  const std::vector<int16_t> values = {-5, 6};
+  const uint16_t none[2] = {kNoJoint, kNoJoint}, first[2] = {0, kNoJoint};
+  int64_t sum;
+  int16_t out;
+  global_mean_s16_ref({values.data(), 1}, 1, none, 2, &sum, &out);
+  EXPECT_EQ(out, 0);
+  global_max_s16_ref({values.data(), 1}, 1, none, 2, &out);
+  EXPECT_EQ(out, 0);
+  global_max_s16_ref({values.data(), 1}, 1, first, 2, &out);
+  EXPECT_EQ(out, -5);
+  global_mean_s16_ref({values.data(), 1}, 1, nullptr, 2, &sum, &out);
+  EXPECT_EQ(out, 1);
+}
+
+}  // namespace
+}  // namespace sinew::test
