@@ -266,6 +266,11 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   model->candidate_count = list.candidates;
   model->grid_size = load_u32(bytes + kHeaderGrid);
   model->feature_set = kFeatureSet;
+  model->fixed_candidates = 0;
+  for (uint32_t i = 0; i < tables.layer_count(); ++i) {
+    const LayerKind kind = list.layers[i].kind;
+    if (kind == LayerKind::kPairToVertex || kind == LayerKind::kVertexToSlots) model->fixed_candidates = 1;
+  }
   model->layer_count = tables.layer_count();
   model->parameter_count = parameter_count;
   model->checksum = load_u32(bytes + kHeaderChecksum);
