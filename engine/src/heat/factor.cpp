@@ -68,6 +68,22 @@ int64_t HeatMatrix::to_matrix(int64_t value_q40) const {
   return value == 0 && value_q40 != 0 ? 1 : value;
 }
 
+void HeatMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
+  for (uint32_t k = 0; k < rows; ++k) {
+    const uint32_t v = ordering->order[k];
+    int64_t* r = rhs + static_cast<size_t>(k) * kLanes;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+      r[lane] = subtract(r[lane], mul_shift(diagonal[k], x[static_cast<size_t>(k) * kLanes + lane], kSolutionBits));
+    }
+    for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
+      const int32_t* neighbour = x + static_cast<size_t>(ordering->place[mesh->col_indices[e]]) * kLanes;
+      const int64_t m = entry(e);
+      for (uint32_t lane = 0; lane < kLanes; ++lane)
+        r[lane] = subtract(r[lane], mul_shift(m, neighbour[lane], kSolutionBits));
+    }
+  }
+}
+
 size_t Factor::capacity_for(const Counts& counts) {
   size_t per_vertex = 16;
   for (uint32_t v = counts.vertices; v > 1; v = (v + 1) / 2) per_vertex += 3;
@@ -155,6 +171,7 @@ void Factor::factorise(const HeatMatrix& matrix) {
     if (d > -smallest && d < smallest) d = d < 0 ? -smallest : smallest;
     inverse[k] = reciprocal(d);
   }
+  smallest_bits = 31;
   for (uint32_t k = 0; k < rows; ++k) {
     uint64_t sum = 1;
     for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
@@ -164,6 +181,7 @@ void Factor::factorise(const HeatMatrix& matrix) {
     if (bits > 31) bits = 31;
     if (bits < 0) bits = 0;
     short_bits[k] = static_cast<uint8_t>(bits);
+    if (bits < smallest_bits) smallest_bits = bits;
     for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
       short_value[p] = clamp32(round_shift(value[p], kFactorBits - bits), -0x7FFFFFFF, 0x7FFFFFFF);
     }
@@ -187,7 +205,7 @@ void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
       for (uint32_t lane = 0; lane < kLanes; ++lane) target[lane] = subtract(target[lane], mul_shift(z[lane], l, bits));
     }
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      x[lane] = clamp32(divide(z[lane], inverse[k], kSolutionBits, 3), -0x7FFFFFFF, 0x7FFFFFFF);
+      x[lane] = clamp32(divide(z[lane], inverse[k], kSolutionBits, 7), -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
   for (uint32_t k = rows; k-- > 0;) {

@@ -10,7 +10,7 @@
 //   L while it is computed: Q40, saturated at 2^20
 //   L in the solves: int32 with one exponent per column such that the column's absolute sum is below 2^31, so that a
 //     dot product with 32-bit weights stays below 2^62
-//   solution: Q28, clamped to +-8 (the exact one lies in about -0.1 .. 1.1)
+//   solution: Q24, clamped to +-128 (a definite matrix gives 0 .. 1, an indefinite one anything)
 // What breaks these bounds wraps and saturates in a defined way and shows in the rows' totals, which must be 1.
 #ifndef SINEW_HEAT_FACTOR_HPP
 #define SINEW_HEAT_FACTOR_HPP
@@ -21,7 +21,7 @@
 namespace sinew {
 
 constexpr uint32_t kLanes = 8;  // joints solved together: the factor is read once for all of them
-constexpr int kSolutionBits = 28;
+constexpr int kSolutionBits = 24;
 
 // The matrix of one component for one field, rows in elimination order.
 struct HeatMatrix {
@@ -33,6 +33,8 @@ struct HeatMatrix {
   int64_t* diagonal = nullptr;  // [U] Q matrix_bits
   bool positive = false;        // negative edge weights count as 0: an M-matrix, definite whatever the triangles are
 
+  // rhs -= M x for kLanes columns; x in Q24.
+  void subtract_image(const int32_t* x, int64_t* rhs) const;
   // Off-diagonal entry of CSR edge e.
   int64_t entry(uint32_t e) const { return -weight(e) * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits)); }
   int64_t weight(uint32_t e) const { return positive && edges->weight[e] < 0 ? 0 : edges->weight[e]; }
@@ -73,6 +75,7 @@ struct Factor {
   int64_t* value = nullptr;          // [capacity] Q40
   int32_t* short_value = nullptr;    // [capacity] Q short_bits of the column
   uint8_t* short_bits = nullptr;     // [U]
+  int smallest_bits = 31;            // of short_bits: 30 or 31 for an M-matrix, less where pivots nearly cancelled
 
   // Entries reserved: 16 + 3 log2 V per vertex; nested dissection of real characters needs between a third and two
   // thirds of that, and a tangle of faces that needs more goes to the iterative solver.
@@ -81,7 +84,7 @@ struct Factor {
   // Elimination tree and column counts. False when the factor would not fit.
   bool analyse(const HeatMatrix& matrix);
   void factorise(const HeatMatrix& matrix);
-  // Solves for kLanes right-hand sides. rhs [rows x kLanes] Q matrix_bits, destroyed; out [rows x kLanes] Q28.
+  // Solves for kLanes right-hand sides. rhs [rows x kLanes] Q matrix_bits, destroyed; out [rows x kLanes] Q24.
   void solve(uint32_t rows, int64_t* rhs, int32_t* out) const;
 };
 

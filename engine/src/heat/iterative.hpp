@@ -14,7 +14,7 @@ namespace sinew {
 //   rhs      [rows x kLanes] Q matrix_bits
 //   scratch  [5 x rows] int64
 //   inverse  [rows]
-//   out      [rows x kLanes] Q28
+//   out      [rows x kLanes] Q24
 // Meshes whose separators are large mix fast, so the bound on the rounds is not met in practice; it keeps time finite.
 void solve_iteratively(const HeatMatrix& matrix, const int64_t* rhs, int64_t* scratch, Reciprocal* inverse,
                        int32_t* out);

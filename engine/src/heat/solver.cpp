@@ -11,6 +11,10 @@ namespace {
 
 constexpr uint8_t kNoLane = 0xFF;
 constexpr uint8_t kListed = 0xFE;
+constexpr int kWellConditionedBits = 28;  // of Factor::smallest_bits; each bit less costs the solution one
+constexpr uint32_t kRefinements = 3;      // each wins about 20 bits back
+constexpr int32_t kOne = 1 << kSolutionBits;
+constexpr int32_t kWild = kOne;
 constexpr int32_t kSmallestKept = 32768 >> 12;  // Q15
 
 // Keeps a row of kHeatSlots sorted by falling weight, ties by lower joint.
@@ -38,6 +42,7 @@ bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
   row_pull_ = arena.alloc<int64_t>(counts.vertices);
   rhs_ = arena.alloc<int64_t>(lanes);
   solution_ = arena.alloc<int32_t>(lanes);
+  refinement_ = arena.alloc<int32_t>(lanes);
   total_ = arena.alloc<int64_t>(counts.vertices);
   joints_ = arena.alloc<uint16_t>(counts.joints);
   lane_of_ = arena.alloc<uint8_t>(counts.joints);
@@ -94,6 +99,7 @@ void HeatSolver::keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* ou
     const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
     for (uint32_t lane = 0; lane < lanes; ++lane) {
       total_[k] += x[lane];
+      wild_ = wild_ || x[lane] < -kWild || x[lane] > kOne + kWild;
       const int64_t weight = round_shift(x[lane], kSolutionBits - 15);
       if (weight < kSmallestKept) continue;
       insert(lane_joints[lane], static_cast<uint16_t>(weight > 32768 ? 32768 : weight), out->joints + slots,
@@ -135,6 +141,23 @@ void HeatSolver::divide_by_totals(HeatField* out) {
   }
 }
 
+void HeatSolver::solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes) {
+  fill_right_hand_sides(sources, field, lane_joints, lanes);
+  if (iterative_) {
+    solve_iteratively(matrix_, rhs_, factor_.value, factor_.inverse, solution_);
+    return;
+  }
+  factor_.solve(matrix_.rows, rhs_, solution_);
+  for (uint32_t step = 0; step < refinements_; ++step) {
+    fill_right_hand_sides(sources, field, lane_joints, lanes);
+    matrix_.subtract_image(solution_, rhs_);
+    factor_.solve(matrix_.rows, rhs_, refinement_);
+    for (size_t i = 0; i < static_cast<size_t>(matrix_.rows) * kLanes; ++i) {
+      solution_[i] = clamp32(static_cast<int64_t>(solution_[i]) + refinement_[i], -0x7FFFFFFF, 0x7FFFFFFF);
+    }
+  }
+}
+
 bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField* out) {
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
@@ -144,22 +167,20 @@ bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField
       out->weights[slots + slot] = 0;
     }
   }
+  wild_ = false;
   matrix_.assemble(row_pull_);
-  if (!iterative_) factor_.factorise(matrix_);
+  if (!iterative_) {
+    factor_.factorise(matrix_);
+    if (factor_.smallest_bits < kWellConditionedBits) refinements_ = kRefinements;
+  }
   const uint32_t count = list_joints(sources, field);
   for (uint32_t first = 0; first < count; first += kLanes) {
     const uint32_t lanes = count - first < kLanes ? count - first : kLanes;
-    fill_right_hand_sides(sources, field, joints_ + first, lanes);
-    if (iterative_) {
-      solve_iteratively(matrix_, rhs_, factor_.value, factor_.inverse, solution_);
-    } else {
-      factor_.solve(matrix_.rows, rhs_, solution_);
-    }
+    solve_batch(sources, field, joints_ + first, lanes);
     keep(joints_ + first, lanes, out);
   }
-  constexpr int64_t one = static_cast<int64_t>(1) << kSolutionBits;
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
-    if (abs64(total_[k] - one) > one / 64) return false;
+    if (abs64(total_[k] - kOne) > kOne / 4096) return false;
   }
   return true;
 }
@@ -177,8 +198,15 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
     row_pull_[k] = bones * pull_[k];
   }
   matrix_.positive = iterative_;
-  if (!try_field(sources, field, out) && !matrix_.positive) {
+  refinements_ = 0;
+  bool done = try_field(sources, field, out);
+  if (!done && !wild_ && refinements_ == 0) {
+    refinements_ = kRefinements;
+    done = try_field(sources, field, out);
+  }
+  if ((!done || wild_) && !iterative_) {
     matrix_.positive = true;
+    refinements_ = 0;
     (void)try_field(sources, field, out);
   }
   divide_by_totals(out);

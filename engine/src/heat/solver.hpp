@@ -33,6 +33,7 @@ class HeatSolver {
   bool try_field(const HeatSources& sources, uint32_t field, HeatField* out);
   uint32_t list_joints(const HeatSources& sources, uint32_t field);
   void fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
+  void solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
   void keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* out);
   void divide_by_totals(HeatField* out);
 
@@ -41,14 +42,17 @@ class HeatSolver {
   Ordering ordering_;
   Factor factor_;
   bool iterative_ = false;
-  int64_t* pull_ = nullptr;      // [U] Q40 of one tied bone, by elimination place
-  int64_t* row_pull_ = nullptr;  // [U] of all tied bones
-  int64_t* rhs_ = nullptr;       // [U x kLanes]
-  int32_t* solution_ = nullptr;  // [U x kLanes] Q28
-  int64_t* total_ = nullptr;     // [U] sum of the solutions over all joints, Q28
-  uint16_t* joints_ = nullptr;   // [J] joints with a source in this component and field
-  uint8_t* lane_of_ = nullptr;   // [J] kNoLane or the joint's lane in the batch at hand
-  uint32_t joint_count_ = 0;     // J
+  uint32_t refinements_ = 0;
+  bool wild_ = false;
+  int64_t* pull_ = nullptr;        // [U] Q40 of one tied bone, by elimination place
+  int64_t* row_pull_ = nullptr;    // [U] of all tied bones
+  int64_t* rhs_ = nullptr;         // [U x kLanes]
+  int32_t* solution_ = nullptr;    // [U x kLanes] Q24
+  int32_t* refinement_ = nullptr;  // [U x kLanes] Q24
+  int64_t* total_ = nullptr;       // [U] sum of the solutions over all joints, Q24
+  uint16_t* joints_ = nullptr;     // [J] joints with a source in this component and field
+  uint8_t* lane_of_ = nullptr;     // [J] kNoLane or the joint's lane in the batch at hand
+  uint32_t joint_count_ = 0;       // J
 };
 
 }  // namespace sinew
