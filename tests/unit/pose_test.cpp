@@ -91,7 +91,7 @@ TEST(ApplyPose, MovesVerticesAndJointsAndLeavesUnboundOnes) {
     EXPECT_NEAR(posed.vertices[0].x, 0, 1e-4);
     EXPECT_NEAR(posed.vertices[2].x, 0.9, 1e-4);  // (2, 0.1) about (1, 0) by 90 degrees
     EXPECT_NEAR(posed.vertices[2].y, 1, 1e-4);
-    EXPECT_EQ(posed.vertices[3].x, 5);
+    EXPECT_EQ(apply_pose(c, pose_palette(c, {{0, 0, 0, 90}}), dual_quaternion).vertices[3].x, 5);
     EXPECT_NEAR(posed.joints[2].position.x, 1, 1e-5);
     EXPECT_NEAR(posed.joints[2].position.y, 1, 1e-5);
     // Half a turn each: the linear blend pulls inwards, the dual quaternion keeps the distance of 0.1.

@@ -101,6 +101,19 @@ TEST(Render, ACubeFromTheFrontIsASquare) {
   EXPECT_FALSE(is_red(pixel(image, 5, 50)));
 }
 
+TEST(Render, ATriangleCoversHalfItsSquare) {
+  Character c;
+  c.name = "triangle";
+  c.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  c.face_vertices = {0, 1, 2};
+  c.face_offsets = {0, 3};
+  const Image image = render(c, std::vector<Colour>(3, Colour{220, 30, 30}), from_the_front(100, 100));
+  int covered = 0;
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 100; ++x) covered += pixel(image, x, y)[0] > 2 * pixel(image, x, y)[1];
+  EXPECT_NEAR(covered, 88 * 88 / 2, 88);
+}
+
 // The nearer of two quads hides the other, whichever comes first in the file and whichever way it winds.
 TEST(Render, NearerFacesHideFartherOnes) {
   for (const bool near_first : {false, true}) {
