@@ -79,13 +79,16 @@ std::vector<Influence> tidy_weights(std::vector<Influence> row) {
 
 std::vector<Influence> body_weights(const Blueprint& plan, Point p) {
   const size_t joints = plan.joints.size();
-  std::vector<double> distance(joints, 1e9), radius(joints, 0);
+  std::vector<double> distance(joints, 1e9), reach(joints, 0);
   for (const Primitive& primitive : plan.body) {
     const size_t j = static_cast<size_t>(primitive.joint);
     const double d = primitive_distance(primitive, p);
     if (d < distance[j]) {
       distance[j] = d;
-      radius[j] = std::min(primitive.ra, primitive.rb);
+      // Going x past the end of a capsule of radius r costs x^2 / 2r of distance. So that a blend ends within the next bone, the
+      // reach of a short thick one (a spine's) is what its own length costs; but no joint is sharper than a quarter of its radius.
+      const double r = std::min(primitive.ra, primitive.rb), l = length(primitive.b - primitive.a);
+      reach[j] = std::max(0.25 * r, std::min(r, l * l / (2 * r)));
     }
   }
   const size_t best = static_cast<size_t>(std::min_element(distance.begin(), distance.end()) - distance.begin());
@@ -97,7 +100,7 @@ std::vector<Influence> body_weights(const Blueprint& plan, Point p) {
     const bool related = other == self || other == up || other_up == self || (up != kNoJoint && (other_up == up || other == parent(up))) ||
                          (other_up != kNoJoint && parent(other_up) == self);
     if (!related || distance[j] > 1e8) continue;
-    const double width = plan.softness * std::min(radius[j], radius[best]);
+    const double width = plan.softness * std::min(reach[j], reach[best]);
     const double weight = smooth_step(0, 1, 1 - (distance[j] - distance[best]) / width);
     if (weight > 0) row.push_back({static_cast<uint32_t>(j), static_cast<float>(weight)});
   }
@@ -125,11 +128,20 @@ class Grid {
     value_.resize(static_cast<size_t>(size_[0]) * static_cast<size_t>(size_[1]) * static_cast<size_t>(size_[2]));
     for (int z = 0; z < size_[2]; ++z) {
       for (int y = 0; y < size_[1]; ++y) {
+        int skip = 0;
+        double d = 0;
         for (int x = 0; x < size_[0]; ++x) {
-          double d = body_distance(plan, corner(x, y, z));
+          if (skip > 0) {
+            --skip;
+          } else {
+            d = body_distance(plan, corner(x, y, z));
+            // The field changes by less than 2.5 per unit (tapered limbs are the steepest): far from the surface its sign cannot
+            // change over the next corners, and only values beside a change of sign matter.
+            skip = static_cast<int>((d < 0 ? -d : d) / (2.5 * cell_)) - 1;
+          }
           // The outermost layer is outside whatever the field says: every surface closes inside the grid.
-          if (x == 0 || y == 0 || z == 0 || x + 1 == size_[0] || y + 1 == size_[1] || z + 1 == size_[2]) d = std::max(d, cell_);
-          value_[index(x, y, z)] = d;
+          const bool border = x == 0 || y == 0 || z == 0 || x + 1 == size_[0] || y + 1 == size_[1] || z + 1 == size_[2];
+          value_[index(x, y, z)] = border ? std::max(d, cell_) : d;
         }
       }
     }
@@ -255,10 +267,10 @@ class Grid {
   std::vector<double> value_;
 };
 
-Point gradient(const Blueprint& plan, Point p, double h) {
-  return {(body_distance(plan, p + Point{h, 0, 0}) - body_distance(plan, p - Point{h, 0, 0})) / (2 * h),
-          (body_distance(plan, p + Point{0, h, 0}) - body_distance(plan, p - Point{0, h, 0})) / (2 * h),
-          (body_distance(plan, p + Point{0, 0, h}) - body_distance(plan, p - Point{0, 0, h})) / (2 * h)};
+// Forward differences; `here` is the field at p.
+Point gradient(const Blueprint& plan, Point p, double here, double h) {
+  return {(body_distance(plan, p + Point{h, 0, 0}) - here) / h, (body_distance(plan, p + Point{0, h, 0}) - here) / h,
+          (body_distance(plan, p + Point{0, 0, h}) - here) / h};
 }
 
 // Evens out the faces: each vertex goes half way to the mean of its neighbours, then back onto the surface by Newton steps.
@@ -279,11 +291,12 @@ void relax(const Blueprint& plan, const std::vector<Point>& low, const std::vect
         return Point{std::clamp(p.x, low[v].x, high[v].x), std::clamp(p.y, low[v].y, high[v].y), std::clamp(p.z, low[v].z, high[v].z)};
       };
       Point p = clamped(mix(surface->positions[v], sum[v] * (1.0 / neighbours[v]), 0.5));
-      for (int step = 0; step < 3; ++step) {
-        const Point g = gradient(plan, p, 0.05 * plan.cell);
+      for (int step = 0; step < 2; ++step) {
+        const double here = body_distance(plan, p);
+        const Point g = gradient(plan, p, here, 0.01 * plan.cell);
         const double slope = dot(g, g);
         if (slope < 0.04) break;  // between two limbs the field has a ridge: stay
-        p = clamped(p - g * (body_distance(plan, p) / slope));
+        p = clamped(p - g * (here / slope));
       }
       surface->positions[v] = p;
     }
