@@ -326,7 +326,9 @@ class NetworkBuilder {
     add(Domain::kPair, kPairFeatures);
   }
   uint16_t add(Domain domain, uint32_t channels) {
-    network_.buffers.push_back({domain, static_cast<uint16_t>(channels)});
+    network_.buffers.resize(network_.buffers.size() + 1);
+    network_.buffers.back().domain = domain;
+    network_.buffers.back().channels = static_cast<uint16_t>(channels);
     return static_cast<uint16_t>(network_.buffers.size() - 1);
   }
   static Region region(uint16_t buffer, uint32_t offset, uint32_t channels) {
