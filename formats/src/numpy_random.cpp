@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// SeedSequence, PCG64 and the ziggurat normal as numpy defines them. Two 64-bit halves stand for a 128-bit word, because
-// not every compiler has one.
+// SeedSequence, PCG64 and the ziggurat normal as numpy defines them. Two 64-bit halves stand for a 128-bit word,
+// because not every compiler has one.
 #include "numpy_random.hpp"
 
 #include <array>
@@ -14,8 +14,8 @@ namespace {
 // Where the base strip of the 256-layer ziggurat ends and the tail begins.
 constexpr long double kTailStart = 3.6541528853610087963519472518L;
 
-// Layer i reaches from the axis to x_i, where x_255 = kTailStart, every layer has the same area, and layer 0 is the base
-// strip with the tail. A draw is 52 bits times `width`; below `inside` it needs no second look.
+// Layer i reaches from the axis to x_i, where x_255 = kTailStart, every layer has the same area, and layer 0 is the
+// base strip with the tail. A draw is 52 bits times `width`; below `inside` it needs no second look.
 struct Ziggurat {
   std::array<uint64_t, 256> inside;
   std::array<double, 256> width;

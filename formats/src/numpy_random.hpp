@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-// numpy.random.default_rng(seed): a SeedSequence (O'Neill's seed_seq_fe128) fills the 128-bit state of PCG64 (O'Neill 2014,
-// XSL-RR output). Words and uniforms equal numpy's bit for bit. Normals take the same draws and differ by at most 4e-15
-// (5.2 million compared): numpy's printed tables carry rounding of their own, ours are computed.
+// numpy.random.default_rng(seed): a SeedSequence (O'Neill's seed_seq_fe128) fills the 128-bit state of PCG64 (O'Neill
+// 2014, XSL-RR output). Words and uniforms equal numpy's bit for bit. Normals take the same draws and differ by at most
+// 4e-15 (5.2 million compared): numpy's printed tables carry rounding of their own, ours are computed.
 class NumpyRandom {
  public:
   explicit NumpyRandom(uint64_t seed);

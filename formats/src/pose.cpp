@@ -21,7 +21,8 @@ using Point = std::array<double, 3>;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
-// Joint indices, every parent before its children. Throws when the hierarchy has a cycle or a parent that does not exist.
+// Joint indices, every parent before its children. Throws when the hierarchy has a cycle or a parent that does not
+// exist.
 std::vector<size_t> parents_first(const Character& character) {
   const size_t joint_count = character.joints.size();
   std::vector<std::vector<size_t>> children(joint_count);
@@ -99,22 +100,21 @@ Point transform(const Mat34& m, const Vec3& p) {
   return out;
 }
 
-Vec3 to_vec3(const Point& p) {
-  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-}
+Vec3 to_vec3(const Point& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
 
 Point rest_position(const Joint& joint) {
   return {static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
           static_cast<double>(joint.position.z)};
 }
 
-// One row for the C API: the strongest `slots` influences as unorm16 with sum 65535. The rounding remainder (at most half a
-// step per slot) goes to the largest, which holds at least 65535 / 12. Returns false for a row without weight.
+// One row for the C API: the strongest `slots` influences as unorm16 with sum 65535. The rounding remainder (at most
+// half a step per slot) goes to the largest, which holds at least 65535 / 12. Returns false for a row without weight.
 bool quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joints, uint16_t* weights) {
   std::vector<Influence> kept;
   for (const Influence& influence : row)
     if (influence.weight > 0) kept.push_back(influence);
-  std::stable_sort(kept.begin(), kept.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
   if (kept.size() > slots) kept.resize(slots);
   double sum = 0;
   for (const Influence& influence : kept) sum += static_cast<double>(influence.weight);
@@ -138,16 +138,16 @@ std::vector<std::vector<Mat34>> random_poses(const Character& character, const s
   const size_t joint_count = character.joints.size();
   const size_t pose_count = poses > 0 ? static_cast<size_t>(poses) : 0;
   if (positions.size() != joint_count) {
-    throw Error(name + ": random poses need one position per joint, expected " + std::to_string(joint_count) + ", found " +
-                std::to_string(positions.size()));
+    throw Error(name + ": random poses need one position per joint, expected " + std::to_string(joint_count) +
+                ", found " + std::to_string(positions.size()));
   }
   const std::vector<size_t> order = parents_first(character);
 
   const auto* bytes = reinterpret_cast<const Bytef*>(name.data());
   NumpyRandom random(static_cast<uint64_t>(crc32(crc32(0, nullptr, 0), bytes, static_cast<uInt>(name.size()))));
 
-  // The draws go joint by joint in the order of names, so that the order of joints in the file does not change the poses.
-  // Bytes of UTF-8 sort like code points.
+  // The draws go joint by joint in the order of names, so that the order of joints in the file does not change the
+  // poses. Bytes of UTF-8 sort like code points.
   std::vector<size_t> by_name(joint_count);
   for (size_t j = 0; j < joint_count; ++j) by_name[j] = j;
   std::stable_sort(by_name.begin(), by_name.end(),
@@ -162,9 +162,10 @@ std::vector<std::vector<Mat34>> random_poses(const Character& character, const s
     }
     for (size_t k = 0; k < pose_count; ++k) {
       // np.linspace(30, 60, poses); a single pose takes the wide end.
-      const double limit = k + 1 == pose_count ? high_limit
-                                               : static_cast<double>(k) * ((high_limit - low_limit) /
-                                                                           static_cast<double>(pose_count - 1)) + low_limit;
+      const double limit =
+          k + 1 == pose_count
+              ? high_limit
+              : static_cast<double>(k) * ((high_limit - low_limit) / static_cast<double>(pose_count - 1)) + low_limit;
       const double angle = random.uniform(-1, 1) * (limit * kRadiansPerDegree);
       turns[k][j] = axis_rotation(axes[k], character.joints[j].parent < 0 ? 0 : angle);
     }
@@ -244,9 +245,9 @@ Character apply_pose(const Character& character, const std::vector<Mat34>& palet
 
   std::vector<float> moved(positions.size());
   const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
-  const sinew_status status = skin(positions.data(), static_cast<uint32_t>(vertex_count), joints.data(), weights.data(),
-                                   static_cast<uint32_t>(slots), matrices.data(), static_cast<uint32_t>(joint_count),
-                                   moved.data());
+  const sinew_status status =
+      skin(positions.data(), static_cast<uint32_t>(vertex_count), joints.data(), weights.data(),
+           static_cast<uint32_t>(slots), matrices.data(), static_cast<uint32_t>(joint_count), moved.data());
   if (status != SINEW_OK) throw Error(character.name + ": posing failed: " + sinew_status_text(status));
 
   Character posed = character;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A small software rasteriser: a character from one side, smooth shading with creases, soft occlusion, its skeleton on top.
-// Everything is drawn at twice the size in linear light and averaged 2 x 2 at the end.
+// A small software rasteriser: a character from one side, smooth shading with creases, soft occlusion, its skeleton on
+// top. Everything is drawn at twice the size in linear light and averaged 2 x 2 at the end.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,10 +13,10 @@
 namespace sinew {
 namespace {
 
-constexpr int kSamples = 2;               // per side of a pixel
-constexpr float kMargin = 0.06f;          // of the picture, on every side
-constexpr float kCameraDistance = 5.0f;   // in radii of the mesh: a mild perspective
-constexpr float kCreaseCosine = 0.5f;     // faces that meet at more than 60 degrees keep a hard edge
+constexpr int kSamples = 2;              // per side of a pixel
+constexpr float kMargin = 0.06f;         // of the picture, on every side
+constexpr float kCameraDistance = 5.0f;  // in radii of the mesh: a mild perspective
+constexpr float kCreaseCosine = 0.5f;    // faces that meet at more than 60 degrees keep a hard edge
 
 struct V3 {
   float x = 0, y = 0, z = 0;
@@ -65,7 +65,8 @@ class Camera {
     }
     constexpr float least = 1e-3f;  // a point or a line has no size to fit
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
-    const float scale = (1 - 2 * kMargin) * std::min(w / std::max(right - left, least), h / std::max(top - bottom, least));
+    const float scale =
+        (1 - 2 * kMargin) * std::min(w / std::max(right - left, least), h / std::max(top - bottom, least));
     offset_x_ = w / 2 - scale * (left + right) / 2;
     offset_y_ = h / 2 + scale * (bottom + top) / 2;
     scale_ = scale;
@@ -130,9 +131,12 @@ struct Corner {
 
 void fill_triangle(const Corner& a, const Corner& b, const Corner& c, Canvas* canvas) {
   if (a.screen.nearness <= 0 || b.screen.nearness <= 0 || c.screen.nearness <= 0) return;
-  const float area = (b.screen.x - a.screen.x) * (c.screen.y - a.screen.y) - (b.screen.y - a.screen.y) * (c.screen.x - a.screen.x);
+  const float area =
+      (b.screen.x - a.screen.x) * (c.screen.y - a.screen.y) - (b.screen.y - a.screen.y) * (c.screen.x - a.screen.x);
   if (area == 0 || !std::isfinite(area)) return;
-  const auto bound = [](float x, int limit) { return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(limit))); };
+  const auto bound = [](float x, int limit) {
+    return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(limit)));
+  };
   const int x0 = bound(std::floor(std::min({a.screen.x, b.screen.x, c.screen.x})), canvas->width);
   const int x1 = bound(std::ceil(std::max({a.screen.x, b.screen.x, c.screen.x})) + 1, canvas->width);
   const int y0 = bound(std::floor(std::min({a.screen.y, b.screen.y, c.screen.y})), canvas->height);
@@ -142,8 +146,10 @@ void fill_triangle(const Corner& a, const Corner& b, const Corner& c, Canvas* ca
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
       const float px = static_cast<float>(x) + 0.5f, py = static_cast<float>(y) + 0.5f;
-      const float wb = ((px - a.screen.x) * (c.screen.y - a.screen.y) - (py - a.screen.y) * (c.screen.x - a.screen.x)) / area;
-      const float wc = ((b.screen.x - a.screen.x) * (py - a.screen.y) - (b.screen.y - a.screen.y) * (px - a.screen.x)) / area;
+      const float wb =
+          ((px - a.screen.x) * (c.screen.y - a.screen.y) - (py - a.screen.y) * (c.screen.x - a.screen.x)) / area;
+      const float wc =
+          ((b.screen.x - a.screen.x) * (py - a.screen.y) - (b.screen.y - a.screen.y) * (px - a.screen.x)) / area;
       const float wa = 1 - wb - wc;
       if (wa < 0 || wb < 0 || wc < 0) continue;
       const float nearness = wa * a.screen.nearness + wb * b.screen.nearness + wc * c.screen.nearness;
@@ -174,7 +180,8 @@ std::vector<V3> face_normals(const Character& c, const Camera& camera) {
   return normals;
 }
 
-void draw_faces(const Character& c, const std::vector<std::array<uint8_t, 3>>& colours, const Camera& camera, Canvas* canvas) {
+void draw_faces(const Character& c, const std::vector<std::array<uint8_t, 3>>& colours, const Camera& camera,
+                Canvas* canvas) {
   const std::vector<V3> normals = face_normals(c, camera);
   std::vector<std::vector<uint32_t>> faces_of(c.vertices.size());
   for (size_t f = 0; f < normals.size(); ++f)
@@ -196,8 +203,8 @@ void draw_faces(const Character& c, const std::vector<std::array<uint8_t, 3>>& c
   }
 }
 
-// Screen-space occlusion: a sample is darkened by what stands a little nearer around it (Mittring 2007, on distances alone).
-// Worked out once per pixel of the final picture and blurred over 5 x 5 to hide the pattern of the taps.
+// Screen-space occlusion: a sample is darkened by what stands a little nearer around it (Mittring 2007, on distances
+// alone). Worked out once per pixel of the final picture and blurred over 5 x 5 to hide the pattern of the taps.
 void darken_occluded(const Camera& camera, Canvas* canvas) {
   constexpr int taps = 20;
   constexpr float radius = 0.11f, strength = 0.75f;  // radius in radii of the mesh
@@ -270,10 +277,15 @@ float distance_to_segment(float px, float py, const ScreenPoint& a, const Screen
 }
 
 // A line with round ends, a disc when both points are the same. Widths are half widths in samples.
-void draw_capsule(const ScreenPoint& a, const ScreenPoint& b, float radius, const Linear& colour, float opacity, Canvas* canvas) {
-  const auto bound = [](float x, int limit) { return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(limit))); };
-  const int x0 = bound(std::min(a.x, b.x) - radius, canvas->width), x1 = bound(std::max(a.x, b.x) + radius + 1, canvas->width);
-  const int y0 = bound(std::min(a.y, b.y) - radius, canvas->height), y1 = bound(std::max(a.y, b.y) + radius + 1, canvas->height);
+void draw_capsule(const ScreenPoint& a, const ScreenPoint& b, float radius, const Linear& colour, float opacity,
+                  Canvas* canvas) {
+  const auto bound = [](float x, int limit) {
+    return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(limit)));
+  };
+  const int x0 = bound(std::min(a.x, b.x) - radius, canvas->width),
+            x1 = bound(std::max(a.x, b.x) + radius + 1, canvas->width);
+  const int y0 = bound(std::min(a.y, b.y) - radius, canvas->height),
+            y1 = bound(std::max(a.y, b.y) + radius + 1, canvas->height);
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
       if (distance_to_segment(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, a, b) > radius) continue;
@@ -283,7 +295,8 @@ void draw_capsule(const ScreenPoint& a, const ScreenPoint& b, float radius, cons
   }
 }
 
-// Bones as light lines with a dark rim, joints as discs in their colours. Discs shrink where joints are dense (fingers).
+// Bones as light lines with a dark rim, joints as discs in their colours. Discs shrink where joints are dense
+// (fingers).
 void draw_skeleton(const Character& c, const Camera& camera, Canvas* canvas) {
   std::vector<ScreenPoint> points;
   for (const Joint& joint : c.joints) points.push_back(camera(joint.position));
@@ -291,7 +304,9 @@ void draw_skeleton(const Character& c, const Camera& camera, Canvas* canvas) {
     const int parent = c.joints[j].parent;
     return parent >= 0 && parent < static_cast<int>(points.size()) ? static_cast<size_t>(parent) : j;
   };
-  const auto visible = [&](size_t j) { return points[j].nearness > 0 && std::isfinite(points[j].x) && std::isfinite(points[j].y); };
+  const auto visible = [&](size_t j) {
+    return points[j].nearness > 0 && std::isfinite(points[j].x) && std::isfinite(points[j].y);
+  };
   const float size = static_cast<float>(std::min(canvas->width, canvas->height));
   // Lower bounds keep thin lines whole in small pictures.
   const float rim = std::max(size / 700, 1.5f), line = std::max(size / 600, 1.8f);
@@ -341,7 +356,8 @@ Image average(const Canvas& canvas) {
 
 }  // namespace
 
-Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colours, const RenderOptions& options) {
+Image render(const Character& character, const std::vector<std::array<uint8_t, 3>>& vertex_colours,
+             const RenderOptions& options) {
   constexpr int largest = 8192;
   if (options.width < 1 || options.height < 1 || options.width > largest || options.height > largest) {
     throw Error("picture: the size must be 1 to " + std::to_string(largest) + " on each side, found " +

@@ -99,7 +99,8 @@ size_t compare(const nlohmann::json& ours, const nlohmann::json& theirs, const s
 
 TEST(Yardstick, EveryFigureAgrees) {
   const fs::path shared = shared_folder();
-  if (shared.empty()) GTEST_SKIP() << "NOT CHECKED: there is no shared data; set SINEW_SHARED_DIR to compare with weights_eval.py";
+  if (shared.empty())
+    GTEST_SKIP() << "NOT CHECKED: there is no shared data; set SINEW_SHARED_DIR to compare with weights_eval.py";
   const std::string python = python_with_numpy();
   if (python.empty()) GTEST_SKIP() << "NOT CHECKED: no python3 with numpy to run weights_eval.py";
 
@@ -123,14 +124,16 @@ TEST(Yardstick, EveryFigureAgrees) {
   }
   for (const std::string& method : methods) std::ofstream(work / method / "status.json") << status;
 
-  const std::string command = python + " '" + (shared / "eval" / "weights_eval.py").string() + "' '" + reference.string() + "' '" +
-                              (work / "perturbed").string() + "' '" + (work / "nearest").string() + "' --json '" +
-                              (work / "out.json").string() + "' >/dev/null";
+  const std::string command = python + " '" + (shared / "eval" / "weights_eval.py").string() + "' '" +
+                              reference.string() + "' '" + (work / "perturbed").string() + "' '" +
+                              (work / "nearest").string() + "' --json '" + (work / "out.json").string() +
+                              "' >/dev/null";
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
   const nlohmann::json theirs = nlohmann::json::parse(std::ifstream(work / "out.json"));
   for (const std::string& method : methods) {
     const Scores scores = summarise(measured[method]);
-    const size_t compared = compare(nlohmann::json::parse(scores_json(method, scores)).at(method), theirs.at(method), method);
+    const size_t compared =
+        compare(nlohmann::json::parse(scores_json(method, scores)).at(method), theirs.at(method), method);
     EXPECT_GT(compared, 15 * scores.characters.size()) << "hardly anything was compared";
   }
   std::printf("largest difference of any figure: %.2g\n", largest_difference);

@@ -79,7 +79,8 @@ TEST(Measure, ABoundLeafIsNoEnd) {
 
 TEST(FoldTargets, ChainsOfEndsFoldUpToABoundOrBranchingJoint) {
   Character c = strip();
-  c.joints = {{"a", {}, -1}, {"b", {}, 0}, {"e1", {}, 1}, {"e2", {}, 2}, {"fork", {}, 0}, {"l", {}, 4}, {"r", {}, 4}, {"lone", {}, -1}};
+  c.joints = {{"a", {}, -1},   {"b", {}, 0}, {"e1", {}, 1}, {"e2", {}, 2},
+              {"fork", {}, 0}, {"l", {}, 4}, {"r", {}, 4},  {"lone", {}, -1}};
   // e2 -> e1 -> b; l and r -> fork -> a, since nothing under the fork is bound; a lone root is no end.
   EXPECT_EQ(fold_targets(c), (std::vector<uint32_t>{0, 1, 1, 1, 0, 0, 0, 7}));
   c.influences[0] = {{5, 1.0f}};
@@ -135,7 +136,9 @@ Metrics with_l1(double l1, double seconds, size_t vertices) {
 }
 
 Scores four() {
-  return summarise({{"b__2", with_l1(0.4, 4, 1000)}, {"a__1", with_l1(0.1, 1, 500)}, {"a__3", with_l1(0.2, 0, 10)},
+  return summarise({{"b__2", with_l1(0.4, 4, 1000)},
+                    {"a__1", with_l1(0.1, 1, 500)},
+                    {"a__3", with_l1(0.2, 0, 10)},
                     {"a__2", with_l1(0.3, 2, 4000)}});
 }
 
@@ -154,9 +157,13 @@ TEST(Scores, MarkdownHasTheYardsticksColumns) {
   Scores s = four();
   s.failures["c__9"] = "no prediction";
   const std::string text = scores_markdown("our|binder", s);
-  EXPECT_NE(text.find("| method | n | prec % | rec % | L1 | avg dist | max dist | argmax % | KL | L1>0.5 % | fail | s/char | s/1k vert |\n"),
+  EXPECT_NE(text.find("| method | n | prec % | rec % | L1 | avg dist | max dist | argmax % | KL | L1>0.5 % | fail | "
+                      "s/char | s/1k vert |\n"),
             std::string::npos);
-  EXPECT_NE(text.find("| our\\|binder | 4 | 0.0 | 0.0 | 0.250 | 0.0000 | 0.000 | 0.0 | 0.00 | 0.0 | 1 | 2.00 | 2.00 |\n"), std::string::npos) << text;
+  EXPECT_NE(
+      text.find("| our\\|binder | 4 | 0.0 | 0.0 | 0.250 | 0.0000 | 0.000 | 0.0 | 0.00 | 0.0 | 1 | 2.00 | 2.00 |\n"),
+      std::string::npos)
+      << text;
   EXPECT_NE(text.find("**mean of the 3 families**"), std::string::npos);
   EXPECT_NE(text.find("| our\\|binder | 0 | - | - | - | - | - | - | - | - | 1 | - | - |\n"), std::string::npos) << text;
 }

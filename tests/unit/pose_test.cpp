@@ -28,11 +28,13 @@ void expect_matrix(const Mat34& found, const Mat34& expected) {
   for (size_t i = 0; i < 12; ++i) EXPECT_NEAR(found[i], expected[i], 1e-13) << "entry " << i;
 }
 
-// Written down from weights_eval.py: joints a, b, e, \u00e9, Z, so that the order of names is neither the file's nor a locale's.
+// Written down from weights_eval.py: joints a, b, e, \u00e9, Z, so that the order of names is neither the file's nor a
+// locale's.
 TEST(RandomPoses, EqualTheYardsticks) {
   Character c;
   c.joints = {{"a", {}, -1}, {"b", {}, 0}, {"e", {}, 1}, {"\xc3\xa9", {}, 1}, {"Z", {}, 0}};
-  const std::vector<std::array<double, 3>> positions = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0.25}};
+  const std::vector<std::array<double, 3>> positions = {
+      {0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0.25}};
   const auto poses = random_poses(c, "F__x", positions);
   ASSERT_EQ(poses.size(), 10u);
   expect_matrix(poses[0][0], {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});

@@ -120,7 +120,8 @@ TEST(Render, NearerFacesHideFartherOnes) {
     Character c;
     c.name = "quads";
     c.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
-    c.face_vertices = near_first ? std::vector<uint32_t>{7, 6, 5, 4, 0, 1, 2, 3} : std::vector<uint32_t>{0, 1, 2, 3, 7, 6, 5, 4};
+    c.face_vertices =
+        near_first ? std::vector<uint32_t>{7, 6, 5, 4, 0, 1, 2, 3} : std::vector<uint32_t>{0, 1, 2, 3, 7, 6, 5, 4};
     c.face_offsets = {0, 4, 8};
     std::vector<Colour> colours(8, Colour{20, 20, 230});
     std::fill(colours.begin() + 4, colours.end(), Colour{20, 230, 20});

@@ -25,7 +25,8 @@ ReportVariant variant(const std::string& label, int bits, double worse) {
   ReportVariant v;
   v.label = label;
   v.bits = bits;
-  v.scores = summarise({{"robots__one", with_l1(0.2 + worse)}, {"robots__<b>two</b>", with_l1(0.5 + worse)},
+  v.scores = summarise({{"robots__one", with_l1(0.2 + worse)},
+                        {"robots__<b>two</b>", with_l1(0.5 + worse)},
                         {"fish & co__three", with_l1(0.1 + worse)}});
   if (bits > 0 && bits < 32) v.argmax_flips = worse;
   return v;
@@ -35,7 +36,8 @@ ReportData full() {
   ReportData data;
   data.summary = "What <fewer> bits cost.";
   data.facts = {{"data", "val & more"}};
-  data.variants = {variant("float \"checkpoint\"", 32, 0), variant("int16 model", 16, 0.001), variant("8 bits", 8, 0.03), variant("heat", 0, 0.1)};
+  data.variants = {variant("float \"checkpoint\"", 32, 0), variant("int16 model", 16, 0.001),
+                   variant("8 bits", 8, 0.03), variant("heat", 0, 0.1)};
   data.variants[1].size_bytes = 44000;
   data.variants[1].logit_snr_db = 61.25;
   data.variants[2].scores.failures["robots__<b>bad</b>"] = "no <influences>";
@@ -93,9 +95,10 @@ TEST(Report, CheckerOfThisTestFindsFaults) {
 
 TEST(Report, ShowsEveryVariantAndCharacterEscaped) {
   const std::string html = report_html(full());
-  for (const char* text : {"float &quot;checkpoint&quot;", "int16 model", "8 bits", "heat", "robots__one", "robots__&lt;b&gt;two&lt;/b&gt;",
-                           "fish &amp; co__three", "What &lt;fewer&gt; bits cost.", "val &amp; more", "no &lt;influences&gt;",
-                           "robots__&lt;b&gt;bad&lt;/b&gt;", "61.2", "44000"})
+  for (const char* text :
+       {"float &quot;checkpoint&quot;", "int16 model", "8 bits", "heat", "robots__one",
+        "robots__&lt;b&gt;two&lt;/b&gt;", "fish &amp; co__three", "What &lt;fewer&gt; bits cost.", "val &amp; more",
+        "no &lt;influences&gt;", "robots__&lt;b&gt;bad&lt;/b&gt;", "61.2", "44000"})
     EXPECT_NE(html.find(text), std::string::npos) << text;
   EXPECT_NE(html.find("L1 against bits"), std::string::npos);
   EXPECT_NE(html.find("stroke-dasharray"), std::string::npos) << "the level of the variant without bits";

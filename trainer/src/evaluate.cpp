@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The yardstick for one character: predicted against reference weights, and how far the skins come apart in random poses.
+// The yardstick for one character: predicted against reference weights, and how far the skins come apart in random
+// poses.
 #include "sinew_trainer/evaluate.hpp"
 
 #include <algorithm>
@@ -18,9 +19,10 @@ constexpr double kLogFloor = 1e-4;   // both sides of the KL divergence
 
 using Rows = std::vector<std::vector<double>>;
 
-// Files hold round decimals, so errors of exactly 0.5 and weights of exactly 1e-4 are common, and the last bit decides on
-// which side of a threshold they fall. To fall where the yardstick's do, weights go back to the decimal that the float was
-// read from, and rows are added in numpy's order. (Without this `bad` was off by up to 6e-4 on single characters.)
+// Files hold round decimals, so errors of exactly 0.5 and weights of exactly 1e-4 are common, and the last bit decides
+// on which side of a threshold they fall. To fall where the yardstick's do, weights go back to the decimal that the
+// float was read from, and rows are added in numpy's order. (Without this `bad` was off by up to 6e-4 on single
+// characters.)
 double decimal_value(float weight) {
   std::array<char, 32> text;
   const auto printed = std::to_chars(text.data(), text.data() + text.size(), weight);
@@ -50,14 +52,16 @@ double numpy_sum(const double* values, size_t count) {
   return sum;
 }
 
-// Dense rows [V][J] with sum 1, or all zero. Weights that are not positive do not count; a joint named twice is added up.
-Rows normalised_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count, const std::string& name) {
+// Dense rows [V][J] with sum 1, or all zero. Weights that are not positive do not count; a joint named twice is added
+// up.
+Rows normalised_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
+                     const std::string& name) {
   Rows rows(influences.size(), std::vector<double>(joint_count, 0.0));
   for (size_t v = 0; v < rows.size(); ++v) {
     for (const Influence& influence : influences[v]) {
       if (influence.joint >= joint_count) {
-        throw Error(name + ": vertex " + std::to_string(v) + " has weight for joint " + std::to_string(influence.joint) +
-                    ", but there are " + std::to_string(joint_count) + " joints");
+        throw Error(name + ": vertex " + std::to_string(v) + " has weight for joint " +
+                    std::to_string(influence.joint) + ", but there are " + std::to_string(joint_count) + " joints");
       }
       if (!(influence.weight > 0)) continue;
       rows[v][influence.joint] += decimal_value(influence.weight);
@@ -131,7 +135,8 @@ std::vector<double> vertex_areas(const Character& c) {
   std::vector<double> areas(c.vertices.size(), 0.0);
   for (size_t f = 0; f < c.face_count(); ++f) {
     for (uint32_t k = c.face_offsets[f] + 1; k + 1 < c.face_offsets[f + 1]; ++k) {
-      const std::array<uint32_t, 3> corners = {c.face_vertices[c.face_offsets[f]], c.face_vertices[k], c.face_vertices[k + 1]};
+      const std::array<uint32_t, 3> corners = {c.face_vertices[c.face_offsets[f]], c.face_vertices[k],
+                                               c.face_vertices[k + 1]};
       const Point a = scaled(c.vertices[corners[0]], 1);
       Point ab = scaled(c.vertices[corners[1]], 1), ac = scaled(c.vertices[corners[2]], 1);
       for (size_t i = 0; i < 3; ++i) {
@@ -206,8 +211,8 @@ std::vector<uint32_t> fold_targets(const Character& reference) {
   return fold_targets(reference, normalised_rows(reference.influences, reference.joints.size(), reference.name));
 }
 
-Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted, const std::string& name,
-                int poses, std::vector<float>* vertex_l1) {
+Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
+                const std::string& name, int poses, std::vector<float>* vertex_l1) {
   const size_t vertex_count = reference.vertices.size(), joint_count = reference.joints.size();
   if (reference.influences.size() != vertex_count) {
     throw Error(name + ": the reference has no weights to compare with (expected " + std::to_string(vertex_count) +

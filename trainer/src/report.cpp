@@ -61,12 +61,23 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
     }
   }
   return out;
@@ -134,7 +145,8 @@ const std::vector<Column>& variant_columns() {
 std::vector<Column> used_columns(const ReportData& data) {
   std::vector<Column> used;
   for (const Column& column : variant_columns()) {
-    if (std::any_of(data.variants.begin(), data.variants.end(), [&](const ReportVariant& v) { return column.value(v).has_value(); }))
+    if (std::any_of(data.variants.begin(), data.variants.end(),
+                    [&](const ReportVariant& v) { return column.value(v).has_value(); }))
       used.push_back(column);
   }
   return used;
@@ -147,8 +159,8 @@ std::string variant_table(const ReportData& data) {
   out += "<th>failed</th><th class=\"name\">worst character (L1)</th></tr></thead><tbody>\n";
   for (size_t i = 0; i < data.variants.size(); ++i) {
     const ReportVariant& v = data.variants[i];
-    out += "<tr><td class=\"name\"><i class=\"key\" style=\"background:" + colour(i) + "\"></i>" + escaped(v.label) + "</td><td>" +
-           std::to_string(v.scores.characters.size()) + "</td>";
+    out += "<tr><td class=\"name\"><i class=\"key\" style=\"background:" + colour(i) + "\"></i>" + escaped(v.label) +
+           "</td><td>" + std::to_string(v.scores.characters.size()) + "</td>";
     for (const Column& column : columns) {
       const std::optional<double> value = column.value(v);
       bool best = value.has_value() && data.variants.size() > 1;
@@ -201,13 +213,15 @@ std::string family_table(const ReportData& data) {
 
 std::string character_table(const ReportVariant& v) {
   std::string out =
-      "<table><thead><tr><th class=\"name\">character</th><th>vertices</th><th>joints</th><th>L1</th><th>avg dist</th><th>max dist</th>"
+      "<table><thead><tr><th class=\"name\">character</th><th>vertices</th><th>joints</th><th>L1</th><th>avg "
+      "dist</th><th>max dist</th>"
       "<th>argmax %</th><th>KL</th><th>precision %</th><th>recall %</th></tr></thead><tbody>\n";
   for (const auto& [name, m] : v.scores.characters) {
     out += "<tr><td class=\"name\">" + escaped(name) + "</td><td>" + std::to_string(m.vertices) + "</td><td>" +
-           std::to_string(m.joints) + "</td><td>" + number(m.l1, 4) + "</td><td>" + number(m.avg_dist, 4) + "</td><td>" +
-           number(m.max_dist, 3) + "</td><td>" + number(100 * m.argmax, 1) + "</td><td>" + number(m.kl, 3) + "</td><td>" +
-           number(100 * m.precision, 1) + "</td><td>" + number(100 * m.recall, 1) + "</td></tr>\n";
+           std::to_string(m.joints) + "</td><td>" + number(m.l1, 4) + "</td><td>" + number(m.avg_dist, 4) +
+           "</td><td>" + number(m.max_dist, 3) + "</td><td>" + number(100 * m.argmax, 1) + "</td><td>" +
+           number(m.kl, 3) + "</td><td>" + number(100 * m.precision, 1) + "</td><td>" + number(100 * m.recall, 1) +
+           "</td></tr>\n";
   }
   return out + "</tbody></table>\n";
 }
@@ -216,11 +230,13 @@ std::string failure_list(const ReportData& data) {
   std::string out;
   for (const ReportVariant& v : data.variants)
     for (const auto& [name, note] : v.scores.failures)
-      out += "<tr><td class=\"name\">" + escaped(v.label) + "</td><td class=\"name\">" + escaped(name) + "</td><td class=\"name\">" +
-             escaped(note) + "</td></tr>\n";
+      out += "<tr><td class=\"name\">" + escaped(v.label) + "</td><td class=\"name\">" + escaped(name) +
+             "</td><td class=\"name\">" + escaped(note) + "</td></tr>\n";
   if (out.empty()) return out;
-  return "<h2>Failures</h2>\n<div class=\"card\"><table><thead><tr><th class=\"name\">variant</th><th class=\"name\">character</th>"
-         "<th class=\"name\">what went wrong</th></tr></thead><tbody>\n" + out + "</tbody></table></div>\n";
+  return "<h2>Failures</h2>\n<div class=\"card\"><table><thead><tr><th class=\"name\">variant</th><th "
+         "class=\"name\">character</th>"
+         "<th class=\"name\">what went wrong</th></tr></thead><tbody>\n" +
+         out + "</tbody></table></div>\n";
 }
 
 // ---- plots
@@ -228,7 +244,8 @@ std::string failure_list(const ReportData& data) {
 std::string legend(const ReportData& data) {
   std::string out = "<div class=\"legend\">";
   for (size_t i = 0; i < data.variants.size(); ++i)
-    out += "<span><i class=\"key\" style=\"background:" + colour(i) + "\"></i>" + escaped(data.variants[i].label) + "</span>";
+    out += "<span><i class=\"key\" style=\"background:" + colour(i) + "\"></i>" + escaped(data.variants[i].label) +
+           "</span>";
   return out + "</div>\n";
 }
 
@@ -243,14 +260,15 @@ double tick_step(double span) {
 
 int tick_digits(double step) { return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6); }
 
-std::string text_at(double x, double y, const std::string& anchor, const std::string& text, const std::string& style = "") {
-  return std::string("<text") + (style.empty() ? "" : " class=\"" + style + "\"") + " x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) +
-         "\" text-anchor=\"" + anchor + "\">" + escaped(text) + "</text>";
+std::string text_at(double x, double y, const std::string& anchor, const std::string& text,
+                    const std::string& style = "") {
+  return std::string("<text") + (style.empty() ? "" : " class=\"" + style + "\"") + " x=\"" + number(x, 1) + "\" y=\"" +
+         number(y, 1) + "\" text-anchor=\"" + anchor + "\">" + escaped(text) + "</text>";
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& rest) {
-  return "<line x1=\"" + number(x1, 1) + "\" y1=\"" + number(y1, 1) + "\" x2=\"" + number(x2, 1) + "\" y2=\"" + number(y2, 1) + "\" " +
-         rest + "></line>";
+  return "<line x1=\"" + number(x1, 1) + "\" y1=\"" + number(y1, 1) + "\" x2=\"" + number(x2, 1) + "\" y2=\"" +
+         number(y2, 1) + "\" " + rest + "></line>";
 }
 
 // Rows of bars, one bar per variant: rows are families, so names stay readable however many there are.
@@ -290,7 +308,8 @@ std::string family_bars(const ReportData& data, double Metrics::*figure, int dig
   std::string out = "<svg viewBox=\"0 0 " + number(width, 0) + " " + number(bottom + 24, 0) + "\" role=\"img\">\n";
   for (int t = 0; t * step <= end * 1.0001; ++t) {
     const double x = x_of(t * step);
-    out += line(x, top, x, bottom, "class=\"rule\"") + text_at(x, bottom + 16, "middle", number(t * step, tick_digits(step)), "tick") + "\n";
+    out += line(x, top, x, bottom, "class=\"rule\"") +
+           text_at(x, bottom + 16, "middle", number(t * step, tick_digits(step)), "tick") + "\n";
   }
   for (size_t r = 0; r < rows.size(); ++r) {
     const double y0 = top + row_height * static_cast<double>(r) + gap / 2;
@@ -298,10 +317,12 @@ std::string family_bars(const ReportData& data, double Metrics::*figure, int dig
     for (size_t i = 0; i < rows[r].values.size(); ++i) {
       if (!rows[r].values[i]) continue;
       const double value = *rows[r].values[i], y = y0 + bar * static_cast<double>(i);
-      out += "<rect x=\"" + number(left, 1) + "\" y=\"" + number(y, 1) + "\" width=\"" + number(std::max(0.5, x_of(value) - left), 1) +
-             "\" height=\"" + number(bar - 1.5, 1) + "\" rx=\"1.5\" style=\"fill:" + colour(i) + "\"><title>" +
+      out += "<rect x=\"" + number(left, 1) + "\" y=\"" + number(y, 1) + "\" width=\"" +
+             number(std::max(0.5, x_of(value) - left), 1) + "\" height=\"" + number(bar - 1.5, 1) +
+             "\" rx=\"1.5\" style=\"fill:" + colour(i) + "\"><title>" +
              escaped(data.variants[i].label + ", " + rows[r].name + ": " + number(value, digits)) + "</title></rect>";
-      if (data.variants.size() <= 3 || r == 0) out += text_at(x_of(value) + 5, y + bar - 2.2, "start", number(value, digits), "value");
+      if (data.variants.size() <= 3 || r == 0)
+        out += text_at(x_of(value) + 5, y + bar - 2.2, "start", number(value, digits), "value");
       out += "\n";
     }
   }
@@ -335,17 +356,20 @@ std::string bits_plot(const ReportData& data) {
     if (data.variants[i].bits > 0) order.push_back(i);
   }
   if (order.size() < 2) return "";
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return data.variants[a].bits < data.variants[b].bits; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return data.variants[a].bits < data.variants[b].bits; });
   const double room = std::max(0.15 * (high - low), 1e-4), step = tick_step(high - low + 2 * room);
   // Equal steps for each variant: float's 32 bits would squeeze the rest on a true axis.
   const double count = static_cast<double>(order.size());
-  Axes axes{-0.5, count - 0.5, std::max(0.0, std::floor((low - room) / step) * step), std::ceil((high + room) / step) * step};
+  Axes axes{-0.5, count - 0.5, std::max(0.0, std::floor((low - room) / step) * step),
+            std::ceil((high + room) / step) * step};
   std::string out = axes.frame("bits of the weights", tick_digits(step), step);
   for (size_t i = 0; i < data.variants.size(); ++i) {
     const ReportVariant& v = data.variants[i];
     if (v.bits > 0) continue;
     const double y = axes.y(v.scores.all.l1);
-    out += line(axes.left, y, axes.width - axes.right, y, "style=\"stroke:" + colour(i) + ";stroke-width:1.5;stroke-dasharray:5 4\"") +
+    out += line(axes.left, y, axes.width - axes.right, y,
+                "style=\"stroke:" + colour(i) + ";stroke-width:1.5;stroke-dasharray:5 4\"") +
            text_at(axes.width - axes.right - 4, y - 5, "end", v.label + " " + number(v.scores.all.l1, 4)) + "\n";
   }
   std::string points, marks;
@@ -353,12 +377,14 @@ std::string bits_plot(const ReportData& data) {
     const ReportVariant& v = data.variants[order[k]];
     const double x = axes.x(static_cast<double>(k)), y = axes.y(v.scores.all.l1);
     points += number(x, 1) + "," + number(y, 1) + " ";
-    marks += "<circle cx=\"" + number(x, 1) + "\" cy=\"" + number(y, 1) + "\" r=\"5\" style=\"fill:" + colour(order[k]) + "\"><title>" +
+    marks += "<circle cx=\"" + number(x, 1) + "\" cy=\"" + number(y, 1) +
+             "\" r=\"5\" style=\"fill:" + colour(order[k]) + "\"><title>" +
              escaped(v.label + ": " + number(v.scores.all.l1, 5)) + "</title></circle>" +
              text_at(x, y - 11, "middle", number(v.scores.all.l1, 4)) +
              text_at(x, axes.height - axes.bottom + 17, "middle", std::to_string(v.bits), "tick") + "\n";
   }
-  out += "<polyline points=\"" + points + "\" style=\"fill:none;stroke:var(--soft);stroke-width:1.5\"></polyline>\n" + marks;
+  out += "<polyline points=\"" + points + "\" style=\"fill:none;stroke:var(--soft);stroke-width:1.5\"></polyline>\n" +
+         marks;
   return out + "</svg>\n";
 }
 
@@ -370,7 +396,8 @@ std::string sorted_plot(const ReportData& data) {
   const double step = tick_step(highest), top = std::max(step, std::ceil(highest / step - 1e-9) * step);
   Axes axes{0, 100, 0, top};
   std::string out = axes.frame("characters from best to worst, %", tick_digits(step), step);
-  for (int t = 0; t <= 100; t += 25) out += text_at(axes.x(t), axes.height - axes.bottom + 17, "middle", std::to_string(t), "tick");
+  for (int t = 0; t <= 100; t += 25)
+    out += text_at(axes.x(t), axes.height - axes.bottom + 17, "middle", std::to_string(t), "tick");
   for (size_t i = 0; i < data.variants.size(); ++i) {
     std::vector<double> values;
     for (const auto& [name, m] : data.variants[i].scores.characters) values.push_back(m.l1);
@@ -380,10 +407,12 @@ std::string sorted_plot(const ReportData& data) {
       const double share = (static_cast<double>(k) + 0.5) / static_cast<double>(values.size());
       points += number(axes.x(100 * share), 1) + "," + number(axes.y(values[k]), 1) + " ";
     }
-    out += "\n<polyline points=\"" + points + "\" style=\"fill:none;stroke:" + colour(i) + ";stroke-width:1.8;stroke-linejoin:round\"><title>" +
-           escaped(data.variants[i].label) + "</title></polyline>";
+    out += "\n<polyline points=\"" + points + "\" style=\"fill:none;stroke:" + colour(i) +
+           ";stroke-width:1.8;stroke-linejoin:round\"><title>" + escaped(data.variants[i].label) +
+           "</title></polyline>";
     if (values.size() == 1)
-      out += "<circle cx=\"" + number(axes.x(50), 1) + "\" cy=\"" + number(axes.y(values[0]), 1) + "\" r=\"4\" style=\"fill:" + colour(i) + "\"></circle>";
+      out += "<circle cx=\"" + number(axes.x(50), 1) + "\" cy=\"" + number(axes.y(values[0]), 1) +
+             "\" r=\"4\" style=\"fill:" + colour(i) + "\"></circle>";
   }
   return out + "\n</svg>\n";
 }
@@ -396,13 +425,15 @@ std::string pictures(const ReportData& data) {
   if (data.pictures.empty()) return "";
   std::string out = "<h2>Characters</h2>\n<p class=\"soft\">Drawn with the weights of " +
                     escaped(data.variants[data.main_variant].label) +
-                    ". One colour per joint, blended by weight; the error runs from dark blue (0) over yellow to red (L1 of 1 or more).</p>\n";
+                    ". One colour per joint, blended by weight; the error runs from dark blue (0) over yellow to red "
+                    "(L1 of 1 or more).</p>\n";
   for (const ReportPicture& picture : data.pictures) {
-    out += "<div class=\"card character\"><h3>" + escaped(picture.heading) + ": " + escaped(picture.character) + "<span>" +
-           escaped(picture.note) + "</span></h3><div class=\"panels\">\n";
+    out += "<div class=\"card character\"><h3>" + escaped(picture.heading) + ": " + escaped(picture.character) +
+           "<span>" + escaped(picture.note) + "</span></h3><div class=\"panels\">\n";
     for (const ReportPicture::Panel& panel : picture.panels)
-      out += "<figure><img alt=\"" + escaped(picture.character + ", " + panel.caption) + "\" src=\"data:image/png;base64," +
-             base64(panel.png) + "\" /><figcaption>" + escaped(panel.caption) + "</figcaption></figure>\n";
+      out += "<figure><img alt=\"" + escaped(picture.character + ", " + panel.caption) +
+             "\" src=\"data:image/png;base64," + base64(panel.png) + "\" /><figcaption>" + escaped(panel.caption) +
+             "</figcaption></figure>\n";
     out += "</div></div>\n";
   }
   return out;
@@ -453,7 +484,8 @@ ReportPicture report_picture(const Character& reference, const std::vector<std::
   ReportPicture picture;
   picture.heading = heading;
   picture.character = reference.name;
-  picture.note = "L1 " + number(m.l1, 3) + ", argmax " + number(100 * m.argmax, 1) + " %, avg dist " + number(m.avg_dist, 4);
+  picture.note =
+      "L1 " + number(m.l1, 3) + ", argmax " + number(100 * m.argmax, 1) + " %, avg dist " + number(m.avg_dist, 4);
   picture.panels = {{"reference weights", encode_png(render(reference, weight_colours(reference), with_skeleton))},
                     {"predicted weights", encode_png(render(bound, weight_colours(bound), with_skeleton))},
                     {"L1 error per vertex", encode_png(render(bound, heat_colours(errors, 1.0f), options))},
@@ -489,18 +521,24 @@ std::string quantisation_table_markdown(const ReportData& data) {
 std::string report_html(const ReportData& data) {
   check(data);
   const ReportVariant& main = data.variants[data.main_variant];
-  std::string out = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\" />"
-                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" /><title>" + escaped(data.title) +
-                    "</title><style>" + kStyle + "</style></head>\n<body><main>\n<h1>" + escaped(data.title) + "</h1>\n";
+  std::string out =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\" />"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" /><title>" +
+      escaped(data.title) + "</title><style>" + kStyle + "</style></head>\n<body><main>\n<h1>" + escaped(data.title) +
+      "</h1>\n";
   if (!data.summary.empty()) out += "<p>" + escaped(data.summary) + "</p>\n";
   if (!data.facts.empty()) {
     out += "<dl class=\"facts\">";
     for (const auto& [term, fact] : data.facts) out += "<dt>" + escaped(term) + "</dt><dd>" + escaped(fact) + "</dd>";
     out += "</dl>\n";
   }
-  out += "<h2>Variants</h2>\n<p class=\"soft\">Means over characters; L1 (families) counts each family the same. L1: sum over joints of |predicted - reference| per vertex (0 to 2). "
-         "Distances: skinned vertices in 10 random poses, longest side of the mesh = 1. Flips: vertices whose strongest joint differs "
-         "from the float variant's.</p>\n<div class=\"card\">" + variant_table(data) + "</div>\n";
+  out +=
+      "<h2>Variants</h2>\n<p class=\"soft\">Means over characters; L1 (families) counts each family the same. L1: sum "
+      "over joints of |predicted - reference| per vertex (0 to 2). "
+      "Distances: skinned vertices in 10 random poses, longest side of the mesh = 1. Flips: vertices whose strongest "
+      "joint differs "
+      "from the float variant's.</p>\n<div class=\"card\">" +
+      variant_table(data) + "</div>\n";
   const std::string bits = bits_plot(data);
   out += "<div class=\"grid\">\n";
   if (!bits.empty()) out += card("L1 against bits", bits);
@@ -511,7 +549,8 @@ std::string report_html(const ReportData& data) {
   if (all_families(data).size() > 1) out += card("Table of families (L1)", family_table(data));
   out += failure_list(data);
   out += "<h2>Every character</h2>\n<details class=\"card\"><summary>" + escaped(main.label) + ": " +
-         std::to_string(main.scores.characters.size()) + " characters</summary>\n" + character_table(main) + "</details>\n";
+         std::to_string(main.scores.characters.size()) + " characters</summary>\n" + character_table(main) +
+         "</details>\n";
   return out + "</main></body></html>\n";
 }
 

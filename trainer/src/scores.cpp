@@ -80,7 +80,8 @@ std::set<std::string> family_names(const Scores& scores) {
 }
 
 constexpr const char* kColumns =
-    "| method | n | prec % | rec % | L1 | avg dist | max dist | argmax % | KL | L1>0.5 % | fail | s/char | s/1k vert |\n"
+    "| method | n | prec % | rec % | L1 | avg dist | max dist | argmax % | KL | L1>0.5 % | fail | s/char | s/1k vert "
+    "|\n"
     "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 std::string seconds_text(double seconds) {
@@ -92,11 +93,14 @@ std::string seconds_text(double seconds) {
 
 std::string table_row(std::string label, const Metrics& m, const std::vector<Named>& characters, size_t failures) {
   for (size_t at = label.find('|'); at != std::string::npos; at = label.find('|', at + 2)) label.insert(at, 1, '\\');
-  if (characters.empty()) return "| " + label + " | 0 | - | - | - | - | - | - | - | - | " + std::to_string(failures) + " | - | - |\n";
+  if (characters.empty())
+    return "| " + label + " | 0 | - | - | - | - | - | - | - | - | " + std::to_string(failures) + " | - | - |\n";
   char text[256];
-  std::snprintf(text, sizeof text, " | %zu | %.1f | %.1f | %.3f | %.4f | %.3f | %.1f | %.2f | %.1f | %zu | ", characters.size(),
-                100 * m.precision, 100 * m.recall, m.l1, m.avg_dist, m.max_dist, 100 * m.argmax, m.kl, 100 * m.bad, failures);
-  return "| " + label + text + seconds_text(m.seconds) + " | " + seconds_text(median_seconds_per_1000(characters)) + " |\n";
+  std::snprintf(text, sizeof text, " | %zu | %.1f | %.1f | %.3f | %.4f | %.3f | %.1f | %.2f | %.1f | %zu | ",
+                characters.size(), 100 * m.precision, 100 * m.recall, m.l1, m.avg_dist, m.max_dist, 100 * m.argmax,
+                m.kl, 100 * m.bad, failures);
+  return "| " + label + text + seconds_text(m.seconds) + " | " + seconds_text(median_seconds_per_1000(characters)) +
+         " |\n";
 }
 
 nlohmann::json figures_json(const Metrics& m) {
@@ -144,8 +148,8 @@ std::string scores_markdown(const std::string& label, const Scores& scores) {
   if (families.empty() || families == std::set<std::string>{"all"}) return out;
   for (const std::string& family : families) {
     const std::vector<Named> rows = members(scores, family);
-    const auto failures = static_cast<size_t>(std::count_if(scores.failures.begin(), scores.failures.end(),
-                                                            [&](const auto& f) { return family_of(f.first) == family; }));
+    const auto failures = static_cast<size_t>(std::count_if(
+        scores.failures.begin(), scores.failures.end(), [&](const auto& f) { return family_of(f.first) == family; }));
     out += "\n**" + family + "**\n\n" + kColumns;
     out += table_row(label, rows.empty() ? Metrics{} : scores.families.at(family), rows, failures);
   }

@@ -16,19 +16,19 @@ namespace sinew {
 
 // One row of the tables.
 struct ReportVariant {
-  std::string label;                     // "float checkpoint", "int16 model", "8 bits", "heat"
+  std::string label;  // "float checkpoint", "int16 model", "8 bits", "heat"
   Scores scores;
-  int bits = 0;                          // bits of the weights; 0 = none of its own (heat): not on the axis of bits
-  size_t size_bytes = 0;                 // of the file; 0 = none
-  std::optional<double> argmax_flips;    // share of vertices whose strongest joint differs from the float variant's
-  std::optional<double> logit_snr_db;    // signal to noise of the logits against the float variant's
+  int bits = 0;                        // bits of the weights; 0 = none of its own (heat): not on the axis of bits
+  size_t size_bytes = 0;               // of the file; 0 = none
+  std::optional<double> argmax_flips;  // share of vertices whose strongest joint differs from the float variant's
+  std::optional<double> logit_snr_db;  // signal to noise of the logits against the float variant's
 };
 
 // One character in pictures, PNG files in memory.
 struct ReportPicture {
-  std::string heading;    // "best", "median", "worst"
+  std::string heading;  // "best", "median", "worst"
   std::string character;
-  std::string note;       // one line of figures
+  std::string note;  // one line of figures
   struct Panel {
     std::string caption;
     std::vector<uint8_t> png;
