@@ -306,6 +306,7 @@ class Run {
                   recent_.regret / n, recent_.part / n, recent_norm_ / n, rate, val.l1, val.family_l1, heat_.l1, heat_.family_l1,
                   val_.empty() ? 0.0 : state.best_score);
     state.log_csv += line;
+    shown_loss_ = recent_.total / n;
     recent_ = {};
     recent_count_ = 0;
     recent_norm_ = 0;

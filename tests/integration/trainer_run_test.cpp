@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// Whole training runs on synthesized characters: overfitting, resuming, starting from weights, the cache on disk, augmentation.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "augment.hpp"
+#include "loss.hpp"
+#include "sample_cache.hpp"
+#include "sinew_formats/dataset.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/synthesize.hpp"
+#include "sinew_trainer/train.hpp"
+
+namespace sinew {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TrainerRun : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    root_ = fs::path(SINEW_BINARY_DIR) / "trainer_run_test" /
+            ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::remove_all(root_);
+    fs::create_directories(root_ / "data");
+    add(BodyPlan::kBiped, 1, "two");
+    add(BodyPlan::kBird, 2, "wings");
+    config_.field = {16, 8, 1, 8, 32};
+    config_.variants = 0;
+    config_.validate_every = 1000000;
+  }
+  void TearDown() override {
+    if (!HasFailure()) fs::remove_all(root_);
+  }
+  void add(BodyPlan plan, uint64_t seed, const std::string& family) {
+    Character character = decimate(synthesize({plan, seed, 24, true}), 0.4);  // some 600 vertices are enough
+    character.name = family + "__" + std::to_string(seed);
+    write_obj((root_ / "data" / (character.name + ".obj")).string(), character);
+    write_rig((root_ / "data" / (character.name + ".rig.txt")).string(), character);
+  }
+  TrainOptions options(const std::string& output) const {
+    TrainOptions o;
+    o.data_dir = (root_ / "data").string();
+    o.output = (root_ / output).string();
+    o.cache_dir = (root_ / "cache").string();
+    o.quiet = true;
+    return o;
+  }
+  std::vector<Sample> samples() const {
+    return load_samples((root_ / "data").string(), config_.field.candidates, config_.field.grid, (root_ / "cache").string(), 2, true);
+  }
+  fs::path root_;
+  TrainConfig config_;
+};
+
+std::vector<float> all_numbers(const FloatNetwork& network) {
+  std::vector<float> all;
+  for (const LinearParameters& p : network.parameters) {
+    all.insert(all.end(), p.weights.begin(), p.weights.end());
+    all.insert(all.end(), p.bias.begin(), p.bias.end());
+  }
+  return all;
+}
+void expect_same(const Checkpoint& a, const Checkpoint& b) {
+  EXPECT_EQ(all_numbers(a.latest), all_numbers(b.latest));
+  EXPECT_EQ(all_numbers(a.network), all_numbers(b.network));
+  ASSERT_EQ(a.state.averages.size(), b.state.averages.size());
+  for (size_t i = 0; i < a.state.averages.size(); ++i) {
+    EXPECT_EQ(all_numbers(a.state.averages[i]), all_numbers(b.state.averages[i]));
+  }
+  EXPECT_EQ(a.state.step, b.state.step);
+  EXPECT_EQ(a.state.adam_m, b.state.adam_m);
+  EXPECT_EQ(a.state.adam_v, b.state.adam_v);
+  EXPECT_EQ(a.state.rng, b.state.rng);
+  EXPECT_EQ(a.state.queue, b.state.queue);
+  EXPECT_EQ(a.state.best_score, b.state.best_score);
+}
+
+TEST_F(TrainerRun, TwoCharactersAreLearntByHeart) {
+  config_.field.width = 32;
+  config_.field.rounds = 2;
+  config_.steps = 400;
+  config_.learning_rate = 1e-2;
+  config_.weight_decay = config_.dropout = config_.average_decay = 0;
+  config_.loss_regret = 0;
+  train(config_, options("heart.ckpt"));
+  const FloatNetwork network = read_checkpoint((root_ / "heart.ckpt").string()).network;
+  double l1 = 0, heat = 0;
+  for (const Sample& sample : samples()) {
+    l1 += sample_l1(sample, predict(network, sample), 4) / 2;
+    heat += sample_l1(sample, sample.heat, 4) / 2;
+  }
+  EXPECT_LT(l1, 0.05) << "heat: " << heat;
+  EXPECT_GT(heat, 2 * l1) << "heat is as good, so nothing had to be learnt";
+}
+
+TEST_F(TrainerRun, ResumingEqualsNotStoppingAndThreadsChangeNothing) {
+  config_.steps = 6;
+  config_.batch = 3;
+  config_.variants = 1;
+  config_.variant_share = 0.5;
+  config_.feature_dropout = 0.1;
+  config_.validate_every = 2;
+  TrainOptions whole = options("whole.ckpt"), parts = options("parts.ckpt"), single = options("single.ckpt");
+  whole.val_dir = parts.val_dir = single.val_dir = whole.data_dir;
+  train(config_, whole);
+  parts.stop_after = 3;
+  train(config_, parts);
+  EXPECT_EQ(read_checkpoint(parts.output).state.step, 3u);
+  parts.resume = true;
+  parts.stop_after = 0;
+  train(config_, parts);
+  single.threads = 1;
+  train(config_, single);
+  const Checkpoint expected = read_checkpoint(whole.output);
+  EXPECT_EQ(expected.state.step, 6u);
+  expect_same(expected, read_checkpoint(parts.output));
+  expect_same(expected, read_checkpoint(single.output));
+  EXPECT_NE(all_numbers(expected.latest), all_numbers(make_field(config_.field, config_.seed)));
+
+  // The log plots: a header and one line per validation, each with as many fields.
+  std::ifstream log(parts.output + ".csv");
+  std::string line;
+  std::vector<size_t> fields;
+  while (std::getline(log, line)) fields.push_back(static_cast<size_t>(std::count(line.begin(), line.end(), ',')));
+  EXPECT_EQ(fields, std::vector<size_t>(4, fields.at(0)));
+}
+
+TEST_F(TrainerRun, ResumeAndInitRefuseWhatDoesNotFit) {
+  config_.steps = 2;
+  train(config_, options("a.ckpt"));
+  TrainOptions resume = options("a.ckpt");
+  resume.resume = true;
+  TrainConfig other = config_;
+  other.learning_rate = 0.5;
+  EXPECT_THROW(train(other, resume), Error);
+  EXPECT_EQ(train_config_json(checkpoint_config(resume.output)), train_config_json(config_));
+
+  TrainOptions init = options("b.ckpt");
+  init.init = resume.output;
+  other = config_;
+  other.seed = 99;
+  train(other, init);  // another seed has the same shapes
+  other.field.width = 24;
+  EXPECT_THROW(train(other, init), Error);
+  other = config_;
+  other.architecture = "classic";
+  EXPECT_THROW(train(other, init), Error);
+  init.init = (root_ / "none.ckpt").string();
+  EXPECT_THROW(train(config_, init), Error);
+
+  TrainOptions empty = options("c.ckpt");
+  empty.data_dir = (root_ / "cache").string();
+  EXPECT_THROW(train(config_, empty), Error);
+}
+
+TEST_F(TrainerRun, InitStartsFromTheGivenWeights) {
+  config_.steps = 4;
+  train(config_, options("a.ckpt"));
+  TrainConfig still = config_;
+  still.steps = 1;
+  still.learning_rate = 1e-12;
+  still.weight_decay = 0;
+  TrainOptions init = options("b.ckpt");
+  init.init = options("a.ckpt").output;
+  train(still, init);
+  const std::vector<float> a = all_numbers(read_checkpoint(init.init).network), b = all_numbers(read_checkpoint(init.output).latest);
+  ASSERT_EQ(a.size(), b.size());
+  for (size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-6);
+}
+
+TEST_F(TrainerRun, StopFlagWritesTheCheckpoint) {
+  config_.steps = 1000000;
+  std::atomic<bool> stop{true};
+  TrainOptions o = options("stopped.ckpt");
+  o.stop = &stop;
+  train(config_, o);
+  EXPECT_EQ(read_checkpoint(o.output).state.step, 0u);
+}
+
+TEST_F(TrainerRun, DamagedCacheFilesAreMadeAgainAndGoodOnesUsed) {
+  const std::vector<Sample> first = samples();
+  ASSERT_EQ(first.size(), 2u);
+  std::map<fs::path, std::vector<uint8_t>> good;
+  for (const auto& entry : fs::directory_iterator(root_ / "cache")) good[entry.path()] = read_file(entry.path().string());
+  ASSERT_EQ(good.size(), 2u);
+  for (const size_t where : {size_t{3}, size_t{12}, size_t{40}, good.begin()->second.size() - 1}) {
+    for (const auto& [path, bytes] : good) {
+      std::vector<uint8_t> bad = bytes;
+      bad[where] ^= 0x40;
+      if (where == 40) bad.resize(bad.size() / 2);
+      write_file(path.string(), bad);
+    }
+    const std::vector<Sample> again = samples();
+    ASSERT_EQ(again.size(), 2u);
+    for (size_t i = 0; i < 2; ++i) {
+      EXPECT_EQ(again[i].pair, first[i].pair);
+      EXPECT_EQ(again[i].target, first[i].target);
+    }
+    for (const auto& [path, bytes] : good) EXPECT_EQ(read_file(path.string()), bytes);
+  }
+  // A valid file is believed: put one character's in the place of the other's.
+  write_file(good.begin()->first.string(), good.rbegin()->second);
+  EXPECT_EQ(samples()[0].name, first[1].name);
+}
+
+TEST_F(TrainerRun, CacheNoticesChangedCharacters) {
+  samples();
+  add(BodyPlan::kSnake, 1, "two");  // another content under the same name
+  samples();
+  size_t files = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(root_ / "cache")) ++files;
+  EXPECT_EQ(files, 3u);
+}
+
+TEST_F(TrainerRun, OneBadCharacterIsLeftOutAndAllBadOnesAreAnError) {
+  write_text_file((root_ / "data" / "bad__1.obj").string(), "v 0 0 zero\n");
+  write_text_file((root_ / "data" / "bad__1.rig.txt").string(), "joints a 0 0 0\nroot a\n");
+  EXPECT_EQ(samples().size(), 2u);
+  fs::create_directories(root_ / "bad");
+  fs::rename(root_ / "data" / "bad__1.obj", root_ / "bad" / "bad__1.obj");
+  fs::rename(root_ / "data" / "bad__1.rig.txt", root_ / "bad" / "bad__1.rig.txt");
+  EXPECT_THROW(load_samples((root_ / "bad").string(), 8, 32, (root_ / "cache").string(), 2, true), Error);
+}
+
+TEST(Augment, SameSeedSameCharacterOtherSeedAnother) {
+  const Character character = synthesize({BodyPlan::kBiped, 3, 24, true});
+  const Character a = augment(character, 5), b = augment(character, 5), c = augment(character, 6);
+  ASSERT_EQ(a.vertices.size(), b.vertices.size());
+  for (size_t v = 0; v < a.vertices.size(); ++v) {
+    ASSERT_EQ(a.vertices[v].x, b.vertices[v].x);
+    ASSERT_EQ(a.vertices[v].z, b.vertices[v].z);
+  }
+  EXPECT_NE(a.vertices[0].x, c.vertices[0].x);
+}
+
+TEST(Augment, KeepsWeightsSeamsAndWindingAndSometimesThinsOut) {
+  Character character = synthesize({BodyPlan::kBiped, 3, 24, false});
+  // A seam: the first vertex twice, each used by some of its faces.
+  character.vertices.push_back(character.vertices[0]);
+  character.influences.push_back(character.influences[0]);
+  bool used = false;
+  for (uint32_t& v : character.face_vertices) {
+    if (v == 0) {
+      if (used) v = static_cast<uint32_t>(character.vertices.size() - 1);
+      used = true;
+    }
+  }
+  const auto volume = [](const Character& c) {
+    double total = 0;
+    for (size_t f = 0; f < c.face_count(); ++f) {
+      const Vec3& a = c.vertices[c.face_vertices[c.face_offsets[f]]];
+      for (uint32_t i = c.face_offsets[f] + 1; i + 1 < c.face_offsets[f + 1]; ++i) {
+        const Vec3 &b = c.vertices[c.face_vertices[i]], &d = c.vertices[c.face_vertices[i + 1]];
+        total += a.x * (b.y * d.z - b.z * d.y) + a.y * (b.z * d.x - b.x * d.z) + a.z * (b.x * d.y - b.y * d.x);
+      }
+    }
+    return total / 6;
+  };
+  const double before = volume(character);
+  ASSERT_GT(std::abs(before), 0);
+  size_t thinned = 0;
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const Character a = augment(character, seed);
+    ASSERT_EQ(a.vertices.size(), a.influences.size());
+    ASSERT_EQ(a.joints.size(), character.joints.size());
+    const double ratio = volume(a) / before;  // stretched by at most 1.15 per axis, mirrored with faces turned round
+    EXPECT_GT(ratio, 0.5) << seed;
+    EXPECT_LT(ratio, 1.7) << seed;
+    if (a.vertices.size() < character.vertices.size() * 95 / 100) {
+      ++thinned;
+      continue;
+    }
+    if (a.vertices.size() == character.vertices.size()) {
+      EXPECT_EQ(a.vertices[0].x, a.vertices.back().x) << "the seam came apart, seed " << seed;
+      EXPECT_EQ(a.vertices[0].y, a.vertices.back().y);
+    }
+  }
+  EXPECT_GT(thinned, 0u);
+  EXPECT_LT(thinned, 20u);
+}
+
+}  // namespace
+}  // namespace sinew
