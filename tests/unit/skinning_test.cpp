@@ -98,16 +98,17 @@ TEST(Skinning, DualQuaternionKeepsVolumeWhereLinearCollapses) {
 }
 
 TEST(Skinning, DualQuaternionTakesTheShortWay) {
-  // Turns of +170 and -170 degrees have quaternions on opposite sides; halfway is 180 degrees, not 0.
+  // The quaternions of +60 and -110 degrees come out on opposite sides of the sphere; halfway is -25 degrees, not 155.
+  constexpr double kDegree = 3.141592653589793 / 180;
   Palette palette;
-  add_motion(&palette, {0, 0, 1}, 170 * 3.141592653589793 / 180, {0, 0, 0});
-  add_motion(&palette, {0, 0, 1}, -170 * 3.141592653589793 / 180, {0, 0, 0});
+  add_motion(&palette, {0, 0, 1}, 60 * kDegree, {0, 0, 0});
+  add_motion(&palette, {0, 0, 1}, -110 * kDegree, {0, 0, 0});
   const std::vector<uint16_t> joints = {0, 1}, weights = {32768, 32767};
   const float point[3] = {1, 0, 0};
   float out[3];
   ASSERT_EQ(skin_dual_quaternion(point, 1, joints.data(), weights.data(), 2, palette.data(), 2, out), SINEW_OK);
-  EXPECT_NEAR(out[0], -1, 1e-4);
-  EXPECT_NEAR(out[1], 0, 1e-3);
+  EXPECT_NEAR(out[0], std::cos(-25 * kDegree), 1e-3);
+  EXPECT_NEAR(out[1], std::sin(-25 * kDegree), 1e-3);
 }
 
 TEST(Skinning, OutputMayBeTheInput) {
