@@ -108,7 +108,7 @@ TEST(ApplyPose, KeepsTheTwelveStrongestOfLongRows) {
   c.vertices = {{1, 0, 0}};
   c.influences.resize(1);
   for (uint32_t j = 0; j < 20; ++j) {
-    c.joints.push_back({"j" + std::to_string(j), {0, 0, 0}, -1});
+    c.joints.push_back({std::to_string(j), {0, 0, 0}, -1});
     c.influences[0].push_back({j, j < 12 ? 0.08f : 0.005f});
   }
   std::vector<JointTurn> turns;

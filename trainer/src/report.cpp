@@ -109,7 +109,9 @@ const std::pair<std::string, Metrics>* worst_character(const Scores& scores) {
   return worst == scores.characters.end() ? nullptr : &*worst;
 }
 
-std::string colour(size_t series) { return "var(--s" + std::to_string(series % kSeries) + ")"; }
+std::string colour(size_t series) {
+  return std::string("var(--s").append(std::to_string(series % kSeries)).append(")");
+}
 
 // ---- tables
 
