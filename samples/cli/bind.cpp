@@ -65,6 +65,7 @@ void run(Settings settings) {
   if (settings.output.empty()) settings.output = stem(settings.mesh) + ".bound.glb";
   check_output(settings.output, {".glb", ".rig.txt"}, true);
   if (!settings.png.empty()) check_output(settings.png, {".png"});
+  if (settings.method == "heat" && !settings.model.empty()) throw UsageError("--method heat uses no model: leave out --model");
   if (to_stream && settings.json) throw UsageError("-o - and --json both want standard output: give the weights a file name");
 
   Character character = read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty());
@@ -131,9 +132,9 @@ void add_bind(CLI::App& app) {
   sub->add_option("mesh", s->mesh, "Mesh: .obj, .gltf, .glb, .vrm, or - for an OBJ on standard input")->required()->type_name("MESH");
   sub->add_option("--skeleton", s->skeleton, "Skeleton: .rig.txt, .gltf, .glb or .vrm. Not needed when the mesh has its own")->type_name("FILE");
   sub->add_option("-o,--output", s->output, "Output: .glb or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]")->type_name("OUT");
-  auto* model = sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
+  sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
   sub->add_option("--method", s->method, "heat: heat fields alone, no model; model: the network")
-      ->check(CLI::IsMember({"heat", "model"}))->excludes(model);
+      ->check(CLI::IsMember({"heat", "model"}));
   sub->add_option("--influences", s->influences, "Most joints per vertex")->check(CLI::Range(1, 12))->capture_default_str()->type_name("N");
   sub->add_option("--deform", s->deform, "Joints that deform, one name per line; all others get no weight")->type_name("FILE");
   sub->add_option("--never", s->never, "Joints that must get no weight, one name per line")->type_name("FILE");

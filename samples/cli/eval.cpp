@@ -120,7 +120,8 @@ std::vector<Variant> checkpoint_variants(const Settings& s) {
     Variant variant;
     variant.label = bits == 16 ? "int16 model" : std::to_string(bits) + " bits";
     variant.bits = bits;
-    variant.size_bytes = quantised.bytes.size();
+    // The file format keeps 16 bits; fewer are counted as if weights were packed.
+    variant.size_bytes = quantised.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
     variant.candidates = network.candidate_count;
     variant.grid = network.grid_size;
     // int16 goes the product's whole way; the narrower ones only differ in the network, so features are not computed again.
@@ -266,11 +267,8 @@ class Evaluation {
 
   void write_json(const std::vector<Scores>& scores) const {
     nlohmann::ordered_json whole = nlohmann::ordered_json::parse(scores_json(variants_[0].label, scores[0]));
-    if (variants_.size() > 1) {
-      whole["variants"] = nlohmann::ordered_json::array();
-      for (size_t i = 0; i < variants_.size(); ++i) {
-        whole["variants"].push_back(nlohmann::ordered_json::parse(scores_json(variants_[i].label, scores[i])));
-      }
+    for (size_t i = 1; i < variants_.size(); ++i) {
+      whole.update(nlohmann::ordered_json::parse(scores_json(variants_[i].label, scores[i])));
     }
     write_text_file(s_.json, whole.dump(1) + "\n");
   }
@@ -280,6 +278,7 @@ class Evaluation {
     data.summary = print("%zu characters, %u influences per vertex.", variants_[0].figures.size(), s_.influences);
     data.facts = {{"data", s_.folder}, {"joints that deform", s_.known ? "given" : "not given"}, {"sinew", sinew_version()}};
     if (!s_.checkpoint.empty()) data.facts.emplace_back("checkpoint", s_.checkpoint);
+    if (!s_.checkpoint.empty()) data.facts.emplace_back("bytes at 12, 10 and 8 bits", "as if weights were packed");
     if (!s_.model.empty()) data.facts.emplace_back("model", s_.model);
     for (size_t i = 0; i < variants_.size(); ++i) {
       ReportVariant row;

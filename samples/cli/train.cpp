@@ -35,7 +35,7 @@ void run(Settings s) {
   if (s.options.data_dir.empty()) throw UsageError("DIR is required: a folder of NAME.obj with NAME.rig.txt, or of .glb files");
   if (s.options.output.empty()) throw UsageError("-o CKPT is required");
   if (s.options.resume && !s.options.init.empty()) throw UsageError("--resume goes on from -o, --init starts anew: give one of them");
-  check_output(s.options.output, {".sinewckpt"});
+  check_output(s.options.output, {".sinewckpt", ".ckpt"});
   train(config, s.options);
 }
 
@@ -46,7 +46,7 @@ void add_train(CLI::App& app) {
   auto s = std::make_shared<Settings>();
   s->options.threads = std::max(1u, std::thread::hardware_concurrency());
   sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files")->type_name("DIR");
-  sub->add_option("-o,--output", s->options.output, "Checkpoint to write (.sinewckpt); the log goes beside it as .csv")->type_name("CKPT");
+  sub->add_option("-o,--output", s->options.output, "Checkpoint to write (.sinewckpt or .ckpt); the log goes beside it as .csv")->type_name("CKPT");
   sub->add_option("--val", s->options.val_dir, "Folder that the best checkpoint is chosen on")->type_name("DIR");
   sub->add_option("--config", s->config, "Settings that differ from the defaults, as JSON")->type_name("FILE");
   sub->add_flag("--print-config", s->print_config, "Print all settings as JSON and stop");

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// The sinew command as a user meets it: every subcommand on the sample data, wrong usage, rubbish input, outputs left alone.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/io.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sinew {
+namespace {
+
+const std::string kProgram = std::string(SINEW_BINARY_DIR) + "/sinew";
+const std::string kData = std::string(SINEW_SOURCE_DIR) + "/samples/data";
+const std::string kSnake = kData + "/snake__long.obj", kSnakeRig = kData + "/snake__long.rig.txt";
+const std::string kCaped = kData + "/biped__caped.gltf";
+
+struct Outcome {
+  int status = -1;
+  std::string out, error;
+};
+
+std::string slurp(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+class Cli : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::temp_directory_path() / ("sinew_cli_" + name + "_" + std::to_string(getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Runs in the test's own folder. `input` goes to standard input.
+  Outcome run(const std::string& arguments, const std::string& input = "") {
+    const fs::path error = folder_ / ".stderr", feed = folder_ / ".stdin";
+    put(feed, input);
+    const std::string command =
+        "cd '" + folder_.string() + "' && '" + kProgram + "' " + arguments + " <'" + feed.string() + "' 2>'" + error.string() + "'";
+    Outcome outcome;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    char buffer[4096];
+    for (size_t n = std::fread(buffer, 1, sizeof buffer, pipe); n > 0; n = std::fread(buffer, 1, sizeof buffer, pipe)) {
+      outcome.out.append(buffer, n);
+    }
+    const int status = pclose(pipe);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    outcome.error = slurp(error);
+    return outcome;
+  }
+  Outcome good(const std::string& arguments, const std::string& input = "") {
+    Outcome outcome = run(arguments, input);
+    EXPECT_EQ(outcome.status, 0) << "sinew " << arguments << "\n" << outcome.error;
+    return outcome;
+  }
+  // A failure is exactly one line that starts with "sinew: error: ".
+  Outcome bad(int status, const std::string& arguments, const std::string& input = "") {
+    Outcome outcome = run(arguments, input);
+    EXPECT_EQ(outcome.status, status) << "sinew " << arguments << "\n" << outcome.error;
+    EXPECT_EQ(outcome.error.rfind("sinew: error: ", 0), 0u) << "sinew " << arguments << "\n" << outcome.error;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << "sinew " << arguments << "\n" << outcome.error;
+    return outcome;
+  }
+  size_t files() const {
+    size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder_)) count += entry.path().filename().string()[0] == '.' ? 0 : 1;
+    return count;
+  }
+  std::string in(const std::string& name) const { return (folder_ / name).string(); }
+
+  fs::path folder_;
+};
+
+void expect_bound(const Character& character, size_t most) {
+  ASSERT_EQ(character.influences.size(), character.vertices.size());
+  for (const auto& row : character.influences) {
+    ASSERT_GE(row.size(), 1u);
+    ASSERT_LE(row.size(), most);
+    float sum = 0;
+    for (const Influence& i : row) sum += i.weight;
+    ASSERT_NEAR(sum, 1.0f, 1e-4f);
+  }
+}
+
+TEST_F(Cli, HelpHasAnExampleEverywhere) {
+  for (const char* command : {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats", "dataset convert",
+                              "dataset decimate", "dataset synthesize", "inspect", "pose"}) {
+    const Outcome outcome = good(std::string(command) + " --help");
+    EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
+    EXPECT_NE(outcome.out.find(std::string("sinew ") + command), std::string::npos) << command;
+    EXPECT_EQ(outcome.error, "") << command;
+  }
+  EXPECT_EQ(good("--version").out.rfind("sinew ", 0), 0u);
+}
+
+TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
+  const std::string pair = kSnake + " --skeleton " + kSnakeRig + " --method heat ";
+  const std::vector<std::string> wrong = {
+      "", "nonsense", "bind", "bind " + pair + "--nonsense", "bind " + pair + "--influences 0", "bind " + pair + "--influences 13",
+      "bind " + pair + "--influences many", "bind " + pair + "--up x", "bind " + pair + "-o out.fbx", "bind " + pair + "-o out",
+      "bind " + pair + "--png out.jpg", "bind " + pair + "--png -", "bind " + pair + "--model m.sinew", "bind " + pair + "-o - --json",
+      "bind " + kSnakeRig + " --skeleton " + kSnake, "bind " + kSnake + " --skeleton " + kSnake, "bind " + kSnake + " " + kSnakeRig,
+      "bind " + pair + "--threads 0", "eval", "eval " + kData + " --method magic", "eval " + kData + " --method heat --model x",
+      "eval " + kData + " --method heat --report r.txt", "eval " + kData + " --method heat --json r.txt",
+      "eval " + kData + " --checkpoint x --known", "eval " + kData + " --method heat --jobs 0", "train", "train " + kData,
+      "train " + kData + " -o x.doc", "train " + kData + " -o x.ckpt --resume --init y.ckpt", "train " + kData + " -o x.ckpt --minutes -1",
+      "quantize", "quantize x", "quantize x --calibrate " + kData, "quantize x --calibrate " + kData + " -o m.bin", "dataset",
+      "dataset nonsense", "dataset check", "dataset stats", "dataset convert " + kSnake, "dataset convert " + kSnake + " x.stl",
+      "dataset decimate " + kSnake + " x.obj", "dataset decimate " + kSnake + " x.obj --ratio 2", "dataset synthesize",
+      "dataset synthesize --plan dragon -o x", "dataset synthesize --count 2 --plan bird -o x.obj", "dataset synthesize -o x.obj",
+      "dataset synthesize --resolution 8 -o x", "inspect", "pose", "pose " + kSnake + " -o x.obj", "pose " + kSnake + " --random 1",
+      "pose " + kSnake + " --random 1 -o x.glb", "pose " + kSnake + " --random 1 --joint head=0,0,0 -o x.obj",
+      "pose " + kSnake + " --joint head=1,2 -o x.obj", "pose " + kSnake + " --joint head -o x.obj",
+      "pose " + kSnake + " --joint head=1,2,3x -o x.obj", "pose " + kSnake + " --joint head=1,2,nan -o x.obj"};
+  for (const std::string& arguments : wrong) {
+    const Outcome outcome = bad(2, arguments);
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_NE(outcome.error.find("--help"), std::string::npos) << arguments;
+  }
+  EXPECT_EQ(files(), 0u);
+  EXPECT_NE(bad(2, "bind " + kSnakeRig + " --skeleton " + kSnake).error.find("mesh first"), std::string::npos);
+}
+
+TEST_F(Cli, BindWritesWhatIsAsked) {
+  const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat ";
+  good(pair);
+  EXPECT_TRUE(fs::exists(in("snake__long.bound.glb")));
+  good(pair + "-o out.rig.txt --png view.png --influences 2");
+  EXPECT_EQ(slurp(in("view.png")).substr(1, 3), "PNG");
+  Character character = read_obj(kSnake);
+  read_skeleton(in("out.rig.txt"), true, &character);
+  expect_bound(character, 2);
+
+  const Outcome json = good(pair + "-o out.glb --json");
+  for (const char* key : {"\"vertices\": 850", "\"joints\": 18", "\"seconds\"", "\"workspace_bytes\"", "\"influences\": 4", "out.glb"}) {
+    EXPECT_NE(json.out.find(key), std::string::npos) << key << "\n" << json.out;
+  }
+  expect_bound(read_character(in("out.glb")), 4);
+}
+
+TEST_F(Cli, BindReadsAndWritesStreams) {
+  const Outcome direct = good("bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat -o out.rig.txt");
+  const Outcome stream = good("bind - --skeleton " + kSnakeRig + " --method heat -o -", slurp(kSnake));
+  EXPECT_TRUE(stream.out == slurp(in("out.rig.txt")));
+  EXPECT_NE(stream.error.find("850 vertices"), std::string::npos) << "the summary goes to stderr";
+}
+
+TEST_F(Cli, BindTakesTheSkeletonOfAGltf) {
+  good("bind " + kCaped + " --method heat -o out.glb");
+  const Character before = read_character(kCaped), after = read_character(in("out.glb"));
+  EXPECT_EQ(before.joints.size(), after.joints.size());
+  expect_bound(after, 4);
+  good("bind " + in("out.glb") + " --method heat -o again.glb");
+  expect_bound(read_character(in("again.glb")), 4);
+}
+
+TEST_F(Cli, ThreadsDoNotChangeBytes) {
+  const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat ";
+  good(pair + "--threads 1 -o one.glb");
+  good(pair + "--threads 4 -o four.glb");
+  EXPECT_TRUE(slurp(in("one.glb")) == slurp(in("four.glb")));
+}
+
+TEST_F(Cli, BindObeysJointAndVertexLists) {
+  Character truth = read_character(kSnake);
+  put(in("never.txt"), "# not these\nspine_3\n  spine_4 \r\n");
+  put(in("deform.txt"), "spine_1\nspine_6\n");
+  put(in("lock.txt"), "0\n5\n849\n");
+  const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat ";
+  const auto joint = [&](const std::string& name) {
+    for (uint32_t j = 0; j < truth.joints.size(); ++j) {
+      if (truth.joints[j].name == name) return j;
+    }
+    return 0xFFFFFFFFu;
+  };
+  const auto bound = [&](const std::string& file) {
+    Character character = read_obj(kSnake);
+    read_skeleton(in(file), true, &character);
+    return character.influences;
+  };
+  good(pair + "--never never.txt -o never.rig.txt");
+  for (const auto& row : bound("never.rig.txt")) {
+    for (const Influence& i : row) ASSERT_TRUE(i.joint != joint("spine_3") && i.joint != joint("spine_4"));
+  }
+  good(pair + "--deform deform.txt -o deform.rig.txt");
+  for (const auto& row : bound("deform.rig.txt")) {
+    for (const Influence& i : row) ASSERT_TRUE(i.joint == joint("spine_1") || i.joint == joint("spine_6"));
+  }
+  good(pair + "--lock lock.txt -o lock.rig.txt");
+  const auto locked = bound("lock.rig.txt");
+  for (size_t v : {0u, 5u, 849u}) {
+    ASSERT_EQ(locked[v].size(), truth.influences[v].size()) << v;
+    for (size_t i = 0; i < locked[v].size(); ++i) {
+      EXPECT_EQ(locked[v][i].joint, truth.influences[v][i].joint);
+      EXPECT_NEAR(locked[v][i].weight, truth.influences[v][i].weight, 2e-5f);
+    }
+  }
+  put(in("bad_joint.txt"), "spine_1\nelbow\n");
+  EXPECT_NE(bad(1, pair + "--deform bad_joint.txt").error.find("line 2"), std::string::npos);
+  put(in("bad_vertex.txt"), "850\n");
+  EXPECT_NE(bad(1, pair + "--lock bad_vertex.txt").error.find("0..849"), std::string::npos);
+  put(in("negative.txt"), "-1\n");
+  bad(1, pair + "--lock negative.txt");
+}
+
+TEST_F(Cli, BundledModelBindsOrSaysThatThereIsNone) {
+  const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " -o out.glb";
+  if (fs::exists(kData + "/sinew_default.sinew")) {
+    good("inspect bundled");
+    good(pair);
+    expect_bound(read_character(in("out.glb")), 4);
+  } else {
+    EXPECT_NE(bad(1, pair).error.find("--method heat"), std::string::npos);
+    EXPECT_EQ(files(), 0u);
+  }
+}
+
+TEST_F(Cli, EvalScoresTheSamples) {
+  const Outcome two = good("eval " + kData + " --method heat --predictions out --json figures.json --report report.html --jobs 2");
+  EXPECT_NE(two.out.find("| heat | 7 |"), std::string::npos) << two.out;
+  for (const char* name : {"biped__robed", "biped__caped", "snake__long"}) EXPECT_TRUE(fs::exists(in("out/" + std::string(name) + ".rig.txt")));
+  EXPECT_NE(slurp(in("out/status.json")).find("\"biped__robed\""), std::string::npos);
+  EXPECT_NE(slurp(in("figures.json")).find("\"l1\""), std::string::npos);
+  const std::string html = slurp(in("report.html"));
+  EXPECT_NE(html.find("<svg"), std::string::npos);
+  EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org")) << "the page must need no network";
+  good("eval " + kData + " --method heat --predictions out1 --jobs 1");
+  EXPECT_TRUE(slurp(in("out/quadruped__tailed.rig.txt")) == slurp(in("out1/quadruped__tailed.rig.txt")));
+  EXPECT_EQ(good("eval " + kData + " --method heat --known --json -").out[0], '{');
+}
+
+TEST_F(Cli, EvalReportsFailuresAndGoesOn) {
+  fs::create_directories(in("set"));
+  for (const char* file : {"snake__long.obj", "snake__long.rig.txt"}) fs::copy(kData + "/" + file, in("set"));
+  put(in("set/broken__one.obj"), "v 0 0 zero\n");
+  put(in("set/broken__one.rig.txt"), "joints a 0 0 0\nroot a\n");
+  const Outcome outcome = bad(1, "eval set --method heat --predictions out");
+  EXPECT_NE(outcome.error.find("1 of 2"), std::string::npos);
+  EXPECT_TRUE(fs::exists(in("out/snake__long.rig.txt")));
+  EXPECT_NE(slurp(in("out/status.json")).find("\"ok\": false"), std::string::npos);
+  fs::create_directories(in("empty"));
+  bad(1, "eval empty --method heat");
+  bad(1, "eval nowhere --method heat");
+}
+
+TEST_F(Cli, TrainQuantizeEvalBind) {
+  good("dataset synthesize --plan snake --count 2 --resolution 24 -o set");
+  put(in("config.json"), R"({"steps": 4, "validate_every": 2, "variants": 0, "field": {"width": 8, "rounds": 1}})");
+  good("train set --val set --config config.json -o run.ckpt --quiet");
+  EXPECT_NE(good("inspect run.ckpt").out.find("4 steps"), std::string::npos);
+  const Outcome table = good("quantize run.ckpt --calibrate set -o run.sinew");
+  EXPECT_NE(table.out.find("|accumulator|"), std::string::npos);
+  EXPECT_NE(good("inspect run.sinew").out.find("int16 model"), std::string::npos);
+  good("eval set --model run.sinew");
+  const Outcome bits = good("eval set --checkpoint run.ckpt --report bits.html --json bits.json");
+  for (const char* label : {"float checkpoint", "int16 model", "12 bits", "10 bits", "8 bits", "heat"}) {
+    EXPECT_NE(bits.out.find(label), std::string::npos) << label;
+    EXPECT_NE(slurp(in("bits.json")).find(label), std::string::npos) << label;
+  }
+  good("bind " + kSnake + " --skeleton " + kSnakeRig + " --model run.sinew -o out.glb");
+  expect_bound(read_character(in("out.glb")), 4);
+
+  put(in("wrong.json"), R"({"stepz": 4})");
+  EXPECT_NE(bad(1, "train set --config wrong.json -o x.ckpt").error.find("stepz"), std::string::npos);
+  bad(1, "quantize run.sinew --calibrate set -o x.sinew");
+  bad(1, "eval set --model run.ckpt");
+  bad(1, "eval set --checkpoint run.sinew");
+  std::string broken = slurp(in("run.sinew"));
+  broken[broken.size() / 2] = static_cast<char>(broken[broken.size() / 2] ^ 1);
+  put(in("broken.sinew"), broken);
+  EXPECT_NE(bad(1, "inspect broken.sinew").error.find("broken.sinew"), std::string::npos);
+  put(in("short.sinew"), broken.substr(0, 100));
+  bad(1, "bind " + kSnake + " --skeleton " + kSnakeRig + " --model short.sinew");
+  put(in("short.ckpt"), slurp(in("run.ckpt")).substr(0, 1000));
+  bad(1, "inspect short.ckpt");
+  EXPECT_FALSE(fs::exists(in("x.sinew")));
+  EXPECT_FALSE(fs::exists(in("x.ckpt")));
+}
+
+TEST_F(Cli, DatasetCommands) {
+  EXPECT_NE(good("dataset check " + kData).out.find("biped__robed"), std::string::npos);
+  EXPECT_EQ(good("dataset check " + kData + " --json").out[0], '[');
+  put(in("cycle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put(in("cycle.rig.txt"), "joints a 0 0 0\njoints b 0 1 0\nroot a\nhier a b\nhier b a\nskin 0 a 1\nskin 1 a 1\nskin 2 b 1\n");
+  bad(1, "dataset check cycle.obj");
+
+  const Outcome stats = good("dataset stats " + kData);
+  EXPECT_NE(stats.out.find("many-legged"), std::string::npos);
+  EXPECT_EQ(good("dataset stats " + kData + " --json").out[0], '{');
+
+  good("dataset convert " + kSnake + " snake.glb");
+  good("dataset convert snake.glb -o snake.obj");
+  const Character original = read_character(kSnake), back = read_character(in("snake.obj"));
+  EXPECT_EQ(original.joints.size(), back.joints.size());
+  EXPECT_EQ(original.vertices.size(), back.vertices.size());
+  good("dataset decimate " + kSnake + " small.obj --ratio 0.5");
+  const Character small = read_character(in("small.obj"));
+  EXPECT_LT(small.vertices.size(), 0.6 * double(original.vertices.size()));
+  EXPECT_GT(small.vertices.size(), 0.4 * double(original.vertices.size()));
+  expect_bound(small, 4);
+
+  good("dataset synthesize --plan all --seed 3 --resolution 24 -o made");
+  EXPECT_EQ(list_characters(in("made")).size(), 5u);
+  good("dataset synthesize --plan snake --seed 3 --resolution 24 -o one.obj");
+  EXPECT_TRUE(slurp(in("one.obj")) == slurp(in("made/snake__0003.obj")));
+  EXPECT_TRUE(slurp(in("one.rig.txt")) == slurp(in("made/snake__0003.rig.txt")));
+}
+
+TEST_F(Cli, InspectAndPose) {
+  EXPECT_NE(good("inspect " + kSnake).out.find("spine_3"), std::string::npos);
+  EXPECT_NE(good("inspect " + kSnakeRig).out.find("spine_3"), std::string::npos);
+  EXPECT_NE(good("inspect " + kCaped).out.find("upper_arm.L"), std::string::npos);
+  put(in("mesh.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_NE(good("inspect mesh.obj").out.find("mesh.obj: mesh"), std::string::npos);
+
+  good("pose " + kSnake + " --random 4 -o a.obj");
+  good("pose " + kSnake + " --random 4 -o b.obj");
+  EXPECT_TRUE(slurp(in("a.obj")) == slurp(in("b.obj")));
+  good("pose " + kSnake + " --random 4 --dual-quaternion -o c.obj");
+  EXPECT_FALSE(slurp(in("a.obj")) == slurp(in("c.obj")));
+  good("pose " + kSnake + " --joint head=0,40,0 --joint spine_2=10,0,5 -o d.png");
+  EXPECT_EQ(slurp(in("d.png")).substr(1, 3), "PNG");
+  bad(1, "pose " + kSnake + " --joint elbow=0,0,0 -o e.obj");
+  bad(1, "pose mesh.obj --random 1 -o e.obj");
+  // Nothing turned: nothing moves.
+  good("pose " + kSnake + " --random 1 --limit 0 -o still.obj");
+  const Character rest = read_obj(kSnake), still = read_obj(in("still.obj"));
+  for (size_t v = 0; v < rest.vertices.size(); ++v) ASSERT_NEAR(rest.vertices[v].y, still.vertices[v].y, 1e-5f);
+}
+
+TEST_F(Cli, RubbishGivesOneLineAndLeavesOutputsAlone) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", rig = "joints a 0 0 0\nroot a\n";
+  put(in("good.rig.txt"), rig);
+  put(in("empty.obj"), "");
+  put(in("nan.obj"), "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put(in("word.obj"), "v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put(in("range.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  put(in("noise.obj"), std::string("\x7f" "ELF\x02\x01\x01\0\0\xff\xfe", 11));
+  put(in("triangle.obj"), triangle);
+  put(in("empty.rig.txt"), "");
+  put(in("nan.rig.txt"), "joints a 0 nan 0\nroot a\n");
+  put(in("cycle.rig.txt"), "joints a 0 0 0\njoints b 0 1 0\nroot a\nhier a b\nhier b a\n");
+  put(in("cut.rig.txt"), "joints a 0 0\n");
+  std::string million;
+  for (int i = 0; i < 1000000; ++i) million += "joints j" + std::to_string(i) + " 0 0 0\n";
+  put(in("million.rig.txt"), million + "root j0\n");
+  fs::create_directories(in("folder.obj"));
+  put(in("empty.glb"), "");
+  put(in("cut.gltf"), slurp(kCaped).substr(0, 5000));
+  good("dataset convert " + kSnake + " whole.glb");
+  put(in("cut.glb"), slurp(in("whole.glb")).substr(0, 20000));
+  put(in("keep.glb"), "keep me");
+  put(in("keep.png"), "keep me too");
+
+  const size_t before = files();
+  const std::string outputs = " --method heat -o keep.glb --png keep.png";
+  for (const char* mesh : {"empty.obj", "nan.obj", "word.obj", "range.obj", "noise.obj", "folder.obj", "missing.obj"}) {
+    bad(1, std::string("bind ") + mesh + " --skeleton good.rig.txt" + outputs);
+    bad(1, std::string("inspect ") + mesh);
+  }
+  for (const char* mesh : {"empty.glb", "cut.gltf", "cut.glb"}) {
+    bad(1, std::string("bind ") + mesh + outputs);
+    bad(1, std::string("inspect ") + mesh);
+    bad(1, std::string("bind triangle.obj --skeleton ") + mesh + outputs);
+  }
+  for (const char* skeleton : {"empty.rig.txt", "nan.rig.txt", "cycle.rig.txt", "cut.rig.txt", "million.rig.txt", "missing.rig.txt"}) {
+    bad(1, std::string("bind triangle.obj --skeleton ") + skeleton + outputs);
+  }
+  bad(1, "bind triangle.obj" + outputs);
+  bad(1, "bind - --skeleton good.rig.txt" + outputs, "");
+  bad(1, "bind triangle.obj --skeleton good.rig.txt --method heat -o nowhere/out.glb");
+  bad(1, "dataset convert cut.glb keep.glb");
+  bad(1, "pose cut.glb --random 1 -o keep.png");
+  EXPECT_EQ(slurp(in("keep.glb")), "keep me");
+  EXPECT_EQ(slurp(in("keep.png")), "keep me too");
+  EXPECT_EQ(files(), before) << "a failing job left something behind";
+
+  // Poor but legal: one triangle, and points without faces, are bound.
+  good("bind triangle.obj --skeleton good.rig.txt --method heat -o tri.rig.txt");
+}
+
+}  // namespace
+}  // namespace sinew
