@@ -509,13 +509,13 @@ std::string quantisation_table_markdown(const ReportData& data) {
   }
   std::string out = head + " worst character |\n" + rule + "---|\n";
   for (const ReportVariant& v : data.variants) {
-    out += "| " + cell(v.label) + " |";
+    out.append("| ").append(cell(v.label)).append(" |");
     for (const Column& column : columns) {
       const std::optional<double> value = column.value(v);
-      out += " " + (value ? number(*value * column.factor, column.digits) : std::string("-")) + " |";
+      out.append(" ").append(value ? number(*value * column.factor, column.digits) : "-").append(" |");
     }
     const auto* worst = worst_character(v.scores);
-    out += " " + (worst ? cell(worst->first) + " (" + number(worst->second.l1, 3) + ")" : std::string("-")) + " |\n";
+    out.append(" ").append(worst ? cell(worst->first) + " (" + number(worst->second.l1, 3) + ")" : "-").append(" |\n");
   }
   return out;
 }
