@@ -1,0 +1,3 @@
+# SPDX-License-Identifier: MIT
+sinew_test(sinew_candidates_recall_test SOURCES integration/candidates_recall_test.cpp LIBS sinew::engine_internals sinew::formats
+           LABELS integration shared)
