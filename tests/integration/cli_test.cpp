@@ -396,6 +396,10 @@ TEST_F(Cli, RubbishGivesOneLineAndLeavesOutputsAlone) {
 
   // Poor but legal: one triangle, and points without faces, are bound.
   good("bind triangle.obj --skeleton good.rig.txt --method heat -o tri.rig.txt");
+  put(in("points.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  good("bind points.obj --skeleton good.rig.txt --method heat -o points.rig.txt");
+  bad(1, "bind points.obj --skeleton good.rig.txt --method heat -o keep.glb");  // a GLB needs faces
+  EXPECT_EQ(slurp(in("keep.glb")), "keep me");
 }
 
 }  // namespace
