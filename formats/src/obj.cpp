@@ -145,7 +145,8 @@ struct ObjCollector {
 };
 
 int number_of(std::string name, std::unordered_map<std::string, int>* numbers, std::vector<std::string>* names) {
-  while (!name.empty() && (name.back() == ' ' || name.back() == '\t')) name.pop_back();
+  name.erase(name.find_last_not_of(" \t") + 1);
+  name.erase(0, name.find_first_not_of(" \t"));
   if (name.empty()) return -1;
   const auto [at, is_new] = numbers->emplace(name, static_cast<int>(names->size()));
   if (is_new) names->push_back(name);

@@ -3,7 +3,6 @@
 #ifndef SINEW_FORMATS_TEXT_LINES_HPP
 #define SINEW_FORMATS_TEXT_LINES_HPP
 
-#include <cfloat>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -35,17 +34,17 @@ inline std::string in_quotes(std::string_view found) {
 // Decimal number that is finite as a float; nullopt otherwise ("nan", "inf", "1e99", "0x10", "1,5", "").
 inline std::optional<float> to_finite_float(std::string_view word) {
   if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-  double value = 0;
+  float value = 0;
   const auto end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (error == std::errc::result_out_of_range && stop == end) {
-    // Also reported for numbers too small for a double, which are 0 here; "1e999" is not.
+    // Also reported for numbers too small for a float, which are 0 here; "1e99" is not.
     const size_t exponent = word.find_first_of("eE");
     if (exponent == std::string_view::npos || exponent + 1 >= word.size() || word[exponent + 1] != '-') return std::nullopt;
     return 0.0f;
   }
-  if (error != std::errc() || stop != end || !std::isfinite(value) || std::fabs(value) > FLT_MAX) return std::nullopt;
-  return static_cast<float>(value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
 }
 
 inline std::optional<int64_t> to_integer(std::string_view word) {
