@@ -109,6 +109,11 @@ struct Reference {
     return false;
   }
 
+  // The engine's answer for the merged faces is only kept where it chose that rule; elsewhere a doubt counts as hidden.
+  bool engine_merged(uint32_t v, uint32_t bone) const {
+    return engine.component_rule[mesh.component[v]] == 0 && engine_has(kFieldRule, v, bone);
+  }
+
   struct Source {
     std::vector<uint32_t> joints;
     double distance = 0;
@@ -162,7 +167,7 @@ struct Reference {
       for (const uint32_t bone : open[v].joints) {
         const bool by_parts = seen(v, bone, true, engine_has(kFieldParts, v, bone));
         if (by_parts) parts[v].joints.push_back(bone);
-        if (by_parts && field == kFieldRule && seen(v, bone, false, engine_has(kFieldRule, v, bone)))
+        if (by_parts && field == kFieldRule && seen(v, bone, false, engine_merged(v, bone)))
           merged[v].joints.push_back(bone);
       }
     }

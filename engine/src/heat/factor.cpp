@@ -85,8 +85,8 @@ void HeatMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
 }
 
 size_t Factor::capacity_for(const Counts& counts) {
-  size_t per_vertex = 16;
-  for (uint32_t v = counts.vertices; v > 1; v = (v + 1) / 2) per_vertex += 3;
+  size_t per_vertex = 12;
+  for (uint32_t v = counts.vertices; v > 1; v = (v + 1) / 2) per_vertex += 4;
   return per_vertex * counts.vertices;
 }
 

@@ -77,8 +77,9 @@ struct Factor {
   uint8_t* short_bits = nullptr;     // [U]
   int smallest_bits = 31;            // of short_bits: 30 or 31 for an M-matrix, less where pivots nearly cancelled
 
-  // Entries reserved: 16 + 3 log2 V per vertex; nested dissection of real characters needs between a third and two
-  // thirds of that, and a tangle of faces that needs more goes to the iterative solver.
+  // Entries reserved: 12 + 4 log2 V per vertex. Nested dissection of closed surfaces needs 32 per vertex at 10k
+  // vertices, 61 at 400k; characters need at most half of what is reserved. A tangle of faces that needs more goes to
+  // the iterative solver.
   static size_t capacity_for(const Counts& counts);
   bool allocate(Arena& arena, const Counts& counts);
   // Elimination tree and column counts. False when the factor would not fit.

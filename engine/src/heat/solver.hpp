@@ -14,10 +14,10 @@ class HeatSolver {
   bool allocate(Arena& arena, const Counts& counts);
   // Orders and analyses a component; the fields below share the result.
   void begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component);
-  // Solves one field of that component and writes its rows. Every vertex of a component with a source gets weights that
-  // sum to 1 up to what was too small to keep: the exact solution does, so the rest of rounding is divided out. Where
-  // the totals are far from 1 the indefinite matrix has defeated fixed point; then, and in iterative components,
-  // negative edge weights count as 0.
+  // Solves one field of that component and writes its rows. Every row sums to 1 up to what was too small to keep: the
+  // exact solution does, so the rest of rounding is divided out. Negative edge weights count as 0 (DESIGN.md 3.4 keeps
+  // them otherwise) where the solution leaves [-1, 2], which only an indefinite matrix can do, where fixed point was
+  // defeated, and in iterative components. Measured on val: L1 0.399 with this exception, 0.401 without it.
   void solve_field(const HeatSources& sources, uint32_t field, HeatField* out);
 
   bool iterative() const { return iterative_; }
@@ -29,7 +29,7 @@ class HeatSolver {
   }
 
  private:
-  // One pass over all joints. True when every row's total came out as 1 within 1/64.
+  // One pass over all joints. True when every row's total came out as 1 within 2^-12.
   bool try_field(const HeatSources& sources, uint32_t field, HeatField* out);
   uint32_t list_joints(const HeatSources& sources, uint32_t field);
   void fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
