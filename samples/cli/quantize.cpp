@@ -16,7 +16,7 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string checkpoint, folder, output;
+  std::string checkpoint, folder, output, release;
   unsigned characters = 40;
   QuantizeOptions options;
   bool quiet = false;
@@ -29,6 +29,11 @@ void run(const Settings& s) {
       calibration_samples(s.folder, s.characters, checkpoint.network.candidate_count, checkpoint.network.grid_size);
   const QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
   write_file(s.output, model.bytes);
+  if (!s.release.empty()) {
+    Checkpoint weights;
+    weights.network = checkpoint.network;
+    write_checkpoint(s.release, weights);
+  }
   if (s.quiet) return;
   std::printf("%-4s %-24s %16s %6s  %s\n", "", "layer", "|accumulator| <=", "class", "shifts");
   for (size_t l = 0; l < model.layers.size(); ++l) {
@@ -53,6 +58,8 @@ void add_quantize(CLI::App& app) {
       ->check(CLI::Range(1.0, 16.0))->capture_default_str()->type_name("X");
   sub->add_option("--bits", s->options.weight_bits, "Bits a weight keeps; under 16 to study the error")
       ->check(CLI::IsMember({16, 12, 10, 8}))->capture_default_str()->type_name("N");
+  sub->add_option("--release", s->release, "Also write the float weights alone, without the state of the training run")
+      ->type_name("CKPT");
   sub->add_flag("--quiet", s->quiet, "Print nothing");
   sub->footer("Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew");
   sub->callback([s] { run(*s); });

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+// Accuracy against quantisation on the sample characters: the bundled float weights, the model made from them, and the same
+// network at fewer bits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bundled_model.hpp"
+#include "calibrate.hpp"
+#include "quantised.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/network.hpp"
+
+namespace sinew {
+namespace {
+
+const std::string kData = SINEW_SOURCE_DIR "/samples/data";
+
+struct Scene {
+  std::vector<Character> characters;
+  std::vector<Sample> samples;
+  FloatNetwork network;
+  std::vector<std::vector<float>> logits;  // of the float network
+
+  Scene() : network(read_checkpoint(kData + "/sinew_default.ckpt").network) {
+    for (const std::string& path : list_characters(kData)) {
+      if (path.ends_with(".gltf")) continue;  // the same character as one of the OBJ files
+      characters.push_back(read_character(path));
+      samples.push_back(make_sample(characters.back(), network.candidate_count, network.grid_size));
+      logits.push_back(forward(network, samples.back()));
+    }
+  }
+};
+
+const Scene& scene() {
+  static const Scene s;
+  return s;
+}
+
+// Softmax over the present candidates of a vertex.
+std::vector<float> probabilities(const Sample& sample, const std::vector<float>& logits) {
+  std::vector<float> p(logits.size(), 0.0f);
+  const size_t k = sample.candidates;
+  for (size_t first = 0; first < logits.size(); first += k) {
+    float top = -1e30f, sum = 0;
+    for (size_t i = first; i < first + k; ++i) {
+      if (sample.candidate[i] != 0xFFFF) top = std::max(top, logits[i]);
+    }
+    for (size_t i = first; i < first + k; ++i) {
+      if (sample.candidate[i] != 0xFFFF) sum += p[i] = std::exp(logits[i] - top);
+    }
+    for (size_t i = first; i < first + k; ++i) p[i] /= sum;
+  }
+  return p;
+}
+
+struct Row {
+  double l1 = 0, decibels = 0, mean_change = 0, largest_change = 0;
+};
+
+// Mean L1 over the characters, and how far probabilities are from the float network's.
+Row compare(const std::vector<std::vector<float>>& logits) {
+  Row row;
+  LogitNoise noise;
+  double pairs = 0;
+  for (size_t c = 0; c < scene().samples.size(); ++c) {
+    const Sample& sample = scene().samples[c];
+    noise.add(sample, scene().logits[c], logits[c]);
+    const std::vector<float> exact = probabilities(sample, scene().logits[c]), p = probabilities(sample, logits[c]);
+    for (size_t i = 0; i < p.size(); ++i) {
+      if (sample.candidate[i] == 0xFFFF) continue;
+      const double change = std::fabs(static_cast<double>(p[i]) - static_cast<double>(exact[i]));
+      row.mean_change += change;
+      row.largest_change = std::max(row.largest_change, change);
+      pairs += 1;
+    }
+    row.l1 += measure(scene().characters[c], sample_influences(sample, p, 4), sample.name).l1 /
+              static_cast<double>(scene().samples.size());
+  }
+  row.mean_change /= pairs;
+  row.decibels = noise.decibels();
+  return row;
+}
+
+std::vector<std::vector<float>> logits_of(const sinew_model& model) {
+  std::vector<std::vector<float>> all;
+  for (const Sample& sample : scene().samples) all.push_back(engine_logits(model, sample));
+  return all;
+}
+
+TEST(Quantisation, TableOfBits) {
+  const Calibration calibration = calibrate(scene().network, scene().samples);
+  std::map<int, Row> rows;
+  rows[32] = compare(scene().logits);
+  std::printf("| bits | L1 | logit SNR dB | mean dp | max dp |\n|---|---|---|---|---|\n");
+  std::printf("| float | %.4f | - | - | - |\n", rows[32].l1);
+  for (int bits : {16, 12, 10, 8}) {
+    QuantizeOptions options;
+    options.weight_bits = bits;
+    options.activation_bits = std::min(bits, 14);
+    const QuantizedModel quantized = quantize(scene().network, calibration, options);
+    std::vector<uint64_t> aligned(quantized.bytes.size() / 8 + 1);
+    std::copy(quantized.bytes.begin(), quantized.bytes.end(), reinterpret_cast<uint8_t*>(aligned.data()));
+    sinew_model model;
+    ASSERT_EQ(sinew_model_open(aligned.data(), quantized.bytes.size(), &model), SINEW_OK);
+    rows[bits] = compare(logits_of(model));
+    std::printf("| %d | %.4f | %.1f | %.2e | %.2e |\n", bits, rows[bits].l1, rows[bits].decibels, rows[bits].mean_change,
+                rows[bits].largest_change);
+  }
+  EXPECT_NEAR(rows[16].l1, rows[32].l1, 0.003);
+  EXPECT_GE(rows[16].decibels, 55.0);
+  EXPECT_LE(rows[16].mean_change, 3e-4);
+  EXPECT_LE(rows[16].largest_change, 5e-3);
+  // Fewer bits must show: a table whose rows are all alike measures nothing.
+  EXPECT_GT(rows[16].decibels, rows[12].decibels);
+  EXPECT_GT(rows[12].decibels, rows[10].decibels);
+  EXPECT_GT(rows[10].decibels, rows[8].decibels);
+}
+
+// The committed model against the committed weights, through the whole C API.
+TEST(Quantisation, BundledModelIsWithinThreeThousandthsOfItsWeights) {
+  const sinew_model* model = bundled_model();
+  ASSERT_NE(model, nullptr);
+  ASSERT_FALSE(scene().samples.empty());
+  double exact = 0, bundled = 0;
+  for (size_t c = 0; c < scene().samples.size(); ++c) {
+    const Character& character = scene().characters[c];
+    const Sample& sample = scene().samples[c];
+    BindOptions options;
+    options.method = SINEW_METHOD_MODEL;
+    options.model = model;
+    const double a =
+        measure(character, sample_influences(sample, probabilities(sample, scene().logits[c]), 4), sample.name).l1;
+    const double b = measure(character, bind(character, options).influences, sample.name).l1;
+    EXPECT_NEAR(a, b, 0.003) << character.name;
+    exact += a;
+    bundled += b;
+  }
+  EXPECT_NEAR(exact, bundled, 0.003 * static_cast<double>(scene().samples.size()));
+}
+
+}  // namespace
+}  // namespace sinew
