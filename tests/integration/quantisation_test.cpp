@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bundled_model.hpp"
+#include "open_bundled_model.hpp"
 #include "calibrate.hpp"
 #include "quantised.hpp"
 #include "sinew_formats/io.hpp"

@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-#include "bundled_model.hpp"
+#include "open_bundled_model.hpp"
 #include "sinew/sinew.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The model that the command ships, opened once per test program.
-#ifndef SINEW_TESTS_BUNDLED_MODEL_HPP
-#define SINEW_TESTS_BUNDLED_MODEL_HPP
+#ifndef SINEW_TESTS_OPEN_BUNDLED_MODEL_HPP
+#define SINEW_TESTS_OPEN_BUNDLED_MODEL_HPP
 
 #include <gtest/gtest.h>
 
