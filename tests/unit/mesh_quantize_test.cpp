@@ -126,6 +126,31 @@ TEST(Quantize, IsExactNextToTies) {
   }
 }
 
+// Rounding boundaries close to zero, where floats are far finer than the 64-bit way's unit: cutting a value off moves it across.
+TEST(Quantize, IsExactWhereTheShortWayCutsBitsOff) {
+  std::mt19937 random(4);
+  for (int round = 0; round < 20000; ++round) {
+    const float side = 1 + random_float(random, -2, -2);
+    const double unit = static_cast<double>(side) / 1048576;
+    const double steps = static_cast<double>(random() % 256) + 0.5;
+    const float low = static_cast<float>(-steps * unit);
+    const float high = low + side;
+    const long double exact_unit = (static_cast<long double>(high) - low) / 1048576;
+    const float boundary = static_cast<float>(low + steps * exact_unit);
+    const std::vector<float> box = {0, low, 0, 0, high, 0};
+    const float below = std::nextafter(boundary, -1.0f), above = std::nextafter(boundary, 1.0f);
+    ASSERT_NO_FATAL_FAILURE(expect_definition(box, {0, boundary, 0, 0, below, 0, 0, above, 0}));
+  }
+}
+
+// The side alone has too many bits for the short way; on y everything else is exact and every value lies on a tie of the cut-off side.
+TEST(Quantize, ASideThatIsCutOffStillDecidesTies) {
+  const std::vector<float> box = {-std::ldexp(1.0f, -60), 0, 0, 1, 1, 0};
+  for (int k = 1; k < 1048576; k += 10007) {
+    expect_definition(box, {0, std::ldexp(static_cast<float>(2 * k - 1), -21), 0});
+  }
+}
+
 TEST(Quantize, RoundsHalfUp) {
   // Side 2^21 around 0: a grid unit is 2.
   const std::vector<float> p = {-1048576, 0, 0, 1048576, 0, 0};

@@ -198,8 +198,11 @@ TEST(Mesh, AFoldedCornerIsClampedAndNeverDividesByZero) {
   scene.add_face({0, 2, 3});
   scene.add_face({0, 3, 1});
   scene.add_face({1, 3, 2});
+  for (int i = 0; i < 3; ++i) scene.add_vertex(i == 1 ? 10.0001f : 10, 0, i == 2 ? 1e-4f : 0);
+  scene.add_face({4, 5, 6});  // one grid unit wide: a sixth of its cross product rounds to 0
   const MeshRun run(with_joint(scene));
   ASSERT_EQ(run.status, SINEW_OK);
+  ASSERT_EQ(run.mesh.triangle_count, 5u);
   for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
     EXPECT_LE(std::abs(run.mesh.gauss_curvature[v]), 16384);
     EXPECT_LE(std::abs(run.mesh.mean_curvature[v]), 16384);

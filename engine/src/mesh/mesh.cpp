@@ -128,9 +128,8 @@ class FanWalk {
       }
       const uint32_t a = welded(first_), b = welded(corner_), c = welded(corner_ + 1);
       ++corner_;
-      if (a == b || b == c || c == a) continue;
       const Vec3l normal = cross(mesh_.positions[b] - mesh_.positions[a], mesh_.positions[c] - mesh_.positions[a]);
-      if (normal.x == 0 && normal.y == 0 && normal.z == 0) continue;
+      if (normal.x == 0 && normal.y == 0 && normal.z == 0) continue;  // a repeated vertex too
       const int turn = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
       triangle[0] = turn == 0 ? a : turn == 1 ? b : c;
       triangle[1] = turn == 0 ? b : turn == 1 ? c : a;
