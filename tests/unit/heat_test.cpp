@@ -545,6 +545,46 @@ TEST(Heat, RowsFallAndNameNoJointTwice) {
   }
 }
 
+TEST(Heat, EqualWeightsComeInOrderOfJoints) {
+  HeatScene scene = sinew_test::capsule(20, 12, 0);
+  scene.add_joint(0, 1, 0, -1);
+  for (int i = 0; i < 3; ++i) scene.add_joint(0, 3, 0, 0);  // three bones in one place
+  const HeatRun run(scene);
+  ASSERT_EQ(run.status, SINEW_OK);
+  for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
+    if (run.weight(kFieldRule, v, 1) < 0.3) continue;
+    EXPECT_EQ(run.fields.field[kFieldRule].joints[v * kHeatSlots], 1);
+    EXPECT_EQ(run.fields.field[kFieldRule].joints[v * kHeatSlots + 1], 2);
+    EXPECT_EQ(run.fields.field[kFieldRule].joints[v * kHeatSlots + 2], 3);
+    EXPECT_EQ(run.weight(kFieldRule, v, 1), run.weight(kFieldRule, v, 3));
+  }
+}
+
+TEST(Heat, SpecksFarFromTheBonesStillSumToOne) {
+  // A few grid units wide and a thousandfold their size away: their sources pull by less than rounding can hold.
+  HeatScene scene = sinew_test::capsule(12, 12, 3);
+  const double unit = 1.0 / 200000, far = 2;
+  const uint32_t first = scene.vertex_count();
+  for (int i = 0; i < 5; ++i) {
+    for (int k = 0; k < 5; ++k) scene.add_vertex(far + 3 * unit * i, 1 + 2 * unit * k, unit * (i * k % 3));
+  }
+  for (uint32_t i = 0; i < 4; ++i) {
+    for (uint32_t k = 0; k < 4; ++k) {
+      const uint32_t a = first + 5 * i + k;
+      scene.add_triangle(a, a + 5, a + 1);
+      scene.add_triangle(a + 1, a + 5, a + 6);
+    }
+  }
+  const HeatRun run(scene);
+  ASSERT_EQ(run.status, SINEW_OK);
+  ASSERT_EQ(run.mesh.component_count, 2u);
+  for (uint32_t f = 0; f < kFieldCount; ++f) {
+    for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
+      EXPECT_NEAR(run.weight(f, v, 0) + run.weight(f, v, 1) + run.weight(f, v, 2), 1.0, 6e-4) << v;
+    }
+  }
+}
+
 TEST(Heat, FinishedRowsAreCutAndRamped) {
   uint16_t joints[kHeatSlots], weights[kHeatSlots], nearest[1] = {9};
   std::fill_n(joints, kHeatSlots, kNoJoint);

@@ -102,7 +102,7 @@ void HeatSolver::keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* ou
       wild_ = wild_ || x[lane] < -kWild || x[lane] > kOne + kWild;
       const int64_t weight = round_shift(x[lane], kSolutionBits - 15);
       if (weight < kSmallestKept) continue;
-      insert(lane_joints[lane], static_cast<uint16_t>(weight > 32768 ? 32768 : weight), out->joints + slots,
+      insert(lane_joints[lane], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), out->joints + slots,
              out->weights + slots);
     }
   }
@@ -185,6 +185,30 @@ bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField
   return true;
 }
 
+// A part so small and far from its bones that its sources pull less than 2^-24 of its stiffness has the same weights
+// all over, whatever that pull is exactly: doubled until fixed point can hold it.
+void HeatSolver::strengthen_pulls() {
+  int64_t stiffness = 0, sum = 0;  // Q24, Q40
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const uint32_t v = ordering_.order[k];
+    int64_t row = 0;
+    for (uint32_t e = mesh_->row_offsets[v]; e < mesh_->row_offsets[v + 1]; ++e) row += matrix_.edges->weight[e];
+    if (row > stiffness) stiffness = row;
+    if (row_pull_[k] >> 40 != 0) return;  // one strong source is enough
+    sum += row_pull_[k];
+  }
+  int shift = 0;
+  while (sum > 0 && sum < (stiffness >> 8)) {
+    sum *= 2;
+    ++shift;
+  }
+  if (shift == 0) return;
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    pull_[k] *= static_cast<int64_t>(1) << shift;
+    row_pull_[k] *= static_cast<int64_t>(1) << shift;
+  }
+}
+
 void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatField* out) {
   const int measure = HeatSources::measure_of(field);
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
@@ -197,6 +221,7 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
     if (bones > 0 && pull_[k] > kStrongest / bones) pull_[k] = kStrongest / bones;
     row_pull_[k] = bones * pull_[k];
   }
+  strengthen_pulls();
   matrix_.positive = iterative_;
   refinements_ = 0;
   bool done = try_field(sources, field, out);

@@ -35,6 +35,7 @@ class HeatSolver {
   void fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
   void solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
   void keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* out);
+  void strengthen_pulls();
   void divide_by_totals(HeatField* out);
 
   const Mesh* mesh_ = nullptr;
