@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Float checkpoint to integer layers: activation scales from calibration, per-channel weight scales and shifts under the
-// accumulator proof. Between trainer and model file.
+// Float checkpoint to integer layers: activation scales from calibration, per-channel weight scales and shifts under
+// the accumulator proof. Between trainer and model file.
 #include "sinew_quant/quantize.hpp"
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 namespace sinew {
 namespace {
 
-constexpr double kFeatureScale = 8192;  // Q13
+constexpr double kFeatureScale = 8192;                        // Q13
 constexpr double kLogitScale = 1024 * 1.4426950408889634074;  // natural log units to log2 units in Q10
 constexpr int32_t kMaxWeight = 32767;
 // A channel whose largest weight has fewer bits than this (sign included) in class N moves its layer to class W.
 constexpr int kLeastWeightBits = 11;
-// Activations that calibration never saw above this get a scale as if they had reached it: 2^14 steps of it are fine enough
-// for anything, and a channel that was always 0 needs some scale.
+// Activations that calibration never saw above this get a scale as if they had reached it: 2^14 steps of it are fine
+// enough for anything, and a channel that was always 0 needs some scale.
 constexpr double kLeastMaximum = 1.0 / 1024;
 
 std::string layer_name(size_t index) { return "quantize: layer " + std::to_string(index); }
@@ -36,8 +36,8 @@ struct IntegerChannel {
   int16_t residual = 0;
   int64_t bias = 0;
   uint8_t shift = 0;
-  int64_t bound = 0;     // proven largest |accumulator|
-  int largest = 0;       // largest |weight|, residual factor included
+  int64_t bound = 0;  // proven largest |accumulator|
+  int largest = 0;    // largest |weight|, residual factor included
 };
 
 // Everything the proof of one layer's channels needs.
@@ -141,18 +141,17 @@ class Quantizer {
   void check_arguments() const {
     if (network_.buffers.size() < 3 || network_.layers.empty()) throw Error("quantize: the network has no layers");
     if (calibration_.layer_max.size() != network_.layers.size()) {
-      throw Error("quantize: calibration has " + std::to_string(calibration_.layer_max.size()) + " layers, the network " +
-                  std::to_string(network_.layers.size()));
+      throw Error("quantize: calibration has " + std::to_string(calibration_.layer_max.size()) +
+                  " layers, the network " + std::to_string(network_.layers.size()));
     }
-    if (!(options_.margin >= 1) || options_.weight_bits < 4 || options_.weight_bits > 16 || options_.activation_bits < 4 ||
-        options_.activation_bits > 14) {
+    if (!(options_.margin >= 1) || options_.weight_bits < 4 || options_.weight_bits > 16 ||
+        options_.activation_bits < 4 || options_.activation_bits > 14) {
       throw Error("quantize: margin must be >= 1, weight_bits 4..16, activation_bits 4..14");
     }
     for (size_t i = 0; i < network_.layers.size(); ++i) {
       const Layer& layer = network_.layers[i];
       for (const Region& region : {layer.in, layer.out, (layer.flags & kLayerResidual) ? layer.residual : layer.out}) {
-        if (region.buffer >= network_.buffers.size() ||
-            region_end(region) > network_.buffers[region.buffer].channels) {
+        if (region.buffer >= network_.buffers.size() || region_end(region) > network_.buffers[region.buffer].channels) {
           throw Error(layer_name(i) + ": a region lies outside its buffer");
         }
       }
@@ -161,8 +160,8 @@ class Quantizer {
       const LinearParameters* p = known ? &network_.parameters[layer.parameters] : nullptr;
       if (!known || p->in != layer.in.channels || p->out != layer.out.channels ||
           p->weights.size() != size_t{p->in} * p->out || p->bias.size() != p->out) {
-        throw Error(layer_name(i) + ": its parameters do not have the shape " + std::to_string(layer.out.channels) + " x " +
-                    std::to_string(layer.in.channels));
+        throw Error(layer_name(i) + ": its parameters do not have the shape " + std::to_string(layer.out.channels) +
+                    " x " + std::to_string(layer.in.channels));
       }
       const auto finite = [](float v) { return std::isfinite(v); };
       if (!std::all_of(p->weights.begin(), p->weights.end(), finite) ||
@@ -231,7 +230,8 @@ class Quantizer {
       channel += segment.count;
     }
     if (layer.flags & kLayerResidual) {
-      ranges.residual = region_range(network_.layers.data(), static_cast<uint32_t>(index), ranges_.data(), layer.residual);
+      ranges.residual =
+          region_range(network_.layers.data(), static_cast<uint32_t>(index), ranges_.data(), layer.residual);
     }
     return ranges;
   }
@@ -270,8 +270,8 @@ class Quantizer {
     return channels;
   }
 
-  // True when class N costs no weight bits that matter: every channel's largest weight has enough of them, or no more even
-  // with int64 sums (then it is the channel's bias or its zeros that limit it, not the accumulator).
+  // True when class N costs no weight bits that matter: every channel's largest weight has enough of them, or no more
+  // even with int64 sums (then it is the channel's bias or its zeros that limit it, not the accumulator).
   static bool enough_bits(const std::vector<IntegerChannel>& narrow, const std::vector<RealChannel>& real,
                           const LayerRanges& ranges) {
     for (size_t n = 0; n < narrow.size(); ++n) {
@@ -300,7 +300,8 @@ class Quantizer {
       // The longest block that costs no bits against blocks of two, which always fit: 2 * 32767 * 32767 < 2^31.
       channels = fit(real, blocks_of_two(ranges), true);
       if (!channels) {
-        throw Error(layer_name(index) + ": weights or biases are too large for int16 at any shift; train with weight decay");
+        throw Error(layer_name(index) +
+                    ": weights or biases are too large for int16 at any shift; train with weight decay");
       }
       ranges.block = longest_block(*channels, real, ranges);
       channels = fit(real, ranges, true);
@@ -318,7 +319,8 @@ class Quantizer {
     const uint32_t shortest = blocks_of_two(ranges).block;
     for (; ranges.block > shortest; ranges.block = std::max(shortest, ranges.block / 2)) {
       bool same = true;
-      for (size_t n = 0; n < best.size() && same; ++n) same = try_shift(real[n], ranges, true, best[n].shift).has_value();
+      for (size_t n = 0; n < best.size() && same; ++n)
+        same = try_shift(real[n], ranges, true, best[n].shift).has_value();
       if (same) break;
     }
     return ranges.block;

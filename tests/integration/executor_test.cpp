@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// run_network against a plain interpreter of the layer list: the same integers for every list, tile size and mesh; workspace
-// as measured; cancel and full workspace as documented; quantised against float.
+// run_network against a plain interpreter of the layer list: the same integers for every list, tile size and mesh;
+// workspace as measured; cancel and full workspace as documented; quantised against float.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -38,7 +38,8 @@ Outcome run(const std::vector<uint8_t>& bytes, const Graph& g, uint32_t tile, si
   return outcome;
 }
 
-void expect_same(const std::vector<int16_t>& got, const std::vector<int16_t>& want, const Graph& g, const std::string& what) {
+void expect_same(const std::vector<int16_t>& got, const std::vector<int16_t>& want, const Graph& g,
+                 const std::string& what) {
   ASSERT_EQ(got.size(), want.size());
   for (size_t i = 0; i < got.size(); ++i) {
     const int16_t expected = g.present(i) ? want[i] : static_cast<int16_t>(0);

@@ -53,12 +53,13 @@ TEST(LinearKernel, EqualsInt64OnOddSizesAndExtremes) {
     for (uint32_t n = 0; n < c.p.out; ++n) {
       const int shift = random.between(1, wide ? 47 : 31);
       c.p.shifts.push_back(static_cast<uint8_t>(i % 4 == 0 ? shift : random.between(8, 16)));
-      c.p.bias.push_back(wide ? (int64_t{random.between(-1000000, 1000000)} << random.below(30)) : random.between(-1000000, 1000000));
+      c.p.bias.push_back(wide ? (int64_t{random.between(-1000000, 1000000)} << random.below(30))
+                              : random.between(-1000000, 1000000));
       for (uint32_t k = 0; k < c.p.in; ++k) c.p.weights.push_back(weight());
       c.p.residual.push_back(weight());
     }
-    const uint32_t rows = 1 + random.below(9), in_stride = c.p.in + random.below(5), res_stride = c.p.out + random.below(5),
-                   out_stride = c.p.out + random.below(5);
+    const uint32_t rows = 1 + random.below(9), in_stride = c.p.in + random.below(5),
+                   res_stride = c.p.out + random.below(5), out_stride = c.p.out + random.below(5);
     std::vector<int16_t> in, res, out(rows * out_stride, kGuard);
     const auto value = [&] {
       return static_cast<int16_t>(extreme ? (random.below(2) ? 16383 : -16384) : random.between(-16384, 16383));
@@ -68,14 +69,15 @@ TEST(LinearKernel, EqualsInt64OnOddSizesAndExtremes) {
     std::vector<uint16_t> present(rows);
     for (uint16_t& joint : present) joint = random.below(4) == 0 ? kNoJoint : 3;
     const bool masked = i % 2 == 1;
-    linear_s16_ref(c.view(residual), {in.data(), in_stride}, {res.data(), res_stride}, masked ? present.data() : nullptr, rows,
-                   out.data(), out_stride);
+    linear_s16_ref(c.view(residual), {in.data(), in_stride}, {res.data(), res_stride},
+                   masked ? present.data() : nullptr, rows, out.data(), out_stride);
     for (uint32_t r = 0; r < rows; ++r) {
       for (uint32_t n = 0; n < out_stride; ++n) {
         int64_t want = kGuard;
         if (n < c.p.out) {
           int64_t sum = c.p.bias[n] + (residual ? int64_t{res[r * res_stride + n]} * c.p.residual[n] : 0);
-          for (uint32_t k = 0; k < c.p.in; ++k) sum += int64_t{in[r * in_stride + k]} * c.p.weights[size_t{n} * c.p.in + k];
+          for (uint32_t k = 0; k < c.p.in; ++k)
+            sum += int64_t{in[r * in_stride + k]} * c.p.weights[size_t{n} * c.p.in + k];
           const int64_t value_out = floor_divide(sum, int64_t{1} << c.p.shifts[n]);
           want = std::clamp<int64_t>(value_out, range_low(c.p.range), range_high(c.p.range));
           clamped_low += value_out < want;
@@ -96,8 +98,10 @@ TEST(RoundMean, IsHalfUpEverywhere) {
   Random random(2);
   for (const uint32_t n : {1u, 2u, 3u, 7u, 255u, 32767u, 32768u, 32769u, 65535u, 65536u, 4000000u, 2147483647u}) {
     const int64_t lowest = -32768 * int64_t{n}, highest = 32767 * int64_t{n};
-    std::vector<int64_t> sums = {lowest, lowest + 1, highest, highest - 1, 0, n / 2, -int64_t{n / 2}, (n + 1) / 2, -int64_t{(n + 1) / 2}};
-    for (int i = 0; i < 2000; ++i) sums.push_back(lowest + static_cast<int64_t>(random.uniform() * static_cast<double>(highest - lowest)));
+    std::vector<int64_t> sums = {lowest, lowest + 1,      highest,     highest - 1,          0,
+                                 n / 2,  -int64_t{n / 2}, (n + 1) / 2, -int64_t{(n + 1) / 2}};
+    for (int i = 0; i < 2000; ++i)
+      sums.push_back(lowest + static_cast<int64_t>(random.uniform() * static_cast<double>(highest - lowest)));
     for (const int64_t sum : sums) {
       ASSERT_EQ(round_mean(sum, n), floor_divide(2 * sum + n, 2 * int64_t{n})) << sum << " / " << n;
     }
@@ -113,7 +117,11 @@ TEST(RingKernels, ManyNeighboursDoNotOverflow) {
   const std::vector<uint32_t> neighbours(count, 0);
   std::vector<int16_t> out(channels + 1, kGuard);
   ring_mean_vertex_s16_ref({values.data(), channels}, channels, neighbours.data(), count, out.data());
-  EXPECT_EQ(out, [&] { auto want = values; want.push_back(kGuard); return want; }());
+  EXPECT_EQ(out, [&] {
+    auto want = values;
+    want.push_back(kGuard);
+    return want;
+  }());
   const uint16_t joints[1] = {5};
   ring_mean_pair_s16_ref({values.data(), channels}, channels, joints, 1, 5, neighbours.data(), count, out.data());
   EXPECT_EQ(out[66], -32767);

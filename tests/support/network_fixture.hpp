@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random graphs, random networks and a plain interpreter of layer lists: what executor and quantizer are compared with.
-// The interpreter keeps every buffer whole and follows engine/src/model/layers.hpp word by word; it shares no code with the
-// engine. It runs in double (a float network) and in int64 (a model file).
+// The interpreter keeps every buffer whole and follows engine/src/model/layers.hpp word by word; it shares no code with
+// the engine. It runs in double (a float network) and in int64 (a model file).
 #ifndef SINEW_TESTS_NETWORK_FIXTURE_HPP
 #define SINEW_TESTS_NETWORK_FIXTURE_HPP
 
@@ -24,7 +24,9 @@ class Random {
  public:
   explicit Random(uint32_t seed) : engine_(seed) {}
   uint32_t below(uint32_t n) { return static_cast<uint32_t>(engine_()) % n; }  // the same on every standard library
-  int32_t between(int32_t low, int32_t high) { return low + static_cast<int32_t>(below(static_cast<uint32_t>(high - low + 1))); }
+  int32_t between(int32_t low, int32_t high) {
+    return low + static_cast<int32_t>(below(static_cast<uint32_t>(high - low + 1)));
+  }
   double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }
   double normal() { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(6.283185307179586 * uniform()); }
 
@@ -66,7 +68,8 @@ struct Graph {
 
 // `features(random)` gives one Q13 value.
 template <class Features>
-Graph random_graph(uint32_t seed, uint32_t vertices, uint32_t k, uint32_t joint_count, uint32_t components, Features features) {
+Graph random_graph(uint32_t seed, uint32_t vertices, uint32_t k, uint32_t joint_count, uint32_t components,
+                   Features features) {
   Random random(seed);
   Graph g;
   g.vertices = vertices;
@@ -142,9 +145,14 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
   const bool pair_out = shapes[layer.out.buffer].domain == Domain::kPair;
   const uint32_t k = g.k;
   const size_t rows_in = size_t{g.vertices} * (pair_in ? k : 1), rows_out = size_t{g.vertices} * (pair_out ? k : 1);
-  const auto in = [&](size_t row) { return (*buffers)[layer.in.buffer].data() + row * shapes[layer.in.buffer].channels + layer.in.offset; };
-  const auto out = [&](size_t row) { return (*buffers)[layer.out.buffer].data() + row * shapes[layer.out.buffer].channels + layer.out.offset; };
-  // Reduces the present rows that `wanted` accepts into one row. Divides by `divisor`, or by how many there were when it is 0.
+  const auto in = [&](size_t row) {
+    return (*buffers)[layer.in.buffer].data() + row * shapes[layer.in.buffer].channels + layer.in.offset;
+  };
+  const auto out = [&](size_t row) {
+    return (*buffers)[layer.out.buffer].data() + row * shapes[layer.out.buffer].channels + layer.out.offset;
+  };
+  // Reduces the present rows that `wanted` accepts into one row. Divides by `divisor`, or by how many there were when
+  // it is 0.
   const auto reduce = [&](bool is_mean, uint32_t divisor, Value* to, auto wanted) {
     std::vector<size_t> rows;
     for (size_t row = 0; row < rows_in; ++row) {
@@ -166,7 +174,8 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
     const auto same_joint = [&](size_t other) { return !pair_in || g.joints[other] == g.joints[row]; };
     const auto vertex_of = [&](size_t other) { return static_cast<uint32_t>(pair_in ? other / k : other); };
     const auto is_neighbour = [&](uint32_t u) {
-      return std::binary_search(g.col_indices.begin() + g.row_offsets[v], g.col_indices.begin() + g.row_offsets[v + 1], u);
+      return std::binary_search(g.col_indices.begin() + g.row_offsets[v], g.col_indices.begin() + g.row_offsets[v + 1],
+                                u);
     };
     switch (layer.kind) {
       case LayerKind::kLinear: {
@@ -227,8 +236,8 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
 }
 
 struct FloatRun {
-  std::vector<double> logits;      // [U x K]
-  std::vector<float> layer_max;    // [layers] calibration
+  std::vector<double> logits;    // [U x K]
+  std::vector<float> layer_max;  // [layers] calibration
 };
 inline FloatRun run_float(const FloatNetwork& network, const Graph& g) {
   Buffers<double> buffers = make_buffers<double>(network.buffers, g, 1.0 / 8192);
@@ -248,7 +257,8 @@ inline FloatRun run_float(const FloatNetwork& network, const Graph& g) {
     double largest = 0;
     for (size_t i = 0; i < out.size(); ++i) {
       const size_t c = i % width;
-      if (c >= layer.out.offset && c < size_t{layer.out.offset} + layer.out.channels) largest = std::max(largest, std::abs(out[i]));
+      if (c >= layer.out.offset && c < size_t{layer.out.offset} + layer.out.channels)
+        largest = std::max(largest, std::abs(out[i]));
     }
     run.layer_max.push_back(static_cast<float>(largest));
   }
@@ -280,7 +290,8 @@ inline std::vector<int16_t> run_integer(const IntegerModel& model, const Graph& 
   const Layer& last = model.layers.back();
   std::vector<int16_t> logits;
   for (size_t i = 0; i < size_t{g.vertices} * g.k; ++i) {
-    logits.push_back(static_cast<int16_t>(buffers[last.out.buffer][i * model.buffers[last.out.buffer].channels + last.out.offset]));
+    logits.push_back(
+        static_cast<int16_t>(buffers[last.out.buffer][i * model.buffers[last.out.buffer].channels + last.out.offset]));
   }
   return logits;
 }
@@ -406,7 +417,8 @@ inline FloatNetwork classic_like(uint32_t seed, uint32_t k, uint32_t width) {
   const uint16_t start = b.add(Domain::kVertex, features), joined = b.add(Domain::kVertex, 3 * width);
   b.layer(LayerKind::kCopy, b.whole(kVertexInput), b.region(start, 0, kVertexFeatures));
   b.layer(LayerKind::kPairToVertex, b.region(kPairInput, 3, 1), b.region(start, kVertexFeatures, k));
-  const Region first = b.region(joined, 0, width), sub = b.region(joined, width, width), pooled = b.region(joined, 2 * width, width);
+  const Region first = b.region(joined, 0, width), sub = b.region(joined, width, width),
+               pooled = b.region(joined, 2 * width, width);
   b.linear(b.whole(start), first, true);
   const uint16_t ring = b.add(Domain::kVertex, width);
   b.layer(LayerKind::kRingMean, first, b.whole(ring));
@@ -415,7 +427,8 @@ inline FloatNetwork classic_like(uint32_t seed, uint32_t k, uint32_t width) {
   const uint16_t second = b.add(Domain::kVertex, width), tail = b.add(Domain::kVertex, 3 * width);
   b.linear(b.whole(joined), b.whole(second), true);
   b.layer(LayerKind::kGlobalMax, b.whole(second), b.region(tail, 0, width));
-  b.layer(LayerKind::kPartMean, b.whole(joined).channels > width ? b.region(joined, 0, width) : first, b.region(tail, width, width));
+  b.layer(LayerKind::kPartMean, b.whole(joined).channels > width ? b.region(joined, 0, width) : first,
+          b.region(tail, width, width));
   const uint16_t local = b.add(Domain::kVertex, width);
   b.layer(LayerKind::kRingMean, b.whole(second), b.whole(local));
   b.linear(b.whole(local), b.region(tail, 2 * width, width), true);
@@ -431,11 +444,13 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k) {
   IntegerModel model;
   model.candidate_count = k;
   model.feature_set = kFeatureSet;
-  model.buffers = {{Domain::kVertex, static_cast<uint16_t>(kVertexFeatures)}, {Domain::kPair, static_cast<uint16_t>(kPairFeatures)}};
+  model.buffers = {{Domain::kVertex, static_cast<uint16_t>(kVertexFeatures)},
+                   {Domain::kPair, static_cast<uint16_t>(kPairFeatures)}};
   std::vector<uint32_t> filled = {kVertexFeatures, kPairFeatures};
   const auto place = [&](Domain domain, uint32_t channels) {  // next free channels of a buffer of the domain
     for (size_t b = 2; b < model.buffers.size(); ++b) {
-      if (model.buffers[b].domain == domain && filled[b] + channels <= model.buffers[b].channels && random.below(3) != 0) {
+      if (model.buffers[b].domain == domain && filled[b] + channels <= model.buffers[b].channels &&
+          random.below(3) != 0) {
         filled[b] += channels;
         return NetworkBuilder::region(static_cast<uint16_t>(b), filled[b] - channels, channels);
       }
@@ -469,7 +484,8 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k) {
     }
     if (wide) {
       p.accumulator = AccumulatorClass::kWide;
-      p.block = static_cast<uint16_t>(1 + random.below(2));  // two products of the largest values stay below 2^31
+      p.block = static_cast<uint16_t>(
+          std::min<uint32_t>(p.in, 1 + random.below(2)));  // two products of the largest values stay below 2^31
     }
     model.linears.push_back(p);
     model.layers.push_back(layer);

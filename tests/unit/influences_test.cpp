@@ -42,7 +42,8 @@ TEST(Softmax, IsCloseToDouble) {
     std::vector<int16_t> logits;
     std::vector<uint16_t> joints;
     for (uint32_t i = 0; i < count; ++i) {
-      logits.push_back(static_cast<int16_t>(static_cast<int>(random.below(static_cast<uint32_t>(2 * range + 1))) - range));
+      logits.push_back(
+          static_cast<int16_t>(static_cast<int>(random.below(static_cast<uint32_t>(2 * range + 1))) - range));
       joints.push_back(i > 0 && random.below(4) == 0 ? kNoJoint : static_cast<uint16_t>(i));
     }
     std::vector<uint32_t> q16(count);
@@ -96,7 +97,8 @@ Row keep(const std::vector<uint16_t>& joints, const std::vector<uint32_t>& weigh
 }
 
 // The definition, written with a sort.
-Row keep_by_sorting(const std::vector<uint16_t>& joints, const std::vector<uint32_t>& weights, uint32_t count, uint32_t total) {
+Row keep_by_sorting(const std::vector<uint16_t>& joints, const std::vector<uint32_t>& weights, uint32_t count,
+                    uint32_t total) {
   std::vector<std::pair<int64_t, uint16_t>> order;  // (-weight, joint)
   for (size_t i = 0; i < joints.size(); ++i) {
     if (weights[i] > 0 && joints[i] != kNoJoint) order.emplace_back(-static_cast<int64_t>(weights[i]), joints[i]);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// open_model: every truncation and every changed byte is refused, so are well-sealed files that contradict themselves, and
-// bounds are proven to the last unit.
-#include "model/reader.hpp"
-
+// open_model: every truncation and every changed byte is refused, so are well-sealed files that contradict themselves,
+// and bounds are proven to the last unit.
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <functional>
 
+#include "model/reader.hpp"
 #include "network_fixture.hpp"
 
 namespace sinew::test {
@@ -60,7 +59,8 @@ IntegerModel small_model() {
   m.layers[0].flags = kLayerRelu;
   m.layers[2].flags = kLayerRelu | kLayerResidual;
   m.layers[2].residual = {2, 0, 3};
-  m.linears = {linear(5, 3, ValueRange::kPositive), linear(6, 3, ValueRange::kPositive), linear(3, 1, ValueRange::kLogits)};
+  m.linears = {linear(5, 3, ValueRange::kPositive), linear(6, 3, ValueRange::kPositive),
+               linear(3, 1, ValueRange::kLogits)};
   m.linears[1].residual.assign(3, 1024);
   return m;
 }
@@ -87,7 +87,8 @@ TEST(ModelReader, ChecksumIsTheCommonCrc32) {
 TEST(ModelReader, EveryTruncationIsRefused) {
   const std::vector<uint8_t> bytes = write_model(small_model());
   for (size_t size = 0; size < bytes.size(); ++size) {
-    ASSERT_EQ(open({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}), SINEW_ERROR_MODEL_TRUNCATED) << size;
+    ASSERT_EQ(open({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)}), SINEW_ERROR_MODEL_TRUNCATED)
+        << size;
   }
   std::vector<uint8_t> longer = bytes;
   longer.resize(bytes.size() + 8);
@@ -111,8 +112,8 @@ TEST(ModelReader, EveryChangedByteIsRefused) {
   }
 }
 
-// The checks behind the checksum: a changed byte whose checksum was made right again is refused too, or describes a model
-// that is legal in itself (another weight, say). Sanitizers watch that none is read out of bounds.
+// The checks behind the checksum: a changed byte whose checksum was made right again is refused too, or describes a
+// model that is legal in itself (another weight, say). Sanitizers watch that none is read out of bounds.
 TEST(ModelReader, EveryResealedByteIsJudged) {
   const std::vector<uint8_t> bytes = write_model(small_model());
   const size_t tables = tables_bytes(5, 4, 3);
@@ -125,8 +126,8 @@ TEST(ModelReader, EveryResealedByteIsJudged) {
       const sinew_status status = open(changed);
       if (i >= tables || status != SINEW_OK) continue;
       ++accepted;
-      // Inside the tables only these leave a legal model: K and the grid, a wider unused buffer, a signed or relu switch that
-      // needs two bytes is not among them, a region moved to other channels of the inputs.
+      // Inside the tables only these leave a legal model: K and the grid, a wider unused buffer, a signed or relu
+      // switch that needs two bytes is not among them, a region moved to other channels of the inputs.
       const bool header = i == kHeaderCandidates || i == kHeaderGrid;
       const bool buffer = i >= kHeaderBytes && i < kHeaderBytes + 5 * kBufferBytes && (i % 8 == 2 || i % 8 == 3);
       const bool region = i >= kHeaderBytes + 5 * kBufferBytes && i < kHeaderBytes + 5 * kBufferBytes + 4 * kLayerBytes;
@@ -164,11 +165,27 @@ TEST(ModelReader, ContradictionsAreRefused) {
       {"feature set", [](IntegerModel& m) { m.feature_set = kFeatureSet + 1; }, SINEW_ERROR_MODEL_VERSION},
       {"vertex inputs", [](IntegerModel& m) { ++m.buffers[0].channels; }, SINEW_ERROR_MODEL_VERSION},
       {"pair inputs", [](IntegerModel& m) { ++m.buffers[1].channels; }, SINEW_ERROR_MODEL_VERSION},
-      {"empty buffer", [](IntegerModel& m) { m.buffers.push_back({Domain::kPair, 0}); }},
-      {"wide buffer", [](IntegerModel& m) { m.buffers.push_back({Domain::kPair, kMaxChannels + 1}); }},
-      {"unknown domain", [](IntegerModel& m) { m.buffers.push_back({static_cast<Domain>(2), 4}); }},
-      {"too many buffers", [](IntegerModel& m) { m.buffers.resize(kMaxBuffers + 1, {Domain::kPair, 1}); }},
-      {"no layers", [](IntegerModel& m) { m.layers.clear(); m.linears.clear(); }},
+      {"empty buffer",
+       [](IntegerModel& m) {
+         m.buffers.push_back({Domain::kPair, 0});
+       }},
+      {"wide buffer",
+       [](IntegerModel& m) {
+         m.buffers.push_back({Domain::kPair, kMaxChannels + 1});
+       }},
+      {"unknown domain",
+       [](IntegerModel& m) {
+         m.buffers.push_back({static_cast<Domain>(2), 4});
+       }},
+      {"too many buffers",
+       [](IntegerModel& m) {
+         m.buffers.resize(kMaxBuffers + 1, {Domain::kPair, 1});
+       }},
+      {"no layers",
+       [](IntegerModel& m) {
+         m.layers.clear();
+         m.linears.clear();
+       }},
       {"inputs swapped", [](IntegerModel& m) { std::swap(m.buffers[0].domain, m.buffers[1].domain); }},
       {"unknown kind", [](IntegerModel& m) { m.layers[1].kind = static_cast<LayerKind>(12); }},
       {"kind 0", [](IntegerModel& m) { m.layers[1].kind = static_cast<LayerKind>(0); }},
@@ -176,17 +193,28 @@ TEST(ModelReader, ContradictionsAreRefused) {
       {"flag on a mean", [](IntegerModel& m) { m.layers[1].flags = kLayerRelu; }},
       {"parameters on a mean", [](IntegerModel& m) { m.layers[1].parameters = 1; }},
       {"parameters twice", [](IntegerModel& m) { m.layers[2].parameters = 0; }},
-      {"region behind its buffer", [](IntegerModel& m) { m.layers[0].in.offset = static_cast<uint16_t>(kPairFeatures - 4); }},
+      {"region behind its buffer",
+       [](IntegerModel& m) { m.layers[0].in.offset = static_cast<uint16_t>(kPairFeatures - 4); }},
       {"region wraps", [](IntegerModel& m) { m.layers[0].in.offset = 65535; }},
       {"unknown buffer", [](IntegerModel& m) { m.layers[0].in.buffer = 5; }},
       {"writes an input",
-       [](IntegerModel& m) { m.layers.insert(m.layers.begin() + 1, layer(LayerKind::kCopy, {2, 0, 3}, {1, 0, 3})); }},
+       [](IntegerModel& m) {
+         m.layers.insert(m.layers.begin() + 1, layer(LayerKind::kCopy, {2, 0, 3}, {1, 0, 3}));
+       }},
       {"written twice",
-       [](IntegerModel& m) { m.layers.insert(m.layers.begin() + 2, layer(LayerKind::kCopy, {1, 0, 2}, {2, 4, 2})); }},
-      {"written twice over", [](IntegerModel& m) { m.layers[1].out = {2, 2, 3}; }},
+       [](IntegerModel& m) {
+         m.layers.insert(m.layers.begin() + 2, layer(LayerKind::kCopy, {1, 0, 2}, {2, 4, 2}));
+       }},
+      {"written twice over",
+       [](IntegerModel& m) {
+         m.layers[1].out = {2, 2, 3};
+       }},
       {"read before written", [](IntegerModel& m) { std::swap(m.layers[1].in, m.layers[1].out); }},
       {"never written", [](IntegerModel& m) { m.layers.erase(m.layers.begin() + 1); }},
-      {"reads itself", [](IntegerModel& m) { m.layers[1].in = {2, 3, 3}; }},
+      {"reads itself",
+       [](IntegerModel& m) {
+         m.layers[1].in = {2, 3, 3};
+       }},
       {"domain", [](IntegerModel& m) { m.buffers[2].domain = Domain::kVertex; }},
       {"mean changes channels", [](IntegerModel& m) { m.layers[1].in.channels = 2; }},
       {"vertex to pair from pair", [](IntegerModel& m) { m.layers[1].kind = LayerKind::kVertexToPair; }},
@@ -205,10 +233,16 @@ TEST(ModelReader, ContradictionsAreRefused) {
       {"weights of another shape", [](IntegerModel& m) { m.linears[0] = linear(4, 3, ValueRange::kPositive); }},
       {"outputs of another shape", [](IntegerModel& m) { m.linears[0] = linear(5, 2, ValueRange::kPositive); }},
       {"residual of another shape", [](IntegerModel& m) { m.layers[2].residual.channels = 2; }},
-      {"residual not written", [](IntegerModel& m) { m.layers[2].residual = {3, 0, 3}; }},
+      {"residual not written",
+       [](IntegerModel& m) {
+         m.layers[2].residual = {3, 0, 3};
+       }},
       {"residual without factors", [](IntegerModel& m) { m.linears[1].residual.clear(); }},
       {"factors without residual", [](IntegerModel& m) { m.linears[0].residual.assign(3, 1); }},
-      {"residual region without flag", [](IntegerModel& m) { m.layers[0].residual = {1, 0, 3}; }},
+      {"residual region without flag",
+       [](IntegerModel& m) {
+         m.layers[0].residual = {1, 0, 3};
+       }},
       {"signed with relu", [](IntegerModel& m) { m.linears[0].range = ValueRange::kSigned; }},
       {"relu range without relu", [](IntegerModel& m) { m.layers[0].flags = 0; }},
       {"unknown range", [](IntegerModel& m) { m.linears[2].range = static_cast<ValueRange>(3); }},
@@ -241,12 +275,9 @@ TEST(ModelReader, ContradictionsAreRefused) {
          m.buffers.push_back({Domain::kPair, 1});
          m.layers.push_back(layer(LayerKind::kRingMean, {4, 0, 1}, {5, 0, 1}));
        }},
-      {"bias out of int32", [](IntegerModel& m) { m.linears[0].bias[0] = int64_t{1} << 31; }, SINEW_ERROR_MODEL_OVERFLOW},
-      {"sum out of int32",
-       [](IntegerModel& m) {
-         m.linears[0].weights.assign(15, 32767);
-       },
+      {"bias out of int32", [](IntegerModel& m) { m.linears[0].bias[0] = int64_t{1} << 31; },
        SINEW_ERROR_MODEL_OVERFLOW},
+      {"sum out of int32", [](IntegerModel& m) { m.linears[0].weights.assign(15, 32767); }, SINEW_ERROR_MODEL_OVERFLOW},
       {"block out of int32",
        [](IntegerModel& m) {
          m.linears[0].accumulator = AccumulatorClass::kWide;
@@ -283,7 +314,8 @@ TEST(ModelReader, ProofIsExact) {
   first.weights.assign(15, 0);
   first.weights[0] = 1000;
   first.weights[1] = -500;
-  const int64_t high = 1000 * int64_t{16383} + 500 * int64_t{16384}, low = -(1000 * int64_t{16384} + 500 * int64_t{16383});
+  const int64_t high = 1000 * int64_t{16383} + 500 * int64_t{16384},
+                low = -(1000 * int64_t{16384} + 500 * int64_t{16383});
   first.bias[0] = limit - 1 - high;
   EXPECT_EQ(open(write_model(m)), SINEW_OK);
   ++first.bias[0];
@@ -318,9 +350,9 @@ TEST(ModelReader, ReservedBytesMustBeZero) {
   for (size_t i = 24; i < 32; ++i) reserved.push_back(linears + kLinearBytes + i);
   const ModelTables tables(bytes.data());
   const LinearRecord first = tables.linear(0), second = tables.linear(1);
-  reserved.push_back(first.weights + 30);      // 15 weights, padded to 32 bytes
-  reserved.push_back(second.residual + 6);     // 3 factors
-  reserved.push_back(first.shifts + 3);        // 3 shifts
+  reserved.push_back(first.weights + 30);   // 15 weights, padded to 32 bytes
+  reserved.push_back(second.residual + 6);  // 3 factors
+  reserved.push_back(first.shifts + 3);     // 3 shifts
   for (const size_t i : reserved) {
     std::vector<uint8_t> changed = bytes;
     ASSERT_EQ(changed[i], 0) << i;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// quantize(): fewer bits cost what they should, proofs hold in both classes, odd networks work or are refused in one line.
+// quantize(): fewer bits cost what they should, proofs hold in both classes, odd networks work or are refused in one
+// line.
 #include "sinew_quant/quantize.hpp"
 
 #include <gtest/gtest.h>
@@ -41,9 +42,10 @@ TEST(Quantize, FewerBitsCostMore) {
     options.activation_bits = activation_bits;
     return snr_db(quantize(network, {exact.layer_max}, options).bytes, g, exact.logits);
   };
-  const double full = snr(16, 14), w12 = snr(12, 14), w10 = snr(10, 14), w8 = snr(8, 14), a10 = snr(16, 10), a8 = snr(16, 8);
-  std::printf("logit SNR dB: full %.1f, weights 12/10/8 bit %.1f %.1f %.1f, activations 10/8 bit %.1f %.1f\n", full, w12, w10,
-              w8, a10, a8);
+  const double full = snr(16, 14), w12 = snr(12, 14), w10 = snr(10, 14), w8 = snr(8, 14), a10 = snr(16, 10),
+               a8 = snr(16, 8);
+  std::printf("logit SNR dB: full %.1f, weights 12/10/8 bit %.1f %.1f %.1f, activations 10/8 bit %.1f %.1f\n", full,
+              w12, w10, w8, a10, a8);
   EXPECT_GE(full, 55);
   EXPECT_GT(w12, w10 + 6);  // two bits are 12 dB
   EXPECT_GT(w10, w8 + 6);

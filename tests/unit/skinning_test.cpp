@@ -28,7 +28,8 @@ void add_motion(Palette* palette, Vec axis, double angle, Vec move) {
 
 Vec apply(const float* m, const float* p) {
   Vec out;
-  for (size_t r = 0; r < 3; ++r) out[r] = double{m[4 * r]} * p[0] + double{m[4 * r + 1]} * p[1] + double{m[4 * r + 2]} * p[2] + m[4 * r + 3];
+  for (size_t r = 0; r < 3; ++r)
+    out[r] = double{m[4 * r]} * p[0] + double{m[4 * r + 1]} * p[1] + double{m[4 * r + 2]} * p[2] + m[4 * r + 3];
   return out;
 }
 
@@ -45,8 +46,8 @@ TEST(Skinning, OneJointMovesRigidlyBothWays) {
     const std::vector<uint16_t> joints(3, 0), weights(3, 65535);
     for (const bool dual : {false, true}) {
       std::vector<float> out(9);
-      ASSERT_EQ((dual ? skin_dual_quaternion : skin_linear)(kPoints.data(), 3, joints.data(), weights.data(), 1, palette.data(),
-                                                            1, out.data()),
+      ASSERT_EQ((dual ? skin_dual_quaternion : skin_linear)(kPoints.data(), 3, joints.data(), weights.data(), 1,
+                                                            palette.data(), 1, out.data()),
                 SINEW_OK);
       for (size_t v = 0; v < 3; ++v) {
         const Vec want = apply(palette.data(), &kPoints[3 * v]);
@@ -130,8 +131,8 @@ TEST(Skinning, UnknownJointIsRefusedBeforeWriting) {
   const std::vector<uint16_t> joints = {0, 0, 0, 0, 0, 1}, weights = {65535, 0, 65535, 0, 65535, 0};
   for (const bool dual : {false, true}) {
     std::vector<float> out(9, -7.0f);
-    EXPECT_EQ((dual ? skin_dual_quaternion : skin_linear)(kPoints.data(), 3, joints.data(), weights.data(), 2, palette.data(), 1,
-                                                          out.data()),
+    EXPECT_EQ((dual ? skin_dual_quaternion : skin_linear)(kPoints.data(), 3, joints.data(), weights.data(), 2,
+                                                          palette.data(), 1, out.data()),
               SINEW_ERROR_RANGE);
     EXPECT_EQ(out, std::vector<float>(9, -7.0f));
   }

@@ -16,8 +16,8 @@ bool joints_exist(const uint16_t* joints, size_t count, uint32_t joint_count) {
   return true;
 }
 
-// 1 / sqrt(x) for normal x > 0 without the maths library: a guess that halves the exponent, then four Newton steps, which
-// bring its 3.5 % error below float precision.
+// 1 / sqrt(x) for normal x > 0 without the maths library: a guess that halves the exponent, then four Newton steps,
+// which bring its 3.5 % error below float precision.
 float reciprocal_sqrt(float x) {
   uint32_t word;
   memcpy(&word, &x, sizeof(word));
@@ -40,8 +40,8 @@ void add_scaled(Quaternion* sum, const Quaternion& q, float s) {
 }
 float dot(const Quaternion& a, const Quaternion& b) { return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Unit quaternion of a rotation matrix (Shepperd 1978): of the four squares 4w^2, 4x^2, 4y^2, 4z^2 the largest is at least 1,
-// so the division is well conditioned.
+// Unit quaternion of a rotation matrix (Shepperd 1978): of the four squares 4w^2, 4x^2, 4y^2, 4z^2 the largest is at
+// least 1, so the division is well conditioned.
 Quaternion rotation_quaternion(const float* m) {
   const float xx = m[0], yy = m[5], zz = m[10];
   const float w2 = 1.0f + xx + yy + zz, x2 = 1.0f + xx - yy - zz, y2 = 1.0f - xx + yy - zz, z2 = 1.0f - xx - yy + zz;

@@ -18,7 +18,8 @@ inline const int16_t* pair_row(RowsView values, const uint16_t* joints, uint32_t
   return nullptr;
 }
 
-// RowOf(neighbour) gives the neighbour's row or null. Sum is int32 where 65536 neighbours cannot overflow it, else int64.
+// RowOf(neighbour) gives the neighbour's row or null. Sum is int32 where 65536 neighbours cannot overflow it, else
+// int64.
 template <class Sum, class RowOf>
 void ring_mean(uint32_t channels, const uint32_t* neighbours, uint32_t count, RowOf row_of, int16_t* out) {
   for (uint32_t first = 0; first < channels; first += kChunk) {
@@ -66,22 +67,28 @@ inline void divide_row(const int64_t* sums, uint32_t channels, uint32_t n, int16
 
 }  // namespace
 
-void ring_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count, int16_t* out) {
-  ring_mean_any(channels, neighbours, count, [&](uint32_t u) { return row_at(values, u); }, out);
+void ring_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count,
+                              int16_t* out) {
+  ring_mean_any(
+      channels, neighbours, count, [&](uint32_t u) { return row_at(values, u); }, out);
 }
 
-void ring_max_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count, int16_t* out) {
-  ring_max(channels, neighbours, count, [&](uint32_t u) { return row_at(values, u); }, out);
+void ring_max_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* neighbours, uint32_t count,
+                             int16_t* out) {
+  ring_max(
+      channels, neighbours, count, [&](uint32_t u) { return row_at(values, u); }, out);
 }
 
 void ring_mean_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
                             const uint32_t* neighbours, uint32_t count, int16_t* out) {
-  ring_mean_any(channels, neighbours, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
+  ring_mean_any(
+      channels, neighbours, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
 }
 
 void ring_max_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
                            const uint32_t* neighbours, uint32_t count, int16_t* out) {
-  ring_max(channels, neighbours, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
+  ring_max(
+      channels, neighbours, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
 }
 
 void candidate_max_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, int16_t* out,
@@ -105,15 +112,15 @@ void candidate_max_s16_ref(RowsView values, uint32_t channels, const uint16_t* j
   }
 }
 
-void part_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* vertices, uint32_t count, int64_t* sums,
-                              int16_t* out) {
+void part_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* vertices, uint32_t count,
+                              int64_t* sums, int16_t* out) {
   for (uint32_t c = 0; c < channels; ++c) sums[c] = 0;
   for (uint32_t i = 0; i < count; ++i) add_row(row_at(values, vertices[i]), channels, sums);
   divide_row(sums, channels, count, out);
 }
 
-void part_mean_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, const uint32_t* vertices,
-                            uint32_t count, int64_t* sums, int16_t* out) {
+void part_mean_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k,
+                            const uint32_t* vertices, uint32_t count, int64_t* sums, int16_t* out) {
   // Three passes over the part's pairs instead of over the table: clear, add, divide. Dividing marks a row as done by
   // setting its first sum to a value no sum can have.
   constexpr int64_t kDone = INT64_MIN;

@@ -27,22 +27,22 @@ constexpr uint32_t kModelFormat = 1;
 
 // Header: byte offsets of its fields. Bytes 48 to 63 are reserved and 0.
 constexpr size_t kHeaderBytes = 64;
-constexpr size_t kHeaderFormat = 8;         // uint32 kModelFormat
-constexpr size_t kHeaderChecksum = 12;      // uint32 CRC-32 of the whole file with these four bytes taken as 0
-constexpr size_t kHeaderSize = 16;          // uint64 bytes of the file
-constexpr size_t kHeaderCandidates = 24;    // uint32 K, 1..16
-constexpr size_t kHeaderGrid = 28;          // uint32 voxel cells, 16..128
-constexpr size_t kHeaderFeatureSet = 32;    // uint32
-constexpr size_t kHeaderBuffers = 36;       // uint32 buffer count, 2..kMaxBuffers
-constexpr size_t kHeaderLayers = 40;        // uint32 layer count, 1..kMaxLayers
-constexpr size_t kHeaderLinears = 44;       // uint32 linear layers among them
+constexpr size_t kHeaderFormat = 8;       // uint32 kModelFormat
+constexpr size_t kHeaderChecksum = 12;    // uint32 CRC-32 of the whole file with these four bytes taken as 0
+constexpr size_t kHeaderSize = 16;        // uint64 bytes of the file
+constexpr size_t kHeaderCandidates = 24;  // uint32 K, 1..16
+constexpr size_t kHeaderGrid = 28;        // uint32 voxel cells, 16..128
+constexpr size_t kHeaderFeatureSet = 32;  // uint32
+constexpr size_t kHeaderBuffers = 36;     // uint32 buffer count, 2..kMaxBuffers
+constexpr size_t kHeaderLayers = 40;      // uint32 layer count, 1..kMaxLayers
+constexpr size_t kHeaderLinears = 44;     // uint32 linear layers among them
 constexpr size_t kHeaderReserved = 48;
 
 // Tables follow the header without gaps: buffers, layers, linears. Then the parameter data.
-constexpr size_t kBufferBytes = 8;          // uint8 domain, uint8 0, uint16 channels, uint32 0
-constexpr size_t kLayerBytes = 32;          // uint8 kind, uint8 flags, uint16 0, regions in, out, residual (3 x uint16
-                                            // buffer, offset, channels), uint16 0, uint32 parameters, uint32 0
-constexpr size_t kLinearBytes = 32;         // see LinearRecord
+constexpr size_t kBufferBytes = 8;   // uint8 domain, uint8 0, uint16 channels, uint32 0
+constexpr size_t kLayerBytes = 32;   // uint8 kind, uint8 flags, uint16 0, regions in, out, residual (3 x uint16
+                                     // buffer, offset, channels), uint16 0, uint32 parameters, uint32 0
+constexpr size_t kLinearBytes = 32;  // see LinearRecord
 constexpr uint32_t kMaxShiftNarrow = 31;
 constexpr uint32_t kMaxShiftWide = 47;
 
@@ -110,19 +110,19 @@ inline uint32_t model_checksum(const uint8_t* bytes, size_t size_bytes) {
 
 constexpr uint64_t padded8(uint64_t bytes) { return (bytes + 7u) & ~static_cast<uint64_t>(7u); }
 
-// One row of the linear table. Offsets are from the start of the file, multiples of 8. The data of all linear layers lies
-// behind the tables in order, without gaps: bias, weights, residual (only with kLayerResidual), shifts, each zero-padded to
-// 8 bytes; the file ends there.
+// One row of the linear table. Offsets are from the start of the file, multiples of 8. The data of all linear layers
+// lies behind the tables in order, without gaps: bias, weights, residual (only with kLayerResidual), shifts, each
+// zero-padded to 8 bytes; the file ends there.
 struct LinearRecord {
-  uint16_t in = 0, out = 0;                                   // 0, 2
-  AccumulatorClass accumulator = AccumulatorClass::kNarrow;   // 4
-  ValueRange range = ValueRange::kPositive;                   // 5: what the output is clamped to
-  uint16_t block = 0;                                         // 6: columns whose sum fits int32; = in for class N
-  uint32_t bias = 0;                                          // 8: int64 [out], holding 1 << (shift - 1)
-  uint32_t weights = 0;                                       // 12: int16 [out x in]
-  uint32_t residual = 0;                                      // 16: int16 [out] factor of the residual; 0 = none
-  uint32_t shifts = 0;                                        // 20: uint8 [out]
-                                                              // 24: uint64 0
+  uint16_t in = 0, out = 0;                                  // 0, 2
+  AccumulatorClass accumulator = AccumulatorClass::kNarrow;  // 4
+  ValueRange range = ValueRange::kPositive;                  // 5: what the output is clamped to
+  uint16_t block = 0;                                        // 6: columns whose sum fits int32; = in for class N
+  uint32_t bias = 0;                                         // 8: int64 [out], holding 1 << (shift - 1)
+  uint32_t weights = 0;                                      // 12: int16 [out x in]
+  uint32_t residual = 0;                                     // 16: int16 [out] factor of the residual; 0 = none
+  uint32_t shifts = 0;                                       // 20: uint8 [out]
+                                                             // 24: uint64 0
 };
 inline uint64_t bias_bytes(const LinearRecord& r) { return static_cast<uint64_t>(r.out) * 8; }
 inline uint64_t weight_bytes(const LinearRecord& r) { return padded8(static_cast<uint64_t>(r.in) * r.out * 2); }

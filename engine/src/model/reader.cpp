@@ -61,8 +61,8 @@ sinew_status read_buffers(const ModelTables& tables, LayerList* list) {
   if (list->buffers[kVertexInput].domain != Domain::kVertex || list->buffers[kPairInput].domain != Domain::kPair) {
     return SINEW_ERROR_MODEL_LAYOUT;
   }
-  const bool same_inputs = list->buffers[kVertexInput].channels == kVertexFeatures &&
-                           list->buffers[kPairInput].channels == kPairFeatures;
+  const bool same_inputs =
+      list->buffers[kVertexInput].channels == kVertexFeatures && list->buffers[kPairInput].channels == kPairFeatures;
   return same_inputs ? SINEW_OK : SINEW_ERROR_MODEL_VERSION;
 }
 
@@ -107,7 +107,8 @@ bool legal_shape(const LayerList& list, const Layer& layer) {
   return false;
 }
 
-// One linear layer's record: consistent with its layer, data where the canonical order puts it (*offset moves behind it).
+// One linear layer's record: consistent with its layer, data where the canonical order puts it (*offset moves behind
+// it).
 sinew_status check_linear_record(const ModelTables& tables, const Layer& layer, size_t size_bytes, uint64_t* offset) {
   const uint8_t* row = tables.linear_row(layer.parameters);
   const LinearRecord record = tables.linear(layer.parameters);
@@ -149,8 +150,8 @@ sinew_status check_linear_record(const ModelTables& tables, const Layer& layer, 
   return SINEW_OK;
 }
 
-// The accumulator of every output channel stays inside its type for every possible input. Class N: bias + all products in
-// int32. Class W: every block of products in int32, the whole below 2^62.
+// The accumulator of every output channel stays inside its type for every possible input. Class N: bias + all products
+// in int32. Class W: every block of products in int32, the whole below 2^62.
 bool proven(const ModelTables& tables, const LayerList& list, uint32_t layer_index) {
   const Layer& layer = list.layers[layer_index];
   const LinearRecord record = tables.linear(layer.parameters);
@@ -194,8 +195,10 @@ sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_
   const bool linear = layer.kind == LayerKind::kLinear;
   const bool residual = (layer.flags & kLayerResidual) != 0;
   if (load_u16(row + 2) != 0 || load_u16(row + 22) != 0 || load_u32(row + 28) != 0) return SINEW_ERROR_MODEL_LAYOUT;
-  if (!inside(*list, layer.in) || !inside(*list, layer.out) || !legal_shape(*list, layer)) return SINEW_ERROR_MODEL_LAYOUT;
-  if (layer.flags != 0 && (!linear || (layer.flags & ~(kLayerRelu | kLayerResidual)) != 0)) return SINEW_ERROR_MODEL_LAYOUT;
+  if (!inside(*list, layer.in) || !inside(*list, layer.out) || !legal_shape(*list, layer))
+    return SINEW_ERROR_MODEL_LAYOUT;
+  if (layer.flags != 0 && (!linear || (layer.flags & ~(kLayerRelu | kLayerResidual)) != 0))
+    return SINEW_ERROR_MODEL_LAYOUT;
   if (layer.parameters != (linear ? *linear_index : 0)) return SINEW_ERROR_MODEL_LAYOUT;
 
   // Order: inputs are never written, nothing is written twice, everything is written before it is read.

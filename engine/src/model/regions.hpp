@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Who wrote which channels of a buffer: the walk over a layer list that the reader's checks, the executor's plan and the
-// quantizer's scales all use. Searches the list instead of keeping a table per channel; lists have at most 128 layers.
+// Who wrote which channels of a buffer: the walk over a layer list that the reader's checks, the executor's plan and
+// the quantizer's scales all use. Searches the list instead of keeping a table per channel; lists have at most 128
+// layers.
 #ifndef SINEW_MODEL_REGIONS_HPP
 #define SINEW_MODEL_REGIONS_HPP
 
@@ -8,7 +9,7 @@
 
 namespace sinew {
 
-constexpr int kFromInput = -1;   // buffer 0 or 1
+constexpr int kFromInput = -1;  // buffer 0 or 1
 constexpr int kNotWritten = -2;
 
 // Channels [channel, channel + count) of a buffer with one writer.

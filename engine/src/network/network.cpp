@@ -17,13 +17,13 @@ struct Sizes {
 
 // Scratch of one stage.
 struct StageScratch {
-  int16_t* tile[kMaxBuffers];    // [tile x slots x channels] rows of each buffer the stage touches, else null
-  bool load[kMaxLayers];         // outputs of earlier stages that this stage reads row by row
+  int16_t* tile[kMaxBuffers];  // [tile x slots x channels] rows of each buffer the stage touches, else null
+  bool load[kMaxLayers];       // outputs of earlier stages that this stage reads row by row
   bool load_input[2];
-  int16_t* table[kMaxLayers];    // part and global layers: [joints x channels] or [channels]
-  int64_t* sums;                 // for the table being made
-  uint32_t* vertices;            // [tile] vertex of each tile row
-  uint16_t* joints;              // [tile x K] their candidates
+  int16_t* table[kMaxLayers];  // part and global layers: [joints x channels] or [channels]
+  int64_t* sums;               // for the table being made
+  uint32_t* vertices;          // [tile] vertex of each tile row
+  uint16_t* joints;            // [tile x K] their candidates
 };
 
 // A count that does not fit size_t becomes SIZE_MAX, which no arena grants.
@@ -126,7 +126,8 @@ void make_tables(Run& run, uint32_t stage, bool global, const uint32_t* vertices
   const uint32_t k = run.plan.candidates;
   for (uint32_t i = 0; i < run.plan.layer_count; ++i) {
     const Layer& layer = run.plan.layers[i];
-    if (run.plan.stage[i] != stage || !uses_table(layer.kind) || (layer.kind != LayerKind::kPartMean) != global) continue;
+    if (run.plan.stage[i] != stage || !uses_table(layer.kind) || (layer.kind != LayerKind::kPartMean) != global)
+      continue;
     const bool pair = run.plan.buffers[layer.in.buffer].domain == Domain::kPair;
     const uint16_t* present = pair ? run.input.joints : nullptr;
     const size_t rows = static_cast<size_t>(run.sizes.vertices) * slots_of(run, layer.in);
@@ -240,8 +241,8 @@ void run_local(const Run& run, const Layer& layer, uint32_t count) {
     case LayerKind::kCandidateMax:
       for (uint32_t i = 0; i < count; ++i) {
         const size_t row = static_cast<size_t>(i) * k;
-        candidate_max_s16_ref({tile_row(run, layer.in, row), run.plan.buffers[layer.in.buffer].channels}, layer.in.channels,
-                              joints + row, k, tile_row(run, layer.out, row), out_stride);
+        candidate_max_s16_ref({tile_row(run, layer.in, row), run.plan.buffers[layer.in.buffer].channels},
+                              layer.in.channels, joints + row, k, tile_row(run, layer.out, row), out_stride);
       }
       break;
     case LayerKind::kVertexToPair:
@@ -319,7 +320,8 @@ void run_tile(Run& run, uint32_t stage, uint32_t count) {
       run_local(run, layer, count);
     }
     if (run.plan.stored[i]) {
-      store_rows(run, layer.out, run.storage + static_cast<size_t>(run.plan.store_offset[i]) * run.sizes.vertices, count);
+      store_rows(run, layer.out, run.storage + static_cast<size_t>(run.plan.store_offset[i]) * run.sizes.vertices,
+                 count);
     }
     if (i + 1 == run.plan.layer_count) store_rows(run, layer.out, run.logits, count);
   }
@@ -332,8 +334,8 @@ bool has_part_layer(const NetworkPlan& plan, uint32_t stage) {
   return false;
 }
 
-// One walk over all vertices: part by part when a layer wants part means, so that one part's table is enough; else in order.
-// Returns false when the caller cancelled.
+// One walk over all vertices: part by part when a layer wants part means, so that one part's table is enough; else in
+// order. Returns false when the caller cancelled.
 bool run_stage(Run& run, uint32_t stage, const Progress& progress) {
   const bool by_part = has_part_layer(run.plan, stage);
   const uint32_t groups = by_part ? run.input.component_count : 1;
@@ -364,7 +366,9 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
                          int16_t* logits, uint32_t tile_vertices) {
   NetworkPlan plan;
   make_plan(model, &plan);
-  Run run = {plan, ModelTables(model.bytes), input, {input.vertex_count, input.joint_count, tile_vertices}, nullptr, logits, {}};
+  Run run = {
+      plan, ModelTables(model.bytes), input, {input.vertex_count, input.joint_count, tile_vertices}, nullptr, logits,
+      {}};
   const size_t start = arena.mark();
   run.storage = allocate_storage(plan, run.sizes, arena);
   sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;

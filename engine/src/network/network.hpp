@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stage 8 of a bind: runs a model's layers on the features. Integers only; the arithmetic is defined in formats/spec/model.md.
+// Stage 8 of a bind: runs a model's layers on the features. Integers only; the arithmetic is defined in
+// formats/spec/model.md.
 #ifndef SINEW_NETWORK_NETWORK_HPP
 #define SINEW_NETWORK_NETWORK_HPP
 
@@ -12,14 +13,14 @@ namespace sinew {
 
 // What a network runs on, all borrowed. U welded vertices, K candidate slots.
 struct NetworkInput {
-  uint32_t vertex_count = 0;                // U
-  uint32_t candidate_count = 0;             // K
-  const int16_t* vertex_features = nullptr; // [U x C0] Q13
-  const int16_t* pair_features = nullptr;   // [U x K x C1] Q13
-  const uint16_t* joints = nullptr;         // [U x K], kNoJoint = absent
-  const uint32_t* row_offsets = nullptr;    // [U + 1] one-ring CSR
+  uint32_t vertex_count = 0;                 // U
+  uint32_t candidate_count = 0;              // K
+  const int16_t* vertex_features = nullptr;  // [U x C0] Q13
+  const int16_t* pair_features = nullptr;    // [U x K x C1] Q13
+  const uint16_t* joints = nullptr;          // [U x K], kNoJoint = absent
+  const uint32_t* row_offsets = nullptr;     // [U + 1] one-ring CSR
   const uint32_t* col_indices = nullptr;
-  const uint32_t* component = nullptr;      // [U]
+  const uint32_t* component = nullptr;           // [U]
   const uint32_t* component_offsets = nullptr;   // [components + 1]
   const uint32_t* component_vertices = nullptr;  // [U]
   uint32_t component_count = 0;
@@ -29,10 +30,10 @@ struct NetworkInput {
 // Vertices that go through a stage's layers together: with 8 candidates and some 600 channels their rows fill 150 KB.
 constexpr uint32_t kTileVertices = 16;
 
-// Runs all layers of an opened model. input.candidate_count is the model's. logits out [U x K] int16, log2 units Q10, clamped
-// to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. The result does not depend on
-// tile_vertices (>= 1), only scratch and speed do.
-// Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
+// Runs all layers of an opened model. input.candidate_count is the model's. logits out [U x K] int16, log2 units Q10,
+// clamped to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. The result does
+// not depend on tile_vertices (>= 1), only scratch and speed do. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or
+// SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
                          int16_t* logits, uint32_t tile_vertices = kTileVertices);
 // Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J.

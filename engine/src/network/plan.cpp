@@ -23,8 +23,8 @@ void for_each_producer(const NetworkPlan& plan, uint32_t reader, Visit visit) {
   }
 }
 
-// First each layer as early as its inputs allow. Then every layer but the linear ones as late as its readers allow: they
-// are cheap and mostly hand on or widen values, so it is better to store what they read (often stored anyway).
+// First each layer as early as its inputs allow. Then every layer but the linear ones as late as its readers allow:
+// they are cheap and mostly hand on or widen values, so it is better to store what they read (often stored anyway).
 void assign_stages(NetworkPlan* plan) {
   for (uint32_t i = 0; i < plan->layer_count; ++i) {
     const uint16_t wait = reads_other_rows(plan->layers[i].kind) ? 1 : 0;
@@ -60,7 +60,8 @@ void place_stored(NetworkPlan* plan) {
     for (bool moved = true; moved;) {
       moved = false;
       for (uint32_t other = 0; other < i; ++other) {
-        if (!plan->stored[other] || plan->stage[other] > plan->last_use[i] || plan->stage[i] > plan->last_use[other]) continue;
+        if (!plan->stored[other] || plan->stage[other] > plan->last_use[i] || plan->stage[i] > plan->last_use[other])
+          continue;
         const Region& taken = plan->layers[other].out;
         const uint64_t begin = plan->store_offset[other];
         const uint64_t end = begin + static_cast<uint64_t>(taken.channels) * plan->slots(taken.buffer);

@@ -18,8 +18,8 @@ constexpr uint64_t sqrt_floor(uint64_t v) {
   return root;
 }
 
-// 2^(-i / 64) in Q30, i = 0..64, made by the compiler: 2^(-1/2), 2^(-1/4) ... are repeated square roots of 1/2 in Q31, and
-// the entry for i is the product of those whose bit is set in i.
+// 2^(-i / 64) in Q30, i = 0..64, made by the compiler: 2^(-1/2), 2^(-1/4) ... are repeated square roots of 1/2 in Q31,
+// and the entry for i is the product of those whose bit is set in i.
 struct PowerTable {
   uint32_t q30[kSteps + 1];
   constexpr PowerTable() : q30() {
@@ -81,10 +81,11 @@ void keep_largest(const uint16_t* joints, const uint32_t* weights, uint32_t coun
     uint32_t best = count;
     for (uint32_t i = 0; i < count; ++i) {
       if (joints[i] == kNoJoint || weights[i] == 0) continue;
-      const bool behind = last == count || weights[i] < weights[last] ||
-                          (weights[i] == weights[last] && joints[i] > joints[last]);
+      const bool behind =
+          last == count || weights[i] < weights[last] || (weights[i] == weights[last] && joints[i] > joints[last]);
       if (!behind) continue;
-      if (best == count || weights[i] > weights[best] || (weights[i] == weights[best] && joints[i] < joints[best])) best = i;
+      if (best == count || weights[i] > weights[best] || (weights[i] == weights[best] && joints[i] < joints[best]))
+        best = i;
     }
     if (best == count) break;
     chosen[kept] = last = best;

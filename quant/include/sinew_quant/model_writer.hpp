@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Integer layers to the bytes of a model file, through engine/src/model/layout.hpp. Checks nothing: the engine's reader does.
+// Integer layers to the bytes of a model file, through engine/src/model/layout.hpp. Checks nothing: the engine's reader
+// does.
 #ifndef SINEW_QUANT_MODEL_WRITER_HPP
 #define SINEW_QUANT_MODEL_WRITER_HPP
 

@@ -18,15 +18,16 @@ struct Calibration {
 };
 
 struct QuantizeOptions {
-  double margin = 1.5;      // ranges are calibrated maximum times margin
-  int weight_bits = 16;     // 16, 12, 10 or 8: weights are rounded to so many bits
-  int activation_bits = 14; // 14, or fewer to study the error (values are then rounded to a coarser grid of the same format)
+  double margin = 1.5;   // ranges are calibrated maximum times margin
+  int weight_bits = 16;  // 16, 12, 10 or 8: weights are rounded to so many bits
+  int activation_bits =
+      14;  // 14, or fewer to study the error (values are then rounded to a coarser grid of the same format)
 };
 
 struct QuantizeLayerReport {
-  std::string what;         // "linear 192 -> 32"
-  int64_t bound = 0;        // proven largest |accumulator|
-  bool wide = false;        // class W (int64)
+  std::string what;   // "linear 192 -> 32"
+  int64_t bound = 0;  // proven largest |accumulator|
+  bool wide = false;  // class W (int64)
   int min_shift = 0, max_shift = 0;
 };
 struct QuantizedModel {
@@ -35,7 +36,8 @@ struct QuantizedModel {
 };
 
 // Writes through engine/src/model's layout, reopens the bytes with sinew_model_open and throws Error if that refuses.
-QuantizedModel quantize(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options = {});
+QuantizedModel quantize(const FloatNetwork& network, const Calibration& calibration,
+                        const QuantizeOptions& options = {});
 
 }  // namespace sinew
 #endif
