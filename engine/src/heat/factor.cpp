@@ -10,7 +10,6 @@ namespace {
 constexpr uint32_t kNone = 0xFFFFFFFFu;
 constexpr int kFactorBits = 40;
 constexpr int kFactorHeadroom = 20;
-constexpr int kLargestDiagonalBits = 56;
 constexpr int kLargestMatrixBits = 50;
 
 int top_bit(uint64_t v) {
@@ -23,12 +22,6 @@ int top_bit(uint64_t v) {
   }
   return bit;
 }
-
-// Differences that cannot overflow on a matrix that is what it should be; wrapping keeps them defined on any other.
-int64_t subtract(int64_t a, int64_t b) {
-  return static_cast<int64_t>(static_cast<uint64_t>(a) - static_cast<uint64_t>(b));
-}
-int64_t add(int64_t a, int64_t b) { return static_cast<int64_t>(static_cast<uint64_t>(a) + static_cast<uint64_t>(b)); }
 
 }  // namespace
 
@@ -45,7 +38,7 @@ Reciprocal reciprocal(int64_t d) {
   return {d < 0 ? -r : r, magnitude, exponent};
 }
 
-void HeatMatrix::assemble(const int64_t* pull_q40) {
+void HeatMatrix::assemble(const int64_t* pull_q40, int diagonal_bits) {
   int64_t largest = 1;
   for (uint32_t k = 0; k < rows; ++k) {
     const uint32_t v = ordering->order[k];
@@ -55,8 +48,9 @@ void HeatMatrix::assemble(const int64_t* pull_q40) {
     const int64_t whole = abs64(sum) + (pull_q40[k] >> (40 - kEdgeWeightBits)) + 1;
     if (whole > largest) largest = whole;
   }
-  matrix_bits = kLargestDiagonalBits - 1 - top_bit(static_cast<uint64_t>(largest)) + kEdgeWeightBits;
+  matrix_bits = diagonal_bits - 1 - top_bit(static_cast<uint64_t>(largest)) + kEdgeWeightBits;
   if (matrix_bits > kLargestMatrixBits) matrix_bits = kLargestMatrixBits;
+  if (matrix_bits < kEdgeWeightBits) matrix_bits = kEdgeWeightBits;
   for (uint32_t k = 0; k < rows; ++k) {
     diagonal[k] = diagonal[k] * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits)) + to_matrix(pull_q40[k]);
   }
@@ -73,13 +67,14 @@ void HeatMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
     const uint32_t v = ordering->order[k];
     int64_t* r = rhs + static_cast<size_t>(k) * kLanes;
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      r[lane] = subtract(r[lane], mul_shift(diagonal[k], x[static_cast<size_t>(k) * kLanes + lane], kSolutionBits));
+      r[lane] =
+          wrapping_subtract(r[lane], mul_shift(diagonal[k], x[static_cast<size_t>(k) * kLanes + lane], kSolutionBits));
     }
     for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
       const int32_t* neighbour = x + static_cast<size_t>(ordering->place[mesh->col_indices[e]]) * kLanes;
       const int64_t m = entry(e);
       for (uint32_t lane = 0; lane < kLanes; ++lane)
-        r[lane] = subtract(r[lane], mul_shift(m, neighbour[lane], kSolutionBits));
+        r[lane] = wrapping_subtract(r[lane], mul_shift(m, neighbour[lane], kSolutionBits));
     }
   }
 }
@@ -145,7 +140,7 @@ void Factor::factorise(const HeatMatrix& matrix) {
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
       const uint32_t neighbour = ordering.place[mesh.col_indices[e]];
       if (neighbour > k) continue;
-      work[neighbour] = add(work[neighbour], matrix.entry(e));
+      work[neighbour] = wrapping_add(work[neighbour], matrix.entry(e));
       uint32_t length = 0;
       for (uint32_t i = neighbour; mark[i] != k; i = parent[i]) {
         pattern[length++] = i;
@@ -159,9 +154,10 @@ void Factor::factorise(const HeatMatrix& matrix) {
       const int64_t y = work[i];
       work[i] = 0;
       const uint64_t begin = column_start[i], end = begin + column_fill[i];
-      for (uint64_t p = begin; p < end; ++p) work[row[p]] = subtract(work[row[p]], mul_shift(value[p], y, kFactorBits));
+      for (uint64_t p = begin; p < end; ++p)
+        work[row[p]] = wrapping_subtract(work[row[p]], mul_shift(value[p], y, kFactorBits));
       const int64_t l = divide(y, inverse[i], kFactorBits, kFactorHeadroom);
-      d = subtract(d, mul_shift(l, y, kFactorBits));
+      d = wrapping_subtract(d, mul_shift(l, y, kFactorBits));
       row[end] = k;
       value[end] = l;
       ++column_fill[i];
@@ -202,7 +198,8 @@ void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
     for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
       int64_t* target = rhs + static_cast<size_t>(row[p]) * kLanes;
       const int64_t l = short_value[p];
-      for (uint32_t lane = 0; lane < kLanes; ++lane) target[lane] = subtract(target[lane], mul_shift(z[lane], l, bits));
+      for (uint32_t lane = 0; lane < kLanes; ++lane)
+        target[lane] = wrapping_subtract(target[lane], mul_shift(z[lane], l, bits));
     }
     for (uint32_t lane = 0; lane < kLanes; ++lane) {
       x[lane] = clamp32(divide(z[lane], inverse[k], kSolutionBits, 7), -0x7FFFFFFF, 0x7FFFFFFF);

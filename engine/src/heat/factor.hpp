@@ -22,6 +22,15 @@ namespace sinew {
 
 constexpr uint32_t kLanes = 8;  // joints solved together: the factor is read once for all of them
 constexpr int kSolutionBits = 24;
+constexpr int kFactorDiagonalBits = 56;  // bound of the diagonal, as a power of two
+
+// Sums that cannot overflow on a matrix that is what it should be; wrapping keeps them defined on any other.
+inline int64_t wrapping_add(int64_t a, int64_t b) {
+  return static_cast<int64_t>(static_cast<uint64_t>(a) + static_cast<uint64_t>(b));
+}
+inline int64_t wrapping_subtract(int64_t a, int64_t b) {
+  return static_cast<int64_t>(static_cast<uint64_t>(a) - static_cast<uint64_t>(b));
+}
 
 // The matrix of one component for one field, rows in elimination order.
 struct HeatMatrix {
@@ -38,9 +47,9 @@ struct HeatMatrix {
   // Off-diagonal entry of CSR edge e.
   int64_t entry(uint32_t e) const { return -weight(e) * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits)); }
   int64_t weight(uint32_t e) const { return positive && edges->weight[e] < 0 ? 0 : edges->weight[e]; }
-  // pull_q40 [rows]: A H of each row. Sets matrix_bits (27..50) and the diagonal; to_matrix() brings other Q40 values
-  // to the same format.
-  void assemble(const int64_t* pull_q40);
+  // pull_q40 [rows]: A H of each row. Sets the diagonal and matrix_bits (24..50), so that the diagonal stays below
+  // 2^diagonal_bits; to_matrix() brings other Q40 values to the same format.
+  void assemble(const int64_t* pull_q40, int diagonal_bits);
   int64_t to_matrix(int64_t value_q40) const;
 };
 

@@ -9,6 +9,7 @@ namespace {
 constexpr int kStepBits = 40;  // solutions and directions
 constexpr uint32_t kRounds = 24;
 constexpr uint32_t kInnerSteps = 60;
+constexpr int kLargestLift = 16;  // an error of 1 in the solution becomes a correction of 2^16, 2^56 in Q40
 constexpr int64_t kSmallEnough = static_cast<int64_t>(1) << (kStepBits - 24);  // of the Jacobi-scaled residual
 
 int top_bit(uint64_t v) {
@@ -19,6 +20,8 @@ int top_bit(uint64_t v) {
   }
   return bit;
 }
+
+uint64_t magnitude(int64_t v) { return v < 0 ? 0 - static_cast<uint64_t>(v) : static_cast<uint64_t>(v); }
 
 // a / b for a, b > 0 as mantissa * 2^-shift with a mantissa below 2^33.
 struct Ratio {
@@ -52,16 +55,17 @@ class LaneSolver {
       multiply(x_);
       int64_t largest = 0;
       for (uint32_t k = 0; k < rows; ++k) {
-        residual_[k] = rhs[static_cast<size_t>(k) * kLanes + lane] - image_[k];
+        residual_[k] = wrapping_subtract(rhs[static_cast<size_t>(k) * kLanes + lane], image_[k]);
         const int64_t scaled = abs64(preconditioned(k));
         if (scaled > largest) largest = scaled;
       }
       if (largest <= kSmallEnough) break;
       int lift = kStepBits - 2 - top_bit(static_cast<uint64_t>(largest));  // largest becomes about a quarter
-      if (lift < 0) lift = 0;
-      for (uint32_t k = 0; k < rows; ++k) residual_[k] *= static_cast<int64_t>(1) << lift;
+      lift = lift < 0 ? 0 : lift > kLargestLift ? kLargestLift : lift;
+      for (uint32_t k = 0; k < rows; ++k)
+        residual_[k] = static_cast<int64_t>(static_cast<uint64_t>(residual_[k]) << lift);
       correct();
-      for (uint32_t k = 0; k < rows; ++k) x_[k] += round_shift(correction_[k], lift);
+      for (uint32_t k = 0; k < rows; ++k) x_[k] = wrapping_add(x_[k], round_shift(correction_[k], lift));
     }
     for (uint32_t k = 0; k < rows; ++k) {
       out[static_cast<size_t>(k) * kLanes + lane] =
@@ -80,7 +84,7 @@ class LaneSolver {
       const uint32_t vertex = ordering.order[k];
       int64_t sum = mul_shift(matrix_.diagonal[k], v[k], kStepBits);
       for (uint32_t e = mesh.row_offsets[vertex]; e < mesh.row_offsets[vertex + 1]; ++e) {
-        sum += mul_shift(matrix_.entry(e), v[ordering.place[mesh.col_indices[e]]], kStepBits);
+        sum = wrapping_add(sum, mul_shift(matrix_.entry(e), v[ordering.place[mesh.col_indices[e]]], kStepBits));
       }
       image_[k] = sum;
     }
@@ -90,15 +94,15 @@ class LaneSolver {
   int product_shift(const int64_t* a, const int64_t* b) const {
     uint64_t bits_a = 1, bits_b = 1;
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
-      bits_a |= static_cast<uint64_t>(abs64(a[k]));
-      bits_b |= static_cast<uint64_t>(abs64(b[k]));
+      bits_a |= magnitude(a[k]);
+      bits_b |= magnitude(b[k]);
     }
     const int shift = top_bit(bits_a) + 1 + top_bit(bits_b) + 1 + top_bit(matrix_.rows) + 1 - 56;
     return shift < 0 ? 0 : shift > 63 ? 63 : shift;
   }
   int64_t product(const int64_t* a, const int64_t* b, int shift) const {
     int64_t sum = 0;
-    for (uint32_t k = 0; k < matrix_.rows; ++k) sum += mul_shift(a[k], b[k], shift);
+    for (uint32_t k = 0; k < matrix_.rows; ++k) sum = wrapping_add(sum, mul_shift(a[k], b[k], shift));
     return sum;
   }
 
@@ -120,14 +124,15 @@ class LaneSolver {
       Ratio alpha = ratio(rho, energy);
       alpha.shift += shift - rho_shift;
       for (uint32_t k = 0; k < rows; ++k) {
-        correction_[k] += times(direction_[k], alpha);
-        residual_[k] -= times(image_[k], alpha);
+        correction_[k] = wrapping_add(correction_[k], times(direction_[k], alpha));
+        residual_[k] = wrapping_subtract(residual_[k], times(image_[k], alpha));
       }
       int64_t next = 0;
-      for (uint32_t k = 0; k < rows; ++k) next += mul_shift(residual_[k], preconditioned(k), rho_shift);
+      for (uint32_t k = 0; k < rows; ++k)
+        next = wrapping_add(next, mul_shift(residual_[k], preconditioned(k), rho_shift));
       if (next <= 0) return;
       const Ratio beta = ratio(next, rho);
-      for (uint32_t k = 0; k < rows; ++k) direction_[k] = preconditioned(k) + times(direction_[k], beta);
+      for (uint32_t k = 0; k < rows; ++k) direction_[k] = wrapping_add(preconditioned(k), times(direction_[k], beta));
       rho = next;
     }
   }

@@ -7,6 +7,10 @@
 
 namespace sinew {
 
+// Less than for the factor: a correction may be 2^16 times as large as the solution (see solve_iteratively), and the
+// product of both must fit.
+constexpr int kIterativeDiagonalBits = 44;
+
 // Solves for kLanes right-hand sides one after the other with Jacobi-preconditioned conjugate gradients (Hestenes and
 // Stiefel 1952) inside iterative refinement: each round solves for what the exact residual still asks for, scaled up by
 // a power of two, so that fixed point loses nothing when the residual gets small. The matrix must be positive definite

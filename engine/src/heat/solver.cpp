@@ -168,7 +168,7 @@ bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField
     }
   }
   wild_ = false;
-  matrix_.assemble(row_pull_);
+  matrix_.assemble(row_pull_, iterative_ ? kIterativeDiagonalBits : kFactorDiagonalBits);
   if (!iterative_) {
     factor_.factorise(matrix_);
     if (factor_.smallest_bits < kWellConditionedBits) refinements_ = kRefinements;
