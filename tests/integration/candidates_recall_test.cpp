@@ -37,7 +37,8 @@ double recall(const sinew::Character& character, uint32_t k) {
 }
 
 TEST(CandidatesRecall, EightCandidatesHoldTheReferenceWeightOfVal) {
-  if (shared_folder().empty()) GTEST_SKIP() << "*** NOT CHECKED: recall of the candidates needs ../shared/data/characters/val ***";
+  if (shared_folder().empty())
+    GTEST_SKIP() << "*** NOT CHECKED: recall of the candidates needs ../shared/data/characters/val ***";
   double sum = 0;
   double worst = 1;
   std::string worst_name;

@@ -20,7 +20,8 @@ struct Renumbered {
   std::vector<uint32_t> new_index;  // of first's vertices in second
 };
 
-// A soup of polygons on few distinct points, so that welds, duplicates, degenerate faces and non-manifold edges are common.
+// A soup of polygons on few distinct points, so that welds, duplicates, degenerate faces and non-manifold edges are
+// common.
 Renumbered random_pair(uint32_t seed, uint32_t vertices, uint32_t faces, uint32_t coarseness) {
   std::mt19937 random(seed);
   Renumbered pair;

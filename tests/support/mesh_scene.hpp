@@ -82,7 +82,8 @@ inline MeshScene cube_sphere(int n) {
         p[(axis + 1) % 3] = std::tan(M_PI / 4 * (2.0 * i / n - 1));
         p[(axis + 2) % 3] = std::tan(M_PI / 4 * (2.0 * j / n - 1));
         const double norm = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        scene.add_vertex(static_cast<float>(p[0] / norm), static_cast<float>(p[1] / norm), static_cast<float>(p[2] / norm));
+        scene.add_vertex(static_cast<float>(p[0] / norm), static_cast<float>(p[1] / norm),
+                         static_cast<float>(p[2] / norm));
       }
     }
     const auto at = [&](int i, int j) { return first + static_cast<uint32_t>(i * (n + 1) + j); };
@@ -103,12 +104,12 @@ inline MeshScene cube_sphere(int n) {
 // Runs the stages in a block of exactly the measured size, filled with rubbish beforehand.
 class MeshRun {
  public:
-  explicit MeshRun(const MeshScene& scene, uint32_t up_axis = 0, uint32_t k = 8, uint32_t grid = 64, bool candidates_too = false,
-                   size_t missing_bytes = 0, sinew::Progress progress = {}) {
+  explicit MeshRun(const MeshScene& scene, uint32_t up_axis = 0, uint32_t k = 8, uint32_t grid = 64,
+                   bool candidates_too = false, size_t missing_bytes = 0, sinew::Progress progress = {}) {
     const sinew_mesh mesh_input = scene.mesh_view();
     const sinew_skeleton skeleton_input = scene.skeleton_view();
-    counts = sinew::Counts{mesh_input.vertex_count, mesh_input.face_count, mesh_input.corner_count, skeleton_input.joint_count, k,
-                           grid};
+    counts = sinew::Counts{
+        mesh_input.vertex_count, mesh_input.face_count, mesh_input.corner_count, skeleton_input.joint_count, k, grid};
     sinew::Arena measure;
     mesh.allocate(measure, counts);
     skeleton.allocate(measure, counts);
@@ -118,7 +119,7 @@ class MeshRun {
       sinew::measure_find_candidates(measure, counts);
     }
     measured = measure.high_water();
-    block_.reset(static_cast<uint8_t*>(::operator new(measured, std::align_val_t{64})));
+    block_.reset(static_cast<uint8_t*>(::operator new (measured, std::align_val_t{64})));
     std::memset(block_.get(), 0xA5, measured);
     sinew::Arena arena(block_.get(), measured - missing_bytes);
     mesh.allocate(arena, counts);
@@ -140,7 +141,7 @@ class MeshRun {
 
  private:
   struct Release {
-    void operator()(uint8_t* p) const { ::operator delete(p, std::align_val_t{64}); }
+    void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
   };
   std::unique_ptr<uint8_t, Release> block_;
 };

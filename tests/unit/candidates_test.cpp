@@ -199,8 +199,8 @@ TEST(Candidates, ALeafsTipPointsIntoItsTerritory) {
 
 TEST(Candidates, ALeafWithoutTerritoryKeepsItsStub) {
   MeshScene scene = column();
-  scene.add_joint(0, 5, 0, 4);  // inside the chain: its neighbours are nearer to everything
-  scene.add_joint(0, 5, 0, 10); // a leaf on top of it
+  scene.add_joint(0, 5, 0, 4);   // inside the chain: its neighbours are nearer to everything
+  scene.add_joint(0, 5, 0, 10);  // a leaf on top of it
   scene.flags.assign(12, 0);
   scene.flags[11] = SINEW_JOINT_NEVER;
   const MeshRun run = find(scene);
@@ -223,7 +223,8 @@ TEST(Candidates, ACrowdOfSmallBonesDoesNotPushOutTheLargeOne) {
   MeshScene scene;
   add_box(&scene, {-1.5f, 0, -1.5f}, {1.5f, 8, 1.5f}, 24);
   scene.add_joint(0, 1, 0, -1);
-  // A tiny chain at the front, like the muscles of a face. Beyond its end all ten of its bones are nearer than the root's.
+  // A tiny chain at the front, like the muscles of a face. Beyond its end all ten of its bones are nearer than the
+  // root's.
   for (int i = 0; i < 10; ++i) scene.add_joint(0.05f * static_cast<float>(i), 4, 1.45f, i);
   const MeshRun run = find(scene);
   expect_well_formed(run);

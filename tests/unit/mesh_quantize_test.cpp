@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Float to grid: the defining inequality over the whole float range against a big integer of the test's own, ties, scale and offset.
-#include "mesh/quantize.hpp"
-
+// Float to grid: the defining inequality over the whole float range against a big integer of the test's own, ties,
+// scale and offset.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "mesh/quantize.hpp"
 
 namespace {
 
@@ -126,7 +126,8 @@ TEST(Quantize, IsExactNextToTies) {
   }
 }
 
-// Rounding boundaries close to zero, where floats are far finer than the 64-bit way's unit: cutting a value off moves it across.
+// Rounding boundaries close to zero, where floats are far finer than the 64-bit way's unit: cutting a value off moves
+// it across.
 TEST(Quantize, IsExactWhereTheShortWayCutsBitsOff) {
   std::mt19937 random(4);
   for (int round = 0; round < 20000; ++round) {
@@ -143,7 +144,8 @@ TEST(Quantize, IsExactWhereTheShortWayCutsBitsOff) {
   }
 }
 
-// The side alone has too many bits for the short way; on y everything else is exact and every value lies on a tie of the cut-off side.
+// The side alone has too many bits for the short way; on y everything else is exact and every value lies on a tie of
+// the cut-off side.
 TEST(Quantize, ASideThatIsCutOffStillDecidesTies) {
   const std::vector<float> box = {-std::ldexp(1.0f, -60), 0, 0, 1, 1, 0};
   for (int k = 1; k < 1048576; k += 10007) {
@@ -186,7 +188,8 @@ TEST(Quantize, PowersOfTwoAndRepresentableOffsetsChangeNothing) {
       Quantizer quantizer;
       ASSERT_EQ(sinew::make_quantizer(moved.data(), 100, 0, &quantizer), SINEW_OK);
       for (size_t i = 0; i < p.size(); i += 3) {
-        EXPECT_EQ(sinew::quantize_point(quantizer, &moved[i]), sinew::quantize_point(plain, &p[i])) << scale << " " << offset;
+        EXPECT_EQ(sinew::quantize_point(quantizer, &moved[i]), sinew::quantize_point(plain, &p[i]))
+            << scale << " " << offset;
       }
     }
   }

@@ -32,9 +32,9 @@ std::vector<uint32_t> ring(const sinew::Mesh& mesh, uint32_t v) {
 TEST(Mesh, WeldsEqualPositionsOnly) {
   MeshScene scene;
   add_cube(&scene, 0, 0, 0);
-  add_cube(&scene, 0, 0, 0);     // all eight again
-  scene.add_vertex(0, 0, 1e-7f); // a tenth of a grid unit away
-  scene.add_vertex(0, 0, 3e-6f); // three units away, in no face
+  add_cube(&scene, 0, 0, 0);      // all eight again
+  scene.add_vertex(0, 0, 1e-7f);  // a tenth of a grid unit away
+  scene.add_vertex(0, 0, 3e-6f);  // three units away, in no face
   const MeshRun run(with_joint(scene));
   ASSERT_EQ(run.status, SINEW_OK);
   EXPECT_EQ(run.mesh.vertex_count, 18u);
@@ -53,14 +53,14 @@ TEST(Mesh, WeldsEqualPositionsOnly) {
 TEST(Mesh, DropsDegenerateAndDuplicateTriangles) {
   MeshScene scene;
   for (int i = 0; i < 5; ++i) scene.add_vertex(static_cast<float>(i), 0, 0);  // 0..4 on a line
-  scene.add_vertex(0, 3, 0);                                                 // 5
-  scene.add_vertex(2, 3, 1);                                                 // 6
+  scene.add_vertex(0, 3, 0);                                                  // 5
+  scene.add_vertex(2, 3, 1);                                                  // 6
   scene.add_face({0, 1, 5});
-  scene.add_face({1, 5, 0});     // the same, turned
-  scene.add_face({5, 1, 0});     // the same, flipped
-  scene.add_face({0, 1, 2});     // zero area
-  scene.add_face({0, 0, 5});     // repeated vertex
-  scene.add_face({3, 6});        // an edge
+  scene.add_face({1, 5, 0});  // the same, turned
+  scene.add_face({5, 1, 0});  // the same, flipped
+  scene.add_face({0, 1, 2});  // zero area
+  scene.add_face({0, 0, 5});  // repeated vertex
+  scene.add_face({3, 6});     // an edge
   scene.add_face({3});
   scene.add_face(std::vector<uint32_t>{});
   scene.add_face({1, 3, 6, 5});  // a fan of two
@@ -228,8 +228,9 @@ TEST(Mesh, UnitVectorsAreUnitAtEverySize) {
     const sinew::Vec3i n = sinew::unit_vector({size, -size, size}, 14);
     EXPECT_NEAR(n.x, 16384 / std::sqrt(3), 1);
     EXPECT_EQ(n.y, -n.x);
-    EXPECT_NEAR(static_cast<double>(sinew::length(sinew::Vec3l{size, -size, size})) / (std::sqrt(3) * static_cast<double>(size)), 1,
-                size == 1 ? 0.5 : 0.06);
+    EXPECT_NEAR(static_cast<double>(sinew::length(sinew::Vec3l{size, -size, size})) /
+                    (std::sqrt(3) * static_cast<double>(size)),
+                1, size == 1 ? 0.5 : 0.06);
   }
   EXPECT_EQ(sinew::unit_vector({0, 0, 0}, 14), (sinew::Vec3i{0, 0, 0}));
 }

@@ -74,8 +74,8 @@ TEST(Skeleton, LeafBonesAreAtMostATenthOfTheSkeleton) {
   scene.add_joint(0, 2, 1.2f, 0);
   const MeshRun run(scene);
   ASSERT_EQ(run.status, SINEW_OK);
-  expect_at(run.skeleton.bone_tail[1], 0, 6.4, 0);  // half its bone would be 2
-  expect_at(run.skeleton.bone_tail[3], 0, 2, 1.6);  // half its bone would be 0.6
+  expect_at(run.skeleton.bone_tail[1], 0, 6.4, 0);                  // half its bone would be 2
+  expect_at(run.skeleton.bone_tail[3], 0, 2, 1.6);                  // half its bone would be 0.6
   EXPECT_EQ(run.skeleton.bone_tail[2], run.skeleton.positions[2]);  // a lone joint
 }
 

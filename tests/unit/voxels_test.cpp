@@ -84,10 +84,12 @@ TEST(Voxels, MarksExactlyTheTouchedCells) {
             nearly = nearly || meets_box(corners, low, g.cell_size, 1e-3);
           }
           for (uint32_t i = 0; i < run.mesh.welded_count; ++i) {
-            if (g.cell_of(run.mesh.positions[i]) == g.index(x, y, z)) touched = nearly = true;  // vertices without a face too
+            if (g.cell_of(run.mesh.positions[i]) == g.index(x, y, z))
+              touched = nearly = true;  // vertices without a face too
           }
           const bool marked = g.states[g.index(x, y, z)] == sinew::kCellSurface;
-          ASSERT_TRUE(marked || !touched) << "round " << round << " cell " << x << " " << y << " " << z << " was missed";
+          ASSERT_TRUE(marked || !touched)
+              << "round " << round << " cell " << x << " " << y << " " << z << " was missed";
           ASSERT_TRUE(!marked || nearly) << "round " << round << " cell " << x << " " << y << " " << z << " is marked";
         }
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sorting without recursion or allocation, O(n log n) in the worst case: heapsort in place, and a radix sort with scratch for
-// long arrays of 64-bit keys.
+// Sorting without recursion or allocation, O(n log n) in the worst case: heapsort in place, and a radix sort with
+// scratch for long arrays of 64-bit keys.
 #ifndef SINEW_CORE_SORT_HPP
 #define SINEW_CORE_SORT_HPP
 
@@ -9,7 +9,8 @@
 
 namespace sinew {
 
-// Sorts data[0, count) so that less(data[i + 1], data[i]) is never true. Equal elements keep no order: make keys unique.
+// Sorts data[0, count) so that less(data[i + 1], data[i]) is never true. Equal elements keep no order: make keys
+// unique.
 template <class T, class Less>
 void heap_sort(T* data, size_t count, Less less) {
   if (count < 2) return;

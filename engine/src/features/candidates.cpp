@@ -1,198 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The K nearest joints of every vertex: all bones grow through the voxels at once, nearest first, and a cell passes on only the
-// first K joints that reach it. The cost is K times the cells visited, whatever the joint count.
+// The K nearest joints of every vertex: all bones grow through the voxels at once, nearest first, and a cell passes on
+// only the first K joints that reach it. The cost is K times the cells visited, whatever the joint count.
 #include "features/candidates.hpp"
 
 #include "core/sort.hpp"
-#include "features/voxels.hpp"
+#include "features/propagation.hpp"
 #include "mesh/vector_math.hpp"
 
 namespace sinew {
 namespace {
-
-// Lengths in the grid are counted in fortieths of a cell: chamfer steps 5/7/9 (Borgefors 1986) in eighths of a chamfer unit, so that
-// bones and vertices need not sit at cell centres.
-constexpr int32_t kCellLength = 40;
-constexpr uint32_t kStepLengths[4] = {0, 40, 56, 72};  // by the number of axes a step moves along
-constexpr uint32_t kOutsideFactor = 4;
-constexpr uint32_t kBuckets = 512;  // a power of two above the longest step, 4 * 72
-
-// A label is (distance << 12) | joint, so labels order by (distance, joint). 12 bits hold SINEW_MAX_JOINTS. 20 bits hold any distance:
-// joints lie within 2^22 of the origin, at most 887 cells of the box at the finest grid, or 35,480; from there a straight walk of
-// at most 128 outside steps adds 36,864, a late start 160, and a cell cannot need more for its K-th label, because a cell that refuses a label on
-// that walk is full of nearer ones that go on in its stead. For the same reason every cell of the grid gets all its labels.
-constexpr int kJointBits = 12;
-constexpr uint32_t kJointMask = (1u << kJointBits) - 1;
-static_assert(SINEW_MAX_JOINTS <= kJointMask + 1, "a label's joint field is too small");
-constexpr uint32_t kNever = 0xFFFFFFFFu;
-uint32_t make_label(uint32_t distance, uint32_t joint) { return (distance << kJointBits) | joint; }
-
-constexpr uint32_t kReportEvery = 1u << 16;  // settled labels between two progress reports
-
-struct Step {
-  int32_t offset;
-  uint32_t label_step;  // length, already in the place of a label's distance
-};
-
-// What an offer looks at first, side by side: most offers are refused here.
-struct Cell {
-  uint32_t limit;   // labels above this are refused: the last label of a full cell, 0 at the border, else kNever
-  uint8_t outside;  // 1: steps to and from here are dear
-  uint8_t found;    // labels present
-  uint8_t settled;  // the first labels, final
-  uint8_t wanted;   // 1: some vertex reads this cell
-};
-
-struct Propagation {
-  VoxelGrid grid;
-  Cell* cells;       // [cells]
-  uint32_t* labels;  // [cells x K] ascending
-  uint32_t* next;    // [cells + buckets + 1] rings; a cell waits in the bucket of its first unsettled label
-  uint32_t* last;    // [cells + buckets + 1]
-  uint32_t capacity; // labels a cell holds in this run
-  uint32_t waiting;  // cells in buckets
-  Step steps[26];
-
-  bool allocate(Arena& arena, const Counts& counts) {
-    const size_t count = VoxelGrid::max_cells(counts);
-    grid.allocate(arena, counts);
-    cells = arena.alloc<Cell>(count);
-    labels = arena.alloc<uint32_t>(count * counts.candidates);
-    next = arena.alloc<uint32_t>(count + kBuckets + 1);
-    last = arena.alloc<uint32_t>(count + kBuckets + 1);
-    return arena.ok();
-  }
-
-  uint32_t bucket_of(uint32_t label) const { return grid.cell_count + ((label >> kJointBits) & (kBuckets - 1)); }
-  uint32_t current_ring() const { return grid.cell_count + kBuckets; }
-
-  void link(uint32_t cell, uint32_t ring) {
-    next[cell] = next[ring];
-    last[cell] = ring;
-    last[next[ring]] = cell;
-    next[ring] = cell;
-    ++waiting;
-  }
-  void unlink(uint32_t cell) {
-    next[last[cell]] = next[cell];
-    last[next[cell]] = last[cell];
-    --waiting;
-  }
-
-  // Offers a label that the cell's limit allows: kept while it is among the cell's nearest joints.
-  void offer(uint32_t index, uint32_t label) {
-    Cell& cell = cells[index];
-    uint32_t* const row = labels + static_cast<size_t>(index) * capacity;
-    const uint32_t joint = label & kJointMask;
-    uint32_t at = 0;
-    while (at < cell.found && (row[at] & kJointMask) != joint) ++at;
-    if (at < cell.found) {
-      if (row[at] <= label) return;
-    } else if (cell.found < capacity) {
-      ++cell.found;
-    } else {
-      at = capacity - 1;  // takes the place of the farthest
-    }
-    for (; at > 0 && row[at - 1] > label; --at) row[at] = row[at - 1];
-    row[at] = label;
-    if (cell.found == capacity) cell.limit = row[capacity - 1];
-    if (at != cell.settled) return;
-    if (next[index] != index) unlink(index);
-    link(index, bucket_of(label));
-  }
-
-  void begin(uint32_t joint_capacity) {
-    capacity = joint_capacity;
-    waiting = 0;
-    for (uint32_t cell = 0; cell < grid.cell_count; ++cell) {
-      cells[cell].limit = grid.states[cell] == kCellBorder ? 0 : kNever;
-      cells[cell].outside = grid.states[cell] == kCellOutside ? 1 : 0;
-      cells[cell].found = 0;
-      cells[cell].settled = 0;
-    }
-    for (uint32_t ring = 0; ring < grid.cell_count + kBuckets + 1; ++ring) {  // a cell linked to itself waits nowhere
-      next[ring] = ring;
-      last[ring] = ring;
-    }
-    int count = 0;
-    for (int32_t z = -1; z <= 1; ++z) {
-      for (int32_t y = -1; y <= 1; ++y) {
-        for (int32_t x = -1; x <= 1; ++x) {
-          const int axes = (x != 0) + (y != 0) + (z != 0);
-          if (axes != 0) steps[count++] = {(z * grid.size[1] + y) * grid.size[0] + x, kStepLengths[axes] << kJointBits};
-        }
-      }
-    }
-  }
-
-  // Passes one settled label on to the 26 neighbours.
-  void spread(uint32_t index, uint32_t label) {
-    const bool outside = cells[index].outside != 0;
-    for (const Step& step : steps) {
-      const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(index) + step.offset);
-      const Cell& cell = cells[neighbour];
-      const uint32_t offered = label + (outside || cell.outside != 0 ? kOutsideFactor * step.label_step : step.label_step);
-      if (offered <= cell.limit) offer(neighbour, offered);
-    }
-  }
-
-  // Settles labels by rising distance until every wanted cell is full. False when cancelled.
-  bool run(const Progress& progress, uint32_t permille) {
-    uint32_t missing = 0;
-    for (uint32_t cell = 0; cell < grid.cell_count; ++cell) missing += cells[cell].wanted;
-    uint32_t labels_settled = 0;
-    const uint32_t ring = current_ring();
-    for (uint32_t distance = 0; missing > 0 && waiting > 0; ++distance) {
-      const uint32_t bucket = grid.cell_count + (distance & (kBuckets - 1));
-      if (next[bucket] == bucket) continue;
-      // Moves the bucket aside: cells whose turn is a whole round away go back into it.
-      next[ring] = next[bucket];
-      last[ring] = last[bucket];
-      next[last[ring]] = ring;
-      last[next[ring]] = ring;
-      next[bucket] = bucket;
-      last[bucket] = bucket;
-      while (next[ring] != ring) {
-        const uint32_t index = next[ring];
-        unlink(index);
-        Cell& cell = cells[index];
-        const uint32_t* const row = labels + static_cast<size_t>(index) * capacity;
-        if (row[cell.settled] >> kJointBits != distance) {
-          link(index, bucket);
-          continue;
-        }
-        next[index] = index;
-        // Nothing can still arrive at this distance: every step is longer than 0.
-        while (cell.settled < cell.found && row[cell.settled] >> kJointBits == distance) {
-          const uint32_t label = row[cell.settled++];
-          spread(index, label);
-          if (++labels_settled % kReportEvery == 0 && !progress.report(permille)) return false;
-        }
-        if (cell.settled == capacity) {
-          missing -= cell.wanted;
-        } else if (cell.settled < cell.found && next[index] == index) {
-          link(index, bucket_of(row[cell.settled]));
-        }
-      }
-    }
-    return true;
-  }
-};
 
 // Length of `v` in fortieths of a cell.
 uint32_t cell_length(const VoxelGrid& grid, Vec3i v) {
   return static_cast<uint32_t>(length(v) * kCellLength / static_cast<uint64_t>(grid.cell_size));
 }
 
-// Offers a joint to every cell along a segment, with the cell centre's distance to the segment. Parts outside the grid go to the nearest
-// cell, whose distance then holds the gap. `start` is added to all.
+// Offers a joint to every cell along a segment, with the cell centre's distance to the segment. Parts outside the grid
+// go to the nearest cell, whose distance then holds the gap. `start` is added to all.
 void seed_segment(Vec3i a, Vec3i b, uint32_t joint, uint32_t start, Propagation* p) {
   const Vec3i along = b - a;  // below 2^25 per axis
   const int64_t square = dot(along, along);
   const int64_t samples = static_cast<int64_t>(length(along)) / (p->grid.cell_size / 2) + 1;
-  uint32_t before = kNever;
+  uint32_t before = UINT32_MAX;
   for (int64_t i = 0; i <= samples; ++i) {
-    const Vec3i point = {a.x + static_cast<int32_t>(along.x * i / samples), a.y + static_cast<int32_t>(along.y * i / samples),
+    const Vec3i point = {a.x + static_cast<int32_t>(along.x * i / samples),
+                         a.y + static_cast<int32_t>(along.y * i / samples),
                          a.z + static_cast<int32_t>(along.z * i / samples)};
     const uint32_t cell = p->grid.cell_of(point);
     if (cell == before) continue;
@@ -200,10 +32,10 @@ void seed_segment(Vec3i a, Vec3i b, uint32_t joint, uint32_t start, Propagation*
     const Vec3i from_a = p->grid.centre(cell) - a;
     // Position along the segment in Q10: |dot| < 2^50, and 2^15 units of a longest segment are no more than its cell.
     const int64_t t = square == 0 ? 0 : clamp32(dot(from_a, along) * 1024 / square, 0, 1024);
-    const Vec3i gap = {from_a.x - static_cast<int32_t>((along.x * t) >> 10), from_a.y - static_cast<int32_t>((along.y * t) >> 10),
+    const Vec3i gap = {from_a.x - static_cast<int32_t>((along.x * t) >> 10),
+                       from_a.y - static_cast<int32_t>((along.y * t) >> 10),
                        from_a.z - static_cast<int32_t>((along.z * t) >> 10)};
-    const uint32_t label = make_label(start + cell_length(p->grid, gap), joint);
-    if (label <= p->cells[cell].limit) p->offer(cell, label);
+    p->seed(cell, make_label(start + cell_length(p->grid, gap), joint));
   }
 }
 
@@ -214,18 +46,21 @@ void seed_bones(const Skeleton& skeleton, const Vec3i* tips, const uint32_t* sta
     if (parent >= 0 && skeleton.usable[parent] != 0) {
       seed_segment(skeleton.positions[parent], skeleton.positions[j], static_cast<uint32_t>(parent), starts[parent], p);
     }
-    if (skeleton.child_count[j] == 0 && skeleton.usable[j] != 0) seed_segment(skeleton.positions[j], tips[j], j, starts[j], p);
+    if (skeleton.child_count[j] == 0 && skeleton.usable[j] != 0)
+      seed_segment(skeleton.positions[j], tips[j], j, starts[j], p);
   }
 }
 
-// Late starts: without them the many small bones of a face or foot fill all K slots, and the head, which moves the whole face, is
-// left out. A joint whose longest bone is shorter than a sixteenth of the side starts later, up to 1/32 of the side. Measured at
-// K = 8, 64 cells: recall on train 99.04 -> 99.27 %, on val 99.68 -> 99.73 %. The delay is taken off again in the result.
+// Late starts: without them the many small bones of a face or foot fill all K slots, and the head, which moves the
+// whole face, is left out. A joint whose longest bone is shorter than a sixteenth of the side starts later, up to 1/32
+// of the side. Measured at K = 8, 64 cells: recall on train 99.04 -> 99.27 %, on val 99.68 -> 99.73 %. The delay is
+// taken off again in the result.
 constexpr int64_t kShortBone = kSide / 16;
 constexpr int64_t kLongestDelay = kSide / 32;
 
 // starts [J] out; lengths [J] scratch.
-void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& grid, int64_t* lengths, uint32_t* starts) {
+void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& grid, int64_t* lengths,
+                 uint32_t* starts) {
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
     lengths[j] = skeleton.child_count[j] == 0 ? static_cast<int64_t>(length(tips[j] - skeleton.positions[j])) : 0;
   }
@@ -241,7 +76,8 @@ void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& g
   }
 }
 
-// The cells a vertex reads: its own and those of the 2 x 2 x 2 block around it that are not outside. Returns their number.
+// The cells a vertex reads: its own and those of the 2 x 2 x 2 block around it that are not outside. Returns their
+// number.
 uint32_t cells_around(const VoxelGrid& grid, Vec3i p, uint32_t* cells) {
   const uint32_t own = grid.cell_of(p);
   const Vec3i offset = p - grid.centre(own);
@@ -257,24 +93,23 @@ uint32_t cells_around(const VoxelGrid& grid, Vec3i p, uint32_t* cells) {
 }
 
 void want_cells(const Mesh& mesh, Propagation* p) {
-  for (uint32_t cell = 0; cell < p->grid.cell_count; ++cell) p->cells[cell].wanted = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     uint32_t cells[8];
     const uint32_t count = cells_around(p->grid, mesh.positions[v], cells);
-    for (uint32_t i = 0; i < count; ++i) p->cells[cells[i]].wanted = 1;
+    for (uint32_t i = 0; i < count; ++i) p->want(cells[i]);
   }
 }
 
-// The `keep` nearest joints of a vertex over the cells it reads, the way from the cell's centre added. Ascending labels; returns
-// their number.
+// The `keep` nearest joints of a vertex over the cells it reads, the way from the cell's centre added. Ascending
+// labels; returns their number.
 uint32_t read_labels(const Propagation& p, Vec3i position, uint32_t keep, uint32_t* row) {
   uint32_t cells[8];
   const uint32_t cell_count = cells_around(p.grid, position, cells);
   uint32_t count = 0;
   for (uint32_t i = 0; i < cell_count; ++i) {
     const uint32_t extra = cell_length(p.grid, position - p.grid.centre(cells[i])) << kJointBits;
-    const uint32_t* const labels = p.labels + static_cast<size_t>(cells[i]) * p.capacity;
-    for (uint32_t k = 0; k < p.cells[cells[i]].settled; ++k) {
+    const uint32_t* const labels = p.labels(cells[i]);
+    for (uint32_t k = 0; k < p.label_count(cells[i]); ++k) {
       const uint32_t label = labels[k] + extra;
       if (count == keep && label >= row[count - 1]) break;  // the rest of the cell is farther still
       uint32_t at = 0;
@@ -298,11 +133,11 @@ constexpr uint32_t kLeastTerritory = 3;  // vertices below which a leaf's surrou
 
 // Sums for the tips and starts, one per joint.
 struct JointScratch {
-  Vec3l* sums;       // [J] vertices nearest to the joint, relative to it
-  int64_t* extents;  // [J] farthest of them along their mean direction; then bone lengths
-  uint32_t* counts;  // [J]
-  uint32_t* starts;  // [J] label distance at the bone itself
-  uint16_t* nearest; // [U]
+  Vec3l* sums;        // [J] vertices nearest to the joint, relative to it
+  int64_t* extents;   // [J] farthest of them along their mean direction; then bone lengths
+  uint32_t* counts;   // [J]
+  uint32_t* starts;   // [J] label distance at the bone itself
+  uint16_t* nearest;  // [U]
   bool allocate(Arena& arena, const Counts& counts_of_bind) {
     sums = arena.alloc<Vec3l>(counts_of_bind.joints);
     extents = arena.alloc<int64_t>(counts_of_bind.joints);
@@ -313,16 +148,17 @@ struct JointScratch {
   }
 };
 
-void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const JointScratch& scratch, Candidates* out) {
+void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const JointScratch& scratch,
+               Candidates* out) {
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
     scratch.sums[j] = {0, 0, 0};
     scratch.extents[j] = 0;
     scratch.counts[j] = 0;
   }
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    uint32_t label = 0;
-    read_labels(p, mesh.positions[v], 1, &label);  // finds one: the vertex's own cell was wanted
-    const uint32_t joint = label & kJointMask;
+    uint32_t row[SINEW_MAX_CANDIDATES];
+    read_labels(p, mesh.positions[v], 1, row);  // finds one: the vertex's own cell was wanted
+    const uint32_t joint = row[0] & kJointMask;
     const Vec3i way = mesh.positions[v] - skeleton.positions[joint];
     scratch.nearest[v] = static_cast<uint16_t>(joint);
     scratch.sums[joint].x += way.x;
@@ -343,9 +179,10 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
     if (skeleton.child_count[j] != 0 || scratch.counts[j] < kLeastTerritory || scratch.extents[j] == 0) continue;
     const Vec3i direction = unit_vector(scratch.sums[j], kDirectionBits);
     const int64_t reach = scratch.extents[j] * static_cast<int64_t>(kTipExtentPercent) / 100;
-    out->tips[j] = skeleton.positions[j] + Vec3i{static_cast<int32_t>(round_shift(direction.x * reach, kDirectionBits)),
-                                                 static_cast<int32_t>(round_shift(direction.y * reach, kDirectionBits)),
-                                                 static_cast<int32_t>(round_shift(direction.z * reach, kDirectionBits))};
+    out->tips[j] =
+        skeleton.positions[j] + Vec3i{static_cast<int32_t>(round_shift(direction.x * reach, kDirectionBits)),
+                                      static_cast<int32_t>(round_shift(direction.y * reach, kDirectionBits)),
+                                      static_cast<int32_t>(round_shift(direction.z * reach, kDirectionBits))};
   }
 }
 
@@ -384,7 +221,8 @@ sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const C
   JointScratch joints;
   propagation.allocate(arena, counts);
   if (!joints.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  voxelise(mesh, counts, propagation.next, &propagation.grid);
+  voxelise(mesh, counts, propagation.queue(), &propagation.grid);
+  propagation.survey();
   want_cells(mesh, &propagation);
   if (!progress.report(200)) return SINEW_ERROR_CANCELLED;
 

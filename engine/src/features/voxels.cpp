@@ -33,14 +33,15 @@ void lay_grid(const Mesh& mesh, const Counts& counts, VoxelGrid* grid) {
   grid->cell_count = static_cast<uint32_t>(grid->size[0] * grid->size[1] * grid->size[2]);
 }
 
-// Half plane of a projected triangle's edge, widened by the cell: normal . centre + offset >= 0 for the cells that touch it.
+// Half plane of a projected triangle's edge, widened by the cell: normal . centre + offset >= 0 for the cells that
+// touch it.
 struct EdgeTest {
   int64_t normal_u, normal_v, offset;
 };
 
-// Separating axes of a triangle and the cells of the grid. Lengths are relative to the first corner and doubled, so that cell centres
-// and half cells are integers. Inside the mesh's box: normals are at most 2^40 (twice a projected area), doubled centres below
-// 2^21.1, so a plane value of three terms stays below 2^62.8; edge values are far smaller.
+// Separating axes of a triangle and the cells of the grid. Lengths are relative to the first corner and doubled, so
+// that cell centres and half cells are integers. Inside the mesh's box: normals are at most 2^40 (twice a projected
+// area), doubled centres below 2^21.1, so a plane value of three terms stays below 2^62.8; edge values are far smaller.
 struct TriangleTest {
   Vec3i origin;
   int64_t normal[3];
@@ -78,13 +79,15 @@ bool inside_edges(const TriangleTest& test, int axis, const int64_t* centre) {
   return true;
 }
 
-// Marks the cells of one triangle: columns along the normal's main axis, so that a large slanted triangle costs its area in cells,
-// not its box.
+// Marks the cells of one triangle: columns along the normal's main axis, so that a large slanted triangle costs its
+// area in cells, not its box.
 void mark_triangle(const Vec3i* corners, VoxelGrid* grid) {
   int32_t first[3], last[3];
   for (int axis = 0; axis < 3; ++axis) {
-    const int32_t a = component_of(corners[0], axis), b = component_of(corners[1], axis), c = component_of(corners[2], axis);
-    first[axis] = grid->coordinate(axis, min2(a, min2(b, c)) - 1);  // - 1: cells are closed, a shared side belongs to both
+    const int32_t a = component_of(corners[0], axis), b = component_of(corners[1], axis),
+                  c = component_of(corners[2], axis);
+    first[axis] =
+        grid->coordinate(axis, min2(a, min2(b, c)) - 1);  // - 1: cells are closed, a shared side belongs to both
     last[axis] = grid->coordinate(axis, max2(a, max2(b, c)));
   }
   if (first[0] == last[0] && first[1] == last[1] && first[2] == last[2]) {
@@ -102,7 +105,8 @@ void mark_triangle(const Vec3i* corners, VoxelGrid* grid) {
   const int64_t step = 2 * static_cast<int64_t>(grid->cell_size);
   int64_t start[3];  // doubled centre of cell 0 relative to the first corner
   for (int axis = 0; axis < 3; ++axis) {
-    start[axis] = 2 * static_cast<int64_t>(component_of(grid->low, axis) - component_of(test.origin, axis)) + grid->cell_size;
+    start[axis] =
+        2 * static_cast<int64_t>(component_of(grid->low, axis) - component_of(test.origin, axis)) + grid->cell_size;
   }
   int32_t at[3];
   int64_t centre[3];

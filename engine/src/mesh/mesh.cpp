@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stage 2 of a bind: weld, Morton order, triangles, one-ring and components. Every order is an order of values, never of the
-// caller's numbering, so renumbered input gives the same mesh.
+// Stage 2 of a bind: weld, Morton order, triangles, one-ring and components. Every order is an order of values, never
+// of the caller's numbering, so renumbered input gives the same mesh.
 #include "mesh/mesh.hpp"
 
 #include "core/sort.hpp"
@@ -100,7 +100,8 @@ sinew_status check_faces(const sinew_mesh& input) {
   if (input.face_offsets == nullptr) {
     if (static_cast<uint64_t>(input.face_count) * 3 != input.corner_count) return SINEW_ERROR_INDEX;
   } else if (input.face_count > 0) {
-    if (input.face_offsets[0] != 0 || input.face_offsets[input.face_count] != input.corner_count) return SINEW_ERROR_INDEX;
+    if (input.face_offsets[0] != 0 || input.face_offsets[input.face_count] != input.corner_count)
+      return SINEW_ERROR_INDEX;
     for (uint32_t f = 0; f < input.face_count; ++f) {
       if (input.face_offsets[f] > input.face_offsets[f + 1]) return SINEW_ERROR_INDEX;
     }
@@ -170,7 +171,8 @@ void collect_triangles(const sinew_mesh& input, const TriangleScratch& scratch, 
   for (FanWalk walk(input, *mesh); walk.next(t);) {
     // Sorted by vertex set first: (smaller, larger), the orientation in the lowest bit. Indices stay below 2^22.
     const bool swapped = t[1] > t[2];
-    scratch.keys[--scratch.offsets[t[0]]] = (pack(swapped ? t[2] : t[1], swapped ? t[1] : t[2]) << 1) | (swapped ? 1u : 0u);
+    scratch.keys[--scratch.offsets[t[0]]] =
+        (pack(swapped ? t[2] : t[1], swapped ? t[1] : t[2]) << 1) | (swapped ? 1u : 0u);
   }
   mesh->triangle_count = 0;
   for (uint32_t v = 0; v < count; ++v) {
@@ -183,7 +185,8 @@ void collect_triangles(const sinew_mesh& input, const TriangleScratch& scratch, 
       scratch.keys[scratch.offsets[v] + kept++] = keys[i];
     }
     for (uint32_t i = 0; i < kept; ++i) {
-      const uint32_t low = static_cast<uint32_t>(keys[i] >> 33), high = static_cast<uint32_t>((keys[i] >> 1) & 0xFFFFFFFFu);
+      const uint32_t low = static_cast<uint32_t>(keys[i] >> 33),
+                     high = static_cast<uint32_t>((keys[i] >> 1) & 0xFFFFFFFFu);
       keys[i] = (keys[i] & 1u) != 0 ? pack(high, low) : pack(low, high);
     }
     sort_ascending(keys, kept);

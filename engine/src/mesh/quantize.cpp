@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact float-to-grid conversion: a 64-bit quotient with an error bound decides nearly always, a 320-bit division the rest.
+// Exact float-to-grid conversion: a 64-bit quotient with an error bound decides nearly always, a 320-bit division the
+// rest.
 #include "mesh/quantize.hpp"
 
 #include <string.h>
@@ -27,7 +28,9 @@ int32_t order_key(uint32_t word) {
   const int32_t magnitude = static_cast<int32_t>(word & ~kSignBit);
   return (word & kSignBit) != 0 ? -magnitude : magnitude;
 }
-uint32_t word_of_key(int32_t key) { return key < 0 ? kSignBit | static_cast<uint32_t>(-key) : static_cast<uint32_t>(key); }
+uint32_t word_of_key(int32_t key) {
+  return key < 0 ? kSignBit | static_cast<uint32_t>(-key) : static_cast<uint32_t>(key);
+}
 
 // value = mantissa * 2^(exponent - 149), exponent 0..253, |mantissa| < 2^24.
 void decode(uint32_t word, int64_t* mantissa, int* exponent) {
@@ -221,8 +224,9 @@ sinew_status make_quantizer(const float* positions, size_t count, uint32_t up_ax
     int64_t low_short = 0, high_short = 0;
     q.short_exact[axis] = side_exact;
     q.short_ok[axis] = short_of(word_of_key(low[axis]), q.unit, &low_short, &q.short_exact[axis]);
-    q.short_ok[axis] = short_of(word_of_key(axis == 1 ? low[axis] : high[axis]), q.unit, &high_short, &q.short_exact[axis]) &&
-                       q.short_ok[axis];
+    q.short_ok[axis] =
+        short_of(word_of_key(axis == 1 ? low[axis] : high[axis]), q.unit, &high_short, &q.short_exact[axis]) &&
+        q.short_ok[axis];
     q.short_sum[axis] = low_short + high_short;
   }
   return SINEW_OK;
@@ -231,7 +235,8 @@ sinew_status make_quantizer(const float* positions, size_t count, uint32_t up_ax
 Vec3i quantize_point(const Quantizer& quantizer, const float* position) {
   uint32_t words[3];
   turn_up(position, quantizer.up_axis, words);
-  return {quantize_value(quantizer, words[0], 0), quantize_value(quantizer, words[1], 1), quantize_value(quantizer, words[2], 2)};
+  return {quantize_value(quantizer, words[0], 0), quantize_value(quantizer, words[1], 1),
+          quantize_value(quantizer, words[2], 2)};
 }
 
 }  // namespace sinew

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stage 1 of a bind: float positions to the integer grid. Exact integer arithmetic on the IEEE-754 words, no float operation,
-// so neither compiler flags nor a platform without an FPU can change a bit.
+// Stage 1 of a bind: float positions to the integer grid. Exact integer arithmetic on the IEEE-754 words, no float
+// operation, so neither compiler flags nor a platform without an FPU can change a bit.
 #ifndef SINEW_MESH_QUANTIZE_HPP
 #define SINEW_MESH_QUANTIZE_HPP
 
@@ -12,17 +12,18 @@
 
 namespace sinew {
 
-// 320-bit two's complement integer. Every finite float is an integer below 2^277 in units of 2^-149; sums, twenty more bits
-// for the grid and three for the clamp need 303.
+// 320-bit two's complement integer. Every finite float is an integer below 2^277 in units of 2^-149; sums, twenty more
+// bits for the grid and three for the clamp need 303.
 struct WideInt {
   uint64_t limb[5];
 };
 
-// Maps floats to the grid: round_half_up((2 value - sum) * 2^20 / (2 side)) per axis, where sum is low + high of the mesh's
-// box for x and z (centred) and twice the low for y (floor at 0); clamped to +-2^22. Exact for every finite input.
+// Maps floats to the grid: round_half_up((2 value - sum) * 2^20 / (2 side)) per axis, where sum is low + high of the
+// mesh's box for x and z (centred) and twice the low for y (floor at 0); clamped to +-2^22. Exact for every finite
+// input.
 struct Quantizer {
   uint32_t up_axis;
-  WideInt side;     // longest side of the box in units of 2^-149; 1.0 for a box without extent
+  WideInt side;  // longest side of the box in units of 2^-149; 1.0 for a box without extent
   WideInt sum[3];
   // The short way for almost all values: the same numbers in 64 bits, floored to units of 2^(unit - 149).
   int unit;

@@ -8,10 +8,11 @@ namespace sinew {
 namespace {
 
 constexpr uint16_t kNoDepth = 0xFFFF;
-constexpr int64_t kFloorPercent = 3;     // a root this low stands on the floor
+constexpr int64_t kFloorPercent = 3;  // a root this low stands on the floor
 constexpr uint16_t kFloorRootChildren = 4;
 
-// False when the parents form a cycle. Every joint is walked up to the first joint of known depth, then once more to write.
+// False when the parents form a cycle. Every joint is walked up to the first joint of known depth, then once more to
+// write.
 bool find_depths(Skeleton* skeleton) {
   const uint32_t count = skeleton->joint_count;
   for (uint32_t j = 0; j < count; ++j) skeleton->depth[j] = kNoDepth;
@@ -84,8 +85,8 @@ Vec3i leaf_tail(const Skeleton& skeleton, uint32_t leaf, int64_t size) {
           head.z + static_cast<int32_t>(round_div(along.z * numerator, denominator))};
 }
 
-// 4095 children of 2^22 units pass 32 bits, so the sum is 64-bit and local. The search stops at the last child; even 4096 joints
-// cost only a few million comparisons.
+// 4095 children of 2^22 units pass 32 bits, so the sum is 64-bit and local. The search stops at the last child; even
+// 4096 joints cost only a few million comparisons.
 Vec3i mean_of_children(const Skeleton& skeleton, uint32_t joint) {
   Vec3l sum = {0, 0, 0};
   uint32_t left = skeleton.child_count[joint];
@@ -109,7 +110,8 @@ void lay_bones(Skeleton* skeleton) {
   }
   const int64_t size = skeleton_size(*skeleton);
   for (uint32_t j = 0; j < count; ++j) {
-    skeleton->bone_tail[j] = skeleton->child_count[j] > 0 ? mean_of_children(*skeleton, j) : leaf_tail(*skeleton, j, size);
+    skeleton->bone_tail[j] =
+        skeleton->child_count[j] > 0 ? mean_of_children(*skeleton, j) : leaf_tail(*skeleton, j, size);
   }
 }
 

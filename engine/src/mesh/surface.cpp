@@ -9,10 +9,10 @@ namespace {
 
 // round(atan(2^-i) / pi * 2^30), python3: [round(atan(2.0**-i) / pi * 2**30) for i in range(28)]
 constexpr int kAngleSteps = 28;
-constexpr int32_t kAngles[kAngleSteps] = {
-    268435456, 158466703, 83729454, 42502378, 21333666, 10677233, 5339919, 2670123, 1335082, 667543,
-    333772, 166886, 83443, 41722, 20861, 10430, 5215, 2608, 1304, 652,
-    326, 163, 81, 41, 20, 10, 5, 3};
+constexpr int32_t kAngles[kAngleSteps] = {268435456, 158466703, 83729454, 42502378, 21333666, 10677233, 5339919,
+                                          2670123,   1335082,   667543,   333772,   166886,   83443,    41722,
+                                          20861,     10430,     5215,     2608,     1304,     652,      326,
+                                          163,       81,        41,       20,       10,       5,        3};
 constexpr int64_t kHalfTurn = 1 << 30;  // pi in the format of angle_q30
 
 constexpr uint64_t kAreaCap = static_cast<uint64_t>(1) << 62;
@@ -70,7 +70,8 @@ void finish_vertex(const SurfaceScratch& scratch, uint32_t v, Mesh* mesh) {
   mesh->edge_length[v] = 0;
   if (begin == end) return;
 
-  // Valence < 2^22, an edge is shorter than 2^21: lengths in Q10 sum below 2^53, dot products with the Q14 normal below 2^58.
+  // Valence < 2^22, an edge is shorter than 2^21: lengths in Q10 sum below 2^53, dot products with the Q14 normal below
+  // 2^58.
   uint64_t length_sum = 0;
   int64_t along_normal = 0;
   for (uint32_t e = begin; e < end; ++e) {
@@ -80,7 +81,8 @@ void finish_vertex(const SurfaceScratch& scratch, uint32_t v, Mesh* mesh) {
   }
   const uint64_t valence = end - begin;
   mesh->edge_length[v] = static_cast<uint32_t>((length_sum + (valence << 9)) / (valence << 10));
-  // mean(edge) . n / mean(|edge|) = sum / sum: Q14 over Q10 and 2^9 more gives Q13. Both are halved alike until the product fits.
+  // mean(edge) . n / mean(|edge|) = sum / sum: Q14 over Q10 and 2^9 more gives Q13. Both are halved alike until the
+  // product fits.
   int64_t numerator = along_normal;
   int64_t denominator = static_cast<int64_t>(length_sum);
   while (abs64(numerator) >= static_cast<int64_t>(1) << 51) {

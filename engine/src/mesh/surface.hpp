@@ -13,7 +13,8 @@ struct SurfaceScratch {
   int64_t* angle_sums = nullptr;  // [U]
 };
 
-// Fills face_normals, normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the CSR.
+// Fills face_normals, normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the
+// CSR.
 void measure_surface(const SurfaceScratch& scratch, Mesh* mesh);
 
 }  // namespace sinew

@@ -15,9 +15,11 @@ inline int64_t floor_div(int64_t a, int64_t b) {
 // a / b rounded half up, b > 0. |a| < 2^61, b < 2^61.
 inline int64_t round_div(int64_t a, int64_t b) { return floor_div(2 * a + b, 2 * b); }
 
-// Length of an integer vector with components below 2^62, relative error below 2^-28 (exact floor while components are below 2^30).
+// Length of an integer vector with components below 2^62, relative error below 2^-28 (exact floor while components are
+// below 2^30).
 inline uint64_t length(Vec3l v) {
-  uint64_t x = static_cast<uint64_t>(abs64(v.x)), y = static_cast<uint64_t>(abs64(v.y)), z = static_cast<uint64_t>(abs64(v.z));
+  uint64_t x = static_cast<uint64_t>(abs64(v.x)), y = static_cast<uint64_t>(abs64(v.y)),
+           z = static_cast<uint64_t>(abs64(v.z));
   int shift = 0;
   for (uint64_t top = (x | y | z) >> 30; top != 0; top >>= 1) ++shift;
   x >>= shift;
@@ -29,7 +31,8 @@ inline uint64_t length(Vec3i v) { return length(Vec3l{v.x, v.y, v.z}); }
 
 // v / |v| in Q`bits`, rounded half up; (0,0,0) for the zero vector. Components below 2^62, bits <= 28.
 inline Vec3i unit_vector(Vec3l v, int bits) {
-  const uint64_t top = static_cast<uint64_t>(abs64(v.x)) | static_cast<uint64_t>(abs64(v.y)) | static_cast<uint64_t>(abs64(v.z));
+  const uint64_t top =
+      static_cast<uint64_t>(abs64(v.x)) | static_cast<uint64_t>(abs64(v.y)) | static_cast<uint64_t>(abs64(v.z));
   if (top == 0) return {0, 0, 0};
   // Brings the largest component to 30 bits, so that a one-unit triangle gets as good a normal as a large one.
   int msb = 0;
