@@ -251,9 +251,23 @@ TEST(GltfWrite, TheDocumentComesBackWithOnlyTheSkinChanged) {
   uint32_t length = 0;
   std::memcpy(&length, glb.data() + 12, 4);
   EXPECT_EQ(glb.substr(28 + length + view["byteOffset"].get<size_t>(), view["byteLength"].get<size_t>()), png);
+  for (const json& accessor : out["accessors"])  // the picture's odd length must not shift what follows it
+    EXPECT_EQ(out["bufferViews"][accessor["bufferView"].get<size_t>()].value("byteOffset", 0) % 4, 0);
+  EXPECT_EQ(values_of<float>(glb, out, out["animations"][0]["samplers"][0]["output"], 3), (std::vector<float>{0, 2, 0, 0, 3, 0}));
   const auto weights = values_of<uint16_t>(glb, out, b["WEIGHTS_0"], 4);
   EXPECT_EQ(weights[0], 45875);  // 0.7 of 65535 and the remainder
   EXPECT_EQ(weights[1], 19660);
+}
+
+TEST(GltfWrite, OldWeightsThatAnotherMeshUsesStay) {
+  GlbBuilder builder = two_joint_strip();
+  builder.add("meshes", builder.document["meshes"][0]);
+  builder.root({{"name", "statue"}, {"mesh", 1}, {"translation", {50, 0, 0}}});  // same accessors, no skin
+  const std::string glb = written(read(builder));
+  const json out = json_of_glb(glb);
+  const json& statue = out["meshes"][1]["primitives"][0]["attributes"];
+  EXPECT_NE(statue["WEIGHTS_0"], out["meshes"][0]["primitives"][0]["attributes"]["WEIGHTS_0"]);
+  EXPECT_EQ(values_of<float>(glb, out, statue["WEIGHTS_0"], 4)[13], 0.25f);
 }
 
 TEST(GltfWrite, WeightsSumExactlyAreSortedAndUnique) {
