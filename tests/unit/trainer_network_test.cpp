@@ -300,6 +300,26 @@ TEST(FloatNetwork, UntrainedFieldIsTheHeatBinder) {
   }
 }
 
+TEST(FloatNetwork, ShrunkCorrectionLiesBetweenHeatAndTheTrainedNetwork) {
+  const Sample sample = random_sample({.vertices = 40, .seed = 6});
+  const InputShape inputs{sample.vertex_features, sample.pair_features, 2};
+  const FloatNetwork untrained = build_field({8, 4, 1, sample.candidates, 64}, inputs, 1);
+  FloatNetwork trained = untrained;
+  leave_the_start(&trained);
+  for (float& w : trained.parameters[trained.parameters.size() - 2].weights) w += 0.5f;
+  FloatNetwork prior = untrained;  // without the small random last layer
+  for (float& w : prior.parameters.back().weights) w = 0;
+  const std::vector<float> heat = forward(prior, sample), all = forward(trained, sample);
+  const std::vector<float> some = forward(shrink_correction(trained, 0.25, inputs.log_rule), sample);
+  double moved = 0;
+  for (size_t i = 0; i < heat.size(); ++i) {
+    EXPECT_NEAR(some[i], heat[i] + 0.25f * (all[i] - heat[i]), 1e-4);
+    moved += std::abs(all[i] - heat[i]);
+  }
+  EXPECT_GT(moved, 1);
+  EXPECT_EQ(forward(shrink_correction(trained, 1, inputs.log_rule), sample), all);
+}
+
 TEST(FloatNetwork, ClassicHasThePublishedWidthsAndFitsTheBudget) {
   const FloatNetwork network = make_classic(8, 64, 1);
   size_t parameters = 0, multiplications = 0;

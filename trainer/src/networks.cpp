@@ -13,6 +13,8 @@
 namespace sinew {
 namespace {
 
+constexpr float kPriorWeight = static_cast<float>(kLogFeatureDivisor);  // of the log-rule channel: logit = log of the heat weight
+
 class Builder {
  public:
   Builder(const std::string& architecture, uint32_t candidates, uint32_t grid, const InputShape& inputs, uint64_t seed)
@@ -125,7 +127,7 @@ FloatNetwork build_field(const FieldOptions& options, const InputShape& inputs, 
   // logit = prior(pair features) + correction(state); the prior starts as the heat binder, the correction near zero.
   const Region prior = b.fresh(Domain::kPair, 1);
   LinearParameters& prior_weights = b.linear(b.pair_input(), prior, 0, {}, 0.0);
-  prior_weights.weights[inputs.log_rule] = static_cast<float>(kLogFeatureDivisor);
+  prior_weights.weights[inputs.log_rule] = kPriorWeight;
   const Region logits = b.fresh(Domain::kPair, 1);
   b.linear(state, logits, kLayerResidual, prior, 1e-4);
   return b.take();
@@ -175,6 +177,20 @@ FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape&
   const Region logits = b.fresh(Domain::kPair, 1);
   b.apply(LayerKind::kVertexToSlots, scores, logits);
   return b.take();
+}
+
+FloatNetwork shrink_correction(const FloatNetwork& network, double strength, uint32_t log_rule) {
+  FloatNetwork out = network;
+  if (network.architecture != "field" || network.parameters.size() < 2) return out;
+  const float s = static_cast<float>(strength);
+  LinearParameters& correction = out.parameters[out.parameters.size() - 1];
+  LinearParameters& prior = out.parameters[out.parameters.size() - 2];
+  for (LinearParameters* p : {&correction, &prior}) {
+    for (float& w : p->weights) w *= s;
+    for (float& b : p->bias) b *= s;
+  }
+  prior.weights.at(log_rule) += (1 - s) * kPriorWeight;
+  return out;
 }
 
 FloatNetwork make_field(const FieldOptions& options, uint64_t seed) {

@@ -16,6 +16,7 @@
 #include "features/features.hpp"
 #include "layer_runner.hpp"
 #include "loss.hpp"
+#include "networks.hpp"
 #include "optimizer.hpp"
 #include "parallel.hpp"
 #include "random.hpp"
@@ -283,7 +284,8 @@ class Run {
 
   void validate(double rate) {
     TrainingState& state = checkpoint_.state;
-    const FloatNetwork& candidate = state.averages.empty() ? checkpoint_.latest : state.averages[0];
+    const FloatNetwork candidate = shrink_correction(state.averages.empty() ? checkpoint_.latest : state.averages[0],
+                                                     config_.correction, kPairLogRule);
     ValScore val;
     if (!val_.empty()) {
       const std::vector<LinearBlock<float>> parameters = copy_blocks<float>(candidate);

@@ -26,6 +26,9 @@ struct TrainConfig {
   uint32_t batch = 2;                // characters per step, one per thread
   uint64_t seed = 1;
   double average_decay = 0.999;      // running average of weights; 0 = off
+  // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on the families
+  // it was trained on and better on new ones: trainer/README.md has the figures.
+  double correction = 0.7;
   uint32_t validate_every = 500;     // steps
   // Augmentation with recomputed features: variants made once per character and cached.
   uint32_t variants = 1;             // extra variants per character (turn, mirror, scale, jitter, decimation)
