@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The C API: argument checks and calls inward; sinew_bind() strings the stages together.
-#include "sinew/sinew.h"
-
 #include "bind/bind.hpp"
 #include "deform/skinning.hpp"
 #include "model/reader.hpp"
+#include "sinew/sinew.h"
 
 #define SINEW_STRING_(x) #x
 #define SINEW_STRING(x) SINEW_STRING_(x)
@@ -17,23 +16,40 @@ const char* sinew_version(void) {
 
 const char* sinew_status_text(sinew_status status) {
   switch (status) {
-    case SINEW_OK: return "ok";
-    case SINEW_ERROR_ARGUMENT: return "a pointer is null or an option is out of its range";
-    case SINEW_ERROR_WORKSPACE: return "the workspace is too small or not aligned to 64 bytes";
-    case SINEW_ERROR_COUNT: return "too many or no vertices, corners or joints";
-    case SINEW_ERROR_NOT_FINITE: return "a position is NaN or infinite";
-    case SINEW_ERROR_INDEX: return "a face names a vertex, or a parent a joint, that does not exist";
-    case SINEW_ERROR_HIERARCHY: return "the joint parents form a cycle";
-    case SINEW_ERROR_NO_JOINT: return "every joint is excluded from binding";
-    case SINEW_ERROR_CANCELLED: return "cancelled by the progress callback";
-    case SINEW_ERROR_MODEL_MAGIC: return "not a sinew model file";
-    case SINEW_ERROR_MODEL_VERSION: return "the model needs another version of this library";
-    case SINEW_ERROR_MODEL_TRUNCATED: return "the model file is shorter or longer than its header says";
-    case SINEW_ERROR_MODEL_CHECKSUM: return "the model file's checksum does not match its bytes";
-    case SINEW_ERROR_MODEL_LAYOUT: return "the model file contradicts itself";
-    case SINEW_ERROR_MODEL_OVERFLOW: return "the model file has an accumulator that could overflow";
-    case SINEW_ERROR_MODEL_ALIGNMENT: return "the model bytes must start at an address divisible by 8";
-    case SINEW_ERROR_RANGE: return "a joint index or weight is out of its range";
+    case SINEW_OK:
+      return "ok";
+    case SINEW_ERROR_ARGUMENT:
+      return "a pointer is null or an option is out of its range";
+    case SINEW_ERROR_WORKSPACE:
+      return "the workspace is too small or not aligned to 64 bytes";
+    case SINEW_ERROR_COUNT:
+      return "too many or no vertices, corners or joints";
+    case SINEW_ERROR_NOT_FINITE:
+      return "a position is NaN or infinite";
+    case SINEW_ERROR_INDEX:
+      return "a face names a vertex, or a parent a joint, that does not exist";
+    case SINEW_ERROR_HIERARCHY:
+      return "the joint parents form a cycle";
+    case SINEW_ERROR_NO_JOINT:
+      return "every joint is excluded from binding";
+    case SINEW_ERROR_CANCELLED:
+      return "cancelled by the progress callback";
+    case SINEW_ERROR_MODEL_MAGIC:
+      return "not a sinew model file";
+    case SINEW_ERROR_MODEL_VERSION:
+      return "the model needs another version of this library";
+    case SINEW_ERROR_MODEL_TRUNCATED:
+      return "the model file is shorter or longer than its header says";
+    case SINEW_ERROR_MODEL_CHECKSUM:
+      return "the model file's checksum does not match its bytes";
+    case SINEW_ERROR_MODEL_LAYOUT:
+      return "the model file contradicts itself";
+    case SINEW_ERROR_MODEL_OVERFLOW:
+      return "the model file has an accumulator that could overflow";
+    case SINEW_ERROR_MODEL_ALIGNMENT:
+      return "the model bytes must start at an address divisible by 8";
+    case SINEW_ERROR_RANGE:
+      return "a joint index or weight is out of its range";
   }
   return "unknown status";
 }
@@ -92,7 +108,8 @@ sinew_status sinew_skin_dual_quaternion(const float* positions, uint32_t vertex_
       influence_count == 0) {
     return SINEW_ERROR_ARGUMENT;
   }
-  return sinew::skin_dual_quaternion(positions, vertex_count, joints, weights, influence_count, palette, joint_count, out);
+  return sinew::skin_dual_quaternion(positions, vertex_count, joints, weights, influence_count, palette, joint_count,
+                                     out);
 }
 
 }  // extern "C"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The checkpoint file (formats/spec/checkpoint.md): a header that proves the file whole, then a cereal portable binary archive.
+// The checkpoint file (formats/spec/checkpoint.md): a header that proves the file whole, then a cereal portable binary
+// archive.
 #include "sinew_formats/checkpoint.hpp"
 
 #include <array>
@@ -34,13 +35,13 @@ void serialize(Archive& archive, LinearParameters& parameters) {
 }
 template <class Archive>
 void serialize(Archive& archive, FloatNetwork& network) {
-  archive(network.architecture, network.feature_set, network.candidate_count, network.grid_size, network.buffers, network.layers,
-          network.parameters);
+  archive(network.architecture, network.feature_set, network.candidate_count, network.grid_size, network.buffers,
+          network.layers, network.parameters);
 }
 template <class Archive>
 void serialize(Archive& archive, TrainingState& state) {
-  archive(state.step, state.seconds, state.averages, state.adam_m, state.adam_v, state.rng, state.queue, state.best_score,
-          state.config_json, state.log_csv);
+  archive(state.step, state.seconds, state.averages, state.adam_m, state.adam_v, state.rng, state.queue,
+          state.best_score, state.config_json, state.log_csv);
 }
 template <class Archive>
 void serialize(Archive& archive, Checkpoint& checkpoint) {
@@ -94,12 +95,14 @@ void check_network(const std::string& path, const char* which, const FloatNetwor
       if (region->buffer >= network.buffers.size() ||
           region->offset + region->channels > network.buffers[region->buffer].channels)
         fail(name + " reaches outside of its buffers");
-    if (layer.kind == LayerKind::kLinear && layer.parameters >= network.parameters.size()) fail(name + " has no weights");
+    if (layer.kind == LayerKind::kLinear && layer.parameters >= network.parameters.size())
+      fail(name + " has no weights");
   }
   for (size_t i = 0; i < network.parameters.size(); ++i) {
     const LinearParameters& block = network.parameters[i];
     if (block.weights.size() != static_cast<size_t>(block.in) * block.out || block.bias.size() != block.out)
-      fail("weight block " + std::to_string(i) + " is not " + std::to_string(block.out) + " x " + std::to_string(block.in));
+      fail("weight block " + std::to_string(i) + " is not " + std::to_string(block.out) + " x " +
+           std::to_string(block.in));
   }
 }
 
@@ -114,11 +117,12 @@ Checkpoint read_checkpoint(const std::string& path) {
                 std::to_string(bytes.size()));
   const uint64_t version = get(bytes.data() + 8, 4), length = get(bytes.data() + 16, 8);
   if (version != kVersion)
-    throw Error(path + ": expected checkpoint version " + std::to_string(kVersion) + ", found " + std::to_string(version));
+    throw Error(path + ": expected checkpoint version " + std::to_string(kVersion) + ", found " +
+                std::to_string(version));
   const size_t payload_bytes = bytes.size() - kHeaderBytes;
   if (length != payload_bytes)
-    throw Error(path + ": truncated checkpoint, expected " + std::to_string(length) + " bytes after the header, found " +
-                std::to_string(payload_bytes));
+    throw Error(path + ": truncated checkpoint, expected " + std::to_string(length) +
+                " bytes after the header, found " + std::to_string(payload_bytes));
   if (get(bytes.data() + 12, 4) != crc32(bytes.data() + kHeaderBytes, payload_bytes))
     throw Error(path + ": damaged checkpoint, the checksum does not match");
 

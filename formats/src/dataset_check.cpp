@@ -31,7 +31,8 @@ class Examples {
   // "3 isolated vertices: 1, 2, 3"
   void report(Level level, const char* code, const std::string& what, CheckReport* report) const {
     if (count_ == 0) return;
-    report->findings.push_back({level, code, count_, std::to_string(count_) + " " + what + ": " + text_ + (count_ > 5 ? ", ..." : "")});
+    report->findings.push_back(
+        {level, code, count_, std::to_string(count_) + " " + what + ": " + text_ + (count_ > 5 ? ", ..." : "")});
   }
 
  private:
@@ -47,8 +48,10 @@ double twice_area(const Character& character, const std::vector<uint32_t>& corne
     const Vec3& a = character.vertices[corners[c]];
     const Vec3& b = character.vertices[corners[(c + 1) % corners.size()]];
     const Vec3& o = character.vertices[corners[0]];
-    const double ax = static_cast<double>(a.x - o.x), ay = static_cast<double>(a.y - o.y), az = static_cast<double>(a.z - o.z);
-    const double bx = static_cast<double>(b.x - o.x), by = static_cast<double>(b.y - o.y), bz = static_cast<double>(b.z - o.z);
+    const double ax = static_cast<double>(a.x - o.x), ay = static_cast<double>(a.y - o.y),
+                 az = static_cast<double>(a.z - o.z);
+    const double bx = static_cast<double>(b.x - o.x), by = static_cast<double>(b.y - o.y),
+                 bz = static_cast<double>(b.z - o.z);
     sum[0] += ay * bz - az * by;
     sum[1] += az * bx - ax * bz;
     sum[2] += ax * by - ay * bx;
@@ -63,7 +66,8 @@ struct Box {
 Box box_of(const std::vector<Vec3>& vertices) {
   Box box;
   for (size_t v = 0; v < vertices.size(); ++v) {
-    const double p[3] = {static_cast<double>(vertices[v].x), static_cast<double>(vertices[v].y), static_cast<double>(vertices[v].z)};
+    const double p[3] = {static_cast<double>(vertices[v].x), static_cast<double>(vertices[v].y),
+                         static_cast<double>(vertices[v].z)};
     for (size_t axis = 0; axis < 3; ++axis) {
       box.low[axis] = v == 0 ? p[axis] : std::min(box.low[axis], p[axis]);
       box.high[axis] = v == 0 ? p[axis] : std::max(box.high[axis], p[axis]);
@@ -73,7 +77,8 @@ Box box_of(const std::vector<Vec3>& vertices) {
   return box;
 }
 
-// Holes are loops of boundary half-edges with at least one edge that is a boundary of the faces themselves, not of a split.
+// Holes are loops of boundary half-edges with at least one edge that is a boundary of the faces themselves, not of a
+// split.
 size_t count_boundary_loops(const Character& character, const std::vector<std::vector<uint32_t>>& faces,
                             const std::map<Edge, size_t>& faces_at) {
   PolyMesh mesh;
@@ -87,7 +92,8 @@ size_t count_boundary_loops(const Character& character, const std::vector<std::v
     OpenMesh::HalfedgeHandle at = start;
     do {
       seen[static_cast<size_t>(at.idx())] = 1;
-      const Edge edge = edge_of(origin[static_cast<size_t>(mesh.from_vertex_handle(at).idx())], origin[static_cast<size_t>(mesh.to_vertex_handle(at).idx())]);
+      const Edge edge = edge_of(origin[static_cast<size_t>(mesh.from_vertex_handle(at).idx())],
+                                origin[static_cast<size_t>(mesh.to_vertex_handle(at).idx())]);
       real = real || faces_at.at(edge) == 1;
       at = mesh.next_halfedge_handle(at);
     } while (at != start);
@@ -107,8 +113,9 @@ void check_mesh(const Character& character, const Box& box, CheckReport* report)
   std::set<std::vector<uint32_t>> known;
   std::vector<char> used(vertex_count, 0);
   for (size_t f = 0; f < character.face_count(); ++f) {
-    std::vector<uint32_t> corners(character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f]),
-                                  character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f + 1]));
+    std::vector<uint32_t> corners(
+        character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f]),
+        character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f + 1]));
     if (std::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return v >= vertex_count; })) {
       broken.add(f);
       continue;
@@ -163,14 +170,16 @@ void check_mesh(const Character& character, const Box& box, CheckReport* report)
   not_finite.report(Level::kError, "not-finite", "vertices that are not finite", report);
   broken.report(Level::kError, "bad-faces", "faces that name vertices which do not exist", report);
   if (character.face_count() == 0)
-    report->findings.push_back({Level::kError, "no-faces", 1, "the mesh has " + std::to_string(vertex_count) + " vertices and no faces"});
+    report->findings.push_back(
+        {Level::kError, "no-faces", 1, "the mesh has " + std::to_string(vertex_count) + " vertices and no faces"});
   non_manifold.report(Level::kWarning, "non-manifold-edges", "edges with more than two faces", report);
   flipped.report(Level::kWarning, "flipped-faces", "edges whose two faces are turned to different sides", report);
   degenerate.report(Level::kWarning, "degenerate-faces", "faces without area or with a vertex twice", report);
   duplicate.report(Level::kWarning, "duplicate-faces", "faces that repeat an earlier face", report);
   isolated.report(Level::kWarning, "isolated-vertices", "vertices in no face", report);
   if (report->components > 1)
-    report->findings.push_back({Level::kNote, "components", report->components, std::to_string(report->components) + " connected components"});
+    report->findings.push_back(
+        {Level::kNote, "components", report->components, std::to_string(report->components) + " connected components"});
   if (report->boundary_edges != 0)
     report->findings.push_back({Level::kNote, "boundary-edges", report->boundary_edges,
                                 std::to_string(report->boundary_edges) + " boundary edges in " +
@@ -182,7 +191,8 @@ void check_skeleton(const Character& character, const Box& box, CheckReport* rep
   Examples outside, roots, bad_parents, cycles;
   std::vector<size_t> seen_from(joints.size(), SIZE_MAX);
   for (size_t j = 0; j < joints.size(); ++j) {
-    const double p[3] = {static_cast<double>(joints[j].position.x), static_cast<double>(joints[j].position.y), static_cast<double>(joints[j].position.z)};
+    const double p[3] = {static_cast<double>(joints[j].position.x), static_cast<double>(joints[j].position.y),
+                         static_cast<double>(joints[j].position.z)};
     bool far = false;
     for (size_t axis = 0; axis < 3; ++axis)
       far = far || !(p[axis] >= box.low[axis] - 0.5 * box.longest && p[axis] <= box.high[axis] + 0.5 * box.longest);
@@ -203,19 +213,23 @@ void check_skeleton(const Character& character, const Box& box, CheckReport* rep
   if (joints.empty()) report->findings.push_back({Level::kError, "no-joints", 1, "the character has no joints"});
   bad_parents.report(Level::kError, "bad-parents", "joints with a parent that does not exist", report);
   cycles.report(Level::kError, "cycles", "cycles of joints, through", report);
-  if (!joints.empty() && roots.count() == 0) report->findings.push_back({Level::kError, "no-root", 1, "every joint has a parent"});
+  if (!joints.empty() && roots.count() == 0)
+    report->findings.push_back({Level::kError, "no-root", 1, "every joint has a parent"});
   if (roots.count() > 1) roots.report(Level::kWarning, "several-roots", "joints without parent", report);
-  outside.report(Level::kWarning, "joints-outside", "joints further from the mesh's box than half its longest side", report);
+  outside.report(Level::kWarning, "joints-outside", "joints further from the mesh's box than half its longest side",
+                 report);
 }
 
 void check_weights(const Character& character, CheckReport* report) {
   if (character.influences.empty()) {
-    if (!character.joints.empty()) report->findings.push_back({Level::kNote, "no-weights", 1, "the character has no weights"});
+    if (!character.joints.empty())
+      report->findings.push_back({Level::kNote, "no-weights", 1, "the character has no weights"});
     return;
   }
   if (character.influences.size() != character.vertices.size()) {
     report->findings.push_back({Level::kError, "weight-rows", character.influences.size(),
-                                std::to_string(character.influences.size()) + " rows of weights for " + std::to_string(character.vertices.size()) + " vertices"});
+                                std::to_string(character.influences.size()) + " rows of weights for " +
+                                    std::to_string(character.vertices.size()) + " vertices"});
     return;
   }
   Examples unbound, bad_sums, bad_influences, many, idle;
@@ -225,7 +239,8 @@ void check_weights(const Character& character, CheckReport* report) {
     size_t count = 0;
     bool bad = false;
     for (const Influence& influence : character.influences[v]) {
-      bad = bad || influence.joint >= character.joints.size() || !std::isfinite(influence.weight) || influence.weight < 0;
+      bad =
+          bad || influence.joint >= character.joints.size() || !std::isfinite(influence.weight) || influence.weight < 0;
       if (bad || influence.weight == 0) continue;
       sum += static_cast<double>(influence.weight);
       ++count;
@@ -244,7 +259,8 @@ void check_weights(const Character& character, CheckReport* report) {
     if (has_weight[j] == 0) idle.add(character.joints[j].name);
   report->unbound_vertices = unbound.count();
   report->bad_weight_sums = bad_sums.count();
-  bad_influences.report(Level::kError, "bad-influences", "vertices with a weight that is negative, not finite or of no joint", report);
+  bad_influences.report(Level::kError, "bad-influences",
+                        "vertices with a weight that is negative, not finite or of no joint", report);
   bad_sums.report(Level::kWarning, "weight-sum", "vertices whose weights do not sum to 1", report);
   unbound.report(Level::kWarning, "unbound-vertices", "vertices without weights", report);
   many.report(Level::kWarning, "many-influences", "vertices with more than 12 influences", report);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coarser variants of a character for training at several densities: OpenMesh's decimater with quadrics, weights carried along.
+// Coarser variants of a character for training at several densities: OpenMesh's decimater with quadrics, weights
+// carried along.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
@@ -23,8 +24,8 @@ namespace {
 using TriMesh = OpenMesh::TriMesh_ArrayKernelT<HalfEdgeTraits>;
 using Decimater = OpenMesh::Decimater::DecimaterT<TriMesh>;
 
-// Holes and hems keep their outline: a boundary vertex may only go along the boundary, and only while the new straight edge passes
-// it within a tolerance. Quadrics alone do not see a move within the plane of an open sheet.
+// Holes and hems keep their outline: a boundary vertex may only go along the boundary, and only while the new straight
+// edge passes it within a tolerance. Quadrics alone do not see a move within the plane of an open sheet.
 template <class MeshT>
 class ModOutlineT : public OpenMesh::Decimater::ModBaseT<MeshT> {
  public:
@@ -36,11 +37,13 @@ class ModOutlineT : public OpenMesh::Decimater::ModBaseT<MeshT> {
   float collapse_priority(const CollapseInfo& collapse) override {
     MeshT& mesh = Base::mesh();
     if (!mesh.is_boundary(collapse.v0)) return Base::LEGAL_COLLAPSE;
-    if (collapse.fl.is_valid() && collapse.fr.is_valid()) return Base::ILLEGAL_COLLAPSE;  // would cut through the inside
+    if (collapse.fl.is_valid() && collapse.fr.is_valid())
+      return Base::ILLEGAL_COLLAPSE;  // would cut through the inside
     for (const auto out : mesh.voh_range(collapse.v0)) {
       const auto neighbour = mesh.to_vertex_handle(out);
       if (neighbour == collapse.v1 || !mesh.is_boundary(mesh.edge_handle(out))) continue;
-      if (distance_to_segment(collapse.p0, mesh.point(neighbour), collapse.p1) > tolerance_) return Base::ILLEGAL_COLLAPSE;
+      if (distance_to_segment(collapse.p0, mesh.point(neighbour), collapse.p1) > tolerance_)
+        return Base::ILLEGAL_COLLAPSE;
     }
     return Base::LEGAL_COLLAPSE;
   }
@@ -59,13 +62,14 @@ class ModOutlineT : public OpenMesh::Decimater::ModBaseT<MeshT> {
 
 struct WeldedMesh {
   std::vector<Vec3> vertices;
-  std::vector<uint32_t> origin;                // [vertices] first vertex of the Character that was merged into it
-  std::vector<char> fixed;                     // another vertex stands at the same place with other weights: a seam to keep closed
+  std::vector<uint32_t> origin;  // [vertices] first vertex of the Character that was merged into it
+  std::vector<char> fixed;       // another vertex stands at the same place with other weights: a seam to keep closed
   std::vector<std::vector<uint32_t>> triangles;
-  std::vector<size_t> face_of;                 // [triangles] face of the Character
+  std::vector<size_t> face_of;  // [triangles] face of the Character
 };
 
-// Merges vertices with the same position and the same row, and cuts polygons into fans without degenerate or repeated triangles.
+// Merges vertices with the same position and the same row, and cuts polygons into fans without degenerate or repeated
+// triangles.
 WeldedMesh weld(const Character& character) {
   WeldedMesh welded;
   std::unordered_map<std::string, uint32_t> by_row;
@@ -93,7 +97,8 @@ WeldedMesh weld(const Character& character) {
   for (size_t f = 0; f < character.face_count(); ++f)
     for (size_t c = character.face_offsets[f] + 2; c < character.face_offsets[f + 1]; ++c) {
       const std::vector<uint32_t> triangle = {number[character.face_vertices[character.face_offsets[f]]],
-                                              number[character.face_vertices[c - 1]], number[character.face_vertices[c]]};
+                                              number[character.face_vertices[c - 1]],
+                                              number[character.face_vertices[c]]};
       std::array<uint32_t, 3> sorted = {triangle[0], triangle[1], triangle[2]};
       std::sort(sorted.begin(), sorted.end());
       if (sorted[0] == sorted[1] || sorted[1] == sorted[2] || !known.insert(sorted).second) continue;
@@ -106,7 +111,8 @@ WeldedMesh weld(const Character& character) {
 }  // namespace
 
 Character decimate(const Character& character, double ratio) {
-  if (!(ratio > 0 && ratio <= 1)) throw Error(character.name + ": expected a decimation ratio above 0 and up to 1, found " + std::to_string(ratio));
+  if (!(ratio > 0 && ratio <= 1))
+    throw Error(character.name + ": expected a decimation ratio above 0 and up to 1, found " + std::to_string(ratio));
   const WeldedMesh welded = weld(character);
   if (welded.triangles.empty()) throw Error(character.name + ": cannot decimate a mesh without faces");
 
@@ -137,14 +143,16 @@ Character decimate(const Character& character, double ratio) {
 
   double low[3] = {}, high[3] = {}, longest = 0;
   for (size_t v = 0; v < welded.vertices.size(); ++v) {
-    const double p[3] = {static_cast<double>(welded.vertices[v].x), static_cast<double>(welded.vertices[v].y), static_cast<double>(welded.vertices[v].z)};
+    const double p[3] = {static_cast<double>(welded.vertices[v].x), static_cast<double>(welded.vertices[v].y),
+                         static_cast<double>(welded.vertices[v].z)};
     for (size_t axis = 0; axis < 3; ++axis) {
       low[axis] = v == 0 ? p[axis] : std::min(low[axis], p[axis]);
       high[axis] = v == 0 ? p[axis] : std::max(high[axis], p[axis]);
       longest = std::max(longest, high[axis] - low[axis]);
     }
   }
-  const size_t target = std::max<size_t>(4, static_cast<size_t>(std::lround(static_cast<double>(vertex_count) * ratio)));
+  const size_t target =
+      std::max<size_t>(4, static_cast<size_t>(std::lround(static_cast<double>(vertex_count) * ratio)));
   Decimater decimater(mesh);
   OpenMesh::Decimater::ModQuadricT<TriMesh>::Handle quadric;
   OpenMesh::Decimater::ModNormalFlippingT<TriMesh>::Handle flipping;
@@ -154,8 +162,8 @@ Character decimate(const Character& character, double ratio) {
   decimater.add(flipping);
   decimater.add(outline);
   if (!decimater.initialize()) throw Error(character.name + ": cannot decimate, the decimater did not start");
-  // The outline is held as tightly as the target allows: hems of clothes are a large part of some characters. The decimater is
-  // set up once, because the quadrics must not start again from a mesh with deleted faces.
+  // The outline is held as tightly as the target allows: hems of clothes are a large part of some characters. The
+  // decimater is set up once, because the quadrics must not start again from a mesh with deleted faces.
   for (const double tolerance : {0.002, 0.01, 0.05, std::numeric_limits<double>::infinity()}) {
     if (vertex_count <= target) break;
     decimater.module(outline).set_tolerance(tolerance * longest);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole files in and out, and the folders of a data set. Everything that any reader or writer touches on disk goes through here.
+// Whole files in and out, and the folders of a data set. Everything that any reader or writer touches on disk goes
+// through here.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -116,7 +117,9 @@ std::vector<uint8_t> read_file(const std::string& path) {
   return bytes;
 }
 
-void write_file(const std::string& path, const std::vector<uint8_t>& bytes) { write_bytes(path, bytes.data(), bytes.size()); }
+void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
+  write_bytes(path, bytes.data(), bytes.size());
+}
 
 void write_text_file(const std::string& path, const std::string& text) { write_bytes(path, text.data(), text.size()); }
 

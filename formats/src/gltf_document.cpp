@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Loads a glTF document through tinygltf and answers what reader and writer ask of it: node tree, accessor values, bind matrices.
+// Loads a glTF document through tinygltf and answers what reader and writer ask of it: node tree, accessor values, bind
+// matrices.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -33,13 +34,16 @@ tinygltf::FsCallbacks plain_file_access() {
       return false;
     }
   };
-  access.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; };
+  access.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+  };
   access.user_data = nullptr;
   return access;
 }
 
 // Keeps the file's bytes; nothing here looks at pictures.
-bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes, int size, void*) {
+bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int, const unsigned char* bytes,
+                int size, void*) {
   image->image.assign(bytes, bytes + size);
   image->as_is = true;
   return true;
@@ -63,8 +67,8 @@ const char* image_type(const std::vector<unsigned char>& bytes) {
 }
 
 uint32_t read_u32(const std::vector<uint8_t>& bytes, size_t at) {
-  return static_cast<uint32_t>(bytes[at]) | static_cast<uint32_t>(bytes[at + 1]) << 8 | static_cast<uint32_t>(bytes[at + 2]) << 16 |
-         static_cast<uint32_t>(bytes[at + 3]) << 24;
+  return static_cast<uint32_t>(bytes[at]) | static_cast<uint32_t>(bytes[at + 1]) << 8 |
+         static_cast<uint32_t>(bytes[at + 2]) << 16 | static_cast<uint32_t>(bytes[at + 3]) << 24;
 }
 
 void refuse_compressed(const std::string& path, const tinygltf::Model& model) {
@@ -109,7 +113,8 @@ void gather_buffers(GltfSource* source) {
     const char* type = image_type(bytes);
     if (!image.contains("uri") || bytes.empty() || type == nullptr) continue;
     source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
-    document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", bytes.size()}});
+    document["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", bytes.size()}});
     source->bytes.insert(source->bytes.end(), bytes.begin(), bytes.end());
     image.erase("uri");
     image["bufferView"] = document["bufferViews"].size() - 1;
@@ -122,13 +127,16 @@ void gather_buffers(GltfSource* source) {
 
 GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) {
   if (file.empty()) throw Error(path + ": expected a glTF file, found an empty file");
-  if (file.size() > UINT32_MAX) throw Error(path + ": expected a glTF file below 4 GiB, found " + std::to_string(file.size()) + " bytes");
+  if (file.size() > UINT32_MAX)
+    throw Error(path + ": expected a glTF file below 4 GiB, found " + std::to_string(file.size()) + " bytes");
   const bool binary = file.size() >= 4 && std::memcmp(file.data(), "glTF", 4) == 0;
-  if (binary && file.size() < 20) throw Error(path + ": truncated GLB, expected a header of 20 bytes, found " + std::to_string(file.size()));
+  if (binary && file.size() < 20)
+    throw Error(path + ": truncated GLB, expected a header of 20 bytes, found " + std::to_string(file.size()));
   if (binary && read_u32(file, 4) != 2)
     throw Error(path + ": expected glTF version 2, found version " + std::to_string(read_u32(file, 4)));
   if (binary && read_u32(file, 8) > file.size())
-    throw Error(path + ": truncated GLB, expected " + std::to_string(read_u32(file, 8)) + " bytes, found " + std::to_string(file.size()));
+    throw Error(path + ": truncated GLB, expected " + std::to_string(read_u32(file, 8)) + " bytes, found " +
+                std::to_string(file.size()));
 
   GltfSource source;
   std::string problem, warning;
@@ -140,7 +148,8 @@ GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) 
     const std::string folder = fs::path(path).parent_path().string();
     const unsigned size = static_cast<unsigned>(file.size());
     ok = binary ? loader.LoadBinaryFromMemory(&source.model, &problem, &warning, file.data(), size, folder)
-                : loader.LoadASCIIFromString(&source.model, &problem, &warning, reinterpret_cast<const char*>(file.data()), size, folder);
+                : loader.LoadASCIIFromString(&source.model, &problem, &warning,
+                                             reinterpret_cast<const char*>(file.data()), size, folder);
     if (ok) {
       const uint8_t* text = binary ? file.data() + 20 : file.data();
       source.document = Json::parse(text, binary ? text + read_u32(file, 12) : file.data() + file.size());
@@ -166,7 +175,8 @@ GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model) {
   for (size_t i = 0; i < count; ++i)
     for (const int child : model.nodes[i].children) {
       if (child < 0 || static_cast<size_t>(child) >= count)
-        throw Error(path + ": " + name(i) + ": expected children below " + std::to_string(count) + ", found " + std::to_string(child));
+        throw Error(path + ": " + name(i) + ": expected children below " + std::to_string(count) + ", found " +
+                    std::to_string(child));
       if (nodes.parents[static_cast<size_t>(child)] >= 0)
         throw Error(path + ": " + name(static_cast<size_t>(child)) + ": expected one parent, found two");
       nodes.parents[static_cast<size_t>(child)] = static_cast<int>(i);
@@ -190,9 +200,9 @@ GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model) {
         double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
         const double length = std::sqrt(x * x + y * y + z * z + w * w);
         if (length > 0) x /= length, y /= length, z /= length, w /= length;
-        local = {1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), 0,
-                 2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), 0,
-                 2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), 0};
+        local = {1 - 2 * (y * y + z * z), 2 * (x * y - z * w),     2 * (x * z + y * w),     0,
+                 2 * (x * y + z * w),     1 - 2 * (x * x + z * z), 2 * (y * z - x * w),     0,
+                 2 * (x * z - y * w),     2 * (y * z + x * w),     1 - 2 * (x * x + y * y), 0};
       }
       if (node.scale.size() == 3)
         for (size_t r = 0; r < 3; ++r)
@@ -203,17 +213,20 @@ GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model) {
     const int parent = nodes.parents[i];
     nodes.worlds[i] = parent < 0 ? local : multiply(nodes.worlds[static_cast<size_t>(parent)], local);
     for (const double value : nodes.worlds[i])
-      if (!std::isfinite(value)) throw Error(path + ": " + name(i) + ": expected a finite transform, found one that is not");
+      if (!std::isfinite(value))
+        throw Error(path + ": " + name(i) + ": expected a finite transform, found one that is not");
   }
 
   if (model.scenes.empty()) {
     std::fill(nodes.in_scene.begin(), nodes.in_scene.end(), char{1});
     return nodes;
   }
-  const int scene = model.defaultScene >= 0 && static_cast<size_t>(model.defaultScene) < model.scenes.size() ? model.defaultScene : 0;
+  const int scene =
+      model.defaultScene >= 0 && static_cast<size_t>(model.defaultScene) < model.scenes.size() ? model.defaultScene : 0;
   for (const int root : model.scenes[static_cast<size_t>(scene)].nodes) {
     if (root < 0 || static_cast<size_t>(root) >= count)
-      throw Error(path + ": scene " + std::to_string(scene) + ": expected nodes below " + std::to_string(count) + ", found " + std::to_string(root));
+      throw Error(path + ": scene " + std::to_string(scene) + ": expected nodes below " + std::to_string(count) +
+                  ", found " + std::to_string(root));
     nodes.in_scene[static_cast<size_t>(root)] = 1;
   }
   for (const size_t i : order)
@@ -229,8 +242,8 @@ struct Elements {
   size_t stride = 0;
 };
 
-Elements elements_at(const std::string& where, const tinygltf::Model& model, int view_index, int64_t offset, size_t element_bytes,
-                     size_t count, bool strided) {
+Elements elements_at(const std::string& where, const tinygltf::Model& model, int view_index, int64_t offset,
+                     size_t element_bytes, size_t count, bool strided) {
   const auto fail = [&](const std::string& expected, const std::string& found) {
     throw Error(where + ": expected " + expected + ", found " + found);
   };
@@ -241,10 +254,12 @@ Elements elements_at(const std::string& where, const tinygltf::Model& model, int
     fail("a buffer below " + std::to_string(model.buffers.size()), std::to_string(view.buffer));
   const std::vector<unsigned char>& data = model.buffers[static_cast<size_t>(view.buffer)].data;
   if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset)
-    fail("buffer view " + std::to_string(view_index) + " inside of its buffer of " + std::to_string(data.size()) + " bytes",
+    fail("buffer view " + std::to_string(view_index) + " inside of its buffer of " + std::to_string(data.size()) +
+             " bytes",
          std::to_string(view.byteOffset) + " + " + std::to_string(view.byteLength));
   const size_t stride = strided && view.byteStride != 0 ? view.byteStride : element_bytes;
-  const size_t room = offset < 0 || static_cast<size_t>(offset) > view.byteLength ? 0 : view.byteLength - static_cast<size_t>(offset);
+  const size_t room =
+      offset < 0 || static_cast<size_t>(offset) > view.byteLength ? 0 : view.byteLength - static_cast<size_t>(offset);
   if (stride > data.size() || (count != 0 && (room < element_bytes || (room - element_bytes) / stride < count - 1)))
     fail(std::to_string(count) + " elements inside of buffer view " + std::to_string(view_index),
          std::to_string(view.byteLength) + " bytes");
@@ -254,22 +269,30 @@ Elements elements_at(const std::string& where, const tinygltf::Model& model, int
 // One component as double; `normalized` maps integers to 0..1 or -1..1.
 double component(const uint8_t* at, int type, bool normalized) {
   const auto load = [&](auto value) {
-    std::memcpy(&value, at, sizeof value);  // host is little-endian, as the file; accessors may be unaligned in bad files
+    std::memcpy(&value, at,
+                sizeof value);  // host is little-endian, as the file; accessors may be unaligned in bad files
     return value;
   };
   switch (type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return normalized ? std::max(load(int8_t{}) / 127.0, -1.0) : load(int8_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return load(uint8_t{}) / (normalized ? 255.0 : 1.0);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return normalized ? std::max(load(int16_t{}) / 32767.0, -1.0) : load(int16_t{});
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return load(uint16_t{}) / (normalized ? 65535.0 : 1.0);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return load(uint32_t{});
-    default: return static_cast<double>(load(float{}));
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return normalized ? std::max(load(int8_t{}) / 127.0, -1.0) : load(int8_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return load(uint8_t{}) / (normalized ? 255.0 : 1.0);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return normalized ? std::max(load(int16_t{}) / 32767.0, -1.0) : load(int16_t{});
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return load(uint16_t{}) / (normalized ? 65535.0 : 1.0);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return load(uint32_t{});
+    default:
+      return static_cast<double>(load(float{}));
   }
 }
 
 std::vector<double> accessor_values(const std::string& where, const tinygltf::Model& model, int index, int components) {
   if (index < 0 || static_cast<size_t>(index) >= model.accessors.size())
-    throw Error(where + ": expected an accessor below " + std::to_string(model.accessors.size()) + ", found " + std::to_string(index));
+    throw Error(where + ": expected an accessor below " + std::to_string(model.accessors.size()) + ", found " +
+                std::to_string(index));
   const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(index)];
   const std::string name = where + ", accessor " + std::to_string(index);
   const int found = tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type));
@@ -281,7 +304,8 @@ std::vector<double> accessor_values(const std::string& where, const tinygltf::Mo
     throw Error(name + ": expected a component type of glTF 2.0, found " + std::to_string(type));
   constexpr size_t kMostValues = size_t{1} << 28;  // of an accessor without bytes, whose count is all that a file gives
   if (accessor.bufferView < 0 && accessor.count > kMostValues)
-    throw Error(name + ": expected at most " + std::to_string(kMostValues) + " elements, found " + std::to_string(accessor.count));
+    throw Error(name + ": expected at most " + std::to_string(kMostValues) + " elements, found " +
+                std::to_string(accessor.count));
 
   const size_t width = static_cast<size_t>(components), bytes = static_cast<size_t>(component_bytes);
   std::vector<double> values;
@@ -289,8 +313,8 @@ std::vector<double> accessor_values(const std::string& where, const tinygltf::Mo
     for (size_t c = 0; c < width; ++c) to[c] = component(at + c * bytes, type, accessor.normalized);
   };
   if (accessor.bufferView >= 0) {
-    const Elements from = elements_at(name, model, accessor.bufferView, static_cast<int64_t>(accessor.byteOffset), width * bytes,
-                                      accessor.count, true);
+    const Elements from = elements_at(name, model, accessor.bufferView, static_cast<int64_t>(accessor.byteOffset),
+                                      width * bytes, accessor.count, true);
     values.resize(accessor.count * width);
     for (size_t i = 0; i < accessor.count; ++i) read_element(from.first + i * from.stride, &values[i * width]);
   } else {
@@ -299,17 +323,22 @@ std::vector<double> accessor_values(const std::string& where, const tinygltf::Mo
   if (accessor.sparse.isSparse && accessor.sparse.count > 0) {
     const size_t count = static_cast<size_t>(accessor.sparse.count);
     const auto& at = accessor.sparse.indices;
-    if (at.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && at.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
+    if (at.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE &&
+        at.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         at.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-      throw Error(name + ": expected unsigned sparse indices, found component type " + std::to_string(at.componentType));
-    const size_t index_bytes = static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(at.componentType)));
-    const Elements indices = elements_at(name + ", sparse indices", model, at.bufferView, at.byteOffset, index_bytes, count, false);
+      throw Error(name + ": expected unsigned sparse indices, found component type " +
+                  std::to_string(at.componentType));
+    const size_t index_bytes =
+        static_cast<size_t>(tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(at.componentType)));
+    const Elements indices =
+        elements_at(name + ", sparse indices", model, at.bufferView, at.byteOffset, index_bytes, count, false);
     const Elements from = elements_at(name + ", sparse values", model, accessor.sparse.values.bufferView,
                                       accessor.sparse.values.byteOffset, width * bytes, count, false);
     for (size_t i = 0; i < count; ++i) {
       const size_t element = static_cast<size_t>(component(indices.first + i * index_bytes, at.componentType, false));
       if (element >= accessor.count)
-        throw Error(name + ": expected sparse indices below " + std::to_string(accessor.count) + ", found " + std::to_string(element));
+        throw Error(name + ": expected sparse indices below " + std::to_string(accessor.count) + ", found " +
+                    std::to_string(element));
       read_element(from.first + i * from.stride, &values[element * width]);
     }
   }
@@ -318,36 +347,43 @@ std::vector<double> accessor_values(const std::string& where, const tinygltf::Mo
 
 }  // namespace
 
-std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor, int components) {
+std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor,
+                                   int components) {
   const std::vector<double> values = accessor_values(where, model, accessor, components);
   std::vector<float> out(values.size());
   for (size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]))
-      throw Error(where + ", accessor " + std::to_string(accessor) + ": expected finite numbers, found NaN or infinity in element " +
+      throw Error(where + ", accessor " + std::to_string(accessor) +
+                  ": expected finite numbers, found NaN or infinity in element " +
                   std::to_string(i / static_cast<size_t>(components)));
     out[i] = static_cast<float>(values[i]);
   }
   return out;
 }
 
-std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf::Model& model, int accessor, int components) {
+std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf::Model& model, int accessor,
+                                        int components) {
   const std::vector<double> values = accessor_values(where, model, accessor, components);
   std::vector<uint32_t> out(values.size());
   for (size_t i = 0; i < values.size(); ++i) {
     if (!(values[i] >= 0 && values[i] <= UINT32_MAX) || values[i] != std::floor(values[i]))
-      throw Error(where + ", accessor " + std::to_string(accessor) + ": expected whole numbers from 0, found another in element " +
+      throw Error(where + ", accessor " + std::to_string(accessor) +
+                  ": expected whole numbers from 0, found another in element " +
                   std::to_string(i / static_cast<size_t>(components)));
     out[i] = static_cast<uint32_t>(values[i]);
   }
   return out;
 }
 
-std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model, const tinygltf::Skin& skin) {
+std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
+                                          const tinygltf::Skin& skin) {
   std::vector<Affine> matrices(skin.joints.size(), kIdentity);
   if (skin.inverseBindMatrices < 0) return matrices;
-  const std::vector<float> values = accessor_floats(where + ", inverse bind matrices", model, skin.inverseBindMatrices, 16);
+  const std::vector<float> values =
+      accessor_floats(where + ", inverse bind matrices", model, skin.inverseBindMatrices, 16);
   if (values.size() < matrices.size() * 16)
-    throw Error(where + ": expected " + std::to_string(matrices.size()) + " inverse bind matrices, found " + std::to_string(values.size() / 16));
+    throw Error(where + ": expected " + std::to_string(matrices.size()) + " inverse bind matrices, found " +
+                std::to_string(values.size() / 16));
   for (size_t j = 0; j < matrices.size(); ++j)
     for (size_t r = 0; r < 3; ++r)
       for (size_t c = 0; c < 4; ++c) matrices[j][r * 4 + c] = static_cast<double>(values[j * 16 + c * 4 + r]);

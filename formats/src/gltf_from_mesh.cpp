@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A glTF document for a mesh that has none (an OBJ): vertices split where UVs or normals differ, one primitive per material.
+// A glTF document for a mesh that has none (an OBJ): vertices split where UVs or normals differ, one primitive per
+// material.
 #include <array>
 #include <cmath>
 #include <map>
@@ -99,7 +100,8 @@ int add_floats(tinygltf::Model* model, const std::vector<float>& values, int com
   return static_cast<int>(model->accessors.size()) - 1;
 }
 
-tinygltf::Primitive add_primitive(tinygltf::Model* model, const Character& character, const SplitPrimitive& split, bool has_uvs, int material) {
+tinygltf::Primitive add_primitive(tinygltf::Model* model, const Character& character, const SplitPrimitive& split,
+                                  bool has_uvs, int material) {
   std::vector<float> positions, normals, uvs;
   for (const SplitVertex& v : split.vertices) {
     const Vec3& p = character.vertices[v.vertex];
@@ -120,7 +122,8 @@ tinygltf::Primitive add_primitive(tinygltf::Model* model, const Character& chara
     accessor.bufferView = add_view(model, small.data(), small.size() * 2, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
   } else {
-    accessor.bufferView = add_view(model, split.indices.data(), split.indices.size() * 4, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    accessor.bufferView =
+        add_view(model, split.indices.data(), split.indices.size() * 4, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   }
   accessor.type = TINYGLTF_TYPE_SCALAR;
@@ -135,12 +138,14 @@ tinygltf::Primitive add_primitive(tinygltf::Model* model, const Character& chara
 GltfSource gltf_from_mesh(const std::string& path, const Character& character) {
   const size_t face_count = character.face_count(), corner_count = character.face_vertices.size();
   if (face_count == 0) throw Error(path + ": cannot write a GLB of a mesh without faces");
-  const bool has_uvs = character.corner_uvs.size() == corner_count, has_normals = character.corner_normals.size() == corner_count;
+  const bool has_uvs = character.corner_uvs.size() == corner_count,
+             has_normals = character.corner_normals.size() == corner_count;
   const std::vector<Vec3> smooth = smooth_normals(character);
 
   std::map<int, SplitPrimitive> primitives;  // by material; -1 = none
   for (size_t f = 0; f < face_count; ++f) {
-    SplitPrimitive& split = primitives[character.face_materials.size() == face_count ? character.face_materials[f] : -1];
+    SplitPrimitive& split =
+        primitives[character.face_materials.size() == face_count ? character.face_materials[f] : -1];
     std::vector<uint32_t> corners;
     for (size_t c = character.face_offsets[f]; c < character.face_offsets[f + 1]; ++c) {
       SplitVertex v{character.face_vertices[c], {}};
@@ -156,7 +161,8 @@ GltfSource gltf_from_mesh(const std::string& path, const Character& character) {
       if (is_new) split.vertices.push_back(v);
       corners.push_back(at->second);
     }
-    for (size_t c = 2; c < corners.size(); ++c) split.indices.insert(split.indices.end(), {corners[0], corners[c - 1], corners[c]});
+    for (size_t c = 2; c < corners.size(); ++c)
+      split.indices.insert(split.indices.end(), {corners[0], corners[c - 1], corners[c]});
   }
 
   tinygltf::Model model;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0 / GLB / VRM to Character: all mesh nodes of the scene in world space, as they stand with the nodes' present transforms.
+// glTF 2.0 / GLB / VRM to Character: all mesh nodes of the scene in world space, as they stand with the nodes' present
+// transforms.
 #include "gltf_read.hpp"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace {
 
 using Row = std::vector<Influence>;
 
-// What makes two vertices of a mesh node one: the same position in the file and the same influences. UVs, normals and colours
-// may differ (seams); so may morph targets, which move both sides of a seam alike.
+// What makes two vertices of a mesh node one: the same position in the file and the same influences. UVs, normals and
+// colours may differ (seams); so may morph targets, which move both sides of a seam alike.
 std::string weld_key(const float* position, const Row& row) {
   float xyz[3];
   for (size_t c = 0; c < 3; ++c) xyz[c] = position[c] + 0.0f;  // -0 becomes 0
@@ -48,7 +49,8 @@ class GltfReader {
       has_mesh = true;
     }
     if (need_mesh_ && (!has_mesh || character_.vertices.empty()))
-      throw Error(path_ + ": expected a scene with a mesh, found none in " + std::to_string(model().nodes.size()) + " nodes");
+      throw Error(path_ + ": expected a scene with a mesh, found none in " + std::to_string(model().nodes.size()) +
+                  " nodes");
     finish_names();
     source_->joints = character_.joints;
     source_->vertex_count = character_.vertices.size();
@@ -63,14 +65,16 @@ class GltfReader {
     const tinygltf::Node& node = model().nodes[node_index];
     const auto check = [&](int index, size_t count, const char* what) {
       if (index >= 0 && static_cast<size_t>(index) >= count)
-        throw Error(path_ + ": node " + std::to_string(node_index) + " " + in_quotes(node.name) + ": expected a " + what + " below " +
-                    std::to_string(count) + ", found " + std::to_string(index));
+        throw Error(path_ + ": node " + std::to_string(node_index) + " " + in_quotes(node.name) + ": expected a " +
+                    what + " below " + std::to_string(count) + ", found " + std::to_string(index));
     };
     check(node.mesh, model().meshes.size(), "mesh");
     check(node.skin, model().skins.size(), "skin");
   }
 
-  std::string skin_name(size_t skin) const { return path_ + ": skin " + std::to_string(skin) + " " + in_quotes(model().skins[skin].name); }
+  std::string skin_name(size_t skin) const {
+    return path_ + ": skin " + std::to_string(skin) + " " + in_quotes(model().skins[skin].name);
+  }
 
   // The joints of all skins that meshes of the scene use (of all skins when none does), in the skins' order.
   void read_joints() {
@@ -85,14 +89,16 @@ class GltfReader {
       if (used[s] == 0) continue;
       for (const int node : model().skins[s].joints) {
         if (node < 0 || static_cast<size_t>(node) >= model().nodes.size())
-          throw Error(skin_name(s) + ": expected joints below " + std::to_string(model().nodes.size()) + ", found " + std::to_string(node));
+          throw Error(skin_name(s) + ": expected joints below " + std::to_string(model().nodes.size()) + ", found " +
+                      std::to_string(node));
         int& joint = joint_of_node_[static_cast<size_t>(node)];
         if (joint >= 0) continue;
         joint = static_cast<int>(character_.joints.size());
         const Affine& world = nodes_.worlds[static_cast<size_t>(node)];
-        character_.joints.push_back({model().nodes[static_cast<size_t>(node)].name,
-                                     {static_cast<float>(world[3]), static_cast<float>(world[7]), static_cast<float>(world[11])},
-                                     -1});
+        character_.joints.push_back(
+            {model().nodes[static_cast<size_t>(node)].name,
+             {static_cast<float>(world[3]), static_cast<float>(world[7]), static_cast<float>(world[11])},
+             -1});
         source_->joint_nodes.push_back(node);
       }
     }
@@ -123,38 +129,46 @@ class GltfReader {
         palette[j] = multiply(nodes_.worlds[static_cast<size_t>(model().skins[skin].joints[j])], palette[j]);
     }
     for (size_t p = 0; p < model().meshes[mesh].primitives.size(); ++p) {
-      const std::string where = path_ + ": mesh " + std::to_string(mesh) + " " + in_quotes(model().meshes[mesh].name) + ", primitive " + std::to_string(p);
+      const std::string where = path_ + ": mesh " + std::to_string(mesh) + " " + in_quotes(model().meshes[mesh].name) +
+                                ", primitive " + std::to_string(p);
       read_primitive(where, node_index, p, palette, &welded);
     }
   }
 
   // Influences by skin joint number (they index the palette), merged and sorted by joint; empty rows are unbound.
-  std::vector<Row> read_rows(const std::string& where, const tinygltf::Primitive& primitive, size_t vertex_count, size_t joint_count) const {
+  std::vector<Row> read_rows(const std::string& where, const tinygltf::Primitive& primitive, size_t vertex_count,
+                             size_t joint_count) const {
     std::vector<Row> rows(vertex_count);
     for (int set = 0;; ++set) {
       const auto joints_at = primitive.attributes.find("JOINTS_" + std::to_string(set));
       const auto weights_at = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
       if (joints_at == primitive.attributes.end() || weights_at == primitive.attributes.end()) break;
-      const std::vector<uint32_t> joints = accessor_integers(where + ", " + joints_at->first, model(), joints_at->second, 4);
-      const std::vector<float> weights = accessor_floats(where + ", " + weights_at->first, model(), weights_at->second, 4);
+      const std::vector<uint32_t> joints =
+          accessor_integers(where + ", " + joints_at->first, model(), joints_at->second, 4);
+      const std::vector<float> weights =
+          accessor_floats(where + ", " + weights_at->first, model(), weights_at->second, 4);
       if (joints.size() != vertex_count * 4 || weights.size() != vertex_count * 4)
         throw Error(where + ": expected joints and weights for " + std::to_string(vertex_count) + " vertices, found " +
                     std::to_string(joints.size() / 4) + " and " + std::to_string(weights.size() / 4));
       for (size_t i = 0; i < joints.size(); ++i) {
         const std::string vertex = where + ", vertex " + std::to_string(i / 4);
-        if (weights[i] < 0) throw Error(vertex + ": expected weights of 0 or more, found " + std::to_string(weights[i]));
+        if (weights[i] < 0)
+          throw Error(vertex + ": expected weights of 0 or more, found " + std::to_string(weights[i]));
         if (weights[i] == 0) continue;
         if (joints[i] >= joint_count)
-          throw Error(vertex + ": expected joints below " + std::to_string(joint_count) + ", found " + std::to_string(joints[i]));
+          throw Error(vertex + ": expected joints below " + std::to_string(joint_count) + ", found " +
+                      std::to_string(joints[i]));
         Row& row = rows[i / 4];
-        const auto same = std::find_if(row.begin(), row.end(), [&](const Influence& at) { return at.joint == joints[i]; });
+        const auto same =
+            std::find_if(row.begin(), row.end(), [&](const Influence& at) { return at.joint == joints[i]; });
         if (same != row.end())
           same->weight += weights[i];
         else
           row.push_back({joints[i], weights[i]});
       }
     }
-    for (Row& row : rows) std::sort(row.begin(), row.end(), [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+    for (Row& row : rows)
+      std::sort(row.begin(), row.end(), [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
     return rows;
   }
 
@@ -170,8 +184,8 @@ class GltfReader {
     return sum;
   }
 
-  void read_primitive(const std::string& where, size_t node_index, size_t primitive_index, const std::vector<Affine>& palette,
-                      std::unordered_map<std::string, uint32_t>* welded) {
+  void read_primitive(const std::string& where, size_t node_index, size_t primitive_index,
+                      const std::vector<Affine>& palette, std::unordered_map<std::string, uint32_t>* welded) {
     const tinygltf::Node& node = model().nodes[node_index];
     const tinygltf::Primitive& primitive = model().meshes[static_cast<size_t>(node.mesh)].primitives[primitive_index];
     const auto position_at = primitive.attributes.find("POSITION");
@@ -180,14 +194,16 @@ class GltfReader {
         model().accessors[static_cast<size_t>(position_at->second)].bufferView < 0)
       throw Error(where + ": expected uncompressed geometry, found KHR_draco_mesh_compression; decode it first");
     if (position_at == primitive.attributes.end()) return;  // the specification: nothing to draw
-    if (primitive.mode == TINYGLTF_MODE_POINTS || primitive.mode == TINYGLTF_MODE_LINE || primitive.mode == TINYGLTF_MODE_LINE_LOOP ||
-        primitive.mode == TINYGLTF_MODE_LINE_STRIP)
-      throw Error(where + ": expected triangles, strips or fans, found points or lines (mode " + std::to_string(primitive.mode) + "); remove them");
+    if (primitive.mode == TINYGLTF_MODE_POINTS || primitive.mode == TINYGLTF_MODE_LINE ||
+        primitive.mode == TINYGLTF_MODE_LINE_LOOP || primitive.mode == TINYGLTF_MODE_LINE_STRIP)
+      throw Error(where + ": expected triangles, strips or fans, found points or lines (mode " +
+                  std::to_string(primitive.mode) + "); remove them");
 
     const std::vector<float> positions = accessor_floats(where + ", POSITION", model(), position_at->second, 3);
     const size_t vertex_count = positions.size() / 3;
     const bool skinned = !palette.empty();
-    std::vector<Row> rows = skinned ? read_rows(where, primitive, vertex_count, palette.size()) : std::vector<Row>(vertex_count);
+    std::vector<Row> rows =
+        skinned ? read_rows(where, primitive, vertex_count, palette.size()) : std::vector<Row>(vertex_count);
     const int carrier = skinned ? -1 : joint_at_or_above(static_cast<int>(node_index));
     const std::vector<float> normals = optional_attribute(where, primitive, "NORMAL", 3, vertex_count);
     const std::vector<float> uvs = optional_attribute(where, primitive, "TEXCOORD_0", 2, vertex_count);
@@ -197,14 +213,20 @@ class GltfReader {
     for (size_t v = 0; v < vertex_count; ++v) {
       const float* p = &positions[v * 3];
       const Affine matrix = skinned ? blend(palette, rows[v]) : nodes_.worlds[node_index];
-      if (!normals.empty()) world_normals[v] = unit(transform_normal(matrix, static_cast<double>(normals[v * 3]), static_cast<double>(normals[v * 3 + 1]), static_cast<double>(normals[v * 3 + 2])));
-      const auto [at, is_new] = welded->emplace(weld_key(p, rows[v]), static_cast<uint32_t>(character_.vertices.size()));
+      if (!normals.empty())
+        world_normals[v] =
+            unit(transform_normal(matrix, static_cast<double>(normals[v * 3]), static_cast<double>(normals[v * 3 + 1]),
+                                  static_cast<double>(normals[v * 3 + 2])));
+      const auto [at, is_new] =
+          welded->emplace(weld_key(p, rows[v]), static_cast<uint32_t>(character_.vertices.size()));
       part.vertex_of[v] = at->second;
       if (!is_new) continue;
-      const std::array<double, 3> world = transform_point(matrix, static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
+      const std::array<double, 3> world =
+          transform_point(matrix, static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
       const Vec3 vertex{static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
       if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z))
-        throw Error(where + ", vertex " + std::to_string(v) + ": expected a finite position, found one beyond the range of floats");
+        throw Error(where + ", vertex " + std::to_string(v) +
+                    ": expected a finite position, found one beyond the range of floats");
       character_.vertices.push_back(vertex);
       if (character_.joints.empty()) continue;
       Row row;
@@ -219,8 +241,8 @@ class GltfReader {
     source_->parts.push_back(std::move(part));
   }
 
-  std::vector<float> optional_attribute(const std::string& where, const tinygltf::Primitive& primitive, const char* name, int components,
-                                        size_t vertex_count) const {
+  std::vector<float> optional_attribute(const std::string& where, const tinygltf::Primitive& primitive,
+                                        const char* name, int components, size_t vertex_count) const {
     const auto at = primitive.attributes.find(name);
     if (at == primitive.attributes.end()) return {};
     std::vector<float> values = accessor_floats(where + ", " + name, model(), at->second, components);
@@ -230,15 +252,16 @@ class GltfReader {
     return values;
   }
 
-  void read_faces(const std::string& where, const tinygltf::Primitive& primitive, const GltfPart& part, const std::vector<Vec3>& normals,
-                  const std::vector<float>& uvs) {
+  void read_faces(const std::string& where, const tinygltf::Primitive& primitive, const GltfPart& part,
+                  const std::vector<Vec3>& normals, const std::vector<float>& uvs) {
     const size_t vertex_count = part.vertex_of.size();
     std::vector<uint32_t> indices;
     if (primitive.indices >= 0) {
       indices = accessor_integers(where + ", indices", model(), primitive.indices, 1);
       for (const uint32_t index : indices)
         if (index >= vertex_count)
-          throw Error(where + ": expected indices below " + std::to_string(vertex_count) + ", found " + std::to_string(index));
+          throw Error(where + ": expected indices below " + std::to_string(vertex_count) + ", found " +
+                      std::to_string(index));
     } else {
       for (size_t v = 0; v < vertex_count; ++v) indices.push_back(static_cast<uint32_t>(v));
     }
@@ -255,11 +278,13 @@ class GltfReader {
         has_uvs_ |= !uvs.empty();
         character_.corner_normals.push_back(normals.empty() ? Vec3{} : normals[corner]);
         // OBJ convention in a Character: v runs up, in glTF down.
-        character_.corner_uvs.push_back(uvs.empty() ? std::array<float, 2>{0, 0} : std::array<float, 2>{uvs[corner * 2], 1 - uvs[corner * 2 + 1]});
+        character_.corner_uvs.push_back(uvs.empty() ? std::array<float, 2>{0, 0}
+                                                    : std::array<float, 2>{uvs[corner * 2], 1 - uvs[corner * 2 + 1]});
       }
       character_.face_offsets.push_back(static_cast<uint32_t>(character_.face_vertices.size()));
       character_.face_groups.push_back(static_cast<int>(character_.group_names.size()) - 1);
-      const bool has_material = primitive.material >= 0 && static_cast<size_t>(primitive.material) < model().materials.size();
+      const bool has_material =
+          primitive.material >= 0 && static_cast<size_t>(primitive.material) < model().materials.size();
       character_.face_materials.push_back(has_material ? primitive.material : -1);
     }
   }
@@ -274,7 +299,8 @@ class GltfReader {
     if (!has_normals_) character_.corner_normals.clear();
     if (!has_uvs_) character_.corner_uvs.clear();
     for (size_t m = 0; m < model().materials.size(); ++m)
-      character_.material_names.push_back(model().materials[m].name.empty() ? "material_" + std::to_string(m) : model().materials[m].name);
+      character_.material_names.push_back(model().materials[m].name.empty() ? "material_" + std::to_string(m)
+                                                                            : model().materials[m].name);
     if (character_.material_names.empty()) character_.face_materials.clear();
     for (size_t g = 0; g < character_.group_names.size(); ++g)
       if (character_.group_names[g].empty()) character_.group_names[g] = std::string("mesh_").append(std::to_string(g));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Puts a Character's skin into a glTF document: joints, inverse bind matrices, weights. Everything else of the document stays.
+// Puts a Character's skin into a glTF document: joints, inverse bind matrices, weights. Everything else of the document
+// stays.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -20,8 +21,9 @@ struct FixedInfluence {
 };
 using FixedRow = std::vector<FixedInfluence>;
 
-// Weights as integers that sum to exactly `one`, sorted falling, ties to the lower joint; the remainder goes to the largest.
-// Flooring keeps the remainder positive, so the order holds; the 0.01 lets weights that were k/one in float stay k.
+// Weights as integers that sum to exactly `one`, sorted falling, ties to the lower joint; the remainder goes to the
+// largest. Flooring keeps the remainder positive, so the order holds; the 0.01 lets weights that were k/one in float
+// stay k.
 FixedRow to_fixed(const std::vector<Influence>& row, uint32_t one) {
   std::map<uint32_t, double> merged;
   double total = 0;
@@ -37,7 +39,8 @@ FixedRow to_fixed(const std::vector<Influence>& row, uint32_t one) {
     fixed.push_back({joint, value});
     sum += value;
   }
-  std::stable_sort(fixed.begin(), fixed.end(), [](const FixedInfluence& a, const FixedInfluence& b) { return a.weight > b.weight; });
+  std::stable_sort(fixed.begin(), fixed.end(),
+                   [](const FixedInfluence& a, const FixedInfluence& b) { return a.weight > b.weight; });
   if (!fixed.empty()) fixed.front().weight += one - sum;
   while (!fixed.empty() && fixed.back().weight == 0) fixed.pop_back();
   return fixed;
@@ -66,7 +69,8 @@ class SkinWriter {
     for (size_t j = 0; j < joint_nodes_.size(); ++j) {
       const Vec3& p = character_.joints[j].position;
       joint_worlds_.push_back(keeps_joints_ ? nodes_.worlds[static_cast<size_t>(joint_nodes_[j])]
-                                            : Affine{1, 0, 0, static_cast<double>(p.x), 0, 1, 0, static_cast<double>(p.y), 0, 0, 1, static_cast<double>(p.z)});
+                                            : Affine{1, 0, 0, static_cast<double>(p.x), 0, 1, 0,
+                                                     static_cast<double>(p.y), 0, 0, 1, static_cast<double>(p.z)});
       if (character_.joints[j].parent < 0 && fallback_joint_ == SIZE_MAX) fallback_joint_ = j;
     }
     fix_weights();
@@ -90,10 +94,11 @@ class SkinWriter {
     for (size_t v = 0; v < character_.influences.size(); ++v) {
       for (const Influence& influence : character_.influences[v]) {
         if (influence.joint >= character_.joints.size())
-          throw Error(path_ + ": cannot write, vertex " + std::to_string(v) + " names joint " + std::to_string(influence.joint) + " of " +
-                      std::to_string(character_.joints.size()));
+          throw Error(path_ + ": cannot write, vertex " + std::to_string(v) + " names joint " +
+                      std::to_string(influence.joint) + " of " + std::to_string(character_.joints.size()));
         if (!std::isfinite(influence.weight) || influence.weight < 0)
-          throw Error(path_ + ": cannot write, vertex " + std::to_string(v) + " has a weight that is negative or not finite");
+          throw Error(path_ + ": cannot write, vertex " + std::to_string(v) +
+                      " has a weight that is negative or not finite");
       }
       rows_.push_back(to_fixed(character_.influences[v], one));
     }
@@ -148,11 +153,13 @@ class SkinWriter {
     write_weights(first, last, mesh, skin);
   }
 
-  // The number of `joint` in a skin, which is extended when it is new there. Skins of the document keep the joints they have.
+  // The number of `joint` in a skin, which is extended when it is new there. Skins of the document keep the joints they
+  // have.
   uint32_t joint_in_skin(int skin, uint32_t joint) {
     auto [at, is_new] = skin_joints_.try_emplace(skin);
     std::vector<int>& joints = at->second;
-    if (is_new && static_cast<size_t>(skin) < source_.model.skins.size()) joints = source_.model.skins[static_cast<size_t>(skin)].joints;
+    if (is_new && static_cast<size_t>(skin) < source_.model.skins.size())
+      joints = source_.model.skins[static_cast<size_t>(skin)].joints;
     const auto found = std::find(joints.begin(), joints.end(), joint_nodes_[joint]);
     if (found != joints.end()) return static_cast<uint32_t>(found - joints.begin());
     joints.push_back(joint_nodes_[joint]);
@@ -163,20 +170,25 @@ class SkinWriter {
     std::map<uint32_t, uint32_t> number_in_skin;
     size_t longest = 1;
     const FixedRow fallback = {{static_cast<uint32_t>(fallback_joint_), unorm8_ ? 255u : 65535u}};
-    const auto row_of = [&](uint32_t vertex) -> const FixedRow& { return rows_[vertex].empty() ? fallback : rows_[vertex]; };
+    const auto row_of = [&](uint32_t vertex) -> const FixedRow& {
+      return rows_[vertex].empty() ? fallback : rows_[vertex];
+    };
     for (size_t p = first; p < last; ++p)
       for (const uint32_t vertex : source_.parts[p].vertex_of) {
         longest = std::max(longest, row_of(vertex).size());
         for (const FixedInfluence& influence : row_of(vertex))
-          if (number_in_skin.count(influence.joint) == 0) number_in_skin[influence.joint] = joint_in_skin(skin, influence.joint);
+          if (number_in_skin.count(influence.joint) == 0)
+            number_in_skin[influence.joint] = joint_in_skin(skin, influence.joint);
       }
-    const bool wide = std::any_of(number_in_skin.begin(), number_in_skin.end(), [](const auto& at) { return at.second > 255; });
+    const bool wide =
+        std::any_of(number_in_skin.begin(), number_in_skin.end(), [](const auto& at) { return at.second > 255; });
     const size_t set_count = (longest + 3) / 4;
 
     std::map<std::vector<uint32_t>, std::vector<std::array<int, 2>>> written;  // primitives often share their vertices
     for (size_t p = first; p < last; ++p) {
       const GltfPart& part = source_.parts[p];
-      Json& attributes = document_["meshes"][static_cast<size_t>(mesh)]["primitives"][static_cast<size_t>(part.primitive)]["attributes"];
+      Json& attributes = document_["meshes"][static_cast<size_t>(mesh)]["primitives"]
+                                  [static_cast<size_t>(part.primitive)]["attributes"];
       for (auto at = attributes.begin(); at != attributes.end();) {
         const bool old = at.key().rfind("JOINTS_", 0) == 0 || at.key().rfind("WEIGHTS_", 0) == 0;
         if (old) orphans_.push_back(at.value().get<int>());
@@ -207,9 +219,11 @@ class SkinWriter {
 
   int add_small(const std::vector<uint16_t>& values, bool wide, bool normalized) {
     if (wide)
-      return add_accessor(&source_, values.data(), values.size() * 2, "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, values.size() / 4, true, normalized);
+      return add_accessor(&source_, values.data(), values.size() * 2, "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                          values.size() / 4, true, normalized);
     const std::vector<uint8_t> bytes(values.begin(), values.end());
-    return add_accessor(&source_, bytes.data(), bytes.size(), "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, bytes.size() / 4, true, normalized);
+    return add_accessor(&source_, bytes.data(), bytes.size(), "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                        bytes.size() / 4, true, normalized);
   }
 
   // The new skin whose meshes stand at `mesh_world` times their vertices; inverse bind matrices follow in write_skin.
@@ -227,7 +241,9 @@ class SkinWriter {
   std::optional<Affine> common_bind(int skin) const {
     const std::vector<Affine> palette = palette_of(skin);
     double size = 1e-12;
-    for (const Vec3& p : character_.vertices) size = std::max({size, std::fabs(static_cast<double>(p.x)), std::fabs(static_cast<double>(p.y)), std::fabs(static_cast<double>(p.z))});
+    for (const Vec3& p : character_.vertices)
+      size = std::max({size, std::fabs(static_cast<double>(p.x)), std::fabs(static_cast<double>(p.y)),
+                       std::fabs(static_cast<double>(p.z))});
     for (const Affine& matrix : palette)
       for (size_t i = 0; i < 12; ++i)
         if (std::fabs(matrix[i] - palette[0][i]) > 1e-5 * (i % 4 == 3 ? size : 1)) return std::nullopt;
@@ -237,23 +253,30 @@ class SkinWriter {
   std::vector<Affine> palette_of(int skin) const {
     const tinygltf::Skin& old = source_.model.skins[static_cast<size_t>(skin)];
     std::vector<Affine> palette = inverse_bind_matrices(path_ + ": skin " + std::to_string(skin), source_.model, old);
-    for (size_t j = 0; j < palette.size(); ++j) palette[j] = multiply(nodes_.worlds[static_cast<size_t>(old.joints[j])], palette[j]);
+    for (size_t j = 0; j < palette.size(); ++j)
+      palette[j] = multiply(nodes_.worlds[static_cast<size_t>(old.joints[j])], palette[j]);
     return palette;
   }
 
-  // A mesh that its old joints hold in another pose than it was bound in: the vertices are moved to where they stand, because the
-  // new joints know that pose only.
+  // A mesh that its old joints hold in another pose than it was bound in: the vertices are moved to where they stand,
+  // because the new joints know that pose only.
   void bake_pose(const GltfPart& part, int mesh) {
-    const std::string where = path_ + ": mesh " + std::to_string(mesh) + ", primitive " + std::to_string(part.primitive);
+    const std::string where =
+        path_ + ": mesh " + std::to_string(mesh) + ", primitive " + std::to_string(part.primitive);
     const tinygltf::Node& node = source_.model.nodes[static_cast<size_t>(part.node)];
-    const tinygltf::Primitive& primitive = source_.model.meshes[static_cast<size_t>(node.mesh)].primitives[static_cast<size_t>(part.primitive)];
+    const tinygltf::Primitive& primitive =
+        source_.model.meshes[static_cast<size_t>(node.mesh)].primitives[static_cast<size_t>(part.primitive)];
     const std::vector<Affine> palette = palette_of(node.skin);
     const size_t count = part.vertex_of.size();
     std::vector<Affine> matrices(count, Affine{});
     std::vector<double> totals(count, 0);
-    for (int set = 0; primitive.attributes.count("JOINTS_" + std::to_string(set)) != 0 && primitive.attributes.count("WEIGHTS_" + std::to_string(set)) != 0; ++set) {
-      const std::vector<uint32_t> joints = accessor_integers(where, source_.model, primitive.attributes.at("JOINTS_" + std::to_string(set)), 4);
-      const std::vector<float> weights = accessor_floats(where, source_.model, primitive.attributes.at("WEIGHTS_" + std::to_string(set)), 4);
+    for (int set = 0; primitive.attributes.count("JOINTS_" + std::to_string(set)) != 0 &&
+                      primitive.attributes.count("WEIGHTS_" + std::to_string(set)) != 0;
+         ++set) {
+      const std::vector<uint32_t> joints =
+          accessor_integers(where, source_.model, primitive.attributes.at("JOINTS_" + std::to_string(set)), 4);
+      const std::vector<float> weights =
+          accessor_floats(where, source_.model, primitive.attributes.at("WEIGHTS_" + std::to_string(set)), 4);
       for (size_t i = 0; i < count * 4; ++i) {
         if (!(weights[i] > 0)) continue;
         for (size_t m = 0; m < 12; ++m) matrices[i / 4][m] += static_cast<double>(weights[i]) * palette[joints[i]][m];
@@ -261,8 +284,10 @@ class SkinWriter {
       }
     }
     for (size_t v = 0; v < count; ++v) {
-      if (totals[v] == 0) matrices[v] = palette[0];
-      else for (double& value : matrices[v]) value /= totals[v];
+      if (totals[v] == 0)
+        matrices[v] = palette[0];
+      else
+        for (double& value : matrices[v]) value /= totals[v];
     }
 
     Json& json = document_["meshes"][static_cast<size_t>(mesh)]["primitives"][static_cast<size_t>(part.primitive)];
@@ -279,7 +304,8 @@ class SkinWriter {
       for (size_t v = 0; v < count; ++v) {
         Affine m = matrices[v];
         if (!is_position || difference) m[3] = m[7] = m[11] = 0;
-        const double x = static_cast<double>(values[v * width]), y = static_cast<double>(values[v * width + 1]), z = static_cast<double>(values[v * width + 2]);
+        const double x = static_cast<double>(values[v * width]), y = static_cast<double>(values[v * width + 1]),
+                     z = static_cast<double>(values[v * width + 2]);
         std::array<double, 3> moved = is_normal ? transform_normal(m, x, y, z) : transform_point(m, x, y, z);
         if (!is_position) {
           const double length = std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
@@ -293,7 +319,8 @@ class SkinWriter {
           high[c] = v == 0 ? value : std::max(high[c], value);
         }
       }
-      const int accessor = add_accessor(&source_, values.data(), values.size() * 4, width == 4 ? "VEC4" : "VEC3", TINYGLTF_COMPONENT_TYPE_FLOAT, count, true, false);
+      const int accessor = add_accessor(&source_, values.data(), values.size() * 4, width == 4 ? "VEC4" : "VEC3",
+                                        TINYGLTF_COMPONENT_TYPE_FLOAT, count, true, false);
       if (is_position) {
         document_["accessors"][static_cast<size_t>(accessor)]["min"] = low;
         document_["accessors"][static_cast<size_t>(accessor)]["max"] = high;
@@ -301,9 +328,11 @@ class SkinWriter {
       orphans_.push_back(at->second);
       (*attributes)[name] = accessor;
     };
-    for (const char* name : {"POSITION", "NORMAL", "TANGENT"}) move(&json["attributes"], name, primitive.attributes, false);
+    for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
+      move(&json["attributes"], name, primitive.attributes, false);
     for (size_t t = 0; t < primitive.targets.size(); ++t)
-      for (const char* name : {"POSITION", "NORMAL", "TANGENT"}) move(&json["targets"][t], name, primitive.targets[t], true);
+      for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
+        move(&json["targets"][t], name, primitive.targets[t], true);
   }
 
   // Joints and inverse bind matrices of a new or extended skin: joint world x inverse bind = where the mesh stands.
@@ -323,26 +352,32 @@ class SkinWriter {
       mesh_world = mesh_worlds_.at(skin);
     }
     for (size_t j = binds.size(); j < joints.size(); ++j) {
-      const size_t joint = static_cast<size_t>(std::find(joint_nodes_.begin(), joint_nodes_.end(), joints[j]) - joint_nodes_.begin());
+      const size_t joint =
+          static_cast<size_t>(std::find(joint_nodes_.begin(), joint_nodes_.end(), joints[j]) - joint_nodes_.begin());
       const std::optional<Affine> back = inverse(joint_worlds_[joint]);
       if (!back)
-        throw Error(path_ + ": cannot write a skin, joint " + in_quotes(character_.joints[joint].name) + " is scaled to nothing and has no inverse bind matrix");
+        throw Error(path_ + ": cannot write a skin, joint " + in_quotes(character_.joints[joint].name) +
+                    " is scaled to nothing and has no inverse bind matrix");
       binds.push_back(multiply(*back, mesh_world));
     }
     std::vector<float> values;
     for (const Affine& bind : binds)
       for (size_t c = 0; c < 4; ++c)
-        for (size_t r = 0; r < 4; ++r) values.push_back(r < 3 ? static_cast<float>(bind[r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
+        for (size_t r = 0; r < 4; ++r)
+          values.push_back(r < 3 ? static_cast<float>(bind[r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
     json["joints"] = joints;
-    json["inverseBindMatrices"] = add_accessor(&source_, values.data(), values.size() * 4, "MAT4", TINYGLTF_COMPONENT_TYPE_FLOAT, binds.size(), false, false);
+    json["inverseBindMatrices"] = add_accessor(&source_, values.data(), values.size() * 4, "MAT4",
+                                               TINYGLTF_COMPONENT_TYPE_FLOAT, binds.size(), false, false);
   }
 
-  // The transforms above a skinned mesh have no effect, and validators warn about them: a node without other duties goes to the
-  // top of its scenes.
+  // The transforms above a skinned mesh have no effect, and validators warn about them: a node without other duties
+  // goes to the top of its scenes.
   void move_to_scene(int node) {
     const size_t index = static_cast<size_t>(node);
     Json& json = document_["nodes"][index];
-    if (!source_.model.nodes[index].children.empty() || std::find(joint_nodes_.begin(), joint_nodes_.end(), node) != joint_nodes_.end()) return;
+    if (!source_.model.nodes[index].children.empty() ||
+        std::find(joint_nodes_.begin(), joint_nodes_.end(), node) != joint_nodes_.end())
+      return;
     for (const tinygltf::Animation& animation : source_.model.animations)
       for (const tinygltf::AnimationChannel& channel : animation.channels)
         if (channel.target_node == node && channel.target_path != "weights") return;
@@ -356,7 +391,8 @@ class SkinWriter {
     if (siblings.empty()) document_["nodes"][static_cast<size_t>(parent)].erase("children");
     if (!document_.contains("scenes")) return;
     for (Json& scene : document_["scenes"])
-      if (scene.contains("nodes") && std::find(scene["nodes"].begin(), scene["nodes"].end(), top) != scene["nodes"].end())
+      if (scene.contains("nodes") &&
+          std::find(scene["nodes"].begin(), scene["nodes"].end(), top) != scene["nodes"].end())
         scene["nodes"].push_back(node);
   }
 
@@ -369,7 +405,8 @@ class SkinWriter {
       bool was_used = false;  // one that nobody used before is none of ours
       for (const tinygltf::Node& node : source_.model.nodes) was_used = was_used || node.skin == static_cast<int>(s);
       if (!was_used) used[s] = 1;
-      if (used[s] == 0 && source_.model.skins[s].inverseBindMatrices >= 0) orphans_.push_back(source_.model.skins[s].inverseBindMatrices);
+      if (used[s] == 0 && source_.model.skins[s].inverseBindMatrices >= 0)
+        orphans_.push_back(source_.model.skins[s].inverseBindMatrices);
     }
     std::vector<int> new_number(used.size(), -1);
     Json kept = Json::array();
@@ -423,14 +460,14 @@ class SkinWriter {
   Json& document_;
   const GltfNodes nodes_;
   bool keeps_joints_ = false;
-  std::vector<int> joint_nodes_;                  // [J]
-  std::vector<Affine> joint_worlds_;              // [J]
-  size_t fallback_joint_ = SIZE_MAX;              // takes the vertices of a skinned mesh that have no influence
-  std::vector<FixedRow> rows_;                    // [V]
-  std::map<int, int> mesh_users_;                 // mesh -> nodes
-  std::map<int, std::vector<int>> skin_joints_;   // skins that meshes use now -> their joints' nodes
-  std::map<int, Affine> mesh_worlds_;             // new skins
-  std::vector<int> orphans_;                      // accessors that lost a user
+  std::vector<int> joint_nodes_;                 // [J]
+  std::vector<Affine> joint_worlds_;             // [J]
+  size_t fallback_joint_ = SIZE_MAX;             // takes the vertices of a skinned mesh that have no influence
+  std::vector<FixedRow> rows_;                   // [V]
+  std::map<int, int> mesh_users_;                // mesh -> nodes
+  std::map<int, std::vector<int>> skin_joints_;  // skins that meshes use now -> their joints' nodes
+  std::map<int, Affine> mesh_worlds_;            // new skins
+  std::vector<int> orphans_;                     // accessors that lost a user
 };
 
 }  // namespace
@@ -447,11 +484,14 @@ std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Join
       throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " has a parent that does not exist");
     size_t steps = 0;
     for (int up = joint.parent; up >= 0; up = joints[static_cast<size_t>(up)].parent)
-      if (++steps > joints.size()) throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " is in a cycle");
+      if (++steps > joints.size())
+        throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " is in a cycle");
     const Vec3 from = joint.parent < 0 ? Vec3{} : joints[static_cast<size_t>(joint.parent)].position;
     const auto difference = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
     nodes.push_back({{"name", joint.name},
-                     {"translation", {difference(joint.position.x, from.x), difference(joint.position.y, from.y), difference(joint.position.z, from.z)}}});
+                     {"translation",
+                      {difference(joint.position.x, from.x), difference(joint.position.y, from.y),
+                       difference(joint.position.z, from.z)}}});
     numbers.push_back(static_cast<int>(base + j));
     if (joint.parent < 0) roots.push_back(base + j);
   }
@@ -469,8 +509,8 @@ std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Join
   return numbers;
 }
 
-int add_accessor(GltfSource* source, const void* values, size_t size_bytes, const char* type, int component_type, size_t count,
-                 bool vertex_attribute, bool normalized) {
+int add_accessor(GltfSource* source, const void* values, size_t size_bytes, const char* type, int component_type,
+                 size_t count, bool vertex_attribute, bool normalized) {
   Json& document = source->document;
   source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
   Json view = {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", size_bytes}};
@@ -478,7 +518,10 @@ int add_accessor(GltfSource* source, const void* values, size_t size_bytes, cons
   const uint8_t* bytes = static_cast<const uint8_t*>(values);
   source->bytes.insert(source->bytes.end(), bytes, bytes + size_bytes);
   document["bufferViews"].push_back(std::move(view));
-  Json accessor = {{"bufferView", document["bufferViews"].size() - 1}, {"componentType", component_type}, {"count", count}, {"type", type}};
+  Json accessor = {{"bufferView", document["bufferViews"].size() - 1},
+                   {"componentType", component_type},
+                   {"count", count},
+                   {"type", type}};
   if (normalized) accessor["normalized"] = true;
   document["accessors"].push_back(std::move(accessor));
   if (!document.contains("buffers")) document["buffers"] = Json::array({Json::object()});

@@ -19,7 +19,8 @@ bool numbers_may_change(const Json& document) {
   if (!document.contains("extensionsUsed")) return true;
   for (const Json& used : document["extensionsUsed"]) {
     const std::string name = used.get<std::string>();
-    if (std::none_of(kKnown.begin(), kKnown.end(), [&](const char* prefix) { return name.rfind(prefix, 0) == 0; })) return false;
+    if (std::none_of(kKnown.begin(), kKnown.end(), [&](const char* prefix) { return name.rfind(prefix, 0) == 0; }))
+      return false;
   }
   return true;
 }
@@ -98,17 +99,20 @@ void pack_bytes(GltfSource* source) {
     if (!moves.empty() && begin < moves.back()[1]) {
       const size_t known = moves.back()[1];
       if (end <= known) continue;
-      packed.insert(packed.end(), source->bytes.begin() + static_cast<std::ptrdiff_t>(known), source->bytes.begin() + static_cast<std::ptrdiff_t>(end));
+      packed.insert(packed.end(), source->bytes.begin() + static_cast<std::ptrdiff_t>(known),
+                    source->bytes.begin() + static_cast<std::ptrdiff_t>(end));
       moves.back()[1] = end;
       continue;
     }
     while (packed.size() % 4 != begin % 4) packed.push_back(0);
     moves.push_back({begin, end, packed.size()});
-    packed.insert(packed.end(), source->bytes.begin() + static_cast<std::ptrdiff_t>(begin), source->bytes.begin() + static_cast<std::ptrdiff_t>(end));
+    packed.insert(packed.end(), source->bytes.begin() + static_cast<std::ptrdiff_t>(begin),
+                  source->bytes.begin() + static_cast<std::ptrdiff_t>(end));
   }
   for (Json& view : views) {
     const size_t begin = view.value("byteOffset", size_t{0});
-    const auto after = std::upper_bound(moves.begin(), moves.end(), begin, [](size_t at, const auto& move) { return at < move[0]; });
+    const auto after =
+        std::upper_bound(moves.begin(), moves.end(), begin, [](size_t at, const auto& move) { return at < move[0]; });
     const auto& move = *(after - 1);
     view["byteOffset"] = begin - move[0] + move[2];
   }
@@ -117,12 +121,14 @@ void pack_bytes(GltfSource* source) {
 
 std::vector<uint8_t> to_glb(const std::string& path, GltfSource* source) {
   Json& document = source->document;
-  if (document.contains("buffers") && !document["buffers"].empty()) document["buffers"][0]["byteLength"] = source->bytes.size();
+  if (document.contains("buffers") && !document["buffers"].empty())
+    document["buffers"][0]["byteLength"] = source->bytes.size();
   std::string text = document.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
   const uint64_t total = 12 + 8 + text.size() + (source->bytes.empty() ? 0 : 8 + source->bytes.size());
-  if (total > UINT32_MAX) throw Error(path + ": cannot write, a GLB holds at most 4 GiB, this one needs " + std::to_string(total) + " bytes");
+  if (total > UINT32_MAX)
+    throw Error(path + ": cannot write, a GLB holds at most 4 GiB, this one needs " + std::to_string(total) + " bytes");
   std::vector<uint8_t> glb;
   glb.reserve(total);
   const auto put = [&](size_t value) {
@@ -152,7 +158,8 @@ void drop_unused_accessors(std::vector<int> candidates, GltfSource* source) {
   if (gone.empty()) return;
   std::set<size_t> views;
   for (const size_t accessor : gone)
-    visit_view_numbers_of_accessor(&document["accessors"].at(accessor), [&](Json* number) { views.insert(number->get<size_t>()); });
+    visit_view_numbers_of_accessor(&document["accessors"].at(accessor),
+                                   [&](Json* number) { views.insert(number->get<size_t>()); });
   remove_elements(&document, "accessors", gone, [&](const Visit& each) { visit_accessor_numbers(&document, each); });
   visit_view_numbers(&document, [&](Json* number) { views.erase(number->get<size_t>()); });
   remove_elements(&document, "bufferViews", views, [&](const Visit& each) { visit_view_numbers(&document, each); });
@@ -164,8 +171,8 @@ void write_glb(const std::string& path, const Character& character, const GlbOpt
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
   if (!character.influences.empty() && !character.joints.empty()) {
     if (character.influences.size() != character.vertices.size())
-      throw Error(path + ": cannot write, expected influences for " + std::to_string(character.vertices.size()) + " vertices, found " +
-                  std::to_string(character.influences.size()));
+      throw Error(path + ": cannot write, expected influences for " + std::to_string(character.vertices.size()) +
+                  " vertices, found " + std::to_string(character.influences.size()));
     write_gltf_skin(path, character, options.unorm8, &source);
   } else if (!has_document) {
     add_joint_nodes(path, character.joints, &source.document);

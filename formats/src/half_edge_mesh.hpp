@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Faces of any topology as an OpenMesh half-edge mesh: where a face would make it non-manifold, it gets copies of its vertices.
+// Faces of any topology as an OpenMesh half-edge mesh: where a face would make it non-manifold, it gets copies of its
+// vertices.
 #ifndef SINEW_FORMATS_HALF_EDGE_MESH_HPP
 #define SINEW_FORMATS_HALF_EDGE_MESH_HPP
 
@@ -15,11 +16,13 @@ namespace sinew {
 
 using HalfEdgeTraits = OpenMesh::DefaultTraitsDouble;
 
-// Fills `mesh` with all `vertices` in order, copies behind them, and all `faces` (corners distinct). Returns the vertex each vertex
-// of `mesh` comes from; face_origin gets the face each face of `mesh` comes from. Faces that cannot be added are tried again among
-// themselves on fresh copies, layer by layer, so that what hangs together there stays together.
+// Fills `mesh` with all `vertices` in order, copies behind them, and all `faces` (corners distinct). Returns the vertex
+// each vertex of `mesh` comes from; face_origin gets the face each face of `mesh` comes from. Faces that cannot be
+// added are tried again among themselves on fresh copies, layer by layer, so that what hangs together there stays
+// together.
 template <class Mesh>
-std::vector<uint32_t> fill_half_edges(const std::vector<Vec3>& vertices, const std::vector<std::vector<uint32_t>>& faces, Mesh* mesh,
+std::vector<uint32_t> fill_half_edges(const std::vector<Vec3>& vertices,
+                                      const std::vector<std::vector<uint32_t>>& faces, Mesh* mesh,
                                       std::vector<size_t>* face_origin) {
   static const bool quiet = (omerr().disable(), true);  // refused faces are expected here, not news for the terminal
   static_cast<void>(quiet);

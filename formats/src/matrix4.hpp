@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Affine transforms in double for the glTF reader and writer. Row-major 3x4: the last row of a glTF node or bind matrix is 0 0 0 1.
+// Affine transforms in double for the glTF reader and writer. Row-major 3x4: the last row of a glTF node or bind matrix
+// is 0 0 0 1.
 #ifndef SINEW_FORMATS_MATRIX4_HPP
 #define SINEW_FORMATS_MATRIX4_HPP
 
@@ -24,7 +25,8 @@ inline Affine multiply(const Affine& a, const Affine& b) {
 }
 
 inline std::array<double, 3> transform_point(const Affine& m, double x, double y, double z) {
-  return {m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7], m[8] * x + m[9] * y + m[10] * z + m[11]};
+  return {m[0] * x + m[1] * y + m[2] * z + m[3], m[4] * x + m[5] * y + m[6] * z + m[7],
+          m[8] * x + m[9] * y + m[10] * z + m[11]};
 }
 
 // nullopt when it flattens space (a scale of 0).
@@ -40,9 +42,11 @@ inline std::optional<Affine> inverse(const Affine& m) {
   return out;
 }
 
-// Direction of a surface normal under `m`: the cofactors, which need no inverse and keep the side of a mirrored surface.
+// Direction of a surface normal under `m`: the cofactors, which need no inverse and keep the side of a mirrored
+// surface.
 inline std::array<double, 3> transform_normal(const Affine& m, double x, double y, double z) {
-  const double side = m[0] * (m[5] * m[10] - m[6] * m[9]) + m[1] * (m[6] * m[8] - m[4] * m[10]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+  const double side =
+      m[0] * (m[5] * m[10] - m[6] * m[9]) + m[1] * (m[6] * m[8] - m[4] * m[10]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
   const double s = side < 0 ? -1 : 1;
   return {s * ((m[5] * m[10] - m[6] * m[9]) * x + (m[6] * m[8] - m[4] * m[10]) * y + (m[4] * m[9] - m[5] * m[8]) * z),
           s * ((m[2] * m[9] - m[1] * m[10]) * x + (m[0] * m[10] - m[2] * m[8]) * y + (m[1] * m[8] - m[0] * m[9]) * z),

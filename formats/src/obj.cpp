@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Wavefront OBJ to Character and back. tinyobjloader reads; because it takes malformed lines in silence (a bad number is 0, a bad
-// index is dropped), every line is checked here first, so that a wrong file is refused with its line.
+// Wavefront OBJ to Character and back. tinyobjloader reads; because it takes malformed lines in silence (a bad number
+// is 0, a bad index is dropped), every line is checked here first, so that a wrong file is refused with its line.
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -21,15 +21,17 @@ namespace {
 
 // Statements of the OBJ specification (and `tw`, `vw` and `t` of common tools) that say nothing about faces.
 constexpr std::string_view kOtherStatements[] = {
-    "g",      "o",    "s",    "usemtl", "mtllib", "l",    "p",    "vp",   "cstype", "deg",        "bmat",      "step",  "curv",
-    "curv2",  "surf", "parm", "trim",   "hole",   "scrv", "sp",   "end",  "con",    "mg",         "bevel",     "lod",   "c_interp",
-    "usemap", "t",    "tw",   "vw",     "maplib", "call", "csh",  "ctech", "stech", "shadow_obj", "trace_obj", "d_interp"};
+    "g",      "o",    "s",    "usemtl", "mtllib", "l",          "p",         "vp",      "cstype", "deg",
+    "bmat",   "step", "curv", "curv2",  "surf",   "parm",       "trim",      "hole",    "scrv",   "sp",
+    "end",    "con",  "mg",   "bevel",  "lod",    "c_interp",   "usemap",    "t",       "tw",     "vw",
+    "maplib", "call", "csh",  "ctech",  "stech",  "shadow_obj", "trace_obj", "d_interp"};
 
 struct ObjCounts {
   size_t vertices = 0, uvs = 0, normals = 0, corners = 0, faces = 0;
 };
 
-// One number of a corner "v/vt/vn"; positive numbers may point forward, so they are compared with the totals at the end.
+// One number of a corner "v/vt/vn"; positive numbers may point forward, so they are compared with the totals at the
+// end.
 struct LargestIndex {
   int64_t value = 0;
   size_t line = 0;
@@ -58,8 +60,8 @@ void check_numbers(const TextLines& lines, size_t fewest, size_t most) {
     if (!to_finite_float(words[i])) lines.fail("a finite number after '" + std::string(words[0]) + "'", words[i]);
 }
 
-// Joins lines that end in a backslash, which tinyobjloader does not know. The line ends are put back after the statement, so that
-// line numbers stay nearly right.
+// Joins lines that end in a backslash, which tinyobjloader does not know. The line ends are put back after the
+// statement, so that line numbers stay nearly right.
 std::string join_continued_lines(const std::string& text) {
   std::string out;
   out.reserve(text.size());
@@ -115,20 +117,23 @@ ObjCounts check_lines(const std::string& name, std::string_view text) {
       }
       counts.corners += words.size() - 1;
       ++counts.faces;
-    } else if (std::find(std::begin(kOtherStatements), std::end(kOtherStatements), keyword) == std::end(kOtherStatements)) {
+    } else if (std::find(std::begin(kOtherStatements), std::end(kOtherStatements), keyword) ==
+               std::end(kOtherStatements)) {
       lines.fail("an OBJ statement (v, vt, vn, f, g, o, ...)", keyword);
     }
   }
   const auto check_largest = [&](const LargestIndex& largest, const char* what, size_t count) {
     if (static_cast<uint64_t>(largest.value) > count)
-      lines.fail_at(largest.line, std::string("a ") + what + " number up to " + std::to_string(count) + " in the corner",
+      lines.fail_at(largest.line,
+                    std::string("a ") + what + " number up to " + std::to_string(count) + " in the corner",
                     largest.word);
   };
   check_largest(vertex, "vertex", counts.vertices);
   check_largest(uv, "texture coordinate", counts.uvs);
   check_largest(normal, "normal", counts.normals);
   if (counts.vertices == 0)
-    throw Error(name + ": expected an OBJ with vertices ('v x y z'), found none in " + std::to_string(lines.number()) + " lines");
+    throw Error(name + ": expected an OBJ with vertices ('v x y z'), found none in " + std::to_string(lines.number()) +
+                " lines");
   return counts;
 }
 
@@ -162,7 +167,8 @@ int64_t resolve(int index, size_t count) {
 void add_face(ObjCollector* to, const tinyobj::index_t* corners, int count) {
   Character& character = *to->character;
   for (int i = 0; i < count; ++i) {
-    character.face_vertices.push_back(static_cast<uint32_t>(resolve(corners[i].vertex_index, character.vertices.size())));
+    character.face_vertices.push_back(
+        static_cast<uint32_t>(resolve(corners[i].vertex_index, character.vertices.size())));
     to->corner_uvs.push_back(resolve(corners[i].texcoord_index, to->uvs.size()));
     to->corner_normals.push_back(resolve(corners[i].normal_index, to->normals.size()));
   }
@@ -176,8 +182,12 @@ tinyobj::callback_t collector_callbacks() {
   callbacks.vertex_cb = [](void* to, float x, float y, float z, float) {
     static_cast<ObjCollector*>(to)->character->vertices.push_back({x, y, z});
   };
-  callbacks.normal_cb = [](void* to, float x, float y, float z) { static_cast<ObjCollector*>(to)->normals.push_back({x, y, z}); };
-  callbacks.texcoord_cb = [](void* to, float u, float v, float) { static_cast<ObjCollector*>(to)->uvs.push_back({u, v}); };
+  callbacks.normal_cb = [](void* to, float x, float y, float z) {
+    static_cast<ObjCollector*>(to)->normals.push_back({x, y, z});
+  };
+  callbacks.texcoord_cb = [](void* to, float u, float v, float) {
+    static_cast<ObjCollector*>(to)->uvs.push_back({u, v});
+  };
   callbacks.index_cb = [](void* to, tinyobj::index_t* corners, int count) {
     add_face(static_cast<ObjCollector*>(to), corners, count);
   };
@@ -214,7 +224,8 @@ void finish(ObjCollector* from) {
 
 void append_number(std::string* out, float value) {
   char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;  // the shortest text that reads back as the same float
+  const auto end =
+      std::to_chars(text, text + sizeof text, value).ptr;  // the shortest text that reads back as the same float
   *out += ' ';
   out->append(text, end);
 }
@@ -245,7 +256,8 @@ Character read_obj(const std::string& path) {
   std::string text(bytes.begin(), bytes.end());
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);  // byte order mark
   if (text.empty()) throw Error(name + ": expected an OBJ file, found an empty file");
-  if (text.find('\0') != std::string::npos) throw Error(name + ": expected an OBJ text file, found binary data (a zero byte)");
+  if (text.find('\0') != std::string::npos)
+    throw Error(name + ": expected an OBJ text file, found binary data (a zero byte)");
   if (text.find('\\') != std::string::npos) text = join_continued_lines(text);
   const ObjCounts counts = check_lines(name, text);
 
@@ -262,9 +274,10 @@ Character read_obj(const std::string& path) {
   if (!ok || character.vertices.size() != counts.vertices || character.face_count() != counts.faces ||
       character.face_vertices.size() != counts.corners || collector.uvs.size() != counts.uvs ||
       collector.normals.size() != counts.normals)
-    throw Error(name + ": expected " + std::to_string(counts.vertices) + " vertices and " + std::to_string(counts.faces) +
-                " faces, tinyobjloader found " + std::to_string(character.vertices.size()) + " and " +
-                std::to_string(character.face_count()) + " " + problem);
+    throw Error(name + ": expected " + std::to_string(counts.vertices) + " vertices and " +
+                std::to_string(counts.faces) + " faces, tinyobjloader found " +
+                std::to_string(character.vertices.size()) + " and " + std::to_string(character.face_count()) + " " +
+                problem);
   finish(&collector);
   return character;
 }

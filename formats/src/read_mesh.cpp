@@ -20,12 +20,14 @@ bool is_gltf(const std::string& path) {
 Character read_mesh(const std::string& path) {
   if (path == "-" || has_extension(path, ".obj")) return read_obj(path);
   if (is_gltf(path)) return read_gltf(path);
-  throw Error(path + ": expected a mesh (.obj, .gltf, .glb, .vrm, or - for an OBJ on standard input), found another extension");
+  throw Error(
+      path + ": expected a mesh (.obj, .gltf, .glb, .vrm, or - for an OBJ on standard input), found another extension");
 }
 
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
-  if (!is_gltf(path)) throw Error(path + ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm), found another extension");
+  if (!is_gltf(path))
+    throw Error(path + ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm), found another extension");
   Character other = read_gltf_character(path, with_skin);
   if (other.joints.empty()) throw Error(path + ": expected a skeleton, found a file without a skin");
   if (with_skin && other.vertices.size() != character->vertices.size())
@@ -45,7 +47,8 @@ Character read_character(const std::string& path) {
   if (has_extension(path, ".rig.txt"))
     obj = (std::filesystem::path(path).parent_path() / (stem_of(path) + ".obj")).string();
   else if (!has_extension(path, ".obj"))
-    throw Error(path + ": expected a character (.obj or .rig.txt of a pair, .gltf, .glb, .vrm), found another extension");
+    throw Error(path +
+                ": expected a character (.obj or .rig.txt of a pair, .gltf, .glb, .vrm), found another extension");
   Character character = read_obj(obj);
   read_rig(rig_path_beside(obj), true, &character);
   return character;

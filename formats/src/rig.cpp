@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // rig.txt (formats/spec/rig.md): joints, hierarchy and skin weights as text, read with exact error lines and written.
+#include "rig.hpp"
+
 #include <charconv>
 #include <set>
 #include <unordered_map>
 
 #include "file_names.hpp"
 #include "joint_names.hpp"
-#include "rig.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "text_lines.hpp"
@@ -38,7 +39,8 @@ RigLines split_lines(const std::string& path, const std::string& text) {
       rig.joints.push_back(std::move(line));
     } else if (words[0] == "root") {
       if (count != 1) lines.fail("'root NAME'", lines.line());
-      if (rig.root.number != 0) lines.fail("one root line (the first is line " + std::to_string(rig.root.number) + ")", lines.line());
+      if (rig.root.number != 0)
+        lines.fail("one root line (the first is line " + std::to_string(rig.root.number) + ")", lines.line());
       rig.root = std::move(line);
     } else if (words[0] == "hier") {
       if (count != 2) lines.fail("'hier PARENT CHILD'", lines.line());
@@ -51,8 +53,8 @@ RigLines split_lines(const std::string& path, const std::string& text) {
     }
   }
   if (rig.joints.empty())
-    throw Error(path + ": expected a rig with joints ('joints NAME x y z'), found none in " + std::to_string(lines.number()) +
-                " lines");
+    throw Error(path + ": expected a rig with joints ('joints NAME x y z'), found none in " +
+                std::to_string(lines.number()) + " lines");
   return rig;
 }
 
@@ -65,8 +67,8 @@ void check_no_cycle(const std::string& path, const std::vector<Joint>& joints) {
       seen_from[static_cast<size_t>(j)] = start;
       j = joints[static_cast<size_t>(j)].parent;
       if (j >= 0 && seen_from[static_cast<size_t>(j)] == start)
-        throw Error(path + ": expected a tree of joints, found a cycle through " + in_quotes(joints[static_cast<size_t>(j)].name) +
-                    " in the hier lines");
+        throw Error(path + ": expected a tree of joints, found a cycle through " +
+                    in_quotes(joints[static_cast<size_t>(j)].name) + " in the hier lines");
     }
   }
 }
@@ -74,7 +76,8 @@ void check_no_cycle(const std::string& path, const std::vector<Joint>& joints) {
 // As printf's %.*f, but the same in every locale.
 std::string fixed(float value, int digits) {
   char text[80];
-  const auto end = std::to_chars(text, text + sizeof text, static_cast<double>(value), std::chars_format::fixed, digits).ptr;
+  const auto end =
+      std::to_chars(text, text + sizeof text, static_cast<double>(value), std::chars_format::fixed, digits).ptr;
   return {text, end};
 }
 
@@ -84,7 +87,8 @@ void read_rig(const std::string& path, bool with_skin, Character* character) {
   const std::vector<uint8_t> bytes = read_file(path);
   if (bytes.empty()) throw Error(path + ": expected a rig, found an empty file");
   const std::string text(bytes.begin(), bytes.end());
-  if (text.find('\0') != std::string::npos) throw Error(path + ": expected a rig text file, found binary data (a zero byte)");
+  if (text.find('\0') != std::string::npos)
+    throw Error(path + ": expected a rig text file, found binary data (a zero byte)");
   const RigLines rig = split_lines(path, text);
   const auto fail = [&](const RigLine& line, const std::string& expected, const std::string& found) {
     throw Error(path + ":" + std::to_string(line.number) + ": expected " + expected + ", found " + in_quotes(found));
@@ -102,7 +106,9 @@ void read_rig(const std::string& path, bool with_skin, Character* character) {
       *xyz[axis] = *value;
     }
     const auto [at, is_new] = index_of.emplace(joint.name, joints.size());
-    if (!is_new) fail(line, "each joint once (the first is line " + std::to_string(rig.joints[at->second].number) + ")", joint.name);
+    if (!is_new)
+      fail(line, "each joint once (the first is line " + std::to_string(rig.joints[at->second].number) + ")",
+           joint.name);
     joints.push_back(std::move(joint));
   }
   const auto joint_at = [&](const RigLine& line, const std::string& name) {
@@ -113,7 +119,9 @@ void read_rig(const std::string& path, bool with_skin, Character* character) {
   for (const RigLine& line : rig.hiers) {
     const size_t parent = joint_at(line, line.words[0]), child = joint_at(line, line.words[1]);
     if (joints[child].parent >= 0)
-      fail(line, "one parent per joint (it has " + in_quotes(joints[static_cast<size_t>(joints[child].parent)].name) + ")", line.words[1]);
+      fail(line,
+           "one parent per joint (it has " + in_quotes(joints[static_cast<size_t>(joints[child].parent)].name) + ")",
+           line.words[1]);
     joints[child].parent = static_cast<int>(parent);
   }
   check_no_cycle(path, joints);
@@ -130,8 +138,10 @@ void read_rig(const std::string& path, bool with_skin, Character* character) {
     const size_t v = static_cast<size_t>(*vertex);
     if (with_skin) {
       if (v >= influences.size())
-        fail(line, "a vertex number below " + std::to_string(influences.size()) + " (the mesh's vertices)", line.words[0]);
-      if (skin_line[v] != 0) fail(line, "one skin line per vertex (the first is line " + std::to_string(skin_line[v]) + ")", line.words[0]);
+        fail(line, "a vertex number below " + std::to_string(influences.size()) + " (the mesh's vertices)",
+             line.words[0]);
+      if (skin_line[v] != 0)
+        fail(line, "one skin line per vertex (the first is line " + std::to_string(skin_line[v]) + ")", line.words[0]);
       skin_line[v] = line.number;
     }
     joints_of_line.clear();
@@ -159,21 +169,23 @@ void write_rig(const std::string& path, const Character& character) {
       throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " has a parent that does not exist");
     if (joint.parent < 0 && root == names.size()) root = j;
   }
-  if (root == names.size()) throw Error(path + ": cannot write a rig " + (names.empty() ? "without joints" : "without a root joint"));
+  if (root == names.size())
+    throw Error(path + ": cannot write a rig " + (names.empty() ? "without joints" : "without a root joint"));
   out += "root " + names[root] + "\n";
   for (size_t v = 0; v < character.influences.size(); ++v) {
     std::string row;
     for (const Influence& influence : character.influences[v]) {
       if (influence.joint >= names.size())
-        throw Error(path + ": cannot write, vertex " + std::to_string(v) + " names joint " + std::to_string(influence.joint) + " of " +
-                    std::to_string(names.size()));
+        throw Error(path + ": cannot write, vertex " + std::to_string(v) + " names joint " +
+                    std::to_string(influence.joint) + " of " + std::to_string(names.size()));
       const std::string weight = fixed(influence.weight, 6);
       if (weight != "0.000000") row += " " + names[influence.joint] + " " + weight;
     }
     if (!row.empty()) out += "skin " + std::to_string(v) + row + "\n";
   }
   for (size_t j = 0; j < names.size(); ++j)
-    if (character.joints[j].parent >= 0) out += "hier " + names[static_cast<size_t>(character.joints[j].parent)] + " " + names[j] + "\n";
+    if (character.joints[j].parent >= 0)
+      out += "hier " + names[static_cast<size_t>(character.joints[j].parent)] + " " + names[j] + "\n";
   write_text_file(path, out);
 }
 

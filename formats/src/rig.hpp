@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-// Replaces joints and influences of `character`; with_skin needs its vertices to be those the skin lines number. Throws Error with
-// the line before anything is replaced.
+// Replaces joints and influences of `character`; with_skin needs its vertices to be those the skin lines number. Throws
+// Error with the line before anything is replaced.
 void read_rig(const std::string& path, bool with_skin, Character* character);
 
 }  // namespace sinew

@@ -13,11 +13,16 @@ namespace sinew {
 
 const char* body_plan_name(BodyPlan plan) {
   switch (plan) {
-    case BodyPlan::kBiped: return "biped";
-    case BodyPlan::kQuadruped: return "quadruped";
-    case BodyPlan::kBird: return "bird";
-    case BodyPlan::kSnake: return "snake";
-    case BodyPlan::kManyLegged: return "many-legged";
+    case BodyPlan::kBiped:
+      return "biped";
+    case BodyPlan::kQuadruped:
+      return "quadruped";
+    case BodyPlan::kBird:
+      return "bird";
+    case BodyPlan::kSnake:
+      return "snake";
+    case BodyPlan::kManyLegged:
+      return "many-legged";
   }
   return "biped";
 }
@@ -74,7 +79,8 @@ Character synthesize(const SynthesizeOptions& options) {
   for (const synth::PlanJoint& joint : plan.joints) {
     if (joint.parent >= 0) leaf[static_cast<size_t>(joint.parent)] = false;
   }
-  for (const synth::PlanJoint& joint : plan.joints) character.joints.push_back({joint.name, rounded(joint.position), joint.parent});
+  for (const synth::PlanJoint& joint : plan.joints)
+    character.joints.push_back({joint.name, rounded(joint.position), joint.parent});
   if (end_markers) {
     for (size_t j = 0; j < plan.joints.size(); ++j) {
       if (!leaf[j] || !plan.joints[j].has_tip) continue;

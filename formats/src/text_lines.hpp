@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines and words of a text file with their numbers, and the one form of error message that the text readers (obj, rig) use.
+// Lines and words of a text file with their numbers, and the one form of error message that the text readers (obj, rig)
+// use.
 #ifndef SINEW_FORMATS_TEXT_LINES_HPP
 #define SINEW_FORMATS_TEXT_LINES_HPP
 
@@ -40,7 +41,8 @@ inline std::optional<float> to_finite_float(std::string_view word) {
   if (error == std::errc::result_out_of_range && stop == end) {
     // Also reported for numbers too small for a float, which are 0 here; "1e99" is not.
     const size_t exponent = word.find_first_of("eE");
-    if (exponent == std::string_view::npos || exponent + 1 >= word.size() || word[exponent + 1] != '-') return std::nullopt;
+    if (exponent == std::string_view::npos || exponent + 1 >= word.size() || word[exponent + 1] != '-')
+      return std::nullopt;
     return 0.0f;
   }
   if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;

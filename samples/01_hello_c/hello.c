@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * The smallest whole use of sinew: a bar with two bones is bound with the heat method and its rows of weights are printed. */
-#include <sinew/sinew.h>
-
+ * The smallest whole use of sinew: a bar with two bones is bound with the heat method and its rows of weights are
+ * printed. */
 #include <inttypes.h>
+#include <sinew/sinew.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -34,8 +34,8 @@ int main(void) {
     }
   }
   for (uint32_t i = 0; i < 4; ++i) {
-    corners[4 * face + i] = 3 - i;                     /* bottom, seen from below */
-    corners[4 * (face + 1) + i] = kVertices - 4 + i;   /* top */
+    corners[4 * face + i] = 3 - i;                   /* bottom, seen from below */
+    corners[4 * (face + 1) + i] = kVertices - 4 + i; /* top */
   }
   for (uint32_t f = 0; f <= kFaces; ++f) offsets[f] = 4 * f;
 
@@ -50,8 +50,8 @@ int main(void) {
   sinew_status status = sinew_bind_workspace_size(NULL, kVertices, kFaces, 4 * kFaces, 2, &options, &bytes);
   void* workspace = NULL;
   if (status == SINEW_OK) {
-    workspace = aligned_alloc(SINEW_WORKSPACE_ALIGNMENT,
-                              (bytes + SINEW_WORKSPACE_ALIGNMENT - 1) / SINEW_WORKSPACE_ALIGNMENT * SINEW_WORKSPACE_ALIGNMENT);
+    workspace = aligned_alloc(SINEW_WORKSPACE_ALIGNMENT, (bytes + SINEW_WORKSPACE_ALIGNMENT - 1) /
+                                                             SINEW_WORKSPACE_ALIGNMENT * SINEW_WORKSPACE_ALIGNMENT);
     if (workspace == NULL) {
       fprintf(stderr, "hello: no memory for %zu bytes\n", bytes);
       return 1;
@@ -68,8 +68,8 @@ int main(void) {
   for (uint32_t v = 0; v < kVertices; ++v) {
     const uint16_t* j = &joints[v * kInfluences];
     const uint16_t* w = &weights[v * kInfluences];
-    printf("vertex %2" PRIu32 " at height %.0f: joint %u %5u/65535, joint %u %5u/65535\n", v, (double)positions[3 * v + 1], j[0], w[0],
-           j[1], w[1]);
+    printf("vertex %2" PRIu32 " at height %.0f: joint %u %5u/65535, joint %u %5u/65535\n", v,
+           (double)positions[3 * v + 1], j[0], w[0], j[1], w[1]);
   }
   return 0;
 }

@@ -2,13 +2,12 @@
 // sinew bind: one mesh, one skeleton, weights out.
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <string>
-
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "commands.hpp"
 #include "sinew_formats/image.hpp"
@@ -55,7 +54,8 @@ void set_locks(const Settings& settings, const Character& character, std::vector
   }
   locked->assign(character.vertices.size(), 0);
   for (size_t v : read_vertex_list(settings.lock, character)) {
-    if (character.influences[v].empty()) throw Error(settings.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
+    if (character.influences[v].empty())
+      throw Error(settings.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
     (*locked)[v] = 1;
   }
 }
@@ -65,8 +65,10 @@ void run(Settings settings) {
   if (settings.output.empty()) settings.output = stem(settings.mesh) + ".bound.glb";
   check_output(settings.output, {".glb", ".rig.txt"}, true);
   if (!settings.png.empty()) check_output(settings.png, {".png"});
-  if (settings.method == "heat" && !settings.model.empty()) throw UsageError("--method heat uses no model: leave out --model");
-  if (to_stream && settings.json) throw UsageError("-o - and --json both want standard output: give the weights a file name");
+  if (settings.method == "heat" && !settings.model.empty())
+    throw UsageError("--method heat uses no model: leave out --model");
+  if (to_stream && settings.json)
+    throw UsageError("-o - and --json both want standard output: give the weights a file name");
 
   Character character = read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty());
   BindOptions options;
@@ -104,24 +106,34 @@ void run(Settings settings) {
   }
   const size_t used_joints = static_cast<size_t>(std::count(used.begin(), used.end(), true));
   const double mean = static_cast<double>(pairs) / static_cast<double>(std::max<size_t>(1, character.vertices.size()));
-  const std::string method = options.method == SINEW_METHOD_HEAT ? "heat" : settings.model.empty() ? "bundled model" : file_name(settings.model);
+  const std::string method = options.method == SINEW_METHOD_HEAT ? "heat"
+                             : settings.model.empty()            ? "bundled model"
+                                                                 : file_name(settings.model);
   if (settings.json) {
-    nlohmann::ordered_json summary = {
-        {"mesh", settings.mesh}, {"method", method}, {"vertices", character.vertices.size()}, {"faces", character.face_count()},
-        {"joints", character.joints.size()}, {"joints_used", used_joints}, {"influences", settings.influences},
-        {"mean_influences", mean}, {"seconds", result.seconds}, {"workspace_bytes", result.workspace_bytes},
-        {"workspace_used_bytes", result.used_bytes}, {"output", settings.output}};
+    nlohmann::ordered_json summary = {{"mesh", settings.mesh},
+                                      {"method", method},
+                                      {"vertices", character.vertices.size()},
+                                      {"faces", character.face_count()},
+                                      {"joints", character.joints.size()},
+                                      {"joints_used", used_joints},
+                                      {"influences", settings.influences},
+                                      {"mean_influences", mean},
+                                      {"seconds", result.seconds},
+                                      {"workspace_bytes", result.workspace_bytes},
+                                      {"workspace_used_bytes", result.used_bytes},
+                                      {"output", settings.output}};
     if (!settings.png.empty()) summary["png"] = settings.png;
     std::printf("%s\n", summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     return;
   }
   std::FILE* out = to_stream ? stderr : stdout;
-  std::fprintf(out, "%s: %zu vertices, %zu faces, %zu joints (%zu used)\n", character.name.c_str(), character.vertices.size(),
-               character.face_count(), character.joints.size(), used_joints);
-  std::fprintf(out, "bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex\n", method.c_str(),
-               result.seconds, static_cast<double>(result.workspace_bytes) / 1e6, static_cast<double>(result.used_bytes) / 1e6, mean);
-  std::fprintf(out, "wrote %s%s%s\n", to_stream ? "standard output" : settings.output.c_str(), settings.png.empty() ? "" : " and ",
-               settings.png.c_str());
+  std::fprintf(out, "%s: %zu vertices, %zu faces, %zu joints (%zu used)\n", character.name.c_str(),
+               character.vertices.size(), character.face_count(), character.joints.size(), used_joints);
+  std::fprintf(out, "bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex\n",
+               method.c_str(), result.seconds, static_cast<double>(result.workspace_bytes) / 1e6,
+               static_cast<double>(result.used_bytes) / 1e6, mean);
+  std::fprintf(out, "wrote %s%s%s\n", to_stream ? "standard output" : settings.output.c_str(),
+               settings.png.empty() ? "" : " and ", settings.png.c_str());
 }
 
 }  // namespace
@@ -129,24 +141,38 @@ void run(Settings settings) {
 void add_bind(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("bind", "Predict the skin weights of a mesh for a skeleton");
   auto s = std::make_shared<Settings>();
-  sub->add_option("mesh", s->mesh, "Mesh: .obj, .gltf, .glb, .vrm, or - for an OBJ on standard input")->required()->type_name("MESH");
-  sub->add_option("--skeleton", s->skeleton, "Skeleton: .rig.txt, .gltf, .glb or .vrm. Not needed when the mesh has its own")->type_name("FILE");
-  sub->add_option("-o,--output", s->output, "Output: .glb or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]")->type_name("OUT");
+  sub->add_option("mesh", s->mesh, "Mesh: .obj, .gltf, .glb, .vrm, or - for an OBJ on standard input")
+      ->required()
+      ->type_name("MESH");
+  sub->add_option("--skeleton", s->skeleton,
+                  "Skeleton: .rig.txt, .gltf, .glb or .vrm. Not needed when the mesh has its own")
+      ->type_name("FILE");
+  sub->add_option("-o,--output", s->output,
+                  "Output: .glb or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]")
+      ->type_name("OUT");
   sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
   sub->add_option("--method", s->method, "heat: heat fields alone, no model; model: the network")
       ->check(CLI::IsMember({"heat", "model"}));
-  sub->add_option("--influences", s->influences, "Most joints per vertex")->check(CLI::Range(1, 12))->capture_default_str()->type_name("N");
-  sub->add_option("--deform", s->deform, "Joints that deform, one name per line; all others get no weight")->type_name("FILE");
+  sub->add_option("--influences", s->influences, "Most joints per vertex")
+      ->check(CLI::Range(1, 12))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--deform", s->deform, "Joints that deform, one name per line; all others get no weight")
+      ->type_name("FILE");
   sub->add_option("--never", s->never, "Joints that must get no weight, one name per line")->type_name("FILE");
-  sub->add_option("--lock", s->lock, "Vertices that keep the weights they have, one 0-based index per line")->type_name("FILE");
+  sub->add_option("--lock", s->lock, "Vertices that keep the weights they have, one 0-based index per line")
+      ->type_name("FILE");
   sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-  sub->add_option("--threads", s->threads, "Accepted for scripts: one mesh is bound on one thread, with the same bytes for any N")
-      ->check(CLI::Range(1, 256))->type_name("N");
+  sub->add_option("--threads", s->threads,
+                  "Accepted for scripts: one mesh is bound on one thread, with the same bytes for any N")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
   sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
   sub->add_flag("--json", s->json, "Print the summary as JSON");
-  sub->footer("Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
-              "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
-              "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
+  sub->footer(
+      "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
+      "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
+      "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
   sub->callback([s] { run(*s); });
 }
 

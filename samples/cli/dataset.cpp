@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // sinew dataset: check, stats, convert, decimate and synthesize characters.
+#include "sinew_formats/dataset.hpp"
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
 #include "commands.hpp"
-#include "sinew_formats/dataset.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/synthesize.hpp"
 #include "support.hpp"
@@ -44,7 +44,8 @@ std::vector<std::string> expand(const std::vector<std::string>& inputs) {
 
 Character read_any(const std::string& path) {
   std::error_code ignored;
-  if (ends_with(path, ".obj") && !fs::exists(path.substr(0, path.size() - 4) + ".rig.txt", ignored)) return read_mesh(path);
+  if (ends_with(path, ".obj") && !fs::exists(path.substr(0, path.size() - 4) + ".rig.txt", ignored))
+    return read_mesh(path);
   return path == "-" ? read_mesh(path) : read_character(path);
 }
 
@@ -85,8 +86,10 @@ void check(const std::vector<std::string>& inputs, bool json) {
       entry["max_influences"] = report.max_influences;
       entry["findings"] = Json::array();
       for (const CheckFinding& finding : report.findings) {
-        entry["findings"].push_back({{"level", level_names[static_cast<int>(finding.level)]}, {"code", finding.code},
-                                     {"count", finding.count}, {"text", finding.text}});
+        entry["findings"].push_back({{"level", level_names[static_cast<int>(finding.level)]},
+                                     {"code", finding.code},
+                                     {"count", finding.count},
+                                     {"text", finding.text}});
       }
       all.push_back(std::move(entry));
       continue;
@@ -95,10 +98,11 @@ void check(const std::vector<std::string>& inputs, bool json) {
       std::printf("%s\n  error    unreadable: %s\n", path.c_str(), unreadable.c_str());
       continue;
     }
-    std::printf("%s: %zu vertices, %zu faces, %zu joints, %zu components\n", path.c_str(), report.vertices, report.faces,
-                report.joints, report.components);
+    std::printf("%s: %zu vertices, %zu faces, %zu joints, %zu components\n", path.c_str(), report.vertices,
+                report.faces, report.joints, report.components);
     for (const CheckFinding& finding : report.findings) {
-      std::printf("  %-8s %s: %s\n", level_names[static_cast<int>(finding.level)], finding.code.c_str(), finding.text.c_str());
+      std::printf("  %-8s %s: %s\n", level_names[static_cast<int>(finding.level)], finding.code.c_str(),
+                  finding.text.c_str());
     }
   }
   if (json) std::printf("%s\n", dump(all).c_str());
@@ -137,22 +141,28 @@ void stats(const std::string& folder, bool json) {
   if (json) {
     Json all = Json::object();
     for (const auto& [name, f] : families) {
-      all[name] = {{"characters", f.characters}, {"vertices", span(f.vertices)}, {"faces", span(f.faces)}, {"joints", span(f.joints)},
-                   {"bound_joints", span(f.bound_joints)}, {"components", span(f.components)}, {"max_influences", span(f.influences)}};
+      all[name] = {{"characters", f.characters},
+                   {"vertices", span(f.vertices)},
+                   {"faces", span(f.faces)},
+                   {"joints", span(f.joints)},
+                   {"bound_joints", span(f.bound_joints)},
+                   {"components", span(f.components)},
+                   {"max_influences", span(f.influences)}};
     }
     std::printf("%s\n", dump(all).c_str());
     return;
   }
   std::printf("smallest / median / largest of each family\n");
-  std::printf("%-20s %5s %22s %22s %16s %16s %16s %14s\n", "family", "chars", "vertices", "faces", "joints", "bound joints", "components",
-              "influences");
+  std::printf("%-20s %5s %22s %22s %16s %16s %16s %14s\n", "family", "chars", "vertices", "faces", "joints",
+              "bound joints", "components", "influences");
   for (const auto& [name, f] : families) {
     const auto text = [&](const std::vector<size_t>& values) {
       const std::vector<size_t> s = span(values);
       return print("%zu / %zu / %zu", s[0], s[1], s[2]);
     };
-    std::printf("%-20s %5zu %22s %22s %16s %16s %16s %14s\n", name.c_str(), f.characters, text(f.vertices).c_str(), text(f.faces).c_str(),
-                text(f.joints).c_str(), text(f.bound_joints).c_str(), text(f.components).c_str(), text(f.influences).c_str());
+    std::printf("%-20s %5zu %22s %22s %16s %16s %16s %14s\n", name.c_str(), f.characters, text(f.vertices).c_str(),
+                text(f.faces).c_str(), text(f.joints).c_str(), text(f.bound_joints).c_str(), text(f.components).c_str(),
+                text(f.influences).c_str());
   }
 }
 
@@ -163,17 +173,19 @@ struct ConvertSettings {
 
 void convert(const ConvertSettings& s) {
   check_output(s.output, character_outputs(), true);
-  if (ends_with(s.input, ".obj") && ends_with(s.skeleton, ".obj")) throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton");
+  if (ends_with(s.input, ".obj") && ends_with(s.skeleton, ".obj"))
+    throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton");
   Character character = read_any(s.input);
   if (!s.skeleton.empty()) read_skeleton(s.skeleton, true, &character);
   if (s.ratio > 0) character = decimate(character, s.ratio);
   if (!ends_with(s.output, ".obj") && character.joints.empty()) {
-    throw Error(s.input + ": has no skeleton, but " + (s.output == "-" ? std::string("a rig") : s.output) + " needs one; give --skeleton FILE");
+    throw Error(s.input + ": has no skeleton, but " + (s.output == "-" ? std::string("a rig") : s.output) +
+                " needs one; give --skeleton FILE");
   }
   write_character(s.output, character);
   if (s.output != "-") {
-    std::printf("%s: %zu vertices, %zu faces, %zu joints, wrote %s\n", character.name.c_str(), character.vertices.size(),
-                character.face_count(), character.joints.size(), s.output.c_str());
+    std::printf("%s: %zu vertices, %zu faces, %zu joints, wrote %s\n", character.name.c_str(),
+                character.vertices.size(), character.face_count(), character.joints.size(), s.output.c_str());
   }
 }
 
@@ -186,14 +198,16 @@ struct SynthesizeSettings {
 };
 
 void synthesize_all(const SynthesizeSettings& s) {
-  const BodyPlan plans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged};
+  const BodyPlan plans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake,
+                            BodyPlan::kManyLegged};
   std::vector<BodyPlan> chosen;
   for (BodyPlan plan : plans) {
     if (s.plan == "all" || s.plan == body_plan_name(plan)) chosen.push_back(plan);
   }
   const bool one_file = ends_with(s.output, ".obj") || ends_with(s.output, ".glb");
   if (one_file) {
-    if (chosen.size() * s.count != 1) throw UsageError("one output file holds one character: give --plan and no --count, or a folder as output");
+    if (chosen.size() * s.count != 1)
+      throw UsageError("one output file holds one character: give --plan and no --count, or a folder as output");
     check_output(s.output, {".obj", ".glb"});
   } else {
     std::error_code failed;
@@ -223,7 +237,8 @@ void add_check(CLI::App* parent) {
   auto json = std::make_shared<bool>(false);
   sub->add_option("inputs", *inputs, "Meshes, characters and folders of them")->required()->type_name("FILE|DIR");
   sub->add_flag("--json", *json, "Print JSON");
-  sub->footer("Example:\n  sinew dataset check characters/train hero.glb\nExit status 1 when any character has an error.");
+  sub->footer(
+      "Example:\n  sinew dataset check characters/train hero.glb\nExit status 1 when any character has an error.");
   sub->callback([inputs, json] { check(*inputs, *json); });
 }
 
@@ -238,15 +253,23 @@ void add_stats(CLI::App* parent) {
 }
 
 void add_convert(CLI::App* parent, bool decimates) {
-  CLI::App* sub = decimates ? parent->add_subcommand("decimate", "Write a character with fewer vertices, weights carried along")
-                            : parent->add_subcommand("convert", "Write a character in another format");
+  CLI::App* sub =
+      decimates ? parent->add_subcommand("decimate", "Write a character with fewer vertices, weights carried along")
+                : parent->add_subcommand("convert", "Write a character in another format");
   auto s = std::make_shared<ConvertSettings>();
-  sub->add_option("input", s->input, "Character: .glb, .gltf, .vrm, or NAME.obj (NAME.rig.txt beside it is read too)")->required()->type_name("IN");
-  sub->add_option("output,-o,--output", s->output, "Output: .glb, .rig.txt, or .obj (a .rig.txt goes beside it); - for rig.txt on standard output")
-      ->required()->type_name("OUT");
+  sub->add_option("input", s->input, "Character: .glb, .gltf, .vrm, or NAME.obj (NAME.rig.txt beside it is read too)")
+      ->required()
+      ->type_name("IN");
+  sub->add_option("output,-o,--output", s->output,
+                  "Output: .glb, .rig.txt, or .obj (a .rig.txt goes beside it); - for rig.txt on standard output")
+      ->required()
+      ->type_name("OUT");
   sub->add_option("--skeleton", s->skeleton, "Skeleton and weights of another file")->type_name("FILE");
   if (decimates) {
-    sub->add_option("--ratio", s->ratio, "Share of the vertices to keep")->required()->check(CLI::Range(0.01, 1.0))->type_name("X");
+    sub->add_option("--ratio", s->ratio, "Share of the vertices to keep")
+        ->required()
+        ->check(CLI::Range(0.01, 1.0))
+        ->type_name("X");
     sub->footer("Example:\n  sinew dataset decimate hero.obj hero_small.obj --ratio 0.5");
   } else {
     sub->footer("Example:\n  sinew dataset convert hero.obj hero.glb");
@@ -259,12 +282,23 @@ void add_synthesize(CLI::App* parent) {
   auto s = std::make_shared<SynthesizeSettings>();
   sub->add_option("-o,--output", s->output, "Folder, or one .obj or .glb file")->required()->type_name("OUT");
   sub->add_option("--plan", s->plan, "Body plan")
-      ->check(CLI::IsMember({"all", "biped", "quadruped", "bird", "snake", "many-legged"}))->capture_default_str();
-  sub->add_option("--seed", s->seed, "First seed; the same seed gives the same character everywhere")->capture_default_str()->type_name("N");
-  sub->add_option("--count", s->count, "Characters per plan, from seed on")->check(CLI::Range(1, 100000))->capture_default_str()->type_name("N");
-  sub->add_option("--resolution", s->resolution, "Voxels along the longest side")->check(CLI::Range(24, 256))->capture_default_str()->type_name("N");
+      ->check(CLI::IsMember({"all", "biped", "quadruped", "bird", "snake", "many-legged"}))
+      ->capture_default_str();
+  sub->add_option("--seed", s->seed, "First seed; the same seed gives the same character everywhere")
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--count", s->count, "Characters per plan, from seed on")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--resolution", s->resolution, "Voxels along the longest side")
+      ->check(CLI::Range(24, 256))
+      ->capture_default_str()
+      ->type_name("N");
   sub->add_flag("--no-clothing", s->no_clothing, "Bodies only");
-  sub->footer("Examples:\n  sinew dataset synthesize --count 20 -o made\n  sinew dataset synthesize --plan biped --seed 2 -o hero.obj");
+  sub->footer(
+      "Examples:\n  sinew dataset synthesize --count 20 -o made\n  sinew dataset synthesize --plan biped --seed 2 -o "
+      "hero.obj");
   sub->callback([s] { synthesize_all(*s); });
 }
 

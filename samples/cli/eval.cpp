@@ -2,6 +2,7 @@
 // sinew eval: binds every character of a folder and compares the weights with the reference; the accuracy report.
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -11,11 +12,9 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "calibrate.hpp"
 #include "commands.hpp"
@@ -121,10 +120,12 @@ std::vector<Variant> checkpoint_variants(const Settings& s) {
     variant.label = bits == 16 ? "int16 model" : std::to_string(bits) + " bits";
     variant.bits = bits;
     // The file format keeps 16 bits; fewer are counted as if weights were packed.
-    variant.size_bytes = quantised.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
+    variant.size_bytes =
+        quantised.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
     variant.candidates = network.candidate_count;
     variant.grid = network.grid_size;
-    // int16 goes the product's whole way; the narrower ones only differ in the network, so features are not computed again.
+    // int16 goes the product's whole way; the narrower ones only differ in the network, so features are not computed
+    // again.
     variant.predict = [&s, model, bits](const Character& c, const Sample* sample) {
       Prediction prediction;
       if (bits == 16) prediction = bind_with(s, &model->model, c);
@@ -237,21 +238,23 @@ class Evaluation {
   void finish() {
     std::vector<Scores> scores;
     for (Variant& variant : variants_) {
-      std::sort(variant.figures.begin(), variant.figures.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+      std::sort(variant.figures.begin(), variant.figures.end(),
+                [](const auto& a, const auto& b) { return a.first < b.first; });
       scores.push_back(summarise(variant.figures));
       scores.back().failures = failures_;
     }
     if (!s_.predictions.empty()) write_status();
     if (!variants_[0].figures.empty()) {
       if (s_.json != "-") {
-        for (size_t i = 0; i < variants_.size(); ++i) std::printf("%s\n", scores_markdown(variants_[i].label, scores[i]).c_str());
+        for (size_t i = 0; i < variants_.size(); ++i)
+          std::printf("%s\n", scores_markdown(variants_[i].label, scores[i]).c_str());
       }
       if (!s_.report.empty()) write_report(scores);
     }
     if (!s_.json.empty()) write_json(scores);
     if (!failures_.empty()) {
-      throw Error(print("%zu of %zu characters failed; the first: ", failures_.size(), paths_.size()) + failures_.begin()->first + ": " +
-                  failures_.begin()->second);
+      throw Error(print("%zu of %zu characters failed; the first: ", failures_.size(), paths_.size()) +
+                  failures_.begin()->first + ": " + failures_.begin()->second);
     }
   }
 
@@ -276,7 +279,8 @@ class Evaluation {
   void write_report(const std::vector<Scores>& scores) {
     ReportData data;
     data.summary = print("%zu characters, %u influences per vertex.", variants_[0].figures.size(), s_.influences);
-    data.facts = {{"data", s_.folder}, {"joints that deform", s_.known ? "given" : "not given"}, {"sinew", sinew_version()}};
+    data.facts = {
+        {"data", s_.folder}, {"joints that deform", s_.known ? "given" : "not given"}, {"sinew", sinew_version()}};
     if (!s_.checkpoint.empty()) data.facts.emplace_back("checkpoint", s_.checkpoint);
     if (!s_.checkpoint.empty()) data.facts.emplace_back("bytes at 12, 10 and 8 bits", "as if weights were packed");
     if (!s_.model.empty()) data.facts.emplace_back("model", s_.model);
@@ -287,7 +291,8 @@ class Evaluation {
       row.bits = variants_[i].bits;
       row.size_bytes = variants_[i].size_bytes;
       if (i > 0 && !s_.checkpoint.empty() && variants_[i].bits > 0) {
-        row.argmax_flips = static_cast<double>(variants_[i].flips) / static_cast<double>(std::max<size_t>(1, variants_[i].compared));
+        row.argmax_flips =
+            static_cast<double>(variants_[i].flips) / static_cast<double>(std::max<size_t>(1, variants_[i].compared));
         row.logit_snr_db = variants_[i].noise.decibels();
       }
       data.variants.push_back(std::move(row));
@@ -324,22 +329,40 @@ void add_eval(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("eval", "Bind every character of a folder and compare with the reference weights");
   auto s = std::make_shared<Settings>();
   s->jobs = std::max(1u, std::thread::hardware_concurrency());
-  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")->required()->type_name("DIR");
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")
+      ->required()
+      ->type_name("DIR");
   auto* model = sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
-  auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")->type_name("FILE")->excludes(model);
-  sub->add_option("--method", s->method, "heat: no model")->check(CLI::IsMember({"heat"}))->excludes(model)->excludes(checkpoint);
-  sub->add_option("--predictions", s->predictions, "Folder for NAME.rig.txt of every character and status.json")->type_name("OUTDIR");
-  sub->add_option("--report", s->report, "Page with tables, plots and pictures; with --checkpoint also int16, 12, 10 and 8 bits")
+  auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
+                         ->type_name("FILE")
+                         ->excludes(model);
+  sub->add_option("--method", s->method, "heat: no model")
+      ->check(CLI::IsMember({"heat"}))
+      ->excludes(model)
+      ->excludes(checkpoint);
+  sub->add_option("--predictions", s->predictions, "Folder for NAME.rig.txt of every character and status.json")
+      ->type_name("OUTDIR");
+  sub->add_option("--report", s->report,
+                  "Page with tables, plots and pictures; with --checkpoint also int16, 12, 10 and 8 bits")
       ->type_name("OUT.html");
-  sub->add_option("--json", s->json, "All figures as JSON; - for standard output instead of the table")->type_name("OUT.json");
-  sub->add_option("--calibrate", s->calibrate, "With --checkpoint --report: characters to calibrate on [DIR]")->type_name("DIR");
-  sub->add_option("--jobs", s->jobs, "Characters at the same time")->check(CLI::Range(1, 256))->capture_default_str()->type_name("N");
-  sub->add_option("--influences", s->influences, "Most joints per vertex")->check(CLI::Range(1, 12))->capture_default_str()->type_name("N");
+  sub->add_option("--json", s->json, "All figures as JSON; - for standard output instead of the table")
+      ->type_name("OUT.json");
+  sub->add_option("--calibrate", s->calibrate, "With --checkpoint --report: characters to calibrate on [DIR]")
+      ->type_name("DIR");
+  sub->add_option("--jobs", s->jobs, "Characters at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--influences", s->influences, "Most joints per vertex")
+      ->check(CLI::Range(1, 12))
+      ->capture_default_str()
+      ->type_name("N");
   sub->add_flag("--known", s->known, "Tell the binder which joints have reference weight");
   sub->add_option("--label", s->label, "Name in the table")->type_name("TEXT");
-  sub->footer("Examples:\n  sinew eval characters/val --predictions out --report out.html\n"
-              "  sinew eval characters/val --method heat --known --json -\n"
-              "  sinew eval characters/val --checkpoint run.sinewckpt --calibrate characters/train --report bits.html");
+  sub->footer(
+      "Examples:\n  sinew eval characters/val --predictions out --report out.html\n"
+      "  sinew eval characters/val --method heat --known --json -\n"
+      "  sinew eval characters/val --checkpoint run.sinewckpt --calibrate characters/train --report bits.html");
   sub->callback([s] { run(*s); });
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew inspect: what is in a mesh, character, checkpoint or model file.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -7,8 +8,6 @@
 #include <map>
 #include <memory>
 #include <string>
-
-#include <CLI/CLI.hpp>
 
 #include "commands.hpp"
 #include "model/layers.hpp"
@@ -22,17 +21,28 @@ namespace {
 
 const char* layer_name(LayerKind kind) {
   switch (kind) {
-    case LayerKind::kLinear: return "linear";
-    case LayerKind::kRingMean: return "ring mean";
-    case LayerKind::kRingMax: return "ring max";
-    case LayerKind::kPartMean: return "part mean";
-    case LayerKind::kGlobalMean: return "global mean";
-    case LayerKind::kGlobalMax: return "global max";
-    case LayerKind::kCandidateMax: return "candidate max";
-    case LayerKind::kVertexToPair: return "vertex to pair";
-    case LayerKind::kPairToVertex: return "pair to vertex";
-    case LayerKind::kVertexToSlots: return "vertex to slots";
-    case LayerKind::kCopy: return "copy";
+    case LayerKind::kLinear:
+      return "linear";
+    case LayerKind::kRingMean:
+      return "ring mean";
+    case LayerKind::kRingMax:
+      return "ring max";
+    case LayerKind::kPartMean:
+      return "part mean";
+    case LayerKind::kGlobalMean:
+      return "global mean";
+    case LayerKind::kGlobalMax:
+      return "global max";
+    case LayerKind::kCandidateMax:
+      return "candidate max";
+    case LayerKind::kVertexToPair:
+      return "vertex to pair";
+    case LayerKind::kPairToVertex:
+      return "pair to vertex";
+    case LayerKind::kVertexToSlots:
+      return "vertex to slots";
+    case LayerKind::kCopy:
+      return "copy";
   }
   return "unknown";
 }
@@ -44,15 +54,18 @@ void inspect_checkpoint(const std::string& path) {
   for (const LinearParameters& p : network.parameters) parameters += p.weights.size() + p.bias.size();
   std::printf("%s: checkpoint, float network\n", path.c_str());
   std::printf("architecture  %s\nparameters    %zu\ncandidates    %u\ngrid          %u cells\nfeature set   %u\n",
-              network.architecture.c_str(), parameters, network.candidate_count, network.grid_size, network.feature_set);
-  std::printf("trained       %llu steps, %.0f s, best score %.4f\n", static_cast<unsigned long long>(checkpoint.state.step),
-              checkpoint.state.seconds, checkpoint.state.best_score);
+              network.architecture.c_str(), parameters, network.candidate_count, network.grid_size,
+              network.feature_set);
+  std::printf("trained       %llu steps, %.0f s, best score %.4f\n",
+              static_cast<unsigned long long>(checkpoint.state.step), checkpoint.state.seconds,
+              checkpoint.state.best_score);
   std::printf("layers        %zu\n", network.layers.size());
   for (size_t l = 0; l < network.layers.size(); ++l) {
     const Layer& layer = network.layers[l];
     const char* domain = network.buffers[layer.out.buffer].domain == Domain::kPair ? "pair" : "vertex";
-    std::printf("  %3zu  %-15s %4u -> %-4u %-6s%s%s\n", l, layer_name(layer.kind), layer.in.channels, layer.out.channels, domain,
-                (layer.flags & kLayerRelu) != 0 ? " relu" : "", (layer.flags & kLayerResidual) != 0 ? " residual" : "");
+    std::printf("  %3zu  %-15s %4u -> %-4u %-6s%s%s\n", l, layer_name(layer.kind), layer.in.channels,
+                layer.out.channels, domain, (layer.flags & kLayerRelu) != 0 ? " relu" : "",
+                (layer.flags & kLayerResidual) != 0 ? " residual" : "");
   }
   std::printf("config        %s\n", checkpoint.state.config_json.c_str());
 }
@@ -61,9 +74,11 @@ void inspect_model(const std::string& path) {
   const std::unique_ptr<LoadedModel> loaded = load_model(path);
   const sinew_model& model = loaded->model;
   std::printf("%s: int16 model, all checks passed\n", path.empty() ? "bundled model" : path.c_str());
-  std::printf("format        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    %u\ngrid          %u cells\nfeature set   %u\nchecksum      %08x\n",
-              model.format_version, model.size_bytes, model.parameter_count, model.layer_count, model.candidate_count,
-              model.grid_size, model.feature_set, model.checksum);
+  std::printf(
+      "format        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    %u\ngrid          %u "
+      "cells\nfeature set   %u\nchecksum      %08x\n",
+      model.format_version, model.size_bytes, model.parameter_count, model.layer_count, model.candidate_count,
+      model.grid_size, model.feature_set, model.checksum);
 }
 
 void print_joints(const Character& character) {
@@ -85,8 +100,9 @@ void print_joints(const Character& character) {
     const auto [j, depth] = stack.back();
     stack.pop_back();
     const Joint& joint = character.joints[j];
-    std::printf("  %*s%s  (%.4g, %.4g, %.4g)", 2 * std::min(depth, 30), "", joint.name.c_str(), static_cast<double>(joint.position.x),
-                static_cast<double>(joint.position.y), static_cast<double>(joint.position.z));
+    std::printf("  %*s%s  (%.4g, %.4g, %.4g)", 2 * std::min(depth, 30), "", joint.name.c_str(),
+                static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
+                static_cast<double>(joint.position.z));
     if (!character.influences.empty()) std::printf("  %.1f vertices", share[j]);
     std::printf("\n");
     for (size_t child : children[j]) stack.emplace_back(child, depth + 1);
@@ -98,7 +114,8 @@ void inspect_character(const std::string& path) {
   Character character;
   const bool is_rig = ends_with(path, ".rig.txt");
   std::error_code ignored;
-  const bool has_rig = ends_with(path, ".obj") && std::filesystem::exists(path.substr(0, path.size() - 4) + ".rig.txt", ignored);
+  const bool has_rig =
+      ends_with(path, ".obj") && std::filesystem::exists(path.substr(0, path.size() - 4) + ".rig.txt", ignored);
   if (is_rig && !std::filesystem::exists(path.substr(0, path.size() - 8) + ".obj", ignored)) {
     read_skeleton(path, false, &character);
     character.name = stem(path);
@@ -106,7 +123,10 @@ void inspect_character(const std::string& path) {
     character = is_rig || has_rig ? read_character(path) : read_mesh(path);
   }
   std::printf("%s: %s\n", path.c_str(),
-              character.vertices.empty() ? "skeleton" : character.joints.empty() ? "mesh" : character.influences.empty() ? "mesh and skeleton" : "character");
+              character.vertices.empty()     ? "skeleton"
+              : character.joints.empty()     ? "mesh"
+              : character.influences.empty() ? "mesh and skeleton"
+                                             : "character");
   if (!character.vertices.empty()) {
     Vec3 low = character.vertices[0], high = low;
     for (const Vec3& v : character.vertices) {
@@ -115,18 +135,23 @@ void inspect_character(const std::string& path) {
     }
     const CheckReport report = check_character(character);
     std::map<size_t, size_t> corners;
-    for (size_t f = 0; f < character.face_count(); ++f) ++corners[character.face_offsets[f + 1] - character.face_offsets[f]];
+    for (size_t f = 0; f < character.face_count(); ++f)
+      ++corners[character.face_offsets[f + 1] - character.face_offsets[f]];
     std::printf("vertices      %zu\nfaces         %zu (", character.vertices.size(), character.face_count());
     const char* comma = "";
     for (const auto& [count, faces] : corners) {
       std::printf("%s%zu with %zu corners", comma, faces, count);
       comma = ", ";
     }
-    std::printf(")\nbox           (%.4g, %.4g, %.4g) .. (%.4g, %.4g, %.4g)\n", static_cast<double>(low.x), static_cast<double>(low.y),
-                static_cast<double>(low.z), static_cast<double>(high.x), static_cast<double>(high.y), static_cast<double>(high.z));
-    std::printf("components    %zu\nboundary      %zu edges\nnon-manifold  %zu edges\n", report.components, report.boundary_edges, report.non_manifold_edges);
+    std::printf(")\nbox           (%.4g, %.4g, %.4g) .. (%.4g, %.4g, %.4g)\n", static_cast<double>(low.x),
+                static_cast<double>(low.y), static_cast<double>(low.z), static_cast<double>(high.x),
+                static_cast<double>(high.y), static_cast<double>(high.z));
+    std::printf("components    %zu\nboundary      %zu edges\nnon-manifold  %zu edges\n", report.components,
+                report.boundary_edges, report.non_manifold_edges);
     if (!character.material_names.empty()) std::printf("materials     %zu\n", character.material_names.size());
-    if (!character.influences.empty()) std::printf("influences    at most %zu per vertex, %zu vertices unbound\n", report.max_influences, report.unbound_vertices);
+    if (!character.influences.empty())
+      std::printf("influences    at most %zu per vertex, %zu vertices unbound\n", report.max_influences,
+                  report.unbound_vertices);
   }
   if (!character.joints.empty()) {
     std::printf("joints        %zu\n", character.joints.size());
@@ -136,8 +161,8 @@ void inspect_character(const std::string& path) {
 
 void run(const std::string& path) {
   if (path == "bundled") return inspect_model("");
-  if (ends_with(path, ".obj") || ends_with(path, ".txt") || ends_with(path, ".glb") || ends_with(path, ".gltf") || ends_with(path, ".vrm") ||
-      path == "-") {
+  if (ends_with(path, ".obj") || ends_with(path, ".txt") || ends_with(path, ".glb") || ends_with(path, ".gltf") ||
+      ends_with(path, ".vrm") || path == "-") {
     return inspect_character(path);
   }
   if (ends_with(path, ".sinew")) return inspect_model(path);
@@ -151,8 +176,10 @@ void run(const std::string& path) {
 void add_inspect(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, checkpoint or model");
   auto path = std::make_shared<std::string>();
-  sub->add_option("file", *path, "A mesh, rig, character, checkpoint or model; bundled = the model built into the program")
-      ->required()->type_name("FILE");
+  sub->add_option("file", *path,
+                  "A mesh, rig, character, checkpoint or model; bundled = the model built into the program")
+      ->required()
+      ->type_name("FILE");
   sub->footer("Example:\n  sinew inspect hero.glb");
   sub->callback([path] { run(*path); });
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The sinew command: reads the command line, runs one subcommand, turns every failure into one line and an exit status.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
-
-#include <CLI/CLI.hpp>
 
 #include "commands.hpp"
 #include "sinew/sinew.h"
@@ -37,8 +36,9 @@ int main(int argc, char** argv) {
   CLI::App app("Binds character meshes to their skeletons with a small int16 network.", "sinew");
   app.set_version_flag("--version", std::string("sinew ") + sinew_version());
   app.require_subcommand(1);
-  app.footer("Example:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
-             "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.");
+  app.footer(
+      "Example:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
+      "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.");
   sinew::cli::add_bind(app);
   sinew::cli::add_eval(app);
   sinew::cli::add_train(app);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // sinew pose: turns joints of a bound character and writes the deformed mesh or a picture of it.
+#include "sinew_formats/pose.hpp"
+
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "commands.hpp"
 #include "sinew_formats/image.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/pose.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -92,16 +92,25 @@ void run(const Settings& s) {
 void add_pose(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("pose", "Pose a bound character");
   auto s = std::make_shared<Settings>();
-  sub->add_option("character", s->character, "Skinned .glb, .gltf or .vrm, or NAME.obj with NAME.rig.txt beside it")->required()->type_name("CHARACTER");
+  sub->add_option("character", s->character, "Skinned .glb, .gltf or .vrm, or NAME.obj with NAME.rig.txt beside it")
+      ->required()
+      ->type_name("CHARACTER");
   auto* seed = sub->add_option("--random", s->seed, "Turn every joint but the roots at random")->type_name("SEED");
-  sub->add_option("--limit", s->limit, "Largest random angle about each axis, degrees")->check(CLI::Range(0.0, 180.0))->capture_default_str()->needs(seed);
+  sub->add_option("--limit", s->limit, "Largest random angle about each axis, degrees")
+      ->check(CLI::Range(0.0, 180.0))
+      ->capture_default_str()
+      ->needs(seed);
   sub->add_option("--joint", s->turns, "Turn one joint about x, then y, then z, in degrees; may be repeated")
-      ->type_name("NAME=rx,ry,rz")->allow_extra_args(false);
+      ->type_name("NAME=rx,ry,rz")
+      ->allow_extra_args(false);
   sub->add_flag("--dual-quaternion", s->dual_quaternion, "Dual quaternion instead of linear blend skinning");
-  sub->add_option("--up", s->up, "Axis that points up in the picture")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  sub->add_option("--up", s->up, "Axis that points up in the picture")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
   sub->add_option("-o,--output", s->output, "Output: .obj or .png")->required()->type_name("OUT");
-  sub->footer("Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"
-              "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj");
+  sub->footer(
+      "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"
+      "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj");
   sub->callback([s, seed] {
     s->random = seed->count() > 0;
     run(*s);

@@ -19,9 +19,10 @@ std::vector<float> engine_logits(const sinew_model& model, const Sample& sample)
   Arena measuring;
   measure_run_network(measuring, model, counts);
   struct Free {
-    void operator()(void* block) const { ::operator delete(block, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
+    void operator()(void* block) const { ::operator delete (block, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
   };
-  const std::unique_ptr<void, Free> block(::operator new(measuring.high_water(), std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}));
+  const std::unique_ptr<void, Free> block(
+      ::operator new (measuring.high_water(), std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}));
   Arena arena(block.get(), measuring.high_water());
 
   NetworkInput input;

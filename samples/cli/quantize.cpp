@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // sinew quantize: a float checkpoint in, an int16 model out.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
-
-#include <CLI/CLI.hpp>
 
 #include "calibrate.hpp"
 #include "commands.hpp"
@@ -41,7 +40,8 @@ void run(const Settings& s) {
     std::printf("%-4zu %-24s %16lld %6s  %d..%d\n", l, layer.what.c_str(), static_cast<long long>(layer.bound),
                 layer.wide ? "W" : "N", layer.min_shift, layer.max_shift);
   }
-  std::printf("calibrated on %zu characters, wrote %s, %zu bytes\n", samples.size(), s.output.c_str(), model.bytes.size());
+  std::printf("calibrated on %zu characters, wrote %s, %zu bytes\n", samples.size(), s.output.c_str(),
+              model.bytes.size());
 }
 
 }  // namespace
@@ -50,14 +50,21 @@ void add_quantize(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("quantize", "Turn a checkpoint into an int16 model");
   auto s = std::make_shared<Settings>();
   sub->add_option("checkpoint", s->checkpoint, "Checkpoint of sinew train")->required()->type_name("CKPT");
-  sub->add_option("--calibrate", s->folder, "Folder of characters that the ranges are measured on")->required()->type_name("DIR");
+  sub->add_option("--calibrate", s->folder, "Folder of characters that the ranges are measured on")
+      ->required()
+      ->type_name("DIR");
   sub->add_option("-o,--output", s->output, "Model to write (.sinew)")->required()->type_name("MODEL");
   sub->add_option("--characters", s->characters, "Characters to calibrate on, spread over the folder; 0 = all")
-      ->capture_default_str()->type_name("N");
+      ->capture_default_str()
+      ->type_name("N");
   sub->add_option("--margin", s->options.margin, "Ranges are the largest value seen times this")
-      ->check(CLI::Range(1.0, 16.0))->capture_default_str()->type_name("X");
+      ->check(CLI::Range(1.0, 16.0))
+      ->capture_default_str()
+      ->type_name("X");
   sub->add_option("--bits", s->options.weight_bits, "Bits a weight keeps; under 16 to study the error")
-      ->check(CLI::IsMember({16, 12, 10, 8}))->capture_default_str()->type_name("N");
+      ->check(CLI::IsMember({16, 12, 10, 8}))
+      ->capture_default_str()
+      ->type_name("N");
   sub->add_option("--release", s->release, "Also write the float weights alone, without the state of the training run")
       ->type_name("CKPT");
   sub->add_flag("--quiet", s->quiet, "Print nothing");

@@ -64,7 +64,8 @@ void write_character(const std::string& path, const Character& character) {
 
 Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin) {
   if (ends_with(mesh, ".txt")) {
-    throw UsageError(mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
+    throw UsageError(
+        mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
   }
   if (ends_with(skeleton, ".obj")) {
     throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb or .vrm");
@@ -129,8 +130,9 @@ std::vector<size_t> read_joint_list(const std::string& path, const Character& ch
   for (const auto& [number, name] : list_lines(path)) {
     const auto found = known.find(name);
     if (found == known.end()) {
-      throw Error(path + ": line " + std::to_string(number) + ": the skeleton has no joint " + name + " (its first is " +
-                  (character.joints.empty() ? std::string("missing") : character.joints[0].name) + ")");
+      throw Error(path + ": line " + std::to_string(number) + ": the skeleton has no joint " + name +
+                  " (its first is " + (character.joints.empty() ? std::string("missing") : character.joints[0].name) +
+                  ")");
     }
     joints.push_back(found->second);
   }

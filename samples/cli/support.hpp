@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names, threads.
+// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names,
+// threads.
 #ifndef SINEW_CLI_SUPPORT_HPP
 #define SINEW_CLI_SUPPORT_HPP
 
@@ -22,8 +23,8 @@ class UsageError : public Error {
 };
 
 bool ends_with(const std::string& text, const std::string& ending);  // letters' case does not matter
-// Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is missing or
-// it is a folder itself. Called before any work.
+// Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is
+// missing or it is a folder itself. Called before any work.
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed = false);
 
 // .glb, .obj (with .rig.txt beside it when there are joints), .rig.txt / .txt; "-" is rig.txt on standard output.
@@ -42,7 +43,8 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path);
 std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what);
 bool has_bundled_model();
 
-// Joints named in a text file, one per line; '#' starts a comment line. Throws Error naming the line of an unknown joint.
+// Joints named in a text file, one per line; '#' starts a comment line. Throws Error naming the line of an unknown
+// joint.
 std::vector<size_t> read_joint_list(const std::string& path, const Character& character);
 std::vector<size_t> read_vertex_list(const std::string& path, const Character& character);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the engine library's symbol table: no allocator, no unwinder, no libm, no writable data, no recursion into stdio.
+// Reads the engine library's symbol table: no allocator, no unwinder, no libm, no writable data, no recursion into
+// stdio.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -46,7 +47,8 @@ TEST(EngineSymbols, NeedsNothingButMemoryRoutines) {
   for (const Symbol& symbol : symbols) {
     if (symbol.type != 'U') continue;
     const bool own = symbol.name.find("sinew") != std::string::npos;
-    const bool memory = symbol.name == "memcpy" || symbol.name == "memset" || symbol.name == "memmove" || symbol.name == "memcmp";
+    const bool memory =
+        symbol.name == "memcpy" || symbol.name == "memset" || symbol.name == "memmove" || symbol.name == "memcmp";
     const bool toolchain = symbol.name == "_GLOBAL_OFFSET_TABLE_" || symbol.name == "__stack_chk_fail";
     EXPECT_TRUE(own || memory || toolchain) << symbol.object << " needs " << symbol.name;
   }

@@ -106,15 +106,16 @@ Input read_input(const std::string& obj) {
   for (const auto& line : rig) {
     if (!line.empty() && line[0] == "hier") in.parents[static_cast<size_t>(index(line[2]))] = index(line[1]);
   }
-  in.mesh = {in.positions.data(),  static_cast<uint32_t>(in.positions.size() / 3), in.offsets.data(),
-             in.corners.data(),    static_cast<uint32_t>(in.offsets.size() - 1),   static_cast<uint32_t>(in.corners.size())};
+  in.mesh = {
+      in.positions.data(), static_cast<uint32_t>(in.positions.size() / 3), in.offsets.data(),
+      in.corners.data(),   static_cast<uint32_t>(in.offsets.size() - 1),   static_cast<uint32_t>(in.corners.size())};
   in.skeleton = {in.joints.data(), in.parents.data(), nullptr, static_cast<uint32_t>(names.size())};
   return in;
 }
 
 struct Block {
-  explicit Block(size_t bytes) : data(::operator new(bytes, std::align_val_t{64})) {}
-  ~Block() { ::operator delete(data, std::align_val_t{64}); }
+  explicit Block(size_t bytes) : data(::operator new (bytes, std::align_val_t{64})) {}
+  ~Block() { ::operator delete (data, std::align_val_t{64}); }
   void* data;
 };
 
@@ -189,7 +190,8 @@ int main(int argc, char** argv) {
     const std::string name = path.substr(path.find_last_of('/') + 1);
     const Input in = read_input(path);
     Counts counts;
-    check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count, 8, 64, &counts));
+    check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count, 8, 64,
+                      &counts));
     Arena measuring;
     measure_prepare(measuring, counts, PrepareFor::kNetwork);
     Block block(measuring.high_water());

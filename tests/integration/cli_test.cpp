@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sinew command as a user meets it: every subcommand on the sample data, wrong usage, rubbish input, outputs left alone.
+// The sinew command as a user meets it: every subcommand on the sample data, wrong usage, rubbish input, outputs left
+// alone.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -53,8 +54,8 @@ class Cli : public ::testing::Test {
   Outcome run(const std::string& arguments, const std::string& input = "") {
     const fs::path error = folder_ / ".stderr", feed = folder_ / ".stdin";
     put(feed, input);
-    const std::string command =
-        "cd '" + folder_.string() + "' && '" + kProgram + "' " + arguments + " <'" + feed.string() + "' 2>'" + error.string() + "'";
+    const std::string command = "cd '" + folder_.string() + "' && '" + kProgram + "' " + arguments + " <'" +
+                                feed.string() + "' 2>'" + error.string() + "'";
     Outcome outcome;
     std::FILE* pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) return outcome;
@@ -77,12 +78,14 @@ class Cli : public ::testing::Test {
     Outcome outcome = run(arguments, input);
     EXPECT_EQ(outcome.status, status) << "sinew " << arguments << "\n" << outcome.error;
     EXPECT_EQ(outcome.error.rfind("sinew: error: ", 0), 0u) << "sinew " << arguments << "\n" << outcome.error;
-    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << "sinew " << arguments << "\n" << outcome.error;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << "sinew " << arguments << "\n"
+                                                                               << outcome.error;
     return outcome;
   }
   size_t files() const {
     size_t count = 0;
-    for (const auto& entry : fs::directory_iterator(folder_)) count += entry.path().filename().string()[0] == '.' ? 0 : 1;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      count += entry.path().filename().string()[0] == '.' ? 0 : 1;
     return count;
   }
   std::string in(const std::string& name) const { return (folder_ / name).string(); }
@@ -102,8 +105,8 @@ void expect_bound(const Character& character, size_t most) {
 }
 
 TEST_F(Cli, HelpHasAnExampleEverywhere) {
-  for (const char* command : {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats", "dataset convert",
-                              "dataset decimate", "dataset synthesize", "inspect", "pose"}) {
+  for (const char* command : {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats",
+                              "dataset convert", "dataset decimate", "dataset synthesize", "inspect", "pose"}) {
     const Outcome outcome = good(std::string(command) + " --help");
     EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
     EXPECT_NE(outcome.out.find(std::string("sinew ") + command), std::string::npos) << command;
@@ -114,23 +117,63 @@ TEST_F(Cli, HelpHasAnExampleEverywhere) {
 
 TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
   const std::string pair = kSnake + " --skeleton " + kSnakeRig + " --method heat ";
-  const std::vector<std::string> wrong = {
-      "", "nonsense", "bind", "bind " + pair + "--nonsense", "bind " + pair + "--influences 0", "bind " + pair + "--influences 13",
-      "bind " + pair + "--influences many", "bind " + pair + "--up x", "bind " + pair + "-o out.fbx", "bind " + pair + "-o out",
-      "bind " + pair + "--png out.jpg", "bind " + pair + "--png -", "bind " + pair + "--model m.sinew", "bind " + pair + "-o - --json",
-      "bind " + kSnakeRig + " --skeleton " + kSnake, "bind " + kSnake + " --skeleton " + kSnake, "bind " + kSnake + " " + kSnakeRig,
-      "bind " + pair + "--threads 0", "eval", "eval " + kData + " --method magic", "eval " + kData + " --method heat --model x",
-      "eval " + kData + " --method heat --report r.txt", "eval " + kData + " --method heat --json r.txt",
-      "eval " + kData + " --checkpoint x --known", "eval " + kData + " --method heat --jobs 0", "train", "train " + kData,
-      "train " + kData + " -o x.doc", "train " + kData + " -o x.ckpt --resume --init y.ckpt", "train " + kData + " -o x.ckpt --minutes -1",
-      "quantize", "quantize x", "quantize x --calibrate " + kData, "quantize x --calibrate " + kData + " -o m.bin", "dataset",
-      "dataset nonsense", "dataset check", "dataset stats", "dataset convert " + kSnake, "dataset convert " + kSnake + " x.stl",
-      "dataset decimate " + kSnake + " x.obj", "dataset decimate " + kSnake + " x.obj --ratio 2", "dataset synthesize",
-      "dataset synthesize --plan dragon -o x", "dataset synthesize --count 2 --plan bird -o x.obj", "dataset synthesize -o x.obj",
-      "dataset synthesize --resolution 8 -o x", "inspect", "pose", "pose " + kSnake + " -o x.obj", "pose " + kSnake + " --random 1",
-      "pose " + kSnake + " --random 1 -o x.glb", "pose " + kSnake + " --random 1 --joint head=0,0,0 -o x.obj",
-      "pose " + kSnake + " --joint head=1,2 -o x.obj", "pose " + kSnake + " --joint head -o x.obj",
-      "pose " + kSnake + " --joint head=1,2,3x -o x.obj", "pose " + kSnake + " --joint head=1,2,nan -o x.obj"};
+  const std::vector<std::string> wrong = {"",
+                                          "nonsense",
+                                          "bind",
+                                          "bind " + pair + "--nonsense",
+                                          "bind " + pair + "--influences 0",
+                                          "bind " + pair + "--influences 13",
+                                          "bind " + pair + "--influences many",
+                                          "bind " + pair + "--up x",
+                                          "bind " + pair + "-o out.fbx",
+                                          "bind " + pair + "-o out",
+                                          "bind " + pair + "--png out.jpg",
+                                          "bind " + pair + "--png -",
+                                          "bind " + pair + "--model m.sinew",
+                                          "bind " + pair + "-o - --json",
+                                          "bind " + kSnakeRig + " --skeleton " + kSnake,
+                                          "bind " + kSnake + " --skeleton " + kSnake,
+                                          "bind " + kSnake + " " + kSnakeRig,
+                                          "bind " + pair + "--threads 0",
+                                          "eval",
+                                          "eval " + kData + " --method magic",
+                                          "eval " + kData + " --method heat --model x",
+                                          "eval " + kData + " --method heat --report r.txt",
+                                          "eval " + kData + " --method heat --json r.txt",
+                                          "eval " + kData + " --checkpoint x --known",
+                                          "eval " + kData + " --method heat --jobs 0",
+                                          "train",
+                                          "train " + kData,
+                                          "train " + kData + " -o x.doc",
+                                          "train " + kData + " -o x.ckpt --resume --init y.ckpt",
+                                          "train " + kData + " -o x.ckpt --minutes -1",
+                                          "quantize",
+                                          "quantize x",
+                                          "quantize x --calibrate " + kData,
+                                          "quantize x --calibrate " + kData + " -o m.bin",
+                                          "dataset",
+                                          "dataset nonsense",
+                                          "dataset check",
+                                          "dataset stats",
+                                          "dataset convert " + kSnake,
+                                          "dataset convert " + kSnake + " x.stl",
+                                          "dataset decimate " + kSnake + " x.obj",
+                                          "dataset decimate " + kSnake + " x.obj --ratio 2",
+                                          "dataset synthesize",
+                                          "dataset synthesize --plan dragon -o x",
+                                          "dataset synthesize --count 2 --plan bird -o x.obj",
+                                          "dataset synthesize -o x.obj",
+                                          "dataset synthesize --resolution 8 -o x",
+                                          "inspect",
+                                          "pose",
+                                          "pose " + kSnake + " -o x.obj",
+                                          "pose " + kSnake + " --random 1",
+                                          "pose " + kSnake + " --random 1 -o x.glb",
+                                          "pose " + kSnake + " --random 1 --joint head=0,0,0 -o x.obj",
+                                          "pose " + kSnake + " --joint head=1,2 -o x.obj",
+                                          "pose " + kSnake + " --joint head -o x.obj",
+                                          "pose " + kSnake + " --joint head=1,2,3x -o x.obj",
+                                          "pose " + kSnake + " --joint head=1,2,nan -o x.obj"};
   for (const std::string& arguments : wrong) {
     const Outcome outcome = bad(2, arguments);
     EXPECT_EQ(outcome.out, "") << arguments;
@@ -151,7 +194,8 @@ TEST_F(Cli, BindWritesWhatIsAsked) {
   expect_bound(character, 2);
 
   const Outcome json = good(pair + "-o out.glb --json");
-  for (const char* key : {"\"vertices\": 850", "\"joints\": 18", "\"seconds\"", "\"workspace_bytes\"", "\"influences\": 4", "out.glb"}) {
+  for (const char* key :
+       {"\"vertices\": 850", "\"joints\": 18", "\"seconds\"", "\"workspace_bytes\"", "\"influences\": 4", "out.glb"}) {
     EXPECT_NE(json.out.find(key), std::string::npos) << key << "\n" << json.out;
   }
   expect_bound(read_character(in("out.glb")), 4);
@@ -235,9 +279,11 @@ TEST_F(Cli, BundledModelBindsOrSaysThatThereIsNone) {
 }
 
 TEST_F(Cli, EvalScoresTheSamples) {
-  const Outcome two = good("eval " + kData + " --method heat --predictions out --json figures.json --report report.html --jobs 2");
+  const Outcome two =
+      good("eval " + kData + " --method heat --predictions out --json figures.json --report report.html --jobs 2");
   EXPECT_NE(two.out.find("| heat | 7 |"), std::string::npos) << two.out;
-  for (const char* name : {"biped__robed", "biped__caped", "snake__long"}) EXPECT_TRUE(fs::exists(in("out/" + std::string(name) + ".rig.txt")));
+  for (const char* name : {"biped__robed", "biped__caped", "snake__long"})
+    EXPECT_TRUE(fs::exists(in("out/" + std::string(name) + ".rig.txt")));
   EXPECT_NE(slurp(in("out/status.json")).find("\"biped__robed\""), std::string::npos);
   EXPECT_NE(slurp(in("figures.json")).find("\"l1\""), std::string::npos);
   const std::string html = slurp(in("report.html"));
@@ -300,7 +346,8 @@ TEST_F(Cli, DatasetCommands) {
   EXPECT_NE(good("dataset check " + kData).out.find("biped__robed"), std::string::npos);
   EXPECT_EQ(good("dataset check " + kData + " --json").out[0], '[');
   put(in("cycle.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  put(in("cycle.rig.txt"), "joints a 0 0 0\njoints b 0 1 0\nroot a\nhier a b\nhier b a\nskin 0 a 1\nskin 1 a 1\nskin 2 b 1\n");
+  put(in("cycle.rig.txt"),
+      "joints a 0 0 0\njoints b 0 1 0\nroot a\nhier a b\nhier b a\nskin 0 a 1\nskin 1 a 1\nskin 2 b 1\n");
   bad(1, "dataset check cycle.obj");
 
   const Outcome stats = good("dataset stats " + kData);
@@ -354,7 +401,9 @@ TEST_F(Cli, RubbishGivesOneLineAndLeavesOutputsAlone) {
   put(in("nan.obj"), "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   put(in("word.obj"), "v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   put(in("range.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
-  put(in("noise.obj"), std::string("\x7f" "ELF\x02\x01\x01\0\0\xff\xfe", 11));
+  put(in("noise.obj"), std::string("\x7f"
+                                   "ELF\x02\x01\x01\0\0\xff\xfe",
+                                   11));
   put(in("triangle.obj"), triangle);
   put(in("empty.rig.txt"), "");
   put(in("nan.rig.txt"), "joints a 0 nan 0\nroot a\n");
@@ -382,7 +431,8 @@ TEST_F(Cli, RubbishGivesOneLineAndLeavesOutputsAlone) {
     bad(1, std::string("inspect ") + mesh);
     bad(1, std::string("bind triangle.obj --skeleton ") + mesh + outputs);
   }
-  for (const char* skeleton : {"empty.rig.txt", "nan.rig.txt", "cycle.rig.txt", "cut.rig.txt", "million.rig.txt", "missing.rig.txt"}) {
+  for (const char* skeleton :
+       {"empty.rig.txt", "nan.rig.txt", "cycle.rig.txt", "cut.rig.txt", "million.rig.txt", "missing.rig.txt"}) {
     bad(1, std::string("bind triangle.obj --skeleton ") + skeleton + outputs);
   }
   bad(1, "bind triangle.obj" + outputs);

@@ -20,7 +20,8 @@ std::vector<std::string> characters(const char* set) {
 }
 
 #define SKIP_WITHOUT_SHARED_DATA() \
-  if (shared_folder().empty()) GTEST_SKIP() << "NO SHARED DATA HERE: real characters were not read; set SINEW_SHARED_DIR"
+  if (shared_folder().empty())     \
+  GTEST_SKIP() << "NO SHARED DATA HERE: real characters were not read; set SINEW_SHARED_DIR"
 
 TEST(SharedCharacters, AllAreReadAndSound) {
   SKIP_WITHOUT_SHARED_DATA();
@@ -35,7 +36,8 @@ TEST(SharedCharacters, AllAreReadAndSound) {
       EXPECT_EQ(report.bad_weight_sums, 0u) << path;
       EXPECT_EQ(report.hierarchy_cycles, 0u) << path;
       EXPECT_LE(report.max_influences, 8u) << path;
-      for (const CheckFinding& finding : report.findings) EXPECT_NE(finding.level, CheckFinding::Level::kError) << path << ": " << finding.text;
+      for (const CheckFinding& finding : report.findings)
+        EXPECT_NE(finding.level, CheckFinding::Level::kError) << path << ": " << finding.text;
     }
   EXPECT_GE(count, 300u);
 }
@@ -47,7 +49,8 @@ TEST(SharedCharacters, DecimatedToHalfAndAQuarter) {
     const Character c = read_character(paths[i]);
     for (const double ratio : {0.5, 0.25}) {
       const Character d = decimate(c, ratio);
-      EXPECT_NEAR(static_cast<double>(d.vertices.size()) / (ratio * static_cast<double>(c.vertices.size())), 1, 0.1) << paths[i];
+      EXPECT_NEAR(static_cast<double>(d.vertices.size()) / (ratio * static_cast<double>(c.vertices.size())), 1, 0.1)
+          << paths[i];
       EXPECT_EQ(check_character(d).bad_weight_sums, 0u) << paths[i];
     }
   }

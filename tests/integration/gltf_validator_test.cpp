@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Every kind of GLB that write_glb makes passes the Khronos validator without errors and without warnings.
+#include "gltf_validator.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "gltf_validator.hpp"
 #include "make_glb.hpp"
 #include "random_character.hpp"
 #include "sinew_formats/io.hpp"
@@ -61,7 +62,8 @@ TEST_F(Writes, BackIntoItsOwnDocument) {
   for (auto& row : c.influences) row = {{0, 0.123f}, {1, 0.877f}};
   save(c);
   save(c, {true});
-  for (int j = 0; j < 9; ++j) c.joints.push_back({"new", {0, 1, 0}, j > 3 ? j : -1});  // not the document's joints any more
+  for (int j = 0; j < 9; ++j)
+    c.joints.push_back({"new", {0, 1, 0}, j > 3 ? j : -1});  // not the document's joints any more
   c.influences[0] = {{2, 0.2f}, {3, 0.2f}, {4, 0.2f}, {5, 0.2f}, {6, 0.1f}, {7, 0.1f}};
   save(c);
   validate();
@@ -70,7 +72,8 @@ TEST_F(Writes, BackIntoItsOwnDocument) {
 TEST_F(Writes, PosedMeshWithAnotherSkeletonAndMorphTargets) {
   GlbBuilder builder = two_joint_strip();
   json& primitive = builder.document["meshes"][0]["primitives"][0];
-  primitive["targets"] = json::array({{{"POSITION", builder.positions(std::vector<float>(30, 0.25f))}, {"NORMAL", builder.accessor(std::vector<float>(30, 0.0f), "VEC3")}}});
+  primitive["targets"] = json::array({{{"POSITION", builder.positions(std::vector<float>(30, 0.25f))},
+                                       {"NORMAL", builder.accessor(std::vector<float>(30, 0.0f), "VEC3")}}});
   std::vector<float> tangents;
   for (int v = 0; v < 10; ++v) tangents.insert(tangents.end(), {1, 0, 0, 1});
   primitive["attributes"]["TANGENT"] = builder.accessor(tangents, "VEC4");
@@ -122,7 +125,8 @@ TEST_F(Writes, TwoSkinsInTwoTrees) {
 }
 
 TEST(Validator, SeesAnError) {
-  if (validator_is_waived()) GTEST_SKIP() << "SINEW_SKIP_GLTF_VALIDATOR is set: THE WRITTEN GLB FILES WERE NOT VALIDATED";
+  if (validator_is_waived())
+    GTEST_SKIP() << "SINEW_SKIP_GLTF_VALIDATOR is set: THE WRITTEN GLB FILES WERE NOT VALIDATED";
   const TempFolder folder;
   GlbBuilder builder = two_joint_strip();
   builder.document["accessors"][0].erase("min");

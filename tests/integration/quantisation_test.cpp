@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Accuracy against quantisation on the sample characters: the bundled float weights, the model made from them, and the same
-// network at fewer bits.
+// Accuracy against quantisation on the sample characters: the bundled float weights, the model made from them, and the
+// same network at fewer bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "open_bundled_model.hpp"
 #include "calibrate.hpp"
+#include "open_bundled_model.hpp"
 #include "quantised.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/evaluate.hpp"
@@ -110,8 +110,8 @@ TEST(Quantisation, TableOfBits) {
     sinew_model model;
     ASSERT_EQ(sinew_model_open(aligned.data(), quantized.bytes.size(), &model), SINEW_OK);
     rows[bits] = compare(logits_of(model));
-    std::printf("| %d | %.4f | %.1f | %.2e | %.2e |\n", bits, rows[bits].l1, rows[bits].decibels, rows[bits].mean_change,
-                rows[bits].largest_change);
+    std::printf("| %d | %.4f | %.1f | %.2e | %.2e |\n", bits, rows[bits].l1, rows[bits].decibels,
+                rows[bits].mean_change, rows[bits].largest_change);
   }
   EXPECT_NEAR(rows[16].l1, rows[32].l1, 0.003);
   EXPECT_GE(rows[16].decibels, 55.0);

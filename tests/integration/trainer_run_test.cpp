@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whole training runs on synthesized characters: overfitting, resuming, starting from weights, the cache on disk, augmentation.
+// Whole training runs on synthesized characters: overfitting, resuming, starting from weights, the cache on disk,
+// augmentation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +55,8 @@ class TrainerRun : public ::testing::Test {
     return o;
   }
   std::vector<Sample> samples() const {
-    return load_samples((root_ / "data").string(), config_.field.candidates, config_.field.grid, (root_ / "cache").string(), 2, true);
+    return load_samples((root_ / "data").string(), config_.field.candidates, config_.field.grid,
+                        (root_ / "cache").string(), 2, true);
   }
   fs::path root_;
   TrainConfig config_;
@@ -171,7 +173,8 @@ TEST_F(TrainerRun, InitStartsFromTheGivenWeights) {
   TrainOptions init = options("b.ckpt");
   init.init = options("a.ckpt").output;
   train(still, init);
-  const std::vector<float> a = all_numbers(read_checkpoint(init.init).network), b = all_numbers(read_checkpoint(init.output).latest);
+  const std::vector<float> a = all_numbers(read_checkpoint(init.init).network),
+                           b = all_numbers(read_checkpoint(init.output).latest);
   ASSERT_EQ(a.size(), b.size());
   for (size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-6);
 }
@@ -189,7 +192,8 @@ TEST_F(TrainerRun, DamagedCacheFilesAreMadeAgainAndGoodOnesUsed) {
   const std::vector<Sample> first = samples();
   ASSERT_EQ(first.size(), 2u);
   std::map<fs::path, std::vector<uint8_t>> good;
-  for (const auto& entry : fs::directory_iterator(root_ / "cache")) good[entry.path()] = read_file(entry.path().string());
+  for (const auto& entry : fs::directory_iterator(root_ / "cache"))
+    good[entry.path()] = read_file(entry.path().string());
   ASSERT_EQ(good.size(), 2u);
   for (const size_t where : {size_t{3}, size_t{12}, size_t{40}, good.begin()->second.size() - 1}) {
     for (const auto& [path, bytes] : good) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sinew_bind() on thousands of random and broken meshes and skeletons: never a crash, never an empty row, exact sums, the
-// workspace it asked for, the same bytes again, and no dependence on numbering, place or size.
+// sinew_bind() on thousands of random and broken meshes and skeletons: never a crash, never an empty row, exact sums,
+// the workspace it asked for, the same bytes again, and no dependence on numbering, place or size.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,8 +32,8 @@ struct Rows {
 
 class Block {
  public:
-  explicit Block(size_t bytes) : data_(::operator new(bytes + 1, std::align_val_t{64})) {}
-  ~Block() { ::operator delete(data_, std::align_val_t{64}); }
+  explicit Block(size_t bytes) : data_(::operator new (bytes + 1, std::align_val_t{64})) {}
+  ~Block() { ::operator delete (data_, std::align_val_t{64}); }
   Block(const Block&) = delete;
   Block& operator=(const Block&) = delete;
   void* data() const { return data_; }
@@ -43,8 +43,11 @@ class Block {
 };
 
 Rows bind(const Scene& scene, const sinew_model* model, sinew_options options) {
-  const sinew_mesh mesh = {scene.positions.data(), static_cast<uint32_t>(scene.positions.size() / 3), scene.offsets.data(),
-                           scene.corners.data(),   static_cast<uint32_t>(scene.offsets.size() - 1),
+  const sinew_mesh mesh = {scene.positions.data(),
+                           static_cast<uint32_t>(scene.positions.size() / 3),
+                           scene.offsets.data(),
+                           scene.corners.data(),
+                           static_cast<uint32_t>(scene.offsets.size() - 1),
                            static_cast<uint32_t>(scene.corners.size())};
   const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), nullptr,
                                    static_cast<uint32_t>(scene.parents.size())};
@@ -73,7 +76,8 @@ testing::AssertionResult rows_are_sound(const Rows& rows, size_t n, size_t joint
         if (rows.joints[i] != 0) return testing::AssertionFailure() << "unused slot names a joint at row " << first / n;
         continue;
       }
-      if (rows.joints[i] >= joint_count) return testing::AssertionFailure() << "joint out of range at row " << first / n;
+      if (rows.joints[i] >= joint_count)
+        return testing::AssertionFailure() << "joint out of range at row " << first / n;
       for (size_t j = first; j < i; ++j) {
         if (rows.joints[j] == rows.joints[i]) return testing::AssertionFailure() << "joint twice in row " << first / n;
       }
@@ -103,8 +107,8 @@ void add_tube(Scene* scene, Random& random, uint32_t rings, uint32_t sides) {
   for (uint32_t r = 0; r < rings; ++r) {
     for (uint32_t s = 0; s < sides; ++s) {
       const float a = 6.2831853f * static_cast<float>(s) / static_cast<float>(sides);
-      scene->positions.insert(scene->positions.end(), {cx + radius * std::cos(a),
-                                                       y0 + static_cast<float>(r) * 0.1f, cz + radius * std::sin(a)});
+      scene->positions.insert(scene->positions.end(), {cx + radius * std::cos(a), y0 + static_cast<float>(r) * 0.1f,
+                                                       cz + radius * std::sin(a)});
     }
   }
   for (uint32_t r = 0; r + 1 < rings; ++r) {
@@ -127,7 +131,8 @@ Scene random_scene(Random& random) {
     add_face(&scene, {0, 0, 1});
     add_face(&scene, {0, 1});
     add_face(&scene, {1, 1, 1, 1});
-    for (int i = 0; i < 9; ++i) scene.positions[static_cast<size_t>(3 + i)] = scene.positions[static_cast<size_t>(i % 3)];
+    for (int i = 0; i < 9; ++i)
+      scene.positions[static_cast<size_t>(3 + i)] = scene.positions[static_cast<size_t>(i % 3)];
   } else if (kind == 3) {  // isolated vertices
     for (int i = 0; i < 20; ++i) {
       scene.positions.insert(scene.positions.end(), {uniform(random) * 3, uniform(random) * 3, uniform(random) * 3});
@@ -150,7 +155,8 @@ Scene random_scene(Random& random) {
   const uint32_t joint_count = joint_choice == 0 ? 1 : joint_choice == 1 ? 300 : 2 + below(random, 20);
   for (uint32_t j = 0; j < joint_count; ++j) {
     const float reach = below(random, 10) == 0 ? 1000.0f : 1.2f;  // some joints far outside
-    scene.joints.insert(scene.joints.end(), {uniform(random) * reach, uniform(random) * reach, uniform(random) * reach});
+    scene.joints.insert(scene.joints.end(),
+                        {uniform(random) * reach, uniform(random) * reach, uniform(random) * reach});
     scene.parents.push_back(j == 0 || below(random, 12) == 0 ? -1 : static_cast<int32_t>(below(random, j)));
     if (j > 0 && below(random, 15) == 0) {  // coincident with another joint
       for (size_t i = 0; i < 3; ++i) scene.joints[j * 3 + i] = scene.joints[i];
@@ -203,7 +209,8 @@ TEST(BindProperty, RenumberingChangesNothing) {
     other.offsets = {0};
     other.corners.clear();
     for (size_t f = scene.offsets.size() - 1; f-- > 0;) {  // faces backwards
-      for (uint32_t c = scene.offsets[f]; c < scene.offsets[f + 1]; ++c) other.corners.push_back(where[scene.corners[c]]);
+      for (uint32_t c = scene.offsets[f]; c < scene.offsets[f + 1]; ++c)
+        other.corners.push_back(where[scene.corners[c]]);
       other.offsets.push_back(static_cast<uint32_t>(other.corners.size()));
     }
     // Polygons are fans from their first corner, which stays first here.
@@ -275,11 +282,16 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
   add_tube(&scene, random, 8, 8);
   const uint32_t n = static_cast<uint32_t>(scene.positions.size() / 3);
   for (int j = 0; j < 4; ++j) {
-    scene.joints.insert(scene.joints.end(), {scene.positions[0], scene.positions[1] + 0.2f * static_cast<float>(j), scene.positions[2]});
+    scene.joints.insert(scene.joints.end(),
+                        {scene.positions[0], scene.positions[1] + 0.2f * static_cast<float>(j), scene.positions[2]});
     scene.parents.push_back(j - 1);
   }
-  const sinew_mesh mesh = {scene.positions.data(), n, scene.offsets.data(), scene.corners.data(),
-                           static_cast<uint32_t>(scene.offsets.size() - 1), static_cast<uint32_t>(scene.corners.size())};
+  const sinew_mesh mesh = {scene.positions.data(),
+                           n,
+                           scene.offsets.data(),
+                           scene.corners.data(),
+                           static_cast<uint32_t>(scene.offsets.size() - 1),
+                           static_cast<uint32_t>(scene.corners.size())};
   std::vector<uint8_t> flags = {0, SINEW_JOINT_NEVER, 0, 0}, locked(n, 0);
   const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), flags.data(), 4};
   locked[5] = 1;
@@ -292,7 +304,9 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
   std::vector<uint16_t> joints(n * 4, 0), weights(n * 4, 0);
   joints[20] = 1;
   weights[20] = 65535;
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr), SINEW_OK);
+  ASSERT_EQ(
+      sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
+      SINEW_OK);
   EXPECT_EQ(joints[20], 1);
   EXPECT_EQ(weights[20], 65535);
   for (size_t i = 0; i < joints.size(); ++i) {
@@ -301,11 +315,14 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
     }
   }
   joints[20] = 9;
-  EXPECT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
-            SINEW_ERROR_RANGE);
+  EXPECT_EQ(
+      sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
+      SINEW_ERROR_RANGE);
   flags = {0, 0, SINEW_JOINT_DEFORMS, 0};
   joints[20] = 0;
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr), SINEW_OK);
+  ASSERT_EQ(
+      sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
+      SINEW_OK);
   for (size_t i = 0; i < joints.size(); ++i) {
     if (i / 4 != 5 && weights[i] > 0) {
       EXPECT_EQ(joints[i], 2) << "only one joint deforms";
@@ -350,22 +367,32 @@ TEST(BindProperty, WeightFormatsAgree) {
   Random random(31);
   const Scene scene = random_scene(random);
   const uint32_t n = static_cast<uint32_t>(scene.positions.size() / 3);
-  const sinew_mesh mesh = {scene.positions.data(), n, scene.offsets.data(), scene.corners.data(),
-                           static_cast<uint32_t>(scene.offsets.size() - 1), static_cast<uint32_t>(scene.corners.size())};
-  const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), nullptr, static_cast<uint32_t>(scene.parents.size())};
+  const sinew_mesh mesh = {scene.positions.data(),
+                           n,
+                           scene.offsets.data(),
+                           scene.corners.data(),
+                           static_cast<uint32_t>(scene.offsets.size() - 1),
+                           static_cast<uint32_t>(scene.corners.size())};
+  const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), nullptr,
+                                   static_cast<uint32_t>(scene.parents.size())};
   sinew_options options = {};
   options.method = SINEW_METHOD_HEAT;
   size_t bytes = 0;
-  ASSERT_EQ(sinew_bind_workspace_size(nullptr, n, mesh.face_count, mesh.corner_count, skeleton.joint_count, &options, &bytes), SINEW_OK);
+  ASSERT_EQ(
+      sinew_bind_workspace_size(nullptr, n, mesh.face_count, mesh.corner_count, skeleton.joint_count, &options, &bytes),
+      SINEW_OK);
   const Block block(bytes);
   std::vector<uint16_t> joints(n * 4), wide(n * 4);
   std::vector<float> real(n * 4);
   std::vector<uint8_t> narrow(n * 4);
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), wide.data(), nullptr), SINEW_OK);
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), wide.data(), nullptr),
+            SINEW_OK);
   options.weight_format = SINEW_WEIGHT_FLOAT;
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), real.data(), nullptr), SINEW_OK);
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), real.data(), nullptr),
+            SINEW_OK);
   options.weight_format = SINEW_WEIGHT_UNORM8;
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), narrow.data(), nullptr), SINEW_OK);
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), narrow.data(), nullptr),
+            SINEW_OK);
   for (size_t i = 0; i < wide.size(); ++i) EXPECT_EQ(real[i], static_cast<float>(wide[i]) / 65535.0f);
   for (uint32_t v = 0; v < n; ++v) {
     EXPECT_EQ(std::accumulate(narrow.begin() + v * 4, narrow.begin() + v * 4 + 4, 0), 255);

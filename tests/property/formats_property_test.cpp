@@ -18,7 +18,8 @@ namespace {
 bool same(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
 double distance(const Vec3& a, const Vec3& b) {
-  return std::sqrt(std::pow(static_cast<double>(a.x - b.x), 2) + std::pow(static_cast<double>(a.y - b.y), 2) + std::pow(static_cast<double>(a.z - b.z), 2));
+  return std::sqrt(std::pow(static_cast<double>(a.x - b.x), 2) + std::pow(static_cast<double>(a.y - b.y), 2) +
+                   std::pow(static_cast<double>(a.z - b.z), 2));
 }
 
 double scale_of(const Character& c) {
@@ -99,12 +100,14 @@ TEST(WriteRead, GlbKeepsShapeSkeletonAndWeights) {
     RC_ASSERT(b.face_count() == triangles);
     RC_ASSERT(b.corner_uvs.empty() == a.corner_uvs.empty());
     if (!b.joints.empty()) {
-      // A vertex without weights in a bound mesh goes to the first root; others come back within the rounding of the format.
+      // A vertex without weights in a bound mesh goes to the first root; others come back within the rounding of the
+      // format.
       for (size_t v = 0; v < a.vertices.size(); ++v) {
         if (a.influences[v].empty()) continue;
         double nearest = 1e30;
         for (size_t w = 0; w < b.vertices.size(); ++w)
-          if (distance(a.vertices[v], b.vertices[w]) <= 1e-5 * scale) nearest = std::min(nearest, difference(named_row(a, v), named_row(b, w)));
+          if (distance(a.vertices[v], b.vertices[w]) <= 1e-5 * scale)
+            nearest = std::min(nearest, difference(named_row(a, v), named_row(b, w)));
         bool in_a_face = false;
         for (const uint32_t u : a.face_vertices) in_a_face = in_a_face || u == v;
         if (in_a_face) RC_ASSERT(nearest <= (unorm8 ? 10.0 / 255 : 10.0 / 65535));
@@ -129,7 +132,8 @@ TEST(Decimate, AnyCharacterStaysSound) {
     RC_ASSERT(b.influences.size() == b.vertices.size());
     for (size_t v = 0; v < b.vertices.size(); ++v) {
       bool found = false;
-      for (size_t w = 0; w < a.vertices.size() && !found; ++w) found = same(a.vertices[w], b.vertices[v]) && difference(named_row(a, w), named_row(b, v)) == 0;
+      for (size_t w = 0; w < a.vertices.size() && !found; ++w)
+        found = same(a.vertices[w], b.vertices[v]) && difference(named_row(a, w), named_row(b, v)) == 0;
       RC_ASSERT(found);
     }
   }));

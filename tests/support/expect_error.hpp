@@ -10,19 +10,19 @@
 
 #include "sinew_formats/error.hpp"
 
-#define EXPECT_ERROR(statement, ...)                                                          \
-  do {                                                                                        \
-    std::string sinew_message;                                                                \
-    try {                                                                                     \
-      statement;                                                                              \
-      ADD_FAILURE() << #statement " did not throw";                                           \
-      break;                                                                                  \
-    } catch (const sinew::Error& error) {                                                     \
-      sinew_message = error.what();                                                           \
-    }                                                                                         \
-    for (const std::string& part : std::vector<std::string>{__VA_ARGS__})                     \
+#define EXPECT_ERROR(statement, ...)                                                                         \
+  do {                                                                                                       \
+    std::string sinew_message;                                                                               \
+    try {                                                                                                    \
+      statement;                                                                                             \
+      ADD_FAILURE() << #statement " did not throw";                                                          \
+      break;                                                                                                 \
+    } catch (const sinew::Error& error) {                                                                    \
+      sinew_message = error.what();                                                                          \
+    }                                                                                                        \
+    for (const std::string& part : std::vector<std::string>{__VA_ARGS__})                                    \
       EXPECT_NE(sinew_message.find(part), std::string::npos) << "no '" << part << "' in: " << sinew_message; \
-    EXPECT_EQ(sinew_message.find('\n'), std::string::npos) << sinew_message;                  \
+    EXPECT_EQ(sinew_message.find('\n'), std::string::npos) << sinew_message;                                 \
   } while (false)
 
 #endif

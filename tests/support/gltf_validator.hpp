@@ -35,13 +35,14 @@ inline ValidatorResult validate_gltf(const std::vector<std::string>& files) {
 // Only who says so may go without the validator.
 inline bool validator_is_waived() { return std::getenv("SINEW_SKIP_GLTF_VALIDATOR") != nullptr; }
 
-#define SINEW_EXPECT_VALID_GLTF(files)                                                                             \
-  do {                                                                                                             \
-    if (validator_is_waived()) GTEST_SKIP() << "SINEW_SKIP_GLTF_VALIDATOR is set: THE WRITTEN GLB FILES WERE NOT VALIDATED"; \
-    const ValidatorResult result = validate_gltf(files);                                                           \
-    EXPECT_EQ(result.status, 0) << result.report                                                                   \
-                                << "\n(install it: npm ci --prefix tests/support/node; or set SINEW_SKIP_GLTF_VALIDATOR=1)"; \
-    EXPECT_EQ(result.report.find("warning "), std::string::npos) << result.report;                                 \
+#define SINEW_EXPECT_VALID_GLTF(files)                                                                                \
+  do {                                                                                                                \
+    if (validator_is_waived())                                                                                        \
+      GTEST_SKIP() << "SINEW_SKIP_GLTF_VALIDATOR is set: THE WRITTEN GLB FILES WERE NOT VALIDATED";                   \
+    const ValidatorResult result = validate_gltf(files);                                                              \
+    EXPECT_EQ(result.status, 0)                                                                                       \
+        << result.report << "\n(install it: npm ci --prefix tests/support/node; or set SINEW_SKIP_GLTF_VALIDATOR=1)"; \
+    EXPECT_EQ(result.report.find("warning "), std::string::npos) << result.report;                                    \
   } while (false)
 
 #endif

@@ -10,13 +10,15 @@
 #include <vector>
 
 struct GlbBuilder {
-  nlohmann::json document = {{"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", nlohmann::json::array()}}}}};
+  nlohmann::json document = {
+      {"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", nlohmann::json::array()}}}}};
   std::string bytes;
 
   template <class T>
   int view(const std::vector<T>& values) {
     bytes.resize((bytes.size() + 3) / 4 * 4);
-    document["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
+    document["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", values.size() * sizeof(T)}});
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     return static_cast<int>(document["bufferViews"].size()) - 1;
   }
@@ -28,7 +30,10 @@ struct GlbBuilder {
   int accessor(const std::vector<T>& values, const char* type, bool normalized = false) {
     const std::string name = type;
     const size_t width = name == "SCALAR" ? 1 : name == "VEC2" ? 2 : name == "VEC3" ? 3 : name == "VEC4" ? 4 : 16;
-    nlohmann::json made = {{"bufferView", view(values)}, {"componentType", component_type(T{})}, {"count", values.size() / width}, {"type", type}};
+    nlohmann::json made = {{"bufferView", view(values)},
+                           {"componentType", component_type(T{})},
+                           {"count", values.size() / width},
+                           {"type", type}};
     if (normalized) made["normalized"] = true;
     document["accessors"].push_back(made);
     return static_cast<int>(document["accessors"].size()) - 1;
@@ -91,14 +96,15 @@ std::vector<T> values_of(const std::string& glb, const nlohmann::json& document,
   uint32_t length = 0;
   std::memcpy(&length, glb.data() + 12, 4);
   const nlohmann::json& from = document["accessors"][static_cast<size_t>(accessor)];
-  const size_t offset = document["bufferViews"][from["bufferView"].get<size_t>()].value("byteOffset", size_t{0}) + from.value("byteOffset", size_t{0});
+  const size_t offset = document["bufferViews"][from["bufferView"].get<size_t>()].value("byteOffset", size_t{0}) +
+                        from.value("byteOffset", size_t{0});
   std::vector<T> values(from["count"].get<size_t>() * width);
   std::memcpy(values.data(), glb.data() + 28 + length + offset, values.size() * sizeof(T));
   return values;
 }
 
-// A quad strip of `rows` x 2 vertices along +Y, split at a UV seam in the middle row when `seam`; two joints, hip and knee, knee
-// above hip; positions stand 10 to the right of where the nodes put them.
+// A quad strip of `rows` x 2 vertices along +Y, split at a UV seam in the middle row when `seam`; two joints, hip and
+// knee, knee above hip; positions stand 10 to the right of where the nodes put them.
 inline GlbBuilder two_joint_strip(bool seam = false) {
   GlbBuilder builder;
   std::vector<float> positions, uvs, normals, weights;
@@ -115,7 +121,8 @@ inline GlbBuilder two_joint_strip(bool seam = false) {
   if (seam) vertex(0, 2, 0.5f), vertex(1, 2, 0.75f);
   for (uint16_t y = 0; y < 4; ++y) {
     const uint16_t low = static_cast<uint16_t>(seam && y == 2 ? 10 : 2 * y), high = static_cast<uint16_t>(2 * y + 2);
-    for (const uint16_t i : {low, static_cast<uint16_t>(low + 1), static_cast<uint16_t>(high + 1), low, static_cast<uint16_t>(high + 1), high})
+    for (const uint16_t i : {low, static_cast<uint16_t>(low + 1), static_cast<uint16_t>(high + 1), low,
+                             static_cast<uint16_t>(high + 1), high})
       indices.push_back(i);
   }
   const nlohmann::json primitive = {{"attributes",
@@ -126,7 +133,8 @@ inline GlbBuilder two_joint_strip(bool seam = false) {
                                       {"WEIGHTS_0", builder.accessor(weights, "VEC4")}}},
                                     {"indices", builder.accessor(indices, "SCALAR")}};
   builder.add("meshes", {{"name", "strip"}, {"primitives", nlohmann::json::array({primitive})}});
-  const std::vector<float> binds = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1};
+  const std::vector<float> binds = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
+                                    1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1};
   builder.root({{"name", "hip"}, {"translation", {10, 0, 0}}, {"children", {1}}});
   builder.add("nodes", {{"name", "knee"}, {"translation", {0, 2, 0}}});
   builder.root({{"name", "body"}, {"mesh", 0}, {"skin", 0}});

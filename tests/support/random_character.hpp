@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random characters for properties of readers and writers: any polygons, any tree of joints, any weights, from one seed.
+// Random characters for properties of readers and writers: any polygons, any tree of joints, any weights, from one
+// seed.
 #ifndef SINEW_TESTS_RANDOM_CHARACTER_HPP
 #define SINEW_TESTS_RANDOM_CHARACTER_HPP
 
@@ -43,8 +44,11 @@ struct RandomCharacter {
       if (materials) c.face_materials.push_back(material = std::max(material, 0));
       if (groups) c.face_groups.push_back(group = std::max(group, 0));
     }
-    if (materials) c.material_names.resize(static_cast<size_t>(*std::max_element(c.face_materials.begin(), c.face_materials.end())) + 1);
-    if (groups) c.group_names.resize(static_cast<size_t>(*std::max_element(c.face_groups.begin(), c.face_groups.end())) + 1);
+    if (materials)
+      c.material_names.resize(static_cast<size_t>(*std::max_element(c.face_materials.begin(), c.face_materials.end())) +
+                              1);
+    if (groups)
+      c.group_names.resize(static_cast<size_t>(*std::max_element(c.face_groups.begin(), c.face_groups.end())) + 1);
 
     // A joint's parent has a smaller number in a shuffled order, so that parents may come later in the list.
     std::vector<uint32_t> place(joint_count);

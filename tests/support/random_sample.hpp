@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Handmade training samples: a few strips of vertices with random features, absent slots, end joints and unbound vertices.
+// Handmade training samples: a few strips of vertices with random features, absent slots, end joints and unbound
+// vertices.
 #ifndef SINEW_TESTS_RANDOM_SAMPLE_HPP
 #define SINEW_TESTS_RANDOM_SAMPLE_HPP
 
@@ -31,7 +32,8 @@ inline Sample random_sample(const RandomSampleOptions& o) {
   s.pair_features = o.pair_features;
   s.components = o.components;
   s.joints = o.joints;
-  // Component c owns the vertices v with v % components == c; neighbours are the next and the third next of the same component.
+  // Component c owns the vertices v with v % components == c; neighbours are the next and the third next of the same
+  // component.
   s.row_offsets = {0};
   const auto linked = [&](uint32_t v, uint32_t u) {
     if (v % o.components != u % o.components || (o.ragged && (v == 0 || u == 0))) return false;
@@ -56,7 +58,8 @@ inline Sample random_sample(const RandomSampleOptions& o) {
   s.fold[o.joints - 1] = 0;  // end markers of joint 0
   if (o.joints > 3) s.fold[o.joints - 2] = 0;
   for (uint32_t v = 0; v < o.vertices; ++v) {
-    for (uint32_t c = 0; c < o.vertex_features; ++c) s.vertex.push_back(static_cast<int16_t>((uniform() * 2 - 1) * 12000));
+    for (uint32_t c = 0; c < o.vertex_features; ++c)
+      s.vertex.push_back(static_cast<int16_t>((uniform() * 2 - 1) * 12000));
     std::vector<uint16_t> joints(o.joints);
     std::iota(joints.begin(), joints.end(), uint16_t{0});
     std::shuffle(joints.begin(), joints.end(), random);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The data set check finds each constructed defect and nothing in a sound character; decimation keeps rows, outlines and seams.
+// The data set check finds each constructed defect and nothing in a sound character; decimation keeps rows, outlines
+// and seams.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,11 +39,13 @@ Character tube(uint32_t around = 16, uint32_t rings = 20) {
 }
 
 bool has(const CheckReport& report, const std::string& code) {
-  return std::any_of(report.findings.begin(), report.findings.end(), [&](const CheckFinding& f) { return f.code == code; });
+  return std::any_of(report.findings.begin(), report.findings.end(),
+                     [&](const CheckFinding& f) { return f.code == code; });
 }
 
 bool has_more_than_notes(const CheckReport& report) {
-  return std::any_of(report.findings.begin(), report.findings.end(), [](const CheckFinding& f) { return f.level != CheckFinding::Level::kNote; });
+  return std::any_of(report.findings.begin(), report.findings.end(),
+                     [](const CheckFinding& f) { return f.level != CheckFinding::Level::kNote; });
 }
 
 TEST(Check, ASoundCharacterHasOnlyNotes) {
@@ -54,7 +57,8 @@ TEST(Check, ASoundCharacterHasOnlyNotes) {
   EXPECT_EQ(r.boundary_edges, 32u);
   EXPECT_EQ(r.roots, 1u);
   EXPECT_EQ(r.max_influences, 2u);
-  const auto boundary = std::find_if(r.findings.begin(), r.findings.end(), [](const CheckFinding& f) { return f.code == "boundary-edges"; });
+  const auto boundary = std::find_if(r.findings.begin(), r.findings.end(),
+                                     [](const CheckFinding& f) { return f.code == "boundary-edges"; });
   ASSERT_NE(boundary, r.findings.end());
   EXPECT_EQ(boundary->text, "32 boundary edges in 2 loops");
 }
@@ -82,7 +86,8 @@ TEST(Check, FindsEachMeshDefect) {
   EXPECT_EQ(r.non_manifold_edges, 0u);
 
   c = tube();
-  for (const Vec3& p : std::vector<Vec3>{{8, 0, 0}, {9, 0, 0}, {10, 0, 0}}) c.vertices.push_back(p), c.influences.push_back({{0, 1.0f}});
+  for (const Vec3& p : std::vector<Vec3>{{8, 0, 0}, {9, 0, 0}, {10, 0, 0}})
+    c.vertices.push_back(p), c.influences.push_back({{0, 1.0f}});
   add_face(&c, {320, 321, 322});  // a line
   r = check_character(c);
   EXPECT_EQ(r.degenerate_faces, 1u);
@@ -138,7 +143,8 @@ TEST(Decimate, ReachesTheRatioAndKeepsRowsOfSurvivors) {
   const Character c = tube(48, 60);
   for (const double ratio : {0.75, 0.5, 0.25, 0.1}) {
     const Character d = decimate(c, ratio);
-    EXPECT_NEAR(static_cast<double>(d.vertices.size()), ratio * static_cast<double>(c.vertices.size()), 0.1 * ratio * static_cast<double>(c.vertices.size()));
+    EXPECT_NEAR(static_cast<double>(d.vertices.size()), ratio * static_cast<double>(c.vertices.size()),
+                0.1 * ratio * static_cast<double>(c.vertices.size()));
     ASSERT_EQ(d.influences.size(), d.vertices.size());
     for (size_t v = 0; v < d.vertices.size(); ++v) {
       EXPECT_EQ(d.influences[v][1].weight, d.vertices[v].y / 4);
@@ -164,7 +170,8 @@ TEST(Decimate, AFlatOpenSheetKeepsItsOutline) {
   const Character d = decimate(c, 0.1);
   double area = 0;
   for (size_t f = 0; f < d.face_count(); ++f) {
-    const Vec3 &p = d.vertices[d.face_vertices[3 * f]], &q = d.vertices[d.face_vertices[3 * f + 1]], &r = d.vertices[d.face_vertices[3 * f + 2]];
+    const Vec3 &p = d.vertices[d.face_vertices[3 * f]], &q = d.vertices[d.face_vertices[3 * f + 1]],
+               &r = d.vertices[d.face_vertices[3 * f + 2]];
     area += 0.5 * static_cast<double>((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
   }
   EXPECT_NEAR(area, 361, 1e-3);
@@ -196,7 +203,8 @@ TEST(Decimate, SeamsBetweenPartsOfOtherWeightsStayClosed) {
     c.influences.push_back({{1, 1.0f}, {0, 0.0f}});
   }
   for (size_t f = 0; f < top.face_count(); ++f)
-    add_face(&c, {base + top.face_vertices[4 * f], base + top.face_vertices[4 * f + 1], base + top.face_vertices[4 * f + 2], base + top.face_vertices[4 * f + 3]});
+    add_face(&c, {base + top.face_vertices[4 * f], base + top.face_vertices[4 * f + 1],
+                  base + top.face_vertices[4 * f + 2], base + top.face_vertices[4 * f + 3]});
   const Character d = decimate(c, 0.4);
   size_t low_side = 0, high_side = 0;
   for (size_t v = 0; v < d.vertices.size(); ++v)
@@ -223,7 +231,8 @@ TEST(Decimate, SplitSoupIsWeldedFirst) {
 
 TEST(Decimate, SurvivesFoldsAndFansAndDropsLooseVertices) {
   Character c;
-  for (int i = 0; i < 12; ++i) c.vertices.push_back({static_cast<float>(i % 3), static_cast<float>(i % 5), static_cast<float>(i * i % 7)});
+  for (int i = 0; i < 12; ++i)
+    c.vertices.push_back({static_cast<float>(i % 3), static_cast<float>(i % 5), static_cast<float>(i * i % 7)});
   for (uint32_t i = 2; i < 11; ++i) add_face(&c, {0, 1, i});  // nine faces at one edge; vertex 11 is in none
   add_face(&c, {3, 3, 4});
   const Character d = decimate(c, 1.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF in and out: every form of accessor, skins, rigid parts, seams, what the writer keeps and what it puts in, what is refused.
+// glTF in and out: every form of accessor, skins, rigid parts, seams, what the writer keeps and what it puts in, what
+// is refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,7 +86,9 @@ TEST(GltfRead, SeamsAreWeldedAndWrittenBackApart) {
 TEST(GltfRead, SamePositionWithOtherWeightsStaysApart) {
   GlbBuilder builder = two_joint_strip(true);
   const int weights = attributes(&builder)["WEIGHTS_0"];
-  const size_t offset = builder.document["bufferViews"][builder.document["accessors"][static_cast<size_t>(weights)]["bufferView"].get<size_t>()]["byteOffset"];
+  const size_t offset =
+      builder.document["bufferViews"][builder.document["accessors"][static_cast<size_t>(weights)]["bufferView"]
+                                          .get<size_t>()]["byteOffset"];
   const float other[2] = {0.75f, 0.25f};
   std::memcpy(&builder.bytes[offset + 10 * 16], other, sizeof other);
   EXPECT_EQ(read(builder).vertices.size(), 11u);
@@ -129,8 +132,11 @@ TEST(GltfRead, SecondSetOfWeightsAndRepeatedJoints) {
 TEST(GltfRead, SparseAccessors) {
   GlbBuilder builder = two_joint_strip();
   json& position = builder.document["accessors"][attributes(&builder)["POSITION"].get<size_t>()];
-  const int indices = builder.view(std::vector<uint16_t>{1, 9}), values = builder.view(std::vector<float>{5, 0, 0, 6, 4, 0});
-  position["sparse"] = {{"count", 2}, {"indices", {{"bufferView", indices}, {"componentType", 5123}}}, {"values", {{"bufferView", values}}}};
+  const int indices = builder.view(std::vector<uint16_t>{1, 9}),
+            values = builder.view(std::vector<float>{5, 0, 0, 6, 4, 0});
+  position["sparse"] = {{"count", 2},
+                        {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                        {"values", {{"bufferView", values}}}};
   EXPECT_EQ(read(builder).vertices[9].x, 16);
   EXPECT_EQ(read(builder).vertices[1].x, 15);
   position.erase("bufferView");  // zeros, but for the sparse ones
@@ -143,7 +149,10 @@ TEST(GltfRead, SparseAccessors) {
 
 TEST(GltfRead, StripsFansAndNoIndices) {
   GlbBuilder builder;
-  builder.add("meshes", {{"primitives", json::array({{{"attributes", {{"POSITION", builder.positions({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0})}}}, {"mode", 5}}})}});
+  builder.add("meshes",
+              {{"primitives",
+                json::array({{{"attributes", {{"POSITION", builder.positions({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0})}}},
+                              {"mode", 5}}})}});
   builder.root({{"mesh", 0}, {"translation", {0, 0, 3}}});
   EXPECT_EQ(read(builder).face_vertices, (std::vector<uint32_t>{0, 1, 2, 1, 3, 2}));
   EXPECT_EQ(read(builder).vertices[0].z, 3);
@@ -162,7 +171,8 @@ GlbBuilder with_parts() {
   const int triangle = builder.positions({0, 0, 0, 1, 0, 0, 0, 1, 0});
   const json primitive = {{"attributes", {{"POSITION", triangle}}}};
   builder.add("meshes", {{"name", "shared"}, {"primitives", json::array({primitive})}});
-  const int lamp = builder.add("nodes", {{"name", "lamp"}, {"mesh", 1}, {"translation", {0, 0, 1}}, {"scale", {2, 2, 2}}});
+  const int lamp =
+      builder.add("nodes", {{"name", "lamp"}, {"mesh", 1}, {"translation", {0, 0, 1}}, {"scale", {2, 2, 2}}});
   builder.document["nodes"][1]["children"] = {lamp};
   builder.root({{"name", "stone"}, {"mesh", 1}, {"translation", {-5, 0, 0}}});
   return builder;
@@ -202,7 +212,9 @@ TEST(GltfWrite, ARigidPartThatGetsOtherWeightsGetsASkinAndStaysInPlace) {
   for (size_t v = 0; v < c.vertices.size(); ++v) {
     float nearest = 1e9f;
     for (size_t w = 0; w < again.vertices.size(); ++w) {
-      const float d = std::fabs(again.vertices[w].x - c.vertices[v].x) + std::fabs(again.vertices[w].y - c.vertices[v].y) + std::fabs(again.vertices[w].z - c.vertices[v].z);
+      const float d = std::fabs(again.vertices[w].x - c.vertices[v].x) +
+                      std::fabs(again.vertices[w].y - c.vertices[v].y) +
+                      std::fabs(again.vertices[w].z - c.vertices[v].z);
       nearest = std::min(nearest, d);
     }
     EXPECT_LT(nearest, 1e-5f) << v;
@@ -216,16 +228,22 @@ TEST(GltfWrite, TheDocumentComesBackWithOnlyTheSkinChanged) {
   primitive["targets"] = json::array({{{"POSITION", builder.positions(std::vector<float>(36, 0.25f))}}});
   primitive["material"] = 0;
   builder.document["meshes"][0]["extras"] = {{"targetNames", {"smile"}}, {"nothing", nullptr}};
-  builder.add("materials", {{"name", "skin"}, {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}});
+  builder.add("materials", {{"name", "skin"},
+                            {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}});
   builder.add("textures", {{"source", 0}, {"sampler", 0}});
   builder.add("samplers", {{"name", "nearest"}, {"magFilter", 9728}});
   const std::string png = "\x89PNG\r\n\x1a\n....picture";
-  builder.add("images", {{"mimeType", "image/png"}, {"bufferView", builder.view(std::vector<char>(png.begin(), png.end()))}});
-  builder.add("animations", {{"name", "wave"},
-                             {"channels", json::array({{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}})},
-                             {"samplers", json::array({{{"input", builder.accessor(std::vector<float>{0, 1}, "SCALAR")}, {"output", builder.accessor(std::vector<float>{0, 2, 0, 0, 3, 0}, "VEC3")}}})}});
+  builder.add("images",
+              {{"mimeType", "image/png"}, {"bufferView", builder.view(std::vector<char>(png.begin(), png.end()))}});
+  builder.add(
+      "animations",
+      {{"name", "wave"},
+       {"channels", json::array({{{"sampler", 0}, {"target", {{"node", 1}, {"path", "translation"}}}}})},
+       {"samplers", json::array({{{"input", builder.accessor(std::vector<float>{0, 1}, "SCALAR")},
+                                  {"output", builder.accessor(std::vector<float>{0, 2, 0, 0, 3, 0}, "VEC3")}}})}});
   builder.document["extensionsUsed"] = {"VRM"};
-  builder.document["extensions"]["VRM"] = {{"meta", json::object()}, {"firstPerson", {{"meshAnnotations", json::array()}}}, {"big", 1234567890123}};
+  builder.document["extensions"]["VRM"] = {
+      {"meta", json::object()}, {"firstPerson", {{"meshAnnotations", json::array()}}}, {"big", 1234567890123}};
   builder.document["nodes"][0]["extras"] = {{"empty", json::array()}};
 
   Character c = read(builder);
@@ -246,14 +264,16 @@ TEST(GltfWrite, TheDocumentComesBackWithOnlyTheSkinChanged) {
     EXPECT_EQ(values_of<float>(source, in, a[name], 3), values_of<float>(glb, out, b[name], 3)) << name;
   EXPECT_EQ(values_of<float>(source, in, a["TEXCOORD_0"], 2), values_of<float>(glb, out, b["TEXCOORD_0"], 2));
   EXPECT_EQ(values_of<uint8_t>(source, in, a["COLOR_0"], 4), values_of<uint8_t>(glb, out, b["COLOR_0"], 4));
-  EXPECT_EQ(values_of<float>(source, in, in["skins"][0]["inverseBindMatrices"], 16), values_of<float>(glb, out, out["skins"][0]["inverseBindMatrices"], 16));
+  EXPECT_EQ(values_of<float>(source, in, in["skins"][0]["inverseBindMatrices"], 16),
+            values_of<float>(glb, out, out["skins"][0]["inverseBindMatrices"], 16));
   const json& view = out["bufferViews"][out["images"][0]["bufferView"].get<size_t>()];
   uint32_t length = 0;
   std::memcpy(&length, glb.data() + 12, 4);
   EXPECT_EQ(glb.substr(28 + length + view["byteOffset"].get<size_t>(), view["byteLength"].get<size_t>()), png);
   for (const json& accessor : out["accessors"])  // the picture's odd length must not shift what follows it
     EXPECT_EQ(out["bufferViews"][accessor["bufferView"].get<size_t>()].value("byteOffset", 0) % 4, 0);
-  EXPECT_EQ(values_of<float>(glb, out, out["animations"][0]["samplers"][0]["output"], 3), (std::vector<float>{0, 2, 0, 0, 3, 0}));
+  EXPECT_EQ(values_of<float>(glb, out, out["animations"][0]["samplers"][0]["output"], 3),
+            (std::vector<float>{0, 2, 0, 0, 3, 0}));
   const auto weights = values_of<uint16_t>(glb, out, b["WEIGHTS_0"], 4);
   EXPECT_EQ(weights[0], 45875);  // 0.7 of 65535 and the remainder
   EXPECT_EQ(weights[1], 19660);
@@ -274,9 +294,9 @@ TEST(GltfWrite, WeightsSumExactlyAreSortedAndUnique) {
   Character c = read(two_joint_strip());
   for (int j = 0; j < 9; ++j) c.joints.push_back({"extra" + std::to_string(j), {static_cast<float>(j), 1, 2}, 0});
   c.influences[0] = {{3, 0.1f}, {4, 0.1f}, {3, 0.1f}, {5, 0.2f}, {6, 1e-9f}, {7, 0.3f}, {2, 0.2f}};
-  c.influences[1] = {};                                          // unbound in a bound mesh
+  c.influences[1] = {};                                             // unbound in a bound mesh
   c.influences[2] = {{0, 1.0f / 3}, {1, 1.0f / 3}, {2, 1.0f / 3}};  // does not divide
-  c.influences[3] = {{1, 7}, {0, 7}};                            // any scale
+  c.influences[3] = {{1, 7}, {0, 7}};                               // any scale
   for (const bool unorm8 : {false, true}) {
     const std::string glb = written(c, {unorm8});
     const json out = json_of_glb(glb);
@@ -327,7 +347,9 @@ TEST(GltfWrite, UnormWeightsSurviveAnyNumberOfRounds) {
 TEST(GltfWrite, AnotherSkeletonBecomesNodesAndASkin) {
   const TempFolder folder;
   Character c = read(two_joint_strip());
-  read_skeleton(folder.write("new.rig.txt", "joints a 10 0 0\njoints b 10.5 3 0\njoints prop 0 0 0\nroot a\nhier a b\n"), false, &c);
+  read_skeleton(
+      folder.write("new.rig.txt", "joints a 10 0 0\njoints b 10.5 3 0\njoints prop 0 0 0\nroot a\nhier a b\n"), false,
+      &c);
   c.influences.assign(c.vertices.size(), {{1, 0.5f}, {0, 0.5f}});
   c.influences[0] = {{2, 1.0f}};
   const std::string glb = written(c);
@@ -356,14 +378,18 @@ TEST(GltfWrite, AnotherSkeletonOnAPosedMeshKeepsThePose) {
   for (size_t v = 0; v < c.vertices.size(); ++v) {
     EXPECT_NEAR(again.vertices[v].x, c.vertices[v].x, 1e-5);
     EXPECT_NEAR(again.vertices[v].y, c.vertices[v].y, 1e-5);
-    EXPECT_NEAR(again.corner_normals[v].x * again.corner_normals[v].x + again.corner_normals[v].y * again.corner_normals[v].y + again.corner_normals[v].z * again.corner_normals[v].z, 1, 1e-5);
+    EXPECT_NEAR(again.corner_normals[v].x * again.corner_normals[v].x +
+                    again.corner_normals[v].y * again.corner_normals[v].y +
+                    again.corner_normals[v].z * again.corner_normals[v].z,
+                1, 1e-5);
   }
 }
 
 TEST(GltfWrite, ObjWithMaterialsUvsAndNormals) {
   const TempFolder folder;
   Character c = read_obj(folder.write("box.obj",
-      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 2 0\nvt 0 0\nvt 1 0.25\nusemtl red\nf 1/1 2/2 3/1 4/2\nusemtl blue\nf 4/1 3/2 5/1\n"));
+                                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 2 0\nvt 0 0\nvt 1 0.25\nusemtl red\nf "
+                                      "1/1 2/2 3/1 4/2\nusemtl blue\nf 4/1 3/2 5/1\n"));
   c.joints = {{"root", {0, 0, 0}, -1}, {"tip", {0, 1, 0}, 0}};
   c.influences.assign(5, {{0, 0.25f}, {1, 0.75f}});
   const std::string glb = written(c);
@@ -426,7 +452,8 @@ TEST(GltfRead, TextFormWithDataUriAndExternalFiles) {
 TEST(GltfRead, AFileNameIsNeverRunByTheShell) {
   const TempFolder folder;
   GlbBuilder builder = two_joint_strip();
-  builder.document["buffers"] = {{{"byteLength", builder.bytes.size()}, {"uri", "$(touch " + folder.file("owned") + ").bin"}}};
+  builder.document["buffers"] = {
+      {{"byteLength", builder.bytes.size()}, {"uri", "$(touch " + folder.file("owned") + ").bin"}}};
   EXPECT_ERROR(read_gltf(folder.write("cat.gltf", builder.document.dump())), "cat.gltf");
   EXPECT_FALSE(std::filesystem::exists(folder.file("owned")));
 }
@@ -477,7 +504,8 @@ TEST(GltfRead, ErrorsNameFileAndElement) {
   attributes(&builder)["WEIGHTS_0"] = builder.accessor(std::vector<float>(40, std::nanf("")), "VEC4");
   EXPECT_ERROR(read(builder), "WEIGHTS_0", "finite", "element 0");
   builder = two_joint_strip();
-  builder.document["meshes"][0]["primitives"][0]["indices"] = builder.accessor(std::vector<uint16_t>{0, 1, 10}, "SCALAR");
+  builder.document["meshes"][0]["primitives"][0]["indices"] =
+      builder.accessor(std::vector<uint16_t>{0, 1, 10}, "SCALAR");
   EXPECT_ERROR(read(builder), "indices below 10", "found 10");
   builder = two_joint_strip();
   builder.document["accessors"][0]["count"] = 1000;

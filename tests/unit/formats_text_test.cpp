@@ -45,7 +45,8 @@ TEST(Obj, NegativeIndicesCountBackFromWhereTheyStand) {
 }
 
 TEST(Obj, CarriageReturnsCommentsTabsBomAndContinuedLines) {
-  const std::string text = "\xef\xbb\xbf# a comment\r\n\r\no  thing \r\nv\t0 0 0\r\n  v 1 0 0  \r\nv 0 1 \\\r\n 5\r\nf 1 2 3";
+  const std::string text =
+      "\xef\xbb\xbf# a comment\r\n\r\no  thing \r\nv\t0 0 0\r\n  v 1 0 0  \r\nv 0 1 \\\r\n 5\r\nf 1 2 3";
   const Character c = obj(text);
   EXPECT_EQ(c.vertices.size(), 3u);
   EXPECT_EQ(c.vertices[2].z, 5);
@@ -55,7 +56,9 @@ TEST(Obj, CarriageReturnsCommentsTabsBomAndContinuedLines) {
 }
 
 TEST(Obj, GroupsObjectsAndMaterialsPerFace) {
-  const Character c = obj(std::string("o body\r\n") + "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nvn 0 0 2\r\nusemtl skin\r\nf 1//1 2//1 3//1\r\ng arm left\r\nusemtl cloth\r\nf 3 \\\r\n 2 1\r\nusemtl skin\r\nf 1 3 2\r\n");
+  const Character c = obj(std::string("o body\r\n") +
+                          "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nvn 0 0 2\r\nusemtl skin\r\nf 1//1 2//1 3//1\r\ng arm "
+                          "left\r\nusemtl cloth\r\nf 3 \\\r\n 2 1\r\nusemtl skin\r\nf 1 3 2\r\n");
   EXPECT_EQ(c.group_names, (std::vector<std::string>{"body", "arm left"}));
   EXPECT_EQ(c.face_groups, (std::vector<int>{0, 1, 1}));
   EXPECT_EQ(c.material_names, (std::vector<std::string>{"skin", "cloth"}));
@@ -92,7 +95,10 @@ TEST(Obj, ErrorsNameFileLineExpectedAndFound) {
   EXPECT_ERROR(obj(head + "hello world\n"), "mesh.obj:4:", "'hello'");
   EXPECT_ERROR(obj("# nothing\n"), "mesh.obj", "vertices", "none in 1 lines");
   EXPECT_ERROR(obj(""), "mesh.obj", "empty file");
-  EXPECT_ERROR(obj(std::string("\x7f" "ELF\0\0\1", 7)), "mesh.obj", "binary");
+  EXPECT_ERROR(obj(std::string("\x7f"
+                               "ELF\0\0\1",
+                               7)),
+               "mesh.obj", "binary");
   EXPECT_ERROR(obj("\x80\x99rubbish\n"), "mesh.obj:1:", "\\x80");
   const TempFolder folder;
   EXPECT_ERROR(read_obj(folder.path()), folder.path(), "directory");
@@ -115,7 +121,8 @@ TEST(Obj, ReadsHundredThousandVerticesFast) {
   for (int y = 0; y + 1 < side; ++y)
     for (int x = 0; x + 1 < side; ++x) {
       const int v = y * side + x + 1;
-      text += "f " + std::to_string(v) + " " + std::to_string(v + 1) + " " + std::to_string(v + side + 1) + " " + std::to_string(v + side) + "\n";
+      text += "f " + std::to_string(v) + " " + std::to_string(v + 1) + " " + std::to_string(v + side + 1) + " " +
+              std::to_string(v + side) + "\n";
     }
   const TempFolder folder;
   const std::string path = folder.write("big.obj", text);
@@ -127,7 +134,9 @@ TEST(Obj, ReadsHundredThousandVerticesFast) {
 
 TEST(Obj, WritesWhatItReads) {
   const TempFolder folder;
-  const std::string text = std::string(kTriangle) + "v 0.1 1e-7 -3.4028235e38\nvt 0.5 1\nvt 0 0.1\nvn 0 0 1\ng a b\nusemtl m\nf 1/1/1 2/2/1 3/1/1\nf 1/2/1 3/1/1 4/1/1 2/2/1\n";
+  const std::string text = std::string(kTriangle) +
+                           "v 0.1 1e-7 -3.4028235e38\nvt 0.5 1\nvt 0 0.1\nvn 0 0 1\ng a b\nusemtl m\nf 1/1/1 2/2/1 "
+                           "3/1/1\nf 1/2/1 3/1/1 4/1/1 2/2/1\n";
   const Character a = read_obj(folder.write("a.obj", text));
   write_obj(folder.file("b.obj"), a);
   const Character b = read_obj(folder.file("b.obj"));
@@ -173,7 +182,9 @@ TEST(Rig, ReadsJointsHierarchyAndWeights) {
 }
 
 TEST(Rig, AnyOrderCrlfCommentsAndSeveralRoots) {
-  const Character c = rigged("# made by hand\r\nhier hip knee\r\nskin 1 knee 0.5 hip 0 \r\n\r\nroot hip\r\njoints knee 0 0 0\r\njoints hip 1 1 1\r\njoints prop 2 2 2\r\n");
+  const Character c = rigged(
+      "# made by hand\r\nhier hip knee\r\nskin 1 knee 0.5 hip 0 \r\n\r\nroot hip\r\njoints knee 0 0 0\r\njoints hip 1 "
+      "1 1\r\njoints prop 2 2 2\r\n");
   EXPECT_EQ(c.joints[0].parent, 1);
   EXPECT_EQ(c.joints[2].parent, -1);
   EXPECT_EQ(c.influences[1].size(), 1u);  // a weight of 0 is none
@@ -207,7 +218,8 @@ TEST(Rig, ErrorsNameFileAndLine) {
 TEST(Rig, ABrokenRigLeavesTheMeshAsItWas) {
   const TempFolder folder;
   Character c = rigged(kRig);
-  EXPECT_ERROR(read_skeleton(folder.write("bad.rig.txt", "joints a 0 0 0\nroot a\nskin 0 a -1\n"), true, &c), "bad.rig.txt:3:");
+  EXPECT_ERROR(read_skeleton(folder.write("bad.rig.txt", "joints a 0 0 0\nroot a\nskin 0 a -1\n"), true, &c),
+               "bad.rig.txt:3:");
   EXPECT_EQ(c.joints.size(), 2u);
   EXPECT_EQ(c.influences.size(), 3u);
 }
@@ -275,7 +287,8 @@ TEST(Files, FollowsLinksAndWritesDevices) {
 
 TEST(Folders, ListsPairsAndGltfSortedByName) {
   const TempFolder folder;
-  for (const char* name : {"b__2.obj", "b__2.rig.txt", "a__1.GLB", "c.obj", "d.rig.txt", "e__.vrm", "readme.txt"}) folder.write(name, "x");
+  for (const char* name : {"b__2.obj", "b__2.rig.txt", "a__1.GLB", "c.obj", "d.rig.txt", "e__.vrm", "readme.txt"})
+    folder.write(name, "x");
   const std::vector<std::string> found = list_characters(folder.path());
   ASSERT_EQ(found.size(), 3u);
   EXPECT_EQ(found[0], folder.file("a__1.GLB"));
@@ -287,7 +300,8 @@ TEST(Folders, ListsPairsAndGltfSortedByName) {
 
 TEST(Folders, ACharacterWithoutItsRigIsAnError) {
   const TempFolder folder;
-  EXPECT_ERROR(read_character(folder.write("cat.obj", std::string(kTriangle) + "f 1 2 3\n")), "cat.rig.txt", "no such file");
+  EXPECT_ERROR(read_character(folder.write("cat.obj", std::string(kTriangle) + "f 1 2 3\n")), "cat.rig.txt",
+               "no such file");
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Promises of the character generator: sound meshes, exact weights, the same bytes for a seed, samples that still come out.
+// Promises of the character generator: sound meshes, exact weights, the same bytes for a seed, samples that still come
+// out.
+#include "sinew_formats/synthesize.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,12 +13,12 @@
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/synthesize.hpp"
 
 namespace sinew {
 namespace {
 
-constexpr BodyPlan kPlans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged};
+constexpr BodyPlan kPlans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake,
+                               BodyPlan::kManyLegged};
 
 Character make(BodyPlan plan, uint64_t seed, int resolution, bool clothing) {
   SynthesizeOptions options;
@@ -30,7 +33,7 @@ struct Topology {
   std::map<std::pair<uint32_t, uint32_t>, int> directed;  // edges as walked by faces
   size_t open = 0;                                        // directed edges without a partner
   size_t components = 0;
-  std::vector<int> fans;                                  // [V] groups of faces around a vertex
+  std::vector<int> fans;  // [V] groups of faces around a vertex
 };
 
 uint32_t root_of(std::vector<uint32_t>* parent, uint32_t v) {
@@ -42,7 +45,8 @@ Topology topology_of(const Character& c) {
   Topology t;
   std::vector<uint32_t> parent(c.vertices.size());
   for (uint32_t v = 0; v < parent.size(); ++v) parent[v] = v;
-  std::vector<std::map<uint32_t, uint32_t>> next(c.vertices.size());  // around a vertex: incoming neighbour -> outgoing one
+  std::vector<std::map<uint32_t, uint32_t>> next(
+      c.vertices.size());  // around a vertex: incoming neighbour -> outgoing one
   for (size_t f = 0; f < c.face_count(); ++f) {
     const uint32_t begin = c.face_offsets[f], count = c.face_offsets[f + 1] - begin;
     for (uint32_t i = 0; i < count; ++i) {
@@ -199,9 +203,11 @@ TEST(Synthesize, BodiesAreMirrored) {
 
 // Changes only with the generator itself; then samples/data must be made again (samples/data/README.md).
 TEST(Synthesize, SeedsGiveTheSameCharacterEverywhere) {
-  const std::map<BodyPlan, uint64_t> expected = {
-      {BodyPlan::kBiped, 16625200270326584562ull}, {BodyPlan::kQuadruped, 9308260561266664488ull}, {BodyPlan::kBird, 13318439284565765302ull},
-      {BodyPlan::kSnake, 3953238997546069265ull}, {BodyPlan::kManyLegged, 15566189736412902489ull}};
+  const std::map<BodyPlan, uint64_t> expected = {{BodyPlan::kBiped, 16625200270326584562ull},
+                                                 {BodyPlan::kQuadruped, 9308260561266664488ull},
+                                                 {BodyPlan::kBird, 13318439284565765302ull},
+                                                 {BodyPlan::kSnake, 3953238997546069265ull},
+                                                 {BodyPlan::kManyLegged, 15566189736412902489ull}};
   for (const auto& [plan, hash] : expected) {
     EXPECT_EQ(hash_of(make(plan, 5, 24, true)), hash) << body_plan_name(plan);
     EXPECT_NE(hash_of(make(plan, 6, 24, true)), hash) << body_plan_name(plan);
@@ -215,9 +221,10 @@ TEST(Synthesize, SamplesAreWhatTheirReadmeSays) {
     uint64_t seed;
     int resolution;
   };
-  const Made samples[] = {{"biped__robed", BodyPlan::kBiped, 27, 32},     {"biped__robot", BodyPlan::kBiped, 12, 32},
-                          {"quadruped__tailed", BodyPlan::kQuadruped, 3, 40}, {"bird__winged", BodyPlan::kBird, 4, 40},
-                          {"snake__long", BodyPlan::kSnake, 6, 40},       {"many-legged__plated", BodyPlan::kManyLegged, 1, 36}};
+  const Made samples[] = {
+      {"biped__robed", BodyPlan::kBiped, 27, 32},         {"biped__robot", BodyPlan::kBiped, 12, 32},
+      {"quadruped__tailed", BodyPlan::kQuadruped, 3, 40}, {"bird__winged", BodyPlan::kBird, 4, 40},
+      {"snake__long", BodyPlan::kSnake, 6, 40},           {"many-legged__plated", BodyPlan::kManyLegged, 1, 36}};
   for (const Made& sample : samples) {
     SCOPED_TRACE(sample.file);
     const Character file = read_character(std::string(SINEW_SOURCE_DIR) + "/samples/data/" + sample.file + ".obj");

@@ -97,7 +97,8 @@ TEST(FamilyQueue, FamiliesAreDrawnByThePowerOfTheirSizeAndMembersEqually) {
   }
   int few = 0;
   for (uint32_t i = 100; i < 104; ++i) few += count[i];
-  EXPECT_NEAR(static_cast<double>(few) / static_cast<double>(draws), 2.0 / 12.0, 0.005);  // sqrt(4) / (sqrt(100) + sqrt(4))
+  EXPECT_NEAR(static_cast<double>(few) / static_cast<double>(draws), 2.0 / 12.0,
+              0.005);  // sqrt(4) / (sqrt(100) + sqrt(4))
   for (uint32_t i = 100; i < 104; ++i) EXPECT_NEAR(count[i], few / 4.0, 0.1 * few / 4.0);
   for (uint32_t i = 0; i < 100; ++i) EXPECT_GT(count[i], 200);
 }

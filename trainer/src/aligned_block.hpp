@@ -13,8 +13,8 @@ namespace sinew {
 class AlignedBlock {
  public:
   explicit AlignedBlock(size_t bytes)
-      : data_(::operator new(bytes, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT})), size_(bytes) {}
-  ~AlignedBlock() { ::operator delete(data_, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
+      : data_(::operator new (bytes, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT})), size_(bytes) {}
+  ~AlignedBlock() { ::operator delete (data_, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
   AlignedBlock(const AlignedBlock&) = delete;
   AlignedBlock& operator=(const AlignedBlock&) = delete;
   void* data() const { return data_; }

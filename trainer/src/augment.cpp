@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Augmentation: changed copies of a training character. One human in 165 variants teaches little; what is the same under turning,
-// mirroring, stretching and another density is worth learning.
+// Augmentation: changed copies of a training character. One human in 165 variants teaches little; what is the same
+// under turning, mirroring, stretching and another density is worth learning.
 #include "augment.hpp"
 
 #include <algorithm>
@@ -63,7 +63,8 @@ Character augment(const Character& character, uint64_t seed) {
   const double c = std::cos(angle), s = std::sin(angle);
   const auto moved = [&](Vec3 p, double jitter, uint64_t jitter_seed) {
     p = jittered(p, jitter * side, jitter_seed);
-    const double x = (mirror ? -1 : 1) * stretch[0] * static_cast<double>(p.x), z = stretch[2] * static_cast<double>(p.z);
+    const double x = (mirror ? -1 : 1) * stretch[0] * static_cast<double>(p.x),
+                 z = stretch[2] * static_cast<double>(p.z);
     return Vec3{static_cast<float>(c * x + s * z), static_cast<float>(stretch[1] * static_cast<double>(p.y)),
                 static_cast<float>(c * z - s * x)};
   };
@@ -72,7 +73,8 @@ Character augment(const Character& character, uint64_t seed) {
   for (Joint& joint : out.joints) joint.position = moved(joint.position, kJointJitter, joint_seed);
   if (mirror) {
     for (size_t f = 0; f < out.face_count(); ++f) {
-      std::reverse(out.face_vertices.begin() + out.face_offsets[f], out.face_vertices.begin() + out.face_offsets[f + 1]);
+      std::reverse(out.face_vertices.begin() + out.face_offsets[f],
+                   out.face_vertices.begin() + out.face_offsets[f + 1]);
     }
   }
   return out;

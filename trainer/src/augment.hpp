@@ -11,9 +11,10 @@ namespace sinew {
 
 constexpr uint32_t kAugmentVersion = 1;  // part of the cache key: grows whenever augment() changes
 
-// Turned about the up axis (Y) by any angle, perhaps mirrored in X, stretched by 0.85..1.15 per axis, vertices and joints
-// jittered, and for two seeds in five decimated to 0.4..0.9 of its vertices. Weights follow their vertices. Vertices or joints at the
-// same position stay at the same position. The same seed gives the same character. What only writers need (UVs, materials) is dropped.
+// Turned about the up axis (Y) by any angle, perhaps mirrored in X, stretched by 0.85..1.15 per axis, vertices and
+// joints jittered, and for two seeds in five decimated to 0.4..0.9 of its vertices. Weights follow their vertices.
+// Vertices or joints at the same position stay at the same position. The same seed gives the same character. What only
+// writers need (UVs, materials) is dropped.
 Character augment(const Character& character, uint64_t seed);
 
 }  // namespace sinew

@@ -84,10 +84,9 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.progress_user = options.progress_user;
 
   BindResult result;
-  throw_status(character,
-               sinew_bind_workspace_size(options.model, views.mesh.vertex_count, views.mesh.face_count,
-                                         views.mesh.corner_count, views.skeleton.joint_count, &engine_options,
-                                         &result.workspace_bytes));
+  throw_status(character, sinew_bind_workspace_size(options.model, views.mesh.vertex_count, views.mesh.face_count,
+                                                    views.mesh.corner_count, views.skeleton.joint_count,
+                                                    &engine_options, &result.workspace_bytes));
   const AlignedBlock workspace(result.workspace_bytes);
   const size_t n = options.influence_count;
   std::vector<uint16_t> joints(character.vertices.size() * n), weights(character.vertices.size() * n);

@@ -11,7 +11,8 @@ namespace sinew {
 namespace {
 
 void shuffle(std::vector<uint32_t>* items, Random* random) {
-  for (size_t i = items->size(); i > 1; --i) std::swap((*items)[i - 1], (*items)[random->below(static_cast<uint32_t>(i))]);
+  for (size_t i = items->size(); i > 1; --i)
+    std::swap((*items)[i - 1], (*items)[random->below(static_cast<uint32_t>(i))]);
 }
 
 }  // namespace

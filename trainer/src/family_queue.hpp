@@ -12,7 +12,8 @@
 namespace sinew {
 
 // One round of about as many draws as there are characters, shuffled. `families` names the family of each character.
-// A family's quota is its share of the round; the fraction left over is drawn, so that shares are exact in the long run.
+// A family's quota is its share of the round; the fraction left over is drawn, so that shares are exact in the long
+// run.
 std::vector<uint32_t> draw_round(const std::vector<std::string>& families, double power, Random* random);
 
 }  // namespace sinew

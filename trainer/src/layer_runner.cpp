@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Float execution of the layer list: every layer's forward pass and its gradient. Rows of absent slots do not exist here.
+// Float execution of the layer list: every layer's forward pass and its gradient. Rows of absent slots do not exist
+// here.
 #include "layer_runner.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
 #include <string>
-
-#include <Eigen/Core>
 
 #include "features/features.hpp"
 #include "random.hpp"
@@ -19,8 +19,8 @@
 namespace sinew {
 namespace {
 
-// Memory that grows and is never given back, on 64-byte boundaries: Eigen's reductions may peel by alignment, and a resumed
-// run has to give the same bytes.
+// Memory that grows and is never given back, on 64-byte boundaries: Eigen's reductions may peel by alignment, and a
+// resumed run has to give the same bytes.
 template <class T>
 class Block {
  public:
@@ -78,10 +78,9 @@ using MatrixMap = Eigen::Map<Matrix<S>, Eigen::Unaligned, Eigen::OuterStride<>>;
 template <class S>
 using ConstMatrixMap = Eigen::Map<const Matrix<S>, Eigen::Unaligned, Eigen::OuterStride<>>;
 
-// Rows per tile of a linear layer: 256 rows of 192 floats stay in the second-level cache between the product, the activation
-// and, backward, the two products.
+// Rows per tile of a linear layer: 256 rows of 192 floats stay in the second-level cache between the product, the
+// activation and, backward, the two products.
 constexpr uint32_t kTileRows = 256;
-
 
 }  // namespace
 
@@ -170,7 +169,8 @@ void check_network(const FloatNetwork& network) {
                layer.out.channels * network.candidate_count == layer.in.channels;
         break;
     }
-    if (!fits) fail(name + " (kind " + std::to_string(static_cast<int>(layer.kind)) + ") has regions that do not fit it");
+    if (!fits)
+      fail(name + " (kind " + std::to_string(static_cast<int>(layer.kind)) + ") has regions that do not fit it");
   }
   const Region& logits = network.layers.back().out;
   if (domain(logits) != Domain::kPair || logits.channels != 1) fail("the last layer does not write one pair channel");
@@ -179,20 +179,20 @@ void check_network(const FloatNetwork& network) {
 template <class S>
 struct LayerRunner<S>::State {
   SampleIndex index;
-  std::vector<Block<S>> values, gradients;   // per buffer [rows x channels]
-  std::vector<Block<uint32_t>> arguments;    // per layer: the row that a maximum came from, UINT32_MAX = none
+  std::vector<Block<S>> values, gradients;  // per buffer [rows x channels]
+  std::vector<Block<uint32_t>> arguments;   // per layer: the row that a maximum came from, UINT32_MAX = none
   std::vector<Block<S>> weights, d_weights, bias, d_bias;
   Block<S> sums;
   std::vector<S> logits;
-  S relu_scale = 1;                          // of the last forward: 1 / (1 - dropout)
+  S relu_scale = 1;  // of the last forward: 1 / (1 - dropout)
   const Sample* sample = nullptr;
 
   uint32_t rows(const FloatNetwork& shape, uint16_t buffer) const {
     return shape.buffers[buffer].domain == Domain::kVertex ? index.vertices : index.pairs;
   }
   View<S> view(const FloatNetwork& shape, std::vector<Block<S>>& blocks, const Region& region) const {
-    return {blocks[region.buffer].data() + region.offset, shape.buffers[region.buffer].channels, rows(shape, region.buffer),
-            region.channels};
+    return {blocks[region.buffer].data() + region.offset, shape.buffers[region.buffer].channels,
+            rows(shape, region.buffer), region.channels};
   }
 
   void load_inputs(const FloatNetwork& shape, const DropoutOptions& dropout);
@@ -243,11 +243,13 @@ void LayerRunner<S>::State::linear(const Layer& layer, View<S> in, View<S> out, 
   const bool relu = layer.flags & kLayerRelu, has_residual = layer.flags & kLayerResidual;
   const bool drop = relu && dropout > 0;
   const uint64_t drop_below = static_cast<uint64_t>(dropout * 65536.0f);  // 16 random bits per value are fine enough
-  const ConstMatrixMap<S> w(weights[layer.parameters].data(), out.channels, in.channels, Eigen::OuterStride<>(in.channels));
+  const ConstMatrixMap<S> w(weights[layer.parameters].data(), out.channels, in.channels,
+                            Eigen::OuterStride<>(in.channels));
   for (uint32_t begin = 0; begin < in.rows; begin += kTileRows) {
     const uint32_t n = std::min(kTileRows, in.rows - begin);
     MatrixMap<S> y(out.row(begin), n, out.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(out.stride)));
-    const ConstMatrixMap<S> x(in.row(begin), n, in.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
+    const ConstMatrixMap<S> x(in.row(begin), n, in.channels,
+                              Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
     y.noalias() = x * w.transpose();
     for (uint32_t r = begin; r < begin + n; ++r) {
       S* row = out.row(r);
@@ -273,7 +275,8 @@ void LayerRunner<S>::State::linear_backward(const Layer& layer, View<S> in, View
                                             View<S> d_residual) {
   const bool relu = layer.flags & kLayerRelu;
   S* db = d_bias[layer.parameters].data();
-  const ConstMatrixMap<S> w(weights[layer.parameters].data(), out.channels, in.channels, Eigen::OuterStride<>(in.channels));
+  const ConstMatrixMap<S> w(weights[layer.parameters].data(), out.channels, in.channels,
+                            Eigen::OuterStride<>(in.channels));
   MatrixMap<S> dw(d_weights[layer.parameters].data(), out.channels, in.channels, Eigen::OuterStride<>(in.channels));
   for (uint32_t begin = 0; begin < in.rows; begin += kTileRows) {
     const uint32_t n = std::min(kTileRows, in.rows - begin);
@@ -286,8 +289,10 @@ void LayerRunner<S>::State::linear_backward(const Layer& layer, View<S> in, View
       add_to(db, g, out.channels);
       if (d_residual.data != nullptr) add_to(d_residual.row(r), g, out.channels);
     }
-    const ConstMatrixMap<S> g(d_out.row(begin), n, out.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(d_out.stride)));
-    const ConstMatrixMap<S> x(in.row(begin), n, in.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
+    const ConstMatrixMap<S> g(d_out.row(begin), n, out.channels,
+                              Eigen::OuterStride<>(static_cast<Eigen::Index>(d_out.stride)));
+    const ConstMatrixMap<S> x(in.row(begin), n, in.channels,
+                              Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
     dw.noalias() += g.transpose() * x;
     if (d_in.data != nullptr) {
       MatrixMap<S> dx(d_in.row(begin), n, in.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(d_in.stride)));
@@ -444,7 +449,8 @@ void LayerRunner<S>::State::candidate_max_backward(const Block<uint32_t>& argume
   sums.resize(channels);
   for (uint32_t v = 0; v < index.vertices; ++v) {
     sums.zero();
-    for (uint32_t p = index.pair_begin[v]; p < index.pair_begin[v + 1]; ++p) add_to(sums.data(), d_out.row(p), channels);
+    for (uint32_t p = index.pair_begin[v]; p < index.pair_begin[v + 1]; ++p)
+      add_to(sums.data(), d_out.row(p), channels);
     if (index.pair_begin[v] == index.pair_begin[v + 1]) continue;
     const uint32_t* arg = argument.data() + size_t{v} * channels;
     for (uint32_t c = 0; c < channels; ++c) d_in.row(arg[c])[c] += sums.data()[c];
@@ -464,9 +470,10 @@ const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const s
   if (shape.buffers[kVertexInput].channels != sample.vertex_features ||
       shape.buffers[kPairInput].channels != sample.pair_features || shape.candidate_count != sample.candidates) {
     throw Error(sample.name + ": the network wants " + std::to_string(shape.buffers[kVertexInput].channels) + " + " +
-                std::to_string(shape.buffers[kPairInput].channels) + " features and " + std::to_string(shape.candidate_count) +
-                " candidates, the sample has " + std::to_string(sample.vertex_features) + " + " +
-                std::to_string(sample.pair_features) + " and " + std::to_string(sample.candidates));
+                std::to_string(shape.buffers[kPairInput].channels) + " features and " +
+                std::to_string(shape.candidate_count) + " candidates, the sample has " +
+                std::to_string(sample.vertex_features) + " + " + std::to_string(sample.pair_features) + " and " +
+                std::to_string(sample.candidates));
   }
   s.sample = &sample;
   s.index.build(sample);
@@ -531,7 +538,8 @@ const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const s
       case LayerKind::kVertexToSlots:
         for (uint32_t v = 0; v < s.index.vertices; ++v) {
           for (uint32_t p = s.index.pair_begin[v]; p < s.index.pair_begin[v + 1]; ++p) {
-            std::copy_n(in.row(v) + (s.index.pair_slot[p] - v * s.index.slots) * out.channels, out.channels, out.row(p));
+            std::copy_n(in.row(v) + (s.index.pair_slot[p] - v * s.index.slots) * out.channels, out.channels,
+                        out.row(p));
           }
         }
         break;
@@ -580,7 +588,8 @@ void LayerRunner<S>::backward(const FloatNetwork& shape, const std::vector<Linea
         if ((layer.flags & kLayerResidual) && layer.residual.buffer > kPairInput) {
           d_residual = s.view(shape, s.gradients, layer.residual);
         }
-        s.linear_backward(layer, s.view(shape, s.values, layer.in), s.view(shape, s.values, layer.out), d_in, d_out, d_residual);
+        s.linear_backward(layer, s.view(shape, s.values, layer.in), s.view(shape, s.values, layer.out), d_in, d_out,
+                          d_residual);
         break;
       }
       case LayerKind::kRingMean:
@@ -607,14 +616,16 @@ void LayerRunner<S>::backward(const FloatNetwork& shape, const std::vector<Linea
       case LayerKind::kPairToVertex:
         for (uint32_t v = 0; v < s.index.vertices; ++v) {
           for (uint32_t p = s.index.pair_begin[v]; p < s.index.pair_begin[v + 1]; ++p) {
-            add_to(d_in.row(p), d_out.row(v) + (s.index.pair_slot[p] - v * s.index.slots) * d_in.channels, d_in.channels);
+            add_to(d_in.row(p), d_out.row(v) + (s.index.pair_slot[p] - v * s.index.slots) * d_in.channels,
+                   d_in.channels);
           }
         }
         break;
       case LayerKind::kVertexToSlots:
         for (uint32_t v = 0; v < s.index.vertices; ++v) {
           for (uint32_t p = s.index.pair_begin[v]; p < s.index.pair_begin[v + 1]; ++p) {
-            add_to(d_in.row(v) + (s.index.pair_slot[p] - v * s.index.slots) * d_out.channels, d_out.row(p), d_out.channels);
+            add_to(d_in.row(v) + (s.index.pair_slot[p] - v * s.index.slots) * d_out.channels, d_out.row(p),
+                   d_out.channels);
           }
         }
         break;

@@ -24,8 +24,8 @@ template <class Scalar>
 std::vector<LinearBlock<Scalar>> copy_blocks(const FloatNetwork& network);
 
 struct DropoutOptions {
-  float activations = 0;  // share of the outputs of ReLU layers set to 0, the others scaled up
-  float features = 0;     // probability of an input channel to be 0 for the whole sample
+  float activations = 0;                     // share of the outputs of ReLU layers set to 0, the others scaled up
+  float features = 0;                        // probability of an input channel to be 0 for the whole sample
   std::vector<uint32_t> kept_pair_features;  // never dropped: the heat prior
   uint64_t seed = 0;
 };

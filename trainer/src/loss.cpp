@@ -39,14 +39,16 @@ T sign(T x) {
 double total_importance(const Sample& sample) {
   double total = 0;
   for (float i : sample.importance) total += static_cast<double>(i);
-  if (total <= 0) throw Error(sample.name + ": no vertex has reference weights, so there is nothing to learn from or compare with");
+  if (total <= 0)
+    throw Error(sample.name + ": no vertex has reference weights, so there is nothing to learn from or compare with");
   return total;
 }
 
 }  // namespace
 
 template <class S>
-LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const std::vector<S>& logits, std::vector<S>* d_logits) {
+LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const std::vector<S>& logits,
+                      std::vector<S>* d_logits) {
   const uint32_t slots = sample.candidates;
   const double total = total_importance(sample);
   LossTerms terms;
@@ -106,7 +108,8 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
           kl += target[k] * (std::log(target[k]) - (group_largest - largest + std::log(group_sum) - log_sum));
           if (d_logits != nullptr) {
             for (uint32_t i2 = k; i2 < slots; ++i2) {
-              if (groups.first[i2] == k) kl_pull[row + i2] = target[k] * std::exp(logits[row + i2] - group_largest) / group_sum;
+              if (groups.first[i2] == k)
+                kl_pull[row + i2] = target[k] * std::exp(logits[row + i2] - group_largest) / group_sum;
             }
           }
         }
@@ -153,11 +156,14 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
   terms.kl /= total;
   terms.regret /= total;
   terms.part /= total;
-  terms.total = weights.kl * terms.kl + weights.l1 * terms.l1 + weights.regret * terms.regret + weights.part * terms.part;
+  terms.total =
+      weights.kl * terms.kl + weights.l1 * terms.l1 + weights.regret * terms.regret + weights.part * terms.part;
   return terms;
 }
-template LossTerms weight_loss<float>(const Sample&, const LossWeights&, const std::vector<float>&, std::vector<float>*);
-template LossTerms weight_loss<double>(const Sample&, const LossWeights&, const std::vector<double>&, std::vector<double>*);
+template LossTerms weight_loss<float>(const Sample&, const LossWeights&, const std::vector<float>&,
+                                      std::vector<float>*);
+template LossTerms weight_loss<double>(const Sample&, const LossWeights&, const std::vector<double>&,
+                                       std::vector<double>*);
 
 double sample_l1(const Sample& sample, const std::vector<float>& probabilities, uint32_t keep) {
   const uint32_t slots = sample.candidates;
@@ -174,7 +180,8 @@ double sample_l1(const Sample& sample, const std::vector<float>& probabilities, 
     std::sort(order.begin(), order.begin() + slots, larger);
     std::array<double, kMaxCandidates> weight{};
     double sum = 0;
-    for (uint32_t i = 0; i < std::min(keep, slots); ++i) sum += weight[order[i]] = static_cast<double>(probabilities[row + order[i]]);
+    for (uint32_t i = 0; i < std::min(keep, slots); ++i)
+      sum += weight[order[i]] = static_cast<double>(probabilities[row + order[i]]);
     const FoldGroups groups(sample, row);
     std::array<double, kMaxCandidates> difference{};
     for (uint32_t k = 0; k < slots; ++k) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What training makes small: distance of the predicted weights from the reference, per vertex and per part, and its gradient.
+// What training makes small: distance of the predicted weights from the reference, per vertex and per part, and its
+// gradient.
 #ifndef SINEW_TRAINER_LOSS_HPP
 #define SINEW_TRAINER_LOSS_HPP
 
@@ -22,8 +23,8 @@ struct LossTerms {
   double part = 0;    // per part: sum_j |mean p - mean t|, parts weighted by their vertices' importance
 };
 
-// Candidates that fold to the same joint (Sample::fold: end joints) count as one: their weights are summed before they are
-// compared. logits [U x K] in natural log units; d_logits [U x K] is overwritten (may be null), absent slots get 0.
+// Candidates that fold to the same joint (Sample::fold: end joints) count as one: their weights are summed before they
+// are compared. logits [U x K] in natural log units; d_logits [U x K] is overwritten (may be null), absent slots get 0.
 // Throws Error when no vertex has a reference.
 template <class Scalar>
 LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const std::vector<Scalar>& logits,

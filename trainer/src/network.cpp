@@ -18,9 +18,7 @@ struct NetworkRunner::State {
   mutable std::vector<float> buffer;
 };
 
-NetworkRunner::NetworkRunner(const FloatNetwork& network) : state_(new State) {
-  check_network(network);
-}
+NetworkRunner::NetworkRunner(const FloatNetwork& network) : state_(new State) { check_network(network); }
 NetworkRunner::~NetworkRunner() { delete state_; }
 
 const std::vector<float>& NetworkRunner::forward(const FloatNetwork& network, const Sample& sample, float dropout,

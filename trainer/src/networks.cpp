@@ -13,7 +13,8 @@
 namespace sinew {
 namespace {
 
-constexpr float kPriorWeight = static_cast<float>(kLogFeatureDivisor);  // of the log-rule channel: logit = log of the heat weight
+constexpr float kPriorWeight =
+    static_cast<float>(kLogFeatureDivisor);  // of the log-rule channel: logit = log of the heat weight
 
 class Builder {
  public:
@@ -54,7 +55,8 @@ class Builder {
     layer.out = out;
     network_.layers.push_back(layer);
   }
-  // gain 1 = the variance that keeps ReLU activations at their scale (He et al. 2015). Returns the weights to change them.
+  // gain 1 = the variance that keeps ReLU activations at their scale (He et al. 2015). Returns the weights to change
+  // them.
   LinearParameters& linear(const Region& in, const Region& out, uint8_t flags, const Region& residual, double gain) {
     Layer layer;
     layer.flags = flags;
@@ -89,7 +91,8 @@ FloatNetwork build_field(const FieldOptions& options, const InputShape& inputs, 
   const uint32_t width = options.width;
   constexpr uint32_t kViews = 6;  // itself, ring mean, candidate max, part mean, its candidate max, character mean
 
-  // A linear layer over concat(pair features, vertex embedding), written as two so that the vertex half runs once per vertex.
+  // A linear layer over concat(pair features, vertex embedding), written as two so that the vertex half runs once per
+  // vertex.
   const Region embedding = b.fresh(Domain::kVertex, options.vertex_width);
   b.relu(b.vertex_input(), embedding);
   const Region vertex_half = b.fresh(Domain::kVertex, width);
@@ -149,7 +152,8 @@ FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape&
   b.relu(hidden, first);
   b.apply(LayerKind::kRingMean, first, b.part(first_ring, 64, 64));
 
-  // concat(graph pooling 256, sub-feature 256, first feature 64) = N x 576 second feature; its ring mean lies beside it.
+  // concat(graph pooling 256, sub-feature 256, first feature 64) = N x 576 second feature; its ring mean lies beside
+  // it.
   const uint16_t second_ring = b.add_buffer(Domain::kVertex, 1152);
   const Region pooled = b.part(second_ring, 0, 256), sub = b.part(second_ring, 256, 256);
   const Region second = b.part(second_ring, 0, 576);

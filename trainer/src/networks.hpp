@@ -14,8 +14,8 @@ struct InputShape {
 FloatNetwork build_field(const FieldOptions& options, const InputShape& inputs, uint64_t seed);
 FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape& inputs, uint64_t seed);
 
-// The network whose logits are prior + strength * (logits - prior), where prior is the untrained `field`, the heat binder. Other
-// architectures have no prior: they are returned as they are.
+// The network whose logits are prior + strength * (logits - prior), where prior is the untrained `field`, the heat
+// binder. Other architectures have no prior: they are returned as they are.
 FloatNetwork shrink_correction(const FloatNetwork& network, double strength, uint32_t log_rule);
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gradient steps: SGD with momentum, Adam, AdamW, the learning-rate schedule, clipping, and the running average of weights.
+// Gradient steps: SGD with momentum, Adam, AdamW, the learning-rate schedule, clipping, and the running average of
+// weights.
 #ifndef SINEW_TRAINER_OPTIMIZER_HPP
 #define SINEW_TRAINER_OPTIMIZER_HPP
 
@@ -13,16 +14,18 @@ namespace sinew {
 // Scales the gradients so that their common Euclidean norm is at most `limit` (0 = off). Returns the norm before.
 double clip_gradients(std::vector<LinearBlock<float>>* gradients, double limit);
 
-// Factor on the learning rate at `progress` (0..1) of the run: a linear warm-up over the first 2 %, then half a cosine down
-// to 1 % (Loshchilov and Hutter 2017, "SGDR").
+// Factor on the learning rate at `progress` (0..1) of the run: a linear warm-up over the first 2 %, then half a cosine
+// down to 1 % (Loshchilov and Hutter 2017, "SGDR").
 double schedule(double progress);
 
-// One step. state->step counts the steps done before (Adam's bias correction), state->adam_m and adam_v hold the moments
-// (momentum of SGD in adam_m). Decay acts on weights only, never on biases: decoupled for "adamw", as a gradient otherwise.
+// One step. state->step counts the steps done before (Adam's bias correction), state->adam_m and adam_v hold the
+// moments (momentum of SGD in adam_m). Decay acts on weights only, never on biases: decoupled for "adamw", as a
+// gradient otherwise.
 void optimizer_step(const TrainConfig& config, double learning_rate, const std::vector<LinearBlock<float>>& gradients,
                     FloatNetwork* network, TrainingState* state);
 
-// average += (1 - d) (network - average), with d = decay but smaller in the first steps, so that the start is forgotten.
+// average += (1 - d) (network - average), with d = decay but smaller in the first steps, so that the start is
+// forgotten.
 void update_average(const FloatNetwork& network, double decay, uint64_t step, FloatNetwork* average);
 
 }  // namespace sinew

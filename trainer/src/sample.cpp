@@ -19,7 +19,8 @@ std::vector<T> copy(const T* data, size_t count) {
   return std::vector<T>(data, data + count);
 }
 
-// Mean reference weights of the caller's vertices in each welded vertex, dense over joints is too large: per vertex pairs.
+// Mean reference weights of the caller's vertices in each welded vertex, dense over joints is too large: per vertex
+// pairs.
 struct WeldedTruth {
   std::vector<std::vector<std::pair<uint32_t, double>>> rows;  // [U] (joint, summed weight)
   std::vector<float> bound;                                    // [U] caller's vertices that have weights
@@ -44,8 +45,8 @@ WeldedTruth weld_truth(const Character& character, const std::vector<uint32_t>& 
   return truth;
 }
 
-// Puts the truth of one vertex on its candidates. A joint's weight goes to the joint itself when it is a candidate, else to its
-// first candidate end marker (whose weight folds to the joint), else it is missing.
+// Puts the truth of one vertex on its candidates. A joint's weight goes to the joint itself when it is a candidate,
+// else to its first candidate end marker (whose weight folds to the joint), else it is missing.
 void write_targets(const WeldedTruth& truth, Sample* s) {
   const size_t k = s->candidates;
   for (size_t u = 0; u < s->vertices; ++u) {

@@ -3,16 +3,15 @@
 #include "sample_cache.hpp"
 
 #include <atomic>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <mutex>
 #include <optional>
 #include <sstream>
-
-#include <cereal/archives/binary.hpp>
-#include <cereal/types/string.hpp>
-#include <cereal/types/vector.hpp>
 
 #include "augment.hpp"
 #include "features/features.hpp"
@@ -25,9 +24,9 @@ namespace sinew {
 
 template <class Archive>
 void serialize(Archive& archive, Sample& s) {
-  archive(s.name, s.family, s.vertices, s.candidates, s.vertex_features, s.pair_features, s.components, s.joints, s.vertex, s.pair,
-          s.candidate, s.row_offsets, s.col_indices, s.component, s.component_offsets, s.component_vertices, s.target, s.fold,
-          s.missing, s.importance, s.heat, s.vertex_to_welded);
+  archive(s.name, s.family, s.vertices, s.candidates, s.vertex_features, s.pair_features, s.components, s.joints,
+          s.vertex, s.pair, s.candidate, s.row_offsets, s.col_indices, s.component, s.component_offsets,
+          s.component_vertices, s.target, s.fold, s.missing, s.importance, s.heat, s.vertex_to_welded);
 }
 
 namespace {
@@ -115,8 +114,9 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
       if (!loaded[item]) {
         Character character = read_character(request.mesh_path);
         if (request.variant != 0) {
-          character = augment(character, mix_seeds(source.seed, request.variant, hash_bytes(
-              reinterpret_cast<const uint8_t*>(character.name.data()), character.name.size(), 0)));
+          character = augment(character, mix_seeds(source.seed, request.variant,
+                                                   hash_bytes(reinterpret_cast<const uint8_t*>(character.name.data()),
+                                                              character.name.size(), 0)));
         }
         loaded[item] = make_sample(character, source.candidates, source.grid);
         write_cached(path, *loaded[item]);
@@ -143,8 +143,8 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
   return samples;
 }
 
-std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid, const std::string& cache_dir,
-                                 uint32_t threads, bool quiet) {
+std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid,
+                                 const std::string& cache_dir, uint32_t threads, bool quiet) {
   std::vector<SampleRequest> requests;
   for (const std::string& path : list_characters(folder)) requests.push_back({path, 0});
   if (requests.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");

@@ -11,19 +11,19 @@
 namespace sinew {
 
 struct SampleRequest {
-  std::string mesh_path;   // as list_characters() gives it
-  uint32_t variant = 0;    // 0 = the character itself, n = its n-th augmented variant
+  std::string mesh_path;  // as list_characters() gives it
+  uint32_t variant = 0;   // 0 = the character itself, n = its n-th augmented variant
 };
 struct SampleSource {
   uint32_t candidates = 8, grid = 64;
-  uint64_t seed = 0;       // of the variants
+  uint64_t seed = 0;  // of the variants
   std::string cache_dir;
   uint32_t threads = 1;
   bool quiet = true;
 };
-// One sample per request, in order; without those that failed, which are named on stderr. A cache file is found by the content
-// of the character's files and everything the features depend on; a damaged one is made again. Throws Error when the cache
-// folder cannot be written or when every request failed.
+// One sample per request, in order; without those that failed, which are named on stderr. A cache file is found by the
+// content of the character's files and everything the features depend on; a damaged one is made again. Throws Error
+// when the cache folder cannot be written or when every request failed.
 std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, const SampleSource& source);
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The training run: draws characters, steps, validates against heat, keeps the best weights and everything needed to go on.
+// The training run: draws characters, steps, validates against heat, keeps the best weights and everything needed to go
+// on.
 #include "sinew_trainer/train.hpp"
 
 #include <unistd.h>
@@ -29,9 +30,7 @@ namespace {
 
 constexpr uint32_t kKeep = 4;  // influences per vertex that validation counts: the default of a bind
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 struct ValScore {
   double l1 = 0, family_l1 = 0;  // mean over characters, mean over families
@@ -87,7 +86,8 @@ void require_same_config(const std::string& saved, const std::string& given, con
     a = a_end + 1;
     b = b_end + 1;
   }
-  throw Error(path + ": cannot resume with another configuration (" + lines + "); use --init to start a new run from its weights");
+  throw Error(path + ": cannot resume with another configuration (" + lines +
+              "); use --init to start a new run from its weights");
 }
 
 class Run {
@@ -124,10 +124,12 @@ class Run {
     }
     if (train_.empty()) throw Error(options_.data_dir + ": no character has reference weights");
     if (!options_.val_dir.empty()) {
-      val_ = load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads, source.quiet);
+      val_ = load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads,
+                          source.quiet);
       drop_unlabelled(&val_);
       std::vector<double> l1(val_.size());
-      parallel_for(val_.size(), options_.threads, [&](size_t i, unsigned) { l1[i] = sample_l1(val_[i], val_[i].heat, kKeep); });
+      parallel_for(val_.size(), options_.threads,
+                   [&](size_t i, unsigned) { l1[i] = sample_l1(val_[i], val_[i].heat, kKeep); });
       heat_ = score(val_, l1);
     }
   }
@@ -155,7 +157,8 @@ class Run {
     checkpoint_.state.config_json = config_json;
     checkpoint_.state.rng = {mix_seeds(config_.seed, 3)};
     checkpoint_.state.log_csv =
-        "step,seconds,loss,l1,kl,regret,part,gradient_norm,learning_rate,val_l1,val_family_l1,heat_l1,heat_family_l1,best\n";
+        "step,seconds,loss,l1,kl,regret,part,gradient_norm,learning_rate,val_l1,val_family_l1,heat_l1,heat_family_l1,"
+        "best\n";
   }
 
   void go() {
@@ -191,7 +194,8 @@ class Run {
 
   static void drop_unlabelled(std::vector<Sample>* samples) {
     const auto unlabelled = [](const Sample& sample) {
-      const bool labelled = std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
+      const bool labelled =
+          std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
       if (!labelled) std::fprintf(stderr, "left out: %s: no vertex has reference weights\n", sample.name.c_str());
       return !labelled;
     };
@@ -214,7 +218,8 @@ class Run {
     }
     const uint32_t character = state.queue.back();
     state.queue.pop_back();
-    if (character >= train_.size()) throw Error(options_.output + ": cannot resume: the data folder has other characters now");
+    if (character >= train_.size())
+      throw Error(options_.output + ": cannot resume: the data folder has other characters now");
     return character;
   }
 
@@ -304,9 +309,9 @@ class Run {
     char line[320];
     const double n = static_cast<double>(std::max<size_t>(recent_count_, 1));
     std::snprintf(line, sizeof line, "%llu,%.1f,%.5f,%.5f,%.5f,%.5f,%.5f,%.4f,%.3e,%.5f,%.5f,%.5f,%.5f,%.5f\n",
-                  static_cast<unsigned long long>(state.step), state.seconds, recent_.total / n, recent_.l1 / n, recent_.kl / n,
-                  recent_.regret / n, recent_.part / n, recent_norm_ / n, rate, val.l1, val.family_l1, heat_.l1, heat_.family_l1,
-                  val_.empty() ? 0.0 : state.best_score);
+                  static_cast<unsigned long long>(state.step), state.seconds, recent_.total / n, recent_.l1 / n,
+                  recent_.kl / n, recent_.regret / n, recent_.part / n, recent_norm_ / n, rate, val.l1, val.family_l1,
+                  heat_.l1, heat_.family_l1, val_.empty() ? 0.0 : state.best_score);
     state.log_csv += line;
     shown_loss_ = recent_.total / n;
     recent_ = {};
@@ -336,9 +341,9 @@ class Run {
                     last_val_.family_l1, heat_.family_l1);
       figures = text;
     }
-    std::fprintf(stderr, "%s[%s] step %llu  loss %.4f%s  rate %.1e  left %d:%02d%s", terminal ? "\r\033[K" : "", bar.c_str(),
-                 static_cast<unsigned long long>(state.step), shown_loss_, figures.c_str(), rate, static_cast<int>(left) / 60,
-                 static_cast<int>(left) % 60, terminal && !validated ? "" : "\n");
+    std::fprintf(stderr, "%s[%s] step %llu  loss %.4f%s  rate %.1e  left %d:%02d%s", terminal ? "\r\033[K" : "",
+                 bar.c_str(), static_cast<unsigned long long>(state.step), shown_loss_, figures.c_str(), rate,
+                 static_cast<int>(left) / 60, static_cast<int>(left) % 60, terminal && !validated ? "" : "\n");
   }
 
   TrainConfig config_;

@@ -66,7 +66,8 @@ void check(const TrainConfig& c, const std::string& source) {
     if (!good) throw Error(source + ": " + key + ": expected " + expected);
   };
   require(c.architecture == "field" || c.architecture == "classic", "architecture", "\"field\" or \"classic\"");
-  require(c.optimizer == "adamw" || c.optimizer == "adam" || c.optimizer == "sgd", "optimizer", "\"adamw\", \"adam\" or \"sgd\"");
+  require(c.optimizer == "adamw" || c.optimizer == "adam" || c.optimizer == "sgd", "optimizer",
+          "\"adamw\", \"adam\" or \"sgd\"");
   require(c.field.width >= 1 && c.field.width <= 256, "field.width", "1 to 256");
   require(c.field.vertex_width >= 1 && c.field.vertex_width <= 256, "field.vertex_width", "1 to 256");
   require(c.field.rounds <= 8, "field.rounds", "0 to 8");

@@ -31,22 +31,22 @@ extern "C" {
 /* 0 is success; numbers are never reused. */
 typedef enum sinew_status {
   SINEW_OK = 0,
-  SINEW_ERROR_ARGUMENT = -1,        /* a pointer is null or an option is out of its range: see the call's comment */
-  SINEW_ERROR_WORKSPACE = -2,       /* the block is too small or not aligned to 64: ask sinew_bind_workspace_size() */
-  SINEW_ERROR_COUNT = -3,           /* more vertices, joints or corners than the limits above, or none at all */
-  SINEW_ERROR_NOT_FINITE = -4,      /* a position is NaN or infinite: clean the mesh */
-  SINEW_ERROR_INDEX = -5,           /* a face names a vertex, or a parent a joint, that does not exist */
-  SINEW_ERROR_HIERARCHY = -6,       /* joint parents form a cycle */
-  SINEW_ERROR_NO_JOINT = -7,        /* every joint is marked SINEW_JOINT_NEVER: leave at least one usable */
-  SINEW_ERROR_CANCELLED = -8,       /* the progress callback asked to stop; outputs are untouched */
-  SINEW_ERROR_MODEL_MAGIC = -9,     /* not a sinew model file */
-  SINEW_ERROR_MODEL_VERSION = -10,  /* a model format this library does not know: update the library */
-  SINEW_ERROR_MODEL_TRUNCATED = -11,/* the file is shorter or longer than its header says: fetch it again */
-  SINEW_ERROR_MODEL_CHECKSUM = -12, /* bytes changed since the file was written: fetch it again */
-  SINEW_ERROR_MODEL_LAYOUT = -13,   /* sizes, offsets, shapes or layer order contradict each other */
-  SINEW_ERROR_MODEL_OVERFLOW = -14, /* an accumulator bound cannot be proven: quantise again */
-  SINEW_ERROR_MODEL_ALIGNMENT = -15,/* model bytes must start at an address divisible by 8 */
-  SINEW_ERROR_RANGE = -16           /* a joint index, weight or pose is outside its stated range */
+  SINEW_ERROR_ARGUMENT = -1,         /* a pointer is null or an option is out of its range: see the call's comment */
+  SINEW_ERROR_WORKSPACE = -2,        /* the block is too small or not aligned to 64: ask sinew_bind_workspace_size() */
+  SINEW_ERROR_COUNT = -3,            /* more vertices, joints or corners than the limits above, or none at all */
+  SINEW_ERROR_NOT_FINITE = -4,       /* a position is NaN or infinite: clean the mesh */
+  SINEW_ERROR_INDEX = -5,            /* a face names a vertex, or a parent a joint, that does not exist */
+  SINEW_ERROR_HIERARCHY = -6,        /* joint parents form a cycle */
+  SINEW_ERROR_NO_JOINT = -7,         /* every joint is marked SINEW_JOINT_NEVER: leave at least one usable */
+  SINEW_ERROR_CANCELLED = -8,        /* the progress callback asked to stop; outputs are untouched */
+  SINEW_ERROR_MODEL_MAGIC = -9,      /* not a sinew model file */
+  SINEW_ERROR_MODEL_VERSION = -10,   /* a model format this library does not know: update the library */
+  SINEW_ERROR_MODEL_TRUNCATED = -11, /* the file is shorter or longer than its header says: fetch it again */
+  SINEW_ERROR_MODEL_CHECKSUM = -12,  /* bytes changed since the file was written: fetch it again */
+  SINEW_ERROR_MODEL_LAYOUT = -13,    /* sizes, offsets, shapes or layer order contradict each other */
+  SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantise again */
+  SINEW_ERROR_MODEL_ALIGNMENT = -15, /* model bytes must start at an address divisible by 8 */
+  SINEW_ERROR_RANGE = -16            /* a joint index, weight or pose is outside its stated range */
 } sinew_status;
 
 /* One line of English for a status; never null. */
@@ -60,9 +60,9 @@ typedef struct sinew_model {
   const uint8_t* bytes;
   size_t size_bytes;
   uint32_t format_version;
-  uint32_t candidate_count; /* K the network was trained with */
-  uint32_t grid_size;       /* voxel cells along the longest side it was trained with */
-  uint32_t feature_set;     /* version of the feature list */
+  uint32_t candidate_count;  /* K the network was trained with */
+  uint32_t grid_size;        /* voxel cells along the longest side it was trained with */
+  uint32_t feature_set;      /* version of the feature list */
   uint32_t fixed_candidates; /* non-zero: its layers are tied to candidate_count */
   uint32_t layer_count;
   uint32_t parameter_count;
@@ -81,17 +81,17 @@ typedef struct sinew_mesh {
   const uint32_t* face_offsets;  /* [face_count + 1] CSR offsets into face_vertices; null = every face is a triangle */
   const uint32_t* face_vertices; /* [corner_count] vertex indices */
   uint32_t face_count;
-  uint32_t corner_count;         /* length of face_vertices */
+  uint32_t corner_count; /* length of face_vertices */
 } sinew_mesh;
 
 #define SINEW_JOINT_NEVER 1u   /* flag: this joint must get no weight */
 #define SINEW_JOINT_DEFORMS 2u /* flag: this joint is known to deform. If any joint has it, all others are NEVER */
 
 typedef struct sinew_skeleton {
-  const float* positions;  /* [joint_count x 3] same space as the mesh */
-  const int32_t* parents;  /* [joint_count] parent index or -1; any order */
-  const uint8_t* flags;    /* [joint_count] SINEW_JOINT_* bits, or null */
-  uint32_t joint_count;    /* 1 .. SINEW_MAX_JOINTS */
+  const float* positions; /* [joint_count x 3] same space as the mesh */
+  const int32_t* parents; /* [joint_count] parent index or -1; any order */
+  const uint8_t* flags;   /* [joint_count] SINEW_JOINT_* bits, or null */
+  uint32_t joint_count;   /* 1 .. SINEW_MAX_JOINTS */
 } sinew_skeleton;
 
 typedef enum sinew_method {
@@ -110,35 +110,34 @@ typedef int (*sinew_progress)(void* user, uint32_t done_permille);
 
 /* All zero means defaults. */
 typedef struct sinew_options {
-  uint32_t version;          /* 0 */
-  uint32_t method;           /* sinew_method */
-  uint32_t influence_count;  /* 1..12 influences a vertex keeps; 0 = 4 */
-  uint32_t candidate_count;  /* 1..16 joints a vertex is scored against; 0 = the model's own. Heat scores all joints. A model
-                              * whose layers are tied to its own count refuses another (SINEW_ERROR_ARGUMENT) */
-  uint32_t grid_size;        /* 16..128 voxel cells along the longest side; 0 = the model's own. Heat needs no grid */
-  uint32_t up_axis;          /* 0 = Y is up, 1 = Z is up */
-  uint32_t weight_format;    /* sinew_weight_format */
+  uint32_t version;         /* 0 */
+  uint32_t method;          /* sinew_method */
+  uint32_t influence_count; /* 1..12 influences a vertex keeps; 0 = 4 */
+  uint32_t candidate_count; /* 1..16 joints a vertex is scored against; 0 = the model's own. Heat scores all joints. A
+                             * model whose layers are tied to its own count refuses another (SINEW_ERROR_ARGUMENT) */
+  uint32_t grid_size;       /* 16..128 voxel cells along the longest side; 0 = the model's own. Heat needs no grid */
+  uint32_t up_axis;         /* 0 = Y is up, 1 = Z is up */
+  uint32_t weight_format;   /* sinew_weight_format */
   uint32_t reserved;
-  const uint8_t* locked;         /* [vertex_count] non-zero: this vertex keeps the row already in the output; or null */
-  sinew_progress progress;       /* or null */
+  const uint8_t* locked;   /* [vertex_count] non-zero: this vertex keeps the row already in the output; or null */
+  sinew_progress progress; /* or null */
   void* progress_user;
 } sinew_options;
 
-/* Bytes sinew_bind() needs for meshes of at most these counts. A pure function of its arguments: the same on every host.
- *   model  may be null for SINEW_METHOD_HEAT
- * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT; *size_bytes is 0 on failure. */
+/* Bytes sinew_bind() needs for meshes of at most these counts. A pure function of its arguments: the same on every
+ * host. model  may be null for SINEW_METHOD_HEAT Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT;
+ * *size_bytes is 0 on failure. */
 sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
                                        uint32_t corner_count, uint32_t joint_count, const sinew_options* options,
                                        size_t* size_bytes);
 
 /* Predicts skin weights.
  *   workspace  scratch, 64-byte aligned, size from sinew_bind_workspace_size(); content is undefined afterwards
- *   joints     out [vertex_count x N] uint16 joint indices, N = influence_count, sorted by falling weight, ties by lower
- *              joint index; unused slots are joint 0 with weight 0; no joint twice in a row
- *   weights    out [vertex_count x N] in weight_format; no row is empty
- *   used_bytes out, may be null: high-water mark of the workspace
- * For locked vertices both outputs are input and stay as they are: joint indices must exist (SINEW_ERROR_RANGE).
- * Returns SINEW_OK or a status; outputs are untouched on failure. Same bytes on every platform. */
+ *   joints     out [vertex_count x N] uint16 joint indices, N = influence_count, sorted by falling weight, ties by
+ * lower joint index; unused slots are joint 0 with weight 0; no joint twice in a row weights    out [vertex_count x N]
+ * in weight_format; no row is empty used_bytes out, may be null: high-water mark of the workspace For locked vertices
+ * both outputs are input and stay as they are: joint indices must exist (SINEW_ERROR_RANGE). Returns SINEW_OK or a
+ * status; outputs are untouched on failure. Same bytes on every platform. */
 sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
                         const sinew_options* options, void* workspace, size_t workspace_bytes, uint16_t* joints,
                         void* weights, size_t* used_bytes);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs the stages, the network, and writes influences in the caller's order. Nothing is written before nothing can fail.
+// Runs the stages, the network, and writes influences in the caller's order. Nothing is written before nothing can
+// fail.
 #include "bind/bind.hpp"
 
 #include "network/network.hpp"
@@ -57,10 +58,16 @@ void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, u
     welded_row(plan, p, logits, p.mesh.vertex_to_welded[v], total, joints + first, row);
     for (uint32_t i = 0; i < n; ++i) {
       switch (plan.weight_format) {
-        case SINEW_WEIGHT_UNORM8: static_cast<uint8_t*>(weights)[first + i] = static_cast<uint8_t>(row[i]); break;
-        case SINEW_WEIGHT_UNORM16: static_cast<uint16_t*>(weights)[first + i] = row[i]; break;
+        case SINEW_WEIGHT_UNORM8:
+          static_cast<uint8_t*>(weights)[first + i] = static_cast<uint8_t>(row[i]);
+          break;
+        case SINEW_WEIGHT_UNORM16:
+          static_cast<uint16_t*>(weights)[first + i] = row[i];
+          break;
         // One correctly rounded IEEE division: the same on every target.
-        default: static_cast<float*>(weights)[first + i] = static_cast<float>(row[i]) / 65535.0f; break;
+        default:
+          static_cast<float*>(weights)[first + i] = static_cast<float>(row[i]) / 65535.0f;
+          break;
       }
     }
   }

@@ -10,7 +10,7 @@ namespace sinew {
 // Checked options with their defaults filled in.
 struct BindPlan {
   Counts counts;
-  sinew_model model;         // valid for PrepareFor::kNetwork
+  sinew_model model;  // valid for PrepareFor::kNetwork
   PrepareFor purpose;
   uint32_t influence_count;
   uint32_t up_axis;

@@ -16,7 +16,7 @@ struct Prepared {
   Skeleton skeleton;
   Candidates candidates;
   HeatFields heat;
-  Features features;      // candidates and features: only for kNetwork
+  Features features;  // candidates and features: only for kNetwork
 };
 
 // How far to go: method heat needs neither candidates nor features.

@@ -11,7 +11,8 @@ namespace sinew {
 
 constexpr uint16_t kNoJoint = 0xFFFF;
 
-// V, F, corners, J, K and the grid size of one bind. T (fan triangles) is at most corner_count - 2 * faces <= corner_count.
+// V, F, corners, J, K and the grid size of one bind. T (fan triangles) is at most corner_count - 2 * faces <=
+// corner_count.
 struct Counts {
   uint32_t vertices = 0;
   uint32_t faces = 0;
@@ -24,8 +25,8 @@ struct Counts {
   uint32_t triangles() const { return corners; }
 };
 
-// Progress of one stage: 0..1000 of the stage is mapped to [from, to] of the whole. report() returns false when the caller wants
-// to stop.
+// Progress of one stage: 0..1000 of the stage is mapped to [from, to] of the whole. report() returns false when the
+// caller wants to stop.
 struct Progress {
   sinew_progress callback = nullptr;
   void* user = nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fixed-point helpers shared by all stages: the only rounding, saturation, square root and 128-bit product in the engine.
+// Fixed-point helpers shared by all stages: the only rounding, saturation, square root and 128-bit product in the
+// engine.
 #ifndef SINEW_CORE_FIXED_HPP
 #define SINEW_CORE_FIXED_HPP
 

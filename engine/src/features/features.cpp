@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Stages 5 to 7 of a bind: final candidates and the feature rows of vertices and (vertex, candidate) pairs. Works part by
-// part, because what a part as a whole leans on (its own heat, its host's heat, subtrees) decides for all its vertices.
+// Stages 5 to 7 of a bind: final candidates and the feature rows of vertices and (vertex, candidate) pairs. Works part
+// by part, because what a part as a whole leans on (its own heat, its host's heat, subtrees) decides for all its
+// vertices.
 #include "features/features.hpp"
 
 #include <string.h>
@@ -12,25 +13,28 @@ namespace sinew {
 namespace {
 
 constexpr int32_t kOne = 1 << kFeatureBits;
-constexpr int32_t kWeightOne = 1 << 15;        // heat weights are Q15
-constexpr uint32_t kLogFloor = 4;              // Q15: logs of heat weights start at 2^-13
-constexpr int32_t kSoftLength = kSide / 256;   // added to lengths before a logarithm, so that noise at contact does not count
-constexpr uint32_t kListedHeat = 1638;         // Q15, 5 %: a heat joint above it is always a candidate
+constexpr int32_t kWeightOne = 1 << 15;  // heat weights are Q15
+constexpr uint32_t kLogFloor = 4;        // Q15: logs of heat weights start at 2^-13
+constexpr int32_t kSoftLength =
+    kSide / 256;                        // added to lengths before a logarithm, so that noise at contact does not count
+constexpr uint32_t kListedHeat = 1638;  // Q15, 5 %: a heat joint above it is always a candidate
 
 // One line per channel keeps names and order together: the enum below and the name tables are made from it.
-#define SINEW_VERTEX_FEATURES(X)                                                                                         \
-  X(mean_curvature) X(gauss_curvature) X(edge_length_log) X(part_share_log) X(part_source_share) X(part_count_log)       \
-  X(joint_count_log) X(vertex_count_log) X(part_boundary_share) X(host_gap) X(is_largest_part) X(part_extent)            \
-  X(part_flatness) X(part_purity) X(rule_is_parts) X(rule_is_open) X(has_source) X(has_source_parts) X(host_purity)      \
-  X(loose_share) X(normal_up) X(part_contact)
-#define SINEW_PAIR_FEATURES(X)                                                                                           \
-  X(rule) X(rule_root) X(rule_log) X(rule_relative) X(parts) X(parts_root) X(parts_log) X(parts_relative) X(soft)        \
-  X(soft_root) X(soft_log) X(rule_raw_root) X(voxel_distance) X(voxel_ratio) X(bone_distance) X(bone_ratio)              \
-  X(bone_position) X(bone_cosine) X(bone_normal) X(bone_up) X(bone_length) X(is_leaf) X(children) X(tree_distance)       \
-  X(is_parent_of_top) X(is_child_of_top) X(is_top) X(rule_nearest) X(soft_nearest) X(parent_rule) X(children_rule)       \
-  X(host_share) X(host_subtree) X(is_host_top) X(part_share) X(part_subtree) X(part_parent_subtree) X(is_part_top)       \
-  X(joint_in_box) X(topmost_in_box) X(deepest_of_part) X(centre_distance) X(centre_ratio) X(territory) X(is_source)      \
-  X(is_root)
+#define SINEW_VERTEX_FEATURES(X)                                                                                    \
+  X(mean_curvature)                                                                                                 \
+  X(gauss_curvature) X(edge_length_log) X(part_share_log) X(part_source_share) X(part_count_log) X(joint_count_log) \
+      X(vertex_count_log) X(part_boundary_share) X(host_gap) X(is_largest_part) X(part_extent) X(part_flatness)     \
+          X(part_purity) X(rule_is_parts) X(rule_is_open) X(has_source) X(has_source_parts) X(host_purity)          \
+              X(loose_share) X(normal_up) X(part_contact)
+#define SINEW_PAIR_FEATURES(X)                                                                                         \
+  X(rule)                                                                                                              \
+  X(rule_root) X(rule_log) X(rule_relative) X(parts) X(parts_root) X(parts_log) X(parts_relative) X(soft) X(soft_root) \
+      X(soft_log) X(rule_raw_root) X(voxel_distance) X(voxel_ratio) X(bone_distance) X(bone_ratio) X(bone_position)    \
+          X(bone_cosine) X(bone_normal) X(bone_up) X(bone_length) X(is_leaf) X(children) X(tree_distance)              \
+              X(is_parent_of_top) X(is_child_of_top) X(is_top) X(rule_nearest) X(soft_nearest) X(parent_rule)          \
+                  X(children_rule) X(host_share) X(host_subtree) X(is_host_top) X(part_share) X(part_subtree)          \
+                      X(part_parent_subtree) X(is_part_top) X(joint_in_box) X(topmost_in_box) X(deepest_of_part)       \
+                          X(centre_distance) X(centre_ratio) X(territory) X(is_source) X(is_root)
 
 #define SINEW_ENUM(name) kV_##name,
 enum VertexFeature : uint32_t { SINEW_VERTEX_FEATURES(SINEW_ENUM) kVertexFeatureCount };
@@ -86,19 +90,19 @@ struct Row {  // a finished heat row
 
 // What one part thinks of each joint, refilled part by part.
 struct PartTables {
-  int64_t* own = nullptr;       // [J] sum of rule weights over the part's vertices, Q15
-  int64_t* subtree = nullptr;   // [J] the same summed over the joint's subtree
-  int64_t* host = nullptr;      // [J] sum of rule weights over the host vertices
+  int64_t* own = nullptr;      // [J] sum of rule weights over the part's vertices, Q15
+  int64_t* subtree = nullptr;  // [J] the same summed over the joint's subtree
+  int64_t* host = nullptr;     // [J] sum of rule weights over the host vertices
   int64_t* host_subtree = nullptr;
-  uint8_t* in_box = nullptr;    // [J]
-  uint8_t* topmost = nullptr;   // [J] in the box, and no ancestor is
-  uint8_t* covered = nullptr;   // [J] in the box or below one that is
-  uint8_t* deepest = nullptr;   // [J] subtree holds 90 % of the part, no child's does
+  uint8_t* in_box = nullptr;   // [J]
+  uint8_t* topmost = nullptr;  // [J] in the box, and no ancestor is
+  uint8_t* covered = nullptr;  // [J] in the box or below one that is
+  uint8_t* deepest = nullptr;  // [J] subtree holds 90 % of the part, no child's does
   int64_t host_total = 0;
   uint16_t own_top = kNoJoint, host_top = kNoJoint, box_top = kNoJoint;
   Vec3i centre = {0, 0, 0};
   int32_t extent = 1, thickness = 1;
-  uint32_t contact = 0;         // mean distance of the closest quarter to the host
+  uint32_t contact = 0;  // mean distance of the closest quarter to the host
 
   bool allocate(Arena& arena, uint32_t joints) {
     own = arena.alloc<int64_t>(joints);
@@ -116,9 +120,9 @@ struct PartTables {
 struct Scratch {
   Parts parts;
   PartTables tables;
-  uint64_t* keys = nullptr;             // [V] (host distance, vertex) of one part
-  uint32_t* child_offsets = nullptr;    // [J + 1]
-  uint32_t* children = nullptr;         // [J]
+  uint64_t* keys = nullptr;           // [V] (host distance, vertex) of one part
+  uint32_t* child_offsets = nullptr;  // [J + 1]
+  uint32_t* children = nullptr;       // [J]
 
   bool allocate(Arena& arena, const Counts& counts) {
     parts.allocate(arena, counts);
@@ -143,9 +147,15 @@ void list_children(const Skeleton& skeleton, uint32_t* offsets, uint32_t* childr
 
 class Builder {
  public:
-  Builder(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates, const HeatFields& heat, Scratch& scratch,
-          Features* out)
-      : mesh_(mesh), skeleton_(skeleton), candidates_(candidates), heat_(heat), s_(scratch), out_(out), k_(candidates.k) {}
+  Builder(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates, const HeatFields& heat,
+          Scratch& scratch, Features* out)
+      : mesh_(mesh),
+        skeleton_(skeleton),
+        candidates_(candidates),
+        heat_(heat),
+        s_(scratch),
+        out_(out),
+        k_(candidates.k) {}
 
   void run() {
     for (uint32_t c = 0; c < mesh_.component_count; ++c) {
@@ -247,8 +257,8 @@ class Builder {
     }
   }
 
-  // Heat's joints and the part's favourites first, then the voxel candidates by distance until K are there. What the rigid
-  // answer for a whole part could be must be open to each of its vertices.
+  // Heat's joints and the part's favourites first, then the voxel candidates by distance until K are there. What the
+  // rigid answer for a whole part could be must be open to each of its vertices.
   void choose_candidates(uint32_t v) {
     const PartTables& t = s_.tables;
     const uint16_t* voxel = candidates_.joints + static_cast<size_t>(v) * k_;
@@ -330,9 +340,9 @@ class Builder {
 
   struct BoneFit {
     uint32_t distance;
-    int32_t along_q13;   // 0 at the head, 8192 at the tail
-    Vec3i away;          // from the nearest point to the vertex
-    Vec3i direction;     // head to tail
+    int32_t along_q13;  // 0 at the head, 8192 at the tail
+    Vec3i away;         // from the nearest point to the vertex
+    Vec3i direction;    // head to tail
     uint32_t length;
   };
 
@@ -414,10 +424,12 @@ class Builder {
         if (raw.joints[slot] == j) f[kP_rule_raw_root] = weight_root_q13(raw.weights[slot]);
       }
       f[kP_voxel_distance] = ratio_q13(2 * static_cast<int64_t>(distances_[i]), kSide);
-      f[kP_voxel_ratio] = log_q13(distances_[i] + uint64_t{kSoftLength}, log2_q16(distances_[0] + uint64_t{kSoftLength}), 2);
+      f[kP_voxel_ratio] =
+          log_q13(distances_[i] + uint64_t{kSoftLength}, log2_q16(distances_[0] + uint64_t{kSoftLength}), 2);
       const BoneFit& bone = fits[i];
       f[kP_bone_distance] = ratio_q13(2 * static_cast<int64_t>(bone.distance), kSide);
-      f[kP_bone_ratio] = log_q13(bone.distance + uint64_t{kSoftLength}, log2_q16(nearest_bone + uint64_t{kSoftLength}), 2);
+      f[kP_bone_ratio] =
+          log_q13(bone.distance + uint64_t{kSoftLength}, log2_q16(nearest_bone + uint64_t{kSoftLength}), 2);
       f[kP_bone_position] = q13(bone.along_q13);
       f[kP_bone_cosine] = cosine_q13(bone.away, bone.distance, mesh_.normals[v]);
       f[kP_bone_normal] = cosine_q13(bone.direction, bone.length, mesh_.normals[v]);
@@ -503,8 +515,8 @@ void measure_build_features(Arena& arena, const Counts& counts) {
   arena.release(mark);
 }
 
-sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates, const HeatFields& heat,
-                            const Counts& counts, Arena& arena, Features* features) {
+sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates,
+                            const HeatFields& heat, const Counts& counts, Arena& arena, Features* features) {
   const size_t mark = arena.mark();
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;

@@ -26,7 +26,7 @@ struct Features {
   int16_t* vertex = nullptr;  // [U x kVertexFeatures]
   int16_t* pair = nullptr;    // [U x K x kPairFeatures]; absent slots are all 0
   // The final candidates: the voxel candidates with heat joints merged in. kNoJoint at the end.
-  uint16_t* joints = nullptr; // [U x K]
+  uint16_t* joints = nullptr;  // [U x K]
 
   bool allocate(Arena& arena, const Counts& counts);
 };

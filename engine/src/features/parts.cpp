@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Component boxes, boundaries and hosts. Hosts are found with an implicit box tree over the Morton-ordered vertices that
-// skips subtrees holding no larger component.
+// Component boxes, boundaries and hosts. Hosts are found with an implicit box tree over the Morton-ordered vertices
+// that skips subtrees holding no larger component.
 #include "features/parts.hpp"
 
 #include <string.h>
@@ -23,7 +23,7 @@ uint32_t leaf_count(uint32_t vertices) {
 }
 
 struct Scratch {
-  Box* nodes = nullptr;         // [2 x leaves] heap order, root = 1
+  Box* nodes = nullptr;              // [2 x leaves] heap order, root = 1
   uint32_t* triangles_at = nullptr;  // [U] triangles around a vertex
 
   bool allocate(Arena& arena, const Counts& counts) {
@@ -69,7 +69,8 @@ void build_tree(const Mesh& mesh, uint32_t leaves, Box* nodes) {
 }
 
 // Nearest vertex of a component with a smaller id than `component`.
-void find_host(const Mesh& mesh, const Box* nodes, uint32_t leaves, uint32_t vertex, uint32_t* host, uint32_t* distance) {
+void find_host(const Mesh& mesh, const Box* nodes, uint32_t leaves, uint32_t vertex, uint32_t* host,
+               uint32_t* distance) {
   const Vec3i p = mesh.positions[vertex];
   const uint32_t component = mesh.component[vertex];
   int64_t best = INT64_MAX;

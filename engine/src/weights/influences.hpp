@@ -11,9 +11,10 @@ namespace sinew {
 //   out [count] Q16 probabilities (65536 = 1), absent = 0. 2^x by a constant table with linear interpolation.
 void softmax_q16(const int16_t* logits, const uint16_t* joints, uint32_t count, uint32_t* out);
 
-// Keeps the `keep` largest of `count` (joint, weight) entries (weights any non-negative integer scale up to 2^20, at least one
-// > 0), sorts by falling weight then joint, and renormalises so that the row sums to exactly `total` (65535 or 255): each is
-// floor(w * total / sum), the remainder goes to the largest. Entries that round to 0 are dropped (joint 0, weight 0).
+// Keeps the `keep` largest of `count` (joint, weight) entries (weights any non-negative integer scale up to 2^20, at
+// least one > 0), sorts by falling weight then joint, and renormalises so that the row sums to exactly `total` (65535
+// or 255): each is floor(w * total / sum), the remainder goes to the largest. Entries that round to 0 are dropped
+// (joint 0, weight 0).
 //   out_joints, out_weights [keep]
 void keep_largest(const uint16_t* joints, const uint32_t* weights, uint32_t count, uint32_t keep, uint32_t total,
                   uint16_t* out_joints, uint16_t* out_weights);

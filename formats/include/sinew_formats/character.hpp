@@ -31,21 +31,22 @@ struct GltfSource;  // the parsed input document and the map back to its vertice
 // Vertices are what the file calls vertices for OBJ; for glTF they are welded across seams (same position, and same
 // weights where there are any), and `gltf` keeps the map to the file's own.
 struct Character {
-  std::string name;                              // file stem
-  std::vector<Vec3> vertices;                    // [V]
-  std::vector<uint32_t> face_offsets = {0};      // [F + 1] CSR into face_vertices; polygons kept as they are
-  std::vector<uint32_t> face_vertices;           // [corners]
-  std::vector<Joint> joints;                     // [J] any order; parents may come later
-  std::vector<std::vector<Influence>> influences;// [V] or empty: reference or predicted weights; a row may be empty (unbound)
+  std::string name;                          // file stem
+  std::vector<Vec3> vertices;                // [V]
+  std::vector<uint32_t> face_offsets = {0};  // [F + 1] CSR into face_vertices; polygons kept as they are
+  std::vector<uint32_t> face_vertices;       // [corners]
+  std::vector<Joint> joints;                 // [J] any order; parents may come later
+  std::vector<std::vector<Influence>>
+      influences;  // [V] or empty: reference or predicted weights; a row may be empty (unbound)
 
   // Kept for writing, all optional. Per corner, parallel to face_vertices (empty when the file has none).
   std::vector<std::array<float, 2>> corner_uvs;
   std::vector<Vec3> corner_normals;
-  std::vector<std::string> material_names;       // OBJ usemtl names
-  std::vector<int> face_materials;               // [F] index into material_names or -1
-  std::vector<std::string> group_names;          // OBJ o/g names
-  std::vector<int> face_groups;                  // [F] index into group_names or -1
-  std::shared_ptr<const GltfSource> gltf;        // set by the glTF reader only
+  std::vector<std::string> material_names;  // OBJ usemtl names
+  std::vector<int> face_materials;          // [F] index into material_names or -1
+  std::vector<std::string> group_names;     // OBJ o/g names
+  std::vector<int> face_groups;             // [F] index into group_names or -1
+  std::shared_ptr<const GltfSource> gltf;   // set by the glTF reader only
 
   size_t face_count() const { return face_offsets.size() - 1; }
 };

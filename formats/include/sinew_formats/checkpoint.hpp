@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The float network on disk (cereal portable binary): where trainer and quant meet. Everything needed to go on training.
+// The float network on disk (cereal portable binary): where trainer and quant meet. Everything needed to go on
+// training.
 #ifndef SINEW_FORMATS_CHECKPOINT_HPP
 #define SINEW_FORMATS_CHECKPOINT_HPP
 
@@ -20,31 +21,31 @@ struct LinearParameters {
 
 // A network in float. Inputs are the engine's features / 8192.
 struct FloatNetwork {
-  std::string architecture;       // "field" or "classic"
-  uint32_t feature_set = 0;       // kFeatureSet it was trained with
-  uint32_t candidate_count = 8;   // K
+  std::string architecture;      // "field" or "classic"
+  uint32_t feature_set = 0;      // kFeatureSet it was trained with
+  uint32_t candidate_count = 8;  // K
   uint32_t grid_size = 64;
-  std::vector<Buffer> buffers;    // 0 and 1 are the inputs
+  std::vector<Buffer> buffers;  // 0 and 1 are the inputs
   std::vector<Layer> layers;
   std::vector<LinearParameters> parameters;
 };
 
 struct TrainingState {
   uint64_t step = 0;
-  double seconds = 0;                       // wall time spent so far
-  std::vector<FloatNetwork> averages;       // 0 or 1: running average of the weights
-  std::vector<std::vector<float>> adam_m;   // per parameter block: weights then bias
+  double seconds = 0;                      // wall time spent so far
+  std::vector<FloatNetwork> averages;      // 0 or 1: running average of the weights
+  std::vector<std::vector<float>> adam_m;  // per parameter block: weights then bias
   std::vector<std::vector<float>> adam_v;
-  std::vector<uint64_t> rng;                // generator state
-  std::vector<uint32_t> queue;              // characters still to be drawn in this round
-  double best_score = 1e30;                 // mean over families on val
-  std::string config_json;                  // the run's whole configuration
-  std::string log_csv;                      // the log so far
+  std::vector<uint64_t> rng;    // generator state
+  std::vector<uint32_t> queue;  // characters still to be drawn in this round
+  double best_score = 1e30;     // mean over families on val
+  std::string config_json;      // the run's whole configuration
+  std::string log_csv;          // the log so far
 };
 
 struct Checkpoint {
-  FloatNetwork network;          // what to evaluate and quantise (the best or the averaged weights)
-  FloatNetwork latest;           // the weights to go on from
+  FloatNetwork network;  // what to evaluate and quantise (the best or the averaged weights)
+  FloatNetwork latest;   // the weights to go on from
   TrainingState state;
 };
 

@@ -12,9 +12,9 @@ namespace sinew {
 
 struct CheckFinding {
   enum class Level { kNote, kWarning, kError } level;
-  std::string code;     // "non-manifold-edges", "weight-sum", ...
-  size_t count = 0;     // how many elements
-  std::string text;     // one line, names the first few elements
+  std::string code;  // "non-manifold-edges", "weight-sum", ...
+  size_t count = 0;  // how many elements
+  std::string text;  // one line, names the first few elements
 };
 
 struct CheckReport {
@@ -26,8 +26,8 @@ struct CheckReport {
 
 CheckReport check_character(const Character& character);
 
-// Quadric decimation to about `ratio` (0..1] of the vertices; seams and boundaries kept, weights carried along (a surviving
-// vertex keeps its own row). Vertices that end in no face are dropped. Throws Error when there are no faces.
+// Quadric decimation to about `ratio` (0..1] of the vertices; seams and boundaries kept, weights carried along (a
+// surviving vertex keeps its own row). Vertices that end in no face are dropped. Throws Error when there are no faces.
 Character decimate(const Character& character, double ratio);
 
 }  // namespace sinew

@@ -12,18 +12,19 @@
 
 namespace sinew {
 
-// By extension: .obj, .gltf, .glb, .vrm. An OBJ has no joints; "-" reads OBJ from standard input. Reads NAME.rig.txt beside
-// NAME.obj only when asked (read_character).
+// By extension: .obj, .gltf, .glb, .vrm. An OBJ has no joints; "-" reads OBJ from standard input. Reads NAME.rig.txt
+// beside NAME.obj only when asked (read_character).
 Character read_mesh(const std::string& path);
 Character read_obj(const std::string& path);
 Character read_gltf(const std::string& path);
 
-// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm (its skin's
-// joints, world positions).
+// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm (its
+// skin's joints, world positions).
 void read_skeleton(const std::string& path, bool with_skin, Character* character);
 // Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
 Character read_character(const std::string& path);
-// All NAME.obj + NAME.rig.txt pairs and .glb/.vrm/.gltf files of a folder, sorted by name; not recursive. Paths of mesh files.
+// All NAME.obj + NAME.rig.txt pairs and .glb/.vrm/.gltf files of a folder, sorted by name; not recursive. Paths of mesh
+// files.
 std::vector<std::string> list_characters(const std::string& folder);
 // FAMILY of FAMILY__NAME, "all" without "__".
 std::string family_of(const std::string& character_name);
@@ -31,9 +32,9 @@ std::string family_of(const std::string& character_name);
 void write_obj(const std::string& path, const Character& character);
 // The text form of RigNet's data: joints / root / skin / hier. Weights are printed with 6 digits.
 void write_rig(const std::string& path, const Character& character);
-// A skinned GLB. From a glTF input: the input's own vertices, UVs, normals, materials and nodes back, with skin. From OBJ: its
-// corner UVs and normals (vertices split at seams), or smooth normals. Weights unorm16 with exact sums (unorm8 when
-// `unorm8`), sorted, JOINTS_0.. as many sets as needed.
+// A skinned GLB. From a glTF input: the input's own vertices, UVs, normals, materials and nodes back, with skin. From
+// OBJ: its corner UVs and normals (vertices split at seams), or smooth normals. Weights unorm16 with exact sums (unorm8
+// when `unorm8`), sorted, JOINTS_0.. as many sets as needed.
 struct GlbOptions {
   bool unorm8 = false;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Characters of our own with exact ground truth: smooth-union bodies polygonised into closed meshes, with clothing and floating
-// parts as separate components.
+// Characters of our own with exact ground truth: smooth-union bodies polygonised into closed meshes, with clothing and
+// floating parts as separate components.
 #ifndef SINEW_FORMATS_SYNTHESIZE_HPP
 #define SINEW_FORMATS_SYNTHESIZE_HPP
 
@@ -16,9 +16,9 @@ enum class BodyPlan { kBiped, kQuadruped, kBird, kSnake, kManyLegged };
 
 struct SynthesizeOptions {
   BodyPlan plan = BodyPlan::kBiped;
-  uint64_t seed = 1;         // the same seed gives the same character on every machine
-  int resolution = 48;       // cells along the longest side
-  bool clothing = true;      // open shells, capes, hats, floating parts
+  uint64_t seed = 1;     // the same seed gives the same character on every machine
+  int resolution = 48;   // cells along the longest side
+  bool clothing = true;  // open shells, capes, hats, floating parts
 };
 
 const char* body_plan_name(BodyPlan plan);  // "biped", "quadruped", "bird", "snake", "many-legged"

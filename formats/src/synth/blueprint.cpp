@@ -28,7 +28,8 @@ std::vector<int> chain(Blueprint* plan, const std::string& name, const std::stri
     const int joint = plan->add_joint(name + number + side, parent, points[i]);
     const double t0 = static_cast<double>(i) / static_cast<double>(bones);
     const double t1 = static_cast<double>(i + 1) / static_cast<double>(bones);
-    plan->add_bone(joint, points[i], points[i + 1], thick(*plan, mix(r0, r1, t0)), thick(*plan, mix(r0, r1, t1)), scale);
+    plan->add_bone(joint, points[i], points[i + 1], thick(*plan, mix(r0, r1, t0)), thick(*plan, mix(r0, r1, t1)),
+                   scale);
     made.push_back(joint);
     parent = joint;
   }
@@ -40,8 +41,10 @@ void biped(Blueprint* plan, Random* random) {
   const double head = random->range(0.11, 0.21), neck_length = random->range(0.05, 0.12);
   const double hip_half = random->range(0.09, 0.13) * girth, shoulder_half = random->range(0.15, 0.22) * girth;
   const double waist = random->range(0.105, 0.135) * girth, chest_radius = waist * random->range(1.0, 1.25);
-  const double thigh_radius = random->range(0.065, 0.085) * girth, ankle_radius = thigh_radius * random->range(0.5, 0.75);
-  const double arm_radius = thigh_radius * random->range(0.6, 0.8), wrist_radius = arm_radius * random->range(0.65, 0.9);
+  const double thigh_radius = random->range(0.065, 0.085) * girth,
+               ankle_radius = thigh_radius * random->range(0.5, 0.75);
+  const double arm_radius = thigh_radius * random->range(0.6, 0.8),
+               wrist_radius = arm_radius * random->range(0.65, 0.9);
   const Point flat = {1.25, 1, 0.9};
 
   const int root = floor_root(plan, random);
@@ -56,13 +59,15 @@ void biped(Blueprint* plan, Random* random) {
     const std::string name = i == 0 ? "hips" : i == spine_count - 1 ? "chest" : "spine_" + std::to_string(i);
     parent = plan->add_joint(name, parent, spine[static_cast<size_t>(i)]);
     const double t0 = static_cast<double>(i) / spine_count, t1 = (i + 1.0) / spine_count;
-    const double r0 = mix(waist, chest_radius, t0), r1 = mix(waist, chest_radius, t1) * (i == spine_count - 1 ? 0.8 : 1.0);
+    const double r0 = mix(waist, chest_radius, t0),
+                 r1 = mix(waist, chest_radius, t1) * (i == spine_count - 1 ? 0.8 : 1.0);
     const Point top = i == spine_count - 1 ? spine.back() - Point{0, 0.5 * r1, 0} : spine[static_cast<size_t>(i) + 1];
     plan->add_bone(parent, spine[static_cast<size_t>(i)], top, r0, r1, flat);
     plan->trunk.push_back(parent);
   }
   const int hips = plan->trunk.front(), chest = plan->trunk.back();
-  plan->body.push_back({hips, {-hip_half * 0.7, leg, 0}, {hip_half * 0.7, leg, 0}, waist * 0.95, waist * 0.95, {1, 1, 1}});
+  plan->body.push_back(
+      {hips, {-hip_half * 0.7, leg, 0}, {hip_half * 0.7, leg, 0}, waist * 0.95, waist * 0.95, {1, 1, 1}});
 
   const Point neck = spine.back(), skull = neck + Point{0, neck_length, 0.01};
   plan->neck = plan->add_joint("neck", chest, neck);
@@ -73,7 +78,8 @@ void biped(Blueprint* plan, Random* random) {
   plan->add_bone(plan->head, skull + Point{0, head * 0.75, 0.02}, skull + Point{0, head * 1.1, 0.02}, head * 0.92, head,
                  {0.95, 1.05, 1});
 
-  const bool clavicles = random->chance(0.7), toes = random->chance(0.5), fingers = plan->cell < 0.032 && random->chance(0.6);
+  const bool clavicles = random->chance(0.7), toes = random->chance(0.5),
+             fingers = plan->cell < 0.032 && random->chance(0.6);
   const double droop = random->range(0.0, 0.95), arm = random->range(0.46, 0.62), hand = random->range(0.07, 0.1);
   const double forward = random->range(0.0, 0.12), spread = random->range(0.0, 0.16);
   for (int side = 0; side < 2; ++side) {
@@ -86,8 +92,8 @@ void biped(Blueprint* plan, Random* random) {
     if (clavicles) {
       const Point inner = neck + Point{0.03, -0.04, 0};
       up = plan->add_joint("shoulder" + suffix, chest, mirrored(inner, side));
-      plan->add_bone(up, mirrored(mix(inner, shoulder, 0.6), side), mirrored(shoulder, side), thick(*plan, arm_radius * 1.15),
-                     thick(*plan, arm_radius * 1.15));
+      plan->add_bone(up, mirrored(mix(inner, shoulder, 0.6), side), mirrored(shoulder, side),
+                     thick(*plan, arm_radius * 1.15), thick(*plan, arm_radius * 1.15));
     }
     const int upper = plan->add_joint("upper_arm" + suffix, up, mirrored(shoulder, side));
     plan->add_bone(upper, mirrored(shoulder, side), mirrored(elbow, side), thick(*plan, arm_radius * 1.1),
@@ -106,12 +112,13 @@ void biped(Blueprint* plan, Random* random) {
         const Point base = palm + Point{0, 0, gap * (1 - f)};
         const Point out = unit(bent + Point{0, 0, 0.25 * (1 - f)});
         chain(plan, "finger_" + std::to_string(f + 1), suffix, palm_joint,
-              {mirrored(base, side), mirrored(base + out * 0.07, side), mirrored(base + out * 0.14, side)}, 1.1 * plan->cell,
-              plan->cell);
+              {mirrored(base, side), mirrored(base + out * 0.07, side), mirrored(base + out * 0.14, side)},
+              1.1 * plan->cell, plan->cell);
       }
       const Point base = mix(wrist, palm, 0.4) + Point{0, 0, 0.5 * gap};
-      chain(plan, "thumb", suffix, palm_joint, {mirrored(base, side), mirrored(base + unit(bent + Point{0, 0, 2.0}) * 0.13, side)},
-            1.1 * plan->cell, plan->cell);
+      chain(plan, "thumb", suffix, palm_joint,
+            {mirrored(base, side), mirrored(base + unit(bent + Point{0, 0, 2.0}) * 0.13, side)}, 1.1 * plan->cell,
+            plan->cell);
     }
     plan->arms.push_back(limb);
 
@@ -131,15 +138,17 @@ void biped(Blueprint* plan, Random* random) {
     lower.joints = {thigh, shin, foot_joint};
     if (toes) {
       const int toe = plan->add_joint("toe" + suffix, foot_joint, mirrored(ball, side));
-      plan->add_bone(toe, mirrored(ball, side), mirrored(tip, side), thick(*plan, ankle_radius), thick(*plan, ankle_radius * 0.9));
+      plan->add_bone(toe, mirrored(ball, side), mirrored(tip, side), thick(*plan, ankle_radius),
+                     thick(*plan, ankle_radius * 0.9));
       lower.joints.push_back(toe);
     }
     plan->legs.push_back(lower);
   }
   if (random->chance(0.25)) {
     const Point start = spine[0] + Point{0, 0, -waist * 0.8};
-    chain(plan, "tail", "", hips, {start, start + Point{0, -0.1, -0.16}, start + Point{0, -0.14, -0.32}, start + Point{0, -0.1, -0.48}},
-          0.055, 0.03);
+    chain(plan, "tail", "", hips,
+          {start, start + Point{0, -0.1, -0.16}, start + Point{0, -0.14, -0.32}, start + Point{0, -0.1, -0.48}}, 0.055,
+          0.03);
   }
 }
 
@@ -154,8 +163,12 @@ void quadruped(Blueprint* plan, Random* random) {
     const double t0 = static_cast<double>(i) / spine_count, t1 = (i + 1.0) / spine_count;
     const Point a = {0, height + 0.03 * sine(kPi * t0), mix(-body / 2, body / 2, t0)};
     const Point b = {0, height + 0.03 * sine(kPi * t1), mix(-body / 2, body / 2, t1)};
-    parent = plan->add_joint(i == 0 ? "hips" : i == spine_count - 1 ? "chest" : "spine_" + std::to_string(i), parent, a);
-    plan->add_bone(parent, a, b, girth * (i == 0 ? 0.9 : 1.0), girth * (i == spine_count - 1 ? 1.1 : 1.0), {0.9, 1.1, 1});
+    parent = plan->add_joint(i == 0                 ? "hips"
+                             : i == spine_count - 1 ? "chest"
+                                                    : "spine_" + std::to_string(i),
+                             parent, a);
+    plan->add_bone(parent, a, b, girth * (i == 0 ? 0.9 : 1.0), girth * (i == spine_count - 1 ? 1.1 : 1.0),
+                   {0.9, 1.1, 1});
     plan->trunk.push_back(parent);
   }
   const int hips = plan->trunk.front(), chest = plan->trunk.back();
@@ -179,15 +192,16 @@ void quadruped(Blueprint* plan, Random* random) {
   for (int side = 0; side < 2; ++side) {
     const Point base = skull + Point{head * 0.6, head * 0.6, -head * 0.2};
     chain(plan, "ear", kSides[side], plan->head,
-          {mirrored(base, side), mirrored(base + Point{head * 0.35, head * random->range(0.9, 0.91), -0.01}, side)}, head * 0.35,
-          head * 0.2);
+          {mirrored(base, side), mirrored(base + Point{head * 0.35, head * random->range(0.9, 0.91), -0.01}, side)},
+          head * 0.35, head * 0.2);
   }
   const int tail_bones = random->integer(2, 5);
   const double tail_length = random->range(0.25, 0.7), lift = random->range(-0.6, 0.6);
   std::vector<Point> tail;
   for (int i = 0; i <= tail_bones; ++i) {
     const double t = static_cast<double>(i) / tail_bones;
-    tail.push_back(Point{0, height + girth * 0.4 + lift * tail_length * t * t, -body / 2 - girth * 0.6 - tail_length * t});
+    tail.push_back(
+        Point{0, height + girth * 0.4 + lift * tail_length * t * t, -body / 2 - girth * 0.6 - tail_length * t});
   }
   chain(plan, "tail", "", hips, tail, girth * 0.4, girth * random->range(0.15, 0.35));
 
@@ -203,7 +217,8 @@ void quadruped(Blueprint* plan, Random* random) {
       const int upper = plan->add_joint("leg_upper" + suffix, trunk, mirrored(top, side));
       plan->add_bone(upper, mirrored(top, side), mirrored(knee, side), girth * 0.55, thick(*plan, girth * 0.38));
       const int lower = plan->add_joint("leg_lower" + suffix, upper, mirrored(knee, side));
-      plan->add_bone(lower, mirrored(knee, side), mirrored(ankle, side), thick(*plan, girth * 0.36), thick(*plan, hoof * 0.9));
+      plan->add_bone(lower, mirrored(knee, side), mirrored(ankle, side), thick(*plan, girth * 0.36),
+                     thick(*plan, hoof * 0.9));
       const int foot = plan->add_joint("foot" + suffix, lower, mirrored(ankle, side));
       plan->add_bone(foot, mirrored(ankle, side), mirrored(sole + Point{0, 0, long_foot ? 0.06 : 0.0}, side),
                      thick(*plan, hoof * 0.9), thick(*plan, hoof));
@@ -214,7 +229,8 @@ void quadruped(Blueprint* plan, Random* random) {
 
 void bird(Blueprint* plan, Random* random) {
   const double leg = random->range(0.2, 0.5), girth = random->range(0.14, 0.2), tilt = random->range(0.2, 0.9);
-  const double neck_length = random->range(0.08, 0.4), head = random->range(0.08, 0.12), wing = random->range(0.55, 0.9);
+  const double neck_length = random->range(0.08, 0.4), head = random->range(0.08, 0.12),
+               wing = random->range(0.55, 0.9);
   const int root = floor_root(plan, random);
   const Point hip = {0, leg + girth, 0}, forward = unit({0, tilt, 1});
   const Point chest_at = hip + forward * 0.18, throat = hip + forward * 0.34;
@@ -245,7 +261,8 @@ void bird(Blueprint* plan, Random* random) {
     const std::string suffix = kSides[side];
     const Point shoulder = mix(chest_at, throat, 0.35) + Point{girth * 0.75, 0.04, 0};
     const Point elbow = shoulder + Point{wing * 0.33, wing * fold * 0.4, 0.0};
-    const Point wrist = elbow + Point{wing * 0.33, wing * fold * 0.3, 0.03}, tip = wrist + Point{wing * 0.34, wing * fold * 0.1, -0.08};
+    const Point wrist = elbow + Point{wing * 0.33, wing * fold * 0.3, 0.03},
+                tip = wrist + Point{wing * 0.34, wing * fold * 0.1, -0.08};
     // Wings are as thin as the voxels allow and `chord` times as deep.
     const double thin = 1.15 * plan->cell;
     const Point scale = {1, 1, chord};
@@ -256,7 +273,8 @@ void bird(Blueprint* plan, Random* random) {
     const int hand = plan->add_joint("wing_tip" + suffix, fore, mirrored(wrist, side));
     plan->add_bone(hand, mirrored(wrist, side), mirrored(tip, side), thin * 1.15, thin, scale);
     plan->arms.push_back({{upper, fore, hand}});
-    const Point top = hip + Point{girth * 0.45, -girth * 0.5, 0}, knee = {top.x, leg * 0.6, 0.05}, ankle = {top.x, 0.07, -0.02};
+    const Point top = hip + Point{girth * 0.45, -girth * 0.5, 0}, knee = {top.x, leg * 0.6, 0.05},
+                ankle = {top.x, 0.07, -0.02};
     const int thigh = plan->add_joint("thigh" + suffix, hips, mirrored(top, side));
     plan->add_bone(thigh, mirrored(top, side), mirrored(knee, side), thick(*plan, 0.06), thick(*plan, 0.035));
     const int shin = plan->add_joint("shin" + suffix, thigh, mirrored(knee, side));
@@ -275,14 +293,17 @@ void snake(Blueprint* plan, Random* random) {
   const int root = floor_root(plan, random);
   auto along = [&](double t) {
     const double lift = t > 0.75 ? (t - 0.75) * 4 : 0;
-    return Point{sway * sine(2 * kPi * waves * t) * (1 - 0.5 * lift), girth * 1.1 + rise * lift * lift, total * (t - 0.5)};
+    return Point{sway * sine(2 * kPi * waves * t) * (1 - 0.5 * lift), girth * 1.1 + rise * lift * lift,
+                 total * (t - 0.5)};
   };
   // The root is in the middle on some seeds, as artists do; else at the tail.
   const bool middle = random->chance(0.3);
   const int start = middle ? bones / 2 : 0;
   std::vector<int> front, back;
   int parent = root;
-  auto radius = [&](double t) { return thick(*plan, girth * (t < 0.6 ? mix(0.3, 1.0, t / 0.6) : mix(1.0, 0.7, (t - 0.6) / 0.4))); };
+  auto radius = [&](double t) {
+    return thick(*plan, girth * (t < 0.6 ? mix(0.3, 1.0, t / 0.6) : mix(1.0, 0.7, (t - 0.6) / 0.4)));
+  };
   for (int i = start; i < bones; ++i) {
     const double t0 = static_cast<double>(i) / bones, t1 = (i + 1.0) / bones;
     parent = plan->add_joint("spine_" + std::to_string(i), parent, along(t0));
@@ -304,14 +325,15 @@ void snake(Blueprint* plan, Random* random) {
   plan->head_radius = girth;
   if (random->chance(0.6)) {
     const int jaw = plan->add_joint("jaw", plan->head, skull + Point{0, -girth * 0.6, 0.02});
-    plan->add_bone(jaw, plan->at(jaw), skull + Point{0, -girth * 0.8, 0.13}, thick(*plan, girth * 0.5), thick(*plan, girth * 0.4),
-                   {1.3, 0.8, 1});
+    plan->add_bone(jaw, plan->at(jaw), skull + Point{0, -girth * 0.8, 0.13}, thick(*plan, girth * 0.5),
+                   thick(*plan, girth * 0.4), {1.3, 0.8, 1});
   }
 }
 
 void many_legged(Blueprint* plan, Random* random) {
   const int segments = random->integer(2, 5), pairs = random->integer(3, 5);
-  const double height = random->range(0.22, 0.4), girth = random->range(0.12, 0.18), step = girth * random->range(1.3, 1.7);
+  const double height = random->range(0.22, 0.4), girth = random->range(0.12, 0.18),
+               step = girth * random->range(1.3, 1.7);
   const double reach = random->range(0.45, 0.8);
   const int root = floor_root(plan, random);
   const double body = step * segments;
@@ -338,12 +360,13 @@ void many_legged(Blueprint* plan, Random* random) {
     int segment = static_cast<int>((z + body / 2) / step);
     segment = std::clamp(segment, 0, segments - 1);
     for (int side = 0; side < 2; ++side) {
-      const Point hip = {girth * 0.8, height, z * 0.85}, knee = {girth + reach * 0.4, height + random->range(0.1, 0.11), z * fan};
+      const Point hip = {girth * 0.8, height, z * 0.85},
+                  knee = {girth + reach * 0.4, height + random->range(0.1, 0.11), z * fan};
       const Point foot = {girth + reach * 0.75, height * 0.35, z * fan * 1.15};
       const Point toe = {girth + reach, ankle, z * fan * 1.3};
-      const std::vector<int> joints = chain(plan, "leg" + std::to_string(pair + 1), kSides[side], plan->trunk[static_cast<size_t>(segment)],
-                                            {mirrored(hip, side), mirrored(knee, side), mirrored(foot, side), mirrored(toe, side)},
-                                            ankle * 1.6, ankle);
+      const std::vector<int> joints = chain(
+          plan, "leg" + std::to_string(pair + 1), kSides[side], plan->trunk[static_cast<size_t>(segment)],
+          {mirrored(hip, side), mirrored(knee, side), mirrored(foot, side), mirrored(toe, side)}, ankle * 1.6, ankle);
       plan->legs.push_back({joints});
     }
   }
@@ -351,7 +374,8 @@ void many_legged(Blueprint* plan, Random* random) {
     for (int side = 0; side < 2; ++side) {
       const Point base = plan->head_centre + Point{girth * 0.3, girth * 0.4, 0.05};
       chain(plan, "feeler", kSides[side], plan->head,
-            {mirrored(base, side), mirrored(base + Point{0.08, 0.14, 0.12}, side), mirrored(base + Point{0.14, 0.17, 0.28}, side)},
+            {mirrored(base, side), mirrored(base + Point{0.08, 0.14, 0.12}, side),
+             mirrored(base + Point{0.14, 0.17, 0.28}, side)},
             plan->cell, plan->cell);
     }
   }
@@ -372,11 +396,21 @@ Blueprint make_blueprint(BodyPlan plan, int resolution, Random* random) {
   made.softness = random->range(0.35, 0.8);
   made.blend = random->range(0.3, 0.6);
   switch (plan) {
-    case BodyPlan::kBiped: biped(&made, random); break;
-    case BodyPlan::kQuadruped: quadruped(&made, random); break;
-    case BodyPlan::kBird: bird(&made, random); break;
-    case BodyPlan::kSnake: snake(&made, random); break;
-    case BodyPlan::kManyLegged: many_legged(&made, random); break;
+    case BodyPlan::kBiped:
+      biped(&made, random);
+      break;
+    case BodyPlan::kQuadruped:
+      quadruped(&made, random);
+      break;
+    case BodyPlan::kBird:
+      bird(&made, random);
+      break;
+    case BodyPlan::kSnake:
+      snake(&made, random);
+      break;
+    case BodyPlan::kManyLegged:
+      many_legged(&made, random);
+      break;
   }
   return made;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a generated character is made of before it becomes a mesh: joints, body primitives, and who is who for the tailor.
+// What a generated character is made of before it becomes a mesh: joints, body primitives, and who is who for the
+// tailor.
 #ifndef SINEW_FORMATS_SYNTH_BLUEPRINT_HPP
 #define SINEW_FORMATS_SYNTH_BLUEPRINT_HPP
 
@@ -26,7 +27,7 @@ struct PlanJoint {
   std::string name;
   int parent = kNoJoint;
   Point position;
-  Point tip;             // where its bone ends; used for end markers of leaves
+  Point tip;  // where its bone ends; used for end markers of leaves
   bool has_tip = false;
 };
 

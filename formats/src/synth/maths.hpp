@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Arithmetic of the character generator: only + - * / and sqrt on doubles, in a fixed order, so that a seed gives the same
-// character on every machine (libm's sin and cos differ in the last bit from one C library to the next).
+// Arithmetic of the character generator: only + - * / and sqrt on doubles, in a fixed order, so that a seed gives the
+// same character on every machine (libm's sin and cos differ in the last bit from one C library to the next).
 #ifndef SINEW_FORMATS_SYNTH_MATHS_HPP
 #define SINEW_FORMATS_SYNTH_MATHS_HPP
 
@@ -33,7 +33,8 @@ inline double smooth_step(double from, double to, double v) {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Taylor series after reduction to [-pi, pi]; error under 1e-9, which is far below the grid that positions are rounded to.
+// Taylor series after reduction to [-pi, pi]; error under 1e-9, which is far below the grid that positions are rounded
+// to.
 inline double sine(double angle) {
   while (angle > kPi) angle -= 2 * kPi;
   while (angle < -kPi) angle += 2 * kPi;

@@ -57,7 +57,8 @@ Surface lump(uint32_t joint, Point centre, const Frame& frame, int n, double rou
   return surface;
 }
 
-Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<double, 3>>& profile, int sides, bool closed) {
+Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<double, 3>>& profile, int sides,
+                bool closed) {
   Surface surface;
   std::vector<uint32_t> first;
   std::vector<bool> pole;
@@ -98,11 +99,13 @@ double share_of(const std::vector<Influence>& row, const std::vector<bool>& join
   return sum;
 }
 
-// The faces whose corners all pass, pushed out by `offset` along the normals, with the body's weights. Faces at pinched vertices
-// (more than one fan) are dropped, so the boundary is a set of simple loops.
-Surface shell(const Surface& body, const std::vector<Point>& normals, const std::function<bool(uint32_t)>& passes, double offset) {
+// The faces whose corners all pass, pushed out by `offset` along the normals, with the body's weights. Faces at pinched
+// vertices (more than one fan) are dropped, so the boundary is a set of simple loops.
+Surface shell(const Surface& body, const std::vector<Point>& normals, const std::function<bool(uint32_t)>& passes,
+              double offset) {
   std::vector<bool> keep(body.faces.size());
-  for (size_t f = 0; f < body.faces.size(); ++f) keep[f] = std::all_of(body.faces[f].begin(), body.faces[f].end(), passes);
+  for (size_t f = 0; f < body.faces.size(); ++f)
+    keep[f] = std::all_of(body.faces[f].begin(), body.faces[f].end(), passes);
   for (bool changed = true; changed;) {
     changed = false;
     std::map<std::pair<uint32_t, uint32_t>, int> edges;
@@ -192,7 +195,8 @@ Surface skirt(const Blueprint& plan, const Surface& body, double waist, double h
   for (size_t v = 0; v < cloth.positions.size(); ++v) {
     const Point p = cloth.positions[v];
     const double legs = smooth_step(hip.y + 0.05, mix(hip.y, knee.y, 0.7), p.y) * 0.9;
-    const double left = smooth_step(-hip.x, hip.x, p.x), low = smooth_step(mix(knee.y, hip.y, 0.15), mix(knee.y, 0, 0.25), p.y);
+    const double left = smooth_step(-hip.x, hip.x, p.x),
+                 low = smooth_step(mix(knee.y, hip.y, 0.15), mix(knee.y, 0, 0.25), p.y);
     std::vector<Influence> row = {{static_cast<uint32_t>(plan.trunk[0]), static_cast<float>(1 - legs)}};
     for (size_t side = 0; side < 2; ++side) {
       const double share = legs * (side == 0 ? left : 1 - left);
@@ -266,11 +270,19 @@ void hat(const Blueprint& plan, Random* random, Surface* out) {
   const Point brow = plan.head_centre + Point{0, r * 0.45, 0};
   if (random->chance(0.5)) {  // pointed, with a brim
     const double tall = r * random->range(1.2, 2.4);
-    out->append(revolve(head, brow, {{0, 0, tall}, {r * 0.35, r * 0.35, tall * 0.6}, {r * 0.7, r * 0.7, tall * 0.25}, {r * 1.0, r * 1.0, 0},
-                                     {r * 1.35, r * 1.35, -0.02}, {r * 1.7, r * 1.7, -0.05}}, 14));
+    out->append(revolve(head, brow,
+                        {{0, 0, tall},
+                         {r * 0.35, r * 0.35, tall * 0.6},
+                         {r * 0.7, r * 0.7, tall * 0.25},
+                         {r * 1.0, r * 1.0, 0},
+                         {r * 1.35, r * 1.35, -0.02},
+                         {r * 1.7, r * 1.7, -0.05}},
+                        14));
   } else {  // a cap of hair or a helmet
     const double w = r * 1.12;
-    out->append(revolve(head, plan.head_centre, {{0, 0, w * 1.1}, {w * 0.5, w * 0.5, w * 0.95}, {w * 0.85, w * 0.85, w * 0.55}, {w, w, w * 0.1}}, 14));
+    out->append(
+        revolve(head, plan.head_centre,
+                {{0, 0, w * 1.1}, {w * 0.5, w * 0.5, w * 0.95}, {w * 0.85, w * 0.85, w * 0.55}, {w, w, w * 0.1}}, 14));
   }
 }
 
@@ -314,9 +326,12 @@ Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random*
     if (bottom == 0) {
       const std::vector<bool> set = set_of(legs);
       const double cut = random->chance(0.5) ? 0.14 : knee + 0.05;
-      out.append(shell(body, normals, [&](uint32_t v) {
-        return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > cut && body.positions[v].y < waist;
-      }, 0.008));
+      out.append(shell(
+          body, normals,
+          [&](uint32_t v) {
+            return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > cut && body.positions[v].y < waist;
+          },
+          0.008));
     } else if (bottom < 3) {
       const double hem = bottom == 1 ? knee + random->range(-0.05, 0.08) : random->range(0.05, 0.12);
       out.append(skirt(plan, body, waist, hem, random->range(0.0, 0.35)));
@@ -331,15 +346,20 @@ Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random*
         if (up != plan.trunk.back()) covered.push_back(up);
       }
       const std::vector<bool> set = set_of(covered);
-      out.append(shell(body, normals, [&](uint32_t v) {
-        return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > waist - 0.06 && body.positions[v].y < neck.y + 0.02;
-      }, 0.014));
+      out.append(shell(
+          body, normals,
+          [&](uint32_t v) {
+            return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > waist - 0.06 &&
+                   body.positions[v].y < neck.y + 0.02;
+          },
+          0.014));
     }
     if (random->chance(0.4)) {
       std::vector<int> feet;
       for (const Limb& limb : plan.legs) feet.insert(feet.end(), limb.joints.begin() + 2, limb.joints.end());
       const std::vector<bool> set = set_of(feet);
-      out.append(shell(body, normals, [&](uint32_t v) { return share_of(body.influences[v], set) > 0.45; }, 0.012));
+      out.append(shell(
+          body, normals, [&](uint32_t v) { return share_of(body.influences[v], set) > 0.45; }, 0.012));
     }
     if (random->chance(0.35)) out.append(cape(plan, body, random->chance(0.5) ? knee : 0.2, random->chance(0.3)));
     if (random->chance(0.4)) {
@@ -349,7 +369,8 @@ Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random*
       }
     }
     if (random->chance(0.3)) {
-      out.append(lump(chest, mix(plan.at(plan.trunk.back()), neck, 0.4) - Point{0, 0, 0.26}, box_frame(0.13, 0.16, 0.08), 3, 0.3));
+      out.append(lump(chest, mix(plan.at(plan.trunk.back()), neck, 0.4) - Point{0, 0, 0.26},
+                      box_frame(0.13, 0.16, 0.08), 3, 0.3));
     }
     if (random->chance(0.3)) {
       double rx = 0, rz = 0;
@@ -366,29 +387,39 @@ Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random*
       const Limb& arm = plan.arms[0];
       const Point hand = plan.at(arm.joints[2]), out_by = unit(hand - plan.at(arm.joints[1]));
       const Point grip = hand + out_by * 0.07;
-      out.append(lump(static_cast<uint32_t>(arm.joints[2]), grip + Point{0, 0, 0.28}, bone_frame(grip - Point{0, 0, 0.1}, grip + Point{0, 0, 0.66}, 0.03, 0.015), 3, 0.2, 0.5));
+      out.append(lump(static_cast<uint32_t>(arm.joints[2]), grip + Point{0, 0, 0.28},
+                      bone_frame(grip - Point{0, 0, 0.1}, grip + Point{0, 0, 0.66}, 0.03, 0.015), 3, 0.2, 0.5));
     }
-    if (random->chance(0.15)) out.append(torus(static_cast<uint32_t>(plan.head), plan.head_centre + Point{0, plan.head_radius * 1.6, 0}, 0.12, 0.12, 0.015, 16));
+    if (random->chance(0.15))
+      out.append(torus(static_cast<uint32_t>(plan.head), plan.head_centre + Point{0, plan.head_radius * 1.6, 0}, 0.12,
+                       0.12, 0.015, 16));
   } else if (kind == BodyPlan::kQuadruped && random->chance(0.6)) {
     const std::vector<bool> trunk = set_of(plan.trunk);
     const double back = plan.at(plan.trunk[1]).y - 0.02;
-    out.append(shell(body, normals, [&](uint32_t v) {
-      return share_of(body.influences[v], trunk) > 0.6 && body.positions[v].y > back && body.positions[v].z > plan.at(plan.trunk[1]).z - 0.1 &&
-             body.positions[v].z < plan.at(plan.trunk.back()).z + 0.08;
-    }, 0.016));
+    out.append(shell(
+        body, normals,
+        [&](uint32_t v) {
+          return share_of(body.influences[v], trunk) > 0.6 && body.positions[v].y > back &&
+                 body.positions[v].z > plan.at(plan.trunk[1]).z - 0.1 &&
+                 body.positions[v].z < plan.at(plan.trunk.back()).z + 0.08;
+        },
+        0.016));
     if (random->chance(0.5)) {
       for (double side : {1.0, -1.0}) {
-        out.append(lump(static_cast<uint32_t>(plan.trunk[1]), plan.at(plan.trunk[1]) + Point{side * 0.24, 0.02, 0.06}, box_frame(0.05, 0.1, 0.12), 3, 0.3));
+        out.append(lump(static_cast<uint32_t>(plan.trunk[1]), plan.at(plan.trunk[1]) + Point{side * 0.24, 0.02, 0.06},
+                        box_frame(0.05, 0.1, 0.12), 3, 0.3));
       }
     }
   } else if (kind == BodyPlan::kManyLegged && random->chance(0.6)) {
     for (int joint : plan.trunk) {  // plates on the back
       const PlanJoint& segment = plan.joints[static_cast<size_t>(joint)];
-      out.append(lump(static_cast<uint32_t>(joint), mix(segment.position, segment.tip, 0.5) + Point{0, 0.16, 0}, box_frame(0.12, 0.03, 0.1), 3, 0.6));
+      out.append(lump(static_cast<uint32_t>(joint), mix(segment.position, segment.tip, 0.5) + Point{0, 0.16, 0},
+                      box_frame(0.12, 0.03, 0.1), 3, 0.6));
     }
   } else if (kind == BodyPlan::kBird) {
     const Point front = plan.head_centre + Point{0, -0.01, plan.head_radius * 0.8};
-    out.append(lump(static_cast<uint32_t>(plan.head), front + Point{0, 0, 0.08}, bone_frame(front, front + Point{0, -0.02, 0.17}, 0.035, 0.03), 3, 0.6, 0.2));
+    out.append(lump(static_cast<uint32_t>(plan.head), front + Point{0, 0, 0.08},
+                    bone_frame(front, front + Point{0, -0.02, 0.17}, 0.035, 0.03), 3, 0.6, 0.2));
   }
   const double on_head = random->range(0, 1);
   if (on_head < 0.35) {

@@ -22,9 +22,11 @@ Frame bone_frame(Point a, Point b, double hx, double hy);
 // A closed lump bound to one joint: a subdivided cube (n cells per edge) whose corners are rounded by `round` (0 = box,
 // 1 = ellipsoid); its cross section at +z is `taper` times the one at -z.
 Surface lump(uint32_t joint, Point centre, const Frame& frame, int n, double round, double taper = 1);
-// Rings of `sides` vertices around the vertical axis through `centre`, one per profile point (radius x, radius z, height), joined by quads;
-// a profile point with radius 0 is a pole. Listed from the top down it faces outwards. `closed` joins the last ring to the first (a torus).
-Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<double, 3>>& profile, int sides, bool closed = false);
+// Rings of `sides` vertices around the vertical axis through `centre`, one per profile point (radius x, radius z,
+// height), joined by quads; a profile point with radius 0 is a pole. Listed from the top down it faces outwards.
+// `closed` joins the last ring to the first (a torus).
+Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<double, 3>>& profile, int sides,
+                bool closed = false);
 
 // Clothes and parts that fit the plan's roles, chosen by the seed. `body` is the polygonised body.
 Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random* random);

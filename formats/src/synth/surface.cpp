@@ -85,19 +85,23 @@ std::vector<Influence> body_weights(const Blueprint& plan, Point p) {
     const double d = primitive_distance(primitive, p);
     if (d < distance[j]) {
       distance[j] = d;
-      // Going x past the end of a capsule of radius r costs x^2 / 2r of distance. So that a blend ends within the next bone, the
-      // reach of a short thick one (a spine's) is what its own length costs; but no joint is sharper than a quarter of its radius.
+      // Going x past the end of a capsule of radius r costs x^2 / 2r of distance. So that a blend ends within the next
+      // bone, the reach of a short thick one (a spine's) is what its own length costs; but no joint is sharper than a
+      // quarter of its radius.
       const double r = std::min(primitive.ra, primitive.rb), l = length(primitive.b - primitive.a);
       reach[j] = std::max(0.25 * r, std::min(r, l * l / (2 * r)));
     }
   }
   const size_t best = static_cast<size_t>(std::min_element(distance.begin(), distance.end()) - distance.begin());
-  const auto parent = [&](int joint) { return joint == kNoJoint ? kNoJoint : plan.joints[static_cast<size_t>(joint)].parent; };
+  const auto parent = [&](int joint) {
+    return joint == kNoJoint ? kNoJoint : plan.joints[static_cast<size_t>(joint)].parent;
+  };
   const int self = static_cast<int>(best), up = parent(self);
   std::vector<Influence> row;
   for (size_t j = 0; j < joints; ++j) {
     const int other = static_cast<int>(j), other_up = parent(other);
-    const bool related = other == self || other == up || other_up == self || (up != kNoJoint && (other_up == up || other == parent(up))) ||
+    const bool related = other == self || other == up || other_up == self ||
+                         (up != kNoJoint && (other_up == up || other == parent(up))) ||
                          (other_up != kNoJoint && parent(other_up) == self);
     if (!related || distance[j] > 1e8) continue;
     const double width = plan.softness * std::min(reach[j], reach[best]);
@@ -116,14 +120,17 @@ class Grid {
     for (const Primitive& p : plan.body) {
       const double r = std::max(p.ra, p.rb) * 1.1;
       for (Point end : {p.a, p.b}) {
-        low = {std::min(low.x, end.x - r * p.scale.x), std::min(low.y, end.y - r * p.scale.y), std::min(low.z, end.z - r * p.scale.z)};
-        high = {std::max(high.x, end.x + r * p.scale.x), std::max(high.y, end.y + r * p.scale.y), std::max(high.z, end.z + r * p.scale.z)};
+        low = {std::min(low.x, end.x - r * p.scale.x), std::min(low.y, end.y - r * p.scale.y),
+               std::min(low.z, end.z - r * p.scale.z)};
+        high = {std::max(high.x, end.x + r * p.scale.x), std::max(high.y, end.y + r * p.scale.y),
+                std::max(high.z, end.z + r * p.scale.z)};
       }
     }
     // Whole cells around the box, and x = 0 in the middle of a cell, so that mirrored bodies get mirrored vertices.
     const double half_x = std::max(high.x, -low.x);
     const int half = static_cast<int>(half_x / cell_) + 3;
-    size_ = {2 * half + 2, static_cast<int>((high.y - low.y) / cell_) + 6, static_cast<int>((high.z - low.z) / cell_) + 6};
+    size_ = {2 * half + 2, static_cast<int>((high.y - low.y) / cell_) + 6,
+             static_cast<int>((high.z - low.z) / cell_) + 6};
     origin_ = {-(half + 0.5) * cell_, low.y - 2.5 * cell_, low.z - 2.5 * cell_};
     value_.resize(static_cast<size_t>(size_[0]) * static_cast<size_t>(size_[1]) * static_cast<size_t>(size_[2]));
     for (int z = 0; z < size_[2]; ++z) {
@@ -135,8 +142,8 @@ class Grid {
             --skip;
           } else {
             d = body_distance(plan, corner(x, y, z));
-            // The field changes by less than 2.5 per unit (tapered limbs are the steepest): far from the surface its sign cannot
-            // change over the next corners, and only values beside a change of sign matter.
+            // The field changes by less than 2.5 per unit (tapered limbs are the steepest): far from the surface its
+            // sign cannot change over the next corners, and only values beside a change of sign matter.
             skip = static_cast<int>((d < 0 ? -d : d) / (2.5 * cell_)) - 1;
           }
           // The outermost layer is outside whatever the field says: every surface closes inside the grid.
@@ -147,7 +154,8 @@ class Grid {
     }
   }
   size_t index(int x, int y, int z) const {
-    return (static_cast<size_t>(z) * static_cast<size_t>(size_[1]) + static_cast<size_t>(y)) * static_cast<size_t>(size_[0]) +
+    return (static_cast<size_t>(z) * static_cast<size_t>(size_[1]) + static_cast<size_t>(y)) *
+               static_cast<size_t>(size_[0]) +
            static_cast<size_t>(x);
   }
   Point corner(int x, int y, int z) const { return origin_ + Point{x * cell_, y * cell_, z * cell_}; }
@@ -156,8 +164,8 @@ class Grid {
   const std::array<int, 3>& size() const { return size_; }
   double cell() const { return cell_; }
 
-  // Fills outside corners (the nearest to the surface first) until no face of a cell is a checkerboard and the inside and the
-  // outside corners of every cell hang together by edges. Filling only ever adds, so this ends.
+  // Fills outside corners (the nearest to the surface first) until no face of a cell is a checkerboard and the inside
+  // and the outside corners of every cell hang together by edges. Filling only ever adds, so this ends.
   void make_well_composed() {
     bool changed = true;
     while (changed) {
@@ -172,7 +180,8 @@ class Grid {
     }
   }
 
-  // Keeps the largest inside body and fills enclosed holes. Well-composed bodies touch by faces only, so six neighbours suffice.
+  // Keeps the largest inside body and fills enclosed holes. Well-composed bodies touch by faces only, so six neighbours
+  // suffice.
   void keep_one_body() {
     std::vector<int> label(value_.size(), -1);
     std::vector<size_t> stack;
@@ -223,7 +232,8 @@ class Grid {
   bool repair(int x, int y, int z) {
     unsigned mask = 0;
     for (unsigned c = 0; c < 8; ++c) {
-      if (inside(x + static_cast<int>(c & 1), y + static_cast<int>(c >> 1 & 1), z + static_cast<int>(c >> 2))) mask |= 1u << c;
+      if (inside(x + static_cast<int>(c & 1), y + static_cast<int>(c >> 1 & 1), z + static_cast<int>(c >> 2)))
+        mask |= 1u << c;
     }
     if (mask == 0 || mask == 255 || !ambiguous(mask)) return false;
     double nearest = 1e30;
@@ -232,7 +242,8 @@ class Grid {
       if (mask >> c & 1) continue;
       // Only a corner beside an inside one can join bodies.
       if (!((mask >> (c ^ 1) & 1) || (mask >> (c ^ 2) & 1) || (mask >> (c ^ 4) & 1))) continue;
-      const size_t i = index(x + static_cast<int>(c & 1), y + static_cast<int>(c >> 1 & 1), z + static_cast<int>(c >> 2));
+      const size_t i =
+          index(x + static_cast<int>(c & 1), y + static_cast<int>(c >> 1 & 1), z + static_cast<int>(c >> 2));
       if (value_[i] < nearest) {
         nearest = value_[i];
         fill = i;
@@ -253,7 +264,8 @@ class Grid {
   }
   static bool ambiguous(unsigned mask) {
     if (!connected(mask) || !connected(~mask & 255u)) return true;
-    constexpr unsigned kFaces[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+    constexpr unsigned kFaces[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                       {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
     for (const auto& face : kFaces) {
       const unsigned a = mask >> face[0] & 1, b = mask >> face[1] & 1, c = mask >> face[2] & 1, d = mask >> face[3] & 1;
       if (a == c && b == d && a != b) return true;
@@ -273,7 +285,8 @@ Point gradient(const Blueprint& plan, Point p, double here, double h) {
           (body_distance(plan, p + Point{0, 0, h}) - here) / h};
 }
 
-// Evens out the faces: each vertex goes half way to the mean of its neighbours, then back onto the surface by Newton steps.
+// Evens out the faces: each vertex goes half way to the mean of its neighbours, then back onto the surface by Newton
+// steps.
 void relax(const Blueprint& plan, const std::vector<Point>& low, const std::vector<Point>& high, Surface* surface) {
   const size_t count = surface->positions.size();
   for (int round = 0; round < 4; ++round) {
@@ -288,7 +301,8 @@ void relax(const Blueprint& plan, const std::vector<Point>& low, const std::vect
     }
     for (size_t v = 0; v < count; ++v) {
       const auto clamped = [&](Point p) {
-        return Point{std::clamp(p.x, low[v].x, high[v].x), std::clamp(p.y, low[v].y, high[v].y), std::clamp(p.z, low[v].z, high[v].z)};
+        return Point{std::clamp(p.x, low[v].x, high[v].x), std::clamp(p.y, low[v].y, high[v].y),
+                     std::clamp(p.z, low[v].z, high[v].z)};
       };
       Point p = clamped(mix(surface->positions[v], sum[v] * (1.0 / neighbours[v]), 0.5));
       for (int step = 0; step < 2; ++step) {

@@ -18,8 +18,8 @@ struct BindOptions {
   const sinew_model* model = nullptr;
   uint32_t influence_count = 4;
   uint32_t up_axis = 0;
-  std::vector<uint8_t> joint_flags;        // [J] SINEW_JOINT_* or empty
-  std::vector<uint8_t> locked;             // [V] or empty; locked rows come from character.influences
+  std::vector<uint8_t> joint_flags;  // [J] SINEW_JOINT_* or empty
+  std::vector<uint8_t> locked;       // [V] or empty; locked rows come from character.influences
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;
 };
@@ -34,30 +34,33 @@ BindResult bind(const Character& character, const BindOptions& options);
 // What the network sees of one character, plus the truth: one training sample. Copies, all sizes known.
 struct Sample {
   std::string name, family;
-  uint32_t vertices = 0;        // U welded
-  uint32_t candidates = 0;      // K
+  uint32_t vertices = 0;    // U welded
+  uint32_t candidates = 0;  // K
   uint32_t vertex_features = 0, pair_features = 0;
   uint32_t components = 0, joints = 0;
-  std::vector<int16_t> vertex;      // [U x C0] Q13
-  std::vector<int16_t> pair;        // [U x K x C1] Q13
-  std::vector<uint16_t> candidate;  // [U x K], 0xFFFF absent
-  std::vector<uint32_t> row_offsets, col_indices;               // one-ring CSR
+  std::vector<int16_t> vertex;                     // [U x C0] Q13
+  std::vector<int16_t> pair;                       // [U x K x C1] Q13
+  std::vector<uint16_t> candidate;                 // [U x K], 0xFFFF absent
+  std::vector<uint32_t> row_offsets, col_indices;  // one-ring CSR
   std::vector<uint32_t> component, component_offsets, component_vertices;
-  std::vector<float> target;        // [U x K] reference weight of each candidate. A joint that is no candidate but whose end
-                                    // marker is (fold[end] == joint) has its weight on the first such end marker
-  std::vector<uint32_t> fold;       // [J] fold_targets of the character
-  std::vector<float> missing;       // [U] reference weight no candidate has
-  std::vector<float> importance;    // [U] caller's vertices welded into this one (0 when unbound): the yardstick counts those
-  std::vector<float> heat;          // [U x K] the finished rule field at the candidates (sums to <= 1)
+  std::vector<float> target;   // [U x K] reference weight of each candidate. A joint that is no candidate but whose end
+                               // marker is (fold[end] == joint) has its weight on the first such end marker
+  std::vector<uint32_t> fold;  // [J] fold_targets of the character
+  std::vector<float> missing;  // [U] reference weight no candidate has
+  std::vector<float>
+      importance;           // [U] caller's vertices welded into this one (0 when unbound): the yardstick counts those
+  std::vector<float> heat;  // [U x K] the finished rule field at the candidates (sums to <= 1)
   std::vector<uint32_t> vertex_to_welded;  // [V]
 };
 // Runs the engine's stages 1 to 7 on a character. Throws Error.
 Sample make_sample(const Character& character, uint32_t candidates, uint32_t grid);
 
-// Network output (probabilities per candidate [U x K]) to influences per caller vertex, `keep` largest, as the engine rounds.
+// Network output (probabilities per candidate [U x K]) to influences per caller vertex, `keep` largest, as the engine
+// rounds.
 std::vector<std::vector<Influence>> sample_influences(const Sample& sample, const std::vector<float>& probabilities,
                                                       uint32_t keep);
-// One row cut to its `keep` largest and rounded to unorm16 / 65535 exactly as the engine rounds; empty for an empty row.
+// One row cut to its `keep` largest and rounded to unorm16 / 65535 exactly as the engine rounds; empty for an empty
+// row.
 std::vector<Influence> round_influences(const std::vector<Influence>& row, uint32_t keep);
 
 }  // namespace sinew

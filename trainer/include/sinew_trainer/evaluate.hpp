@@ -12,29 +12,30 @@
 
 namespace sinew {
 
-// One character, or a mean over several (counts are then sums). r and p are a vertex's reference and predicted weights, rows
-// of sum 1; an influence is a weight above 1e-4. A predicted row without weight stays 0: it counts L1 = 1 and does not move.
+// One character, or a mean over several (counts are then sums). r and p are a vertex's reference and predicted weights,
+// rows of sum 1; an influence is a weight above 1e-4. A predicted row without weight stays 0: it counts L1 = 1 and does
+// not move.
 struct Metrics {
   double precision = 0, recall = 0;  // of influences, over all pairs of vertex and joint
   double l1 = 0;                     // mean over vertices of sum_j |r - p|, 0..2
-  double avg_dist = 0;               // distance between the vertices skinned with r and with p: mean over vertices and poses,
-  double max_dist = 0;               //   mean over poses of the largest,
-  double max_dist_all = 0;           //   largest of all; linear blend, 10 random poses, longest side of the mesh = 1
-  double argmax = 0;                 // share of vertices whose strongest joint agrees; either joint of a tie in r does
-  double kl = 0;                     // mean over vertices of sum_j r log(r / p), both at least 1e-4
-  double bad = 0;                    // share of vertices with L1 > 0.5
-  double l1_area = 0;                // L1 weighted by vertex area
-  double influences = 0;             // predicted influences per vertex
-  double unweighted = 0;             // share of vertices without predicted weight
+  double avg_dist = 0;      // distance between the vertices skinned with r and with p: mean over vertices and poses,
+  double max_dist = 0;      //   mean over poses of the largest,
+  double max_dist_all = 0;  //   largest of all; linear blend, 10 random poses, longest side of the mesh = 1
+  double argmax = 0;        // share of vertices whose strongest joint agrees; either joint of a tie in r does
+  double kl = 0;            // mean over vertices of sum_j r log(r / p), both at least 1e-4
+  double bad = 0;           // share of vertices with L1 > 0.5
+  double l1_area = 0;       // L1 weighted by vertex area
+  double influences = 0;    // predicted influences per vertex
+  double unweighted = 0;    // share of vertices without predicted weight
   size_t vertices = 0, unbound = 0, joints = 0;  // unbound: vertices without reference weights, left out of everything
-  double seconds = 0;                // run time, set by the caller; 0 = not timed; of a mean the median
+  double seconds = 0;                            // run time, set by the caller; 0 = not timed; of a mean the median
 };
 
-// Compares predicted influences with the character's own. End joints (unbound leaves) of the prediction are folded into their
-// parents, rows normalised, vertices without reference weights left out. `name` seeds the poses.
-// vertex_l1, when given, gets [V] L1 per vertex (0 for left-out vertices).
-Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted, const std::string& name,
-                int poses = 10, std::vector<float>* vertex_l1 = nullptr);
+// Compares predicted influences with the character's own. End joints (unbound leaves) of the prediction are folded into
+// their parents, rows normalised, vertices without reference weights left out. `name` seeds the poses. vertex_l1, when
+// given, gets [V] L1 per vertex (0 for left-out vertices).
+Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
+                const std::string& name, int poses = 10, std::vector<float>* vertex_l1 = nullptr);
 
 // Parent every end joint's weight folds to ([J], itself when it is none): a leaf that no reference vertex is bound to.
 std::vector<uint32_t> fold_targets(const Character& reference);

@@ -20,27 +20,29 @@ struct FieldOptions {
 };
 // Networks of DESIGN.md section 4 with seeded initial weights. field: the last layer starts at the heat prior.
 FloatNetwork make_field(const FieldOptions& options, uint64_t seed);
-// The network of patent CN110288681A, figures 7 and 8: N x 64 first feature, graph convolution, graph pooling, N x 576 second
-// feature, global and local branches, softmax over K distance-sorted candidates.
+// The network of patent CN110288681A, figures 7 and 8: N x 64 first feature, graph convolution, graph pooling, N x 576
+// second feature, global and local branches, softmax over K distance-sorted candidates.
 FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed);
 
-// Logits [U x K] in natural log units (absent slots -inf is NOT used: they are 0 and masked by the caller), float64-free.
+// Logits [U x K] in natural log units (absent slots -inf is NOT used: they are 0 and masked by the caller),
+// float64-free.
 std::vector<float> forward(const FloatNetwork& network, const Sample& sample);
 // Softmax over present candidates -> probabilities [U x K].
 std::vector<float> softmax(const Sample& sample, const std::vector<float>& logits);
 std::vector<float> predict(const FloatNetwork& network, const Sample& sample);
 
-// Gradient of a scalar loss w.r.t. all parameters. Scratch is reused between calls of one instance; one instance per thread.
+// Gradient of a scalar loss w.r.t. all parameters. Scratch is reused between calls of one instance; one instance per
+// thread.
 class NetworkRunner {
  public:
   explicit NetworkRunner(const FloatNetwork& network);
   ~NetworkRunner();
   NetworkRunner(const NetworkRunner&) = delete;
   NetworkRunner& operator=(const NetworkRunner&) = delete;
-  // Keeps activations for backward(). `dropout` sets so many activations of ReLU layers to 0, `feature_dropout` whole input
-  // channels but the heat prior's (both seeded). Throws Error when network and sample do not fit together.
-  const std::vector<float>& forward(const FloatNetwork& network, const Sample& sample, float dropout = 0, uint64_t seed = 0,
-                                    float feature_dropout = 0);
+  // Keeps activations for backward(). `dropout` sets so many activations of ReLU layers to 0, `feature_dropout` whole
+  // input channels but the heat prior's (both seeded). Throws Error when network and sample do not fit together.
+  const std::vector<float>& forward(const FloatNetwork& network, const Sample& sample, float dropout = 0,
+                                    uint64_t seed = 0, float feature_dropout = 0);
   // d_logits [U x K]; adds into gradients (same shapes as network.parameters).
   void backward(const FloatNetwork& network, const Sample& sample, const std::vector<float>& d_logits,
                 std::vector<LinearParameters>* gradients);

@@ -14,52 +14,55 @@
 
 namespace sinew {
 
-// Everything a run can be told; read from and written to JSON (unknown keys are an Error). Defaults train the bundled model.
+// Everything a run can be told; read from and written to JSON (unknown keys are an Error). Defaults train the bundled
+// model.
 struct TrainConfig {
   std::string architecture = "field";
   FieldOptions field;
-  std::string optimizer = "adamw";   // "adamw", "adam", "sgd"
+  std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
-  double feature_dropout = 0;        // probability of an input channel to be missing from a whole character
+  double feature_dropout = 0;  // probability of an input channel to be missing from a whole character
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5;
-  uint64_t steps = 6000;             // length of the cosine schedule
-  uint32_t batch = 2;                // characters per step, one per thread
+  uint64_t steps = 6000;  // length of the cosine schedule
+  uint32_t batch = 2;     // characters per step, one per thread
   uint64_t seed = 1;
-  double average_decay = 0.999;      // running average of weights; 0 = off
-  // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on the families
-  // it was trained on and better on new ones: trainer/README.md has the figures.
+  double average_decay = 0.999;  // running average of weights; 0 = off
+  // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
+  // the families it was trained on and better on new ones: trainer/README.md has the figures.
   double correction = 0.7;
-  uint32_t validate_every = 500;     // steps
+  uint32_t validate_every = 500;  // steps
   // Augmentation with recomputed features: variants made once per character and cached.
-  uint32_t variants = 1;             // extra variants per character (turn, mirror, scale, jitter, decimation)
-  double variant_share = 0.3;        // how often a variant is drawn instead of the original
-  double family_power = 0.5;         // a family of n characters is drawn in proportion to n^power
+  uint32_t variants = 1;       // extra variants per character (turn, mirror, scale, jitter, decimation)
+  double variant_share = 0.3;  // how often a variant is drawn instead of the original
+  double family_power = 0.5;   // a family of n characters is drawn in proportion to n^power
 };
 TrainConfig parse_train_config(const std::string& json, const std::string& source);
 std::string train_config_json(const TrainConfig& config);
 
 struct TrainOptions {
-  std::string data_dir, val_dir;     // val_dir may be empty
-  std::string output;                // checkpoint path; log beside it as OUTPUT.csv
-  std::string cache_dir;             // features; empty = OUTPUT.cache
-  std::string init;                  // checkpoint to start from, or empty
+  std::string data_dir, val_dir;  // val_dir may be empty
+  std::string output;             // checkpoint path; log beside it as OUTPUT.csv
+  std::string cache_dir;          // features; empty = OUTPUT.cache
+  std::string init;               // checkpoint to start from, or empty
   bool resume = false;
-  double minutes = 0;                // stop after so much wall time (the schedule is by time then); 0 = by steps
+  double minutes = 0;  // stop after so much wall time (the schedule is by time then); 0 = by steps
   uint32_t threads = 2;
   bool quiet = false;
-  uint64_t stop_after = 0;           // stop after so many steps of this call, to be resumed; 0 = off
+  uint64_t stop_after = 0;                  // stop after so many steps of this call, to be resumed; 0 = off
   const std::atomic<bool>* stop = nullptr;  // set it (from a signal handler, say) to write the checkpoint and return
 };
-// Runs to the end; writes the checkpoint at every validation and at the end. With `resume` the output is read first and the
-// result is, byte for byte on one machine, that of a run that was never interrupted (by steps; time is never the same twice).
-// Threads change no number. Throws Error: other configuration than the resumed one, other shapes than `init`, no usable data.
+// Runs to the end; writes the checkpoint at every validation and at the end. With `resume` the output is read first and
+// the result is, byte for byte on one machine, that of a run that was never interrupted (by steps; time is never the
+// same twice). Threads change no number. Throws Error: other configuration than the resumed one, other shapes than
+// `init`, no usable data.
 void train(const TrainConfig& config, const TrainOptions& options);
 // The configuration a checkpoint was trained with, for --resume without --config.
 TrainConfig checkpoint_config(const std::string& path);
 
-// Loads (or makes and caches) the samples of a folder; both cores. Characters that fail are reported on stderr and left out.
-std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid, const std::string& cache_dir,
-                                 uint32_t threads, bool quiet);
+// Loads (or makes and caches) the samples of a folder; both cores. Characters that fail are reported on stderr and left
+// out.
+std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid,
+                                 const std::string& cache_dir, uint32_t threads, bool quiet);
 
 }  // namespace sinew
 #endif
