@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// tinygltf's own path expansion runs the shell's (wordexp), which a file from a stranger must never reach.
+// tinygltf before 2.6 expanded file names as a shell does (wordexp), which a file from a stranger must never reach.
 tinygltf::FsCallbacks plain_file_access() {
   tinygltf::FsCallbacks access;
   access.FileExists = [](const std::string& path, void*) {

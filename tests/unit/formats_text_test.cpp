@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // OBJ, rig.txt, files and folders: what is read, what is refused and with which words, what is left on disk.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <chrono>
+#include <csignal>
 
 #include "expect_error.hpp"
 #include "sinew_formats/io.hpp"
@@ -238,12 +240,16 @@ TEST(Rig, WritesNamesWithoutBlanks) {
   c.joints[0].name = "left hip";
   c.joints[1].name = "left_hip";
   c.joints.push_back({"", {}, 0});
+  c.joints.push_back({"left_hip_2", {}, 0});
+  c.influences[0].push_back({2, 4e-7f});  // prints as nothing
   write_rig(folder.file("out.rig.txt"), c);
+  EXPECT_NE(folder.text_of("out.rig.txt").find("skin 0 left_hip 0.750000 left_hip_3 0.250000\n"), std::string::npos);
   Character again = obj(std::string(kTriangle) + "f 1 2 3\n");
   read_skeleton(folder.file("out.rig.txt"), true, &again);
   EXPECT_EQ(again.joints[0].name, "left_hip");
-  EXPECT_EQ(again.joints[1].name, "left_hip_2");
+  EXPECT_EQ(again.joints[1].name, "left_hip_3");
   EXPECT_EQ(again.joints[2].name, "joint_2");
+  EXPECT_EQ(again.joints[3].name, "left_hip_2");
 }
 
 TEST(Rig, RefusesToWriteWhatItCouldNotRead) {
@@ -273,6 +279,27 @@ TEST(Files, AFailedWriteLeavesTheTargetAndNoRubbish) {
   const Character empty;
   EXPECT_ERROR(write_glb(folder.file("old.txt"), empty), "old.txt", "without faces");
   EXPECT_EQ(folder.text_of("old.txt"), "new");
+}
+
+TEST(Files, AFullDiskLeavesTheTargetAndNoRubbish) {
+  const TempFolder folder;
+  folder.write("old.txt", "old");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit small = before;
+  small.rlim_cur = 4096;
+  signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  std::string message;
+  try {
+    write_text_file(folder.file("old.txt"), std::string(100000, 'x'));
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_NE(message.find("cannot write"), std::string::npos) << message;
+  EXPECT_EQ(folder.text_of("old.txt"), "old");
+  EXPECT_EQ(folder.file_count(), 1u);
 }
 
 TEST(Files, FollowsLinksAndWritesDevices) {
