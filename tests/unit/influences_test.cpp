@@ -143,6 +143,12 @@ TEST(KeepLargest, RandomRowsEqualTheDefinition) {
   }
 }
 
+TEST(Prune, DropsUnderOnePercentOnly) {
+  uint32_t probabilities[] = {60000, 654, 655, 0, 4227};
+  prune_q16(probabilities, 5);
+  EXPECT_EQ(std::vector<uint32_t>(probabilities, probabilities + 5), (std::vector<uint32_t>{60000, 0, 655, 0, 4227}));
+}
+
 TEST(KeepLargest, TiesGoToTheLowerJoint) {
   const Row row = keep({9, 3, 7, 5}, {10, 10, 10, 10}, 3, 255);
   EXPECT_EQ(row.joints, (std::vector<uint16_t>{3, 5, 7}));

@@ -133,6 +133,7 @@ std::vector<std::vector<Influence>> sample_influences(const Sample& sample, cons
     for (size_t i = 0; i < k; ++i) {
       weights[i] = static_cast<uint32_t>(std::lround(std::clamp(probabilities[u * k + i], 0.0f, 1.0f) * 65536.0f));
     }
+    prune_q16(weights, sample.candidates);
     uint16_t joints[SINEW_MAX_INFLUENCES], kept[SINEW_MAX_INFLUENCES];
     keep_largest(&sample.candidate[u * k], weights, sample.candidates, keep, 65535, joints, kept);
     for (uint32_t i = 0; i < keep; ++i) {

@@ -34,6 +34,7 @@ void welded_row(const BindPlan& plan, const Prepared& p, const Logits& logits, u
   const uint32_t k = plan.counts.candidates;
   const uint16_t* candidates = p.features.joints + static_cast<size_t>(vertex) * k;
   softmax_q16(logits.values + static_cast<size_t>(vertex) * k, candidates, k, wide);
+  prune_q16(wide, k);
   keep_largest(candidates, wide, k, plan.influence_count, total, joints, weights);
 }
 

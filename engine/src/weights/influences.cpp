@@ -70,6 +70,13 @@ void softmax_q16(const int16_t* logits, const uint16_t* joints, uint32_t count, 
   }
 }
 
+void prune_q16(uint32_t* probabilities, uint32_t count) {
+  constexpr uint32_t kSmallest = 655;  // 1 % of 65536
+  for (uint32_t i = 0; i < count; ++i) {
+    if (probabilities[i] < kSmallest) probabilities[i] = 0;
+  }
+}
+
 void keep_largest(const uint16_t* joints, const uint32_t* weights, uint32_t count, uint32_t keep, uint32_t total,
                   uint16_t* out_joints, uint16_t* out_weights) {
   // Selection in place of a sort: each round takes the first entry behind the last one taken, in the order (falling

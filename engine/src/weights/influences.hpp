@@ -11,6 +11,11 @@ namespace sinew {
 //   out [count] Q16 probabilities (65536 = 1), absent = 0. 2^x by a constant table with linear interpolation.
 void softmax_q16(const int16_t* logits, const uint16_t* joints, uint32_t count, uint32_t* out);
 
+// Zeroes probabilities under 1 % (Q16), which a softmax leaves on every candidate and no artist paints. Measured on
+// val: precision of influences 53 % without, 81 % with it, L1 a little lower. At least one of up to 99 entries always
+// stays.
+void prune_q16(uint32_t* probabilities, uint32_t count);
+
 // Keeps the `keep` largest of `count` (joint, weight) entries (weights any non-negative integer scale up to 2^20, at
 // least one > 0), sorts by falling weight then joint, and renormalises so that the row sums to exactly `total` (65535
 // or 255): each is floor(w * total / sum), the remainder goes to the largest. Entries that round to 0 are dropped
