@@ -388,8 +388,8 @@ TEST(GltfWrite, AnotherSkeletonOnAPosedMeshKeepsThePose) {
 TEST(GltfWrite, ObjWithMaterialsUvsAndNormals) {
   const TempFolder folder;
   Character c = read_obj(folder.write("box.obj",
-                                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 2 0\nvt 0 0\nvt 1 0.25\nusemtl red\nf "
-                                      "1/1 2/2 3/1 4/2\nusemtl blue\nf 4/1 3/2 5/1\n"));
+                                      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 2 0\nvt 0 0\nvt 1 0.25\nvn 0 0 0\n"
+                                      "usemtl red\nf 1/1/1 2/2/1 3/1/1 4/2/1\nusemtl blue\nf 4/1 3/2 5/1\n"));
   c.joints = {{"root", {0, 0, 0}, -1}, {"tip", {0, 1, 0}, 0}};
   c.influences.assign(5, {{0, 0.25f}, {1, 0.75f}});
   const std::string glb = written(c);
