@@ -25,3 +25,9 @@ if [ "${#missing[@]}" -gt 0 ]; then
   "${as_root[@]}" apt-get update -qq
   DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
+
+# The Khronos glTF validator, for the tests; pinned by package-lock.json.
+if [ ! -d tests/support/node/node_modules/gltf-validator ]; then
+  echo "setup: installing gltf-validator"
+  npm ci --silent --no-audit --no-fund --prefix tests/support/node
+fi
