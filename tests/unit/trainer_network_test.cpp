@@ -84,7 +84,8 @@ double scalar(const std::vector<double>& logits, std::vector<double>* d) {
 }
 
 // `checks` parameters of each block are tried, spread over it.
-void expect_gradients(const FloatNetwork& network, const Sample& sample, const DropoutOptions& dropout = {}, size_t checks = 30) {
+void expect_gradients(const FloatNetwork& network, const Sample& sample, const DropoutOptions& dropout = {},
+                      size_t checks = 30) {
   std::vector<LinearBlock<double>> parameters = copy_blocks<double>(network);
   LayerRunner<double> runner;
   std::vector<double> d_logits;

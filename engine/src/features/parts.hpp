@@ -11,8 +11,8 @@ namespace sinew {
 constexpr uint32_t kNoVertex = 0xFFFFFFFFu;
 
 struct Parts {
-  uint32_t* host_vertex = nullptr;  // [U] nearest vertex of a component with more vertices (a smaller component id),
-                                    // ties: lower index; kNoVertex in the first component
+  uint32_t* host_vertex = nullptr;     // [U] nearest vertex of a component with more vertices (a smaller component id),
+                                       // ties: lower index; kNoVertex in the first component
   uint32_t* host_distance = nullptr;   // [U] Euclid, grid units; 0 where there is no host vertex
   uint32_t* source_count = nullptr;    // [components] vertices that are heat sources in the rule field
   uint32_t* boundary_count = nullptr;  // [components] vertices on an open boundary
