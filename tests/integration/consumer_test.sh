@@ -13,6 +13,8 @@ if grep -q '_DIR:PATH' "$work/engine/CMakeCache.txt"; then
 fi
 cmake --build "$work/engine" -j "$(nproc)" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 cmake --install "$work/engine" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+cc -std=c99 -pedantic-errors -Wall -Wextra -Werror -fsyntax-only -I"$work/prefix/include" \
+  "$source_dir/tests/integration/consumer/main.c"
 cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$work/prefix" >>"$work/log" 2>&1 ||
   { cat "$work/log"; exit 1; }
 cmake --build "$work/consumer" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
