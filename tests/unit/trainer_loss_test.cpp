@@ -78,6 +78,16 @@ TEST(WeightLoss, WorkedExample) {
   EXPECT_NEAR(terms.total, terms.l1 + terms.kl + terms.regret + terms.part, 1e-12);
 }
 
+TEST(WeightLoss, HeatOutsideTheCandidatesIsHeatsError) {
+  Sample s = one_vertex();
+  s.heat = {0.25f, 0.25f, 0};  // half of heat's weight lies elsewhere: L1 0.5 on the candidates and 0.5 outside
+  const std::vector<double> logits = {0, 0, std::log(6.0)};  // p of joint 0: 0.25, so L1 is 1.5
+  EXPECT_NEAR(weight_loss<double>(s, {0, 0, 1, 0}, logits, nullptr).regret, 0.5, 1e-12);
+  s.missing = {0.5f};  // the reference lies elsewhere as well, perhaps at the same joint: heat is given the benefit
+  s.target = {0.5f, 0, 0};
+  EXPECT_NEAR(weight_loss<double>(s, {0, 0, 1, 0}, logits, nullptr).regret, 1.5, 1e-12);
+}
+
 TEST(WeightLoss, WeightOnAnEndJointIsWeightOnItsParent) {
   Sample s = one_vertex();
   const std::vector<double> on_parent = {30, 0, 0}, on_end = {0, 30, 0};

@@ -248,12 +248,15 @@ TEST(FloatNetwork, RingAndPartMeansFollowTheJoint) {
   Builder b(s);
   const Region ring = b.apply(LayerKind::kRingMean, b.input(kPairInput), Domain::kPair, 1);
   const Region part = b.apply(LayerKind::kPartMean, b.input(kPairInput), Domain::kPair, 1);
+  const Region largest = b.apply(LayerKind::kRingMax, b.input(kPairInput), Domain::kPair, 1);
   NetworkRunner runner(b.network);
   runner.forward(b.network, s);
   const std::vector<float> ring_values = runner.buffer(ring.buffer), part_values = runner.buffer(part.buffer);
   const float almost_two = (2 * 8192 - 1) / 8192.0f;
   EXPECT_EQ(ring_values, (std::vector<float>{-1, 0, 1, 0, 0, 0}));
   EXPECT_EQ(part_values, (std::vector<float>{0, almost_two / 2, 0, 0, 0.5f, 0}));
+  EXPECT_EQ(runner.buffer(largest.buffer), (std::vector<float>{-1, 0, 1, 0, 0, 0}))
+      << "a lone negative neighbour is the largest";
 }
 
 TEST(FloatNetwork, VertexOrderDoesNotMatter) {
