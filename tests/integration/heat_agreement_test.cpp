@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integer heat fields against an independent float64 solution of DESIGN.md 3.4 on the same integer mesh:
-// brute-force visibility, its own Laplacian, Eigen's sparse LDL^T.
+// The integer heat fields against an independent float64 solution of engine/src/heat/README.md on the same integer
+// mesh: brute-force visibility, its own Laplacian, Eigen's sparse LDL^T.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

@@ -36,6 +36,18 @@ inline int32_t clamp32(int64_t v, int32_t lo, int32_t hi) {
 inline int16_t clamp16(int64_t v, int32_t lo, int32_t hi) { return static_cast<int16_t>(clamp32(v, lo, hi)); }
 inline int64_t abs64(int64_t v) { return v < 0 ? -v : v; }
 
+// Index of the highest set bit; 0 for 0.
+inline int top_bit(uint64_t v) {
+  int bit = 0;
+  for (int step = 32; step > 0; step /= 2) {
+    if (v >> step != 0) {
+      v >>= step;
+      bit += step;
+    }
+  }
+  return bit;
+}
+
 // floor(sqrt(v)), exact.
 inline uint32_t isqrt64(uint64_t v) {
   uint64_t r = 0;
@@ -75,8 +87,7 @@ inline int64_t mul_shift(int64_t a, int64_t b, int shift) {
 
 // log2(v) in Q16 for v >= 1 (v is an integer); error below 2^-15. Digit by digit, no table.
 inline int32_t log2_q16(uint64_t v) {
-  int msb = 0;
-  for (uint64_t t = v; t > 1; t >>= 1) ++msb;
+  const int msb = top_bit(v);
   uint64_t m = msb > 31 ? v >> (msb - 31) : v << (31 - msb);  // Q31 in [1, 2)
   int32_t out = msb << 16;
   for (int bit = 15; bit >= 0; --bit) {

@@ -19,33 +19,81 @@ constexpr int32_t kSoftLength =
     kSide / 256;                        // added to lengths before a logarithm, so that noise at contact does not count
 constexpr uint32_t kListedHeat = 1638;  // Q15, 5 %: a heat joint above it is always a candidate
 
-// One line per channel keeps names and order together: the enum below and the name tables are made from it.
-// clang-format off
-#define SINEW_VERTEX_FEATURES(X)                                                                                  \
-  X(mean_curvature) X(gauss_curvature) X(edge_length_log) X(part_share_log) X(part_source_share)                  \
-  X(part_count_log) X(joint_count_log) X(vertex_count_log) X(part_boundary_share) X(host_gap) X(is_largest_part)  \
-  X(part_extent) X(part_flatness) X(part_purity) X(rule_is_parts) X(rule_is_open) X(has_source)                   \
-  X(has_source_parts) X(host_purity) X(loose_share) X(normal_up) X(part_contact)
-#define SINEW_PAIR_FEATURES(X)                                                                                    \
-  X(rule) X(rule_root) X(rule_log) X(rule_relative) X(parts) X(parts_root) X(parts_log) X(parts_relative) X(soft) \
-  X(soft_root) X(soft_log) X(rule_raw_root) X(voxel_distance) X(voxel_ratio) X(bone_distance) X(bone_ratio)       \
-  X(bone_position) X(bone_cosine) X(bone_normal) X(bone_up) X(bone_length) X(is_leaf) X(children)                 \
-  X(tree_distance) X(is_parent_of_top) X(is_child_of_top) X(is_top) X(rule_nearest) X(soft_nearest)               \
-  X(parent_rule) X(children_rule) X(host_share) X(host_subtree) X(is_host_top) X(part_share) X(part_subtree)      \
-  X(part_parent_subtree) X(is_part_top) X(joint_in_box) X(topmost_in_box) X(deepest_of_part) X(centre_distance)   \
-  X(centre_ratio) X(territory) X(is_source) X(is_root)
-// clang-format on
-
-#define SINEW_ENUM(name) kV_##name,
-enum VertexFeature : uint32_t { SINEW_VERTEX_FEATURES(SINEW_ENUM) kVertexFeatureCount };
-#undef SINEW_ENUM
-#define SINEW_ENUM(name) kP_##name,
-enum PairFeature : uint32_t { SINEW_PAIR_FEATURES(SINEW_ENUM) kPairFeatureCount };
-#undef SINEW_ENUM
-#define SINEW_NAME(name) #name,
-const char* const kVertexNames[] = {SINEW_VERTEX_FEATURES(SINEW_NAME)};
-const char* const kPairNames[] = {SINEW_PAIR_FEATURES(SINEW_NAME)};
-#undef SINEW_NAME
+// The channels in the order that models of kFeatureSet know.
+enum VertexFeature : uint32_t {
+  kV_mean_curvature,
+  kV_gauss_curvature,
+  kV_edge_length_log,
+  kV_part_share_log,
+  kV_part_source_share,
+  kV_part_count_log,
+  kV_joint_count_log,
+  kV_vertex_count_log,
+  kV_part_boundary_share,
+  kV_host_gap,
+  kV_is_largest_part,
+  kV_part_extent,
+  kV_part_flatness,
+  kV_part_purity,
+  kV_rule_is_parts,
+  kV_rule_is_open,
+  kV_has_source,
+  kV_has_source_parts,
+  kV_host_purity,
+  kV_loose_share,
+  kV_normal_up,
+  kV_part_contact,
+  kVertexFeatureCount
+};
+enum PairFeature : uint32_t {
+  kP_rule,
+  kP_rule_root,
+  kP_rule_log,
+  kP_rule_relative,
+  kP_parts,
+  kP_parts_root,
+  kP_parts_log,
+  kP_parts_relative,
+  kP_soft,
+  kP_soft_root,
+  kP_soft_log,
+  kP_rule_raw_root,
+  kP_voxel_distance,
+  kP_voxel_ratio,
+  kP_bone_distance,
+  kP_bone_ratio,
+  kP_bone_position,
+  kP_bone_cosine,
+  kP_bone_normal,
+  kP_bone_up,
+  kP_bone_length,
+  kP_is_leaf,
+  kP_children,
+  kP_tree_distance,
+  kP_is_parent_of_top,
+  kP_is_child_of_top,
+  kP_is_top,
+  kP_rule_nearest,
+  kP_soft_nearest,
+  kP_parent_rule,
+  kP_children_rule,
+  kP_host_share,
+  kP_host_subtree,
+  kP_is_host_top,
+  kP_part_share,
+  kP_part_subtree,
+  kP_part_parent_subtree,
+  kP_is_part_top,
+  kP_joint_in_box,
+  kP_topmost_in_box,
+  kP_deepest_of_part,
+  kP_centre_distance,
+  kP_centre_ratio,
+  kP_territory,
+  kP_is_source,
+  kP_is_root,
+  kPairFeatureCount
+};
 
 int16_t q13(int64_t value) { return clamp16(value, -2 * kOne, 2 * kOne - 1); }
 // value / whole in Q13, rounded half up; whole > 0.
@@ -497,8 +545,6 @@ const uint32_t kVertexFeatures = kVertexFeatureCount;
 const uint32_t kPairFeatures = kPairFeatureCount;
 const uint32_t kPairLogRule = kP_rule_log;
 const uint32_t kPairLogParts = kP_parts_log;
-const char* vertex_feature_name(uint32_t channel) { return channel < kVertexFeatures ? kVertexNames[channel] : ""; }
-const char* pair_feature_name(uint32_t channel) { return channel < kPairFeatures ? kPairNames[channel] : ""; }
 
 bool Features::allocate(Arena& arena, const Counts& counts) {
   const size_t pairs = static_cast<size_t>(counts.vertices) * counts.candidates;

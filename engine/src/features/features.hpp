@@ -14,9 +14,6 @@ constexpr uint32_t kFeatureSet = 1;  // grows whenever a feature changes its mea
 constexpr int kFeatureBits = 13;
 extern const uint32_t kVertexFeatures;  // channels of buffer 0
 extern const uint32_t kPairFeatures;    // channels of buffer 1
-// Names for reports and ablations, index = channel.
-const char* vertex_feature_name(uint32_t channel);
-const char* pair_feature_name(uint32_t channel);
 // Pair channels of the prior: natural log of the rule and parts field, divided by 8 to fit Q13.
 extern const uint32_t kPairLogRule;
 extern const uint32_t kPairLogParts;

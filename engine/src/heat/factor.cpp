@@ -12,17 +12,6 @@ constexpr int kFactorBits = 40;
 constexpr int kFactorHeadroom = 20;
 constexpr int kLargestMatrixBits = 50;
 
-int top_bit(uint64_t v) {
-  int bit = 0;
-  for (int step = 32; step > 0; step /= 2) {
-    if (v >> step != 0) {
-      v >>= step;
-      bit += step;
-    }
-  }
-  return bit;
-}
-
 }  // namespace
 
 Reciprocal reciprocal(int64_t d) {

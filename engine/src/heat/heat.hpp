@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stage 4 of a bind: heat-equilibrium weights (Baran and Popovic 2007, "Automatic Rigging and Animation of 3D
-// Characters", section 4), in integers: (L + A H) w = A H p for every joint, three variants. DESIGN.md 3.4 is the exact
-// definition.
+// Characters", section 4), in integers: (L + A H) w = A H p for every joint, three variants. README.md beside
+// this file is the exact definition.
 #ifndef SINEW_HEAT_HEAT_HPP
 #define SINEW_HEAT_HEAT_HPP
 

@@ -12,15 +12,6 @@ constexpr uint32_t kInnerSteps = 60;
 constexpr int kLargestLift = 16;  // an error of 1 in the solution becomes a correction of 2^16, 2^56 in Q40
 constexpr int64_t kSmallEnough = static_cast<int64_t>(1) << (kStepBits - 24);  // of the Jacobi-scaled residual
 
-int top_bit(uint64_t v) {
-  int bit = 0;
-  while (v >> 1 != 0) {
-    v >>= 1;
-    ++bit;
-  }
-  return bit;
-}
-
 uint64_t magnitude(int64_t v) { return v < 0 ? 0 - static_cast<uint64_t>(v) : static_cast<uint64_t>(v); }
 
 // a / b for a, b > 0 as mantissa * 2^-shift with a mantissa below 2^33.

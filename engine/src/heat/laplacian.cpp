@@ -19,15 +19,6 @@ struct Scratch {
   }
 };
 
-int top_bit(uint64_t v) {
-  int bit = 0;
-  while (v >> 1 != 0) {
-    v >>= 1;
-    ++bit;
-  }
-  return bit;
-}
-
 uint32_t edge_index(const Mesh& mesh, uint32_t from, uint32_t to) {
   uint32_t low = mesh.row_offsets[from], high = mesh.row_offsets[from + 1];
   while (low + 1 < high) {

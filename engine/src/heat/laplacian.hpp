@@ -8,7 +8,7 @@
 namespace sinew {
 
 constexpr int kEdgeWeightBits = 24;
-constexpr int32_t kCotangentLimit = 50;  // cotangents of needle triangles; 10 is measurably too small (DESIGN.md 3.4)
+constexpr int32_t kCotangentLimit = 50;  // cotangents of needle triangles; README.md says why 50
 
 // L[i][i] = sum of the row's weights, L[i][j] = -weight of edge (i, j).
 struct EdgeWeights {

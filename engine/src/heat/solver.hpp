@@ -15,8 +15,8 @@ class HeatSolver {
   // Orders and analyses a component; the fields below share the result.
   void begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component);
   // Solves one field of that component and writes its rows. Every row sums to 1 up to what was too small to keep: the
-  // exact solution does, so the rest of rounding is divided out. Negative edge weights count as 0 (DESIGN.md 3.4 keeps
-  // them otherwise) where the solution leaves [-1, 2], which only an indefinite matrix can do, where fixed point was
+  // exact solution does, so the rest of rounding is divided out. Negative edge weights count as 0 (they are
+  // kept otherwise) where the solution leaves [-1, 2], which only an indefinite matrix can do, where fixed point was
   // defeated, and in iterative components. Measured on val: L1 0.399 with this exception, 0.401 without it.
   void solve_field(const HeatSources& sources, uint32_t field, HeatField* out);
 

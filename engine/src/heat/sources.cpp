@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nearest bones, ties, the visibility rule and the strength of sources (stage 4, DESIGN.md 3.4).
+// Nearest bones, ties, the visibility rule and the strength of sources (stage 4).
 #include "heat/sources.hpp"
 
 namespace sinew {

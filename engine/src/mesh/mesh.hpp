@@ -60,9 +60,9 @@ struct Skeleton {
   uint16_t* depth = nullptr;        // [J] 0 for roots
   uint8_t* usable = nullptr;        // [J] 0: must get no weight (flags), 1: may
   bool deform_known = false;        // the caller said which joints deform
-  // Bones of the heat stage (DESIGN.md 3.4): one segment per joint, joint -> mean of its children; a leaf's is half its
-  // parent bone (parent joint -> leaf) on in its direction, at most a tenth of the skeleton's size (longest side of the
-  // joints' box). A lone joint has a point bone.
+  // Bones of the heat stage (engine/src/heat/README.md): one segment per joint, joint -> mean of its children; a leaf's
+  // is half its parent bone (parent joint -> leaf) on in its direction, at most a tenth of the skeleton's size (longest
+  // side of the joints' box). A lone joint has a point bone.
   Vec3i* bone_tail = nullptr;  // [J] end of the bone; the head is positions[j]
   uint8_t* source = nullptr;   // [J] 1: may be a heat source. 0: not usable, or a parentless joint in the lowest 3 % of
                                // the mesh's height with 1 to 4 children unless the caller said that it deforms
