@@ -42,15 +42,22 @@ class Block {
   void* data_;
 };
 
+// Views of the scene, which must outlive them.
+sinew_mesh mesh_of(const Scene& scene) {
+  return {scene.positions.data(),
+          static_cast<uint32_t>(scene.positions.size() / 3),
+          scene.offsets.data(),
+          scene.corners.data(),
+          static_cast<uint32_t>(scene.offsets.size() - 1),
+          static_cast<uint32_t>(scene.corners.size())};
+}
+sinew_skeleton skeleton_of(const Scene& scene) {
+  return {scene.joints.data(), scene.parents.data(), nullptr, static_cast<uint32_t>(scene.parents.size())};
+}
+
 Rows bind(const Scene& scene, const sinew_model* model, sinew_options options) {
-  const sinew_mesh mesh = {scene.positions.data(),
-                           static_cast<uint32_t>(scene.positions.size() / 3),
-                           scene.offsets.data(),
-                           scene.corners.data(),
-                           static_cast<uint32_t>(scene.offsets.size() - 1),
-                           static_cast<uint32_t>(scene.corners.size())};
-  const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), nullptr,
-                                   static_cast<uint32_t>(scene.parents.size())};
+  const sinew_mesh mesh = mesh_of(scene);
+  const sinew_skeleton skeleton = skeleton_of(scene);
   options.method = model != nullptr ? SINEW_METHOD_MODEL : SINEW_METHOD_HEAT;
   Rows rows;
   rows.status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
@@ -366,15 +373,9 @@ TEST(BindProperty, CancelStopsAtEveryCallAndProgressRises) {
 TEST(BindProperty, WeightFormatsAgree) {
   Random random(31);
   const Scene scene = random_scene(random);
-  const uint32_t n = static_cast<uint32_t>(scene.positions.size() / 3);
-  const sinew_mesh mesh = {scene.positions.data(),
-                           n,
-                           scene.offsets.data(),
-                           scene.corners.data(),
-                           static_cast<uint32_t>(scene.offsets.size() - 1),
-                           static_cast<uint32_t>(scene.corners.size())};
-  const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), nullptr,
-                                   static_cast<uint32_t>(scene.parents.size())};
+  const sinew_mesh mesh = mesh_of(scene);
+  const sinew_skeleton skeleton = skeleton_of(scene);
+  const uint32_t n = mesh.vertex_count;
   sinew_options options = {};
   options.method = SINEW_METHOD_HEAT;
   size_t bytes = 0;
