@@ -38,6 +38,7 @@ void run(Settings s) {
   if (s.options.resume && !s.options.init.empty())
     throw UsageError("--resume goes on from -o, --init starts anew: give one of them");
   check_output(s.options.output, {".sinewckpt", ".ckpt"});
+  if (s.options.resume && s.config.empty()) config = checkpoint_config(s.options.output);
   train(config, s.options);
 }
 
@@ -53,7 +54,9 @@ void add_train(CLI::App& app) {
                   "Checkpoint to write (.sinewckpt or .ckpt); the log goes beside it as .csv")
       ->type_name("CKPT");
   sub->add_option("--val", s->options.val_dir, "Folder that the best checkpoint is chosen on")->type_name("DIR");
-  sub->add_option("--config", s->config, "Settings that differ from the defaults, as JSON")->type_name("FILE");
+  sub->add_option("--config", s->config,
+                  "Settings that differ from the defaults, as JSON [with --resume: those of CKPT]")
+      ->type_name("FILE");
   sub->add_flag("--print-config", s->print_config, "Print all settings as JSON and stop");
   sub->add_flag("--resume", s->options.resume, "Go on from the checkpoint -o, with the same result as not stopping");
   sub->add_option("--init", s->options.init, "Start from the weights of this checkpoint")->type_name("CKPT");

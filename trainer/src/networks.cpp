@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layer lists of the networks `field` and `classic` (DESIGN.md section 4) with seeded initial weights.
+// The layer lists of the networks `field` and `classic` (trainer/README.md) with seeded initial weights.
 #include "networks.hpp"
 
 #include <cmath>

@@ -18,14 +18,13 @@ struct FieldOptions {
   uint32_t candidates = 8;
   uint32_t grid = 64;
 };
-// Networks of DESIGN.md section 4 with seeded initial weights. field: the last layer starts at the heat prior.
+// Networks of trainer/README.md with seeded initial weights. field: the last layer starts at the heat prior.
 FloatNetwork make_field(const FieldOptions& options, uint64_t seed);
 // The network of patent CN110288681A, figures 7 and 8: N x 64 first feature, graph convolution, graph pooling, N x 576
 // second feature, global and local branches, softmax over K distance-sorted candidates.
 FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed);
 
-// Logits [U x K] in natural log units (absent slots -inf is NOT used: they are 0 and masked by the caller),
-// float64-free.
+// Logits [U x K] in natural log units; absent slots are 0 and masked by the caller.
 std::vector<float> forward(const FloatNetwork& network, const Sample& sample);
 // Softmax over present candidates -> probabilities [U x K].
 std::vector<float> softmax(const Sample& sample, const std::vector<float>& logits);

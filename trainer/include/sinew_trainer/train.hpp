@@ -14,8 +14,8 @@
 
 namespace sinew {
 
-// Everything a run can be told; read from and written to JSON (unknown keys are an Error). Defaults train the bundled
-// model.
+// Everything a run can be told; read from and written to JSON (unknown keys are an Error). The bundled
+// model was trained with trainer/configs/field.json.
 struct TrainConfig {
   std::string architecture = "field";
   FieldOptions field;
