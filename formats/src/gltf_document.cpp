@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 
 #include "gltf_source.hpp"
 #include "sinew_formats/error.hpp"

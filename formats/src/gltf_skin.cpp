@@ -3,9 +3,7 @@
 // stays.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "gltf_source.hpp"

@@ -4,8 +4,6 @@
 
 #include <png.h>
 
-#include <algorithm>
-
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -2,8 +2,6 @@
 // Characters of our own with exact ground truth: blueprint, polygonised body, clothes and parts, rounded and named.
 #include "sinew_formats/synthesize.hpp"
 
-#include <algorithm>
-
 #include "sinew_formats/error.hpp"
 #include "synth/blueprint.hpp"
 #include "synth/parts.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew quantize: a float checkpoint in, an int16 model out.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>

@@ -2,7 +2,6 @@
 // Binds a Character through the C API alone.
 #include "sinew_trainer/binder.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 

@@ -2,8 +2,6 @@
 // Builds the row numbers and neighbour lists that the float layers run on.
 #include "sample_index.hpp"
 
-#include <string>
-
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -2,8 +2,6 @@
 // Up-looking sparse L D L^T (Davis 2005, "Algorithm 849", for the row-by-row scheme) in fixed point, and its solves.
 #include "heat/factor.hpp"
 
-#include <string.h>
-
 namespace sinew {
 namespace {
 
