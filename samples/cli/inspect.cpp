@@ -55,9 +55,10 @@ void inspect_checkpoint(const std::string& path) {
   std::printf("architecture  %s\nparameters    %zu\ncandidates    %u\ngrid          %u cells\nfeature set   %u\n",
               network.architecture.c_str(), parameters, network.candidate_count, network.grid_size,
               network.feature_set);
-  std::printf("trained       %llu steps, %.0f s, best score %.4f\n",
-              static_cast<unsigned long long>(checkpoint.state.step), checkpoint.state.seconds,
-              checkpoint.state.best_score);
+  std::printf("trained       %llu steps, %.0f s", static_cast<unsigned long long>(checkpoint.state.step),
+              checkpoint.state.seconds);
+  if (checkpoint.state.best_score < 1e9) std::printf(", best score %.4f on val", checkpoint.state.best_score);
+  std::printf("\n");
   std::printf("layers        %zu\n", network.layers.size());
   for (size_t l = 0; l < network.layers.size(); ++l) {
     const Layer& layer = network.layers[l];

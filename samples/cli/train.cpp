@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -15,6 +17,8 @@
 
 namespace sinew::cli {
 namespace {
+
+std::atomic<bool> stop_requested = false;
 
 struct Settings {
   TrainOptions options;
@@ -39,7 +43,13 @@ void run(Settings s) {
     throw UsageError("--resume goes on from -o, --init starts anew: give one of them");
   check_output(s.options.output, {".sinewckpt", ".ckpt"});
   if (s.options.resume && s.config.empty()) config = checkpoint_config(s.options.output);
-  train(config, s.options);
+  // Ctrl-C ends the run after its step, with everything on disk that --resume needs.
+  TrainOptions options = s.options;
+  options.stop = &stop_requested;
+  std::signal(SIGINT, [](int) { stop_requested = true; });
+  train(config, options);
+  if (stop_requested)
+    std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", s.options.output.c_str());
 }
 
 }  // namespace

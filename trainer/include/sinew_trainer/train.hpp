@@ -14,25 +14,25 @@
 
 namespace sinew {
 
-// Everything a run can be told; read from and written to JSON (unknown keys are an Error). The bundled
-// model was trained with trainer/configs/field.json.
+// Everything a run can be told; read from and written to JSON (unknown keys are an Error). The defaults are
+// trainer/configs/field.json, which trained the bundled model.
 struct TrainConfig {
   std::string architecture = "field";
   FieldOptions field;
   std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
-  double feature_dropout = 0;  // probability of an input channel to be missing from a whole character
+  double feature_dropout = 0.03;  // probability of an input channel to be missing from a whole character
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5;
-  uint64_t steps = 6000;  // length of the cosine schedule
+  uint64_t steps = 1100;  // length of the cosine schedule
   uint32_t batch = 2;     // characters per step, one per thread
   uint64_t seed = 1;
   double average_decay = 0.999;  // running average of weights; 0 = off
   // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/README.md has the figures.
-  double correction = 0.7;
-  uint32_t validate_every = 500;  // steps
+  double correction = 0.75;
+  uint32_t validate_every = 100;  // steps
   // Augmentation with recomputed features: variants made once per character and cached.
-  uint32_t variants = 1;       // extra variants per character (turn, mirror, scale, jitter, decimation)
+  uint32_t variants = 0;       // extra variants per character (turn, mirror, scale, jitter, decimation)
   double variant_share = 0.3;  // how often a variant is drawn instead of the original
   double family_power = 0.5;   // a family of n characters is drawn in proportion to n^power
 };
