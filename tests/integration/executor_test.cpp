@@ -68,7 +68,7 @@ TEST(Executor, EqualsInterpreterOnRandomLists) {
     sinew_model opened{};
     ASSERT_EQ(open_model(file.data(), file.size(), &opened), SINEW_OK);
     NetworkPlan plan;
-    make_plan(opened, &plan);
+    make_plan(opened, opened.candidate_count, &plan);
     several_stages += plan.stage_count > 2;
     distinct += std::set<int16_t>(want.begin(), want.end()).size() > 3;
   }
@@ -100,7 +100,7 @@ TEST(Executor, FieldStoresOnlyItsStates) {
   sinew_model model{};
   ASSERT_EQ(open_model(file.data(), file.size(), &model), SINEW_OK);
   NetworkPlan plan;
-  make_plan(model, &plan);
+  make_plan(model, model.candidate_count, &plan);
   EXPECT_EQ(plan.stage_count, 3u);
   // Two pair states of 32 channels live at once; nothing of the 192 concatenated channels is stored.
   EXPECT_EQ(plan.store_values, 2u * 8 * 32);
@@ -113,7 +113,7 @@ TEST(Executor, DeadStorageIsReused) {
   sinew_model model{};
   ASSERT_EQ(open_model(file.data(), file.size(), &model), SINEW_OK);
   NetworkPlan plan;
-  make_plan(model, &plan);
+  make_plan(model, model.candidate_count, &plan);
   EXPECT_EQ(plan.stage_count, 6u);
   EXPECT_EQ(plan.store_values, 2u * 4 * 16);
 }

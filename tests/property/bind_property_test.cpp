@@ -190,6 +190,7 @@ TEST(BindProperty, TenThousandRandomScenes) {
     sinew_options options = {};
     options.influence_count = 1 + below(random, SINEW_MAX_INFLUENCES);
     options.grid_size = 16;
+    options.candidate_count = below(random, SINEW_MAX_CANDIDATES + 1);
     options.up_axis = below(random, 2);
     const Rows rows = bind(scene, i % 2 != 0 ? model : nullptr, options);
     ASSERT_EQ(rows.status, SINEW_OK) << "scene " << i << ": " << sinew_status_text(rows.status);

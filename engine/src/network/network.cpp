@@ -365,7 +365,7 @@ bool run_stage(Run& run, uint32_t stage, const Progress& progress) {
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
                          int16_t* logits, uint32_t tile_vertices) {
   NetworkPlan plan;
-  make_plan(model, &plan);
+  make_plan(model, input.candidate_count, &plan);
   Run run = {
       plan, ModelTables(model.bytes), input, {input.vertex_count, input.joint_count, tile_vertices}, nullptr, logits,
       {}};
@@ -387,7 +387,7 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
 
 void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts, uint32_t tile_vertices) {
   NetworkPlan plan;
-  make_plan(model, &plan);
+  make_plan(model, counts.candidates, &plan);
   const Sizes sizes = {counts.vertices, counts.joints, tile_vertices};
   const size_t start = arena.mark();
   allocate_storage(plan, sizes, arena);

@@ -30,13 +30,15 @@ struct NetworkInput {
 // Vertices that go through a stage's layers together: with 8 candidates and some 600 channels their rows fill 150 KB.
 constexpr uint32_t kTileVertices = 16;
 
-// Runs all layers of an opened model. input.candidate_count is the model's. logits out [U x K] int16, log2 units Q10,
+// Runs all layers of an opened model. input.candidate_count may be any K in 1..16, unless the model says
+// fixed_candidates: then it is the model's. logits out [U x K] int16, log2 units Q10,
 // clamped to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. The result does
 // not depend on tile_vertices (>= 1), only scratch and speed do. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or
 // SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
                          int16_t* logits, uint32_t tile_vertices = kTileVertices);
-// Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J.
+// Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J,
+// counts.candidates is K.
 void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts,
                          uint32_t tile_vertices = kTileVertices);
 

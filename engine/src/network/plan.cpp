@@ -78,9 +78,9 @@ void place_stored(NetworkPlan* plan) {
 
 }  // namespace
 
-void make_plan(const sinew_model& model, NetworkPlan* plan) {
+void make_plan(const sinew_model& model, uint32_t candidates, NetworkPlan* plan) {
   const ModelTables tables(model.bytes);
-  plan->candidates = model.candidate_count;
+  plan->candidates = candidates;
   plan->layer_count = tables.layer_count();
   plan->buffer_count = tables.buffer_count();
   plan->stage_count = 0;

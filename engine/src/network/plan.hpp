@@ -29,7 +29,8 @@ struct NetworkPlan {
   uint32_t slots(uint16_t buffer) const { return buffers[buffer].domain == Domain::kPair ? candidates : 1; }
 };
 
-void make_plan(const sinew_model& model, NetworkPlan* plan);
+// `candidates` is the K that it will run with.
+void make_plan(const sinew_model& model, uint32_t candidates, NetworkPlan* plan);
 
 }  // namespace sinew
 #endif
