@@ -90,7 +90,7 @@ TEST_F(TrainerRun, TwoCharactersAreLearntByHeart) {
   config_.field.rounds = 2;
   config_.steps = 400;
   config_.learning_rate = 1e-2;
-  config_.weight_decay = config_.dropout = config_.average_decay = 0;
+  config_.weight_decay = config_.dropout = config_.feature_dropout = config_.average_decay = 0;
   config_.loss_regret = 0;
   train(config_, options("heart.ckpt"));
   const FloatNetwork network = read_checkpoint((root_ / "heart.ckpt").string()).network;
