@@ -90,7 +90,9 @@ std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes,
   loaded->storage.resize(bytes.size() / 8 + 1);
   if (!bytes.empty()) std::memcpy(loaded->storage.data(), bytes.data(), bytes.size());
   const sinew_status status = sinew_model_open(loaded->storage.data(), bytes.size(), &loaded->model);
-  if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status));
+  const char* cure = status == SINEW_ERROR_MODEL_MAGIC ? "; make one from a checkpoint with: sinew quantize" : "";
+  if (bytes.empty()) throw Error(what + ": the file is empty, expected a model (.sinew)");
+  if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status) + cure);
   return loaded;
 }
 
