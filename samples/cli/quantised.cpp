@@ -3,11 +3,10 @@
 #include "quantised.hpp"
 
 #include <cmath>
-#include <memory>
-#include <new>
 
 #include "network/network.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/aligned_block.hpp"
 
 namespace sinew {
 
@@ -18,12 +17,8 @@ std::vector<float> engine_logits(const sinew_model& model, const Sample& sample)
   counts.candidates = sample.candidates;
   Arena measuring;
   measure_run_network(measuring, model, counts);
-  struct Free {
-    void operator()(void* block) const { ::operator delete (block, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
-  };
-  const std::unique_ptr<void, Free> block(
-      ::operator new (measuring.high_water(), std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}));
-  Arena arena(block.get(), measuring.high_water());
+  const AlignedBlock block(measuring.high_water());
+  Arena arena(block.data(), block.size());
 
   NetworkInput input;
   input.vertex_count = sample.vertices;

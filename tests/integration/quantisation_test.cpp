@@ -43,23 +43,6 @@ const Scene& scene() {
   return s;
 }
 
-// Softmax over the present candidates of a vertex.
-std::vector<float> probabilities(const Sample& sample, const std::vector<float>& logits) {
-  std::vector<float> p(logits.size(), 0.0f);
-  const size_t k = sample.candidates;
-  for (size_t first = 0; first < logits.size(); first += k) {
-    float top = -1e30f, sum = 0;
-    for (size_t i = first; i < first + k; ++i) {
-      if (sample.candidate[i] != 0xFFFF) top = std::max(top, logits[i]);
-    }
-    for (size_t i = first; i < first + k; ++i) {
-      if (sample.candidate[i] != 0xFFFF) sum += p[i] = std::exp(logits[i] - top);
-    }
-    for (size_t i = first; i < first + k; ++i) p[i] /= sum;
-  }
-  return p;
-}
-
 struct Row {
   double l1 = 0, decibels = 0, mean_change = 0, largest_change = 0;
 };
@@ -72,7 +55,7 @@ Row compare(const std::vector<std::vector<float>>& logits) {
   for (size_t c = 0; c < scene().samples.size(); ++c) {
     const Sample& sample = scene().samples[c];
     noise.add(sample, scene().logits[c], logits[c]);
-    const std::vector<float> exact = probabilities(sample, scene().logits[c]), p = probabilities(sample, logits[c]);
+    const std::vector<float> exact = softmax(sample, scene().logits[c]), p = softmax(sample, logits[c]);
     for (size_t i = 0; i < p.size(); ++i) {
       if (sample.candidate[i] == 0xFFFF) continue;
       const double change = std::fabs(static_cast<double>(p[i]) - static_cast<double>(exact[i]));
@@ -136,7 +119,7 @@ TEST(Quantisation, BundledModelIsWithinThreeThousandthsOfItsWeights) {
     options.method = SINEW_METHOD_MODEL;
     options.model = model;
     const double a =
-        measure(character, sample_influences(sample, probabilities(sample, scene().logits[c]), 4), sample.name).l1;
+        measure(character, sample_influences(sample, softmax(sample, scene().logits[c]), 4), sample.name).l1;
     const double b = measure(character, bind(character, options).influences, sample.name).l1;
     EXPECT_NEAR(a, b, 0.003) << character.name;
     exact += a;

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "aligned_block.hpp"
 #include "engine_views.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/aligned_block.hpp"
 
 namespace sinew {
 

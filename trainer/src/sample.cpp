@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "aligned_block.hpp"
 #include "bind/pipeline.hpp"
 #include "engine_views.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/aligned_block.hpp"
 #include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "weights/influences.hpp"
