@@ -12,6 +12,7 @@ namespace sinew::cli {
 void add_bind(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_train(CLI::App& app);
+void add_crossval(CLI::App& app);
 void add_quantize(CLI::App& app);
 void add_dataset(CLI::App& app);
 void add_inspect(CLI::App& app);

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   sinew::cli::add_bind(app);
   sinew::cli::add_eval(app);
   sinew::cli::add_train(app);
+  sinew::cli::add_crossval(app);
   sinew::cli::add_quantize(app);
   sinew::cli::add_dataset(app);
   sinew::cli::add_inspect(app);

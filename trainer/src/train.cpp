@@ -90,48 +90,51 @@ void require_same_config(const std::string& saved, const std::string& given, con
               "); use --init to start a new run from its weights");
 }
 
+void drop_unlabelled(std::vector<Sample>* samples) {
+  const auto unlabelled = [](const Sample& sample) {
+    const bool labelled =
+        std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
+    if (!labelled) std::fprintf(stderr, "left out: %s: no vertex has reference weights\n", sample.name.c_str());
+    return !labelled;
+  };
+  samples->erase(std::remove_if(samples->begin(), samples->end(), unlabelled), samples->end());
+}
+
+SampleSource sample_source(const TrainConfig& config, const TrainOptions& options) {
+  SampleSource source;
+  source.candidates = config.field.candidates;
+  source.grid = config.field.grid;
+  source.seed = config.seed;
+  source.cache_dir = options.cache_dir.empty() ? options.output + ".cache" : options.cache_dir;
+  source.threads = std::max(options.threads, 1u);
+  source.quiet = options.quiet;
+  return source;
+}
+
 class Run {
  public:
   Run(const TrainConfig& config, const TrainOptions& options) : config_(config), options_(options) {
     loss_ = {config.loss_kl, config.loss_l1, config.loss_regret, config.loss_part};
   }
 
-  void load() {
-    SampleSource source;
-    source.candidates = config_.field.candidates;
-    source.grid = config_.field.grid;
-    source.seed = config_.seed;
-    source.cache_dir = options_.cache_dir.empty() ? options_.output + ".cache" : options_.cache_dir;
-    source.threads = options_.threads;
-    source.quiet = options_.quiet;
-    const std::vector<std::string> paths = list_characters(options_.data_dir);
-    if (paths.empty()) throw Error(options_.data_dir + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
-    // Variants are optional extras: one that fails (say, because decimation leaves nothing) is only left out.
-    std::vector<SampleRequest> requests;
-    for (uint32_t variant = 0; variant <= (config_.variant_share > 0 ? config_.variants : 0); ++variant) {
-      for (const std::string& path : paths) requests.push_back({path, variant});
+  void load(const TrainingSet& set) {
+    set_ = &set;
+    for (uint32_t i = 0; i < set.characters.size(); ++i) {
+      const std::vector<std::string>& out = options_.leave_out;
+      if (std::find(out.begin(), out.end(), set.families[i]) != out.end()) continue;
+      drawn_.push_back(i);
+      families_.push_back(set.families[i]);
     }
-    std::vector<Sample> samples = load_requests(requests, source);
-    drop_unlabelled(&samples);
-    std::map<std::string, size_t> by_name;
-    for (Sample& sample : samples) {
-      const auto [at, fresh] = by_name.try_emplace(sample.name, train_.size());
-      if (fresh) {
-        train_.emplace_back();
-        families_.push_back(sample.family);
-      }
-      train_[at->second].push_back(std::move(sample));
-    }
-    if (train_.empty()) throw Error(options_.data_dir + ": no character has reference weights");
-    if (!options_.val_dir.empty()) {
-      val_ = load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads,
-                          source.quiet);
-      drop_unlabelled(&val_);
-      std::vector<double> l1(val_.size());
-      parallel_for(val_.size(), options_.threads,
-                   [&](size_t i, unsigned) { l1[i] = sample_l1(val_[i], val_[i].heat, kKeep); });
-      heat_ = score(val_, l1);
-    }
+    if (drawn_.empty()) throw Error(options_.output + ": nothing to train on, every family is left out");
+    if (options_.val_dir.empty()) return;
+    const SampleSource source = sample_source(config_, options_);
+    val_ =
+        load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads, source.quiet);
+    drop_unlabelled(&val_);
+    std::vector<double> l1(val_.size());
+    parallel_for(val_.size(), options_.threads,
+                 [&](size_t i, unsigned) { l1[i] = sample_l1(val_[i], val_[i].heat, kKeep); });
+    heat_ = score(val_, l1);
   }
 
   void start() {
@@ -163,6 +166,10 @@ class Run {
 
   void go() {
     TrainingState& state = checkpoint_.state;
+    if (options_.resume && progress() >= 1) {
+      say_finished();
+      return;
+    }
     const double started = now() - state.seconds;
     uint64_t steps_left = options_.stop_after;
     bool validated = false;
@@ -180,7 +187,7 @@ class Run {
     }
     if (!validated && (progress() >= 1)) validate(config_.learning_rate * schedule(1));
     save();
-    if (!options_.quiet) std::fprintf(stderr, "\n");
+    if (!options_.quiet && options_.label.empty()) std::fprintf(stderr, "\n");
   }
 
  private:
@@ -192,17 +199,26 @@ class Run {
     LossTerms terms;
   };
 
-  static void drop_unlabelled(std::vector<Sample>* samples) {
-    const auto unlabelled = [](const Sample& sample) {
-      const bool labelled =
-          std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
-      if (!labelled) std::fprintf(stderr, "left out: %s: no vertex has reference weights\n", sample.name.c_str());
-      return !labelled;
-    };
-    samples->erase(std::remove_if(samples->begin(), samples->end(), unlabelled), samples->end());
+  // A resumed run whose time or steps are used up is left as it is.
+  void say_finished() const {
+    if (options_.quiet) return;
+    char text[160];
+    if (options_.minutes > 0) {
+      std::snprintf(text, sizeof text, "its %.4g minutes are used up (%.1f spent, %llu steps); give more --minutes",
+                    options_.minutes, checkpoint_.state.seconds / 60,
+                    static_cast<unsigned long long>(checkpoint_.state.step));
+    } else {
+      std::snprintf(text, sizeof text, "all %llu steps are done; use --init to train on from its weights",
+                    static_cast<unsigned long long>(config_.steps));
+    }
+    std::fprintf(stderr, "%s%s: nothing to do: %s\n", options_.label.c_str(), options_.output.c_str(), text);
   }
 
   bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  uint32_t threads() const {
+    return options_.threads_now == nullptr ? options_.threads
+                                           : std::clamp(options_.threads_now->load(), 1u, options_.threads);
+  }
   // Share of the run that is done, by time when minutes are given.
   double progress() const {
     if (options_.minutes > 0) return checkpoint_.state.seconds / (60 * options_.minutes);
@@ -218,16 +234,16 @@ class Run {
     }
     const uint32_t character = state.queue.back();
     state.queue.pop_back();
-    if (character >= train_.size())
+    if (character >= drawn_.size())
       throw Error(options_.output + ": cannot resume: the data folder has other characters now");
-    return character;
+    return drawn_[character];
   }
 
   void step(double rate) {
     TrainingState& state = checkpoint_.state;
     FloatNetwork& network = checkpoint_.latest;
     for (uint32_t i = 0; i < config_.batch; ++i) {
-      const std::vector<Sample>& choices = train_[draw()];
+      const std::vector<Sample>& choices = set_->characters[draw()];
       slots_[i].seed = mix_seeds(config_.seed, state.step, i);
       Random random(slots_[i].seed);
       const bool variant = choices.size() > 1 && random.uniform() < config_.variant_share;
@@ -239,7 +255,7 @@ class Run {
     std::stable_sort(order.begin(), order.end(),
                      [&](size_t a, size_t b) { return slots_[a].sample->vertices > slots_[b].sample->vertices; });
     const std::vector<LinearBlock<float>> parameters = copy_blocks<float>(network);
-    parallel_for(order.size(), options_.threads, [&](size_t item, unsigned thread) {
+    parallel_for(order.size(), threads(), [&](size_t item, unsigned thread) {
       Slot& slot = slots_[order[item]];
       DropoutOptions dropout;
       dropout.activations = static_cast<float>(config_.dropout);
@@ -295,7 +311,7 @@ class Run {
     if (!val_.empty()) {
       const std::vector<LinearBlock<float>> parameters = copy_blocks<float>(candidate);
       std::vector<double> l1(val_.size());
-      parallel_for(val_.size(), options_.threads, [&](size_t i, unsigned thread) {
+      parallel_for(val_.size(), threads(), [&](size_t i, unsigned thread) {
         const std::vector<float>& logits = runners_[thread]->forward(candidate, parameters, val_[i], {});
         l1[i] = sample_l1(val_[i], softmax(val_[i], logits), kKeep);
       });
@@ -327,7 +343,7 @@ class Run {
 
   void show(double rate, bool validated) {
     if (options_.quiet) return;
-    const bool terminal = isatty(STDERR_FILENO) != 0;
+    const bool terminal = isatty(STDERR_FILENO) != 0 && options_.label.empty();
     if (!terminal && !validated) return;
     const TrainingState& state = checkpoint_.state;
     if (recent_count_ != 0) shown_loss_ = recent_.total / static_cast<double>(recent_count_);
@@ -341,16 +357,18 @@ class Run {
                     last_val_.family_l1, heat_.family_l1);
       figures = text;
     }
-    std::fprintf(stderr, "%s[%s] step %llu  loss %.4f%s  rate %.1e  left %d:%02d%s", terminal ? "\r\033[K" : "",
-                 bar.c_str(), static_cast<unsigned long long>(state.step), shown_loss_, figures.c_str(), rate,
-                 static_cast<int>(left) / 60, static_cast<int>(left) % 60, terminal && !validated ? "" : "\n");
+    std::fprintf(stderr, "%s%s[%s] step %llu  loss %.4f%s  rate %.1e  left %d:%02d%s", terminal ? "\r\033[K" : "",
+                 options_.label.c_str(), bar.c_str(), static_cast<unsigned long long>(state.step), shown_loss_,
+                 figures.c_str(), rate, static_cast<int>(left) / 60, static_cast<int>(left) % 60,
+                 terminal && !validated ? "" : "\n");
   }
 
   TrainConfig config_;
   TrainOptions options_;
+  const TrainingSet* set_ = nullptr;
   LossWeights loss_;
-  std::vector<std::vector<Sample>> train_;  // [characters]: the original, then its variants
-  std::vector<std::string> families_;       // [characters]
+  std::vector<uint32_t> drawn_;        // characters of *set_ that are not left out
+  std::vector<std::string> families_;  // of drawn_
   std::vector<Sample> val_;
   ValScore heat_, last_val_;
   Checkpoint checkpoint_;
@@ -363,15 +381,51 @@ class Run {
 
 }  // namespace
 
-void train(const TrainConfig& config, const TrainOptions& options) {
+TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& options) {
+  const std::vector<std::string> paths = list_characters(options.data_dir);
+  if (paths.empty()) throw Error(options.data_dir + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
+  // Variants are optional extras: one that fails (say, because decimation leaves nothing) is only left out.
+  std::vector<SampleRequest> requests;
+  for (uint32_t variant = 0; variant <= (config.variant_share > 0 ? config.variants : 0); ++variant) {
+    for (const std::string& path : paths) requests.push_back({path, variant});
+  }
+  std::vector<Sample> samples = load_requests(requests, sample_source(config, options));
+  drop_unlabelled(&samples);
+  TrainingSet set;
+  std::map<std::string, size_t> by_name;
+  for (Sample& sample : samples) {
+    const auto [at, fresh] = by_name.try_emplace(sample.name, set.characters.size());
+    if (fresh) {
+      set.characters.emplace_back();
+      set.families.push_back(sample.family);
+    }
+    set.characters[at->second].push_back(std::move(sample));
+  }
+  if (set.characters.empty()) throw Error(options.data_dir + ": no character has reference weights");
+  return set;
+}
+
+namespace {
+
+void run_with(const TrainConfig& config, const TrainOptions& options, const TrainingSet* set) {
   TrainOptions checked = options;
   checked.threads = std::max(options.threads, 1u);
   // Throws for what a file could not hold either, naming the key.
   parse_train_config(train_config_json(config), "configuration");
   Run run(config, checked);
-  run.start();
-  run.load();
+  run.start();  // before the samples, so that a resume that does not fit fails at once
+  TrainingSet loaded;
+  if (set == nullptr) loaded = load_training_set(config, checked);
+  run.load(set == nullptr ? loaded : *set);
   run.go();
+}
+
+}  // namespace
+
+void train(const TrainConfig& config, const TrainOptions& options) { run_with(config, options, nullptr); }
+
+void train(const TrainConfig& config, const TrainOptions& options, const TrainingSet& set) {
+  run_with(config, options, &set);
 }
 
 TrainConfig checkpoint_config(const std::string& path) {

@@ -4,6 +4,7 @@
 #define SINEW_TRAINER_TRAIN_HPP
 
 #include <atomic>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -48,14 +49,28 @@ struct TrainOptions {
   double minutes = 0;  // stop after so much wall time (the schedule is by time then); 0 = by steps
   uint32_t threads = 2;
   bool quiet = false;
-  uint64_t stop_after = 0;                  // stop after so many steps of this call, to be resumed; 0 = off
+  std::string label;                   // in front of progress lines, for runs side by side; empty = none
+  std::vector<std::string> leave_out;  // families that are not drawn
+  const std::atomic<uint32_t>* threads_now = nullptr;  // when set, read before every step: 1 .. `threads`
+  uint64_t stop_after = 0;                             // stop after so many steps of this call, to be resumed; 0 = off
   const std::atomic<bool>* stop = nullptr;  // set it (from a signal handler, say) to write the checkpoint and return
 };
+// What a run draws from.
+struct TrainingSet {
+  std::vector<std::vector<Sample>> characters;  // each: the original, then its variants
+  std::vector<std::string> families;            // [characters]
+};
+// The samples of options.data_dir from the cache; features that are missing there are made. Throws Error when none has
+// weights.
+TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& options);
+
 // Runs to the end; writes the checkpoint at every validation and at the end. With `resume` the output is read first and
 // the result is, byte for byte on one machine, that of a run that was never interrupted (by steps; time is never the
 // same twice). Threads change no number. Throws Error: other configuration than the resumed one, other shapes than
 // `init`, no usable data.
 void train(const TrainConfig& config, const TrainOptions& options);
+// The same on samples that are loaded already, which several runs may share. options.data_dir is not read.
+void train(const TrainConfig& config, const TrainOptions& options, const TrainingSet& set);
 // The configuration a checkpoint was trained with, for --resume without --config.
 TrainConfig checkpoint_config(const std::string& path);
 

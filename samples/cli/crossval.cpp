@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// sinew crossval: trains with whole family groups left out and measures on them; compares such runs.
+#include "sinew_trainer/crossval.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "calibrate.hpp"
+#include "commands.hpp"
+#include "quantised.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_quant/quantize.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+std::atomic<bool> stop_requested = false;
+
+struct Settings {
+  CrossvalOptions options;
+  std::string config, groups;
+  std::vector<std::string> compare;
+  uint64_t steps = 0;
+  bool int16 = false;
+};
+
+// The network as the engine runs it, calibrated on characters of the fold's training.
+LogitsFunction engine_runner(const FloatNetwork& network, const std::vector<const Sample*>& samples) {
+  std::vector<Sample> copies;
+  for (const Sample* sample : samples) copies.push_back(*sample);
+  const QuantizedModel quantised = quantize(network, calibrate(network, copies), {});
+  std::shared_ptr<LoadedModel> model = model_from_bytes(quantised.bytes, "the quantised network");
+  return [model](const Sample& sample) { return engine_logits(model->model, sample); };
+}
+
+void run(Settings s) {
+  if (!s.compare.empty()) {
+    if (!s.options.data_dir.empty()) throw UsageError("DIR trains, --compare reads finished runs: give one of them");
+    std::vector<CrossvalReport> reports;
+    for (const std::string& path : s.compare) reports.push_back(read_crossval(path));
+    std::printf("%s", crossval_comparison(reports).c_str());
+    return;
+  }
+  if (s.options.data_dir.empty())
+    throw UsageError("DIR is required: a folder of FAMILY__NAME.obj with .rig.txt, or of .glb files");
+  if (s.steps > 0 && s.options.minutes > 0) throw UsageError("--steps and --minutes exclude each other");
+  TrainConfig config;
+  if (!s.config.empty()) {
+    const std::vector<uint8_t> bytes = read_file(s.config);
+    config = parse_train_config(std::string(bytes.begin(), bytes.end()), s.config);
+  }
+  if (s.steps > 0) config.steps = s.steps;
+  const std::string name = s.config.empty() ? "defaults" : stem(s.config);
+  if (s.options.folder.empty()) s.options.folder = "crossval-" + name;
+  if (s.options.label.empty()) s.options.label = name;
+  if (!s.groups.empty()) s.options.groups = read_family_groups(s.groups);
+  if (s.int16) {
+    s.options.arithmetic = "int16";
+    s.options.logits = engine_runner;
+  }
+  // Ctrl-C ends every fold after its step, with everything on disk that --resume needs.
+  s.options.stop = &stop_requested;
+  std::signal(SIGINT, [](int) { stop_requested = true; });
+  const CrossvalReport report = crossval(config, s.options);
+  if (!report.seeds.empty()) std::printf("%s", crossval_markdown(report).c_str());
+  if (stop_requested) {
+    throw Error("stopped; go on with: sinew crossval ... -o " + s.options.folder + " --resume");
+  }
+}
+
+}  // namespace
+
+void add_crossval(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("crossval", "Train with families left out and measure on them; compare such runs");
+  auto s = std::make_shared<Settings>();
+  CrossvalOptions& o = s->options;
+  o.threads = std::max(1u, std::thread::hardware_concurrency());
+  sub->add_option("dir", o.data_dir, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")->type_name("DIR");
+  sub->add_option("-o,--output", o.folder, "Folder for checkpoints and figures [crossval-CONFIG]")->type_name("FOLDER");
+  sub->add_option("--config", s->config, "Settings that differ from the defaults, as JSON")->type_name("FILE");
+  sub->add_option("--folds", o.fold_count, "Parts that the family groups are dealt to")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--groups", s->groups,
+                  "Families that look alike, as JSON [mh_* together; others by name without digits at its end]")
+      ->type_name("FILE");
+  sub->add_option("--seeds", o.seed_count, "Runs of every fold: the configuration's seed and those after it")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--fold", o.only_fold, "Only this fold, from 1 [all]")->check(CLI::PositiveNumber)->type_name("N");
+  sub->add_option("--val", o.val_dir, "Measure one more run per seed, which leaves nothing out, on this folder")
+      ->type_name("DIR");
+  sub->add_flag("--resume", o.resume, "Go on in FOLDER: finished folds stay, stopped ones continue");
+  sub->add_option("--steps", s->steps, "Steps of each fold [the configuration's]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  sub->add_option("--minutes", o.minutes, "Minutes of each fold [by steps]")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  sub->add_flag("--int16", s->int16, "Measure the quantised network in the engine's arithmetic [float]");
+  sub->add_option("--cache", o.cache_dir, "Folder for computed features [FOLDER/cache]")->type_name("DIR");
+  sub->add_option("--threads", o.threads, "Threads of all folds together")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--at-once", o.at_once, "Folds side by side [one per thread]")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  sub->add_option("--label", o.label, "Name in tables [name of the configuration]")->type_name("TEXT");
+  sub->add_option("--compare", s->compare, "Print one table of finished runs: FOLDERs or their crossval.json")
+      ->type_name("RUN");
+  sub->add_flag("--quiet", o.quiet, "No progress lines");
+  sub->footer(
+      "FOLDER gets crossval.md, crossval.csv and crossval.json; the table goes to standard output.\n"
+      "Examples:\n"
+      "  sinew crossval characters/train --val characters/val --groups trainer/configs/groups.json -o base\n"
+      "  sinew crossval characters/train --config wide.json --groups trainer/configs/groups.json -o wide --seeds 2\n"
+      "  sinew crossval --compare base wide");
+  sub->callback([s] { run(*s); });
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// Cross-family validation: whole family groups are left out of training, and the network is measured on them.
+#ifndef SINEW_TRAINER_CROSSVAL_HPP
+#define SINEW_TRAINER_CROSSVAL_HPP
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "sinew_trainer/train.hpp"
+
+namespace sinew {
+
+// Which families look alike and are therefore left out together. A family that the file does not name follows the rule:
+// mh_* is "mh", every other is named by itself without the digits at its end (q_men19 -> q_men).
+struct FamilyGroups {
+  std::map<std::string, std::string> group_of;  // family -> group
+  std::set<std::string> apart = {"mh"};         // groups that the second mean leaves out
+  std::string group(const std::string& family) const;
+};
+// {"groups": {"GROUP": ["FAMILY", ...], ...}, "apart": ["GROUP", ...]}, both optional. Throws Error naming the place.
+FamilyGroups read_family_groups(const std::string& path);
+
+// Families of every fold, sorted; folds hold about as many families. The largest group goes first to the fold with the
+// fewest families (then the fewest characters, then the lowest number), so the same input gives the same folds.
+// families: name -> number of characters. Throws Error when there are fewer groups than folds.
+std::vector<std::vector<std::string>> make_folds(const std::map<std::string, size_t>& families,
+                                                 const FamilyGroups& groups, uint32_t fold_count);
+
+// Figures of the network and of heat on the same characters.
+struct CrossvalFigures {
+  double l1 = 0, argmax = 0, distance = 0;  // Metrics::l1, argmax, avg_dist with four influences
+  double heat_l1 = 0, heat_argmax = 0, heat_distance = 0;
+};
+struct CrossvalFamily {
+  std::string family, group;
+  uint32_t fold = 0;      // from 1; 0 = of the validation folder
+  size_t characters = 0;  // the figures are means over them
+  CrossvalFigures figures;
+};
+struct CrossvalSeed {
+  uint64_t seed = 0;
+  std::vector<CrossvalFamily> families;  // left-out ones, by name
+  std::vector<CrossvalFamily> val;       // of the validation folder, from the run that left nothing out; may be empty
+};
+struct CrossvalReport {
+  std::string label, config_json;
+  std::set<std::string> apart;
+  uint32_t fold_count = 0;
+  std::vector<CrossvalSeed> seeds;
+};
+// What decides: means over families of the means over seeds.
+struct CrossvalMeans {
+  size_t families = 0;
+  CrossvalFigures all;
+  size_t outside_families = 0;
+  CrossvalFigures outside;     // without the groups apart
+  size_t worse = 0;            // families whose L1 is more than 0.03 above heat's
+  std::string worst_family;    // with the largest difference to heat's L1
+  double worst_difference = 0;
+  double spread = 0;           // largest minus smallest `all.l1` of the seeds
+  size_t val_characters = 0;
+  CrossvalFigures val, val_families;  // means over characters and over families of the validation folder
+};
+CrossvalMeans crossval_means(const CrossvalReport& report);
+// One row per left-out family and the means, as Markdown; the same rows of every seed as CSV; everything as JSON.
+std::string crossval_markdown(const CrossvalReport& report);
+std::string crossval_csv(const CrossvalReport& report);
+std::string crossval_json(const CrossvalReport& report);
+// Reads what crossval_json wrote; a folder stands for its crossval.json. Throws Error.
+CrossvalReport read_crossval(const std::string& path);
+// One row per report beside heat's.
+std::string crossval_comparison(const std::vector<CrossvalReport>& reports);
+
+// Logits [U x K] of a finished fold's network on a sample.
+using LogitsFunction = std::function<std::vector<float>(const Sample&)>;
+
+struct CrossvalOptions {
+  std::string data_dir;
+  std::string val_dir;     // when given, one more run per seed leaves nothing out and is measured there
+  std::string folder;      // checkpoints, figures of every fold, crossval.{md,csv,json}
+  std::string cache_dir;   // features; empty = FOLDER/cache
+  std::string label;       // name in tables
+  FamilyGroups groups;
+  uint32_t fold_count = 5, seed_count = 1;
+  uint32_t only_fold = 0;  // from 1; 0 = all, and val
+  bool resume = false;
+  double minutes = 0;      // per fold; 0 = by the configuration's steps
+  uint32_t threads = 2;    // of all folds together
+  uint32_t at_once = 0;    // folds side by side; 0 = one per thread
+  bool quiet = false;
+  const std::atomic<bool>* stop = nullptr;
+  // How a finished network is run; empty = float. Called once per fold with samples to calibrate on (of training).
+  std::string arithmetic = "float";  // its name, part of what --resume compares
+  std::function<LogitsFunction(const FloatNetwork&, const std::vector<const Sample*>&)> logits;
+};
+// Trains and measures what is not there yet and writes the report of all folds that are finished. Every fold is measured
+// with the weights of its last step: nothing is chosen on what was left out. Throws Error; sets nothing when stopped.
+CrossvalReport crossval(const TrainConfig& config, const CrossvalOptions& options);
+
+}  // namespace sinew
+#endif
