@@ -19,7 +19,7 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string mesh, skeleton, output, model, method, deform, never, lock, png, up = "y";
+  std::string mesh, skeleton, output, model, method, deform, never, lock, hints, png, up = "y";
   unsigned influences = 4, threads = 1;
   bool json = false;
 };
@@ -60,6 +60,39 @@ void set_locks(const Settings& settings, const Character& character, std::vector
   }
 }
 
+// Rows of the hint file go where the mesh's own are; joints are matched by name.
+void set_hints(const Settings& settings, Character* character, std::vector<uint8_t>* hints) {
+  if (settings.hints.empty()) return;
+  Character painted;
+  painted.name = character->name;
+  painted.vertices = character->vertices;
+  painted.gltf = character->gltf;
+  read_skeleton(settings.hints, true, &painted);
+  std::vector<uint32_t> joint_of(painted.joints.size());
+  for (size_t j = 0; j < painted.joints.size(); ++j) {
+    const auto at = std::find_if(character->joints.begin(), character->joints.end(),
+                                 [&](const Joint& joint) { return joint.name == painted.joints[j].name; });
+    joint_of[j] = static_cast<uint32_t>(at - character->joints.begin());
+  }
+  hints->assign(character->vertices.size(), 0);
+  character->influences.resize(character->vertices.size());
+  size_t count = 0;
+  for (size_t v = 0; v < painted.influences.size(); ++v) {
+    if (painted.influences[v].empty()) continue;
+    for (Influence& influence : painted.influences[v]) {
+      if (joint_of[influence.joint] == character->joints.size()) {
+        throw Error(settings.hints + ": vertex " + std::to_string(v) + " is painted with joint " +
+                    painted.joints[influence.joint].name + ", which the skeleton does not have");
+      }
+      influence.joint = joint_of[influence.joint];
+    }
+    character->influences[v] = std::move(painted.influences[v]);
+    (*hints)[v] = 1;
+    ++count;
+  }
+  if (count == 0) throw Error(settings.hints + ": paints no vertex; expected weights (skin lines) for some of them");
+}
+
 void run(Settings settings) {
   const bool to_stream = settings.output == "-";
   if (settings.output.empty()) settings.output = stem(settings.mesh) + ".bound.glb";
@@ -82,6 +115,7 @@ void run(Settings settings) {
   options.up_axis = settings.up == "z" ? 1 : 0;
   set_flags(settings, character, &options.joint_flags);
   set_locks(settings, character, &options.locked);
+  set_hints(settings, &character, &options.hints);
   uint32_t shown = 0;
   if (isatty(STDERR_FILENO) != 0) {
     options.progress = show_progress;
@@ -162,6 +196,11 @@ void add_bind(CLI::App& app) {
   sub->add_option("--never", s->never, "Joints that must get no weight, one name per line")->type_name("FILE");
   sub->add_option("--lock", s->lock, "Vertices that keep the weights they have, one 0-based index per line")
       ->type_name("FILE");
+  sub->add_option(
+         "--hints", s->hints,
+         "Weights of some vertices, a .rig.txt with skin lines for these alone (or a glTF of the same mesh whose "
+         "other vertices have none): they are kept and steer the vertices around them")
+      ->type_name("FILE");
   sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   sub->add_option("--threads", s->threads,
                   "Accepted for scripts: one mesh is bound on one thread, with the same bytes for any N")
@@ -172,6 +211,7 @@ void add_bind(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
+      "  sinew bind hero.obj --skeleton hero.rig.txt --hints painted.rig.txt -o hero.glb\n"
       "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
   sub->callback([s] { run(*s); });
 }

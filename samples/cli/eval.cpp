@@ -18,6 +18,7 @@
 
 #include "calibrate.hpp"
 #include "commands.hpp"
+#include "eval_studies.hpp"
 #include "quantised.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/evaluate.hpp"
@@ -31,7 +32,7 @@ namespace {
 using Rows = std::vector<std::vector<Influence>>;
 
 struct Settings {
-  std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label;
+  std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints;
   unsigned influences = 4, jobs = 1;
   bool known = false;
 };
@@ -315,11 +316,28 @@ class Evaluation {
   std::map<std::string, std::pair<std::string, Rows>> drawn_;  // name -> path, main variant's rows
 };
 
+// KIND:PERCENT
+void run_hints(const Settings& s) {
+  const size_t colon = s.hints.find(':');
+  const std::string kind = s.hints.substr(0, colon);
+  char* end = nullptr;
+  const double percent = colon == std::string::npos ? 0 : std::strtod(s.hints.c_str() + colon + 1, &end);
+  if ((kind != "random" && kind != "patch") || end == nullptr || *end != 0 || !(percent > 0 && percent <= 100))
+    throw UsageError("--hints " + s.hints + ": expected random:PERCENT or patch:PERCENT, for example random:5");
+  if (!s.checkpoint.empty()) throw UsageError("--hints works with --model and --method heat only");
+  const std::unique_ptr<LoadedModel> model = s.method == "heat" ? nullptr : load_model(s.model);
+  study_hints({s.folder, model ? &model->model : nullptr, s.influences, s.jobs}, kind, percent / 100);
+}
+
 void run(const Settings& s) {
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (s.known && !s.checkpoint.empty()) throw UsageError("--known works with --model and --method heat only");
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
+  if (!s.hints.empty()) {
+    run_hints(s);
+    return;
+  }
   Evaluation(s).run();
 }
 
@@ -358,6 +376,10 @@ void add_eval(CLI::App& app) {
       ->capture_default_str()
       ->type_name("N");
   sub->add_flag("--known", s->known, "Tell the binder which joints have reference weight");
+  sub->add_option("--hints", s->hints,
+                  "Instead: give the reference weights of this share of the vertices as hints, single ones anywhere "
+                  "(random:PERCENT) or one region (patch:PERCENT), and print what the others gain")
+      ->type_name("KIND:PERCENT");
   sub->add_option("--label", s->label, "Name in the table")->type_name("TEXT");
   sub->footer(
       "Examples:\n  sinew eval characters/val --predictions out --report out.html\n"

@@ -266,6 +266,39 @@ TEST_F(Cli, BindObeysJointAndVertexLists) {
   bad(1, pair + "--lock negative.txt");
 }
 
+TEST_F(Cli, BindTakesHints) {
+  const Character truth = read_character(kSnake);
+  const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat ";
+  Character painted = truth;
+  for (size_t v = 0; v < painted.influences.size(); ++v) {
+    painted.influences[v].clear();
+    if (v % 20 == 0) painted.influences[v].push_back({0, 1.0f});
+  }
+  write_rig(in("painted.rig.txt"), painted);
+  good(pair + "-o plain.rig.txt");
+  good(pair + "--hints painted.rig.txt -o hinted.rig.txt");
+  const auto weight_of_0 = [&](const std::string& file, bool hinted) {
+    Character c = read_obj(kSnake);
+    read_skeleton(in(file), true, &c);
+    double sum = 0;
+    for (size_t v = 0; v < c.influences.size(); ++v) {
+      if ((v % 20 == 0) != hinted) continue;
+      for (const Influence& i : c.influences[v]) sum += i.joint == 0 ? static_cast<double>(i.weight) : 0;
+    }
+    return sum;
+  };
+  EXPECT_NEAR(weight_of_0("hinted.rig.txt", true), static_cast<double>((truth.vertices.size() + 19) / 20), 1e-3);
+  EXPECT_GT(weight_of_0("hinted.rig.txt", false), weight_of_0("plain.rig.txt", false) + 50.0);
+
+  for (auto& row : painted.influences) row.clear();
+  write_rig(in("empty.rig.txt"), painted);
+  EXPECT_NE(bad(1, pair + "--hints empty.rig.txt").error.find("paints no vertex"), std::string::npos);
+  painted.influences[3].push_back({0, 1.0f});
+  painted.joints[0].name = "elsewhere";
+  write_rig(in("stranger.rig.txt"), painted);
+  EXPECT_NE(bad(1, pair + "--hints stranger.rig.txt").error.find("elsewhere"), std::string::npos);
+}
+
 TEST_F(Cli, BundledModelBindsOrSaysThatThereIsNone) {
   const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " -o out.glb";
   if (fs::exists(kData + "/sinew_default.sinew")) {

@@ -401,4 +401,180 @@ TEST(BindProperty, WeightFormatsAgree) {
   }
 }
 
+// Hints: rows given for some vertices. Painted over the scene's own result: one joint alone, or two.
+struct Painted {
+  std::vector<uint8_t> hints;
+  Rows rows;  // in: given rows; out: all rows
+};
+
+Painted paint(Random& random, const Scene& scene, uint32_t percent) {
+  const uint32_t n = static_cast<uint32_t>(scene.positions.size() / 3);
+  const uint32_t joint_count = static_cast<uint32_t>(scene.parents.size());
+  Painted p;
+  p.hints.assign(n, 0);
+  p.rows.joints.assign(n * size_t{4}, 0);
+  p.rows.weights.assign(n * size_t{4}, 0);
+  for (uint32_t v = 0; v < n; ++v) {
+    if (below(random, 100) >= percent) continue;
+    p.hints[v] = 1;
+    const uint32_t a = below(random, joint_count), b = below(random, joint_count);
+    const uint32_t share = a == b ? 65535 : 32768 + below(random, 32768);
+    p.rows.joints[v * 4] = static_cast<uint16_t>(a);
+    p.rows.weights[v * 4] = static_cast<uint16_t>(share);
+    if (share == 65535) continue;
+    p.rows.joints[v * 4 + 1] = static_cast<uint16_t>(b);
+    p.rows.weights[v * 4 + 1] = static_cast<uint16_t>(65535 - share);
+  }
+  return p;
+}
+
+void bind_painted(const Scene& scene, const sinew_model* model, sinew_options options, Painted* p) {
+  const sinew_mesh mesh = mesh_of(scene);
+  const sinew_skeleton skeleton = skeleton_of(scene);
+  options.method = model != nullptr ? SINEW_METHOD_MODEL : SINEW_METHOD_HEAT;
+  options.hints = p->hints.data();
+  p->rows.status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
+                                             skeleton.joint_count, &options, &p->rows.asked);
+  ASSERT_EQ(p->rows.status, SINEW_OK);
+  const Block block(p->rows.asked);
+  p->rows.status = sinew_bind(model, &mesh, &skeleton, &options, block.data(), p->rows.asked, p->rows.joints.data(),
+                              p->rows.weights.data(), &p->rows.used);
+}
+
+TEST(BindProperty, HintsAreKeptAndRowsStaySound) {
+  const sinew_model* model = bundled_model();
+  for (int i = 0; i < 200; ++i) {
+    Random random(static_cast<uint64_t>(i) + 9000);
+    const Scene scene = random_scene(random);
+    const Painted given = paint(random, scene, 1 + below(random, 40));
+    Painted out = given;
+    sinew_options options = {};
+    options.grid_size = 16;
+    bind_painted(scene, i % 2 != 0 ? model : nullptr, options, &out);
+    ASSERT_EQ(out.rows.status, SINEW_OK) << "scene " << i << ": " << sinew_status_text(out.rows.status);
+    ASSERT_LE(out.rows.used, out.rows.asked) << "scene " << i;
+    for (size_t v = 0; v < given.hints.size(); ++v) {
+      for (size_t s = v * 4; s < v * 4 + 4 && given.hints[v] != 0; ++s) {
+        ASSERT_EQ(out.rows.joints[s], given.rows.joints[s]) << "scene " << i << " vertex " << v;
+        ASSERT_EQ(out.rows.weights[s], given.rows.weights[s]) << "scene " << i << " vertex " << v;
+      }
+      // Only predicted rows promise order; a given row stays as it was given.
+      if (given.hints[v] != 0) {
+        for (size_t s = v * 4; s < v * 4 + 4; ++s) out.rows.joints[s] = out.rows.weights[s] = 0;
+        out.rows.weights[v * 4] = 65535;
+      }
+    }
+    ASSERT_TRUE(rows_are_sound(out.rows, 4, scene.parents.size())) << "scene " << i;
+  }
+}
+
+TEST(BindProperty, HintsOnNothingChangeNothingAndOnAllKeepAll) {
+  for (int i = 0; i < 20; ++i) {
+    Random random(static_cast<uint64_t>(i) + 9500);
+    const Scene scene = random_scene(random);
+    const sinew_model* model = i % 2 != 0 ? bundled_model() : nullptr;
+    sinew_options options = {};
+    options.grid_size = 16;
+    Painted none = paint(random, scene, 0);
+    bind_painted(scene, model, options, &none);
+    const Rows plain = bind(scene, model, options);
+    ASSERT_EQ(none.rows.joints, plain.joints) << "scene " << i;
+    ASSERT_EQ(none.rows.weights, plain.weights) << "scene " << i;
+
+    const Painted given = paint(random, scene, 100);
+    Painted all = given;
+    bind_painted(scene, model, options, &all);
+    ASSERT_EQ(all.rows.joints, given.rows.joints) << "scene " << i;
+    ASSERT_EQ(all.rows.weights, given.rows.weights) << "scene " << i;
+  }
+}
+
+// A tube with three joints, all of it given to the joint at its far end by one painted ring: the ring's neighbours
+// follow, an island without a hint does not move by a bit.
+TEST(BindProperty, HintsSteerTheirSurroundings) {
+  Random random(5);
+  Scene scene;
+  add_tube(&scene, random, 30, 8);
+  add_tube(&scene, random, 10, 8);
+  for (int j = 0; j < 3; ++j) {
+    scene.joints.insert(scene.joints.end(),
+                        {scene.positions[0], scene.positions[1] + 1.4f * static_cast<float>(j), scene.positions[2]});
+    scene.parents.push_back(j - 1);
+  }
+  for (const sinew_model* model : {static_cast<const sinew_model*>(nullptr), bundled_model()}) {
+    const Rows before = bind(scene, model, {});
+    Painted painted = paint(random, scene, 0);
+    for (size_t v = 8; v < 16; ++v) {  // the second ring from below belongs to joint 0 or 1
+      painted.hints[v] = 1;
+      painted.rows.joints[v * 4] = 2;
+      painted.rows.weights[v * 4] = 65535;
+    }
+    bind_painted(scene, model, {}, &painted);
+    ASSERT_EQ(painted.rows.status, SINEW_OK);
+    const auto share_of_2 = [](const Rows& rows, size_t v) {
+      for (size_t s = v * 4; s < v * 4 + 4; ++s) {
+        if (rows.joints[s] == 2 && rows.weights[s] > 0) return static_cast<int>(rows.weights[s]);
+      }
+      return 0;
+    };
+    int last = 65536;
+    for (size_t ring = 2; ring < 8; ++ring) {
+      const int share = share_of_2(painted.rows, ring * 8);
+      EXPECT_LT(share, last) << "it does not get weaker with distance, ring " << ring;
+      last = share;
+    }
+    EXPECT_GT(share_of_2(painted.rows, 16), 65535 / 2);
+    for (size_t s = 30 * 8 * 4; s < before.weights.size(); ++s) {
+      ASSERT_EQ(painted.rows.joints[s], before.joints[s]);
+      ASSERT_EQ(painted.rows.weights[s], before.weights[s]);
+    }
+  }
+}
+
+TEST(BindProperty, HintsDoNotDependOnNumbering) {
+  for (int i = 0; i < 40; ++i) {
+    Random random(static_cast<uint64_t>(i) + 9700);
+    const Scene scene = random_scene(random);
+    const size_t n = scene.positions.size() / 3;
+    const Painted given = paint(random, scene, 10);
+    Scene other = scene;
+    Painted b = given;
+    for (size_t v = 0; v < n; ++v) {  // vertices backwards
+      std::memcpy(&other.positions[(n - 1 - v) * 3], &scene.positions[v * 3], 3 * sizeof(float));
+      b.hints[n - 1 - v] = given.hints[v];
+      std::memcpy(&b.rows.joints[(n - 1 - v) * 4], &given.rows.joints[v * 4], 4 * sizeof(uint16_t));
+      std::memcpy(&b.rows.weights[(n - 1 - v) * 4], &given.rows.weights[v * 4], 4 * sizeof(uint16_t));
+    }
+    for (uint32_t& c : other.corners) c = static_cast<uint32_t>(n) - 1 - c;
+    Painted a = given;
+    sinew_options options = {};
+    options.grid_size = 16;
+    const sinew_model* model = i % 2 != 0 ? bundled_model() : nullptr;
+    bind_painted(scene, model, options, &a);
+    bind_painted(other, model, options, &b);
+    for (size_t v = 0; v < n; ++v) {
+      for (size_t s = 0; s < 4; ++s) {
+        ASSERT_EQ(a.rows.joints[v * 4 + s], b.rows.joints[(n - 1 - v) * 4 + s]) << "scene " << i << " vertex " << v;
+        ASSERT_EQ(a.rows.weights[v * 4 + s], b.rows.weights[(n - 1 - v) * 4 + s]) << "scene " << i << " vertex " << v;
+      }
+    }
+  }
+}
+
+TEST(BindProperty, HintsWithoutWeightAreRefused) {
+  Random random(41);
+  const Scene scene = random_scene(random);
+  Painted painted = paint(random, scene, 0);
+  painted.hints[0] = 1;
+  bind_painted(scene, nullptr, {}, &painted);
+  EXPECT_EQ(painted.rows.status, SINEW_ERROR_RANGE) << "a hint without weight";
+  painted.rows.weights[0] = 65535;
+  painted.rows.joints[0] = static_cast<uint16_t>(scene.parents.size());
+  bind_painted(scene, nullptr, {}, &painted);
+  EXPECT_EQ(painted.rows.status, SINEW_ERROR_RANGE) << "a joint that does not exist";
+  painted.rows.joints[0] = 0;
+  bind_painted(scene, nullptr, {}, &painted);
+  EXPECT_EQ(painted.rows.status, SINEW_OK);
+}
+
 }  // namespace

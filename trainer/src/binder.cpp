@@ -51,15 +51,17 @@ void throw_status(const Character& character, sinew_status status) {
 
 namespace {
 
-// The caller's rows for locked vertices, rounded as the engine rounds.
-void fill_locked(const Character& character, const BindOptions& options, std::vector<uint16_t>* joints,
-                 std::vector<uint16_t>* weights) {
+// The caller's rows for locked vertices and hints, rounded as the engine rounds.
+void fill_given(const Character& character, const BindOptions& options, std::vector<uint16_t>* joints,
+                std::vector<uint16_t>* weights) {
   if (character.influences.size() != character.vertices.size()) {
-    throw Error(character.name + ": vertices are locked, but the mesh has no weights of its own to keep");
+    throw Error(character.name + ": vertices are locked or hints, but the mesh has no weights of its own to keep");
   }
   const size_t n = options.influence_count;
   for (size_t v = 0; v < character.vertices.size(); ++v) {
-    if (options.locked[v] == 0) continue;
+    const bool locked = !options.locked.empty() && options.locked[v] != 0;
+    const bool hint = !options.hints.empty() && options.hints[v] != 0;
+    if (!locked && !hint) continue;
     const std::vector<Influence> row = round_influences(character.influences[v], options.influence_count);
     for (size_t i = 0; i < row.size(); ++i) {
       (*joints)[v * n + i] = static_cast<uint16_t>(row[i].joint);
@@ -79,6 +81,7 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.up_axis = options.up_axis;
   engine_options.weight_format = SINEW_WEIGHT_UNORM16;
   engine_options.locked = options.locked.empty() ? nullptr : options.locked.data();
+  engine_options.hints = options.hints.empty() ? nullptr : options.hints.data();
   engine_options.progress = options.progress;
   engine_options.progress_user = options.progress_user;
 
@@ -89,7 +92,7 @@ BindResult bind(const Character& character, const BindOptions& options) {
   const AlignedBlock workspace(result.workspace_bytes);
   const size_t n = options.influence_count;
   std::vector<uint16_t> joints(character.vertices.size() * n), weights(character.vertices.size() * n);
-  if (!options.locked.empty()) fill_locked(character, options, &joints, &weights);
+  if (!options.locked.empty() || !options.hints.empty()) fill_given(character, options, &joints, &weights);
   const auto start = std::chrono::steady_clock::now();
   throw_status(character, sinew_bind(options.model, &views.mesh, &views.skeleton, &engine_options, workspace.data(),
                                      workspace.size(), joints.data(), weights.data(), &result.used_bytes));

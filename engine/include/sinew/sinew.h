@@ -122,6 +122,10 @@ typedef struct sinew_options {
   const uint8_t* locked;   /* [vertex_count] non-zero: this vertex keeps the row already in the output; or null */
   sinew_progress progress; /* or null */
   void* progress_user;
+  /* [vertex_count] non-zero: a hint. The vertex keeps the row already in the output, as if it were locked, and the row
+   * steers its surroundings: what was given minus what was predicted is spread over the connected part of the mesh,
+   * weaker with distance. Or null. Given to sinew_bind_workspace_size() too: it asks for more then. */
+  const uint8_t* hints;
 } sinew_options;
 
 /* Bytes sinew_bind() needs for meshes of at most these counts. A pure function of its arguments: the same on every
@@ -135,8 +139,9 @@ sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex
  *   workspace  scratch, 64-byte aligned, size from sinew_bind_workspace_size(); content is undefined afterwards
  *   joints     out [vertex_count x N] uint16 joint indices, N = influence_count, sorted by falling weight, ties by
  * lower joint index; unused slots are joint 0 with weight 0; no joint twice in a row weights    out [vertex_count x N]
- * in weight_format; no row is empty used_bytes out, may be null: high-water mark of the workspace For locked vertices
- * both outputs are input and stay as they are: joint indices must exist (SINEW_ERROR_RANGE). Returns SINEW_OK or a
+ * in weight_format; no row is empty used_bytes out, may be null: high-water mark of the workspace For locked and
+ * hinted vertices both outputs are input and stay as they are: joint indices must exist, and a hint's weights must be
+ * finite, not negative and not all 0 (SINEW_ERROR_RANGE). Returns SINEW_OK or a
  * status; outputs are untouched on failure. Same bytes on every platform. */
 sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
                         const sinew_options* options, void* workspace, size_t workspace_bytes, uint16_t* joints,

@@ -4,6 +4,8 @@
 #include "bind/bind.hpp"
 
 #include "network/network.hpp"
+#include "weights/given.hpp"
+#include "weights/hints.hpp"
 #include "weights/influences.hpp"
 
 namespace sinew {
@@ -20,43 +22,83 @@ struct Logits {
   }
 };
 
-// One row of the result in the welded vertex' terms.
-void welded_row(const BindPlan& plan, const Prepared& p, const Logits& logits, uint32_t vertex, uint32_t total,
-                uint16_t* joints, uint16_t* weights) {
-  uint32_t wide[SINEW_MAX_CANDIDATES > kHeatSlots ? SINEW_MAX_CANDIDATES : kHeatSlots] = {};
+// What the network or the heat field says of a welded vertex, in kRowSlots slots.
+void predicted_row(const BindPlan& plan, const Prepared& p, const Logits& logits, uint32_t vertex, uint16_t* joints,
+                   uint32_t* weights) {
+  for (uint32_t i = 0; i < kRowSlots; ++i) {
+    joints[i] = kNoJoint;
+    weights[i] = 0;
+  }
   if (plan.purpose == PrepareFor::kHeat) {
-    uint16_t row_joints[kHeatSlots], row_weights[kHeatSlots];
-    const uint32_t count = finish_heat_row(p.heat.field[kFieldRule], vertex, row_joints, row_weights);
-    for (uint32_t i = 0; i < count; ++i) wide[i] = row_weights[i];
-    keep_largest(row_joints, wide, count, plan.influence_count, total, joints, weights);
+    uint16_t row_weights[kHeatSlots];
+    const uint32_t count = finish_heat_row(p.heat.field[kFieldRule], vertex, joints, row_weights);
+    for (uint32_t i = 0; i < count; ++i) weights[i] = 2u * row_weights[i];
     return;
   }
   const uint32_t k = plan.counts.candidates;
-  const uint16_t* candidates = p.features.joints + static_cast<size_t>(vertex) * k;
-  softmax_q16(logits.values + static_cast<size_t>(vertex) * k, candidates, k, wide);
-  prune_q16(wide, k);
-  keep_largest(candidates, wide, k, plan.influence_count, total, joints, weights);
+  for (uint32_t i = 0; i < k; ++i) joints[i] = p.features.joints[static_cast<size_t>(vertex) * k + i];
+  softmax_q16(logits.values + static_cast<size_t>(vertex) * k, joints, k, weights);
+  prune_q16(weights, k);
 }
 
-sinew_status check_locked(const BindPlan& plan, const uint16_t* joints, uint32_t joint_count) {
-  if (plan.locked == nullptr) return SINEW_OK;
+// Rows that hints change; not there without hints.
+struct Edit {
+  Rows rows;
+  GivenRows given;
+
+  bool allocate(Arena& arena, const Counts& counts) {
+    const bool fits = rows.allocate(arena, counts);
+    return given.allocate(arena, counts) && fits;
+  }
+};
+
+bool is_edited(const BindPlan& plan) { return plan.hints != nullptr; }
+
+bool is_given(const BindPlan& plan, uint32_t vertex) {
+  return (plan.locked != nullptr && plan.locked[vertex] != 0) || (plan.hints != nullptr && plan.hints[vertex] != 0);
+}
+
+sinew_status check_given(const BindPlan& plan, const uint16_t* joints, const void* weights, uint32_t joint_count) {
+  if (plan.locked == nullptr && plan.hints == nullptr) return SINEW_OK;
   for (uint32_t v = 0; v < plan.counts.vertices; ++v) {
-    if (plan.locked[v] == 0) continue;
+    if (!is_given(plan, v)) continue;
+    const size_t first = static_cast<size_t>(v) * plan.influence_count;
     for (uint32_t i = 0; i < plan.influence_count; ++i) {
-      if (joints[static_cast<size_t>(v) * plan.influence_count + i] >= joint_count) return SINEW_ERROR_RANGE;
+      if (joints[first + i] >= joint_count) return SINEW_ERROR_RANGE;
     }
+    if (plan.hints == nullptr || plan.hints[v] == 0) continue;
+    uint32_t row[SINEW_MAX_INFLUENCES];
+    if (!read_row(weights, plan.weight_format, first, plan.influence_count, row)) return SINEW_ERROR_RANGE;
   }
   return SINEW_OK;
 }
 
-void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, uint16_t* joints, void* weights) {
+sinew_status edit_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const uint16_t* joints,
+                       const void* weights, Arena& arena, Edit* edit) {
+  for (uint32_t v = 0; v < p.mesh.welded_count; ++v)
+    predicted_row(plan, p, logits, v, edit->rows.joints_of(v), edit->rows.weights_of(v));
+  gather_given_rows(p.mesh, plan.locked, plan.hints, joints, weights, plan.weight_format, plan.influence_count,
+                    &edit->given);
+  return steer_rows(p.mesh, p.skeleton, edit->given, plan.counts, plan.progress.part(960, 990), arena, &edit->rows);
+}
+
+void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit, uint16_t* joints,
+                void* weights) {
   const uint32_t n = plan.influence_count;
   const uint32_t total = plan.weight_format == SINEW_WEIGHT_UNORM8 ? 255u : 65535u;
   for (uint32_t v = 0; v < p.mesh.vertex_count; ++v) {
-    if (plan.locked != nullptr && plan.locked[v] != 0) continue;
+    if (is_given(plan, v)) continue;
     const size_t first = static_cast<size_t>(v) * n;
+    const uint32_t welded = p.mesh.vertex_to_welded[v];
     uint16_t row[SINEW_MAX_INFLUENCES];
-    welded_row(plan, p, logits, p.mesh.vertex_to_welded[v], total, joints + first, row);
+    if (is_edited(plan)) {
+      keep_largest(edit.rows.joints_of(welded), edit.rows.weights_of(welded), kRowSlots, n, total, joints + first, row);
+    } else {
+      uint16_t predicted_joints[kRowSlots];
+      uint32_t predicted[kRowSlots];
+      predicted_row(plan, p, logits, welded, predicted_joints, predicted);
+      keep_largest(predicted_joints, predicted, kRowSlots, n, total, joints + first, row);
+    }
     for (uint32_t i = 0; i < n; ++i) {
       switch (plan.weight_format) {
         case SINEW_WEIGHT_UNORM8:
@@ -97,20 +139,25 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->up_axis = o.up_axis;
   plan->weight_format = o.weight_format;
   plan->locked = o.locked;
+  plan->hints = o.hints;
   plan->progress = Progress{o.progress, o.progress_user};
   return make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
 }
 
 void measure_bind(Arena& arena, const BindPlan& plan) {
   measure_prepare(arena, plan.counts, plan.purpose);
-  if (plan.purpose == PrepareFor::kHeat) return;
-  Logits().allocate(arena, plan.counts);
-  measure_run_network(arena, plan.model, plan.counts);
+  if (plan.purpose == PrepareFor::kNetwork) {
+    Logits().allocate(arena, plan.counts);
+    measure_run_network(arena, plan.model, plan.counts);
+  }
+  if (!is_edited(plan)) return;
+  Edit().allocate(arena, plan.counts);
+  measure_steer_rows(arena, plan.counts);
 }
 
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes) {
-  sinew_status status = check_locked(plan, joints, skeleton.joint_count);
+  sinew_status status = check_given(plan, joints, weights, skeleton.joint_count);
   if (status != SINEW_OK) return status;
   Arena arena(workspace, workspace_bytes);
   Prepared p;
@@ -133,11 +180,17 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
     input.component_vertices = p.mesh.component_vertices;
     input.component_count = p.mesh.component_count;
     input.joint_count = p.skeleton.joint_count;
-    status = run_network(plan.model, input, plan.progress.part(650, 990), arena, logits.values);
+    status = run_network(plan.model, input, plan.progress.part(650, is_edited(plan) ? 960 : 990), arena, logits.values);
+    if (status != SINEW_OK) return status;
+  }
+  Edit edit;
+  if (is_edited(plan)) {
+    if (!edit.allocate(arena, plan.counts)) return SINEW_ERROR_WORKSPACE;
+    status = edit_rows(plan, p, logits, joints, weights, arena, &edit);
     if (status != SINEW_OK) return status;
   }
   if (!plan.progress.report(1000)) return SINEW_ERROR_CANCELLED;
-  write_rows(plan, p, logits, joints, weights);
+  write_rows(plan, p, logits, edit, joints, weights);
   if (used_bytes != nullptr) *used_bytes = arena.high_water();
   return SINEW_OK;
 }

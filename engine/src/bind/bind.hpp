@@ -16,6 +16,7 @@ struct BindPlan {
   uint32_t up_axis;
   uint32_t weight_format;
   const uint8_t* locked;
+  const uint8_t* hints;
   Progress progress;
 };
 

@@ -20,6 +20,7 @@ struct BindOptions {
   uint32_t up_axis = 0;
   std::vector<uint8_t> joint_flags;  // [J] SINEW_JOINT_* or empty
   std::vector<uint8_t> locked;       // [V] or empty; locked rows come from character.influences
+  std::vector<uint8_t> hints;        // [V] or empty; the same, and their rows steer the vertices around them
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;
 };
