@@ -53,8 +53,7 @@ std::vector<uint8_t> choose(const Character& c, const std::string& kind, double 
   std::vector<uint8_t> chosen(c.vertices.size(), 0);
   const size_t wanted = std::max<size_t>(1, static_cast<size_t>(share * static_cast<double>(bound.size()) + 0.5));
   if (bound.empty()) return chosen;
-  for (size_t i = 0; i < wanted && i < bound.size(); ++i)
-    std::swap(bound[i], bound[i + random() % (bound.size() - i)]);
+  for (size_t i = 0; i < wanted && i < bound.size(); ++i) std::swap(bound[i], bound[i + random() % (bound.size() - i)]);
   if (kind == "random") {
     for (size_t i = 0; i < wanted && i < bound.size(); ++i) chosen[bound[i]] = 1;
     return chosen;
@@ -132,8 +131,11 @@ void study_hints(const Study& study, const std::string& kind, double share) {
     families[family_of(stem(paths[i]))].add(gains[i]);
     all.add(gains[i]);
   }
-  std::printf("| family (%s, %.3g %% of the vertices given) | characters | L1 of the others | with hints | less | worse by 0.05 |\n"
-              "|---|---|---|---|---|---|\n", kind.c_str(), 100 * share);
+  std::printf(
+      "| family (%s, %.3g %% of the vertices given) | characters | L1 of the others | with hints | less | worse by "
+      "0.05 |\n"
+      "|---|---|---|---|---|---|\n",
+      kind.c_str(), 100 * share);
   for (const auto& [name, sum] : families) {
     print_row(name, sum);
     const double n = static_cast<double>(sum.characters);

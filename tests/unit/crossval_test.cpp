@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Groups of families, how they are dealt to folds, and the means and files of a cross-family validation.
+#include "sinew_trainer/crossval.hpp"
+
 #include <gtest/gtest.h>
 
 #include "expect_error.hpp"
-#include "sinew_trainer/crossval.hpp"
 #include "temp_folder.hpp"
 
 namespace sinew {
@@ -38,7 +39,7 @@ TEST(FamilyGroups, TheShippedFileIsReadable) {
 }
 
 TEST(Folds, KeepGroupsWholeAndHoldAboutAsManyFamilies) {
-  std::map<std::string, size_t> families = {{"mh_a", 100}, {"mh_b", 10}, {"men", 9}, {"men19", 4}, {"men20", 1},
+  std::map<std::string, size_t> families = {{"mh_a", 100}, {"mh_b", 10}, {"men", 9},  {"men19", 4}, {"men20", 1},
                                             {"cube", 13},  {"fish", 3},  {"tank", 2}, {"robot", 1}};
   const FamilyGroups groups;
   const auto folds = make_folds(families, groups, 3);

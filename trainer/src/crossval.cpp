@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs the folds of a cross-family validation side by side, each to its own checkpoint and file of figures, and collects
-// them.
+// Runs the folds of a cross-family validation side by side, each to its own checkpoint and file of figures, and
+// collects them.
 #include "sinew_trainer/crossval.hpp"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "parallel.hpp"
 #include "sinew_formats/error.hpp"
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr uint32_t kKeep = 4;              // influences per vertex that are measured: the default of a bind
+constexpr uint32_t kKeep = 4;               // influences per vertex that are measured: the default of a bind
 constexpr size_t kCalibrationSamples = 40;  // as many as quantize and eval take
 
 struct Measured {
@@ -72,8 +73,8 @@ class HeatFigures {
 struct Job {
   uint64_t seed = 0;
   uint32_t fold = 0;
-  std::string stem;      // of its files
-  size_t work = 0;       // characters it is trained on: the longest start first
+  std::string stem;  // of its files
+  size_t work = 0;   // characters it is trained on: the longest start first
 };
 
 class Crossval {
@@ -117,8 +118,9 @@ class Crossval {
     out.stop = options_.stop;
     if (job.fold > 0) out.leave_out = folds_[job.fold - 1];
     char label[64];
-    std::snprintf(label, sizeof label, job.fold > 0 ? "seed %llu fold %u: " : "seed %llu val: ",
-                  static_cast<unsigned long long>(job.seed), job.fold);
+    std::snprintf(label, sizeof label,
+                  job.fold > 0 ? "seed %llu fold %u: " : "seed %llu val: ", static_cast<unsigned long long>(job.seed),
+                  job.fold);
     out.label = label;
     out.resume = fs::exists(out.output);
     return out;
@@ -145,7 +147,8 @@ class Crossval {
     if (fs::exists(path)) {
       const std::vector<uint8_t> bytes = read_file(path);
       if (!options_.resume) {
-        throw Error(options_.folder + ": a cross-validation is there already; give --resume to go on with it or another -o");
+        throw Error(options_.folder +
+                    ": a cross-validation is there already; give --resume to go on with it or another -o");
       }
       if (std::string(bytes.begin(), bytes.end()) != text) require_same_plan(bytes, plan, path);
     } else {
@@ -192,10 +195,18 @@ class Crossval {
     const TrainingSet set = load_training_set(config, train_options(jobs[0]));
     MeasuredSet left_out, val;
     left_out.paths = paths_by_name(options_.data_dir);
-    for (const std::vector<Sample>& character : set.characters) {
-      if (left_out.paths.count(character[0].name) != 0) left_out.samples.push_back(&character[0]);
+    std::vector<Sample> whole, val_samples;  // what a family is measured on is never decimated
+    if (config.vertex_limit > 0) {
+      whole = load_samples(options_.data_dir, config.field.candidates, config.field.grid,
+                           train_options(jobs[0]).cache_dir, options_.threads, options_.quiet);
+      for (const Sample& sample : whole) left_out.samples.push_back(&sample);
+    } else {
+      for (const std::vector<Sample>& character : set.characters) left_out.samples.push_back(&character[0]);
     }
-    std::vector<Sample> val_samples;
+    std::set<std::string> usable;
+    for (const std::vector<Sample>& character : set.characters) usable.insert(character[0].name);
+    std::erase_if(left_out.samples,
+                  [&](const Sample* s) { return usable.count(s->name) == 0 || left_out.paths.count(s->name) == 0; });
     if (!options_.val_dir.empty()) {
       val_samples = load_samples(options_.val_dir, config.field.candidates, config.field.grid,
                                  train_options(jobs[0]).cache_dir, options_.threads, options_.quiet);
@@ -341,7 +352,8 @@ class Crossval {
       for (auto& [name, family] : families) {
         const auto n = static_cast<double>(family.characters);
         CrossvalFigures& f = family.figures;
-        for (double* figure : {&f.l1, &f.argmax, &f.distance, &f.heat_l1, &f.heat_argmax, &f.heat_distance}) *figure /= n;
+        for (double* figure : {&f.l1, &f.argmax, &f.distance, &f.heat_l1, &f.heat_argmax, &f.heat_distance})
+          *figure /= n;
         (fold > 0 ? seed.families : seed.val).push_back(family);
       }
     } catch (const nlohmann::json::exception& error) {

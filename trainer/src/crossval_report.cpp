@@ -80,10 +80,8 @@ std::string figure_cells(const CrossvalFigures& f) {
 }
 
 Json family_json(const CrossvalFamily& family) {
-  Json out = {{"family", family.family},
-              {"group", family.group},
-              {"fold", family.fold},
-              {"characters", family.characters}};
+  Json out = {
+      {"family", family.family}, {"group", family.group}, {"fold", family.fold}, {"characters", family.characters}};
   for (const Figure& f : kFigures) out[f.key] = family.figures.*f.value;
   return out;
 }
@@ -166,20 +164,20 @@ std::string crossval_markdown(const CrossvalReport& report) {
            figure_cells(means.outside);
   }
   if (means.val_characters > 0) {
-    out += print("| *val, %zu characters* | | %zu", means.val_characters, means.val_characters) +
-           figure_cells(means.val);
+    out +=
+        print("| *val, %zu characters* | | %zu", means.val_characters, means.val_characters) + figure_cells(means.val);
     out += print("| *val, its families* | | %zu", means.val_characters) + figure_cells(means.val_families);
   }
   out += print("\nL1 %.1f %% below heat's over all families, %.1f %% outside; %zu families more than %.2f above heat",
                below_heat(means.all), below_heat(means.outside), means.worse, kWorse);
-  if (!means.worst_family.empty()) out += print("; worst %s: %+.3f", means.worst_family.c_str(), means.worst_difference);
+  if (!means.worst_family.empty())
+    out += print("; worst %s: %+.3f", means.worst_family.c_str(), means.worst_difference);
   if (report.seeds.size() > 1) out += print("; seeds differ by %.4f", means.spread);
   return out + "\n";
 }
 
 std::string crossval_csv(const CrossvalReport& report) {
-  std::string out =
-      "seed,set,family,group,fold,characters,l1,argmax,distance,heat_l1,heat_argmax,heat_distance\n";
+  std::string out = "seed,set,family,group,fold,characters,l1,argmax,distance,heat_l1,heat_argmax,heat_distance\n";
   for (const CrossvalSeed& seed : report.seeds) {
     for (const auto& [set, rows] : {std::pair{"crossval", &seed.families}, std::pair{"val", &seed.val}}) {
       for (const CrossvalFamily& family : *rows) {
@@ -261,7 +259,8 @@ std::string crossval_comparison(const std::vector<CrossvalReport>& reports) {
     text += print(" | %.1f | %.4f | %.4f", 100 * m.all.argmax, m.all.distance, m.outside.l1);
     text += heat ? " | " : print(" | %.1f %%", below_heat(m.outside));
     text += print(" | %.1f | ", 100 * m.outside.argmax);
-    text += heat ? " | " : print("%zu of %zu | %s %+.3f", m.worse, m.families, m.worst_family.c_str(), m.worst_difference);
+    text +=
+        heat ? " | " : print("%zu of %zu | %s %+.3f", m.worse, m.families, m.worst_family.c_str(), m.worst_difference);
     if (m.val_characters == 0) return text + " | | | |\n";
     return text + print(" | %.4f | %.4f | %.1f |\n", m.val.l1, m.val_families.l1, 100 * m.val.argmax);
   };

@@ -17,6 +17,7 @@
 #include "features/features.hpp"
 #include "parallel.hpp"
 #include "random.hpp"
+#include "sinew_formats/dataset.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -59,6 +60,7 @@ std::string cache_key(const SampleRequest& request, const SampleSource& source) 
   }
   uint64_t settings = mix_seeds(kCacheVersion, kFeatureSet, (uint64_t{kVertexFeatures} << 32) | kPairFeatures);
   settings = mix_seeds(settings, source.candidates, source.grid);
+  if (source.vertex_limit != 0) settings = mix_seeds(settings, 0x6C696D6974, source.vertex_limit);
   if (request.variant != 0) settings = mix_seeds(settings, mix_seeds(kAugmentVersion, source.seed), request.variant);
   char text[40];
   std::snprintf(text, sizeof text, "%016llx%016llx",
@@ -113,6 +115,10 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
       loaded[item] = read_cached(path);
       if (!loaded[item]) {
         Character character = read_character(request.mesh_path);
+        const size_t limit = source.vertex_limit, vertices = character.vertices.size();
+        if (limit != 0 && vertices > limit && character.face_count() > 0) {
+          character = decimate(character, static_cast<double>(limit) / static_cast<double>(vertices));
+        }
         if (request.variant != 0) {
           character = augment(character, mix_seeds(source.seed, request.variant,
                                                    hash_bytes(reinterpret_cast<const uint8_t*>(character.name.data()),

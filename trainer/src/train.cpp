@@ -389,7 +389,9 @@ TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& opt
   for (uint32_t variant = 0; variant <= (config.variant_share > 0 ? config.variants : 0); ++variant) {
     for (const std::string& path : paths) requests.push_back({path, variant});
   }
-  std::vector<Sample> samples = load_requests(requests, sample_source(config, options));
+  SampleSource source = sample_source(config, options);
+  source.vertex_limit = config.vertex_limit;
+  std::vector<Sample> samples = load_requests(requests, source);
   drop_unlabelled(&samples);
   TrainingSet set;
   std::map<std::string, size_t> by_name;

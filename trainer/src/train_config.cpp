@@ -39,6 +39,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("validate_every", c.validate_every);
   visit("variants", c.variants);
   visit("variant_share", c.variant_share);
+  visit("vertex_limit", c.vertex_limit);
   visit("family_power", c.family_power);
 }
 

@@ -14,8 +14,8 @@ namespace sinew {
 bool read_row(const void* weights, uint32_t format, size_t first, uint32_t count, uint32_t* out);
 
 // Gathers the given rows of the caller's vertices (rows of `influence_count` slots, checked beforehand) on welded
-// vertices: the mean of what was given to the vertices welded there, hints alone where there is one. Locked rows without
-// weight count as free.
+// vertices: the mean of what was given to the vertices welded there, hints alone where there is one. Locked rows
+// without weight count as free.
 void gather_given_rows(const Mesh& mesh, const uint8_t* locked, const uint8_t* hints, const uint16_t* joints,
                        const void* weights, uint32_t format, uint32_t influence_count, GivenRows* out);
 

@@ -19,8 +19,8 @@ constexpr uint32_t kPruned = 32;
 constexpr int32_t kSmallestChange = 64;  // Q16: 1/1024
 constexpr int kHoldBits = 8;             // a hint pulls 2^8 times as strongly as its edges
 // Screening is area / length^2 with length = a quarter of the longest side. Chosen on 45 characters of all training
-// families (README.md has the figures): longer reaches gain little from scattered hints and spoil what is far from a painted
-// patch, shorter ones waste what scattered hints say.
+// families (README.md has the figures): longer reaches gain little from scattered hints and spoil what is far from a
+// painted patch, shorter ones waste what scattered hints say.
 constexpr uint64_t kLargestArea = static_cast<uint64_t>(1) << 52;  // a fan of thousands of faces
 constexpr int kScreenBits = 4;  // (kSide / length)^2 = 2^4, in Q40 because (2^20)^2 = 2^40
 // An edge between vertices whose predicted rows overlap by s conducts s^4 of what it did, at least 1/64: what was wrong
@@ -82,7 +82,8 @@ class Spreader {
       for (uint32_t e = mesh_->row_offsets[v]; e < mesh_->row_offsets[v + 1]; ++e) {
         const uint64_t s = overlap(v, mesh_->col_indices[e]);  // symmetric, and so is the matrix
         const uint64_t squared = s * s >> 16;
-        const uint64_t share = kLeastConduction + (squared * squared >> 16) * (kWholeRow - kLeastConduction) / kWholeRow;
+        const uint64_t share =
+            kLeastConduction + (squared * squared >> 16) * (kWholeRow - kLeastConduction) / kWholeRow;
         edges_.weight[e] = static_cast<int32_t>(round_shift(edges_.weight[e] * static_cast<int64_t>(share), 16));
       }
     }
@@ -134,9 +135,12 @@ class Spreader {
       if (given_->kind[v] == Given::kSteers) {
         constexpr int64_t kStiffest = static_cast<int64_t>(1) << 35;
         stiffness += 1 << kEdgeWeightBits;
-        pull_[k] = (stiffness < kStiffest ? stiffness : kStiffest) * (static_cast<int64_t>(1) << (40 - kEdgeWeightBits + kHoldBits));
+        pull_[k] = (stiffness < kStiffest ? stiffness : kStiffest) *
+                   (static_cast<int64_t>(1) << (40 - kEdgeWeightBits + kHoldBits));
       } else {
-        pull_[k] = static_cast<int64_t>(mesh_->areas[v] < kLargestArea ? mesh_->areas[v] << kScreenBits : kLargestArea << kScreenBits) + 1;
+        pull_[k] = static_cast<int64_t>(mesh_->areas[v] < kLargestArea ? mesh_->areas[v] << kScreenBits
+                                                                       : kLargestArea << kScreenBits) +
+                   1;
       }
     }
   }
@@ -167,7 +171,8 @@ class Spreader {
       const uint32_t v = ordering_.order[k];
       if (given_->kind[v] != Given::kSteers) continue;
       for (uint32_t lane = 0; lane < lanes; ++lane) {
-        const int64_t r = static_cast<int64_t>(given_->rows.weight(v, joints[lane])) - predicted_.weight(v, joints[lane]);
+        const int64_t r =
+            static_cast<int64_t>(given_->rows.weight(v, joints[lane])) - predicted_.weight(v, joints[lane]);
         rhs_[static_cast<size_t>(k) * kLanes + lane] = mul_shift(matrix_.to_matrix(pull_[k]), r, 16);
       }
     }
@@ -212,7 +217,10 @@ class Spreader {
         continue;
       }
       for (uint32_t i = 0; i < kRowSlots; ++i) {
-        if (rows_->weights_of(v)[i] < sum / kPruned) { rows_->weights_of(v)[i] = 0; rows_->joints_of(v)[i] = kNoJoint; }
+        if (rows_->weights_of(v)[i] < sum / kPruned) {
+          rows_->weights_of(v)[i] = 0;
+          rows_->joints_of(v)[i] = kNoJoint;
+        }
       }
     }
   }

@@ -58,11 +58,11 @@ struct CrossvalMeans {
   size_t families = 0;
   CrossvalFigures all;
   size_t outside_families = 0;
-  CrossvalFigures outside;     // without the groups apart
-  size_t worse = 0;            // families whose L1 is more than 0.03 above heat's
-  std::string worst_family;    // with the largest difference to heat's L1
+  CrossvalFigures outside;   // without the groups apart
+  size_t worse = 0;          // families whose L1 is more than 0.03 above heat's
+  std::string worst_family;  // with the largest difference to heat's L1
   double worst_difference = 0;
-  double spread = 0;           // largest minus smallest `all.l1` of the seeds
+  double spread = 0;  // largest minus smallest `all.l1` of the seeds
   size_t val_characters = 0;
   CrossvalFigures val, val_families;  // means over characters and over families of the validation folder
 };
@@ -81,25 +81,26 @@ using LogitsFunction = std::function<std::vector<float>(const Sample&)>;
 
 struct CrossvalOptions {
   std::string data_dir;
-  std::string val_dir;     // when given, one more run per seed leaves nothing out and is measured there
-  std::string folder;      // checkpoints, figures of every fold, crossval.{md,csv,json}
-  std::string cache_dir;   // features; empty = FOLDER/cache
-  std::string label;       // name in tables
+  std::string val_dir;    // when given, one more run per seed leaves nothing out and is measured there
+  std::string folder;     // checkpoints, figures of every fold, crossval.{md,csv,json}
+  std::string cache_dir;  // features; empty = FOLDER/cache
+  std::string label;      // name in tables
   FamilyGroups groups;
   uint32_t fold_count = 5, seed_count = 1;
   uint32_t only_fold = 0;  // from 1; 0 = all, and val
   bool resume = false;
-  double minutes = 0;      // per fold; 0 = by the configuration's steps
-  uint32_t threads = 2;    // of all folds together
-  uint32_t at_once = 0;    // folds side by side; 0 = one per thread
+  double minutes = 0;    // per fold; 0 = by the configuration's steps
+  uint32_t threads = 2;  // of all folds together
+  uint32_t at_once = 0;  // folds side by side; 0 = one per thread
   bool quiet = false;
   const std::atomic<bool>* stop = nullptr;
   // How a finished network is run; empty = float. Called once per fold with samples to calibrate on (of training).
   std::string arithmetic = "float";  // its name, part of what --resume compares
   std::function<LogitsFunction(const FloatNetwork&, const std::vector<const Sample*>&)> logits;
 };
-// Trains and measures what is not there yet and writes the report of all folds that are finished. Every fold is measured
-// with the weights of its last step: nothing is chosen on what was left out. Throws Error; sets nothing when stopped.
+// Trains and measures what is not there yet and writes the report of all folds that are finished. Every fold is
+// measured with the weights of its last step: nothing is chosen on what was left out. Throws Error; sets nothing when
+// stopped.
 CrossvalReport crossval(const TrainConfig& config, const CrossvalOptions& options);
 
 }  // namespace sinew

@@ -35,7 +35,10 @@ struct TrainConfig {
   // Augmentation with recomputed features: variants made once per character and cached.
   uint32_t variants = 0;       // extra variants per character (turn, mirror, scale, jitter, decimation)
   double variant_share = 0.3;  // how often a variant is drawn instead of the original
-  double family_power = 0.5;   // a family of n characters is drawn in proportion to n^power
+  // Training characters with more vertices than this are decimated to about as many; 0 = off. Large characters cost the
+  // most and teach the least per vertex. Validation and measurements always take them whole.
+  uint32_t vertex_limit = 2000;
+  double family_power = 0.5;  // a family of n characters is drawn in proportion to n^power
 };
 TrainConfig parse_train_config(const std::string& json, const std::string& source);
 std::string train_config_json(const TrainConfig& config);
