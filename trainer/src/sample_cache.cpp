@@ -51,13 +51,51 @@ std::string rig_beside(const std::string& mesh_path) {
   return std::filesystem::path(mesh_path).replace_extension(".rig.txt").string();
 }
 
-// 128 bits of everything that the sample depends on.
-std::string cache_key(const SampleRequest& request, const SampleSource& source) {
-  std::vector<uint8_t> content = read_file(request.mesh_path);
-  if (std::filesystem::exists(rig_beside(request.mesh_path))) {
-    const std::vector<uint8_t> rig = read_file(rig_beside(request.mesh_path));
-    content.insert(content.end(), rig.begin(), rig.end());
+// What a request is made of. The files of a character are read in any case, since they are the key of the cache.
+struct Ingredients {
+  std::string stem;              // of the cache file
+  std::vector<uint8_t> content;  // that the sample depends on, beside the settings
+  std::optional<Character> character;
+};
+
+Ingredients gather(const SampleRequest& request) {
+  Ingredients out;
+  if (!request.mesh_path.empty()) {
+    out.stem = std::filesystem::path(request.mesh_path).stem().string();
+    out.content = read_file(request.mesh_path);
+    if (std::filesystem::exists(rig_beside(request.mesh_path))) {
+      const std::vector<uint8_t> rig = read_file(rig_beside(request.mesh_path));
+      out.content.insert(out.content.end(), rig.begin(), rig.end());
+    }
+    return out;
   }
+  SynthesizeOptions options;
+  options.plan = request.plan;
+  options.seed = request.synthetic_seed;
+  out.character = synthesize(options);
+  out.stem = out.character->name =
+      "synthetic_" + std::string(body_plan_name(request.plan)) + "__" + std::to_string(request.synthetic_seed);
+  const auto add = [&](const void* data, size_t size) {
+    const auto* bytes = static_cast<const uint8_t*>(data);
+    out.content.insert(out.content.end(), bytes, bytes + size);
+  };
+  for (const Vec3& p : out.character->vertices) add(&p, sizeof p);
+  for (const Joint& joint : out.character->joints) {
+    add(&joint.position, sizeof joint.position);
+    add(&joint.parent, sizeof joint.parent);
+  }
+  add(out.character->face_vertices.data(), out.character->face_vertices.size() * sizeof(uint32_t));
+  for (const auto& row : out.character->influences) {
+    for (const Influence& i : row) {
+      add(&i.joint, sizeof i.joint);
+      add(&i.weight, sizeof i.weight);
+    }
+  }
+  return out;
+}
+
+// 128 bits of everything that the sample depends on.
+std::string cache_key(const std::vector<uint8_t>& content, const SampleRequest& request, const SampleSource& source) {
   uint64_t settings = mix_seeds(kCacheVersion, kFeatureSet, (uint64_t{kVertexFeatures} << 32) | kPairFeatures);
   settings = mix_seeds(settings, source.candidates, source.grid);
   if (source.vertex_limit != 0) settings = mix_seeds(settings, 0x6C696D6974, source.vertex_limit);
@@ -109,12 +147,13 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
   parallel_for(requests.size(), source.threads, [&](size_t item, unsigned) {
     const SampleRequest& request = requests[item];
     try {
-      const std::string stem = std::filesystem::path(request.mesh_path).stem().string();
-      const std::string path =
-          (std::filesystem::path(source.cache_dir) / (stem + "-" + cache_key(request, source) + ".sample")).string();
+      Ingredients from = gather(request);
+      const std::string path = (std::filesystem::path(source.cache_dir) /
+                                (from.stem + "-" + cache_key(from.content, request, source) + ".sample"))
+                                   .string();
       loaded[item] = read_cached(path);
       if (!loaded[item]) {
-        Character character = read_character(request.mesh_path);
+        Character character = from.character ? std::move(*from.character) : read_character(request.mesh_path);
         const size_t limit = source.vertex_limit, vertices = character.vertices.size();
         if (limit != 0 && vertices > limit && character.face_count() > 0) {
           character = decimate(character, static_cast<double>(limit) / static_cast<double>(vertices));

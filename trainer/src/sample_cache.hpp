@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "sinew_formats/synthesize.hpp"
 #include "sinew_trainer/train.hpp"
 
 namespace sinew {
 
 struct SampleRequest {
-  std::string mesh_path;  // as list_characters() gives it
-  uint32_t variant = 0;   // 0 = the character itself, n = its n-th augmented variant
+  std::string mesh_path;             // as list_characters() gives it; empty: a synthetic character
+  uint32_t variant = 0;              // 0 = the character itself, n = its n-th augmented variant
+  BodyPlan plan = BodyPlan::kBiped;  // of a synthetic character
+  uint64_t synthetic_seed = 0;
 };
 struct SampleSource {
   uint32_t candidates = 8, grid = 64;

@@ -389,6 +389,11 @@ TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& opt
   for (uint32_t variant = 0; variant <= (config.variant_share > 0 ? config.variants : 0); ++variant) {
     for (const std::string& path : paths) requests.push_back({path, variant});
   }
+  for (const BodyPlan plan :
+       {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged}) {
+    // Far from the small seeds that people look at and test with.
+    for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", 0, plan, 1000 + i});
+  }
   SampleSource source = sample_source(config, options);
   source.vertex_limit = config.vertex_limit;
   std::vector<Sample> samples = load_requests(requests, source);

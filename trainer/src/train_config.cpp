@@ -40,6 +40,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("variants", c.variants);
   visit("variant_share", c.variant_share);
   visit("vertex_limit", c.vertex_limit);
+  visit("synthetic", c.synthetic);
   visit("family_power", c.family_power);
 }
 
@@ -89,6 +90,7 @@ void check(const TrainConfig& c, const std::string& source) {
   require(c.correction > 0 && c.correction <= 1, "correction", "above 0, at most 1");
   require(c.validate_every >= 1, "validate_every", "1 or more");
   require(c.variants <= 64, "variants", "0 to 64");
+  require(c.synthetic <= 1000, "synthetic", "0 to 1000");
   require(c.variant_share >= 0 && c.variant_share <= 1, "variant_share", "0 to 1");
   require(c.family_power >= 0 && c.family_power <= 2, "family_power", "0 to 2");
 }

@@ -38,6 +38,8 @@ struct TrainConfig {
   // Training characters with more vertices than this are decimated to about as many; 0 = off. Large characters cost the
   // most and teach the least per vertex. Validation and measurements always take them whole.
   uint32_t vertex_limit = 2000;
+  // Synthetic characters of each body plan (formats/synthesize) beside those of the folder, as families of their own.
+  uint32_t synthetic = 0;
   double family_power = 0.5;  // a family of n characters is drawn in proportion to n^power
 };
 TrainConfig parse_train_config(const std::string& json, const std::string& source);
