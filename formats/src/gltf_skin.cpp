@@ -188,7 +188,8 @@ class SkinWriter {
       Json& attributes = document_["meshes"][static_cast<size_t>(mesh)]["primitives"]
                                   [static_cast<size_t>(part.primitive)]["attributes"];
       for (auto at = attributes.begin(); at != attributes.end();) {
-        const bool old = at.key().rfind("JOINTS_", 0) == 0 || at.key().rfind("WEIGHTS_", 0) == 0;
+        const bool old =
+            at.key().rfind("JOINTS_", 0) == 0 || at.key().rfind("WEIGHTS_", 0) == 0 || at.key() == "_CONFIDENCE";
         if (old) orphans_.push_back(at.value().get<int>());
         if (old)
           at = attributes.erase(at);
@@ -208,11 +209,23 @@ class SkinWriter {
         }
         sets.push_back({add_small(joints, wide, false), add_small(weights, !unorm8_, true)});
       }
+      if (!character_.confidence.empty()) attributes["_CONFIDENCE"] = confidence_accessor(part.vertex_of);
       for (size_t set = 0; set < set_count; ++set) {
         attributes["JOINTS_" + std::to_string(set)] = sets[set][0];
         attributes["WEIGHTS_" + std::to_string(set)] = sets[set][1];
       }
     }
+  }
+
+  // Custom attributes of any form are legal; floats 0..1 are what viewers and node editors take.
+  int confidence_accessor(const std::vector<uint32_t>& vertex_of) {
+    const auto [at, is_new] = confidences_.try_emplace(vertex_of, -1);
+    if (!is_new) return at->second;
+    std::vector<float> values;
+    for (const uint32_t v : vertex_of) values.push_back(static_cast<float>(character_.confidence[v]) / 255.0f);
+    at->second = add_accessor(&source_, values.data(), values.size() * 4, "SCALAR", TINYGLTF_COMPONENT_TYPE_FLOAT,
+                              values.size(), true, false);
+    return at->second;
   }
 
   int add_small(const std::vector<uint16_t>& values, bool wide, bool normalized) {
@@ -465,7 +478,8 @@ class SkinWriter {
   std::map<int, int> mesh_users_;                // mesh -> nodes
   std::map<int, std::vector<int>> skin_joints_;  // skins that meshes use now -> their joints' nodes
   std::map<int, Affine> mesh_worlds_;            // new skins
-  std::vector<int> orphans_;                     // accessors that lost a user
+  std::map<std::vector<uint32_t>, int> confidences_;
+  std::vector<int> orphans_;  // accessors that lost a user
 };
 
 }  // namespace

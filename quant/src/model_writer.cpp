@@ -98,4 +98,24 @@ std::vector<uint8_t> write_model(const IntegerModel& model) {
   return bytes;
 }
 
+std::vector<uint8_t> write_confidence(const std::vector<uint8_t>& model, size_t parameters_end,
+                                      const std::vector<ConfidenceEntry>& entries) {
+  std::vector<uint8_t> bytes(model.begin(), model.begin() + static_cast<std::ptrdiff_t>(parameters_end));
+  if (!entries.empty()) {
+    const uint32_t count = static_cast<uint32_t>(entries.size());
+    bytes.resize(parameters_end + confidence_bytes(count), 0);
+    uint8_t* section = bytes.data() + parameters_end;
+    store_u32(section, kConfidenceTag);
+    store_u32(section + 4, static_cast<uint32_t>(confidence_bytes(count)));
+    store_u32(section + 8, count);
+    for (size_t i = 0; i < count; ++i) {
+      store_u16(section + kConfidenceHeader + 4 * i, entries[i].share);
+      store_u16(section + kConfidenceHeader + 4 * i + 2, entries[i].hits);
+    }
+  }
+  store_u64(bytes.data() + kHeaderSize, bytes.size());
+  seal_model(&bytes);
+  return bytes;
+}
+
 }  // namespace sinew

@@ -360,21 +360,36 @@ class Quantizer {
 };
 
 // The engine wants 8-byte aligned bytes; a vector's are, as operator new aligns for every fundamental type.
-void reopen(const std::vector<uint8_t>& bytes) {
+sinew_model reopen(const std::vector<uint8_t>& bytes) {
   sinew_model model;
   const sinew_status status = open_model(bytes.data(), bytes.size(), &model);
   if (status != SINEW_OK) {
     throw Error("quantize: the engine refuses the model (status " + std::to_string(static_cast<int>(status)) +
                 "); is the checkpoint of this version's feature set and layer rules?");
   }
+  return model;
 }
 
 }  // namespace
 
 QuantizedModel quantize(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options) {
   QuantizedModel result = Quantizer(network, calibration, options).run();
-  reopen(result.bytes);
+  (void)reopen(result.bytes);
   return result;
+}
+
+std::vector<uint8_t> with_confidence(const std::vector<uint8_t>& model, const std::vector<ConfidenceEntry>& entries) {
+  const sinew_model opened = reopen(model);
+  const size_t end = opened.confidence_count > 0 ? opened.confidence_offset - kConfidenceHeader : model.size();
+  std::vector<uint8_t> bytes = write_confidence(model, end, entries);
+  sinew_model checked;
+  if (open_model(bytes.data(), bytes.size(), &checked) != SINEW_OK) {
+    throw Error(
+        "confidence: the engine refuses the table; expected 2 to 64 entries with rising shares and hits that do "
+        "not fall, found " +
+        std::to_string(entries.size()));
+  }
+  return bytes;
 }
 
 }  // namespace sinew

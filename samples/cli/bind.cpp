@@ -19,9 +19,9 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string mesh, skeleton, output, model, method, deform, never, lock, hints, png, up = "y";
+  std::string mesh, skeleton, output, model, method, deform, never, lock, hints, png, png_confidence, up = "y";
   unsigned influences = 4, threads = 1;
-  bool json = false;
+  bool json = false, symmetric = false, confidence = false;
 };
 
 int show_progress(void* user, uint32_t done_permille) {
@@ -93,11 +93,41 @@ void set_hints(const Settings& settings, Character* character, std::vector<uint8
   if (count == 0) throw Error(settings.hints + ": paints no vertex; expected weights (skin lines) for some of them");
 }
 
+// Vertices that are more likely wrong than right, and the joints that most of them went to.
+struct Doubts {
+  size_t vertices = 0;
+  std::vector<std::string> joints;  // three at most, by falling number of vertices
+};
+
+Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confidence) {
+  Doubts doubts;
+  std::vector<std::pair<size_t, size_t>> counts(character.joints.size());  // vertices, joints in reverse for ties
+  for (size_t j = 0; j < counts.size(); ++j) counts[j].second = counts.size() - 1 - j;
+  for (size_t v = 0; v < confidence.size(); ++v) {
+    if (confidence[v] >= 128 || character.influences[v].empty()) continue;
+    ++doubts.vertices;
+    ++counts[character.influences[v][0].joint].first;
+  }
+  std::sort(counts.rbegin(), counts.rend());
+  for (size_t i = 0; i < counts.size() && i < 3 && counts[i].first > 0; ++i)
+    doubts.joints.push_back(character.joints[counts.size() - 1 - counts[i].second].name);
+  return doubts;
+}
+
+void draw_confidence(const Settings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
+  std::vector<float> doubt;
+  for (const uint8_t c : confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
+  RenderOptions view;
+  view.up_z = settings.up == "z";
+  write_file(settings.png_confidence, encode_png(render(character, heat_colours(doubt, 1.0f), view)));
+}
+
 void run(Settings settings) {
   const bool to_stream = settings.output == "-";
   if (settings.output.empty()) settings.output = stem(settings.mesh) + ".bound.glb";
   check_output(settings.output, {".glb", ".rig.txt"}, true);
   if (!settings.png.empty()) check_output(settings.png, {".png"});
+  if (!settings.png_confidence.empty()) check_output(settings.png_confidence, {".png"});
   if (settings.method == "heat" && !settings.model.empty())
     throw UsageError("--method heat uses no model: leave out --model");
   if (to_stream && settings.json)
@@ -116,6 +146,7 @@ void run(Settings settings) {
   set_flags(settings, character, &options.joint_flags);
   set_locks(settings, character, &options.locked);
   set_hints(settings, &character, &options.hints);
+  options.symmetric = settings.symmetric;
   uint32_t shown = 0;
   if (isatty(STDERR_FILENO) != 0) {
     options.progress = show_progress;
@@ -123,6 +154,8 @@ void run(Settings settings) {
   }
   BindResult result = bind(character, options);
   character.influences = std::move(result.influences);
+  if (settings.confidence) character.confidence = result.confidence;
+  const Doubts doubts = find_doubts(character, result.confidence);
 
   write_character(settings.output, character);
   if (!settings.png.empty()) {
@@ -131,6 +164,7 @@ void run(Settings settings) {
     const std::vector<uint8_t> png = encode_png(render(character, weight_colours(character), view));
     write_file(settings.png, png);
   }
+  if (!settings.png_confidence.empty()) draw_confidence(settings, character, result.confidence);
 
   size_t pairs = 0;
   std::vector<bool> used(character.joints.size(), false);
@@ -157,6 +191,9 @@ void run(Settings settings) {
                                       {"workspace_used_bytes", result.used_bytes},
                                       {"output", settings.output}};
     if (!settings.png.empty()) summary["png"] = settings.png;
+    if (!settings.png_confidence.empty()) summary["png_confidence"] = settings.png_confidence;
+    summary["to_look_at"] = {{"vertices", doubts.vertices}, {"joints", doubts.joints}};
+    if (settings.symmetric) summary["symmetric_vertices"] = result.symmetric_vertices;
     std::printf("%s\n", summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     return;
   }
@@ -166,6 +203,16 @@ void run(Settings settings) {
   std::fprintf(out, "bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex\n",
                method.c_str(), result.seconds, static_cast<double>(result.workspace_bytes) / 1e6,
                static_cast<double>(result.used_bytes) / 1e6, mean);
+  if (settings.symmetric && result.symmetric_vertices > 0) {
+    std::fprintf(out, "%u of %zu vertices mirrored\n", result.symmetric_vertices, character.vertices.size());
+  } else if (settings.symmetric) {
+    std::fprintf(out, "not symmetric: too few vertices or joints have a mirror image, nothing was mirrored\n");
+  }
+  if (doubts.vertices > 0) {
+    std::string names;
+    for (const std::string& name : doubts.joints) names += (names.empty() ? "" : ", ") + name;
+    std::fprintf(out, "%zu vertices to look at (less than half sure), mostly on %s\n", doubts.vertices, names.c_str());
+  }
   std::fprintf(out, "wrote %s%s%s\n", to_stream ? "standard output" : settings.output.c_str(),
                settings.png.empty() ? "" : " and ", settings.png.c_str());
 }
@@ -207,6 +254,14 @@ void add_bind(CLI::App& app) {
       ->check(CLI::Range(1, 256))
       ->type_name("N");
   sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
+  sub->add_flag("--symmetric", s->symmetric,
+                "Vertices and joints that are mirror images get mirrored weights, to the last bit; says so when the "
+                "character has no mirror plane x = c");
+  sub->add_flag("--confidence", s->confidence,
+                "Also write how sure each vertex is, 0 to 1, as the attribute _CONFIDENCE of a .glb");
+  sub->add_option("--png-confidence", s->png_confidence,
+                  "Also draw where to look: dark blue = sure, yellow = half, red = not at all")
+      ->type_name("FILE");
   sub->add_flag("--json", s->json, "Print the summary as JSON");
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"

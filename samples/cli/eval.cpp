@@ -34,7 +34,7 @@ using Rows = std::vector<std::vector<Influence>>;
 struct Settings {
   std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints;
   unsigned influences = 4, jobs = 1;
-  bool known = false;
+  bool known = false, confidence = false, robustness = false;
 };
 
 struct Prediction {
@@ -316,6 +316,12 @@ class Evaluation {
   std::map<std::string, std::pair<std::string, Rows>> drawn_;  // name -> path, main variant's rows
 };
 
+void run_study(const Settings& s, const char* option, void (*study)(const Study&)) {
+  if (!s.checkpoint.empty()) throw UsageError(std::string(option) + " works with --model and --method heat only");
+  const std::unique_ptr<LoadedModel> model = s.method == "heat" ? nullptr : load_model(s.model);
+  study({s.folder, model ? &model->model : nullptr, s.influences, s.jobs});
+}
+
 // KIND:PERCENT
 void run_hints(const Settings& s) {
   const size_t colon = s.hints.find(':');
@@ -334,6 +340,8 @@ void run(const Settings& s) {
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (s.known && !s.checkpoint.empty()) throw UsageError("--known works with --model and --method heat only");
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
+  if (s.confidence) return run_study(s, "--confidence", study_confidence);
+  if (s.robustness) return run_study(s, "--robustness", study_robustness);
   if (!s.hints.empty()) {
     run_hints(s);
     return;
@@ -376,6 +384,11 @@ void add_eval(CLI::App& app) {
       ->capture_default_str()
       ->type_name("N");
   sub->add_flag("--known", s->known, "Tell the binder which joints have reference weight");
+  sub->add_flag("--confidence", s->confidence,
+                "Instead: print how often the strongest joint is right at each confidence, and the calibration error");
+  sub->add_flag("--robustness", s->robustness,
+                "Instead: print how far the weights move when the same character is moved, scaled, turned, mirrored, "
+                "renumbered, unwelded, its faces split or merged, decimated, subdivided");
   sub->add_option("--hints", s->hints,
                   "Instead: give the reference weights of this share of the vertices as hints, single ones anywhere "
                   "(random:PERCENT) or one region (patch:PERCENT), and print what the others gain")

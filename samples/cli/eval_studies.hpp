@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "sinew/sinew.h"
+#include "sinew_trainer/confidence.hpp"
 
 namespace sinew::cli {
 
@@ -21,6 +23,16 @@ struct Study {
 //   kind   "random": single vertices anywhere; "patch": one connected region
 //   share  of the vertices that are given
 void study_hints(const Study& study, const std::string& kind, double share);
+
+// Prints how confidence and hits agree: without a table, with the model's own, and with one fitted on other families.
+void study_confidence(const Study& study);
+// Confidences of every character of the folder without a table.
+std::vector<JudgedConfidence> judge_folder(const Study& study);
+ConfidenceTable table_of(const sinew_model& model);
+void print_reliability(const std::string& title, const Reliability& reliability);
+
+// Prints how far the weights move when the character is moved, turned, renumbered, remeshed and so on.
+void study_robustness(const Study& study);
 
 }  // namespace sinew::cli
 #endif

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // sinew quantize: a float checkpoint in, an int16 model out.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "calibrate.hpp"
 #include "commands.hpp"
+#include "eval_studies.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 
@@ -14,18 +17,29 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string checkpoint, folder, output, release;
+  std::string checkpoint, folder, output, release, confidence;
   unsigned characters = 40;
   QuantizeOptions options;
   bool quiet = false;
 };
+
+void add_confidence(const Settings& s, std::vector<uint8_t>* bytes) {
+  const std::unique_ptr<LoadedModel> plain = model_from_bytes(*bytes, "the quantised network");
+  const std::vector<JudgedConfidence> judged =
+      judge_folder({s.confidence, &plain->model, 4, std::max(1u, std::thread::hardware_concurrency())});
+  std::vector<ConfidenceEntry> entries;
+  for (const auto& [share, hits] : fit_confidence(judged)) entries.push_back({share, hits});
+  *bytes = with_confidence(*bytes, entries);
+  if (!s.quiet) std::printf("confidence fitted on %zu characters: %zu entries\n", judged.size(), entries.size());
+}
 
 void run(const Settings& s) {
   check_output(s.output, {".sinew"});
   const Checkpoint checkpoint = read_checkpoint(s.checkpoint);
   const std::vector<Sample> samples =
       calibration_samples(s.folder, s.characters, checkpoint.network.candidate_count, checkpoint.network.grid_size);
-  const QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
+  QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
+  if (!s.confidence.empty()) add_confidence(s, &model.bytes);
   write_file(s.output, model.bytes);
   if (!s.release.empty()) {
     Checkpoint weights;
@@ -66,6 +80,10 @@ void add_quantize(CLI::App& app) {
       ->type_name("N");
   sub->add_option("--release", s->release, "Also write the float weights alone, without the state of the training run")
       ->type_name("CKPT");
+  sub->add_option("--confidence", s->confidence,
+                  "Characters outside the training data, of many families: the model learns from them how often its "
+                  "strongest joint is right (sinew eval --confidence tells how well that carries over)")
+      ->type_name("DIR");
   sub->add_flag("--quiet", s->quiet, "Print nothing");
   sub->footer("Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew");
   sub->callback([s] { run(*s); });

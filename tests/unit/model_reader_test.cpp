@@ -376,5 +376,38 @@ TEST(ModelReader, BytesReadTheSameWithoutPlainLoads) {
   }
 }
 
+// A file may end with a confidence table; any other tail is refused.
+TEST(ModelReader, ConfidenceSection) {
+  const std::vector<uint8_t> plain = write_model(small_model());
+  sinew_model model;
+  ASSERT_EQ(open(plain, &model), SINEW_OK);
+  EXPECT_EQ(model.confidence_count, 0u);
+  EXPECT_EQ(model.confidence_offset, 0u);
+  const std::vector<uint8_t> good = with_confidence(plain, {{6553, 20000}, {30000, 20000}, {65535, 60000}});
+  ASSERT_EQ(open(good, &model), SINEW_OK);
+  EXPECT_EQ(model.confidence_count, 3u);
+  EXPECT_EQ(model.confidence_offset, plain.size() + 16);
+  EXPECT_EQ(with_confidence(good, {}), plain) << "taking the table out gives the file it was put into";
+  EXPECT_EQ(with_confidence(good, {{1, 1}, {2, 2}}), with_confidence(plain, {{1, 1}, {2, 2}}));
+  const std::vector<std::vector<ConfidenceEntry>> wrong = {
+      {{1, 1}}, {{2, 1}, {2, 3}}, {{2, 5}, {3, 4}}, std::vector<ConfidenceEntry>(65, ConfidenceEntry{9, 9})};
+  for (const auto& entries : wrong) EXPECT_THROW(with_confidence(plain, entries), Error) << entries.size();
+
+  for (size_t at = plain.size(); at < good.size(); ++at) {  // tag, size, count, zeros: every byte of the frame counts
+    const bool entry = at >= plain.size() + 16 && at < plain.size() + 28;
+    if (entry) continue;
+    std::vector<uint8_t> bad = good;
+    bad[at] ^= 0x40;
+    seal_model(&bad);
+    EXPECT_EQ(open(bad), SINEW_ERROR_MODEL_LAYOUT) << "byte " << at - plain.size();
+  }
+  for (size_t size = plain.size() + 1; size < good.size(); ++size) {
+    std::vector<uint8_t> bad(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size));
+    store_u64(bad.data() + kHeaderSize, size);
+    seal_model(&bad);
+    EXPECT_EQ(open(bad), SINEW_ERROR_MODEL_LAYOUT) << size;
+  }
+}
+
 }  // namespace
 }  // namespace sinew::test

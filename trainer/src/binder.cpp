@@ -82,10 +82,14 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.weight_format = SINEW_WEIGHT_UNORM16;
   engine_options.locked = options.locked.empty() ? nullptr : options.locked.data();
   engine_options.hints = options.hints.empty() ? nullptr : options.hints.data();
+  engine_options.symmetric = options.symmetric ? 1 : 0;
   engine_options.progress = options.progress;
   engine_options.progress_user = options.progress_user;
 
   BindResult result;
+  result.confidence.resize(character.vertices.size());
+  engine_options.confidence = result.confidence.data();
+  engine_options.symmetric_vertices = &result.symmetric_vertices;
   throw_status(character, sinew_bind_workspace_size(options.model, views.mesh.vertex_count, views.mesh.face_count,
                                                     views.mesh.corner_count, views.skeleton.joint_count,
                                                     &engine_options, &result.workspace_bytes));

@@ -67,6 +67,8 @@ typedef struct sinew_model {
   uint32_t layer_count;
   uint32_t parameter_count;
   uint32_t checksum;
+  uint32_t confidence_offset; /* of its confidence table in bytes; 0 = it has none */
+  uint32_t confidence_count;  /* entries of the table */
 } sinew_model;
 
 /* Checks magic, version, checksum, sizes, shapes, shifts and accumulator proofs, then fills *model.
@@ -118,14 +120,23 @@ typedef struct sinew_options {
   uint32_t grid_size;       /* 16..128 voxel cells along the longest side; 0 = the model's own. Heat needs no grid */
   uint32_t up_axis;         /* 0 = Y is up, 1 = Z is up */
   uint32_t weight_format;   /* sinew_weight_format */
-  uint32_t reserved;
-  const uint8_t* locked;   /* [vertex_count] non-zero: this vertex keeps the row already in the output; or null */
-  sinew_progress progress; /* or null */
+  uint32_t symmetric;       /* 1: vertices that are each other's mirror image get mirrored rows, to the last bit (on the
+                             * mirror plane itself up to the one step that an odd sum leaves over). The plane is x = c,
+                             * found by itself; a character that has none stays as it is, see symmetric_vertices */
+  const uint8_t* locked;    /* [vertex_count] non-zero: this vertex keeps the row already in the output; or null */
+  sinew_progress progress;  /* or null */
   void* progress_user;
   /* [vertex_count] non-zero: a hint. The vertex keeps the row already in the output, as if it were locked, and the row
    * steers its surroundings: what was given minus what was predicted is spread over the connected part of the mesh,
    * weaker with distance. Or null. Given to sinew_bind_workspace_size() too: it asks for more then. */
   const uint8_t* hints;
+  /* [vertex_count] out: how sure the strongest joint is the one an artist would choose, 0..255 = 0..100 %. The
+   * strongest joint's share of the prediction, through the model's table of measured shares of hits if it has one
+   * (sinew_model::confidence_count). 255 for locked and hinted vertices. Or null. */
+  uint8_t* confidence;
+  /* out, with `symmetric`: how many vertices have a mirror image (themselves, on the plane); 0: no mirror plane was
+   * found and symmetric did nothing. Or null. */
+  uint32_t* symmetric_vertices;
 } sinew_options;
 
 /* Bytes sinew_bind() needs for meshes of at most these counts. A pure function of its arguments: the same on every

@@ -4,9 +4,11 @@
 #include "bind/bind.hpp"
 
 #include "network/network.hpp"
+#include "weights/confidence.hpp"
 #include "weights/given.hpp"
 #include "weights/hints.hpp"
 #include "weights/influences.hpp"
+#include "weights/symmetry.hpp"
 
 namespace sinew {
 namespace {
@@ -41,18 +43,21 @@ void predicted_row(const BindPlan& plan, const Prepared& p, const Logits& logits
   prune_q16(weights, k);
 }
 
-// Rows that hints change; not there without hints.
+// Rows that hints and symmetry change; not there without them.
 struct Edit {
   Rows rows;
   GivenRows given;
+  Symmetry symmetry;
 
-  bool allocate(Arena& arena, const Counts& counts) {
-    const bool fits = rows.allocate(arena, counts);
-    return given.allocate(arena, counts) && fits;
+  bool allocate(Arena& arena, const BindPlan& plan) {
+    (void)rows.allocate(arena, plan.counts);
+    (void)given.allocate(arena, plan.counts);
+    if (plan.symmetric) (void)symmetry.allocate(arena, plan.counts);
+    return arena.ok();
   }
 };
 
-bool is_edited(const BindPlan& plan) { return plan.hints != nullptr; }
+bool is_edited(const BindPlan& plan) { return plan.hints != nullptr || plan.symmetric; }
 
 bool is_given(const BindPlan& plan, uint32_t vertex) {
   return (plan.locked != nullptr && plan.locked[vertex] != 0) || (plan.hints != nullptr && plan.hints[vertex] != 0);
@@ -79,7 +84,50 @@ sinew_status edit_rows(const BindPlan& plan, const Prepared& p, const Logits& lo
     predicted_row(plan, p, logits, v, edit->rows.joints_of(v), edit->rows.weights_of(v));
   gather_given_rows(p.mesh, plan.locked, plan.hints, joints, weights, plan.weight_format, plan.influence_count,
                     &edit->given);
-  return steer_rows(p.mesh, p.skeleton, edit->given, plan.counts, plan.progress.part(960, 990), arena, &edit->rows);
+  if (plan.symmetric) {
+    const sinew_status status = find_symmetry(p.mesh, p.skeleton, plan.counts, arena, &edit->symmetry);
+    if (status != SINEW_OK) return status;
+    if (edit->symmetry.symmetric) mirror_given_rows(p.mesh, edit->symmetry, &edit->given);
+  }
+  if (plan.hints != nullptr) {
+    const sinew_status status =
+        steer_rows(p.mesh, p.skeleton, edit->given, plan.counts, plan.progress.part(960, 990), arena, &edit->rows);
+    if (status != SINEW_OK) return status;
+  }
+  if (edit->symmetry.symmetric) mirror_rows(p.mesh, edit->given, plan.influence_count, &edit->rows, &edit->symmetry);
+  return SINEW_OK;
+}
+
+// A finished row of a welded vertex. Of two partners the lower one's is finished and the other's is its mirror image,
+// so that rounding and ties fall alike.
+void finish_edited_row(const BindPlan& plan, const Edit& edit, uint32_t welded, uint32_t total, uint16_t* joints,
+                       uint16_t* row) {
+  const uint32_t n = plan.influence_count;
+  const uint32_t partner = edit.symmetry.symmetric ? edit.symmetry.vertex[welded] : kNoPartner;
+  const uint32_t source = partner < welded ? partner : welded;
+  keep_largest(edit.rows.joints_of(source), edit.rows.weights_of(source), kRowSlots, n, total, joints, row);
+  if (source != welded) mirror_influences(edit.symmetry, n, joints, row);
+}
+
+// How sure the prediction of a welded vertex is of its strongest joint, as in sinew_options::confidence.
+uint8_t confidence_of(const BindPlan& plan, const Prepared& p, const Logits& logits, uint32_t vertex) {
+  uint16_t joints[kRowSlots];
+  uint32_t weights[kRowSlots];
+  predicted_row(plan, p, logits, vertex, joints, weights);
+  uint32_t largest = 0;
+  for (uint32_t i = 0; i < kRowSlots; ++i) largest = weights[i] > largest ? weights[i] : largest;
+  return calibrated_confidence(plan.purpose == PrepareFor::kNetwork ? &plan.model : nullptr, largest);
+}
+
+void write_extras(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit) {
+  if (plan.symmetric_vertices != nullptr) {
+    *plan.symmetric_vertices = 0;
+    for (uint32_t v = 0; v < p.mesh.vertex_count && edit.symmetry.symmetric; ++v)
+      *plan.symmetric_vertices += edit.symmetry.vertex[p.mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
+  }
+  if (plan.confidence == nullptr) return;
+  for (uint32_t v = 0; v < p.mesh.vertex_count; ++v)
+    plan.confidence[v] = is_given(plan, v) ? 255 : confidence_of(plan, p, logits, p.mesh.vertex_to_welded[v]);
 }
 
 void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit, uint16_t* joints,
@@ -92,7 +140,7 @@ void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, c
     const uint32_t welded = p.mesh.vertex_to_welded[v];
     uint16_t row[SINEW_MAX_INFLUENCES];
     if (is_edited(plan)) {
-      keep_largest(edit.rows.joints_of(welded), edit.rows.weights_of(welded), kRowSlots, n, total, joints + first, row);
+      finish_edited_row(plan, edit, welded, total, joints + first, row);
     } else {
       uint16_t predicted_joints[kRowSlots];
       uint32_t predicted[kRowSlots];
@@ -122,7 +170,7 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
                        const sinew_options* options, BindPlan* plan) {
   const sinew_options defaults = {};
   const sinew_options& o = options != nullptr ? *options : defaults;
-  if (o.version != 0 || o.reserved != 0 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
+  if (o.version != 0 || o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
       o.up_axis > 1 || o.weight_format > SINEW_WEIGHT_FLOAT) {
     return SINEW_ERROR_ARGUMENT;
   }
@@ -140,6 +188,9 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->weight_format = o.weight_format;
   plan->locked = o.locked;
   plan->hints = o.hints;
+  plan->symmetric = o.symmetric != 0;
+  plan->confidence = o.confidence;
+  plan->symmetric_vertices = o.symmetric_vertices;
   plan->progress = Progress{o.progress, o.progress_user};
   return make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
 }
@@ -151,8 +202,9 @@ void measure_bind(Arena& arena, const BindPlan& plan) {
     measure_run_network(arena, plan.model, plan.counts);
   }
   if (!is_edited(plan)) return;
-  Edit().allocate(arena, plan.counts);
-  measure_steer_rows(arena, plan.counts);
+  Edit().allocate(arena, plan);
+  if (plan.symmetric) measure_find_symmetry(arena, plan.counts);
+  if (plan.hints != nullptr) measure_steer_rows(arena, plan.counts);
 }
 
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
@@ -185,12 +237,13 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   }
   Edit edit;
   if (is_edited(plan)) {
-    if (!edit.allocate(arena, plan.counts)) return SINEW_ERROR_WORKSPACE;
+    if (!edit.allocate(arena, plan)) return SINEW_ERROR_WORKSPACE;
     status = edit_rows(plan, p, logits, joints, weights, arena, &edit);
     if (status != SINEW_OK) return status;
   }
   if (!plan.progress.report(1000)) return SINEW_ERROR_CANCELLED;
   write_rows(plan, p, logits, edit, joints, weights);
+  write_extras(plan, p, logits, edit);
   if (used_bytes != nullptr) *used_bytes = arena.high_water();
   return SINEW_OK;
 }

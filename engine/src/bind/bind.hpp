@@ -17,6 +17,9 @@ struct BindPlan {
   uint32_t weight_format;
   const uint8_t* locked;
   const uint8_t* hints;
+  bool symmetric;
+  uint8_t* confidence;
+  uint32_t* symmetric_vertices;
   Progress progress;
 };
 

@@ -129,6 +129,16 @@ inline uint64_t weight_bytes(const LinearRecord& r) { return padded8(static_cast
 inline uint64_t residual_bytes(const LinearRecord& r) { return padded8(static_cast<uint64_t>(r.out) * 2); }
 inline uint64_t shift_bytes(const LinearRecord& r) { return padded8(r.out); }
 
+// Optional section behind the parameters: confidence. uint32 tag, uint32 bytes of the section (a multiple of 8), uint32
+// entries, uint32 0, then entries of uint16 share of the strongest joint (65535 = 1, rising) and uint16 share of hits
+// (65535 = 1, not falling), zeros up to the end.
+constexpr uint32_t kConfidenceTag = 0x464E4F43u;  // "CONF"
+constexpr size_t kConfidenceHeader = 16;
+constexpr uint32_t kMinConfidenceEntries = 2, kMaxConfidenceEntries = 64;
+inline uint64_t confidence_bytes(uint32_t entries) {
+  return kConfidenceHeader + padded8(static_cast<uint64_t>(entries) * 4);
+}
+
 inline uint64_t tables_bytes(uint32_t buffers, uint32_t layers, uint32_t linears) {
   return kHeaderBytes + static_cast<uint64_t>(buffers) * kBufferBytes + static_cast<uint64_t>(layers) * kLayerBytes +
          static_cast<uint64_t>(linears) * kLinearBytes;

@@ -229,6 +229,22 @@ sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_
   return proven(tables, *list, index) ? SINEW_OK : SINEW_ERROR_MODEL_OVERFLOW;
 }
 
+// The section at `offset`, which must reach to the end of the file.
+bool legal_confidence(const uint8_t* bytes, uint64_t offset, size_t size_bytes) {
+  const uint64_t rest = size_bytes - offset;
+  const uint8_t* section = bytes + offset;
+  if (rest < kConfidenceHeader || load_u32(section) != kConfidenceTag) return false;
+  const uint32_t count = load_u32(section + 8);
+  if (count < kMinConfidenceEntries || count > kMaxConfidenceEntries || load_u32(section + 12) != 0) return false;
+  if (confidence_bytes(count) != rest || load_u32(section + 4) != rest) return false;
+  const uint8_t* entry = section + kConfidenceHeader;
+  for (uint32_t i = 1; i < count; ++i) {
+    if (load_u16(entry + 4 * i) <= load_u16(entry + 4 * (i - 1))) return false;
+    if (load_u16(entry + 4 * i + 2) < load_u16(entry + 4 * (i - 1) + 2)) return false;
+  }
+  return all_zero(entry + 4 * count, rest - kConfidenceHeader - 4 * count);
+}
+
 }  // namespace
 
 sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model) {
@@ -249,7 +265,9 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
     status = check_layer(tables, i, size_bytes, &list, &linear_index, &offset);
     if (status != SINEW_OK) return status;
   }
-  if (linear_index != tables.linear_count() || offset != size_bytes) return SINEW_ERROR_MODEL_LAYOUT;
+  if (linear_index != tables.linear_count()) return SINEW_ERROR_MODEL_LAYOUT;
+  const bool has_confidence = offset < size_bytes;
+  if (has_confidence && !legal_confidence(bytes, offset, size_bytes)) return SINEW_ERROR_MODEL_LAYOUT;
 
   // The last layer gives one Q10 logit per pair.
   const uint32_t last = tables.layer_count() - 1;
@@ -277,6 +295,8 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   model->layer_count = tables.layer_count();
   model->parameter_count = parameter_count;
   model->checksum = load_u32(bytes + kHeaderChecksum);
+  model->confidence_offset = has_confidence ? static_cast<uint32_t>(offset + kConfidenceHeader) : 0;
+  model->confidence_count = has_confidence ? load_u32(bytes + offset + 8) : 0;
   return SINEW_OK;
 }
 

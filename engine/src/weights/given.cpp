@@ -7,6 +7,9 @@
 namespace sinew {
 namespace {
 
+// Rows of unorm16 and of unorm8 are scaled to this sum and back without loss, so that a mirrored row is the given one.
+constexpr uint32_t kGivenSum = 65535;
+
 // round_half_up(value * 2^16) of an IEEE float from its bits, 2^16 from 1 on. False for negative values and NaN.
 bool float_q16(float value, uint32_t* out) {
   uint32_t bits;
@@ -32,7 +35,7 @@ void add_row(const uint16_t* joints, const uint32_t* weights, uint32_t count, ui
   // A point with thousands of vertices is no mesh any more; the sums stop before they overflow.
   constexpr uint32_t kFull = 1u << 30;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t share = static_cast<uint32_t>((static_cast<uint64_t>(weights[i]) * kWholeRow + sum / 2) / sum);
+    const uint32_t share = static_cast<uint32_t>((static_cast<uint64_t>(weights[i]) * kGivenSum + sum / 2) / sum);
     if (share > 0 && rows.weight(vertex, joints[i]) < kFull) rows.add(vertex, joints[i], share);
   }
 }
@@ -42,7 +45,7 @@ void normalise(uint32_t vertex, const Rows& rows) {
   uint64_t sum = 0;
   for (uint32_t i = 0; i < kRowSlots; ++i) sum += weights[i];
   for (uint32_t i = 0; i < kRowSlots; ++i)
-    weights[i] = static_cast<uint32_t>((static_cast<uint64_t>(weights[i]) * kWholeRow + sum / 2) / sum);
+    weights[i] = static_cast<uint32_t>((static_cast<uint64_t>(weights[i]) * kGivenSum + sum / 2) / sum);
 }
 
 }  // namespace

@@ -39,6 +39,8 @@ struct Character {
   std::vector<std::vector<Influence>>
       influences;  // [V] or empty: reference or predicted weights; a row may be empty (unbound)
 
+  std::vector<uint8_t> confidence;  // [V] 0..255 or empty: how sure a prediction is; written to glTF as _CONFIDENCE
+
   // Kept for writing, all optional. Per corner, parallel to face_vertices (empty when the file has none).
   std::vector<std::array<float, 2>> corner_uvs;
   std::vector<Vec3> corner_normals;

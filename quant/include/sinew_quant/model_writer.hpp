@@ -9,6 +9,7 @@
 
 #include "model/layers.hpp"
 #include "model/layout.hpp"
+#include "sinew_quant/quantize.hpp"
 
 namespace sinew {
 
@@ -31,6 +32,9 @@ struct IntegerModel {
   std::vector<IntegerLinear> linears;  // in layer order
 };
 
+// The file with a confidence section of these entries behind its first `parameters_end` bytes.
+std::vector<uint8_t> write_confidence(const std::vector<uint8_t>& model, size_t parameters_end,
+                                      const std::vector<ConfidenceEntry>& entries);
 std::vector<uint8_t> write_model(const IntegerModel& model);
 // Recomputes the checksum of a file of at least kHeaderBytes after its bytes were changed.
 void seal_model(std::vector<uint8_t>* bytes);

@@ -21,11 +21,14 @@ struct BindOptions {
   std::vector<uint8_t> joint_flags;  // [J] SINEW_JOINT_* or empty
   std::vector<uint8_t> locked;       // [V] or empty; locked rows come from character.influences
   std::vector<uint8_t> hints;        // [V] or empty; the same, and their rows steer the vertices around them
+  bool symmetric = false;            // mirrored vertices get mirrored rows
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;
 };
 struct BindResult {
   std::vector<std::vector<Influence>> influences;  // [V], weights unorm16 / 65535
+  std::vector<uint8_t> confidence;                 // [V] 0..255, see sinew_options
+  uint32_t symmetric_vertices = 0;                 // with BindOptions::symmetric
   size_t workspace_bytes = 0, used_bytes = 0;
   double seconds = 0;
 };

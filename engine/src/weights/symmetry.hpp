@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Left and right (stage 9): finds the mirror plane, pairs joints and vertices across it, and makes rows of pairs mirror
+// images of each other.
+#ifndef SINEW_WEIGHTS_SYMMETRY_HPP
+#define SINEW_WEIGHTS_SYMMETRY_HPP
+
+#include "mesh/mesh.hpp"
+#include "weights/rows.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kNoPartner = 0xFFFFFFFFu;
+
+// The plane is x = plane / 2 in grid units: the middle of the mesh's box or, when more vertices have a mirror image
+// then, the middle joint's x.
+//   joints   one within 1/512 of the longest side of the mirrored place, whose parent is the mirrored parent, with as
+//   many
+//            children and as usable; each the other's nearest. The joint itself may be its partner
+//   vertices nearest to the mirrored place, within 1/512 of the longest side, each the other's nearest
+// The character counts as symmetric when at least half of the vertices and half of the joints have a partner.
+struct Symmetry {
+  bool symmetric = false;
+  int32_t plane = 0;
+  uint32_t paired_count = 0;   // welded vertices with a partner, themselves included
+  uint16_t* joint = nullptr;   // [J] partner or kNoJoint
+  uint32_t* vertex = nullptr;  // [U] partner or kNoPartner
+
+  bool allocate(Arena& arena, const Counts& counts);
+};
+
+// Scratch is taken from the arena and released. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
+sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, Arena& arena,
+                           Symmetry* out);
+void measure_find_symmetry(Arena& arena, const Counts& counts);
+
+// Where one vertex of a pair has a given row and the other has none, the other is given the mirror image.
+void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* given);
+// Both rows of a pair become the mean of one and the other's mirror image. Given rows come into place. Weight of joints
+// without a partner is dropped; a pair that has no other, and one with a given row, loses its partners in `symmetry`. A
+// vertex that is its own partner keeps at most `influence_count` joints, of two partners both or none.
+void mirror_rows(const Mesh& mesh, const GivenRows& given, uint32_t influence_count, Rows* rows, Symmetry* symmetry);
+// Replaces the joints of a finished row by their partners and sorts it again: falling weight, ties by lower joint.
+void mirror_influences(const Symmetry& symmetry, uint32_t influence_count, uint16_t* joints, uint16_t* weights);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// sinew eval --confidence: is a vertex that the binder is 90 % sure of right nine times in ten?
+#include <cstdio>
+
+#include "eval_studies.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/binder.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+
+std::vector<JudgedConfidence> judge_folder(const Study& study) {
+  const std::vector<std::string> paths = list_characters(study.folder);
+  if (paths.empty()) throw Error(study.folder + ": no characters; expected NAME.obj with NAME.rig.txt, or .glb files");
+  sinew_model model = {};
+  if (study.model != nullptr) model = *study.model;
+  model.confidence_count = 0;  // the share itself
+  std::vector<JudgedConfidence> judged(paths.size());
+  parallel_for(paths.size(), study.jobs, [&](size_t i) {
+    const Character c = read_character(paths[i]);
+    if (c.influences.empty()) throw Error(paths[i] + ": has no reference weights to compare with");
+    BindOptions options;
+    options.method = study.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+    options.model = &model;
+    options.influence_count = study.influences;
+    const BindResult result = bind(c, options);
+    judged[i] = judge_confidence(c, result.influences, result.confidence);
+  });
+  return judged;
+}
+
+void print_reliability(const std::string& title, const Reliability& r) {
+  std::printf(
+      "%s: expected calibration error %.4f\n\n| confidence | vertices | mean confidence | right |\n|---|---|---|---|\n",
+      title.c_str(), r.error);
+  for (size_t i = 0; i < r.bins.size(); ++i) {
+    if (r.bins[i].share <= 0) continue;
+    std::printf("| %zu to %zu %% | %.1f %% | %.1f %% | %.1f %% |\n", 10 * i, 10 * i + 10, 100 * r.bins[i].share,
+                100 * r.bins[i].confidence, 100 * r.bins[i].right);
+  }
+  std::printf("\n");
+}
+
+void study_confidence(const Study& study) {
+  const std::vector<JudgedConfidence> judged = judge_folder(study);
+  print_reliability("strongest joint's share, no table", reliability(judged));
+  if (study.model != nullptr && study.model->confidence_count > 0)
+    print_reliability("the model's table", reliability(apply_confidence(judged, table_of(*study.model))));
+  print_reliability("table fitted on the other half of the families", reliability_across_families(judged));
+}
+
+ConfidenceTable table_of(const sinew_model& model) {
+  ConfidenceTable table;
+  for (uint32_t i = 0; i < model.confidence_count; ++i) {
+    const uint8_t* entry = model.bytes + model.confidence_offset + 4 * i;
+    table.emplace_back(static_cast<uint16_t>(entry[0] | entry[1] << 8),
+                       static_cast<uint16_t>(entry[2] | entry[3] << 8));
+  }
+  return table;
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+if(TARGET sinew_trainer)
+  sinew_test(sinew_artist_property_test SOURCES property/artist_property_test.cpp LIBS sinew::trainer LABELS property)
+endif()
