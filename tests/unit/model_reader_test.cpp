@@ -8,6 +8,7 @@
 
 #include "model/reader.hpp"
 #include "network_fixture.hpp"
+#include "sinew_formats/error.hpp"
 
 namespace sinew::test {
 namespace {
