@@ -85,7 +85,7 @@ TEST(ArtistProperty, SymmetricCharactersGetMirroredRowsToTheLastBit) {
       EXPECT_EQ(result.symmetric_vertices, twin.character.vertices.size());
       EXPECT_EQ(differing(twin, result.influences), 0u) << "seed " << seed;
       for (const auto& row : result.influences) {
-        double sum = 0;
+        long sum = 0;
         for (const Influence& i : row) sum += std::lround(i.weight * 65535.0f);
         ASSERT_EQ(sum, 65535);
       }
