@@ -13,6 +13,7 @@
 #include "sinew_formats/image.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/binder.hpp"
+#include "style_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -21,6 +22,7 @@ namespace {
 struct Settings {
   std::string mesh, skeleton, output, model, method, deform, never, lock, hints, png, png_confidence, up = "y";
   unsigned influences = 4, threads = 1;
+  StyleOptions style;
   bool json = false, symmetric = false, confidence = false;
 };
 
@@ -147,6 +149,7 @@ void run(Settings settings) {
   set_locks(settings, character, &options.locked);
   set_hints(settings, &character, &options.hints);
   options.symmetric = settings.symmetric;
+  apply_style(settings.style, &options);
   uint32_t shown = 0;
   if (isatty(STDERR_FILENO) != 0) {
     options.progress = show_progress;
@@ -254,6 +257,7 @@ void add_bind(CLI::App& app) {
       ->check(CLI::Range(1, 256))
       ->type_name("N");
   sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
+  add_style_options(sub, &s->style);
   sub->add_flag("--symmetric", s->symmetric,
                 "Vertices and joints that are mirror images get mirrored weights, to the last bit; says so when the "
                 "character has no mirror plane x = c");

@@ -83,6 +83,8 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.locked = options.locked.empty() ? nullptr : options.locked.data();
   engine_options.hints = options.hints.empty() ? nullptr : options.hints.data();
   engine_options.symmetric = options.symmetric ? 1 : 0;
+  engine_options.rigid_parts = options.rigid_parts;
+  engine_options.softness_percent = options.softness_percent;
   engine_options.progress = options.progress;
   engine_options.progress_user = options.progress_user;
 

@@ -107,6 +107,14 @@ typedef enum sinew_weight_format {
   SINEW_WEIGHT_FLOAT = 2    /* float, unorm16 / 65535 */
 } sinew_weight_format;
 
+/* Whether a connected component moves as one piece. Artists bind the same geometry both ways. */
+typedef enum sinew_rigid_parts {
+  SINEW_RIGID_PARTS_AUTO = 0,   /* as the model or the heat field says */
+  SINEW_RIGID_PARTS_ALWAYS = 1, /* every component gets one joint: the one with most of its weight */
+  SINEW_RIGID_PARTS_NEVER = 2   /* components that the model alone makes rigid (19/20 of the weight on one joint, but
+                                 * not in the heat field) get the heat field's weights */
+} sinew_rigid_parts;
+
 /* Called now and then with a share of work done, 0..1000. Return non-zero to cancel. */
 typedef int (*sinew_progress)(void* user, uint32_t done_permille);
 
@@ -123,8 +131,11 @@ typedef struct sinew_options {
   uint32_t symmetric;       /* 1: vertices that are each other's mirror image get mirrored rows, to the last bit (on the
                              * mirror plane itself up to the one step that an odd sum leaves over). The plane is x = c,
                              * found by itself; a character that has none stays as it is, see symmetric_vertices */
-  const uint8_t* locked;    /* [vertex_count] non-zero: this vertex keeps the row already in the output; or null */
-  sinew_progress progress;  /* or null */
+  uint32_t rigid_parts;     /* sinew_rigid_parts; locked vertices and hints have the last word */
+  uint32_t softness_percent; /* 25..400: how softly the model's weights blend, 200 twice as softly; 0 = 100. Not for
+                              * SINEW_METHOD_HEAT */
+  const uint8_t* locked;     /* [vertex_count] non-zero: this vertex keeps the row already in the output; or null */
+  sinew_progress progress;   /* or null */
   void* progress_user;
   /* [vertex_count] non-zero: a hint. The vertex keeps the row already in the output, as if it were locked, and the row
    * steers its surroundings: what was given minus what was predicted is spread over the connected part of the mesh,

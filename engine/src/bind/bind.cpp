@@ -8,6 +8,7 @@
 #include "weights/given.hpp"
 #include "weights/hints.hpp"
 #include "weights/influences.hpp"
+#include "weights/style.hpp"
 #include "weights/symmetry.hpp"
 
 namespace sinew {
@@ -39,11 +40,18 @@ void predicted_row(const BindPlan& plan, const Prepared& p, const Logits& logits
   }
   const uint32_t k = plan.counts.candidates;
   for (uint32_t i = 0; i < k; ++i) joints[i] = p.features.joints[static_cast<size_t>(vertex) * k + i];
-  softmax_q16(logits.values + static_cast<size_t>(vertex) * k, joints, k, weights);
+  const int16_t* const own = logits.values + static_cast<size_t>(vertex) * k;
+  if (plan.softness_percent == 100) {
+    softmax_q16(own, joints, k, weights);
+  } else {
+    int16_t softened[SINEW_MAX_CANDIDATES];
+    soften_logits(own, joints, k, plan.softness_percent, softened);
+    softmax_q16(softened, joints, k, weights);
+  }
   prune_q16(weights, k);
 }
 
-// Rows that hints and symmetry change; not there without them.
+// Rows that rigid parts, hints and symmetry change; not there without them.
 struct Edit {
   Rows rows;
   GivenRows given;
@@ -57,7 +65,9 @@ struct Edit {
   }
 };
 
-bool is_edited(const BindPlan& plan) { return plan.hints != nullptr || plan.symmetric; }
+bool is_edited(const BindPlan& plan) {
+  return plan.hints != nullptr || plan.symmetric || plan.rigid_parts != SINEW_RIGID_PARTS_AUTO;
+}
 
 bool is_given(const BindPlan& plan, uint32_t vertex) {
   return (plan.locked != nullptr && plan.locked[vertex] != 0) || (plan.hints != nullptr && plan.hints[vertex] != 0);
@@ -82,6 +92,13 @@ sinew_status edit_rows(const BindPlan& plan, const Prepared& p, const Logits& lo
                        const void* weights, Arena& arena, Edit* edit) {
   for (uint32_t v = 0; v < p.mesh.welded_count; ++v)
     predicted_row(plan, p, logits, v, edit->rows.joints_of(v), edit->rows.weights_of(v));
+  if (plan.rigid_parts != SINEW_RIGID_PARTS_AUTO) {
+    const sinew_status status =
+        plan.rigid_parts == SINEW_RIGID_PARTS_ALWAYS
+            ? make_parts_rigid(p.mesh, plan.counts, arena, &edit->rows)
+            : make_parts_soft(p.mesh, p.heat.field[kFieldRule], plan.counts, arena, &edit->rows);
+    if (status != SINEW_OK) return status;
+  }
   gather_given_rows(p.mesh, plan.locked, plan.hints, joints, weights, plan.weight_format, plan.influence_count,
                     &edit->given);
   if (plan.symmetric) {
@@ -171,7 +188,8 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   const sinew_options defaults = {};
   const sinew_options& o = options != nullptr ? *options : defaults;
   if (o.version != 0 || o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
-      o.up_axis > 1 || o.weight_format > SINEW_WEIGHT_FLOAT) {
+      o.up_axis > 1 || o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
+      (o.softness_percent != 0 && (o.softness_percent < 25 || o.softness_percent > 400))) {
     return SINEW_ERROR_ARGUMENT;
   }
   plan->purpose = o.method == SINEW_METHOD_HEAT ? PrepareFor::kHeat : PrepareFor::kNetwork;
@@ -189,6 +207,8 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->locked = o.locked;
   plan->hints = o.hints;
   plan->symmetric = o.symmetric != 0;
+  plan->rigid_parts = o.rigid_parts;
+  plan->softness_percent = or_default(o.softness_percent, 100);
   plan->confidence = o.confidence;
   plan->symmetric_vertices = o.symmetric_vertices;
   plan->progress = Progress{o.progress, o.progress_user};
@@ -203,6 +223,7 @@ void measure_bind(Arena& arena, const BindPlan& plan) {
   }
   if (!is_edited(plan)) return;
   Edit().allocate(arena, plan);
+  if (plan.rigid_parts != SINEW_RIGID_PARTS_AUTO) measure_part_style(arena, plan.counts);
   if (plan.symmetric) measure_find_symmetry(arena, plan.counts);
   if (plan.hints != nullptr) measure_steer_rows(arena, plan.counts);
 }

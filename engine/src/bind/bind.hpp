@@ -18,6 +18,8 @@ struct BindPlan {
   const uint8_t* locked;
   const uint8_t* hints;
   bool symmetric;
+  uint32_t rigid_parts;
+  uint32_t softness_percent;
   uint8_t* confidence;
   uint32_t* symmetric_vertices;
   Progress progress;

@@ -21,6 +21,8 @@ struct BindOptions {
   std::vector<uint8_t> joint_flags;  // [J] SINEW_JOINT_* or empty
   std::vector<uint8_t> locked;       // [V] or empty; locked rows come from character.influences
   std::vector<uint8_t> hints;        // [V] or empty; the same, and their rows steer the vertices around them
+  uint32_t rigid_parts = 0;          // sinew_rigid_parts
+  uint32_t softness_percent = 100;   // of the model's weights
   bool symmetric = false;            // mirrored vertices get mirrored rows
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;

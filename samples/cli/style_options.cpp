@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// How the style options look on the command line and what they mean to the engine.
+#include "style_options.hpp"
+
+#include <cmath>
+
+#include "support.hpp"
+
+namespace sinew::cli {
+
+void add_style_options(CLI::App* sub, StyleOptions* style) {
+  sub->add_option("--rigid-parts", style->rigid_parts,
+                  "always: every connected part moves with one joint (toys, robots, armour); never: no part does unless "
+                  "the heat field says so; auto: the model decides")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  sub->add_option("--softness", style->softness, "How softly weights blend between joints: 2 twice as softly, 0.5 harder")
+      ->check(CLI::Range(0.25, 4.0))
+      ->capture_default_str();
+}
+
+void apply_style(const StyleOptions& style, BindOptions* options) {
+  if (options->method == SINEW_METHOD_HEAT && style.softness != 1)
+    throw UsageError("--softness is for the model's weights: leave it out with --method heat");
+  options->rigid_parts = style.rigid_parts == "always"  ? SINEW_RIGID_PARTS_ALWAYS
+                         : style.rigid_parts == "never" ? SINEW_RIGID_PARTS_NEVER
+                                                        : SINEW_RIGID_PARTS_AUTO;
+  options->softness_percent = static_cast<uint32_t>(std::lround(style.softness * 100));
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The options --rigid-parts and --softness, which bind and eval share.
+#ifndef SINEW_CLI_STYLE_OPTIONS_HPP
+#define SINEW_CLI_STYLE_OPTIONS_HPP
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "sinew_trainer/binder.hpp"
+
+namespace sinew::cli {
+
+struct StyleOptions {
+  std::string rigid_parts = "auto";
+  double softness = 1;
+};
+// `style` must live as long as the subcommand.
+void add_style_options(CLI::App* sub, StyleOptions* style);
+// Throws UsageError when the method of `options` has no use for them.
+void apply_style(const StyleOptions& style, BindOptions* options);
+
+}  // namespace sinew::cli
+#endif
