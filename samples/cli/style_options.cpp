@@ -9,12 +9,14 @@
 namespace sinew::cli {
 
 void add_style_options(CLI::App* sub, StyleOptions* style) {
-  sub->add_option("--rigid-parts", style->rigid_parts,
-                  "always: every connected part moves with one joint (toys, robots, armour); never: no part does unless "
-                  "the heat field says so; auto: the model decides")
+  sub->add_option(
+         "--rigid-parts", style->rigid_parts,
+         "always: every connected part moves with one joint (toys, robots, armour); never: no part does unless "
+         "the heat field says so; auto: the model decides")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
-  sub->add_option("--softness", style->softness, "How softly weights blend between joints: 2 twice as softly, 0.5 harder")
+  sub->add_option("--softness", style->softness,
+                  "How softly weights blend between joints: 2 twice as softly, 0.5 harder")
       ->check(CLI::Range(0.25, 4.0))
       ->capture_default_str();
 }

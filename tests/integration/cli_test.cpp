@@ -343,7 +343,8 @@ TEST_F(Cli, EvalReportsFailuresAndGoesOn) {
 
 TEST_F(Cli, TrainQuantizeEvalBind) {
   good("dataset synthesize --plan snake --count 2 --resolution 24 -o set");
-  put(in("config.json"), R"({"steps": 4, "validate_every": 2, "variants": 0, "field": {"width": 8, "rounds": 1}})");
+  put(in("config.json"),
+      R"({"steps": 4, "validate_every": 2, "variants": 0, "synthetic": 0, "field": {"width": 8, "rounds": 1}})");
   good("train set --val set --config config.json -o run.ckpt --quiet");
   good("train set --val set --resume -o run.ckpt --quiet");  // with the configuration of the checkpoint
   EXPECT_NE(good("inspect run.ckpt").out.find("4 steps"), std::string::npos);

@@ -32,6 +32,8 @@ class CrossvalRun : public ::testing::Test {
     config_.steps = 6;
     config_.validate_every = 2;
     config_.learning_rate = 0.02;
+    config_.variants = 0;
+    config_.synthetic = 0;
   }
   void add(const std::string& where, BodyPlan plan, uint64_t seed, const std::string& family) {
     Character character = decimate(synthesize({plan, seed, 24, true}), 0.3);

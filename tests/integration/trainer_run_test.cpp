@@ -34,6 +34,7 @@ class TrainerRun : public ::testing::Test {
     add(BodyPlan::kBird, 2, "wings");
     config_.field = {16, 8, 1, 8, 32};
     config_.variants = 0;
+    config_.synthetic = 0;
     config_.correction = 1;
     config_.validate_every = 1000000;
   }

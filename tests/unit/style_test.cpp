@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Rigid and soft parts and softened logits on rows made by hand.
+#include "weights/style.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "weights/influences.hpp"
-#include "weights/style.hpp"
 
 namespace sinew {
 namespace {

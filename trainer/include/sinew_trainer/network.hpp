@@ -12,9 +12,9 @@
 namespace sinew {
 
 struct FieldOptions {
-  uint32_t width = 32;         // channels of a pair state
+  uint32_t width = 48;         // channels of a pair state
   uint32_t vertex_width = 16;  // channels of the vertex branch
-  uint32_t rounds = 2;         // message passing rounds, 0 is legal
+  uint32_t rounds = 3;         // message passing rounds, 0 is legal
   uint32_t candidates = 8;
   uint32_t grid = 64;
 };
