@@ -16,6 +16,7 @@
 #include "quantised.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
+#include "sinew_trainer/ranks.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -50,6 +51,8 @@ void run(Settings s) {
   }
   if (s.options.data_dir.empty())
     throw UsageError("DIR is required: a folder of FAMILY__NAME.obj with .rig.txt, or of .glb files");
+  if (Ranks().size() > 1)
+    throw UsageError("crossval runs its folds side by side without mpirun; on several machines give each its --fold");
   if (s.steps > 0 && s.options.minutes > 0) throw UsageError("--steps and --minutes exclude each other");
   TrainConfig config;
   if (!s.config.empty()) {

@@ -2,13 +2,16 @@
 // The sinew command: reads the command line, runs one subcommand, turns every failure into one line and an exit status.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string>
 
 #include "commands.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/ranks.hpp"
 #include "support.hpp"
 
 namespace {
@@ -29,6 +32,26 @@ std::string chosen_command(const CLI::App& app) {
   std::string name = app.get_name();
   for (const CLI::App* sub : app.get_subcommands()) name += " " + chosen_command(*sub);
   return name;
+}
+
+std::string see_help(const CLI::App& app) { return "; see " + chosen_command(app) + " --help"; }
+
+// Wrong usage and a failure that the ranks of mpirun share are the same on all of them: only the first says it. The
+// others end without complaint, or mpirun might kill the first before it has spoken.
+bool repeated(const CLI::App& app) {
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  if (rank == nullptr) rank = std::getenv("PMI_RANK");
+  return app.got_subcommand("train") && rank != nullptr && std::string(rank) != "0";
+}
+
+// CLI11 says of a wrong first word only that a subcommand is missing.
+std::optional<std::string> unknown_command(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* level = &app;
+  while (!level->get_subcommands().empty()) level = level->get_subcommands().front();
+  const size_t depth = level == &app ? 1 : 2;
+  if (level->get_subcommands([](const CLI::App*) { return true; }).empty()) return std::nullopt;
+  if (argc <= static_cast<int>(depth) || argv[depth][0] == '-') return std::nullopt;
+  return "no such command: " + std::string(level == &app ? "" : level->get_name() + " ") + argv[depth];
 }
 
 }  // namespace
@@ -53,9 +76,11 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& done) {
     return app.exit(done);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return fail(std::string(error.what()) + "; see " + chosen_command(app) + " --help", 2);
+    return repeated(app) ? 0 : fail(unknown_command(app, argc, argv).value_or(error.what()) + see_help(app), 2);
   } catch (const sinew::cli::UsageError& error) {
-    return fail(std::string(error.what()) + "; see " + chosen_command(app) + " --help", 2);
+    return repeated(app) ? 0 : fail(error.what() + see_help(app), 2);
+  } catch (const sinew::RanksError& error) {
+    return repeated(app) ? 0 : fail(error.what(), 1);
   } catch (const sinew::Error& error) {
     return fail(error.what(), 1);
   } catch (const std::bad_alloc&) {

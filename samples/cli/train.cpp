@@ -10,9 +10,11 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "commands.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/ranks.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -23,33 +25,69 @@ std::atomic<bool> stop_requested = false;
 struct Settings {
   TrainOptions options;
   std::string config;
-  bool print_config = false;
+  std::string shard;
+  uint64_t steps = 0;
+  bool print_config = false, cache_only = false, threads_given = false;
 };
 
-void run(Settings s) {
+// "2/5" -> {1, 5}: the second of five.
+std::pair<uint32_t, uint32_t> parse_shard(const std::string& text) {
+  unsigned part = 0, parts = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%u/%u%c", &part, &parts, &rest) != 2 || part < 1 || part > parts || parts > 100000)
+    throw UsageError("--shard: expected I/N with I from 1 to N, found " + text);
+  return {part - 1, parts};
+}
+
+void fill_cache(const Settings& s, const TrainConfig& config, const TrainOptions& options, const Ranks& ranks) {
+  std::pair<uint32_t, uint32_t> shard = {ranks.rank(), ranks.size()};
+  if (!s.shard.empty()) shard = parse_shard(s.shard);
+  const size_t made = fill_feature_cache(config, options, shard.first, shard.second);
+  if (ranks.size() > 1) {
+    std::printf("%s: rank %u made %zu samples\n", options.cache_dir.c_str(), ranks.rank(), made);
+  } else {
+    std::printf("%s: %zu samples made\n", options.cache_dir.c_str(), made);
+  }
+}
+
+// Under mpirun every rank comes here with the same command line.
+void run_ranks(const Settings& s, Ranks* ranks) {
   TrainConfig config;
   if (!s.config.empty()) {
     const std::vector<uint8_t> bytes = read_file(s.config);
     config = parse_train_config(std::string(bytes.begin(), bytes.end()), s.config);
   }
+  TrainOptions options = s.options;
+  if (options.resume && s.config.empty()) config = checkpoint_config(options.output);
+  if (s.steps > 0) config.steps = s.steps;
   if (s.print_config) {
-    std::printf("%s\n", train_config_json(config).c_str());
+    if (ranks->rank() == 0) std::printf("%s\n", train_config_json(config).c_str());
     return;
   }
-  if (s.options.data_dir.empty())
+  options.ranks = ranks;
+  if (!s.threads_given) options.threads = std::max(1u, options.threads / ranks->local_size());
+  if (s.cache_only) return fill_cache(s, config, options, *ranks);
+  check_output(options.output, {".sinewckpt", ".ckpt"});
+  // Ctrl-C, and what mpirun and job schedulers send, end the run after its step, with everything on disk that --resume
+  // needs.
+  options.stop = &stop_requested;
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = true; });
+  train(config, options);
+  if (stop_requested && ranks->rank() == 0)
+    std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", options.output.c_str());
+}
+
+void run(const Settings& s) {
+  if (s.options.data_dir.empty() && !s.print_config)
     throw UsageError("DIR is required: a folder of NAME.obj with NAME.rig.txt, or of .glb files");
-  if (s.options.output.empty()) throw UsageError("-o CKPT is required");
+  if (s.cache_only && s.options.cache_dir.empty()) throw UsageError("--cache-only needs --cache DIR");
+  if (!s.shard.empty() && !s.cache_only) throw UsageError("--shard belongs to --cache-only");
+  if (!s.shard.empty()) parse_shard(s.shard);
+  if (s.options.output.empty() && !s.print_config && !s.cache_only) throw UsageError("-o CKPT is required");
   if (s.options.resume && !s.options.init.empty())
     throw UsageError("--resume goes on from -o, --init starts anew: give one of them");
-  check_output(s.options.output, {".sinewckpt", ".ckpt"});
-  if (s.options.resume && s.config.empty()) config = checkpoint_config(s.options.output);
-  // Ctrl-C ends the run after its step, with everything on disk that --resume needs.
-  TrainOptions options = s.options;
-  options.stop = &stop_requested;
-  std::signal(SIGINT, [](int) { stop_requested = true; });
-  train(config, options);
-  if (stop_requested)
-    std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", s.options.output.c_str());
+  Ranks ranks;
+  ranks.together([&] { run_ranks(s, &ranks); });
 }
 
 }  // namespace
@@ -74,15 +112,30 @@ void add_train(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   sub->add_option("--cache", s->options.cache_dir, "Folder for computed features [CKPT.cache]")->type_name("DIR");
-  sub->add_option("--threads", s->options.threads, "Threads")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str()
-      ->type_name("N");
+  sub->add_option("--steps", s->steps, "Steps [the configuration's]")->check(CLI::PositiveNumber)->type_name("N");
+  sub->add_flag("--cache-only", s->cache_only,
+                "Fill --cache for DIR and --val and stop; any number of processes at once");
+  sub->add_option("--shard", s->shard, "With --cache-only: begin with the I-th of N parts [one part]")
+      ->type_name("I/N");
+  auto* threads = sub->add_option("--threads", s->options.threads,
+                                  "Threads; under mpirun of each rank, by default the cores shared out")
+                      ->check(CLI::Range(1, 256))
+                      ->capture_default_str()
+                      ->type_name("N");
   sub->add_flag("--quiet", s->options.quiet, "No progress bar");
   sub->footer(
       "Example:\n  sinew train characters/train --val characters/val -o run.sinewckpt --minutes 60\n"
-      "then\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew");
-  sub->callback([s] { run(*s); });
+      "then\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"
+      "Ranks share each batch and give the same checkpoint as one; they need the same files:\n"
+      "  mpirun -n 2 sinew train characters/train -o run.sinewckpt\n"
+      "Features from two processes at once:\n"
+      "  sinew train characters/train --cache cache --cache-only --shard 1/2 & sinew train characters/train --cache "
+      "cache "
+      "--cache-only --shard 2/2");
+  sub->callback([s, threads] {
+    s->threads_given = threads->count() > 0;
+    run(*s);
+  });
 }
 
 }  // namespace sinew::cli

@@ -115,6 +115,31 @@ TEST_F(Cli, HelpHasAnExampleEverywhere) {
   EXPECT_EQ(good("--version").out.rfind("sinew ", 0), 0u);
 }
 
+TEST_F(Cli, AnUnknownCommandIsNamed) {
+  EXPECT_NE(bad(2, "frob").error.find("no such command: frob; see sinew --help"), std::string::npos);
+  EXPECT_NE(bad(2, "dataset frob").error.find("no such command: dataset frob; see sinew dataset --help"),
+            std::string::npos);
+}
+
+TEST_F(Cli, CrossvalComparesAndRefuses) {
+  const std::string family =
+      R"({"family":"a","group":"a","fold":1,"characters":1,"l1":0.2,"argmax":0.9,"distance":0.1,)"
+      R"("heat_l1":0.4,"heat_argmax":0.8,"heat_distance":0.2})";
+  put(folder_ / "a.json", R"({"crossval":1,"label":"wide","config":{},"folds":2,"apart":[],"seeds":[{"seed":1,)"
+                          R"("families":[)" +
+                              family + R"(],"val":[]}]})");
+  EXPECT_NE(good("crossval --compare a.json a.json").out.find("| wide | 1 | 0.2000 | 50.0 % |"), std::string::npos);
+  bad(2, "crossval");
+  bad(2, "crossval " + kData + " --folds 1");
+  bad(2, "crossval " + kData + " --steps 5 --minutes 1");
+  bad(2, "crossval " + kData + " --compare a.json");
+  bad(1, "crossval --compare none.json");
+  EXPECT_NE(bad(1, "crossval " + kData + " --folds 9").error.find("9 folds need as many groups"), std::string::npos);
+  bad(2, "train " + kData + " --cache-only");
+  bad(2, "train " + kData + " --cache-only --cache c --shard 0/2");
+  bad(2, "train " + kData + " --cache c --shard 1/2 -o a.ckpt");
+}
+
 TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
   const std::string pair = kSnake + " --skeleton " + kSnakeRig + " --method heat ";
   const std::vector<std::string> wrong = {"",

@@ -2,6 +2,8 @@
 // Whole training runs on synthesized characters: overfitting, resuming, starting from weights, the cache on disk,
 // augmentation.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -214,6 +216,56 @@ TEST_F(TrainerRun, DamagedCacheFilesAreMadeAgainAndGoodOnesUsed) {
   // A valid file is believed: put one character's in the place of the other's.
   write_file(good.begin()->first.string(), good.rbegin()->second);
   EXPECT_EQ(samples()[0].name, first[1].name);
+}
+
+TEST_F(TrainerRun, TwoProcessesFillOneCache) {
+  add(BodyPlan::kSnake, 3, "long");
+  add(BodyPlan::kQuadruped, 4, "four");
+  TrainOptions o = options("none.ckpt");
+  config_.vertex_limit = 0;  // then val needs what training needs
+  o.val_dir = o.data_dir;
+  std::vector<pid_t> children;
+  for (uint32_t part = 0; part < 2; ++part) {
+    children.push_back(fork());
+    if (children.back() == 0) {
+      o.threads = 1;
+      _exit(fill_feature_cache(config_, o, part, 2) >= 1 ? 0 : 1);  // each has made something
+    }
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  }
+  size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(root_ / "cache")) {
+    ++files;
+    EXPECT_EQ(entry.path().extension(), ".sample");
+  }
+  EXPECT_EQ(files, 4u);
+  EXPECT_EQ(fill_feature_cache(config_, o, 0, 1), 0u) << "what they made is sound and complete";
+  fs::resize_file(fs::directory_iterator(root_ / "cache")->path(), 1000);
+  EXPECT_EQ(fill_feature_cache(config_, o, 1, 2), 1u) << "a damaged file is made again, though it is the other's part";
+  EXPECT_EQ(samples().size(), 4u);
+}
+
+TEST_F(TrainerRun, ResumingAFinishedRunSaysSoAndChangesNothing) {
+  config_.steps = 2;
+  TrainOptions o = options("done.ckpt");
+  train(config_, o);
+  const std::vector<uint8_t> checkpoint = read_file(o.output), log = read_file(o.output + ".csv");
+  o.resume = true;
+  o.quiet = false;
+  ::testing::internal::CaptureStderr();
+  train(config_, o);
+  EXPECT_NE(::testing::internal::GetCapturedStderr().find("done.ckpt: nothing to do: all 2 steps are done"),
+            std::string::npos);
+  o.minutes = 1e-6;
+  ::testing::internal::CaptureStderr();
+  train(config_, o);
+  EXPECT_NE(::testing::internal::GetCapturedStderr().find("minutes are used up"), std::string::npos);
+  EXPECT_EQ(read_file(o.output), checkpoint);
+  EXPECT_EQ(read_file(o.output + ".csv"), log);
 }
 
 TEST_F(TrainerRun, CacheNoticesChangedCharacters) {

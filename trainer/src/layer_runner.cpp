@@ -14,6 +14,7 @@
 #include "random.hpp"
 #include "sample_index.hpp"
 #include "sinew_formats/error.hpp"
+#include "team.hpp"
 
 namespace sinew {
 namespace {
@@ -80,6 +81,10 @@ using ConstMatrixMap = Eigen::Map<const Matrix<S>, Eigen::Unaligned, Eigen::Oute
 // Rows per tile of a linear layer: 256 rows of 192 floats stay in the second-level cache between the product, the
 // activation and, backward, the two products.
 constexpr uint32_t kTileRows = 256;
+
+// Rows that one thread of a team takes at a time. Sums over blocks are added in the order of the blocks, with a team or
+// without, so it is part of what a run computes.
+constexpr uint32_t kBlockRows = 16 * kTileRows;
 
 }  // namespace
 
@@ -185,6 +190,21 @@ struct LayerRunner<S>::State {
   std::vector<S> logits;
   S relu_scale = 1;  // of the last forward: 1 / (1 - dropout)
   const Sample* sample = nullptr;
+  Team* team = nullptr;
+  Block<S> partial;  // per block of a linear layer: its part of the gradient
+
+  // Calls work(first row, end row, block); blocks may run side by side.
+  template <class Work>
+  void row_blocks(uint32_t row_count, Work&& work) {
+    const auto block = [&](size_t b) {
+      const uint32_t first = static_cast<uint32_t>(b) * kBlockRows;
+      work(first, std::min(first + kBlockRows, row_count), b);
+    };
+    const size_t count = block_count(row_count);
+    if (team != nullptr && count > 1) return team->blocks(count, block);
+    for (size_t b = 0; b < count; ++b) block(b);
+  }
+  static size_t block_count(uint32_t row_count) { return (row_count + kBlockRows - 1) / kBlockRows; }
 
   uint32_t rows(const FloatNetwork& shape, uint16_t buffer) const {
     return shape.buffers[buffer].domain == Domain::kVertex ? index.vertices : index.pairs;
@@ -195,7 +215,7 @@ struct LayerRunner<S>::State {
   }
 
   void load_inputs(const FloatNetwork& shape, const DropoutOptions& dropout);
-  void linear(const Layer& layer, View<S> in, View<S> out, View<S> residual, float dropout, Random* random);
+  void linear(const Layer& layer, View<S> in, View<S> out, View<S> residual, float dropout, uint64_t seed);
   void linear_backward(const Layer& layer, View<S> in, View<S> out, View<S> d_in, View<S> d_out, View<S> d_residual);
   void ring(const Layer& layer, Block<uint32_t>* argument, bool pair, View<S> in, View<S> out);
   void ring_backward(const Layer& layer, const Block<uint32_t>& argument, bool pair, View<S> d_in, View<S> d_out);
@@ -237,66 +257,80 @@ void LayerRunner<S>::State::load_inputs(const FloatNetwork& shape, const Dropout
 
 template <class S>
 void LayerRunner<S>::State::linear(const Layer& layer, View<S> in, View<S> out, View<S> residual, float dropout,
-                                   Random* random) {
+                                   uint64_t seed) {
   const S* b = bias[layer.parameters].data();
   const bool relu = layer.flags & kLayerRelu, has_residual = layer.flags & kLayerResidual;
   const bool drop = relu && dropout > 0;
   const uint64_t drop_below = static_cast<uint64_t>(dropout * 65536.0f);  // 16 random bits per value are fine enough
   const ConstMatrixMap<S> w(weights[layer.parameters].data(), out.channels, in.channels,
                             Eigen::OuterStride<>(in.channels));
-  for (uint32_t begin = 0; begin < in.rows; begin += kTileRows) {
-    const uint32_t n = std::min(kTileRows, in.rows - begin);
-    MatrixMap<S> y(out.row(begin), n, out.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(out.stride)));
-    const ConstMatrixMap<S> x(in.row(begin), n, in.channels,
-                              Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
-    y.noalias() = x * w.transpose();
-    for (uint32_t r = begin; r < begin + n; ++r) {
-      S* row = out.row(r);
-      for (uint32_t c = 0; c < out.channels; ++c) row[c] += b[c];
-      if (has_residual) add_to(row, residual.row(r), out.channels);
-      if (relu) {
-        for (uint32_t c = 0; c < out.channels; ++c) row[c] = std::max(row[c], S(0));
-      }
-      if (drop) {
-        for (uint32_t c = 0; c < out.channels; c += 4) {
-          uint64_t bits = random->next();
-          for (uint32_t i = c; i < std::min(c + 4, out.channels); ++i, bits >>= 16) {
-            row[i] *= (bits & 0xFFFF) < drop_below ? S(0) : relu_scale;
+  row_blocks(in.rows, [&](uint32_t first, uint32_t end, size_t block) {
+    Random random(mix_seeds(seed, block));
+    for (uint32_t begin = first; begin < end; begin += kTileRows) {
+      const uint32_t n = std::min(kTileRows, end - begin);
+      MatrixMap<S> y(out.row(begin), n, out.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(out.stride)));
+      const ConstMatrixMap<S> x(in.row(begin), n, in.channels,
+                                Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
+      y.noalias() = x * w.transpose();
+      for (uint32_t r = begin; r < begin + n; ++r) {
+        S* row = out.row(r);
+        for (uint32_t c = 0; c < out.channels; ++c) row[c] += b[c];
+        if (has_residual) add_to(row, residual.row(r), out.channels);
+        if (relu) {
+          for (uint32_t c = 0; c < out.channels; ++c) row[c] = std::max(row[c], S(0));
+        }
+        if (drop) {
+          for (uint32_t c = 0; c < out.channels; c += 4) {
+            uint64_t bits = random.next();
+            for (uint32_t i = c; i < std::min(c + 4, out.channels); ++i, bits >>= 16) {
+              row[i] *= (bits & 0xFFFF) < drop_below ? S(0) : relu_scale;
+            }
           }
         }
       }
     }
-  }
+  });
 }
 
 template <class S>
 void LayerRunner<S>::State::linear_backward(const Layer& layer, View<S> in, View<S> out, View<S> d_in, View<S> d_out,
                                             View<S> d_residual) {
   const bool relu = layer.flags & kLayerRelu;
-  S* db = d_bias[layer.parameters].data();
+  const size_t weight_count = size_t{out.channels} * in.channels;
+  const size_t stride = (weight_count + out.channels + 15) / 16 * 16;  // 64-byte boundaries, as everywhere
+  partial.resize(stride * block_count(in.rows));
+  partial.zero();
   const ConstMatrixMap<S> w(weights[layer.parameters].data(), out.channels, in.channels,
                             Eigen::OuterStride<>(in.channels));
-  MatrixMap<S> dw(d_weights[layer.parameters].data(), out.channels, in.channels, Eigen::OuterStride<>(in.channels));
-  for (uint32_t begin = 0; begin < in.rows; begin += kTileRows) {
-    const uint32_t n = std::min(kTileRows, in.rows - begin);
-    for (uint32_t r = begin; r < begin + n; ++r) {
-      S* g = d_out.row(r);
-      if (relu) {  // a dropped value is 0 like an inactive one, so the output alone tells where the gradient flows
-        const S* y = out.row(r);
-        for (uint32_t c = 0; c < out.channels; ++c) g[c] = y[c] > S(0) ? g[c] * relu_scale : S(0);
+  row_blocks(in.rows, [&](uint32_t first, uint32_t end, size_t block) {
+    MatrixMap<S> dw(partial.data() + stride * block, out.channels, in.channels, Eigen::OuterStride<>(in.channels));
+    S* db = dw.data() + weight_count;
+    for (uint32_t begin = first; begin < end; begin += kTileRows) {
+      const uint32_t n = std::min(kTileRows, end - begin);
+      for (uint32_t r = begin; r < begin + n; ++r) {
+        S* g = d_out.row(r);
+        if (relu) {  // a dropped value is 0 like an inactive one, so the output alone tells where the gradient flows
+          const S* y = out.row(r);
+          for (uint32_t c = 0; c < out.channels; ++c) g[c] = y[c] > S(0) ? g[c] * relu_scale : S(0);
+        }
+        add_to(db, g, out.channels);
+        if (d_residual.data != nullptr) add_to(d_residual.row(r), g, out.channels);
       }
-      add_to(db, g, out.channels);
-      if (d_residual.data != nullptr) add_to(d_residual.row(r), g, out.channels);
+      const ConstMatrixMap<S> g(d_out.row(begin), n, out.channels,
+                                Eigen::OuterStride<>(static_cast<Eigen::Index>(d_out.stride)));
+      const ConstMatrixMap<S> x(in.row(begin), n, in.channels,
+                                Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
+      dw.noalias() += g.transpose() * x;
+      if (d_in.data != nullptr) {
+        MatrixMap<S> dx(d_in.row(begin), n, in.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(d_in.stride)));
+        dx.noalias() += g * w;
+      }
     }
-    const ConstMatrixMap<S> g(d_out.row(begin), n, out.channels,
-                              Eigen::OuterStride<>(static_cast<Eigen::Index>(d_out.stride)));
-    const ConstMatrixMap<S> x(in.row(begin), n, in.channels,
-                              Eigen::OuterStride<>(static_cast<Eigen::Index>(in.stride)));
-    dw.noalias() += g.transpose() * x;
-    if (d_in.data != nullptr) {
-      MatrixMap<S> dx(d_in.row(begin), n, in.channels, Eigen::OuterStride<>(static_cast<Eigen::Index>(d_in.stride)));
-      dx.noalias() += g * w;
-    }
+  });
+  for (size_t block = 0; block < block_count(in.rows); ++block) {
+    const S* part = partial.data() + stride * block;
+    add_to(d_weights[layer.parameters].data(), part, static_cast<uint32_t>(weight_count));
+    add_to(d_bias[layer.parameters].data(), part + weight_count, out.channels);
   }
 }
 
@@ -306,15 +340,17 @@ void LayerRunner<S>::State::ring(const Layer& layer, Block<uint32_t>* argument, 
   const uint32_t* cols = pair ? index.ring_pairs.data() : sample->col_indices.data();
   const uint32_t channels = in.channels;
   if (layer.kind == LayerKind::kRingMean) {
-    for (uint32_t r = 0; r < in.rows; ++r) {
-      S* o = out.row(r);
-      std::fill_n(o, channels, S(0));
-      for (uint32_t e = begin[r]; e < begin[r + 1]; ++e) add_to(o, in.row(cols[e]), channels);
-      if (begin[r + 1] - begin[r] > 1) {
-        const S scale = S(1) / static_cast<S>(begin[r + 1] - begin[r]);
-        for (uint32_t c = 0; c < channels; ++c) o[c] *= scale;
+    row_blocks(in.rows, [&](uint32_t first, uint32_t end, size_t) {
+      for (uint32_t r = first; r < end; ++r) {
+        S* o = out.row(r);
+        std::fill_n(o, channels, S(0));
+        for (uint32_t e = begin[r]; e < begin[r + 1]; ++e) add_to(o, in.row(cols[e]), channels);
+        if (begin[r + 1] - begin[r] > 1) {
+          const S scale = S(1) / static_cast<S>(begin[r + 1] - begin[r]);
+          for (uint32_t c = 0; c < channels; ++c) o[c] *= scale;
+        }
       }
-    }
+    });
     return;
   }
   argument->resize(size_t{in.rows} * channels);
@@ -423,43 +459,51 @@ template <class S>
 void LayerRunner<S>::State::candidate_max(Block<uint32_t>* argument, View<S> in, View<S> out) {
   const uint32_t channels = in.channels;
   argument->resize(size_t{index.vertices} * channels);
-  sums.resize(channels);
-  S* best = sums.data();
-  for (uint32_t v = 0; v < index.vertices; ++v) {
-    const uint32_t first = index.pair_begin[v], last = index.pair_begin[v + 1];
-    if (first == last) continue;
-    uint32_t* arg = argument->data() + size_t{v} * channels;
-    std::copy_n(in.row(first), channels, best);
-    std::fill_n(arg, channels, first);
-    for (uint32_t p = first + 1; p < last; ++p) {
-      const S* i = in.row(p);
-      for (uint32_t c = 0; c < channels; ++c) {
-        arg[c] = i[c] > best[c] ? p : arg[c];
-        best[c] = i[c] > best[c] ? i[c] : best[c];
+  row_blocks(index.vertices, [&](uint32_t first_vertex, uint32_t end_vertex, size_t) {
+    std::vector<S> best_of(channels);
+    S* best = best_of.data();
+    for (uint32_t v = first_vertex; v < end_vertex; ++v) {
+      const uint32_t first = index.pair_begin[v], last = index.pair_begin[v + 1];
+      if (first == last) continue;
+      uint32_t* arg = argument->data() + size_t{v} * channels;
+      std::copy_n(in.row(first), channels, best);
+      std::fill_n(arg, channels, first);
+      for (uint32_t p = first + 1; p < last; ++p) {
+        const S* i = in.row(p);
+        for (uint32_t c = 0; c < channels; ++c) {
+          arg[c] = i[c] > best[c] ? p : arg[c];
+          best[c] = i[c] > best[c] ? i[c] : best[c];
+        }
       }
+      for (uint32_t p = first; p < last; ++p) std::copy_n(best, channels, out.row(p));
     }
-    for (uint32_t p = first; p < last; ++p) std::copy_n(best, channels, out.row(p));
-  }
+  });
 }
 
 template <class S>
 void LayerRunner<S>::State::candidate_max_backward(const Block<uint32_t>& argument, View<S> d_in, View<S> d_out) {
   const uint32_t channels = d_in.channels;
-  sums.resize(channels);
-  for (uint32_t v = 0; v < index.vertices; ++v) {
-    sums.zero();
-    for (uint32_t p = index.pair_begin[v]; p < index.pair_begin[v + 1]; ++p)
-      add_to(sums.data(), d_out.row(p), channels);
-    if (index.pair_begin[v] == index.pair_begin[v + 1]) continue;
-    const uint32_t* arg = argument.data() + size_t{v} * channels;
-    for (uint32_t c = 0; c < channels; ++c) d_in.row(arg[c])[c] += sums.data()[c];
-  }
+  row_blocks(index.vertices, [&](uint32_t first, uint32_t end, size_t) {
+    std::vector<S> sum(channels);
+    for (uint32_t v = first; v < end; ++v) {
+      std::fill(sum.begin(), sum.end(), S(0));
+      for (uint32_t p = index.pair_begin[v]; p < index.pair_begin[v + 1]; ++p)
+        add_to(sum.data(), d_out.row(p), channels);
+      if (index.pair_begin[v] == index.pair_begin[v + 1]) continue;
+      const uint32_t* arg = argument.data() + size_t{v} * channels;
+      for (uint32_t c = 0; c < channels; ++c) d_in.row(arg[c])[c] += sum[c];
+    }
+  });
 }
 
 template <class S>
 LayerRunner<S>::LayerRunner() : state_(std::make_unique<State>()) {}
 template <class S>
 LayerRunner<S>::~LayerRunner() = default;
+template <class S>
+void LayerRunner<S>::set_team(Team* team) {
+  state_->team = team;
+}
 
 template <class S>
 const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const std::vector<LinearBlock<S>>& parameters,
@@ -492,7 +536,6 @@ const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const s
   }
   s.load_inputs(shape, dropout);
 
-  Random random(mix_seeds(dropout.seed, 2));
   for (size_t i = 0; i < shape.layers.size(); ++i) {
     const Layer& layer = shape.layers[i];
     const View<S> in = s.view(shape, s.values, layer.in), out = s.view(shape, s.values, layer.out);
@@ -501,7 +544,7 @@ const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const s
       case LayerKind::kLinear: {
         View<S> residual;
         if (layer.flags & kLayerResidual) residual = s.view(shape, s.values, layer.residual);
-        s.linear(layer, in, out, residual, dropout.activations, &random);
+        s.linear(layer, in, out, residual, dropout.activations, mix_seeds(dropout.seed, 2, i));
         break;
       }
       case LayerKind::kRingMean:
@@ -520,11 +563,13 @@ const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const s
         s.candidate_max(&s.arguments[i], in, out);
         break;
       case LayerKind::kVertexToPair:
-        for (uint32_t v = 0; v < s.index.vertices; ++v) {
-          for (uint32_t p = s.index.pair_begin[v]; p < s.index.pair_begin[v + 1]; ++p) {
-            std::copy_n(in.row(v), in.channels, out.row(p));
+        s.row_blocks(s.index.vertices, [&](uint32_t first, uint32_t end, size_t) {
+          for (uint32_t v = first; v < end; ++v) {
+            for (uint32_t p = s.index.pair_begin[v]; p < s.index.pair_begin[v + 1]; ++p) {
+              std::copy_n(in.row(v), in.channels, out.row(p));
+            }
           }
-        }
+        });
         break;
       case LayerKind::kPairToVertex:
         for (uint32_t v = 0; v < s.index.vertices; ++v) {
@@ -606,11 +651,13 @@ void LayerRunner<S>::backward(const FloatNetwork& shape, const std::vector<Linea
         s.candidate_max_backward(s.arguments[i], d_in, d_out);
         break;
       case LayerKind::kVertexToPair:
-        for (uint32_t v = 0; v < s.index.vertices; ++v) {
-          for (uint32_t p = s.index.pair_begin[v]; p < s.index.pair_begin[v + 1]; ++p) {
-            add_to(d_in.row(v), d_out.row(p), d_in.channels);
+        s.row_blocks(s.index.vertices, [&](uint32_t first, uint32_t end, size_t) {
+          for (uint32_t v = first; v < end; ++v) {
+            for (uint32_t p = s.index.pair_begin[v]; p < s.index.pair_begin[v + 1]; ++p) {
+              add_to(d_in.row(v), d_out.row(p), d_in.channels);
+            }
           }
-        }
+        });
         break;
       case LayerKind::kPairToVertex:
         for (uint32_t v = 0; v < s.index.vertices; ++v) {

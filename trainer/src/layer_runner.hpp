@@ -12,6 +12,8 @@
 
 namespace sinew {
 
+class Team;
+
 template <class Scalar>
 struct LinearBlock {
   std::vector<Scalar> weights;  // [out x in] row-major
@@ -41,6 +43,9 @@ class LayerRunner {
   ~LayerRunner();
   LayerRunner(const LayerRunner&) = delete;
   LayerRunner& operator=(const LayerRunner&) = delete;
+
+  // Threads that take rows of large layers while they are idle; null = none. Changes no number.
+  void set_team(Team* team);
 
   // `shape` gives buffers and layers; its parameters are not read. Returns logits [U x K], absent slots 0.
   const std::vector<Scalar>& forward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,

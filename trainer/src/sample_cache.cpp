@@ -108,14 +108,22 @@ std::string cache_key(const std::vector<uint8_t>& content, const SampleRequest& 
 }
 
 // Magic, hash of the payload, payload. Nothing is parsed before the hash fits, so a damaged length cannot do harm.
-std::optional<Sample> read_cached(const std::string& path) {
-  if (!std::filesystem::exists(path)) return std::nullopt;
-  const std::vector<uint8_t> bytes = read_file(path);
-  constexpr size_t kHeader = sizeof kMagic + sizeof(uint64_t);
-  if (bytes.size() < kHeader || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return std::nullopt;
+constexpr size_t kHeader = sizeof kMagic + sizeof(uint64_t);
+
+// Empty when the file is missing or damaged.
+std::vector<uint8_t> read_sound(const std::string& path) {
+  if (!std::filesystem::exists(path)) return {};
+  std::vector<uint8_t> bytes = read_file(path);
+  if (bytes.size() < kHeader || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return {};
   uint64_t expected;
   std::memcpy(&expected, bytes.data() + sizeof kMagic, sizeof expected);
-  if (hash_bytes(bytes.data() + kHeader, bytes.size() - kHeader, kCacheVersion) != expected) return std::nullopt;
+  if (hash_bytes(bytes.data() + kHeader, bytes.size() - kHeader, kCacheVersion) != expected) return {};
+  return bytes;
+}
+
+std::optional<Sample> read_cached(const std::string& path) {
+  const std::vector<uint8_t> bytes = read_sound(path);
+  if (bytes.empty()) return std::nullopt;
   std::istringstream stream(std::string(bytes.begin() + kHeader, bytes.end()), std::ios::binary);
   Sample sample;
   cereal::BinaryInputArchive archive(stream);
@@ -137,10 +145,81 @@ void write_cached(const std::string& path, Sample& sample) {
 
 }  // namespace
 
-std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, const SampleSource& source) {
+namespace {
+
+std::string cache_path(const Ingredients& from, const SampleRequest& request, const SampleSource& source) {
+  return (std::filesystem::path(source.cache_dir) /
+          (from.stem + "-" + cache_key(from.content, request, source) + ".sample"))
+      .string();
+}
+
+Sample make_cached(Ingredients&& from, const SampleRequest& request, const SampleSource& source,
+                   const std::string& path) {
+  Character character = from.character ? std::move(*from.character) : read_character(request.mesh_path);
+  const size_t limit = source.vertex_limit, vertices = character.vertices.size();
+  if (limit != 0 && vertices > limit && character.face_count() > 0) {
+    character = decimate(character, static_cast<double>(limit) / static_cast<double>(vertices));
+  }
+  if (request.variant != 0) {
+    const uint64_t name = hash_bytes(reinterpret_cast<const uint8_t*>(character.name.data()), character.name.size(), 0);
+    character = augment(character, mix_seeds(source.seed, request.variant, name));
+  }
+  Sample sample = make_sample(character, source.candidates, source.grid);
+  write_cached(path, sample);
+  return sample;
+}
+
+void make_cache_folder(const SampleSource& source) {
   std::error_code failure;
   std::filesystem::create_directories(source.cache_dir, failure);
   if (failure) throw Error(source.cache_dir + ": cannot make the cache folder: " + failure.message());
+}
+
+}  // namespace
+
+size_t fill_cache(const std::vector<SampleRequest>& requests, const SampleSource& source, uint32_t part,
+                  uint32_t parts) {
+  make_cache_folder(source);
+  // Own part in rising order; what others have left in falling order, so that it meets them where they are not yet.
+  std::vector<size_t> order;
+  for (size_t i = 0; i < requests.size(); ++i) {
+    if (i % parts == part) order.push_back(i);
+  }
+  for (size_t i = requests.size(); i-- > 0;) {
+    if (i % parts != part) order.push_back(i);
+  }
+  std::atomic<size_t> done{0}, made{0}, failed{0};
+  std::mutex print;
+  parallel_for(order.size(), source.threads, [&](size_t item, unsigned) {
+    const SampleRequest& request = requests[order[item]];
+    try {
+      Ingredients from = gather(request);
+      const std::string path = cache_path(from, request, source);
+      if (read_sound(path).empty()) {
+        make_cached(std::move(from), request, source, path);
+        ++made;
+      }
+    } catch (const Error& error) {
+      ++failed;
+      const std::lock_guard<std::mutex> lock(print);
+      if (!source.silent) std::fprintf(stderr, "left out: %s\n", error.what());
+    }
+    const size_t count = ++done;
+    if (!source.quiet && (count % 25 == 0 || count == requests.size())) {
+      const std::lock_guard<std::mutex> lock(print);
+      std::fprintf(stderr, "features: %zu of %zu samples, %zu made by this process\n", count, requests.size(),
+                   made.load());
+    }
+  });
+  if (failed == requests.size() && !requests.empty()) {
+    throw Error(requests[0].mesh_path + ": neither this nor any other of the " + std::to_string(requests.size()) +
+                " characters could be used; see the lines above");
+  }
+  return made;
+}
+
+std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, const SampleSource& source) {
+  make_cache_folder(source);
   std::vector<std::optional<Sample>> loaded(requests.size());
   std::atomic<size_t> done{0}, made{0};
   std::mutex print;
@@ -148,28 +227,15 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
     const SampleRequest& request = requests[item];
     try {
       Ingredients from = gather(request);
-      const std::string path = (std::filesystem::path(source.cache_dir) /
-                                (from.stem + "-" + cache_key(from.content, request, source) + ".sample"))
-                                   .string();
+      const std::string path = cache_path(from, request, source);
       loaded[item] = read_cached(path);
       if (!loaded[item]) {
-        Character character = from.character ? std::move(*from.character) : read_character(request.mesh_path);
-        const size_t limit = source.vertex_limit, vertices = character.vertices.size();
-        if (limit != 0 && vertices > limit && character.face_count() > 0) {
-          character = decimate(character, static_cast<double>(limit) / static_cast<double>(vertices));
-        }
-        if (request.variant != 0) {
-          character = augment(character, mix_seeds(source.seed, request.variant,
-                                                   hash_bytes(reinterpret_cast<const uint8_t*>(character.name.data()),
-                                                              character.name.size(), 0)));
-        }
-        loaded[item] = make_sample(character, source.candidates, source.grid);
-        write_cached(path, *loaded[item]);
+        loaded[item] = make_cached(std::move(from), request, source, path);
         ++made;
       }
     } catch (const Error& error) {
       const std::lock_guard<std::mutex> lock(print);
-      std::fprintf(stderr, "left out: %s\n", error.what());
+      if (!source.silent) std::fprintf(stderr, "left out: %s\n", error.what());
     }
     const size_t count = ++done;
     if (!source.quiet && (count % 25 == 0 || count == requests.size())) {

@@ -24,11 +24,18 @@ struct SampleSource {
   std::string cache_dir;
   uint32_t threads = 1;
   bool quiet = true;
+  bool silent = false;  // not even the names of those that failed: another rank says them
 };
 // One sample per request, in order; without those that failed, which are named on stderr. A cache file is found by the
 // content of the character's files and everything the features depend on; a damaged one is made again. Throws Error
 // when the cache folder cannot be written or when every request failed.
 std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, const SampleSource& source);
+
+// Makes what the cache lacks, without keeping it in memory; the part-th of `parts` processes that work on one cache
+// (part from 0). It begins with its own part and then looks what the others have left, so that none waits and almost
+// nothing is made twice; files appear whole. Returns how many it made; throws as load_requests.
+size_t fill_cache(const std::vector<SampleRequest>& requests, const SampleSource& source, uint32_t part,
+                  uint32_t parts);
 
 }  // namespace sinew
 #endif

@@ -13,17 +13,16 @@
 #include <memory>
 #include <numeric>
 
+#include "batch_gradient.hpp"
 #include "family_queue.hpp"
 #include "features/features.hpp"
-#include "layer_runner.hpp"
-#include "loss.hpp"
 #include "networks.hpp"
 #include "optimizer.hpp"
 #include "parallel.hpp"
 #include "random.hpp"
-#include "sample_cache.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "training_set.hpp"
 
 namespace sinew {
 namespace {
@@ -90,31 +89,14 @@ void require_same_config(const std::string& saved, const std::string& given, con
               "); use --init to start a new run from its weights");
 }
 
-void drop_unlabelled(std::vector<Sample>* samples) {
-  const auto unlabelled = [](const Sample& sample) {
-    const bool labelled =
-        std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
-    if (!labelled) std::fprintf(stderr, "left out: %s: no vertex has reference weights\n", sample.name.c_str());
-    return !labelled;
-  };
-  samples->erase(std::remove_if(samples->begin(), samples->end(), unlabelled), samples->end());
-}
-
-SampleSource sample_source(const TrainConfig& config, const TrainOptions& options) {
-  SampleSource source;
-  source.candidates = config.field.candidates;
-  source.grid = config.field.grid;
-  source.seed = config.seed;
-  source.cache_dir = options.cache_dir.empty() ? options.output + ".cache" : options.cache_dir;
-  source.threads = std::max(options.threads, 1u);
-  source.quiet = options.quiet;
-  return source;
-}
-
 class Run {
  public:
-  Run(const TrainConfig& config, const TrainOptions& options) : config_(config), options_(options) {
-    loss_ = {config.loss_kl, config.loss_l1, config.loss_regret, config.loss_part};
+  Run(const TrainConfig& config, const TrainOptions& options)
+      : config_(config),
+        options_(options),
+        items_(config.batch),
+        main_(options.ranks == nullptr || options.ranks->rank() == 0) {
+    if (!main_) options_.quiet = true;
   }
 
   void load(const TrainingSet& set) {
@@ -125,12 +107,21 @@ class Run {
       drawn_.push_back(i);
       families_.push_back(set.families[i]);
     }
+    if (options_.ranks != nullptr) {
+      uint64_t content = checkpoint_.state.step;
+      for (const char c : checkpoint_.state.config_json) content = mix_seeds(content, static_cast<uint8_t>(c));
+      for (const uint32_t i : drawn_) {
+        for (const Sample& sample : set.characters[i])
+          content = mix_seeds(content, sample.vertices, sample.pair.size());
+      }
+      options_.ranks->require_same(content, "a configuration, checkpoint or characters");
+    }
     if (drawn_.empty()) throw Error(options_.output + ": nothing to train on, every family is left out");
     if (options_.val_dir.empty()) return;
     const SampleSource source = sample_source(config_, options_);
     val_ =
         load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads, source.quiet);
-    drop_unlabelled(&val_);
+    drop_unlabelled(&val_, source.silent);
     std::vector<double> l1(val_.size());
     parallel_for(val_.size(), options_.threads,
                  [&](size_t i, unsigned) { l1[i] = sample_l1(val_[i], val_[i].heat, kKeep); });
@@ -171,16 +162,16 @@ class Run {
       return;
     }
     const double started = now() - state.seconds;
+    const uint64_t first_step = state.step;
     uint64_t steps_left = options_.stop_after;
     bool validated = false;
-    runners_.clear();
-    for (uint32_t t = 0; t < options_.threads; ++t) runners_.push_back(std::make_unique<LayerRunner<float>>());
-    slots_.resize(config_.batch);
-    for (Slot& slot : slots_) slot.gradients = zero_blocks<float>(checkpoint_.latest);
-    while (progress() < 1 && !stopped() && (options_.stop_after == 0 || steps_left-- > 0)) {
+    gradient_ = std::make_unique<BatchGradient>(config_, options_.threads, options_.ranks);
+    agree();
+    while (progress() < 1 && !stopping_ && (options_.stop_after == 0 || steps_left-- > 0)) {
       const double rate = config_.learning_rate * schedule(progress());
       step(rate);
       state.seconds = now() - started;
+      agree();
       validated = state.step % config_.validate_every == 0;
       if (validated) validate(rate);
       show(rate, validated);
@@ -188,17 +179,10 @@ class Run {
     if (!validated && (progress() >= 1)) validate(config_.learning_rate * schedule(1));
     save();
     if (!options_.quiet && options_.label.empty()) std::fprintf(stderr, "\n");
+    show_speed(state.step - first_step);
   }
 
  private:
-  struct Slot {
-    const Sample* sample = nullptr;
-    uint64_t seed = 0;
-    std::vector<LinearBlock<float>> gradients;
-    std::vector<float> d_logits;
-    LossTerms terms;
-  };
-
   // A resumed run whose time or steps are used up is left as it is.
   void say_finished() const {
     if (options_.quiet) return;
@@ -214,7 +198,35 @@ class Run {
     std::fprintf(stderr, "%s%s: nothing to do: %s\n", options_.label.c_str(), options_.output.c_str(), text);
   }
 
-  bool stopped() const { return options_.stop != nullptr && options_.stop->load(); }
+  // All ranks go by rank 0's clock, and all stop when one is told to.
+  void agree() {
+    std::vector<double> shared = {options_.stop != nullptr && options_.stop->load() ? 1.0 : 0.0,
+                                  main_ ? checkpoint_.state.seconds : 0.0};
+    if (options_.ranks != nullptr) options_.ranks->maximum(&shared);
+    stopping_ = shared[0] > 0;
+    checkpoint_.state.seconds = shared[1];
+  }
+
+  // How well threads and ranks were used: processor time against the time that passed; and, apart from what else the
+  // machine does, against that of the busiest thread of every step.
+  void show_speed(uint64_t steps) {
+    const uint32_t ranks = options_.ranks == nullptr ? 1 : options_.ranks->size();
+    std::vector<double> work = {gradient_->team().work_seconds()}, busiest = {gradient_->team().busiest_seconds()};
+    if (ranks > 1) {
+      work = options_.ranks->gather(work, std::vector<size_t>(ranks, 1));
+      options_.ranks->maximum(&busiest);
+    }
+    if (options_.quiet || steps == 0 || ranks * options_.threads == 1) return;
+    const double total = std::accumulate(work.begin(), work.end(), 0.0), wall = gradient_->wall_seconds();
+    const double even = total / std::max(ranks * options_.threads * busiest[0], 1e-9);
+    std::fprintf(
+        stderr,
+        "%s%u rank%s x %u thread%s: %llu steps in %.1f s, %.1f s of processor time: %.2f times as fast as one, "
+        "shared out to %.0f %%\n",
+        options_.label.c_str(), ranks, ranks == 1 ? "" : "s", options_.threads, options_.threads == 1 ? "" : "s",
+        static_cast<unsigned long long>(steps), wall, total, total / std::max(wall, 1e-9), 100 * even);
+  }
+
   uint32_t threads() const {
     return options_.threads_now == nullptr ? options_.threads
                                            : std::clamp(options_.threads_now->load(), 1u, options_.threads);
@@ -244,63 +256,29 @@ class Run {
     FloatNetwork& network = checkpoint_.latest;
     for (uint32_t i = 0; i < config_.batch; ++i) {
       const std::vector<Sample>& choices = set_->characters[draw()];
-      slots_[i].seed = mix_seeds(config_.seed, state.step, i);
-      Random random(slots_[i].seed);
+      items_[i].seed = mix_seeds(config_.seed, state.step, i);
+      Random random(items_[i].seed);
       const bool variant = choices.size() > 1 && random.uniform() < config_.variant_share;
-      slots_[i].sample = &choices[variant ? 1 + random.below(static_cast<uint32_t>(choices.size() - 1)) : 0];
+      items_[i].sample = &choices[variant ? 1 + random.below(static_cast<uint32_t>(choices.size() - 1)) : 0];
     }
-    // The largest first, so that the threads end at about the same time. Which thread does what changes no number.
-    std::vector<size_t> order(slots_.size());
-    std::iota(order.begin(), order.end(), size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return slots_[a].sample->vertices > slots_[b].sample->vertices; });
-    const std::vector<LinearBlock<float>> parameters = copy_blocks<float>(network);
-    parallel_for(order.size(), threads(), [&](size_t item, unsigned thread) {
-      Slot& slot = slots_[order[item]];
-      DropoutOptions dropout;
-      dropout.activations = static_cast<float>(config_.dropout);
-      dropout.features = static_cast<float>(config_.feature_dropout);
-      dropout.kept_pair_features = {kPairLogRule, kPairLogParts};
-      dropout.seed = slot.seed;
-      const std::vector<float>& logits = runners_[thread]->forward(network, parameters, *slot.sample, dropout);
-      slot.terms = weight_loss(*slot.sample, loss_, logits, &slot.d_logits);
-      for (LinearBlock<float>& block : slot.gradients) {
-        std::fill(block.weights.begin(), block.weights.end(), 0.0f);
-        std::fill(block.bias.begin(), block.bias.end(), 0.0f);
-      }
-      runners_[thread]->backward(network, parameters, slot.d_logits, &slot.gradients);
-    });
-    std::vector<LinearBlock<float>>& sum = slots_[0].gradients;
-    const float share = 1.0f / static_cast<float>(config_.batch);
-    for (size_t block = 0; block < sum.size(); ++block) {
-      const auto mean = [&](auto member) {
-        std::vector<float>& total = sum[block].*member;
-        for (size_t i = 1; i < slots_.size(); ++i) {
-          const std::vector<float>& other = slots_[i].gradients[block].*member;
-          for (size_t k = 0; k < total.size(); ++k) total[k] += other[k];
-        }
-        for (float& g : total) g *= share;
-      };
-      mean(&LinearBlock<float>::weights);
-      mean(&LinearBlock<float>::bias);
-    }
+    std::vector<LinearBlock<float>> sum = gradient_->run(network, items_, threads(), &terms_);
     const double norm = clip_gradients(&sum, config_.clip);
     if (!std::isfinite(norm)) {
       throw Error(options_.output + ": the gradient is not finite at step " + std::to_string(state.step) + " (" +
-                  slots_[0].sample->name + " ...); lower learning_rate");
+                  items_[0].sample->name + " ...); lower learning_rate");
     }
     optimizer_step(config_, rate, sum, &network, &state);
     ++state.step;
     if (!state.averages.empty()) update_average(network, config_.average_decay, state.step, &state.averages[0]);
-    for (const Slot& slot : slots_) {
-      recent_.total += slot.terms.total;
-      recent_.l1 += slot.terms.l1;
-      recent_.kl += slot.terms.kl;
-      recent_.regret += slot.terms.regret;
-      recent_.part += slot.terms.part;
+    for (const LossTerms& terms : terms_) {
+      recent_.total += terms.total;
+      recent_.l1 += terms.l1;
+      recent_.kl += terms.kl;
+      recent_.regret += terms.regret;
+      recent_.part += terms.part;
       ++recent_count_;
     }
-    recent_norm_ += norm * static_cast<double>(slots_.size());
+    recent_norm_ += norm * static_cast<double>(terms_.size());
   }
 
   void validate(double rate) {
@@ -309,13 +287,7 @@ class Run {
                                                      config_.correction, kPairLogRule);
     ValScore val;
     if (!val_.empty()) {
-      const std::vector<LinearBlock<float>> parameters = copy_blocks<float>(candidate);
-      std::vector<double> l1(val_.size());
-      parallel_for(val_.size(), threads(), [&](size_t i, unsigned thread) {
-        const std::vector<float>& logits = runners_[thread]->forward(candidate, parameters, val_[i], {});
-        l1[i] = sample_l1(val_[i], softmax(val_[i], logits), kKeep);
-      });
-      val = score(val_, l1);
+      val = score(val_, gradient_->sample_scores(candidate, val_, threads(), kKeep));
     }
     if (val_.empty() || val.mean() < state.best_score) {
       state.best_score = val_.empty() ? state.best_score : val.mean();
@@ -337,6 +309,7 @@ class Run {
   }
 
   void save() {
+    if (!main_) return;
     write_checkpoint(options_.output, checkpoint_);
     write_text_file(options_.output + ".csv", checkpoint_.state.log_csv);
   }
@@ -366,51 +339,22 @@ class Run {
   TrainConfig config_;
   TrainOptions options_;
   const TrainingSet* set_ = nullptr;
-  LossWeights loss_;
   std::vector<uint32_t> drawn_;        // characters of *set_ that are not left out
   std::vector<std::string> families_;  // of drawn_
   std::vector<Sample> val_;
   ValScore heat_, last_val_;
   Checkpoint checkpoint_;
-  std::vector<std::unique_ptr<LayerRunner<float>>> runners_;  // one per thread
-  std::vector<Slot> slots_;                                   // one per character of a batch
-  LossTerms recent_;                                          // sums since the last line of the log
+  std::unique_ptr<BatchGradient> gradient_;
+  std::vector<BatchItem> items_;  // of a step
+  std::vector<LossTerms> terms_;
+  bool main_;  // this rank writes files and talks
+  bool stopping_ = false;
+  LossTerms recent_;  // sums since the last line of the log
   double recent_norm_ = 0, shown_loss_ = 0;
   size_t recent_count_ = 0;
 };
 
 }  // namespace
-
-TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& options) {
-  const std::vector<std::string> paths = list_characters(options.data_dir);
-  if (paths.empty()) throw Error(options.data_dir + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
-  // Variants are optional extras: one that fails (say, because decimation leaves nothing) is only left out.
-  std::vector<SampleRequest> requests;
-  for (uint32_t variant = 0; variant <= (config.variant_share > 0 ? config.variants : 0); ++variant) {
-    for (const std::string& path : paths) requests.push_back({path, variant});
-  }
-  for (const BodyPlan plan :
-       {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged}) {
-    // Far from the small seeds that people look at and test with.
-    for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", 0, plan, 1000 + i});
-  }
-  SampleSource source = sample_source(config, options);
-  source.vertex_limit = config.vertex_limit;
-  std::vector<Sample> samples = load_requests(requests, source);
-  drop_unlabelled(&samples);
-  TrainingSet set;
-  std::map<std::string, size_t> by_name;
-  for (Sample& sample : samples) {
-    const auto [at, fresh] = by_name.try_emplace(sample.name, set.characters.size());
-    if (fresh) {
-      set.characters.emplace_back();
-      set.families.push_back(sample.family);
-    }
-    set.characters[at->second].push_back(std::move(sample));
-  }
-  if (set.characters.empty()) throw Error(options.data_dir + ": no character has reference weights");
-  return set;
-}
 
 namespace {
 
@@ -419,12 +363,22 @@ void run_with(const TrainConfig& config, const TrainOptions& options, const Trai
   checked.threads = std::max(options.threads, 1u);
   // Throws for what a file could not hold either, naming the key.
   parse_train_config(train_config_json(config), "configuration");
-  Run run(config, checked);
-  run.start();  // before the samples, so that a resume that does not fit fails at once
-  TrainingSet loaded;
-  if (set == nullptr) loaded = load_training_set(config, checked);
-  run.load(set == nullptr ? loaded : *set);
-  run.go();
+  const auto run_all = [&] {
+    Run run(config, checked);
+    run.start();  // before the samples, so that a resume that does not fit fails at once
+    TrainingSet loaded;
+    if (set == nullptr) {
+      if (checked.ranks != nullptr && checked.ranks->size() > 1) {  // what is not in the cache, together
+        checked.ranks->together(
+            [&] { fill_feature_cache(config, checked, checked.ranks->rank(), checked.ranks->size()); });
+      }
+      loaded = load_training_set(config, checked);
+    }
+    run.load(set == nullptr ? loaded : *set);
+    run.go();
+  };
+  if (checked.ranks == nullptr) return run_all();
+  checked.ranks->together(run_all);
 }
 
 }  // namespace

@@ -15,6 +15,8 @@
 
 namespace sinew {
 
+class Ranks;  // ranks.hpp
+
 // Everything a run can be told; read from and written to JSON (unknown keys are an Error). The defaults are
 // trainer/configs/field.json, which trained the bundled model.
 struct TrainConfig {
@@ -57,7 +59,8 @@ struct TrainOptions {
   std::string label;                   // in front of progress lines, for runs side by side; empty = none
   std::vector<std::string> leave_out;  // families that are not drawn
   const std::atomic<uint32_t>* threads_now = nullptr;  // when set, read before every step: 1 .. `threads`
-  uint64_t stop_after = 0;                             // stop after so many steps of this call, to be resumed; 0 = off
+  Ranks* ranks = nullptr;                   // of mpirun: they share each batch, rank 0 alone writes files; null = one
+  uint64_t stop_after = 0;                  // stop after so many steps of this call, to be resumed; 0 = off
   const std::atomic<bool>* stop = nullptr;  // set it (from a signal handler, say) to write the checkpoint and return
 };
 // What a run draws from.
@@ -69,10 +72,14 @@ struct TrainingSet {
 // weights.
 TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& options);
 
+// Makes the features that the cache lacks, of data_dir and val_dir, and keeps nothing in memory: the part-th (from 0)
+// of `parts` processes that fill one cache at the same time. Returns how many it made.
+size_t fill_feature_cache(const TrainConfig& config, const TrainOptions& options, uint32_t part, uint32_t parts);
+
 // Runs to the end; writes the checkpoint at every validation and at the end. With `resume` the output is read first and
 // the result is, byte for byte on one machine, that of a run that was never interrupted (by steps; time is never the
-// same twice). Threads change no number. Throws Error: other configuration than the resumed one, other shapes than
-// `init`, no usable data.
+// same twice). Threads and ranks change no number. Throws Error: other configuration than the resumed one, other shapes
+// than `init`, no usable data.
 void train(const TrainConfig& config, const TrainOptions& options);
 // The same on samples that are loaded already, which several runs may share. options.data_dir is not read.
 void train(const TrainConfig& config, const TrainOptions& options, const TrainingSet& set);
