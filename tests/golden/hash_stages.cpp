@@ -12,6 +12,7 @@
 
 #include "bind/bind.hpp"
 #include "network/network.hpp"
+#include "spectral/spectral.hpp"
 #include "weights/influences.hpp"
 
 namespace {
@@ -156,6 +157,18 @@ void hash_prepared(const char* name, const Prepared& p, uint32_t k) {
   print(name, "features", features);
 }
 
+void hash_spectral(const char* name, const Mesh& mesh, const Counts& counts) {
+  Arena measuring;
+  measure_compute_spectral(measuring, counts);
+  Block block(measuring.high_water());
+  Arena arena(block.data, measuring.high_water());
+  std::vector<int16_t> rows(size_t{mesh.welded_count} * kSpectralChannels);
+  check(compute_spectral(mesh, counts, Progress{}, arena, rows.data(), kSpectralChannels));
+  Hash hash;
+  hash.add(rows.data(), rows.size());
+  print(name, "spectral", hash);
+}
+
 void hash_bind(const char* name, const char* stage, const Input& in, const sinew_model* model, sinew_method method) {
   sinew_options options = {};
   options.method = method;
@@ -199,6 +212,7 @@ int main(int argc, char** argv) {
     Prepared p;
     check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));
     hash_prepared(name.c_str(), p, 8);
+    hash_spectral(name.c_str(), p.mesh, counts);
     hash_bind(name.c_str(), "bind-heat", in, nullptr, SINEW_METHOD_HEAT);
     if (model.bytes != nullptr) hash_bind(name.c_str(), "bind-model", in, &model, SINEW_METHOD_MODEL);
   }

@@ -212,7 +212,9 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->confidence = o.confidence;
   plan->symmetric_vertices = o.symmetric_vertices;
   plan->progress = Progress{o.progress, o.progress_user};
-  return make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
+  const sinew_status status = make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
+  if (plan->purpose == PrepareFor::kNetwork) plan->counts.feature_flags = model->feature_set & kFeatureFlags;
+  return status;
 }
 
 void measure_bind(Arena& arena, const BindPlan& plan) {

@@ -2,6 +2,8 @@
 // The order of the stages before the network, once for the run and once for the size query.
 #include "bind/pipeline.hpp"
 
+#include "spectral/spectral.hpp"
+
 namespace sinew {
 
 sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints, uint32_t candidates,
@@ -11,7 +13,7 @@ sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, ui
   // A vertex of a closed triangle mesh has about six corners; sixteen times that is no mesh any more.
   if (corners > 24u * SINEW_MAX_VERTICES || faces > corners) return SINEW_ERROR_COUNT;
   if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || grid < 16 || grid > 128) return SINEW_ERROR_ARGUMENT;
-  *counts = Counts{vertices, faces, corners, joints, candidates, grid};
+  *counts = Counts{vertices, faces, corners, joints, candidates, grid, 0};
   return SINEW_OK;
 }
 
@@ -27,6 +29,7 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
   measure_find_candidates(arena, counts);
   p.features.allocate(arena, counts);
   measure_build_features(arena, counts);
+  if ((counts.feature_flags & kSpectralFlag) != 0) measure_compute_spectral(arena, counts);
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
@@ -48,6 +51,11 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   if (!out->features.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   status = build_features(out->mesh, out->skeleton, out->candidates, out->heat, counts, arena, &out->features);
   if (status != SINEW_OK) return status;
+  if ((counts.feature_flags & kSpectralFlag) != 0) {
+    status = compute_spectral(out->mesh, counts, progress.part(620, 650), arena, out->features.vertex + kVertexFeatures,
+                              out->features.vertex_channels);
+    if (status != SINEW_OK) return status;
+  }
   return progress.report(650) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }
 

@@ -22,7 +22,8 @@ struct Prepared {
 // How far to go: method heat needs neither candidates nor features.
 enum class PrepareFor { kHeat, kNetwork };
 
-// Runs stages 1 to 7 in the arena (for kHeat stages 1, 2 and 4). Reports 0..650 permille (kHeat: 0..950).
+// Runs stages 1 to 7 (and the spectral stage where counts.feature_flags ask for it) in the arena (for kHeat stages 1, 2
+// and 4). Reports 0..650 permille (kHeat: 0..950).
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
                      PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out);
 // Bytes prepare() needs, for a measuring arena. Leaves the arena at the mark where the network would start.

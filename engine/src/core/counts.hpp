@@ -20,6 +20,7 @@ struct Counts {
   uint32_t joints = 0;
   uint32_t candidates = 8;
   uint32_t grid = 64;
+  uint32_t feature_flags = 0;  // optional channels, features/features.hpp
 
   // Fan triangles: every face with n >= 3 corners gives n - 2; never more than corners.
   uint32_t triangles() const { return corners; }

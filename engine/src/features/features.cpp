@@ -8,6 +8,7 @@
 
 #include "core/sort.hpp"
 #include "features/parts.hpp"
+#include "spectral/spectral.hpp"
 
 namespace sinew {
 namespace {
@@ -358,7 +359,7 @@ class Builder {
   void write_vertex(uint32_t v, uint32_t c) {
     const PartTables& t = s_.tables;
     const uint32_t size = mesh_.component_sizes[c];
-    int16_t* f = out_->vertex + static_cast<size_t>(v) * kVertexFeatureCount;
+    int16_t* f = out_->vertex + static_cast<size_t>(v) * out_->vertex_channels;
     f[kV_mean_curvature] = q13(mesh_.mean_curvature[v]);
     f[kV_gauss_curvature] = q13(mesh_.gauss_curvature[v]);
     f[kV_edge_length_log] = log_q13(static_cast<uint64_t>(mesh_.edge_length[v]) + 64, 14 << 16, 2);
@@ -546,9 +547,14 @@ const uint32_t kPairFeatures = kPairFeatureCount;
 const uint32_t kPairLogRule = kP_rule_log;
 const uint32_t kPairLogParts = kP_parts_log;
 
+uint32_t vertex_channels(uint32_t feature_flags) {
+  return kVertexFeatureCount + ((feature_flags & kSpectralFlag) != 0 ? kSpectralChannels : 0);
+}
+
 bool Features::allocate(Arena& arena, const Counts& counts) {
   const size_t pairs = static_cast<size_t>(counts.vertices) * counts.candidates;
-  vertex = arena.alloc<int16_t>(static_cast<size_t>(counts.vertices) * kVertexFeatureCount);
+  vertex_channels = sinew::vertex_channels(counts.feature_flags);
+  vertex = arena.alloc<int16_t>(static_cast<size_t>(counts.vertices) * vertex_channels);
   pair = arena.alloc<int16_t>(pairs * kPairFeatureCount);
   joints = arena.alloc<uint16_t>(pairs);
   return arena.ok();

@@ -11,23 +11,30 @@
 namespace sinew {
 
 constexpr uint32_t kFeatureSet = 1;  // grows whenever a feature changes its meaning; models name the set they need
+// A model's feature set is kFeatureSet in its low 16 bits and flags of what it wants beside it in the high ones.
+constexpr uint32_t kSpectralFlag = 1u << 16;  // the channels of spectral/spectral.hpp, behind the others of a vertex
+constexpr uint32_t kFeatureFlags = kSpectralFlag;
 constexpr int kFeatureBits = 13;
-extern const uint32_t kVertexFeatures;  // channels of buffer 0
+extern const uint32_t kVertexFeatures;  // channels of buffer 0 without flags
 extern const uint32_t kPairFeatures;    // channels of buffer 1
 // Pair channels of the prior: natural log of the rule and parts field, divided by 8 to fit Q13.
 extern const uint32_t kPairLogRule;
 extern const uint32_t kPairLogParts;
 constexpr int kLogFeatureDivisor = 8;
+// Channels of buffer 0 for a feature set or its flags alone.
+uint32_t vertex_channels(uint32_t feature_flags);
 
 struct Features {
-  int16_t* vertex = nullptr;  // [U x kVertexFeatures]
-  int16_t* pair = nullptr;    // [U x K x kPairFeatures]; absent slots are all 0
+  int16_t* vertex = nullptr;  // [U x vertex_channels]
+  uint32_t vertex_channels = 0;
+  int16_t* pair = nullptr;  // [U x K x kPairFeatures]; absent slots are all 0
   // The final candidates: the voxel candidates with heat joints merged in. kNoJoint at the end.
   uint16_t* joints = nullptr;  // [U x K]
 
   bool allocate(Arena& arena, const Counts& counts);
 };
 
+// Fills everything but the channels of flags, which their own stages write.
 sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates,
                             const HeatFields& heat, const Counts& counts, Arena& arena, Features* features);
 void measure_build_features(Arena& arena, const Counts& counts);

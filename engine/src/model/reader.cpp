@@ -25,6 +25,7 @@ struct LayerList {
   Buffer buffers[kMaxBuffers];
   uint32_t buffer_count = 0;
   uint32_t candidates = 0;
+  uint32_t vertex_channels = 0;
 };
 
 sinew_status check_header(const uint8_t* bytes, size_t size_bytes) {
@@ -35,7 +36,7 @@ sinew_status check_header(const uint8_t* bytes, size_t size_bytes) {
   if (load_u32(bytes + kHeaderFormat) != kModelFormat) return SINEW_ERROR_MODEL_VERSION;
   if (load_u64(bytes + kHeaderSize) != size_bytes) return SINEW_ERROR_MODEL_TRUNCATED;
   if (load_u32(bytes + kHeaderChecksum) != model_checksum(bytes, size_bytes)) return SINEW_ERROR_MODEL_CHECKSUM;
-  if (load_u32(bytes + kHeaderFeatureSet) != kFeatureSet) return SINEW_ERROR_MODEL_VERSION;
+  if ((load_u32(bytes + kHeaderFeatureSet) & ~kFeatureFlags) != kFeatureSet) return SINEW_ERROR_MODEL_VERSION;
 
   const uint32_t k = load_u32(bytes + kHeaderCandidates), grid = load_u32(bytes + kHeaderGrid);
   const uint32_t buffers = load_u32(bytes + kHeaderBuffers), layers = load_u32(bytes + kHeaderLayers);
@@ -61,8 +62,8 @@ sinew_status read_buffers(const ModelTables& tables, LayerList* list) {
   if (list->buffers[kVertexInput].domain != Domain::kVertex || list->buffers[kPairInput].domain != Domain::kPair) {
     return SINEW_ERROR_MODEL_LAYOUT;
   }
-  const bool same_inputs =
-      list->buffers[kVertexInput].channels == kVertexFeatures && list->buffers[kPairInput].channels == kPairFeatures;
+  const bool same_inputs = list->buffers[kVertexInput].channels == list->vertex_channels &&
+                           list->buffers[kPairInput].channels == kPairFeatures;
   return same_inputs ? SINEW_OK : SINEW_ERROR_MODEL_VERSION;
 }
 
@@ -256,6 +257,7 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   const ModelTables tables(bytes);
   LayerList list;
   list.candidates = load_u32(bytes + kHeaderCandidates);
+  list.vertex_channels = vertex_channels(load_u32(bytes + kHeaderFeatureSet));
   status = read_buffers(tables, &list);
   if (status != SINEW_OK) return status;
 
@@ -286,7 +288,7 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   model->format_version = kModelFormat;
   model->candidate_count = list.candidates;
   model->grid_size = load_u32(bytes + kHeaderGrid);
-  model->feature_set = kFeatureSet;
+  model->feature_set = load_u32(bytes + kHeaderFeatureSet);
   model->fixed_candidates = 0;
   for (uint32_t i = 0; i < tables.layer_count(); ++i) {
     const LayerKind kind = list.layers[i].kind;

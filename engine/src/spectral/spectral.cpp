@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The spectral stage: component by component eigenpairs, then signatures.
+#include "spectral/spectral.hpp"
+
+#include "spectral/eigenpairs.hpp"
+#include "spectral/signatures.hpp"
+
+namespace sinew {
+namespace {
+
+struct Scratch {
+  SpectralOperator op;
+  EigenSolver solver;
+  Signatures* signatures = nullptr;
+
+  bool allocate(Arena& arena, const Counts& counts) {
+    op.allocate(arena, counts);
+    solver.allocate(arena, counts);
+    signatures = arena.alloc<Signatures>(1);
+    return arena.ok();
+  }
+};
+
+}  // namespace
+
+sinew_status compute_spectral(const Mesh& mesh, const Counts& counts, const Progress& progress, Arena& arena,
+                              int16_t* out, size_t stride) {
+  const size_t mark = arena.mark();
+  Scratch scratch;
+  if (!scratch.allocate(arena, counts)) {
+    arena.release(mark);
+    return SINEW_ERROR_WORKSPACE;
+  }
+  sum_cotangents(mesh, &scratch.op.edges);
+  uint64_t done = 0;
+  sinew_status status = SINEW_OK;
+  for (uint32_t c = 0; c < mesh.component_count && status == SINEW_OK; ++c) {
+    Eigenpairs pairs;
+    const uint32_t size = mesh.component_sizes[c];
+    const bool solved = size > 1 && scratch.solver.solve(mesh, scratch.op, c, &pairs);
+    scratch.signatures->prepare(pairs);
+    for (uint32_t i = 0; i < size; ++i) {
+      const uint32_t v = mesh.component_vertices[mesh.component_offsets[c] + i];
+      int32_t vector[kSpectralModes] = {};
+      if (solved) scratch.solver.row(v, vector);
+      scratch.signatures->write(vector, out + v * stride);
+    }
+    done += size;
+    if (!progress.report(static_cast<uint32_t>(done * 1000 / mesh.welded_count))) status = SINEW_ERROR_CANCELLED;
+  }
+  arena.release(mark);
+  return status;
+}
+
+void measure_compute_spectral(Arena& arena, const Counts& counts) {
+  const size_t mark = arena.mark();
+  Scratch scratch;
+  (void)scratch.allocate(arena, counts);
+  arena.release(mark);
+}
+
+}  // namespace sinew
