@@ -32,14 +32,15 @@ Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& sa
   return calibration;
 }
 
-std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid) {
+std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid,
+                                        uint32_t feature_set) {
   const std::vector<std::string> paths = list_characters(folder);
   const size_t count = limit == 0 ? paths.size() : std::min(limit, paths.size());
   std::vector<Sample> samples;
   std::string last_failure;
   for (size_t i = 0; i < count; ++i) {
     try {
-      samples.push_back(make_sample(read_character(paths[i * paths.size() / count]), candidates, grid));
+      samples.push_back(make_sample(read_character(paths[i * paths.size() / count]), candidates, grid, feature_set));
     } catch (const Error& error) {
       last_failure = error.what();
     }

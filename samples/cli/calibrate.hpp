@@ -17,7 +17,8 @@ Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& sa
 
 // Samples of at most `limit` characters spread evenly over a folder's sorted list (0 = all). Characters that the engine
 // refuses are left out; throws Error when none is left.
-std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid);
+std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid,
+                                        uint32_t feature_set);
 
 }  // namespace sinew
 #endif

@@ -48,7 +48,7 @@ struct Variant {
   std::string label;
   int bits = 0;
   size_t size_bytes = 0;
-  uint32_t candidates = 0, grid = 0;  // of the sample it needs; 0 = none
+  uint32_t candidates = 0, grid = 0, feature_set = 0;  // of the sample it needs; 0 = none
   std::function<Prediction(const Character&, const Sample*)> predict;
   std::vector<std::pair<std::string, Metrics>> figures;
   LogitNoise noise;
@@ -100,6 +100,7 @@ std::vector<Variant> checkpoint_variants(const Settings& s) {
   variants[0].bits = 32;
   variants[0].candidates = network.candidate_count;
   variants[0].grid = network.grid_size;
+  variants[0].feature_set = network.feature_set;
   for (const LinearParameters& p : network.parameters) variants[0].size_bytes += 4 * (p.weights.size() + p.bias.size());
   variants[0].predict = [&s, checkpoint](const Character&, const Sample* sample) {
     Prediction prediction;
@@ -109,8 +110,8 @@ std::vector<Variant> checkpoint_variants(const Settings& s) {
   };
   if (s.report.empty()) return variants;
   const std::string calibrate_on = s.calibrate.empty() ? s.folder : s.calibrate;
-  const Calibration calibration =
-      calibrate(network, calibration_samples(calibrate_on, 40, network.candidate_count, network.grid_size));
+  const Calibration calibration = calibrate(
+      network, calibration_samples(calibrate_on, 40, network.candidate_count, network.grid_size, network.feature_set));
   for (int bits : {16, 12, 10, 8}) {
     QuantizeOptions options;
     options.weight_bits = bits;
@@ -125,6 +126,7 @@ std::vector<Variant> checkpoint_variants(const Settings& s) {
         quantised.bytes.size() - static_cast<size_t>(model->model.parameter_count) * static_cast<size_t>(16 - bits) / 8;
     variant.candidates = network.candidate_count;
     variant.grid = network.grid_size;
+    variant.feature_set = network.feature_set;
     // int16 goes the product's whole way; the narrower ones only differ in the network, so features are not computed
     // again.
     variant.predict = [&s, model, bits](const Character& c, const Sample* sample) {
@@ -203,7 +205,7 @@ class Evaluation {
     for (const Variant& variant : variants_) {
       if (variant.candidates == 0 || sample) continue;
       const auto start = std::chrono::steady_clock::now();
-      sample = std::make_unique<Sample>(make_sample(character, variant.candidates, variant.grid));
+      sample = std::make_unique<Sample>(make_sample(character, variant.candidates, variant.grid, variant.feature_set));
       sample_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     std::vector<Prediction> predictions;

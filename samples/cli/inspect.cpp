@@ -9,6 +9,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "features/features.hpp"
 #include "model/layers.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/dataset.hpp"
@@ -46,15 +47,19 @@ const char* layer_name(LayerKind kind) {
   return "unknown";
 }
 
+std::string feature_set_text(uint32_t set) {
+  return std::to_string(set & ~kFeatureFlags) + ((set & kSpectralFlag) != 0 ? " with spectral signatures" : "");
+}
+
 void inspect_checkpoint(const std::string& path) {
   const Checkpoint checkpoint = read_checkpoint(path);
   const FloatNetwork& network = checkpoint.network;
   size_t parameters = 0;
   for (const LinearParameters& p : network.parameters) parameters += p.weights.size() + p.bias.size();
   std::printf("%s: checkpoint, float network\n", path.c_str());
-  std::printf("architecture  %s\nparameters    %zu\ncandidates    %u\ngrid          %u cells\nfeature set   %u\n",
+  std::printf("architecture  %s\nparameters    %zu\ncandidates    %u\ngrid          %u cells\nfeature set   %s\n",
               network.architecture.c_str(), parameters, network.candidate_count, network.grid_size,
-              network.feature_set);
+              feature_set_text(network.feature_set).c_str());
   std::printf("trained       %llu steps, %.0f s", static_cast<unsigned long long>(checkpoint.state.step),
               checkpoint.state.seconds);
   if (checkpoint.state.best_score < 1e9) std::printf(", best score %.4f on val", checkpoint.state.best_score);
@@ -76,9 +81,9 @@ void inspect_model(const std::string& path) {
   std::printf("%s: int16 model, all checks passed\n", path.empty() ? "bundled model" : path.c_str());
   std::printf(
       "format        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    %u\ngrid          %u "
-      "cells\nfeature set   %u\nchecksum      %08x\n",
+      "cells\nfeature set   %s\nchecksum      %08x\n",
       model.format_version, model.size_bytes, model.parameter_count, model.layer_count, model.candidate_count,
-      model.grid_size, model.feature_set, model.checksum);
+      model.grid_size, feature_set_text(model.feature_set).c_str(), model.checksum);
 }
 
 void print_joints(const Character& character) {

@@ -36,8 +36,8 @@ void add_confidence(const Settings& s, std::vector<uint8_t>* bytes) {
 void run(const Settings& s) {
   check_output(s.output, {".sinew"});
   const Checkpoint checkpoint = read_checkpoint(s.checkpoint);
-  const std::vector<Sample> samples =
-      calibration_samples(s.folder, s.characters, checkpoint.network.candidate_count, checkpoint.network.grid_size);
+  const std::vector<Sample> samples = calibration_samples(s.folder, s.characters, checkpoint.network.candidate_count,
+                                                          checkpoint.network.grid_size, checkpoint.network.feature_set);
   QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
   if (!s.confidence.empty()) add_confidence(s, &model.bytes);
   write_file(s.output, model.bytes);

@@ -32,7 +32,8 @@ struct Scene {
     for (const std::string& path : list_characters(kData)) {
       if (path.ends_with(".gltf")) continue;  // the same character as one of the OBJ files
       characters.push_back(read_character(path));
-      samples.push_back(make_sample(characters.back(), network.candidate_count, network.grid_size));
+      samples.push_back(
+          make_sample(characters.back(), network.candidate_count, network.grid_size, network.feature_set));
       logits.push_back(forward(network, samples.back()));
     }
   }

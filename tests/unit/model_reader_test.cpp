@@ -151,6 +151,15 @@ TEST(ModelReader, UnalignedIsRefused) {
   EXPECT_EQ(open_model(file.data() + 8, bytes.size(), &model), SINEW_OK);
 }
 
+TEST(ModelReader, FeatureFlags) {
+  IntegerModel with_spectral = small_model();
+  with_spectral.feature_set |= kSpectralFlag;
+  with_spectral.buffers[0].channels = static_cast<uint16_t>(vertex_channels(kSpectralFlag));
+  sinew_model model;
+  ASSERT_EQ(open(write_model(with_spectral), &model), SINEW_OK);
+  EXPECT_EQ(model.feature_set, kFeatureSet | kSpectralFlag);
+}
+
 struct Contradiction {
   const char* name;
   std::function<void(IntegerModel&)> make;
@@ -164,6 +173,12 @@ TEST(ModelReader, ContradictionsAreRefused) {
       {"grid 15", [](IntegerModel& m) { m.grid_size = 15; }},
       {"grid 129", [](IntegerModel& m) { m.grid_size = 129; }},
       {"feature set", [](IntegerModel& m) { m.feature_set = kFeatureSet + 1; }, SINEW_ERROR_MODEL_VERSION},
+      {"unknown feature flag", [](IntegerModel& m) { m.feature_set |= 1u << 17; }, SINEW_ERROR_MODEL_VERSION},
+      {"spectral flag without its channels", [](IntegerModel& m) { m.feature_set |= kSpectralFlag; },
+       SINEW_ERROR_MODEL_VERSION},
+      {"spectral channels without the flag",
+       [](IntegerModel& m) { m.buffers[0].channels = static_cast<uint16_t>(vertex_channels(kSpectralFlag)); },
+       SINEW_ERROR_MODEL_VERSION},
       {"vertex inputs", [](IntegerModel& m) { ++m.buffers[0].channels; }, SINEW_ERROR_MODEL_VERSION},
       {"pair inputs", [](IntegerModel& m) { ++m.buffers[1].channels; }, SINEW_ERROR_MODEL_VERSION},
       {"empty buffer",

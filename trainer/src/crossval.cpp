@@ -198,7 +198,7 @@ class Crossval {
     std::vector<Sample> whole, val_samples;  // what a family is measured on is never decimated
     if (config.vertex_limit > 0) {
       whole = load_samples(options_.data_dir, config.field.candidates, config.field.grid,
-                           train_options(jobs[0]).cache_dir, options_.threads, options_.quiet);
+                           train_options(jobs[0]).cache_dir, options_.threads, options_.quiet, feature_flags(config));
       for (const Sample& sample : whole) left_out.samples.push_back(&sample);
     } else {
       for (const std::vector<Sample>& character : set.characters) left_out.samples.push_back(&character[0]);
@@ -208,8 +208,9 @@ class Crossval {
     std::erase_if(left_out.samples,
                   [&](const Sample* s) { return usable.count(s->name) == 0 || left_out.paths.count(s->name) == 0; });
     if (!options_.val_dir.empty()) {
-      val_samples = load_samples(options_.val_dir, config.field.candidates, config.field.grid,
-                                 train_options(jobs[0]).cache_dir, options_.threads, options_.quiet);
+      val_samples =
+          load_samples(options_.val_dir, config.field.candidates, config.field.grid, train_options(jobs[0]).cache_dir,
+                       options_.threads, options_.quiet, feature_flags(config));
       val.paths = paths_by_name(options_.val_dir);
       for (const Sample& sample : val_samples) val.samples.push_back(&sample);
     }

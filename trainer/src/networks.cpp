@@ -25,7 +25,7 @@ class Builder {
                   std::to_string(candidates));
     }
     network_.architecture = architecture;
-    network_.feature_set = kFeatureSet;
+    network_.feature_set = kFeatureSet | inputs.feature_flags;
     network_.candidate_count = candidates;
     network_.grid_size = grid;
     vertex_input_ = all(add_buffer(Domain::kVertex, inputs.vertex_features));
@@ -197,12 +197,13 @@ FloatNetwork shrink_correction(const FloatNetwork& network, double strength, uin
   return out;
 }
 
-FloatNetwork make_field(const FieldOptions& options, uint64_t seed) {
-  return build_field(options, {kVertexFeatures, kPairFeatures, kPairLogRule}, seed);
+FloatNetwork make_field(const FieldOptions& options, uint64_t seed, uint32_t feature_flags) {
+  return build_field(options, {vertex_channels(feature_flags), kPairFeatures, kPairLogRule, feature_flags}, seed);
 }
 
-FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed) {
-  return build_classic(candidates, grid, {kVertexFeatures, kPairFeatures, kPairLogRule}, seed);
+FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed, uint32_t feature_flags) {
+  const InputShape inputs{vertex_channels(feature_flags), kPairFeatures, kPairLogRule, feature_flags};
+  return build_classic(candidates, grid, inputs, seed);
 }
 
 }  // namespace sinew

@@ -10,6 +10,7 @@ namespace sinew {
 struct InputShape {
   uint32_t vertex_features = 0, pair_features = 0;
   uint32_t log_rule = 0;  // pair channel of the heat prior
+  uint32_t feature_flags = 0;
 };
 FloatNetwork build_field(const FieldOptions& options, const InputShape& inputs, uint64_t seed);
 FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape& inputs, uint64_t seed);

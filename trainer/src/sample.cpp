@@ -71,12 +71,13 @@ void write_targets(const WeldedTruth& truth, Sample* s) {
 
 }  // namespace
 
-Sample make_sample(const Character& character, uint32_t candidates, uint32_t grid) {
+Sample make_sample(const Character& character, uint32_t candidates, uint32_t grid, uint32_t feature_flags) {
   check_bindable(character);
   const EngineViews views(character, {});
   Counts counts;
   throw_status(character, make_counts(views.mesh.vertex_count, views.mesh.face_count, views.mesh.corner_count,
                                       views.skeleton.joint_count, candidates, grid, &counts));
+  counts.feature_flags = feature_flags & kFeatureFlags;
   Arena measuring;
   measure_prepare(measuring, counts, PrepareFor::kNetwork);
   const AlignedBlock block(measuring.high_water());
@@ -89,12 +90,12 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   s.family = family_of(character.name);
   s.vertices = p.mesh.welded_count;
   s.candidates = candidates;
-  s.vertex_features = kVertexFeatures;
+  s.vertex_features = p.features.vertex_channels;
   s.pair_features = kPairFeatures;
   s.components = p.mesh.component_count;
   s.joints = p.skeleton.joint_count;
   const size_t pairs = static_cast<size_t>(s.vertices) * candidates;
-  s.vertex = copy(p.features.vertex, static_cast<size_t>(s.vertices) * kVertexFeatures);
+  s.vertex = copy(p.features.vertex, static_cast<size_t>(s.vertices) * s.vertex_features);
   s.pair = copy(p.features.pair, pairs * kPairFeatures);
   s.candidate = copy(p.features.joints, pairs);
   s.row_offsets = copy(p.mesh.row_offsets, static_cast<size_t>(s.vertices) + 1);

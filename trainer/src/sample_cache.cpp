@@ -96,7 +96,8 @@ Ingredients gather(const SampleRequest& request) {
 
 // 128 bits of everything that the sample depends on.
 std::string cache_key(const std::vector<uint8_t>& content, const SampleRequest& request, const SampleSource& source) {
-  uint64_t settings = mix_seeds(kCacheVersion, kFeatureSet, (uint64_t{kVertexFeatures} << 32) | kPairFeatures);
+  uint64_t settings =
+      mix_seeds(kCacheVersion, kFeatureSet | source.feature_flags, (uint64_t{kVertexFeatures} << 32) | kPairFeatures);
   settings = mix_seeds(settings, source.candidates, source.grid);
   if (source.vertex_limit != 0) settings = mix_seeds(settings, 0x6C696D6974, source.vertex_limit);
   if (request.variant != 0) settings = mix_seeds(settings, mix_seeds(kAugmentVersion, source.seed), request.variant);
@@ -164,7 +165,7 @@ Sample make_cached(Ingredients&& from, const SampleRequest& request, const Sampl
     const uint64_t name = hash_bytes(reinterpret_cast<const uint8_t*>(character.name.data()), character.name.size(), 0);
     character = augment(character, mix_seeds(source.seed, request.variant, name));
   }
-  Sample sample = make_sample(character, source.candidates, source.grid);
+  Sample sample = make_sample(character, source.candidates, source.grid, source.feature_flags);
   write_cached(path, sample);
   return sample;
 }
@@ -255,7 +256,7 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
 }
 
 std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid,
-                                 const std::string& cache_dir, uint32_t threads, bool quiet) {
+                                 const std::string& cache_dir, uint32_t threads, bool quiet, uint32_t feature_flags) {
   std::vector<SampleRequest> requests;
   for (const std::string& path : list_characters(folder)) requests.push_back({path, 0});
   if (requests.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
@@ -265,6 +266,7 @@ std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates,
   source.cache_dir = cache_dir;
   source.threads = threads;
   source.quiet = quiet;
+  source.feature_flags = feature_flags;
   return load_requests(requests, source);
 }
 

@@ -19,6 +19,7 @@ struct SampleRequest {
 };
 struct SampleSource {
   uint32_t candidates = 8, grid = 64;
+  uint32_t feature_flags = 0;
   uint64_t seed = 0;          // of the variants
   uint32_t vertex_limit = 0;  // characters with more vertices are decimated to about as many; 0 = off
   std::string cache_dir;

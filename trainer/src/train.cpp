@@ -56,7 +56,7 @@ void require_same_shape(const FloatNetwork& from, const FloatNetwork& to, const 
   };
   if (from.architecture != to.architecture) fail("it is a " + from.architecture + ", wanted is a " + to.architecture);
   if (from.feature_set != to.feature_set) {
-    fail("feature set " + std::to_string(from.feature_set) + ", this program has " + std::to_string(to.feature_set));
+    fail("feature set " + std::to_string(from.feature_set) + ", wanted is " + std::to_string(to.feature_set));
   }
   if (from.candidate_count != to.candidate_count || from.grid_size != to.grid_size) {
     fail("made for " + std::to_string(from.candidate_count) + " candidates and grid " + std::to_string(from.grid_size) +
@@ -119,8 +119,8 @@ class Run {
     if (drawn_.empty()) throw Error(options_.output + ": nothing to train on, every family is left out");
     if (options_.val_dir.empty()) return;
     const SampleSource source = sample_source(config_, options_);
-    val_ =
-        load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads, source.quiet);
+    val_ = load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads,
+                        source.quiet, source.feature_flags);
     drop_unlabelled(&val_, source.silent);
     std::vector<double> l1(val_.size());
     parallel_for(val_.size(), options_.threads,
@@ -132,14 +132,17 @@ class Run {
     const std::string config_json = train_config_json(config_);
     if (options_.resume) {
       checkpoint_ = read_checkpoint(options_.output);
-      require_same_config(checkpoint_.state.config_json, config_json, options_.output);
+      // Settings that came later than the checkpoint have their defaults.
+      const TrainConfig saved = parse_train_config(checkpoint_.state.config_json, options_.output);
+      require_same_config(train_config_json(saved), config_json, options_.output);
       check_network(checkpoint_.latest);
       check_network(checkpoint_.network);
       return;
     }
-    FloatNetwork network = config_.architecture == "classic"
-                               ? make_classic(config_.field.candidates, config_.field.grid, config_.seed)
-                               : make_field(config_.field, config_.seed);
+    FloatNetwork network =
+        config_.architecture == "classic"
+            ? make_classic(config_.field.candidates, config_.field.grid, config_.seed, feature_flags(config_))
+            : make_field(config_.field, config_.seed, feature_flags(config_));
     if (!options_.init.empty()) {
       FloatNetwork given = read_checkpoint(options_.init).network;
       check_network(given);

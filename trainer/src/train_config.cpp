@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "features/features.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/train.hpp"
 
@@ -20,6 +21,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("field.rounds", c.field.rounds);
   visit("field.candidates", c.field.candidates);
   visit("field.grid", c.field.grid);
+  visit("spectral", c.spectral);
   visit("optimizer", c.optimizer);
   visit("learning_rate", c.learning_rate);
   visit("weight_decay", c.weight_decay);
@@ -47,6 +49,10 @@ void visit_settings(Config& c, Visitor&& visit) {
 void read_value(const Json& value, const std::string& where, std::string* out) {
   if (!value.is_string()) throw Error(where + ": expected a text, found " + value.dump());
   *out = value.get<std::string>();
+}
+void read_value(const Json& value, const std::string& where, bool* out) {
+  if (!value.is_boolean()) throw Error(where + ": expected true or false, found " + value.dump());
+  *out = value.get<bool>();
 }
 void read_value(const Json& value, const std::string& where, double* out) {
   if (!value.is_number()) throw Error(where + ": expected a number, found " + value.dump());
@@ -96,6 +102,8 @@ void check(const TrainConfig& c, const std::string& source) {
 }
 
 }  // namespace
+
+uint32_t feature_flags(const TrainConfig& config) { return config.spectral ? kSpectralFlag : 0; }
 
 TrainConfig parse_train_config(const std::string& json, const std::string& source) {
   Json root;

@@ -27,6 +27,7 @@ SampleSource sample_source(const TrainConfig& config, const TrainOptions& option
   SampleSource source;
   source.candidates = config.field.candidates;
   source.grid = config.field.grid;
+  source.feature_flags = feature_flags(config);
   source.seed = config.seed;
   source.cache_dir = options.cache_dir.empty() ? options.output + ".cache" : options.cache_dir;
   source.threads = std::max(options.threads, 1u);

@@ -58,8 +58,9 @@ struct Sample {
   std::vector<float> heat;  // [U x K] the finished rule field at the candidates (sums to <= 1)
   std::vector<uint32_t> vertex_to_welded;  // [V]
 };
-// Runs the engine's stages 1 to 7 on a character. Throws Error.
-Sample make_sample(const Character& character, uint32_t candidates, uint32_t grid);
+// Runs the engine's stages 1 to 7 on a character. feature_flags: of a network's feature set (other bits are ignored).
+// Throws Error.
+Sample make_sample(const Character& character, uint32_t candidates, uint32_t grid, uint32_t feature_flags = 0);
 
 // Network output (probabilities per candidate [U x K]) to influences per caller vertex, `keep` largest, as the engine
 // rounds.

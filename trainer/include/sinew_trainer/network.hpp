@@ -19,10 +19,11 @@ struct FieldOptions {
   uint32_t grid = 64;
 };
 // Networks of trainer/README.md with seeded initial weights. field: the last layer starts at the heat prior.
-FloatNetwork make_field(const FieldOptions& options, uint64_t seed);
+// feature_flags: of the feature set (features/features.hpp of the engine).
+FloatNetwork make_field(const FieldOptions& options, uint64_t seed, uint32_t feature_flags = 0);
 // The network of patent CN110288681A, figures 7 and 8: N x 64 first feature, graph convolution, graph pooling, N x 576
 // second feature, global and local branches, softmax over K distance-sorted candidates.
-FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed);
+FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed, uint32_t feature_flags = 0);
 
 // Logits [U x K] in natural log units; absent slots are 0 and masked by the caller.
 std::vector<float> forward(const FloatNetwork& network, const Sample& sample);

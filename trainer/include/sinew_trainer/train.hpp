@@ -22,6 +22,7 @@ class Ranks;  // ranks.hpp
 struct TrainConfig {
   std::string architecture = "field";
   FieldOptions field;
+  bool spectral = false;            // heat-kernel and wave-kernel signatures as vertex features as well
   std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
   double feature_dropout = 0.03;  // probability of an input channel to be missing from a whole character
@@ -44,6 +45,8 @@ struct TrainConfig {
   uint32_t synthetic = 12;
   double family_power = 0.5;  // a family of n characters is drawn in proportion to n^power
 };
+// Flags of the feature set that the configuration's networks and samples have.
+uint32_t feature_flags(const TrainConfig& config);
 TrainConfig parse_train_config(const std::string& json, const std::string& source);
 std::string train_config_json(const TrainConfig& config);
 
@@ -89,7 +92,8 @@ TrainConfig checkpoint_config(const std::string& path);
 // Loads (or makes and caches) the samples of a folder; both cores. Characters that fail are reported on stderr and left
 // out.
 std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid,
-                                 const std::string& cache_dir, uint32_t threads, bool quiet);
+                                 const std::string& cache_dir, uint32_t threads, bool quiet,
+                                 uint32_t feature_flags = 0);
 
 }  // namespace sinew
 #endif
