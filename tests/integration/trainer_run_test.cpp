@@ -182,6 +182,34 @@ TEST_F(TrainerRun, InitStartsFromTheGivenWeights) {
   for (size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], 1e-6);
 }
 
+TEST_F(TrainerRun, InitShareKeepsThatMuchOfTheStart) {
+  config_.steps = 3;
+  config_.average_decay = 0;
+  train(config_, options("first.ckpt"));
+  const std::vector<float> start = all_numbers(read_checkpoint(options("first.ckpt").output).network);
+  config_.seed = 7;
+  TrainOptions o = options("alone.ckpt");
+  o.init = options("first.ckpt").output;
+  train(config_, o);
+  const std::vector<float> alone = all_numbers(read_checkpoint(o.output).network);
+  config_.init_share = 0.75;
+  o.output = options("shared.ckpt").output;
+  o.stop_after = 2;
+  train(config_, o);
+  o.stop_after = 0;
+  o.init.clear();
+  o.resume = true;  // the start is in the checkpoint
+  train(config_, o);
+  const std::vector<float> shared = all_numbers(read_checkpoint(o.output).network);
+  ASSERT_EQ(shared.size(), start.size());
+  double moved = 0;
+  for (size_t i = 0; i < start.size(); ++i) {
+    EXPECT_NEAR(shared[i], 0.75f * start[i] + 0.25f * alone[i], 1e-6f) << i;
+    moved += std::abs(static_cast<double>(alone[i] - start[i]));
+  }
+  EXPECT_GT(moved, 0);
+}
+
 TEST_F(TrainerRun, StopFlagWritesTheCheckpoint) {
   config_.steps = 1000000;
   std::atomic<bool> stop{true};

@@ -75,10 +75,14 @@ void optimizer_step(const TrainConfig& config, double learning_rate, const std::
 
 void update_average(const FloatNetwork& network, double decay, uint64_t step, FloatNetwork* average) {
   const double t = static_cast<double>(step);
-  const float share = static_cast<float>(1.0 - std::min(decay, (1.0 + t) / (10.0 + t)));
-  for (size_t block = 0; block < network.parameters.size(); ++block) {
-    const LinearParameters& from = network.parameters[block];
-    LinearParameters& to = average->parameters[block];
+  blend(network, 1.0 - std::min(decay, (1.0 + t) / (10.0 + t)), average);
+}
+
+void blend(const FloatNetwork& from_network, double share_of_from, FloatNetwork* to_network) {
+  const float share = static_cast<float>(share_of_from);
+  for (size_t block = 0; block < from_network.parameters.size(); ++block) {
+    const LinearParameters& from = from_network.parameters[block];
+    LinearParameters& to = to_network->parameters[block];
     for (size_t i = 0; i < from.weights.size(); ++i) to.weights[i] += share * (from.weights[i] - to.weights[i]);
     for (size_t i = 0; i < from.bias.size(); ++i) to.bias[i] += share * (from.bias[i] - to.bias[i]);
   }

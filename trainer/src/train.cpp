@@ -151,6 +151,7 @@ class Run {
     }
     checkpoint_.latest = checkpoint_.network = network;
     if (config_.average_decay > 0) checkpoint_.state.averages = {network};
+    if (config_.init_share > 0 && !options_.init.empty()) checkpoint_.state.averages.push_back(network);
     checkpoint_.state.config_json = config_json;
     checkpoint_.state.rng = {mix_seeds(config_.seed, 3)};
     checkpoint_.state.log_csv =
@@ -272,7 +273,7 @@ class Run {
     }
     optimizer_step(config_, rate, sum, &network, &state);
     ++state.step;
-    if (!state.averages.empty()) update_average(network, config_.average_decay, state.step, &state.averages[0]);
+    if (config_.average_decay > 0) update_average(network, config_.average_decay, state.step, &state.averages[0]);
     for (const LossTerms& terms : terms_) {
       recent_.total += terms.total;
       recent_.l1 += terms.l1;
@@ -286,8 +287,11 @@ class Run {
 
   void validate(double rate) {
     TrainingState& state = checkpoint_.state;
-    const FloatNetwork candidate = shrink_correction(state.averages.empty() ? checkpoint_.latest : state.averages[0],
-                                                     config_.correction, kPairLogRule);
+    FloatNetwork candidate = shrink_correction(config_.average_decay > 0 ? state.averages[0] : checkpoint_.latest,
+                                               config_.correction, kPairLogRule);
+    // Behind the running average, if there is one, lie the weights that the run started from.
+    const size_t first = config_.average_decay > 0 ? 1 : 0;
+    if (state.averages.size() > first) blend(state.averages[first], config_.init_share, &candidate);
     ValScore val;
     if (!val_.empty()) {
       val = score(val_, gradient_->sample_scores(candidate, val_, threads(), kKeep));

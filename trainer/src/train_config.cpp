@@ -38,6 +38,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("seed", c.seed);
   visit("average_decay", c.average_decay);
   visit("correction", c.correction);
+  visit("init_share", c.init_share);
   visit("validate_every", c.validate_every);
   visit("variants", c.variants);
   visit("variant_share", c.variant_share);
@@ -94,6 +95,7 @@ void check(const TrainConfig& c, const std::string& source) {
   require(c.batch >= 1 && c.batch <= 64, "batch", "1 to 64");
   require(c.average_decay >= 0 && c.average_decay < 1, "average_decay", "0 (off) or more and below 1");
   require(c.correction > 0 && c.correction <= 1, "correction", "above 0, at most 1");
+  require(c.init_share >= 0 && c.init_share < 1, "init_share", "from 0, below 1");
   require(c.validate_every >= 1, "validate_every", "1 or more");
   require(c.variants <= 64, "variants", "0 to 64");
   require(c.synthetic <= 1000, "synthetic", "0 to 1000");

@@ -32,8 +32,9 @@ struct FloatNetwork {
 
 struct TrainingState {
   uint64_t step = 0;
-  double seconds = 0;                      // wall time spent so far
-  std::vector<FloatNetwork> averages;      // 0 or 1: running average of the weights
+  double seconds = 0;  // wall time spent so far
+  std::vector<FloatNetwork>
+      averages;  // the running average of the weights, then those the run started from; each only when asked for
   std::vector<std::vector<float>> adam_m;  // per parameter block: weights then bias
   std::vector<std::vector<float>> adam_v;
   std::vector<uint64_t> rng;    // generator state

@@ -34,6 +34,9 @@ struct TrainConfig {
   // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/README.md has the figures.
   double correction = 0.75;
+  // Share of the weights of --init in the finished network. Between two networks of one start the way is smooth: half
+  // of each keeps most of a new style and most of what was known.
+  double init_share = 0;
   uint32_t validate_every = 300;  // steps
   // Augmentation with recomputed features: variants made once per character and cached.
   uint32_t variants = 2;       // extra variants per character (turn, mirror, scale, jitter, decimation)
