@@ -9,6 +9,7 @@
 
 #include "half_edge_mesh.hpp"
 #include "sinew_formats/dataset.hpp"
+#include "sinew_formats/label_check.hpp"
 
 namespace sinew {
 namespace {
@@ -233,6 +234,7 @@ void check_weights(const Character& character, CheckReport* report) {
     return;
   }
   Examples unbound, bad_sums, bad_influences, many, idle;
+  std::vector<uint32_t> without;
   std::vector<char> has_weight(character.joints.size(), 0);
   for (size_t v = 0; v < character.influences.size(); ++v) {
     double sum = 0;
@@ -247,12 +249,14 @@ void check_weights(const Character& character, CheckReport* report) {
       has_weight[influence.joint] = 1;
     }
     report->max_influences = std::max(report->max_influences, count);
-    if (bad)
+    if (bad) {
       bad_influences.add(v);
-    else if (count == 0)
+    } else if (count == 0) {
       unbound.add(v);
-    else if (std::fabs(sum - 1) > kWeightSumTolerance)
+      without.push_back(static_cast<uint32_t>(v));
+    } else if (std::fabs(sum - 1) > kWeightSumTolerance) {
       bad_sums.add(std::to_string(v) + " (" + std::to_string(sum) + ")");
+    }
     if (count > kMostInfluences) many.add(v);
   }
   for (size_t j = 0; j < has_weight.size(); ++j)
@@ -263,6 +267,7 @@ void check_weights(const Character& character, CheckReport* report) {
                         "vertices with a weight that is negative, not finite or of no joint", report);
   bad_sums.report(Level::kWarning, "weight-sum", "vertices whose weights do not sum to 1", report);
   unbound.report(Level::kWarning, "unbound-vertices", "vertices without weights", report);
+  if (!without.empty()) report->findings.back().vertices = std::move(without);
   many.report(Level::kWarning, "many-influences", "vertices with more than 12 influences", report);
   idle.report(Level::kNote, "idle-joints", "joints without weight", report);
 }
@@ -278,6 +283,10 @@ CheckReport check_character(const Character& character) {
   check_mesh(character, box, &report);
   check_skeleton(character, box, &report);
   check_weights(character, &report);
+  for (LabelFinding& f : check_labels(character)) {
+    report.findings.push_back(
+        {Level::kWarning, f.code, std::max<size_t>(1, f.vertices.size()), std::move(f.text), std::move(f.vertices)});
+  }
   std::stable_sort(report.findings.begin(), report.findings.end(),
                    [](const CheckFinding& a, const CheckFinding& b) { return a.level > b.level; });
   return report;

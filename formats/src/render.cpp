@@ -70,6 +70,13 @@ class Camera {
     offset_x_ = w / 2 - scale * (left + right) / 2;
     offset_y_ = h / 2 + scale * (bottom + top) / 2;
     scale_ = scale;
+    if (options.focus_radius > 0) {
+      const ScreenPoint at = project(options.focus);
+      const float shrink = at.nearness > 0 ? kCameraDistance * at.nearness : 1;
+      scale_ = (1 - 2 * kMargin) * std::min(w, h) / (2 * shrink * unit_ * options.focus_radius);
+      offset_x_ = w / 2 - scale_ * at.x;
+      offset_y_ = h / 2 + scale_ * at.y;
+    }
   }
 
   // Nearness is at most 0 for points behind the camera.
@@ -335,6 +342,37 @@ void draw_skeleton(const Character& c, const Camera& camera, Canvas* canvas) {
   }
 }
 
+void draw_ring(const ScreenPoint& centre, float inner, float outer, const Linear& colour, float opacity,
+               Canvas* canvas) {
+  const auto bound = [](float x, int limit) {
+    return static_cast<int>(std::clamp(x, 0.0f, static_cast<float>(limit)));
+  };
+  for (int y = bound(centre.y - outer, canvas->height); y < bound(centre.y + outer + 1, canvas->height); ++y) {
+    for (int x = bound(centre.x - outer, canvas->width); x < bound(centre.x + outer + 1, canvas->width); ++x) {
+      const float r = std::hypot(static_cast<float>(x) + 0.5f - centre.x, static_cast<float>(y) + 0.5f - centre.y);
+      if (r < inner || r > outer) continue;
+      Linear& light = canvas->light[canvas->at(x, y)];
+      for (size_t i = 0; i < 3; ++i) light[i] += opacity * (colour[i] - light[i]);
+    }
+  }
+}
+
+void draw_marks(const std::vector<RenderMark>& marks, const Camera& camera, Canvas* canvas) {
+  const float size = static_cast<float>(std::min(canvas->width, canvas->height));
+  const float radius = std::max(size / 90, 5.0f), line = std::max(size / 260, 2.0f);
+  for (const RenderMark& mark : marks) {
+    const ScreenPoint at = camera(mark.position);
+    if (at.nearness <= 0 || !std::isfinite(at.x) || !std::isfinite(at.y)) continue;
+    const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+    if (at.x < 0 || at.y < 0 || x >= canvas->width || y >= canvas->height) continue;
+    // Half a percent of slack: the vertex lies in the surface that would hide it.
+    const bool hidden = canvas->nearness[canvas->at(x, y)] > 1.005f * at.nearness;
+    const float opacity = hidden ? 0.3f : 1.0f;
+    draw_ring(at, radius - line, radius + line, to_linear({255, 255, 255}), 0.8f * opacity, canvas);
+    draw_ring(at, radius - 0.6f * line, radius + 0.6f * line, to_linear(mark.colour), opacity, canvas);
+  }
+}
+
 Image average(const Canvas& canvas) {
   Image image;
   image.width = canvas.width / kSamples;
@@ -373,6 +411,7 @@ Image render(const Character& character, const std::vector<std::array<uint8_t, 3
   draw_faces(character, vertex_colours, camera, &canvas);
   darken_occluded(camera, &canvas);
   if (options.draw_skeleton) draw_skeleton(character, camera, &canvas);
+  draw_marks(options.marks, camera, &canvas);
   return average(canvas);
 }
 

@@ -7,40 +7,50 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "calibrate.hpp"
 #include "commands.hpp"
 #include "eval_studies.hpp"
+#include "model/layout.hpp"
 #include "quantised.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/reliability_plot.hpp"
 #include "sinew_trainer/report.hpp"
+#include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 namespace {
 
+constexpr const char* kNearest = "nearest bone";
+
 using Rows = std::vector<std::vector<Influence>>;
 
 struct Settings {
   std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints;
+  std::vector<std::string> peers;  // NAME=DIR
   unsigned influences = 4, jobs = 1;
-  bool known = false, confidence = false, robustness = false;
+  bool known = false, against_nearest = false, confidence = false, robustness = false;
 };
 
 struct Prediction {
   Rows rows;
   double seconds = 0;
-  std::vector<float> logits;  // for signal to noise; empty when not known
+  std::vector<float> logits;        // for signal to noise; empty when not known
+  std::vector<uint8_t> confidence;  // [V]; empty when the binder tells none
 };
 
 // One way of binding. `sample` is null unless some variant asks for it.
@@ -48,11 +58,13 @@ struct Variant {
   std::string label;
   int bits = 0;
   size_t size_bytes = 0;
+  std::string confidence = "the largest weight of a vertex";
   uint32_t candidates = 0, grid = 0, feature_set = 0;  // of the sample it needs; 0 = none
   std::function<Prediction(const Character&, const Sample*)> predict;
   std::vector<std::pair<std::string, Metrics>> figures;
+  std::map<std::string, std::vector<double>> pose_distances;
   LogitNoise noise;
-  size_t flips = 0, compared = 0;
+  WeightDifference difference;  // from the first variant
 };
 
 std::vector<uint8_t> known_joints(const Character& character) {
@@ -72,7 +84,7 @@ Prediction bind_with(const Settings& s, const sinew_model* model, const Characte
   options.influence_count = s.influences;
   if (s.known) options.joint_flags = known_joints(character);
   BindResult result = bind(character, options);
-  return {std::move(result.influences), result.seconds, {}};
+  return {std::move(result.influences), result.seconds, {}, std::move(result.confidence)};
 }
 
 Variant heat_variant(const Settings& s) {
@@ -82,11 +94,50 @@ Variant heat_variant(const Settings& s) {
   return variant;
 }
 
+Variant nearest_variant() {
+  Variant variant;
+  variant.label = kNearest;
+  variant.predict = [](const Character& c, const Sample*) { return Prediction{nearest_bone(c), 0, {}, {}}; };
+  return variant;
+}
+
+// Predictions that lie in a folder as NAME.rig.txt, made by another binder or an earlier run.
+Variant peer_variant(const std::string& name_and_folder) {
+  const size_t at = name_and_folder.find('=');
+  if (at == 0 || at == std::string::npos || at + 1 == name_and_folder.size())
+    throw UsageError("--with " + name_and_folder + ": expected NAME=DIR");
+  Variant variant;
+  variant.label = name_and_folder.substr(0, at);
+  variant.predict = [folder = name_and_folder.substr(at + 1)](const Character& c, const Sample*) {
+    const std::string path = (std::filesystem::path(folder) / (c.name + ".rig.txt")).string();
+    Character predicted = c;
+    predicted.joints.clear();
+    predicted.influences.clear();
+    read_skeleton(path, true, &predicted);
+    // The joints by name: another tool may have written them in another order.
+    std::map<std::string, uint32_t> index;
+    for (uint32_t j = 0; j < c.joints.size(); ++j) index.emplace(c.joints[j].name, j);
+    Prediction prediction;
+    for (auto& row : predicted.influences) {
+      prediction.rows.emplace_back();
+      for (const Influence& i : row) {
+        const auto found = index.find(predicted.joints[i.joint].name);
+        if (found == index.end())
+          throw Error(path + ": binds to the joint " + predicted.joints[i.joint].name + ", which the character lacks");
+        prediction.rows.back().push_back({found->second, i.weight});
+      }
+    }
+    return prediction;
+  };
+  return variant;
+}
+
 Variant model_variant(const Settings& s, const std::string& label, std::shared_ptr<LoadedModel> model) {
   Variant variant;
   variant.label = label;
   variant.bits = 16;
   variant.size_bytes = model->model.size_bytes;
+  if (model->model.confidence_count > 0) variant.confidence = "the strongest joint's share through the model's table";
   variant.predict = [&s, model](const Character& c, const Sample*) { return bind_with(s, &model->model, c); };
   return variant;
 }
@@ -145,24 +196,50 @@ std::vector<Variant> make_variants(const Settings& s) {
   std::vector<Variant> variants;
   if (!s.checkpoint.empty()) {
     variants = checkpoint_variants(s);
-  } else if (s.method == "heat") {
-    variants.push_back(heat_variant(s));
-    variants[0].label = s.label.empty() ? "heat" : s.label;
-    return variants;
+  } else if (!s.method.empty()) {
+    variants.push_back(s.method == "heat" ? heat_variant(s) : nearest_variant());
+    variants[0].label = s.label.empty() ? s.method : s.label;
   } else {
     const std::string label = !s.label.empty() ? s.label : s.model.empty() ? "bundled model" : file_name(s.model);
     variants.push_back(model_variant(s, label, load_model(s.model)));
   }
-  if (!s.report.empty()) variants.push_back(heat_variant(s));
+  if (!s.report.empty() && s.method != "heat") variants.push_back(heat_variant(s));
+  for (const std::string& peer : s.peers) variants.push_back(peer_variant(peer));
+  if (s.method != "nearest" && (s.against_nearest || !s.report.empty())) variants.push_back(nearest_variant());
   return variants;
 }
 
-uint32_t strongest(const std::vector<Influence>& row) {
-  const Influence* best = nullptr;
-  for (const Influence& i : row) {
-    if (best == nullptr || i.weight > best->weight || (i.weight == best->weight && i.joint < best->joint)) best = &i;
-  }
-  return best == nullptr ? 0xFFFFFFFFu : best->joint;
+// The command as it would be typed, without what does not change the numbers.
+std::string command_line(const Settings& s) {
+  std::string line = "sinew eval " + s.folder;
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) line += std::string(" ") + option + " " + value;
+  };
+  add("--model", s.model);
+  add("--checkpoint", s.checkpoint);
+  add("--method", s.method);
+  add("--calibrate", s.calibrate);
+  if (s.influences != 4) add("--influences", std::to_string(s.influences));
+  if (s.known) line += " --known";
+  for (const std::string& peer : s.peers) add("--with", peer);
+  add("--report", s.report);
+  return line;
+}
+
+// Only what the caller passes: a page with the clock in it would differ every time.
+std::string build_date() {
+  const char* const text = std::getenv("SOURCE_DATE_EPOCH");
+  if (text == nullptr || *text == 0) return "";
+  char* end = nullptr;
+  const long long seconds = std::strtoll(text, &end, 10);
+  if (*end != 0 || seconds < 0)
+    throw Error(std::string("SOURCE_DATE_EPOCH: expected seconds since 1970, found ") + text);
+  const std::time_t when = static_cast<std::time_t>(seconds);
+  std::tm parts{};
+  if (gmtime_r(&when, &parts) == nullptr) throw Error(std::string("SOURCE_DATE_EPOCH: out of range: ") + text);
+  char date[64];
+  std::strftime(date, sizeof date, "%Y-%m-%d", &parts);
+  return date;
 }
 
 class Evaluation {
@@ -210,12 +287,13 @@ class Evaluation {
     }
     std::vector<Prediction> predictions;
     std::vector<Metrics> metrics;
+    std::vector<std::vector<double>> poses(variants_.size());
     for (const Variant& variant : variants_) {
       const auto start = std::chrono::steady_clock::now();
       predictions.push_back(variant.predict(character, sample.get()));
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       if (predictions.back().seconds == 0) predictions.back().seconds = seconds + sample_seconds;
-      metrics.push_back(measure(character, predictions.back().rows, name));
+      metrics.push_back(measure(character, predictions.back().rows, name, 10, nullptr, &poses[metrics.size()]));
       metrics.back().seconds = predictions.back().seconds;
     }
     if (!s_.predictions.empty()) {
@@ -223,19 +301,24 @@ class Evaluation {
       predicted.influences = predictions[0].rows;
       write_rig((std::filesystem::path(s_.predictions) / (name + ".rig.txt")).string(), predicted);
     }
+    const Prediction& main = predictions[main_];
+    JudgedConfidence judged;
+    if (!s_.report.empty())
+      judged =
+          judge_confidence(character, main.rows, main.confidence.empty() ? top_weights(main.rows) : main.confidence);
     const std::lock_guard<std::mutex> guard(lock_);
     for (size_t i = 0; i < variants_.size(); ++i) {
       Variant& variant = variants_[i];
       variant.figures.emplace_back(name, metrics[i]);
-      if (i > 0) {
-        for (size_t v = 0; v < character.vertices.size(); ++v) {
-          variant.flips += strongest(predictions[i].rows[v]) != strongest(predictions[0].rows[v]) ? 1 : 0;
-        }
-        variant.compared += character.vertices.size();
-        if (!predictions[i].logits.empty()) variant.noise.add(*sample, predictions[0].logits, predictions[i].logits);
-      }
+      variant.pose_distances[name] = std::move(poses[i]);
+      if (i > 0 && variant.bits > 0) variant.difference.add(predictions[0].rows, predictions[i].rows);
+      if (i > 0 && !predictions[i].logits.empty())
+        variant.noise.add(*sample, predictions[0].logits, predictions[i].logits);
     }
-    if (!s_.report.empty()) drawn_[name] = {path, std::move(predictions[main_].rows)};
+    if (s_.report.empty()) return;
+    // Kept by name: sums of doubles must not depend on which thread was first.
+    confidence_[name] = judged;
+    drawn_[name] = {path, std::move(predictions[main_].rows)};
   }
 
   void finish() {
@@ -251,6 +334,7 @@ class Evaluation {
       if (s_.json != "-") {
         for (size_t i = 0; i < variants_.size(); ++i)
           std::printf("%s\n", scores_markdown(variants_[i].label, scores[i]).c_str());
+        print_beaten(scores);
       }
       if (!s_.report.empty()) write_report(scores);
     }
@@ -259,6 +343,21 @@ class Evaluation {
       throw Error(print("%zu of %zu characters failed; the first: ", failures_.size(), paths_.size()) +
                   failures_.begin()->first + ": " + failures_.begin()->second);
     }
+  }
+
+  std::optional<std::vector<std::pair<std::string, double>>> beaten(const std::vector<Scores>& scores) const {
+    for (size_t i = 0; i < variants_.size(); ++i)
+      if (i != main_ && variants_[i].label == kNearest) return beaten_by(scores[main_], scores[i]);
+    return std::nullopt;
+  }
+
+  void print_beaten(const std::vector<Scores>& scores) const {
+    const auto list = beaten(scores);
+    if (!list) return;
+    std::printf("nearest bone is better than %s on %zu of %zu characters%s\n", variants_[main_].label.c_str(),
+                list->size(), scores[main_].characters.size(), list->empty() ? "" : " (L1 above it):");
+    for (const auto& [name, loss] : *list) std::printf("  %s %.4f\n", name.c_str(), loss);
+    std::printf("\n");
   }
 
   void write_status() const {
@@ -281,22 +380,39 @@ class Evaluation {
 
   void write_report(const std::vector<Scores>& scores) {
     ReportData data;
-    data.summary = print("%zu characters, %u influences per vertex.", variants_[0].figures.size(), s_.influences);
-    data.facts = {
-        {"data", s_.folder}, {"joints that deform", s_.known ? "given" : "not given"}, {"sinew", sinew_version()}};
-    if (!s_.checkpoint.empty()) data.facts.emplace_back("checkpoint", s_.checkpoint);
-    if (!s_.checkpoint.empty()) data.facts.emplace_back("bytes at 12, 10 and 8 bits", "as if weights were packed");
-    if (!s_.model.empty()) data.facts.emplace_back("model", s_.model);
+    data.summary = print("%zu characters in %zu families, %u influences per vertex, joints that deform %s.",
+                         variants_[0].figures.size(), scores[main_].families.size(), s_.influences,
+                         s_.known ? "given" : "not given");
+    data.facts = {{"command", command_line(s_)}, {"sinew", sinew_version()}};
+    if (!s_.checkpoint.empty()) {
+      const std::vector<uint8_t> bytes = read_file(s_.checkpoint);
+      data.facts.emplace_back(
+          "checkpoint", file_name(s_.checkpoint) + ", CRC-32 " + print("%08x", crc32(0, bytes.data(), bytes.size())));
+      data.facts.emplace_back("bytes at 12, 10 and 8 bits", "as if weights were packed");
+    } else if (s_.method.empty()) {
+      const std::unique_ptr<LoadedModel> model = load_model(s_.model);
+      data.facts.emplace_back("model", (s_.model.empty() ? std::string("bundled") : file_name(s_.model)) +
+                                           print(", checksum %08x", model->model.checksum));
+    }
+    const std::string date = build_date();
+    if (!date.empty()) data.facts.emplace_back("date", date);
+    std::vector<JudgedConfidence> judged;
+    for (const auto& [name, one] : confidence_) judged.push_back(one);
+    data.reliability = reliability(judged);
+    data.confidence = variants_[main_].confidence;
+    data.beaten_by_nearest = beaten(scores);
     for (size_t i = 0; i < variants_.size(); ++i) {
       ReportVariant row;
       row.label = variants_[i].label;
       row.scores = scores[i];
       row.bits = variants_[i].bits;
       row.size_bytes = variants_[i].size_bytes;
+      row.pose_distances = variants_[i].pose_distances;
       if (i > 0 && !s_.checkpoint.empty() && variants_[i].bits > 0) {
-        row.argmax_flips =
-            static_cast<double>(variants_[i].flips) / static_cast<double>(std::max<size_t>(1, variants_[i].compared));
+        row.argmax_flips = variants_[i].difference.flip_share();
+        row.close_unorm8 = variants_[i].difference.close_share();
         row.logit_snr_db = variants_[i].noise.decibels();
+        if (variants_[i].bits == 16) data.integers = variants_[i].difference;
       }
       data.variants.push_back(std::move(row));
     }
@@ -316,6 +432,7 @@ class Evaluation {
   std::mutex lock_;
   std::map<std::string, std::string> failures_;
   std::map<std::string, std::pair<std::string, Rows>> drawn_;  // name -> path, main variant's rows
+  std::map<std::string, JudgedConfidence> confidence_;
 };
 
 void run_study(const Settings& s, const char* option, void (*study)(const Study&)) {
@@ -332,7 +449,8 @@ void run_hints(const Settings& s) {
   const double percent = colon == std::string::npos ? 0 : std::strtod(s.hints.c_str() + colon + 1, &end);
   if ((kind != "random" && kind != "patch") || end == nullptr || *end != 0 || !(percent > 0 && percent <= 100))
     throw UsageError("--hints " + s.hints + ": expected random:PERCENT or patch:PERCENT, for example random:5");
-  if (!s.checkpoint.empty()) throw UsageError("--hints works with --model and --method heat only");
+  if (!s.checkpoint.empty() || s.method == "nearest")
+    throw UsageError("--hints works with --model and --method heat only");
   const std::unique_ptr<LoadedModel> model = s.method == "heat" ? nullptr : load_model(s.model);
   study_hints({s.folder, model ? &model->model : nullptr, s.influences, s.jobs}, kind, percent / 100);
 }
@@ -340,7 +458,8 @@ void run_hints(const Settings& s) {
 void run(const Settings& s) {
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
-  if (s.known && !s.checkpoint.empty()) throw UsageError("--known works with --model and --method heat only");
+  if (s.known && (!s.checkpoint.empty() || s.method == "nearest"))
+    throw UsageError("--known works with --model and --method heat only");
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
   if (s.confidence) return run_study(s, "--confidence", study_confidence);
   if (s.robustness) return run_study(s, "--robustness", study_robustness);
@@ -364,15 +483,20 @@ void add_eval(CLI::App& app) {
   auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
                          ->type_name("FILE")
                          ->excludes(model);
-  sub->add_option("--method", s->method, "heat: no model")
-      ->check(CLI::IsMember({"heat"}))
+  sub->add_option("--method", s->method, "heat: no model; nearest: every vertex rigid to the nearest bone")
+      ->check(CLI::IsMember({"heat", "nearest"}))
       ->excludes(model)
       ->excludes(checkpoint);
   sub->add_option("--predictions", s->predictions, "Folder for NAME.rig.txt of every character and status.json")
       ->type_name("OUTDIR");
-  sub->add_option("--report", s->report,
-                  "Page with tables, plots and pictures; with --checkpoint also int16, 12, 10 and 8 bits")
+  sub->add_option(
+         "--report", s->report,
+         "Page with tables, plots and pictures, heat and nearest bone beside; with --checkpoint also int16, 12, "
+         "10 and 8 bits against float")
       ->type_name("OUT.html");
+  sub->add_option("--with", s->peers, "Another binder's predictions, DIR/NAME.rig.txt of every character, as a column")
+      ->type_name("NAME=DIR");
+  sub->add_flag("--against-nearest", s->against_nearest, "List the characters on which nearest bone is better");
   sub->add_option("--json", s->json, "All figures as JSON; - for standard output instead of the table")
       ->type_name("OUT.json");
   sub->add_option("--calibrate", s->calibrate, "With --checkpoint --report: characters to calibrate on [DIR]")
@@ -399,7 +523,10 @@ void add_eval(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew eval characters/val --predictions out --report out.html\n"
       "  sinew eval characters/val --method heat --known --json -\n"
-      "  sinew eval characters/val --checkpoint run.sinewckpt --calibrate characters/train --report bits.html");
+      "  sinew eval characters/train --against-nearest\n"
+      "  sinew eval characters/val --report out.html --with blender=blender_weights\n"
+      "  sinew eval characters/val --checkpoint run.sinewckpt --calibrate characters/train --report bits.html\n"
+      "SOURCE_DATE_EPOCH puts its date on the report; without it the same inputs give the same page.");
   sub->callback([s] { run(*s); });
 }
 

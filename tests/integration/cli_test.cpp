@@ -105,8 +105,9 @@ void expect_bound(const Character& character, size_t most) {
 }
 
 TEST_F(Cli, HelpHasAnExampleEverywhere) {
-  for (const char* command : {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats",
-                              "dataset convert", "dataset decimate", "dataset synthesize", "inspect", "pose"}) {
+  for (const char* command :
+       {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats", "dataset dedup",
+        "dataset split", "dataset convert", "dataset decimate", "dataset synthesize", "inspect", "pose"}) {
     const Outcome outcome = good(std::string(command) + " --help");
     EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
     EXPECT_NE(outcome.out.find(std::string("sinew ") + command), std::string::npos) << command;
@@ -350,6 +351,19 @@ TEST_F(Cli, EvalScoresTheSamples) {
   good("eval " + kData + " --method heat --predictions out1 --jobs 1");
   EXPECT_TRUE(slurp(in("out/quadruped__tailed.rig.txt")) == slurp(in("out1/quadruped__tailed.rig.txt")));
   EXPECT_EQ(good("eval " + kData + " --method heat --known --json -").out[0], '{');
+  EXPECT_NE(html.find("sinew eval " + kData + " --method heat --report report.html"), std::string::npos);
+  EXPECT_NE(html.find("nearest bone"), std::string::npos);
+  // The same page whatever the number of jobs, with the other run's predictions as a column.
+  good("eval " + kData + " --method heat --report report.html --jobs 1");
+  EXPECT_TRUE(slurp(in("report.html")) == html);
+  const Outcome nearest = good("eval " + kData + " --method nearest --with heat=out1 --json with.json");
+  EXPECT_NE(nearest.out.find("| nearest | 7 |"), std::string::npos) << nearest.out;
+  EXPECT_NE(slurp(in("with.json")).find("\"heat\""), std::string::npos);
+  EXPECT_NE(good("eval " + kData + " --method heat --against-nearest").out.find("nearest bone is better than heat on"),
+            std::string::npos);
+  bad(2, "eval " + kData + " --method heat --with nothing");
+  bad(2, "eval " + kData + " --method nearest --known");
+  bad(1, "eval " + kData + " --method heat --with other=nowhere");
 }
 
 TEST_F(Cli, EvalReportsFailuresAndGoesOn) {
@@ -430,6 +444,46 @@ TEST_F(Cli, DatasetCommands) {
   good("dataset synthesize --plan snake --seed 3 --resolution 24 -o one.obj");
   EXPECT_TRUE(slurp(in("one.obj")) == slurp(in("made/snake__0003.obj")));
   EXPECT_TRUE(slurp(in("one.rig.txt")) == slurp(in("made/snake__0003.rig.txt")));
+}
+
+TEST_F(Cli, DatasetShowsFindsCopiesAndDivides) {
+  good("dataset synthesize --plan snake --count 3 --resolution 24 -o set");
+  good("dataset synthesize --plan bird --count 2 --resolution 24 -o set");
+  const Outcome stats = good("dataset stats set -o page.html --picture 64 --jobs 2");
+  EXPECT_NE(stats.out.find("recall@16"), std::string::npos) << stats.out;
+  const std::string page = slurp(in("page.html"));
+  EXPECT_NE(page.find("data:image/png"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  good("dataset stats set -o again.html --picture 64 --jobs 1");
+  EXPECT_TRUE(page == slurp(in("again.html")));
+  EXPECT_EQ(good("dataset stats set --no-recall --json").out.find("recall"), std::string::npos);
+
+  fs::copy(in("set/bird__0001.obj"), in("set/parrot__one.obj"));
+  fs::copy(in("set/bird__0001.rig.txt"), in("set/parrot__one.rig.txt"));
+  const Outcome copies = good("dataset dedup set -o unique");
+  EXPECT_NE(copies.out.find("drop  set/parrot__one.obj  same"), std::string::npos) << copies.out;
+  EXPECT_EQ(list_characters(in("unique")).size(), 5u);
+  EXPECT_EQ(list_characters(in("set")).size(), 6u) << "nothing is deleted";
+  EXPECT_EQ(good("dataset dedup set --json").out[0], '[');
+  bad(1, "dataset dedup set -o unique");  // never replaces
+
+  put(in("groups.json"), R"({"groups": {"flying": ["bird", "parrot"]}})");
+  good("dataset split set --val 0.5 --groups groups.json -o two");
+  const size_t train = list_characters(in("two/train")).size(), val = list_characters(in("two/val")).size();
+  EXPECT_EQ(train, 3u);
+  EXPECT_EQ(val, 3u);
+  EXPECT_EQ(fs::exists(in("two/val/bird__0001.obj")), fs::exists(in("two/val/parrot__one.obj")));
+  bad(1, "dataset split set --val 0.5 -o two");
+  good("dataset split set --val 0.2 --by character --lists -o lists");
+  EXPECT_EQ(slurp(in("lists/val.txt")).find('\n'), slurp(in("lists/val.txt")).size() - 1) << "one of six";
+  bad(2, "dataset split set --by character --groups groups.json -o x");
+  bad(1, "dataset split unique --groups nothing.json -o x");
+
+  std::string rig = slurp(in("set/bird__0001.rig.txt"));
+  const size_t at = rig.find("skin 5 ");
+  rig.replace(at, rig.find('\n', at) - at, "skin 5 foot.L 1");
+  put(in("set/bird__0001.rig.txt"), rig);
+  good("dataset check set/bird__0001.obj --png suspicious");
 }
 
 TEST_F(Cli, InspectAndPose) {

@@ -10,4 +10,5 @@ if(SINEW_BUILD_TRAINER)
   sinew_test(evaluate_test SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/evaluate_test.cpp
              LIBS sinew::trainer nlohmann_json::nlohmann_json LABELS unit)
   sinew_test(report_test SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/report_test.cpp LIBS sinew::trainer LABELS unit)
+  sinew_test(report_figures_test SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/report_figures_test.cpp LIBS sinew::trainer LABELS unit)
 endif()

@@ -41,6 +41,13 @@ ReportData full() {
   data.variants[1].size_bytes = 44000;
   data.variants[1].logit_snr_db = 61.25;
   data.variants[2].scores.failures["robots__<b>bad</b>"] = "no <influences>";
+  data.variants[0].pose_distances = {{"robots__one", {0.01, 0.02}}, {"fish & co__three", {0.005, 0.001}}};
+  data.variants[3].pose_distances = {{"robots__one", {0.03, 0.04}}};
+  data.reliability = reliability({{"robots", {230, 204, 77}, {1, 1, 0}}});
+  data.confidence = "the <largest> weight";
+  data.integers.emplace();
+  data.integers->add({{{0, 1.0f}}}, {{{0, 0.9f}, {1, 0.1f}}});
+  data.beaten_by_nearest = {{"robots__<b>two</b>", 0.0314}};
   data.pictures = {{"best", "fish & co__three", "L1 0.1", {{"reference weights", {1, 2, 3, 4}}}}};
   return data;
 }
@@ -98,6 +105,7 @@ TEST(Report, ShowsEveryVariantAndCharacterEscaped) {
   for (const char* text :
        {"float &quot;checkpoint&quot;", "int16 model", "8 bits", "heat", "robots__one",
         "robots__&lt;b&gt;two&lt;/b&gt;", "fish &amp; co__three", "What &lt;fewer&gt; bits cost.", "val &amp; more",
+        "the &lt;largest&gt; weight", "Deformation of every character", "int16 against float", "0.0314",
         "no &lt;influences&gt;", "robots__&lt;b&gt;bad&lt;/b&gt;", "61.2", "44000"})
     EXPECT_NE(html.find(text), std::string::npos) << text;
   EXPECT_NE(html.find("L1 against bits"), std::string::npos);
@@ -117,6 +125,11 @@ TEST(Report, WorksWithOneVariantOneCharacterAndNone) {
   EXPECT_EQ(html.find("L1 against bits"), std::string::npos);
   EXPECT_EQ(html.find("flips %"), std::string::npos) << "a column that nobody fills";
   EXPECT_EQ(html.find("nan"), std::string::npos);
+  EXPECT_EQ(html.find("int16 against float"), std::string::npos);
+  EXPECT_EQ(html.find("honest"), std::string::npos);
+  EXPECT_EQ(html.find("Where nearest bone"), std::string::npos);
+  data.beaten_by_nearest.emplace();
+  EXPECT_NE(report_html(data).find("better on no character"), std::string::npos);
   data.main_variant = 1;
   EXPECT_THROW(report_html(data), Error);
 }
@@ -140,7 +153,7 @@ TEST(Report, MarkdownTableNamesTheWorstCharacter) {
   EXPECT_NE(text.find("| 61.2 | 44000 |"), std::string::npos) << text;
 }
 
-TEST(Report, DrawsACharacterInFourPanels) {
+TEST(Report, DrawsACharacterInSixPanels) {
   Character c;
   c.name = "F__x";
   c.joints = {{"a", {0, 0, 0}, -1}, {"b", {1, 0, 0}, 0}};
@@ -151,12 +164,16 @@ TEST(Report, DrawsACharacterInFourPanels) {
   const ReportPicture picture = report_picture(c, {{{0, 1.0f}}, {{0, 1.0f}}, {{1, 1.0f}}}, "worst", false, 64);
   EXPECT_EQ(picture.character, "F__x");
   EXPECT_NE(picture.note.find("L1 0.333"), std::string::npos) << picture.note;
-  ASSERT_EQ(picture.panels.size(), 4u);
+  ASSERT_EQ(picture.panels.size(), 6u);
   for (const auto& panel : picture.panels) {
     ASSERT_GT(panel.png.size(), 100u);
     EXPECT_EQ(std::memcmp(panel.png.data() + 1, "PNG", 3), 0);
   }
   EXPECT_NE(picture.panels[0].png, picture.panels[1].png);
+  EXPECT_NE(picture.panels[3].png, picture.panels[4].png) << "other weights, another skin";
+  const ReportPicture perfect = report_picture(c, c.influences, "best", false, 64);
+  EXPECT_EQ(perfect.panels[0].png, perfect.panels[1].png);
+  EXPECT_EQ(perfect.panels[3].png, perfect.panels[4].png);
 }
 
 }  // namespace

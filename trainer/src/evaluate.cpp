@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "sinew_formats/bone_distance.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/pose.hpp"
 
@@ -212,7 +213,7 @@ std::vector<uint32_t> fold_targets(const Character& reference) {
 }
 
 Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
-                const std::string& name, int poses, std::vector<float>* vertex_l1) {
+                const std::string& name, int poses, std::vector<float>* vertex_l1, std::vector<double>* pose_distance) {
   const size_t vertex_count = reference.vertices.size(), joint_count = reference.joints.size();
   if (reference.influences.size() != vertex_count) {
     throw Error(name + ": the reference has no weights to compare with (expected " + std::to_string(vertex_count) +
@@ -267,6 +268,7 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
   for (const Joint& joint : reference.joints) joint_positions.push_back(scaled(joint.position, scale));
   const std::vector<std::vector<Mat34>> palettes = random_poses(reference, name, joint_positions, poses);
   std::vector<double> largest(palettes.size(), 0.0);
+  std::vector<double> sum_of_pose(palettes.size(), 0.0);
   double total = 0;
   for (size_t v : kept) {
     if (r[v] == p[v]) continue;  // the same skin, distance 0
@@ -278,6 +280,7 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
       for (size_t i = 0; i < 3; ++i) difference[i] -= other[i];
       const double distance = length(difference);
       total += distance;
+      sum_of_pose[k] += distance;
       largest[k] = std::max(largest[k], distance);
     }
   }
@@ -286,7 +289,31 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
     m.max_dist_all = std::max(m.max_dist_all, d);
   }
   if (!palettes.empty()) m.avg_dist = total / (n * static_cast<double>(palettes.size()));
+  if (pose_distance) {
+    pose_distance->clear();
+    for (const double sum : sum_of_pose) pose_distance->push_back(sum / n);
+  }
   return m;
+}
+
+std::vector<std::vector<Influence>> nearest_bone(const Character& character) {
+  if (character.joints.empty()) throw Error(character.name + ": there is no joint to bind to");
+  const BoneDistance distance(character);
+  std::vector<std::vector<Influence>> rows;
+  rows.reserve(character.vertices.size());
+  for (const Vec3& vertex : character.vertices) {
+    uint32_t best = 0;
+    double least = INFINITY;
+    for (uint32_t j = 0; j < character.joints.size(); ++j) {
+      const double d = distance(vertex, j);
+      if (d < least) {
+        least = d;
+        best = j;
+      }
+    }
+    rows.push_back({{best, 1.0f}});
+  }
+  return rows;
 }
 
 }  // namespace sinew

@@ -138,6 +138,18 @@ Scores summarise(std::vector<std::pair<std::string, Metrics>> characters) {
   return scores;
 }
 
+std::vector<std::pair<std::string, double>> beaten_by(const Scores& scores, const Scores& other) {
+  std::map<std::string, double> theirs;
+  for (const auto& [name, m] : other.characters) theirs[name] = m.l1;
+  std::vector<std::pair<std::string, double>> out;
+  for (const auto& [name, m] : scores.characters) {
+    const auto found = theirs.find(name);
+    if (found != theirs.end() && found->second < m.l1) out.emplace_back(name, m.l1 - found->second);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  return out;
+}
+
 std::string scores_markdown(const std::string& label, const Scores& scores) {
   std::string out = kColumns + table_row(label, scores.all, scores.characters, scores.failures.size());
   const std::set<std::string> families = family_names(scores);

@@ -12,9 +12,10 @@ namespace sinew {
 
 struct CheckFinding {
   enum class Level { kNote, kWarning, kError } level;
-  std::string code;  // "non-manifold-edges", "weight-sum", ...
-  size_t count = 0;  // how many elements
-  std::string text;  // one line, names the first few elements
+  std::string code;                     // "non-manifold-edges", "weight-sum", ...
+  size_t count = 0;                     // how many elements
+  std::string text;                     // one line, names the first few elements
+  std::vector<uint32_t> vertices = {};  // of findings about weights: all of them, ascending
 };
 
 struct CheckReport {
@@ -24,6 +25,7 @@ struct CheckReport {
   std::vector<CheckFinding> findings;
 };
 
+// Findings with the codes of check_labels() (label_check.hpp) are warnings, one each.
 CheckReport check_character(const Character& character);
 
 // Quadric decimation to about `ratio` (0..1] of the vertices; seams and boundaries kept, weights carried along (a

@@ -19,11 +19,20 @@ struct Image {
 
 std::vector<uint8_t> encode_png(const Image& image);
 
+// A ring around a place, on top of everything; pale where the surface hides the place.
+struct RenderMark {
+  Vec3 position;
+  std::array<uint8_t, 3> colour = {230, 20, 90};
+};
+
 struct RenderOptions {
   int width = 900, height = 900;
   float yaw_degrees = 25.0f, pitch_degrees = 10.0f;  // camera turn about Y (front = +Z) and tilt down
   bool draw_skeleton = true;
   bool up_z = false;
+  std::vector<RenderMark> marks;
+  Vec3 focus;              // with focus_radius > 0: the middle of the picture instead of the whole mesh,
+  float focus_radius = 0;  //   and how far it shows around it, in the mesh's units
 };
 
 // One colour per joint, spread over hue; the same joint index always gets the same colour.

@@ -33,12 +33,17 @@ struct Metrics {
 
 // Compares predicted influences with the character's own. End joints (unbound leaves) of the prediction are folded into
 // their parents, rows normalised, vertices without reference weights left out. `name` seeds the poses. vertex_l1, when
-// given, gets [V] L1 per vertex (0 for left-out vertices).
+// given, gets [V] L1 per vertex (0 for left-out vertices); pose_distance [poses] the mean distance of a vertex.
 Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
-                const std::string& name, int poses = 10, std::vector<float>* vertex_l1 = nullptr);
+                const std::string& name, int poses = 10, std::vector<float>* vertex_l1 = nullptr,
+                std::vector<double>* pose_distance = nullptr);
 
 // Parent every end joint's weight folds to ([J], itself when it is none): a leaf that no reference vertex is bound to.
 std::vector<uint32_t> fold_targets(const Character& reference);
+
+// The baseline nearest bone: every vertex rigid to the joint whose bone (segments to its children, a leaf's own point)
+// is nearest; the lower index where two are as near.
+std::vector<std::vector<Influence>> nearest_bone(const Character& character);
 
 struct Scores {
   std::vector<std::pair<std::string, Metrics>> characters;  // by name
@@ -48,6 +53,9 @@ struct Scores {
   std::map<std::string, std::string> failures;              // name -> one line
 };
 Scores summarise(std::vector<std::pair<std::string, Metrics>> characters);
+// Characters on which `other` has the lower L1, worst loss first: (name, difference). Those that either lacks are
+// skipped.
+std::vector<std::pair<std::string, double>> beaten_by(const Scores& scores, const Scores& other);
 // Markdown table as the yardstick prints it; JSON with every number.
 std::string scores_markdown(const std::string& label, const Scores& scores);
 std::string scores_json(const std::string& label, const Scores& scores);

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// sinew dataset check: defects of meshes, skeletons and weights, as text, JSON and pictures of the places.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "dataset.hpp"
+#include "sinew_formats/dataset.hpp"
+#include "sinew_formats/image.hpp"
+#include "sinew_formats/io.hpp"
+#include "support.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sinew::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::vector<std::string> inputs;
+  std::string pictures;
+  bool json = false;
+};
+
+constexpr const char* kLevels[] = {"note", "warning", "error"};
+
+Json as_json(const std::string& path, const CheckReport& report, const std::string& unreadable, bool failed) {
+  Json entry = {{"file", path}};
+  entry["ok"] = !failed;
+  if (!unreadable.empty()) entry["unreadable"] = unreadable;
+  entry["vertices"] = report.vertices;
+  entry["faces"] = report.faces;
+  entry["joints"] = report.joints;
+  entry["components"] = report.components;
+  entry["boundary_edges"] = report.boundary_edges;
+  entry["non_manifold_edges"] = report.non_manifold_edges;
+  entry["degenerate_faces"] = report.degenerate_faces;
+  entry["duplicate_faces"] = report.duplicate_faces;
+  entry["isolated_vertices"] = report.isolated_vertices;
+  entry["unbound_vertices"] = report.unbound_vertices;
+  entry["bad_weight_sums"] = report.bad_weight_sums;
+  entry["joints_outside"] = report.joints_outside;
+  entry["roots"] = report.roots;
+  entry["hierarchy_cycles"] = report.hierarchy_cycles;
+  entry["max_influences"] = report.max_influences;
+  entry["findings"] = Json::array();
+  for (const CheckFinding& finding : report.findings) {
+    Json one = {{"level", kLevels[static_cast<int>(finding.level)]},
+                {"code", finding.code},
+                {"count", finding.count},
+                {"text", finding.text}};
+    if (!finding.vertices.empty()) one["vertices"] = finding.vertices;
+    entry["findings"].push_back(std::move(one));
+  }
+  return entry;
+}
+
+Vec3 middle_of(const Character& character, const std::vector<uint32_t>& vertices, float* radius) {
+  Vec3 low = character.vertices[vertices[0]], high = low;
+  for (const uint32_t v : vertices) {
+    const Vec3& p = character.vertices[v];
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  *radius = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) / 2;
+  return {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2};
+}
+
+// The flagged vertices ringed on the weights as colours: from the front, from behind, and the largest finding from
+// near. Nothing when no finding names a vertex.
+void write_picture(const std::string& path, const Character& character, const CheckReport& report) {
+  const CheckFinding* largest = nullptr;
+  std::set<uint32_t> marked;
+  for (const CheckFinding& f : report.findings) {
+    if (f.vertices.empty()) continue;
+    marked.insert(f.vertices.begin(), f.vertices.end());
+    if (largest == nullptr || f.vertices.size() > largest->vertices.size()) largest = &f;
+  }
+  if (largest == nullptr) return;
+  RenderOptions options;
+  options.width = options.height = 560;
+  // Thousands of rings would hide what they mark.
+  const size_t step = 1 + marked.size() / 400;
+  size_t at = 0;
+  for (const uint32_t v : marked)
+    if (at++ % step == 0) options.marks.push_back({character.vertices[v]});
+  const auto colours = weight_colours(character);
+  std::vector<Image> images = {render(character, colours, options)};
+  options.yaw_degrees += 180;
+  images.push_back(render(character, colours, options));
+  float size = 0, radius = 0;
+  std::vector<uint32_t> everything(character.vertices.size());
+  for (uint32_t v = 0; v < everything.size(); ++v) everything[v] = v;
+  const Vec3 centre = middle_of(character, everything, &size);
+  options.focus = middle_of(character, largest->vertices, &radius);
+  options.focus_radius = std::max(1.4f * radius, 0.15f * size);
+  // From the side on which it lies.
+  const float dx = options.focus.x - centre.x, dz = options.focus.z - centre.z;
+  options.yaw_degrees = std::hypot(dx, dz) > 0.02f * size ? std::atan2(dx, dz) * 57.29578f : 25.0f;
+  images.push_back(render(character, colours, options));
+  write_file(path, encode_png(beside(images)));
+}
+
+void check(const Settings& s) {
+  if (!s.pictures.empty()) make_folder(s.pictures);
+  Json all = Json::array();
+  size_t bad = 0, total = 0;
+  for (const std::string& path : expand(s.inputs)) {
+    ++total;
+    Character character;
+    CheckReport report;
+    std::string unreadable;
+    try {
+      character = read_any(path);
+      report = check_character(character);
+    } catch (const Error& error) {
+      unreadable = error.what();
+    }
+    bool failed = !unreadable.empty();
+    for (const CheckFinding& finding : report.findings) failed = failed || finding.level == CheckFinding::Level::kError;
+    bad += failed ? 1 : 0;
+    if (!failed && !s.pictures.empty())
+      write_picture((fs::path(s.pictures) / (character.name + ".png")).string(), character, report);
+    if (s.json) {
+      all.push_back(as_json(path, report, unreadable, failed));
+      continue;
+    }
+    if (!unreadable.empty()) {
+      std::printf("%s\n  error    unreadable: %s\n", path.c_str(), unreadable.c_str());
+      continue;
+    }
+    std::printf("%s: %zu vertices, %zu faces, %zu joints, %zu components\n", path.c_str(), report.vertices,
+                report.faces, report.joints, report.components);
+    for (const CheckFinding& finding : report.findings) {
+      std::printf("  %-8s %s: %s\n", kLevels[static_cast<int>(finding.level)], finding.code.c_str(),
+                  finding.text.c_str());
+    }
+  }
+  if (s.json) std::printf("%s\n", all.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+  if (bad > 0) throw Error(print("%zu of %zu characters have errors", bad, total));
+}
+
+}  // namespace
+
+void add_dataset_check(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("check", "Look for defects of meshes, skeletons and weights");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them")->required()->type_name("FILE|DIR");
+  sub->add_flag("--json", s->json, "Print JSON, with all vertices of findings about weights");
+  sub->add_option("--png", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
+      ->type_name("FOLDER");
+  sub->footer(
+      "Example:\n  sinew dataset check characters/train hero.glb --png suspicious\n"
+      "Suspicious weights are warnings: far-weight (a joint across the body while another is near), island (a patch\n"
+      "bound across the body), odd-vertex (its neighbours agree on something else), left-right (the place of the\n"
+      "joint's mirror twin), idle-twin (no weight, but the twin has some).\n"
+      "Exit status 1 when any character has an error.");
+  sub->callback([s] { check(*s); });
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// sinew dataset dedup and split: which characters are copies, and two folders of what belongs together.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "dataset.hpp"
+#include "sinew_formats/dedup.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/split.hpp"
+#include "sinew_trainer/crossval.hpp"
+#include "support.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sinew::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DedupSettings {
+  std::vector<std::string> inputs;
+  std::string output;
+  bool one_per_mesh = false, json = false;
+};
+
+void dedup(const DedupSettings& s) {
+  const std::vector<std::string> paths = expand(s.inputs);
+  DuplicateFinder finder;
+  for (const std::string& path : paths) finder.add(read_character(path));
+  const std::vector<DuplicateGroup> groups = finder.groups();
+
+  Json all = Json::array();
+  std::set<size_t> dropped;
+  for (const DuplicateGroup& group : groups) {
+    Json members = Json::array();
+    if (!s.json) std::printf("%zu characters with one mesh\n", group.members.size());
+    for (const DuplicateGroup::Member& m : group.members) {
+      const bool first = m.index == group.members[0].index;
+      const bool drop = m.like != m.index || (s.one_per_mesh && !first);
+      if (drop) dropped.insert(m.index);
+      const std::string what = first ? "" : likeness_text(m.likeness);
+      members.push_back({{"file", paths[m.index]},
+                         {"drop", drop},
+                         {"likeness", first ? "first" : what},
+                         {"copy_of", paths[m.like]},
+                         {"position", m.position},
+                         {"weights_l1", m.weights}});
+      if (s.json) continue;
+      std::printf("  %s  %s", drop ? "drop" : "keep", paths[m.index].c_str());
+      if (!first) std::printf("  %s (positions %.5f, weights L1 %.3f)", what.c_str(), m.position, m.weights);
+      if (m.like != m.index && m.like != group.members[0].index) std::printf(" as %s", paths[m.like].c_str());
+      std::printf("\n");
+    }
+    all.push_back({{"members", members}});
+  }
+  if (!s.output.empty()) {
+    make_folder(s.output);
+    for (size_t i = 0; i < paths.size(); ++i)
+      if (dropped.count(i) == 0) place_character(paths[i], s.output);
+  }
+  if (s.json) {
+    std::printf("%s\n", all.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
+    return;
+  }
+  std::printf(
+      "%zu characters, %zu groups with one mesh, %zu to drop%s\n", paths.size(), groups.size(), dropped.size(),
+      s.output.empty() ? "" : print(", %zu placed in ", paths.size() - dropped.size()).append(s.output).c_str());
+}
+
+struct SplitSettings {
+  std::string folder, output, by = "family", groups;
+  double share = 0.1;
+  uint64_t seed = 1;
+  bool lists = false;
+};
+
+void refuse_filled(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(folder, ignored) && !fs::is_empty(folder, ignored))
+    throw Error(folder.string() + ": is not empty, expected a new folder");
+}
+
+void split(const SplitSettings& s) {
+  if (!s.groups.empty() && s.by != "family") throw UsageError("--groups belongs to --by family");
+  std::optional<FamilyGroups> groups;
+  if (!s.groups.empty()) groups = read_family_groups(s.groups);
+  const std::vector<std::string> paths = expand({s.folder});
+  std::vector<std::string> keys;
+  for (const std::string& path : paths) {
+    const std::string family = family_of(stem(path));
+    keys.push_back(s.by == "character" ? stem(path) : groups ? groups->group(family) : family);
+  }
+  const std::vector<SplitUnit> units = split_units(keys);
+  const std::vector<bool> chosen = choose_validation(units, s.share, s.seed);
+
+  std::vector<uint8_t> side(paths.size(), 0);
+  for (size_t u = 0; u < units.size(); ++u)
+    for (const size_t i : units[u].members) side[i] = chosen[u] ? 1 : 0;
+  const char* const sides[] = {"train", "val"};
+  if (!s.lists)
+    for (const char* name : sides) refuse_filled(fs::path(s.output) / name);
+  make_folder(s.output);
+  size_t counts[2] = {0, 0};
+  for (const size_t which : {size_t{0}, size_t{1}}) {
+    std::string list;
+    for (size_t i = 0; i < paths.size(); ++i) {
+      if (side[i] != which) continue;
+      ++counts[which];
+      list += paths[i] + "\n";
+      if (!s.lists) place_character(paths[i], (fs::path(s.output) / sides[which]).string());
+    }
+    if (s.lists) write_text_file((fs::path(s.output) / (std::string(sides[which]) + ".txt")).string(), list);
+  }
+  for (size_t u = 0; u < units.size() && s.by == "family"; ++u)
+    std::printf("%-5s %4zu  %s\n", sides[chosen[u] ? 1 : 0], units[u].members.size(), units[u].name.c_str());
+  std::printf("%zu characters for training, %zu for validation (%.1f %%)\n", counts[0], counts[1],
+              100.0 * static_cast<double>(counts[1]) / static_cast<double>(paths.size()));
+}
+
+}  // namespace
+
+void add_dataset_dedup(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("dedup", "Find copies: same character, or same mesh with another skeleton");
+  auto s = std::make_shared<DedupSettings>();
+  sub->add_option("inputs", s->inputs, "Characters and folders of them; the first of several copies is kept")
+      ->required()
+      ->type_name("FILE|DIR");
+  sub->add_option("-o,--output", s->output, "Folder for one of each, as hard links where possible")
+      ->type_name("OUTDIR");
+  sub->add_flag("--one-per-mesh", s->one_per_mesh, "Keep one of characters whose mesh alone is the same, too");
+  sub->add_flag("--json", s->json, "Print JSON");
+  sub->footer(
+      "Examples:\n  sinew dataset dedup characters/train -o characters/unique\n"
+      "  sinew dataset dedup characters/train characters/val      # does val hold a copy of train?\n"
+      "Meshes are compared after moving and scaling, weights by joints at the same place. Near: positions within 1 %\n"
+      "of the size and weights within an L1 of 0.05 on average. Nothing is ever deleted.");
+  sub->callback([s] { dedup(*s); });
+}
+
+void add_dataset_split(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("split", "Divide a folder into train and val, families together");
+  auto s = std::make_shared<SplitSettings>();
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters")->required()->type_name("DIR");
+  sub->add_option("--val", s->share, "Share of the characters for validation; whole units come as close as they can")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str()
+      ->type_name("SHARE");
+  sub->add_option("--by", s->by, "What stays together")
+      ->check(CLI::IsMember({"family", "character"}))
+      ->capture_default_str();
+  sub->add_option(
+         "--groups", s->groups,
+         "Families that stay together, as for crossval: JSON {\"groups\": {\"group\": [\"family\", ...], ...}}")
+      ->type_name("FILE");
+  sub->add_option("--seed", s->seed, "Another draw; the same seed gives the same sides everywhere")
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_flag("--lists", s->lists, "Write OUT/train.txt and OUT/val.txt with paths instead of folders");
+  sub->add_option("-o,--output", s->output, "Folder for train and val: hard links, copies where links are not possible")
+      ->required()
+      ->type_name("OUT");
+  sub->footer(
+      "Example:\n  sinew dataset split characters --val 0.1 --by family --groups trainer/configs/groups.json -o "
+      "divided\n"
+      "Look for copies first (sinew dataset dedup): they would sit on both sides.");
+  sub->callback([s] { split(*s); });
+}
+
+}  // namespace sinew::cli

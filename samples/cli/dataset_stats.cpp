@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// sinew dataset stats: sizes, influences and candidates' recall of a folder, as a table, JSON and a page with pictures.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "dataset.hpp"
+#include "sinew_formats/dataset_page.hpp"
+#include "sinew_formats/image.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/recall.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+constexpr uint32_t kGrid = 64;  // the default of training and binding
+
+struct Settings {
+  std::string folder, page;
+  unsigned jobs = 1;
+  int picture = 220;
+  bool json = false, no_recall = false;
+};
+
+void stats(const Settings& s) {
+  if (!s.page.empty()) check_output(s.page, {".html", ".htm"});
+  const std::vector<std::string> paths = expand({s.folder});
+  DatasetStats all;
+  all.folder = s.folder;
+  if (!s.no_recall) all.candidate_counts = {6, 8, 12, 16};
+  std::vector<std::optional<CharacterStats>> found(paths.size());
+  std::vector<std::string> failures(paths.size());
+  parallel_for(paths.size(), s.jobs, [&](size_t i) {
+    try {
+      const Character character = read_character(paths[i]);
+      CharacterStats one = character_stats(character);
+      if (!s.no_recall && !character.influences.empty())
+        one.recall = candidate_recall(character, all.candidate_counts, kGrid);
+      if (!s.page.empty()) {
+        RenderOptions options;
+        options.width = options.height = s.picture;
+        options.draw_skeleton = false;
+        one.png = encode_png(render(character, weight_colours(character), options));
+      }
+      found[i] = std::move(one);
+    } catch (const Error& error) {
+      failures[i] = error.what();
+    }
+  });
+  for (size_t i = 0; i < paths.size(); ++i) {
+    if (found[i]) all.characters.push_back(std::move(*found[i]));
+    if (!failures[i].empty()) all.unreadable.emplace_back(file_name(paths[i]), failures[i]);
+  }
+  std::fputs((s.json ? dataset_json(all) : dataset_table(all)).c_str(), stdout);
+  if (!s.page.empty()) write_text_file(s.page, dataset_html(all));
+  if (!all.unreadable.empty())
+    throw Error(print("%zu of %zu characters cannot be read; the first: ", all.unreadable.size(), paths.size()) +
+                all.unreadable[0].second);
+}
+
+}  // namespace
+
+void add_dataset_stats(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("stats", "Sizes, influences and candidates' recall of the families; a page");
+  auto s = std::make_shared<Settings>();
+  s->jobs = std::max(1u, std::thread::hardware_concurrency());
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters")->required()->type_name("DIR");
+  sub->add_option("-o,--output", s->page, "One page with plots and a picture of every character, with its warnings")
+      ->type_name("PAGE.html");
+  sub->add_option("--picture", s->picture, "Side of the pictures in pixels")
+      ->check(CLI::Range(64, 1024))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_flag("--no-recall", s->no_recall, "Leave out how much weight lies on 6, 8, 12 and 16 candidates (quicker)");
+  sub->add_option("--jobs", s->jobs, "Characters at the same time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_flag("--json", s->json, "Print JSON; each size is [smallest, median, largest]");
+  sub->footer(
+      "Example:\n  sinew dataset stats characters/train -o train.html\n"
+      "Recall: the share of the reference weight on the K joints that the network may choose from, grid 64.");
+  sub->callback([s] { stats(*s); });
+}
+
+}  // namespace sinew::cli
