@@ -216,8 +216,10 @@ void run(Settings settings) {
     for (const std::string& name : doubts.joints) names += (names.empty() ? "" : ", ") + name;
     std::fprintf(out, "%zu vertices to look at (less than half sure), mostly on %s\n", doubts.vertices, names.c_str());
   }
-  std::fprintf(out, "wrote %s%s%s\n", to_stream ? "standard output" : settings.output.c_str(),
-               settings.png.empty() ? "" : " and ", settings.png.c_str());
+  std::string written = to_stream ? "standard output" : settings.output;
+  for (const std::string& picture : {settings.png, settings.png_confidence})
+    written += picture.empty() ? "" : " and " + picture;
+  std::fprintf(out, "wrote %s\n", written.c_str());
 }
 
 }  // namespace

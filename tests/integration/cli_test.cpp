@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -168,6 +170,14 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "eval " + kData + " --method heat --json r.txt",
                                           "eval " + kData + " --checkpoint x --known",
                                           "eval " + kData + " --method heat --jobs 0",
+                                          "eval " + kData + " --method heat --hints random",
+                                          "eval " + kData + " --method heat --hints all:5",
+                                          "eval " + kData + " --method heat --hints random:0",
+                                          "eval " + kData + " --method heat --hints patch:5x",
+                                          "eval " + kData + " --checkpoint x --hints random:5",
+                                          "eval " + kData + " --checkpoint x --confidence",
+                                          "eval " + kData + " --checkpoint x --robustness",
+                                          "bind " + pair + "--png-confidence out.jpg",
                                           "train",
                                           "train " + kData,
                                           "train " + kData + " -o x.doc",
@@ -325,6 +335,59 @@ TEST_F(Cli, BindTakesHints) {
   EXPECT_NE(bad(1, pair + "--hints stranger.rig.txt").error.find("elsewhere"), std::string::npos);
 }
 
+TEST_F(Cli, BindMirrors) {
+  const std::string robot = "bind " + kData + "/biped__robot.obj --skeleton " + kData + "/biped__robot.rig.txt ";
+  const Outcome outcome = good(robot + "--method heat --symmetric -o out.rig.txt");
+  EXPECT_NE(outcome.out.find("1116 of 1116 vertices mirrored"), std::string::npos) << outcome.out;
+  Character c = read_obj(kData + "/biped__robot.obj");
+  read_skeleton(in("out.rig.txt"), true, &c);
+  // Left joints hold as much as right ones, and each left weight is some right one.
+  std::map<std::string, std::multiset<float>> weights;
+  for (const auto& row : c.influences) {
+    for (const Influence& i : row) weights[c.joints[i.joint].name].insert(i.weight);
+  }
+  size_t pairs = 0;
+  for (const auto& [name, left] : weights) {
+    const size_t at = name.rfind(".L");
+    if (at == std::string::npos) continue;
+    ++pairs;
+    EXPECT_TRUE(left == weights[name.substr(0, at) + ".R"]) << name;
+  }
+  EXPECT_GE(pairs, 5u);
+  const Outcome snake = good("bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat --symmetric -o s.glb");
+  EXPECT_NE(snake.out.find("not symmetric"), std::string::npos) << snake.out;
+}
+
+TEST_F(Cli, BindTellsWhereToLook) {
+  const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat ";
+  const Outcome plain = good(pair + "-o plain.glb");
+  const Outcome told = good(pair + "-o told.glb --confidence --png-confidence doubts.png");
+  EXPECT_NE(told.out.find("vertices to look at (less than half sure), mostly on "), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("doubts.png"), std::string::npos) << told.out;
+  EXPECT_EQ(slurp(in("doubts.png")).substr(1, 3), "PNG");
+  EXPECT_NE(slurp(in("told.glb")).find("_CONFIDENCE"), std::string::npos);
+  EXPECT_EQ(slurp(in("plain.glb")).find("_CONFIDENCE"), std::string::npos);
+  const Outcome json = good(pair + "-o out.glb --json");
+  EXPECT_NE(json.out.find("\"to_look_at\""), std::string::npos) << json.out;
+}
+
+TEST_F(Cli, EvalStudies) {
+  fs::create_directories(in("set"));
+  for (const char* file : {"snake__long.obj", "snake__long.rig.txt"}) fs::copy(kData + "/" + file, in("set"));
+  const Outcome hints = good("eval set --method heat --hints random:5");
+  EXPECT_NE(hints.out.find("| snake | 1 |"), std::string::npos) << hints.out;
+  EXPECT_NE(good("eval set --method heat --hints patch:5").out, hints.out);
+  const Outcome changes = good("eval set --method heat --robustness --jobs 1");
+  EXPECT_NE(changes.out.find("| unwelded | 0.00000 |"), std::string::npos) << changes.out;
+  EXPECT_NE(changes.out.find("| subdivided | "), std::string::npos) << changes.out;
+  EXPECT_NE(bad(1, "eval set --method heat --confidence").error.find("famil"), std::string::npos);
+  const Outcome confidence = good("eval " + kData + " --method heat --confidence");
+  EXPECT_NE(confidence.out.find("calibration error"), std::string::npos) << confidence.out;
+  fs::create_directories(in("empty"));
+  for (const char* study : {"--hints random:5", "--confidence", "--robustness"})
+    bad(1, std::string("eval empty --method heat ") + study);
+}
+
 TEST_F(Cli, BundledModelBindsOrSaysThatThereIsNone) {
   const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " -o out.glb";
   if (fs::exists(kData + "/sinew_default.sinew")) {
@@ -398,6 +461,12 @@ TEST_F(Cli, TrainQuantizeEvalBind) {
   }
   good("bind " + kSnake + " --skeleton " + kSnakeRig + " --model run.sinew -o out.glb");
   expect_bound(read_character(in("out.glb")), 4);
+
+  const Outcome fitted = good("quantize run.ckpt --calibrate set --confidence " + kData + " -o sure.sinew");
+  EXPECT_NE(fitted.out.find("confidence fitted on 7 characters"), std::string::npos) << fitted.out;
+  EXPECT_GT(fs::file_size(in("sure.sinew")), fs::file_size(in("run.sinew")));
+  EXPECT_NE(good("eval " + kData + " --model sure.sinew --confidence").out.find("the model's table"),
+            std::string::npos);
 
   put(in("wrong.json"), R"({"stepz": 4})");
   EXPECT_NE(bad(1, "train set --config wrong.json -o x.ckpt").error.find("stepz"), std::string::npos);
