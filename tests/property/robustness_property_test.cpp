@@ -70,7 +70,8 @@ double mean_of(const std::vector<RobustnessFigure>& figures, const std::string& 
 
 TEST(RobustnessMeasure, SeesWhatABinderHangsOn) {
   const Character c = read_character(SINEW_SOURCE_DIR "/samples/data/snake__long.obj");
-  const auto by_index = measure_robustness(c, [](const Character& x) { return rows_by(x, [](size_t v) { return v; }); });
+  const auto by_index =
+      measure_robustness(c, [](const Character& x) { return rows_by(x, [](size_t v) { return v; }); });
   EXPECT_EQ(mean_of(by_index, "moved"), 0);
   EXPECT_GT(mean_of(by_index, "vertices and faces renumbered"), 1.5);
   EXPECT_GT(mean_of(by_index, "joints renumbered"), 1);
@@ -85,7 +86,8 @@ TEST(RobustnessMeasure, SeesWhatABinderHangsOn) {
   EXPECT_GT(mean_of(by_place, "mirrored"), 0.5);
 
   const auto by_size = measure_robustness(c, [](const Character& x) {
-    return rows_by(x, [&](size_t v) { return static_cast<size_t>(x.vertices[v].x != x.vertices[0].x) + x.face_count(); });
+    return rows_by(x,
+                   [&](size_t v) { return static_cast<size_t>(x.vertices[v].x != x.vertices[0].x) + x.face_count(); });
   });
   EXPECT_GT(mean_of(by_size, "faces split") + mean_of(by_size, "faces merged"), 0);
   EXPECT_GT(mean_of(by_size, "subdivided"), 0);

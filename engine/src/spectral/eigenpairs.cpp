@@ -78,7 +78,7 @@ void EigenSolver::start() {
     const int64_t root = isqrt64(static_cast<uint64_t>(norm > 1 ? norm : 1) << (2 * kRootMassBits - kMassBits));
     if (column >= columns_) column = columns_ - 1;
     for (uint32_t i = begin; i < end; ++i) {
-      const int64_t value = (jitter_q30(i) << kVectorBits) / (root > 0 ? root : 1);
+      const int64_t value = jitter_q30(i) * (static_cast<int64_t>(1) << kVectorBits) / (root > 0 ? root : 1);
       at(column / kLanes, ordering_.place[vertices[first + i]])[column % kLanes] =
           clamp32(value, -kVectorLimit, kVectorLimit);
     }
@@ -188,7 +188,9 @@ void EigenSolver::finish(Eigenpairs* out) {
   for (uint32_t k = 0; k < out->count; ++k) {
     const int64_t ratio = small_[out->column[k]][out->column[k]];
     for (uint32_t i = 0; i < n; ++i) {
-      const int64_t quotient = (rotation_[out->column[k]][i] << (kProjectedBits - 10)) / ratio;
+      // A product, since a left shift of a negative number is undefined in C++17.
+      const int64_t quotient =
+          rotation_[out->column[k]][i] * (static_cast<int64_t>(1) << (kProjectedBits - 10)) / ratio;
       weights[i][k] = clamp32(quotient, -(1 << 30), 1 << 30);
     }
   }
