@@ -220,7 +220,7 @@ class Run {
       work = options_.ranks->gather(work, std::vector<size_t>(ranks, 1));
       options_.ranks->maximum(&busiest);
     }
-    if (options_.quiet || steps == 0 || ranks * options_.threads == 1) return;
+    if (options_.quiet || steps == 0 || ranks * options_.threads == 1 || options_.threads_now != nullptr) return;
     const double total = std::accumulate(work.begin(), work.end(), 0.0), wall = gradient_->wall_seconds();
     const double even = total / std::max(ranks * options_.threads * busiest[0], 1e-9);
     std::fprintf(
