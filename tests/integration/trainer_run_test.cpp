@@ -210,6 +210,30 @@ TEST_F(TrainerRun, InitShareKeepsThatMuchOfTheStart) {
   EXPECT_GT(moved, 0);
 }
 
+TEST_F(TrainerRun, WithoutAChannelNoWeightReadsIt) {
+  config_.steps = 4;
+  config_.without = {"pair.bone_*", "vertex.mean_curvature"};
+  train(config_, options("without.ckpt"));
+  const FloatNetwork network = read_checkpoint(options("without.ckpt").output).network;
+  const FloatNetwork start = make_field(config_.field, config_.seed);
+  const std::vector<Sample> all = samples();
+  Sample changed = all[0];
+  for (size_t v = 0; v < changed.vertices; ++v) changed.vertex[v * changed.vertex_features] = -4321;
+  EXPECT_EQ(forward(network, changed), forward(network, all[0]));
+  EXPECT_NE(forward(start, changed), forward(start, all[0])) << "the channel says nothing in any network";
+  size_t silent = 0;
+  for (const Layer& layer : network.layers) {
+    if (layer.kind != LayerKind::kLinear || layer.in.buffer != 1) continue;  // the pair features
+    const LinearParameters& linear = network.parameters[layer.parameters];
+    for (uint32_t c = 0; c < linear.in; ++c) {
+      bool any = false;
+      for (uint32_t out = 0; out < linear.out; ++out) any |= linear.weights[size_t{out} * linear.in + c] != 0;
+      silent += !any;
+    }
+  }
+  EXPECT_EQ(silent, 2u * 7u) << "pair.bone_* are seven channels, read by two layers";
+}
+
 TEST_F(TrainerRun, StopFlagWritesTheCheckpoint) {
   config_.steps = 1000000;
   std::atomic<bool> stop{true};

@@ -105,12 +105,12 @@ TEST(FamilyQueue, FamiliesAreDrawnByThePowerOfTheirSizeAndMembersEqually) {
 
 TEST(TrainConfig, WhatIsWrittenIsRead) {
   TrainConfig config;
-  config.architecture = "classic";
   config.field.width = 24;
   config.field.rounds = 0;
   config.learning_rate = 0.0123;
   config.seed = 1234567890123ull;
   config.feature_dropout = 0.25;
+  config.without = {"pair.soft*", "vertex.normal_up"};
   const std::string json = train_config_json(config);
   EXPECT_EQ(train_config_json(parse_train_config(json, "test")), json);
   EXPECT_EQ(parse_train_config(json, "test").seed, 1234567890123ull);
@@ -144,6 +144,11 @@ TEST(TrainConfig, ErrorsNameFileAndKey) {
       {R"({"learning_rate": 0})", "learning_rate"},
       {R"({"dropout": 1})", "dropout"},
       {R"({"field": {"candidates": 17}})", "field.candidates"},
+      {R"({"without": "pair.soft"})", "without"},
+      {R"({"without": [3]})", "without"},
+      {R"({"without": ["pair.sofd"]})", "pair.sofd"},
+      {R"({"without": ["pair.rule_*"]})", "pair.rule_log"},
+      {R"({"architecture": "classic", "without": ["pair.soft"]})", "without"},
       {R"([1])", "object"},
       {R"({"steps": )", "not JSON"},
   };

@@ -38,7 +38,10 @@ std::array<double*, kTermCount> fields(LossTerms& t) { return {&t.total, &t.kl, 
 }  // namespace
 
 BatchGradient::BatchGradient(const TrainConfig& config, uint32_t threads, Ranks* ranks)
-    : config_(config), loss_{config.loss_kl, config.loss_l1, config.loss_regret, config.loss_part}, ranks_(ranks) {
+    : config_(config),
+      loss_{config.loss_kl, config.loss_l1, config.loss_regret, config.loss_part},
+      absent_(absent_channels(config.without, "configuration")),
+      ranks_(ranks) {
   for (uint32_t t = 0; t < std::max(threads, 1u); ++t) {
     runners_.push_back(std::make_unique<LayerRunner<float>>());
     runners_.back()->set_team(&team_);
@@ -83,6 +86,8 @@ const std::vector<LinearBlock<float>>& BatchGradient::run(const FloatNetwork& ne
               dropout.activations = static_cast<float>(config_.dropout);
               dropout.features = static_cast<float>(config_.feature_dropout);
               dropout.kept_pair_features = {kPairLogRule, kPairLogParts};
+              dropout.absent_vertex_features = absent_.vertex;
+              dropout.absent_pair_features = absent_.pair;
               dropout.seed = item.seed;
               const std::vector<float>& logits = runners_[thread]->forward(network, parameters, *item.sample, dropout);
               slot.terms = weight_loss(*item.sample, loss_, logits, &slot.d_logits);

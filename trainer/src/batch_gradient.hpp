@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "absent_channels.hpp"
 #include "layer_runner.hpp"
 #include "loss.hpp"
 #include "sinew_trainer/ranks.hpp"
@@ -47,6 +48,7 @@ class BatchGradient {
 
   TrainConfig config_;
   LossWeights loss_;
+  AbsentChannels absent_;
   Ranks* ranks_;
   Team team_;
   std::vector<std::unique_ptr<LayerRunner<float>>> runners_;  // one per thread

@@ -239,6 +239,7 @@ void LayerRunner<S>::State::load_inputs(const FloatNetwork& shape, const Dropout
         if (drop && !(pair && std::find(kept.begin(), kept.end(), c) != kept.end())) scales[c] = 0;
       }
     }
+    for (const uint32_t c : pair ? dropout.absent_pair_features : dropout.absent_vertex_features) scales[c] = 0;
     return scales;
   };
   const uint32_t c0 = shape.buffers[kVertexInput].channels, c1 = shape.buffers[kPairInput].channels;

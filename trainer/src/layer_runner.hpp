@@ -29,6 +29,7 @@ struct DropoutOptions {
   float activations = 0;                     // share of the outputs of ReLU layers set to 0, the others scaled up
   float features = 0;                        // probability of an input channel to be 0 for the whole sample
   std::vector<uint32_t> kept_pair_features;  // never dropped: the heat prior
+  std::vector<uint32_t> absent_vertex_features, absent_pair_features;  // always 0
   uint64_t seed = 0;
 };
 

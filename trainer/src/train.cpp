@@ -13,6 +13,7 @@
 #include <memory>
 #include <numeric>
 
+#include "absent_channels.hpp"
 #include "batch_gradient.hpp"
 #include "family_queue.hpp"
 #include "features/features.hpp"
@@ -149,6 +150,7 @@ class Run {
       require_same_shape(given, network, options_.init);
       network = std::move(given);
     }
+    clear_weights(absent_channels(config_.without, "configuration"), &network);
     checkpoint_.latest = checkpoint_.network = network;
     if (config_.average_decay > 0) checkpoint_.state.averages = {network};
     if (config_.init_share > 0 && !options_.init.empty()) checkpoint_.state.averages.push_back(network);

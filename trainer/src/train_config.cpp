@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "absent_channels.hpp"
 #include "features/features.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/train.hpp"
@@ -22,6 +23,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("field.candidates", c.field.candidates);
   visit("field.grid", c.field.grid);
   visit("spectral", c.spectral);
+  visit("without", c.without);
   visit("optimizer", c.optimizer);
   visit("learning_rate", c.learning_rate);
   visit("weight_decay", c.weight_decay);
@@ -59,6 +61,11 @@ void read_value(const Json& value, const std::string& where, double* out) {
   if (!value.is_number()) throw Error(where + ": expected a number, found " + value.dump());
   *out = value.get<double>();
 }
+void read_value(const Json& value, const std::string& where, std::vector<std::string>* out) {
+  if (!value.is_array()) throw Error(where + ": expected a list of texts, found " + value.dump());
+  out->clear();
+  for (const Json& one : value) read_value(one, where, &out->emplace_back());
+}
 void read_value(const Json& value, const std::string& where, uint64_t* out) {
   if (!value.is_number_unsigned()) throw Error(where + ": expected a whole number from 0, found " + value.dump());
   *out = value.get<uint64_t>();
@@ -75,6 +82,8 @@ void check(const TrainConfig& c, const std::string& source) {
     if (!good) throw Error(source + ": " + key + ": expected " + expected);
   };
   require(c.architecture == "field" || c.architecture == "classic", "architecture", "\"field\" or \"classic\"");
+  require(c.without.empty() || c.architecture == "field", "without", "nothing unless architecture is \"field\"");
+  absent_channels(c.without, source);
   require(c.optimizer == "adamw" || c.optimizer == "adam" || c.optimizer == "sgd", "optimizer",
           "\"adamw\", \"adam\" or \"sgd\"");
   require(c.field.width >= 1 && c.field.width <= 256, "field.width", "1 to 256");

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/sort.hpp"
+#include "features/channels.hpp"
 #include "features/parts.hpp"
 #include "spectral/spectral.hpp"
 
@@ -20,80 +21,17 @@ constexpr int32_t kSoftLength =
     kSide / 256;                        // added to lengths before a logarithm, so that noise at contact does not count
 constexpr uint32_t kListedHeat = 1638;  // Q15, 5 %: a heat joint above it is always a candidate
 
-// The channels in the order that models of kFeatureSet know.
 enum VertexFeature : uint32_t {
-  kV_mean_curvature,
-  kV_gauss_curvature,
-  kV_edge_length_log,
-  kV_part_share_log,
-  kV_part_source_share,
-  kV_part_count_log,
-  kV_joint_count_log,
-  kV_vertex_count_log,
-  kV_part_boundary_share,
-  kV_host_gap,
-  kV_is_largest_part,
-  kV_part_extent,
-  kV_part_flatness,
-  kV_part_purity,
-  kV_rule_is_parts,
-  kV_rule_is_open,
-  kV_has_source,
-  kV_has_source_parts,
-  kV_host_purity,
-  kV_loose_share,
-  kV_normal_up,
-  kV_part_contact,
-  kVertexFeatureCount
+#define SINEW_CHANNEL(name) kV_##name,
+  SINEW_VERTEX_CHANNELS(SINEW_CHANNEL)
+#undef SINEW_CHANNEL
+      kVertexFeatureCount
 };
 enum PairFeature : uint32_t {
-  kP_rule,
-  kP_rule_root,
-  kP_rule_log,
-  kP_rule_relative,
-  kP_parts,
-  kP_parts_root,
-  kP_parts_log,
-  kP_parts_relative,
-  kP_soft,
-  kP_soft_root,
-  kP_soft_log,
-  kP_rule_raw_root,
-  kP_voxel_distance,
-  kP_voxel_ratio,
-  kP_bone_distance,
-  kP_bone_ratio,
-  kP_bone_position,
-  kP_bone_cosine,
-  kP_bone_normal,
-  kP_bone_up,
-  kP_bone_length,
-  kP_is_leaf,
-  kP_children,
-  kP_tree_distance,
-  kP_is_parent_of_top,
-  kP_is_child_of_top,
-  kP_is_top,
-  kP_rule_nearest,
-  kP_soft_nearest,
-  kP_parent_rule,
-  kP_children_rule,
-  kP_host_share,
-  kP_host_subtree,
-  kP_is_host_top,
-  kP_part_share,
-  kP_part_subtree,
-  kP_part_parent_subtree,
-  kP_is_part_top,
-  kP_joint_in_box,
-  kP_topmost_in_box,
-  kP_deepest_of_part,
-  kP_centre_distance,
-  kP_centre_ratio,
-  kP_territory,
-  kP_is_source,
-  kP_is_root,
-  kPairFeatureCount
+#define SINEW_CHANNEL(name) kP_##name,
+  SINEW_PAIR_CHANNELS(SINEW_CHANNEL)
+#undef SINEW_CHANNEL
+      kPairFeatureCount
 };
 
 int16_t q13(int64_t value) { return clamp16(value, -2 * kOne, 2 * kOne - 1); }

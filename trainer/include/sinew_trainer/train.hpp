@@ -22,7 +22,11 @@ class Ranks;  // ranks.hpp
 struct TrainConfig {
   std::string architecture = "field";
   FieldOptions field;
-  bool spectral = false;            // heat-kernel and wave-kernel signatures as vertex features as well
+  bool spectral = false;  // heat-kernel and wave-kernel signatures as vertex features as well
+  // Input channels that the network does without (field only): "vertex.NAME", "pair.NAME", NAME as in
+  // engine/src/features/channels.hpp; a * at the end stands for any rest. The finished network's weights for them are
+  // 0.
+  std::vector<std::string> without;
   std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
   double feature_dropout = 0.03;  // probability of an input channel to be missing from a whole character
