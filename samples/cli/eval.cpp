@@ -94,10 +94,12 @@ Variant heat_variant(const Settings& s) {
   return variant;
 }
 
-Variant nearest_variant() {
+Variant nearest_variant(const Settings& s) {
   Variant variant;
   variant.label = kNearest;
-  variant.predict = [](const Character& c, const Sample*) { return Prediction{nearest_bone(c), 0, {}, {}}; };
+  variant.predict = [&s](const Character& c, const Sample*) {
+    return Prediction{nearest_bone(c, s.known ? known_joints(c) : std::vector<uint8_t>{}), 0, {}, {}};
+  };
   return variant;
 }
 
@@ -197,7 +199,7 @@ std::vector<Variant> make_variants(const Settings& s) {
   if (!s.checkpoint.empty()) {
     variants = checkpoint_variants(s);
   } else if (!s.method.empty()) {
-    variants.push_back(s.method == "heat" ? heat_variant(s) : nearest_variant());
+    variants.push_back(s.method == "heat" ? heat_variant(s) : nearest_variant(s));
     variants[0].label = s.label.empty() ? s.method : s.label;
   } else {
     const std::string label = !s.label.empty() ? s.label : s.model.empty() ? "bundled model" : file_name(s.model);
@@ -205,7 +207,7 @@ std::vector<Variant> make_variants(const Settings& s) {
   }
   if (!s.report.empty() && s.method != "heat") variants.push_back(heat_variant(s));
   for (const std::string& peer : s.peers) variants.push_back(peer_variant(peer));
-  if (s.method != "nearest" && (s.against_nearest || !s.report.empty())) variants.push_back(nearest_variant());
+  if (s.method != "nearest" && (s.against_nearest || !s.report.empty())) variants.push_back(nearest_variant(s));
   return variants;
 }
 
@@ -458,8 +460,7 @@ void run_hints(const Settings& s) {
 void run(const Settings& s) {
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
-  if (s.known && (!s.checkpoint.empty() || s.method == "nearest"))
-    throw UsageError("--known works with --model and --method heat only");
+  if (s.known && !s.checkpoint.empty()) throw UsageError("--known works with --model and --method only");
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
   if (s.confidence) return run_study(s, "--confidence", study_confidence);
   if (s.robustness) return run_study(s, "--robustness", study_robustness);

@@ -72,22 +72,53 @@ Character two_bones() {
   return c;
 }
 
-TEST(NearestBone, BindsRigidlyToTheSegmentThatIsNearest) {
-  const auto rows = nearest_bone(two_bones());
-  ASSERT_EQ(rows.size(), 5u);
-  const uint32_t expected[] = {0, 0, 1, 1, 1};  // a leaf is a point, as near as its parent's end: the lower index
-  for (size_t v = 0; v < 5; ++v) {
+void expect_rigid(const std::vector<std::vector<Influence>>& rows, const std::vector<uint32_t>& expected) {
+  ASSERT_EQ(rows.size(), expected.size());
+  for (size_t v = 0; v < rows.size(); ++v) {
     ASSERT_EQ(rows[v].size(), 1u);
     EXPECT_EQ(rows[v][0].joint, expected[v]) << v;
     EXPECT_EQ(rows[v][0].weight, 1.0f);
   }
+}
+
+TEST(NearestBone, BindsRigidlyToTheSegmentThatIsNearestAndALeafsGoesOnAlongItsParents) {
+  expect_rigid(nearest_bone(two_bones()), {0, 0, 1, 2, 2});
   EXPECT_THROW(nearest_bone({}), Error);
+}
+
+TEST(NearestBone, AStubIsHalfAsLongAsItsParentBoneAndAtMostATenthOfTheSkeleton) {
+  // One vertex above the stub and beside a bone of another tree, one that the stub reaches.
+  Character c;
+  c.joints = {
+      {"root", {0, 0, 0}, -1}, {"end", {0, 1, 0}, 0}, {"side", {0.45f, 1.5f, 0}, -1}, {"hand", {2, 1.5f, 0}, 2}};
+  c.vertices = {{0, 1.5f, 0}, {0, 1.2f, 0}};
+  expect_rigid(nearest_bone(c), {1, 1});  // longest side 2: the stub is 0.2 long
+  c.joints[2].position.x = 0.25f;
+  expect_rigid(nearest_bone(c), {2, 1});
+  c.joints[0].position.y = 0.9f;  // a parent bone of 0.1 carries a stub of 0.05 only
+  c.joints[2].position.x = 0.42f;
+  expect_rigid(nearest_bone(c), {2, 1});
+}
+
+TEST(NearestBone, TheDeeperJointHasWhatIsNearestToWhereTwoBonesMeetInAnyOrderOfJoints) {
+  Character c = two_bones();
+  c.vertices = {{1, 1, 0}};
+  expect_rigid(nearest_bone(c), {1});
+  c.joints = {{"mid", {0, 1, 0}, 2}, {"end", {0, 2, 0}, 0}, {"root", {0, 0, 0}, -1}};
+  expect_rigid(nearest_bone(c), {0});
+}
+
+TEST(NearestBone, BindsToNoJointThatDoesNotDeform) {
+  const Character c = two_bones();
+  expect_rigid(nearest_bone(c, {1, 0, 1}), {0, 0, 0, 2, 2});
+  EXPECT_THROW(nearest_bone(c, {0, 0, 0}), Error);
+  EXPECT_THROW(nearest_bone(c, {1}), Error);
 }
 
 TEST(Measure, TellsDistancesPerPose) {
   const Character c = two_bones();
   std::vector<double> poses;
-  const Metrics m = measure(c, nearest_bone(c), "f__two", 6, nullptr, &poses);
+  const Metrics m = measure(c, {{{0, 1}}, {{0, 1}}, {{0, 1}}, {{1, 1}}, {}}, "f__two", 6, nullptr, &poses);
   ASSERT_EQ(poses.size(), 6u);
   EXPECT_NEAR(std::accumulate(poses.begin(), poses.end(), 0.0) / 6, m.avg_dist, 1e-12);
   EXPECT_GT(m.avg_dist, 0);

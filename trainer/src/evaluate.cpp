@@ -296,17 +296,59 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
   return m;
 }
 
-std::vector<std::vector<Influence>> nearest_bone(const Character& character) {
-  if (character.joints.empty()) throw Error(character.name + ": there is no joint to bind to");
-  const BoneDistance distance(character);
+namespace {
+
+// Distances to bones of which a leaf's goes on along its parent bone: half as long, at most a tenth of the skeleton.
+BoneDistance with_stubs(const Character& character) {
+  BoneDistance distance(character);
+  using Point = BoneDistance::Point;
+  std::vector<Point> joints;
+  for (const Joint& joint : character.joints)
+    joints.push_back({static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
+                      static_cast<double>(joint.position.z)});
+  double size = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const auto less = [i](const Point& a, const Point& b) { return a[i] < b[i]; };
+    const auto [low, high] = std::minmax_element(joints.begin(), joints.end(), less);
+    size = std::max(size, (*high)[i] - (*low)[i]);
+  }
+  for (size_t j = 0; j < joints.size(); ++j) {
+    if (character.joints[j].parent < 0) continue;
+    const Point& from = joints[static_cast<size_t>(character.joints[j].parent)];
+    Point end = joints[j];
+    const double length = std::hypot(end[0] - from[0], end[1] - from[1], end[2] - from[2]);
+    if (length == 0) continue;
+    const double share = std::min(0.5, 0.1 * size / length);
+    for (size_t i = 0; i < 3; ++i) end[i] += share * (end[i] - from[i]);
+    distance.set_leaf_end(j, end);
+  }
+  return distance;
+}
+
+}  // namespace
+
+std::vector<std::vector<Influence>> nearest_bone(const Character& character, const std::vector<uint8_t>& deforms) {
+  const std::vector<Joint>& joints = character.joints;
+  if (!deforms.empty() && deforms.size() != joints.size())
+    throw Error(character.name + ": expected " + std::to_string(joints.size()) + " flags, one per joint; found " +
+                std::to_string(deforms.size()));
+  std::vector<uint32_t> candidates;
+  for (uint32_t j = 0; j < joints.size(); ++j)
+    if (deforms.empty() || deforms[j] != 0) candidates.push_back(j);
+  if (candidates.empty()) throw Error(character.name + ": there is no joint to bind to");
+  const BoneDistance distance = with_stubs(character);
+  std::vector<uint32_t> depth(joints.size(), 0);
+  for (size_t j = 0; j < joints.size(); ++j)
+    for (int up = joints[j].parent; up >= 0 && depth[j] < joints.size(); up = joints[static_cast<size_t>(up)].parent)
+      ++depth[j];
   std::vector<std::vector<Influence>> rows;
   rows.reserve(character.vertices.size());
   for (const Vec3& vertex : character.vertices) {
-    uint32_t best = 0;
+    uint32_t best = candidates[0];
     double least = INFINITY;
-    for (uint32_t j = 0; j < character.joints.size(); ++j) {
+    for (const uint32_t j : candidates) {
       const double d = distance(vertex, j);
-      if (d < least) {
+      if (d < least || (d == least && depth[j] > depth[best])) {
         least = d;
         best = j;
       }

@@ -41,9 +41,11 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
 // Parent every end joint's weight folds to ([J], itself when it is none): a leaf that no reference vertex is bound to.
 std::vector<uint32_t> fold_targets(const Character& reference);
 
-// The baseline nearest bone: every vertex rigid to the joint whose bone (segments to its children, a leaf's own point)
-// is nearest; the lower index where two are as near.
-std::vector<std::vector<Influence>> nearest_bone(const Character& character);
+// The baseline nearest bone: every vertex rigid to the joint whose bone is nearest. A joint's bones are the segments to
+// its children; a leaf's is a stub along its parent's bone, half as long and at most a tenth of the longest side of the
+// joints' box. Where a bone ends, the joint there is as near as the one that moves the bone: it goes to the deeper
+// joint, then to the lower index. `deforms` [J] says which joints may be bound to (0 = not); empty: all.
+std::vector<std::vector<Influence>> nearest_bone(const Character& character, const std::vector<uint8_t>& deforms = {});
 
 struct Scores {
   std::vector<std::pair<std::string, Metrics>> characters;  // by name
