@@ -30,6 +30,7 @@
 #include "sinew_trainer/reliability_plot.hpp"
 #include "sinew_trainer/report.hpp"
 #include "sinew_trainer/weight_difference.hpp"
+#include "style_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -42,6 +43,7 @@ using Rows = std::vector<std::vector<Influence>>;
 struct Settings {
   std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints;
   std::vector<std::string> peers;  // NAME=DIR
+  StyleOptions style;              // of what is evaluated, not of heat beside it
   unsigned influences = 4, jobs = 1;
   bool known = false, against_nearest = false, confidence = false, robustness = false;
 };
@@ -83,6 +85,7 @@ Prediction bind_with(const Settings& s, const sinew_model* model, const Characte
   options.model = model;
   options.influence_count = s.influences;
   if (s.known) options.joint_flags = known_joints(character);
+  if (model != nullptr || s.method == "heat") apply_style(s.style, &options);
   BindResult result = bind(character, options);
   return {std::move(result.influences), result.seconds, {}, std::move(result.confidence)};
 }
@@ -223,6 +226,7 @@ std::string command_line(const Settings& s) {
   add("--calibrate", s.calibrate);
   if (s.influences != 4) add("--influences", std::to_string(s.influences));
   if (s.known) line += " --known";
+  line += style_text(s.style);
   for (const std::string& peer : s.peers) add("--with", peer);
   add("--report", s.report);
   return line;
@@ -457,10 +461,21 @@ void run_hints(const Settings& s) {
   study_hints({s.folder, model ? &model->model : nullptr, s.influences, s.jobs}, kind, percent / 100);
 }
 
+void check_style(const Settings& s) {
+  if (!s.checkpoint.empty() || s.method == "nearest")
+    throw UsageError("--rigid-parts and --softness work with --model and --method heat only");
+  if (s.confidence || s.robustness || !s.hints.empty())
+    throw UsageError("--rigid-parts and --softness do not go with --hints, --confidence and --robustness");
+  BindOptions options;
+  options.method = s.method == "heat" ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  apply_style(s.style, &options);
+}
+
 void run(const Settings& s) {
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (s.known && !s.checkpoint.empty()) throw UsageError("--known works with --model and --method only");
+  if (!style_text(s.style).empty()) check_style(s);
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
   if (s.confidence) return run_study(s, "--confidence", study_confidence);
   if (s.robustness) return run_study(s, "--robustness", study_robustness);
@@ -511,6 +526,7 @@ void add_eval(CLI::App& app) {
       ->capture_default_str()
       ->type_name("N");
   sub->add_flag("--known", s->known, "Tell the binder which joints have reference weight");
+  add_style_options(sub, &s->style);
   sub->add_flag("--confidence", s->confidence,
                 "Instead: print how often the strongest joint is right at each confidence, and the calibration error");
   sub->add_flag("--robustness", s->robustness,
@@ -525,6 +541,7 @@ void add_eval(CLI::App& app) {
       "Examples:\n  sinew eval characters/val --predictions out --report out.html\n"
       "  sinew eval characters/val --method heat --known --json -\n"
       "  sinew eval characters/train --against-nearest\n"
+      "  sinew eval toys --rigid-parts always\n"
       "  sinew eval characters/val --report out.html --with blender=blender_weights\n"
       "  sinew eval characters/val --checkpoint run.sinewckpt --calibrate characters/train --report bits.html\n"
       "SOURCE_DATE_EPOCH puts its date on the report; without it the same inputs give the same page.");

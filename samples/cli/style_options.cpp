@@ -30,4 +30,12 @@ void apply_style(const StyleOptions& style, BindOptions* options) {
   options->softness_percent = static_cast<uint32_t>(std::lround(style.softness * 100));
 }
 
+std::string style_text(const StyleOptions& style) {
+  const StyleOptions usual;
+  std::string text;
+  if (style.rigid_parts != usual.rigid_parts) text += " --rigid-parts " + style.rigid_parts;
+  if (style.softness != usual.softness) text += print(" --softness %g", style.softness);
+  return text;
+}
+
 }  // namespace sinew::cli

@@ -18,6 +18,8 @@ struct StyleOptions {
 void add_style_options(CLI::App* sub, StyleOptions* style);
 // Throws UsageError when the method of `options` has no use for them.
 void apply_style(const StyleOptions& style, BindOptions* options);
+// " --rigid-parts always --softness 2", without what is as usual: empty for the defaults.
+std::string style_text(const StyleOptions& style);
 
 }  // namespace sinew::cli
 #endif

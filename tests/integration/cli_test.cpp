@@ -169,6 +169,11 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "eval " + kData + " --method heat --report r.txt",
                                           "eval " + kData + " --method heat --json r.txt",
                                           "eval " + kData + " --checkpoint x --known",
+                                          "eval " + kData + " --checkpoint x --rigid-parts always",
+                                          "eval " + kData + " --method nearest --rigid-parts never",
+                                          "eval " + kData + " --method heat --softness 2",
+                                          "eval " + kData + " --method heat --rigid-parts often",
+                                          "eval " + kData + " --method heat --rigid-parts always --hints random:5",
                                           "eval " + kData + " --method heat --jobs 0",
                                           "eval " + kData + " --method heat --hints random",
                                           "eval " + kData + " --method heat --hints all:5",
@@ -428,6 +433,19 @@ TEST_F(Cli, EvalScoresTheSamples) {
   EXPECT_NE(good("eval " + kData + " --method nearest --known --json -").out,
             good("eval " + kData + " --method nearest --json -").out);
   bad(1, "eval " + kData + " --method heat --with other=nowhere");
+}
+
+TEST_F(Cli, EvalBindsInTheStyleThatIsAskedFor) {
+  const std::string heat = "eval " + kData + " --method heat";
+  const std::string usual = good(heat + " --json - --predictions usual").out;
+  EXPECT_NE(good(heat + " --rigid-parts always --json - --predictions rigid --report rigid.html").out, usual);
+  EXPECT_NE(slurp(in("rigid.html")).find(heat + " --rigid-parts always --report"), std::string::npos);
+  // The predictions are those of bind.
+  const std::string pair = kSnake + " --skeleton " + kSnakeRig;
+  good("bind " + pair + " --method heat --rigid-parts always -o bound.rig.txt");
+  const std::string name = std::filesystem::path(kSnake).stem().string() + ".rig.txt";
+  EXPECT_TRUE(slurp(in("rigid/" + name)) == slurp(in("bound.rig.txt")));
+  EXPECT_FALSE(slurp(in("usual/" + name)) == slurp(in("bound.rig.txt")));
 }
 
 TEST_F(Cli, EvalReportsFailuresAndGoesOn) {
