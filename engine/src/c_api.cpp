@@ -2,6 +2,7 @@
 // The C API: argument checks and calls inward; sinew_bind() strings the stages together.
 #include "bind/bind.hpp"
 #include "deform/skinning.hpp"
+#include "kernels/select.hpp"
 #include "model/reader.hpp"
 #include "sinew/sinew.h"
 
@@ -50,8 +51,17 @@ const char* sinew_status_text(sinew_status status) {
       return "the model bytes must start at an address divisible by 8";
     case SINEW_ERROR_RANGE:
       return "a joint index or weight is out of its range";
+    case SINEW_ERROR_KERNEL:
+      return "this library or this processor lacks the kernels asked for";
   }
   return "unknown status";
+}
+
+const char* sinew_kernel_name(uint32_t kernel) { return sinew::kernel_name(kernel); }
+
+uint32_t sinew_kernel_select(uint32_t kernel) {
+  sinew::Kernels kernels;
+  return sinew::select_kernels(kernel, &kernels) ? kernels.id : 0;
 }
 
 sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model) {

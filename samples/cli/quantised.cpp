@@ -16,7 +16,9 @@ std::vector<float> engine_logits(const sinew_model& model, const Sample& sample)
   counts.joints = sample.joints;
   counts.candidates = sample.candidates;
   Arena measuring;
-  measure_run_network(measuring, model, counts);
+  NetworkOptions options;
+  options.kernel = kernel_from_environment();
+  measure_run_network(measuring, model, counts, options);
   const AlignedBlock block(measuring.high_water());
   Arena arena(block.data(), block.size());
 
@@ -34,7 +36,7 @@ std::vector<float> engine_logits(const sinew_model& model, const Sample& sample)
   input.component_count = sample.components;
   input.joint_count = sample.joints;
   std::vector<int16_t> logits(static_cast<size_t>(sample.vertices) * sample.candidates);
-  const sinew_status status = run_network(model, input, Progress{}, arena, logits.data());
+  const sinew_status status = run_network(model, input, Progress{}, arena, logits.data(), options);
   if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
 
   constexpr float kLn2 = 0.69314718056f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Prints one hash per stage of a bind for OBJ + rig.txt characters: what must be equal on every target and build type.
-//   hash_stages [--model FILE] NAME.obj...      (NAME.rig.txt beside each)
+//   hash_stages [--kernel NAME] [--model FILE] NAME.obj...      (NAME.rig.txt beside each)
+//   hash_stages --runs NAME      exits with 0 when the processor runs these kernels, else with 1
 // Needs the engine alone; its own small reader keeps it free of packages, so that it cross-compiles.
 #include <cstdint>
 #include <cstdio>
@@ -169,8 +170,18 @@ void hash_spectral(const char* name, const Mesh& mesh, const Counts& counts) {
   print(name, "spectral", hash);
 }
 
-void hash_bind(const char* name, const char* stage, const Input& in, const sinew_model* model, sinew_method method) {
+uint32_t find_kernel(const char* name) {
+  for (uint32_t kernel = 0; sinew_kernel_name(kernel) != nullptr; ++kernel) {
+    if (std::strcmp(sinew_kernel_name(kernel), name) == 0) return kernel;
+  }
+  std::fprintf(stderr, "hash_stages: no kernels are called %s\n", name);
+  std::exit(2);
+}
+
+void hash_bind(const char* name, const char* stage, const Input& in, const sinew_model* model, sinew_method method,
+               uint32_t kernel) {
   sinew_options options = {};
+  options.kernel = kernel;
   options.method = method;
   size_t bytes = 0;
   check(sinew_bind_workspace_size(model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
@@ -189,14 +200,20 @@ void hash_bind(const char* name, const char* stage, const Input& in, const sinew
 int main(int argc, char** argv) {
   std::vector<uint8_t> model_bytes;
   sinew_model model = {};
+  if (argc == 3 && std::strcmp(argv[1], "--runs") == 0) return sinew_kernel_select(find_kernel(argv[2])) != 0 ? 0 : 1;
   int first = 1;
+  uint32_t kernel = SINEW_KERNEL_AUTO;
+  if (argc > 2 && std::strcmp(argv[1], "--kernel") == 0) {
+    kernel = find_kernel(argv[2]);
+    first = 3;
+  }
   std::vector<uint64_t> aligned;
-  if (argc > 2 && std::strcmp(argv[1], "--model") == 0) {
-    model_bytes = read_all(argv[2]);
+  if (argc > first + 1 && std::strcmp(argv[first], "--model") == 0) {
+    model_bytes = read_all(argv[first + 1]);
     aligned.resize(model_bytes.size() / 8 + 1);
     std::memcpy(aligned.data(), model_bytes.data(), model_bytes.size());
     check(sinew_model_open(aligned.data(), model_bytes.size(), &model));
-    first = 3;
+    first += 2;
   }
   for (int i = first; i < argc; ++i) {
     const std::string path = argv[i];
@@ -213,8 +230,8 @@ int main(int argc, char** argv) {
     check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));
     hash_prepared(name.c_str(), p, 8);
     hash_spectral(name.c_str(), p.mesh, counts);
-    hash_bind(name.c_str(), "bind-heat", in, nullptr, SINEW_METHOD_HEAT);
-    if (model.bytes != nullptr) hash_bind(name.c_str(), "bind-model", in, &model, SINEW_METHOD_MODEL);
+    hash_bind(name.c_str(), "bind-heat", in, nullptr, SINEW_METHOD_HEAT, kernel);
+    if (model.bytes != nullptr) hash_bind(name.c_str(), "bind-model", in, &model, SINEW_METHOD_MODEL, kernel);
   }
   return 0;
 }

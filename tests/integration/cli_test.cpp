@@ -106,6 +106,21 @@ void expect_bound(const Character& character, size_t most) {
   }
 }
 
+TEST_F(Cli, KernelFromTheEnvironmentChangesNoByteAndRubbishIsRefused) {
+  const auto bind = [&](const std::string& kernel, const std::string& file) {
+    ASSERT_EQ(setenv("SINEW_KERNEL", kernel.c_str(), 1), 0);
+    good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o " + file);
+  };
+  bind("", "auto.rig.txt");
+  bind("ref", "ref.rig.txt");
+  EXPECT_EQ(slurp(in("auto.rig.txt")), slurp(in("ref.rig.txt")));
+  setenv("SINEW_KERNEL", "avx1024", 1);
+  const Outcome outcome = bad(1, "bind " + kSnake + " --skeleton " + kSnakeRig + " -o no.rig.txt");
+  unsetenv("SINEW_KERNEL");
+  EXPECT_NE(outcome.error.find("SINEW_KERNEL=avx1024"), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("auto, ref"), std::string::npos) << outcome.error;
+}
+
 TEST_F(Cli, HelpHasAnExampleEverywhere) {
   for (const char* command :
        {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats", "dataset dedup",

@@ -27,12 +27,14 @@ Outcome run(const std::vector<uint8_t>& bytes, const Graph& g, uint32_t tile, si
   EXPECT_EQ(outcome.status, SINEW_OK);
   if (outcome.status != SINEW_OK) return outcome;
   Arena measure;
-  measure_run_network(measure, model, g.counts(), tile);
+  NetworkOptions options;
+  options.tile_vertices = tile;
+  measure_run_network(measure, model, g.counts(), options);
   outcome.measured = measure.high_water();
   AlignedBytes workspace(outcome.measured - less);
   Arena arena(workspace.data(), workspace.size());
   outcome.logits.assign(size_t{g.vertices} * g.k, 12345);
-  outcome.status = run_network(model, g.input(), progress, arena, outcome.logits.data(), tile);
+  outcome.status = run_network(model, g.input(), progress, arena, outcome.logits.data(), options);
   outcome.high_water = arena.high_water();
   EXPECT_EQ(arena.used(), 0u) << "scratch is given back";
   return outcome;

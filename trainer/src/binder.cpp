@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 
 #include "engine_views.hpp"
 #include "sinew_formats/error.hpp"
@@ -72,6 +73,19 @@ void fill_given(const Character& character, const BindOptions& options, std::vec
 
 }  // namespace
 
+uint32_t kernel_from_environment() {
+  const char* const wanted = std::getenv("SINEW_KERNEL");
+  if (wanted == nullptr || *wanted == 0) return SINEW_KERNEL_AUTO;
+  std::string runnable;
+  for (uint32_t kernel = 0; sinew_kernel_name(kernel) != nullptr; ++kernel) {
+    const bool runs = sinew_kernel_select(kernel) != 0;
+    if (runs && std::string(wanted) == sinew_kernel_name(kernel)) return kernel;
+    if (runs) runnable += (runnable.empty() ? "" : ", ") + std::string(sinew_kernel_name(kernel));
+  }
+  throw Error(std::string("SINEW_KERNEL=") + wanted +
+              ": this build or this processor has no such kernels; expected one of " + runnable);
+}
+
 BindResult bind(const Character& character, const BindOptions& options) {
   check_bindable(character);
   const EngineViews views(character, options.joint_flags);
@@ -85,6 +99,7 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.symmetric = options.symmetric ? 1 : 0;
   engine_options.rigid_parts = options.rigid_parts;
   engine_options.softness_percent = options.softness_percent;
+  engine_options.kernel = options.kernel != SINEW_KERNEL_AUTO ? options.kernel : kernel_from_environment();
   engine_options.progress = options.progress;
   engine_options.progress_user = options.progress_user;
 

@@ -46,7 +46,9 @@ typedef enum sinew_status {
   SINEW_ERROR_MODEL_LAYOUT = -13,    /* sizes, offsets, shapes or layer order contradict each other */
   SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantise again */
   SINEW_ERROR_MODEL_ALIGNMENT = -15, /* model bytes must start at an address divisible by 8 */
-  SINEW_ERROR_RANGE = -16            /* a joint index, weight or pose is outside its stated range */
+  SINEW_ERROR_RANGE = -16,           /* a joint index, weight or pose is outside its stated range */
+  SINEW_ERROR_KERNEL = -17           /* sinew_options::kernel names kernels that this library was built without or this
+                                      * processor cannot run: ask sinew_kernel_select(), or leave it 0 */
 } sinew_status;
 
 /* One line of English for a status; never null. */
@@ -115,6 +117,22 @@ typedef enum sinew_rigid_parts {
                                  * not in the heat field) get the heat field's weights */
 } sinew_rigid_parts;
 
+/* Kernels: the same arithmetic with different instructions. Every one gives the same bytes; they differ in speed only.
+ * Numbers are never reused. */
+typedef enum sinew_kernel {
+  SINEW_KERNEL_AUTO = 0,    /* the fastest that this processor runs; found anew in every call, nothing is remembered */
+  SINEW_KERNEL_REF = 1,     /* plain C++, on every processor */
+  SINEW_KERNEL_AVX2 = 2,    /* x86-64 with AVX2 */
+  SINEW_KERNEL_AVXVNNI = 3, /* x86-64 with AVX-VNNI (256 bits) */
+  SINEW_KERNEL_VNNI = 4     /* x86-64 with AVX-512 F, BW, DQ, VL and VNNI */
+} sinew_kernel;
+
+/* "auto", "ref", "avx2", ... for 0, 1, 2, ...; null behind the last, so that tools can list or parse them. */
+const char* sinew_kernel_name(uint32_t kernel);
+/* What sinew_bind() would run with for options.kernel = kernel: itself, or the choice for SINEW_KERNEL_AUTO. 0 when
+ * this library was built without it or this processor lacks it. */
+uint32_t sinew_kernel_select(uint32_t kernel);
+
 /* Called now and then with a share of work done, 0..1000. Return non-zero to cancel. */
 typedef int (*sinew_progress)(void* user, uint32_t done_permille);
 
@@ -148,6 +166,10 @@ typedef struct sinew_options {
   /* out, with `symmetric`: how many vertices have a mirror image (themselves, on the plane); 0: no mirror plane was
    * found and symmetric did nothing. Or null. */
   uint32_t* symmetric_vertices;
+  uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
+  uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being rearranged in the
+                              * workspace. Saves about the model's size, for small devices; slower where kernels want
+                              * them rearranged. Given to sinew_bind_workspace_size() too */
 } sinew_options;
 
 /* Bytes sinew_bind() needs for meshes of at most these counts. A pure function of its arguments: the same on every

@@ -3,7 +3,7 @@
 // fail.
 #include "bind/bind.hpp"
 
-#include "network/network.hpp"
+#include "kernels/select.hpp"
 #include "weights/confidence.hpp"
 #include "weights/given.hpp"
 #include "weights/hints.hpp"
@@ -188,7 +188,8 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   const sinew_options defaults = {};
   const sinew_options& o = options != nullptr ? *options : defaults;
   if (o.version != 0 || o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
-      o.up_axis > 1 || o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
+      o.up_axis > 1 || o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr ||
+      o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
       (o.softness_percent != 0 && (o.softness_percent < 25 || o.softness_percent > 400))) {
     return SINEW_ERROR_ARGUMENT;
   }
@@ -207,6 +208,9 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->locked = o.locked;
   plan->hints = o.hints;
   plan->symmetric = o.symmetric != 0;
+  plan->network = NetworkOptions();
+  plan->network.kernel = o.kernel;
+  plan->network.weights_in_place = o.weights_in_place != 0;
   plan->rigid_parts = o.rigid_parts;
   plan->softness_percent = or_default(o.softness_percent, 100);
   plan->confidence = o.confidence;
@@ -221,7 +225,7 @@ void measure_bind(Arena& arena, const BindPlan& plan) {
   measure_prepare(arena, plan.counts, plan.purpose);
   if (plan.purpose == PrepareFor::kNetwork) {
     Logits().allocate(arena, plan.counts);
-    measure_run_network(arena, plan.model, plan.counts);
+    measure_run_network(arena, plan.model, plan.counts, plan.network);
   }
   if (!is_edited(plan)) return;
   Edit().allocate(arena, plan);
@@ -232,6 +236,8 @@ void measure_bind(Arena& arena, const BindPlan& plan) {
 
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes) {
+  Kernels kernels;
+  if (!select_kernels(plan.network.kernel, &kernels)) return SINEW_ERROR_KERNEL;
   sinew_status status = check_given(plan, joints, weights, skeleton.joint_count);
   if (status != SINEW_OK) return status;
   Arena arena(workspace, workspace_bytes);
@@ -255,7 +261,8 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
     input.component_vertices = p.mesh.component_vertices;
     input.component_count = p.mesh.component_count;
     input.joint_count = p.skeleton.joint_count;
-    status = run_network(plan.model, input, plan.progress.part(650, is_edited(plan) ? 960 : 990), arena, logits.values);
+    status = run_network(plan.model, input, plan.progress.part(650, is_edited(plan) ? 960 : 990), arena, logits.values,
+                         plan.network);
     if (status != SINEW_OK) return status;
   }
   Edit edit;

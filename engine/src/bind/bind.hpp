@@ -4,6 +4,7 @@
 #define SINEW_BIND_BIND_HPP
 
 #include "bind/pipeline.hpp"
+#include "network/network.hpp"
 
 namespace sinew {
 
@@ -18,6 +19,7 @@ struct BindPlan {
   const uint8_t* locked;
   const uint8_t* hints;
   bool symmetric;
+  NetworkOptions network;
   uint32_t rigid_parts;
   uint32_t softness_percent;
   uint8_t* confidence;

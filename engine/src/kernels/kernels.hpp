@@ -5,6 +5,7 @@
 #define SINEW_KERNELS_KERNELS_HPP
 
 #include "core/counts.hpp"
+#include "kernels/packed.hpp"
 #include "model/layout.hpp"
 
 namespace sinew {
@@ -25,6 +26,7 @@ struct LinearView {
   uint32_t block = 0;         // columns whose products sum inside int32
   bool wide = false;          // class W
   int32_t low = 0, high = 0;  // clamp
+  PackedLinear packed;        // the same parameters for the vector kernels; see pack_linear()
 };
 
 // acc = bias[n] + sum_k in[r][k] * weights[n][k] (+ residual[r][n] * factor[n]);  out[r][n] = clamp(acc >> shift[n],

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Executes a model's layer list stage by stage, tile by tile, with the reference kernels.
+// Executes a model's layer list stage by stage, tile by tile, with the kernels that this processor runs best.
 #include "network/network.hpp"
 
 #include <string.h>
 
-#include "kernels/kernels.hpp"
+#include "kernels/select.hpp"
 #include "model/regions.hpp"
 #include "network/plan.hpp"
 
@@ -41,6 +41,48 @@ uint64_t table_values(const NetworkPlan& plan, const Layer& layer, const Sizes& 
 int16_t* allocate_storage(const NetworkPlan& plan, const Sizes& sizes, Arena& arena) {
   return arena.alloc<int16_t>(checked(plan.store_values * sizes.vertices));
 }
+
+LinearView make_linear_view(const ModelTables& tables, const Layer& layer) {
+  const LinearRecord record = tables.linear(layer.parameters);
+  LinearView view;
+  view.weights = tables.int16_at(record.weights);
+  view.bias = tables.bytes() + record.bias;
+  view.residual = (layer.flags & kLayerResidual) != 0 ? tables.int16_at(record.residual) : nullptr;
+  view.shifts = tables.bytes() + record.shifts;
+  view.in = record.in;
+  view.out = record.out;
+  view.block = record.block;
+  view.wide = record.accumulator == AccumulatorClass::kWide;
+  view.low = range_low(record.range);
+  view.high = range_high(record.range);
+  return view;
+}
+
+// Whether memory is asked for rearranged weights. Does not look at the processor, so that the size query is the same
+// everywhere; a processor whose kernels do not want them leaves the memory unused.
+bool wants_packed(const NetworkOptions& options) {
+  return !options.weights_in_place && options.kernel != SINEW_KERNEL_REF;
+}
+
+// Where each linear layer's rearranged parameters are; null = nowhere.
+struct PackedLayers {
+  uint8_t* memory[kMaxLayers];
+
+  bool allocate(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, Arena& arena) {
+    for (uint32_t i = 0; i < plan.layer_count; ++i) {
+      memory[i] = nullptr;
+      if (plan.layers[i].kind != LayerKind::kLinear || !wants_packed(options)) continue;
+      const LinearRecord record = tables.linear(plan.layers[i].parameters);
+      memory[i] = arena.alloc<uint8_t>(checked(packed_linear_bytes(record.in, record.out, record.block)));
+    }
+    return arena.ok();
+  }
+  void fill(const NetworkPlan& plan, const ModelTables& tables) {
+    for (uint32_t i = 0; i < plan.layer_count; ++i) {
+      if (memory[i] != nullptr) pack_linear(make_linear_view(tables, plan.layers[i]), memory[i]);
+    }
+  }
+};
 
 // Marks what a stage reads from a region row by row.
 void mark_loads(const NetworkPlan& plan, uint32_t stage, uint32_t reader, const Region& region, StageScratch* scratch,
@@ -91,8 +133,10 @@ bool allocate_stage(const NetworkPlan& plan, uint32_t stage, const Sizes& sizes,
 // One run over one mesh: everything the steps below share.
 struct Run {
   const NetworkPlan& plan;
-  const ModelTables tables;
   const NetworkInput& input;
+  const ModelTables tables;
+  const Kernels& kernels;
+  const PackedLayers& packed;
   Sizes sizes;
   int16_t* storage = nullptr;
   int16_t* logits = nullptr;
@@ -138,14 +182,15 @@ void make_tables(Run& run, uint32_t stage, bool global, const uint32_t* vertices
       const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
       size_t made = segment.count;
       if (layer.kind == LayerKind::kGlobalMean) {
-        global_mean_s16_ref(values, segment.count, present, rows, run.scratch.sums, table);
+        run.kernels.global_mean(values, segment.count, present, rows, run.scratch.sums, table);
       } else if (layer.kind == LayerKind::kGlobalMax) {
-        global_max_s16_ref(values, segment.count, present, rows, table);
+        run.kernels.global_max(values, segment.count, present, rows, table);
       } else if (pair) {
-        part_mean_pair_s16_ref(values, segment.count, run.input.joints, k, vertices, count, run.scratch.sums, table);
+        run.kernels.part_mean_pair(values, segment.count, run.input.joints, k, vertices, count, run.scratch.sums,
+                                   table);
         made *= run.sizes.joints;
       } else {
-        part_mean_vertex_s16_ref(values, segment.count, vertices, count, run.scratch.sums, table);
+        run.kernels.part_mean_vertex(values, segment.count, vertices, count, run.scratch.sums, table);
       }
       table += made;
       channel += segment.count;
@@ -153,23 +198,13 @@ void make_tables(Run& run, uint32_t stage, bool global, const uint32_t* vertices
   }
 }
 
-void run_linear(const Run& run, const Layer& layer, uint32_t rows, const uint16_t* present) {
-  const LinearRecord record = run.tables.linear(layer.parameters);
-  const bool has_residual = (layer.flags & kLayerResidual) != 0;
-  LinearView view;
-  view.weights = run.tables.int16_at(record.weights);
-  view.bias = run.tables.bytes() + record.bias;
-  view.residual = has_residual ? run.tables.int16_at(record.residual) : nullptr;
-  view.shifts = run.tables.bytes() + record.shifts;
-  view.in = record.in;
-  view.out = record.out;
-  view.block = record.block;
-  view.wide = record.accumulator == AccumulatorClass::kWide;
-  view.low = range_low(record.range);
-  view.high = range_high(record.range);
-  const RowsView residual = has_residual ? tile_rows(run, layer.residual) : RowsView();
-  linear_s16_ref(view, tile_rows(run, layer.in), residual, present, rows, tile_row(run, layer.out, 0),
-                 run.plan.buffers[layer.out.buffer].channels);
+void run_linear(const Run& run, uint32_t index, uint32_t rows, const uint16_t* present) {
+  const Layer& layer = run.plan.layers[index];
+  const RowsView residual = (layer.flags & kLayerResidual) != 0 ? tile_rows(run, layer.residual) : RowsView();
+  LinearView linear = make_linear_view(run.tables, layer);
+  if (run.packed.memory[index] != nullptr) linear.packed = packed_view(linear, run.packed.memory[index]);
+  run.kernels.linear(linear, tile_rows(run, layer.in), residual, present, rows, tile_row(run, layer.out, 0),
+                     run.plan.buffers[layer.out.buffer].channels);
 }
 
 // One-ring layers: rows of neighbours come from storage, whatever tile they belong to.
@@ -187,17 +222,17 @@ void run_ring(const Run& run, uint32_t index, uint32_t count) {
       int16_t* out = tile_row(run, layer.out, row) + (channel - layer.in.offset);
       if (run.plan.buffers[layer.out.buffer].domain == Domain::kVertex) {
         if (mean) {
-          ring_mean_vertex_s16_ref(values, segment.count, ring, valence, out);
+          run.kernels.ring_mean_vertex(values, segment.count, ring, valence, out);
         } else {
-          ring_max_vertex_s16_ref(values, segment.count, ring, valence, out);
+          run.kernels.ring_max_vertex(values, segment.count, ring, valence, out);
         }
       } else {
         const uint16_t joint = run.scratch.joints[row];
         const uint32_t neighbours = joint == kNoJoint ? 0 : valence;  // an absent slot has none
         if (mean) {
-          ring_mean_pair_s16_ref(values, segment.count, run.input.joints, k, joint, ring, neighbours, out);
+          run.kernels.ring_mean_pair(values, segment.count, run.input.joints, k, joint, ring, neighbours, out);
         } else {
-          ring_max_pair_s16_ref(values, segment.count, run.input.joints, k, joint, ring, neighbours, out);
+          run.kernels.ring_max_pair(values, segment.count, run.input.joints, k, joint, ring, neighbours, out);
         }
       }
     }
@@ -228,21 +263,22 @@ void run_table(const Run& run, uint32_t index, uint32_t count) {
   }
 }
 
-void run_local(const Run& run, const Layer& layer, uint32_t count) {
+void run_local(const Run& run, uint32_t index, uint32_t count) {
+  const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates;
   const uint16_t* joints = run.scratch.joints;
   const uint32_t out_stride = run.plan.buffers[layer.out.buffer].channels;
   switch (layer.kind) {
     case LayerKind::kLinear: {
       const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
-      run_linear(run, layer, count * slots_of(run, layer.out), pair ? joints : nullptr);
+      run_linear(run, index, count * slots_of(run, layer.out), pair ? joints : nullptr);
       break;
     }
     case LayerKind::kCandidateMax:
       for (uint32_t i = 0; i < count; ++i) {
         const size_t row = static_cast<size_t>(i) * k;
-        candidate_max_s16_ref({tile_row(run, layer.in, row), run.plan.buffers[layer.in.buffer].channels},
-                              layer.in.channels, joints + row, k, tile_row(run, layer.out, row), out_stride);
+        run.kernels.candidate_max({tile_row(run, layer.in, row), run.plan.buffers[layer.in.buffer].channels},
+                                  layer.in.channels, joints + row, k, tile_row(run, layer.out, row), out_stride);
       }
       break;
     case LayerKind::kVertexToPair:
@@ -317,7 +353,7 @@ void run_tile(Run& run, uint32_t stage, uint32_t count) {
     } else if (uses_table(layer.kind)) {
       run_table(run, i, count);
     } else {
-      run_local(run, layer, count);
+      run_local(run, i, count);
     }
     if (run.plan.stored[i]) {
       store_rows(run, layer.out, run.storage + static_cast<size_t>(run.plan.store_offset[i]) * run.sizes.vertices,
@@ -363,15 +399,21 @@ bool run_stage(Run& run, uint32_t stage, const Progress& progress) {
 }  // namespace
 
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
-                         int16_t* logits, uint32_t tile_vertices) {
+                         int16_t* logits, const NetworkOptions& options) {
+  Kernels kernels;
+  if (!select_kernels(options.kernel, &kernels)) return SINEW_ERROR_KERNEL;
+  if (wants_packed(options) && kernels.linear_packed != nullptr) kernels.linear = kernels.linear_packed;
   NetworkPlan plan;
   make_plan(model, input.candidate_count, &plan);
-  Run run = {
-      plan, ModelTables(model.bytes), input, {input.vertex_count, input.joint_count, tile_vertices}, nullptr, logits,
-      {}};
+  const ModelTables tables(model.bytes);
   const size_t start = arena.mark();
+  PackedLayers packed;
+  (void)packed.allocate(plan, tables, options, arena);
+  Run run = {plan,    input,  tables, kernels, packed, {input.vertex_count, input.joint_count, options.tile_vertices},
+             nullptr, logits, {}};
   run.storage = allocate_storage(plan, run.sizes, arena);
   sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;
+  if (status == SINEW_OK && kernels.linear_packed != nullptr) packed.fill(plan, tables);
   for (uint32_t stage = 0; stage < plan.stage_count && status == SINEW_OK; ++stage) {
     const size_t stage_start = arena.mark();
     if (!allocate_stage(plan, stage, run.sizes, arena, &run.scratch)) {
@@ -385,11 +427,13 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
   return status;
 }
 
-void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts, uint32_t tile_vertices) {
+void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts, const NetworkOptions& options) {
   NetworkPlan plan;
   make_plan(model, counts.candidates, &plan);
-  const Sizes sizes = {counts.vertices, counts.joints, tile_vertices};
+  const Sizes sizes = {counts.vertices, counts.joints, options.tile_vertices};
   const size_t start = arena.mark();
+  PackedLayers packed;
+  (void)packed.allocate(plan, ModelTables(model.bytes), options, arena);
   allocate_storage(plan, sizes, arena);
   for (uint32_t stage = 0; stage < plan.stage_count; ++stage) {
     StageScratch scratch;

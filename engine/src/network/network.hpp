@@ -30,17 +30,23 @@ struct NetworkInput {
 // Vertices that go through a stage's layers together: with 8 candidates and some 600 channels their rows fill 150 KB.
 constexpr uint32_t kTileVertices = 16;
 
+struct NetworkOptions {
+  uint32_t kernel = SINEW_KERNEL_AUTO;
+  bool weights_in_place = false;           // see sinew_options
+  uint32_t tile_vertices = kTileVertices;  // >= 1; changes scratch and speed, never the result
+};
+
 // Runs all layers of an opened model. input.candidate_count may be any K in 1..16, unless the model says
 // fixed_candidates: then it is the model's. logits out [U x K] int16, log2 units Q10,
-// clamped to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. The result does
-// not depend on tile_vertices (>= 1), only scratch and speed do. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or
-// SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
+// clamped to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. Returns SINEW_OK,
+// SINEW_ERROR_KERNEL, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on
+// failure.
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
-                         int16_t* logits, uint32_t tile_vertices = kTileVertices);
+                         int16_t* logits, const NetworkOptions& options = {});
 // Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J,
-// counts.candidates is K.
+// counts.candidates is K. Asks neither for the processor nor for what the library was built with: the same everywhere.
 void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts,
-                         uint32_t tile_vertices = kTileVertices);
+                         const NetworkOptions& options = {});
 
 }  // namespace sinew
 #endif

@@ -18,12 +18,13 @@ struct BindOptions {
   const sinew_model* model = nullptr;
   uint32_t influence_count = 4;
   uint32_t up_axis = 0;
-  std::vector<uint8_t> joint_flags;  // [J] SINEW_JOINT_* or empty
-  std::vector<uint8_t> locked;       // [V] or empty; locked rows come from character.influences
-  std::vector<uint8_t> hints;        // [V] or empty; the same, and their rows steer the vertices around them
-  uint32_t rigid_parts = 0;          // sinew_rigid_parts
-  uint32_t softness_percent = 100;   // of the model's weights
-  bool symmetric = false;            // mirrored vertices get mirrored rows
+  std::vector<uint8_t> joint_flags;     // [J] SINEW_JOINT_* or empty
+  std::vector<uint8_t> locked;          // [V] or empty; locked rows come from character.influences
+  std::vector<uint8_t> hints;           // [V] or empty; the same, and their rows steer the vertices around them
+  uint32_t rigid_parts = 0;             // sinew_rigid_parts
+  uint32_t softness_percent = 100;      // of the model's weights
+  bool symmetric = false;               // mirrored vertices get mirrored rows
+  uint32_t kernel = SINEW_KERNEL_AUTO;  // AUTO asks kernel_from_environment()
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;
 };
@@ -34,6 +35,10 @@ struct BindResult {
   size_t workspace_bytes = 0, used_bytes = 0;
   double seconds = 0;
 };
+// sinew_kernel that the environment variable SINEW_KERNEL names (ref, avx2, vnni, ...); AUTO without it. Throws Error,
+// naming those that run here, for one that is unknown or that this build or processor lacks.
+uint32_t kernel_from_environment();
+
 // Through sinew.h alone. Throws Error with the status text and the character's name.
 BindResult bind(const Character& character, const BindOptions& options);
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A linear layer's parameters as the vector kernels read them: made once per network run from the model's bytes, in
+// the caller's workspace. The same bytes for every instruction set, so that the workspace is the same on every host.
+#ifndef SINEW_KERNELS_PACKED_HPP
+#define SINEW_KERNELS_PACKED_HPP
+
+#include <stddef.h>
+#include <stdint.h>
+
+namespace sinew {
+
+struct LinearView;
+
+// Outputs come in groups of 16: one AVX-512 register of int32 sums, two of AVX2, four of 128 bits. Group g, pair p:
+//   weights[((g * pairs + p) * 16 + n) * 2 + {0, 1}] = w[16 g + n][first column of the pair + {0, 1}]
+// so that one multiply-add of int16 pairs (vpdpwssd, vpmaddwd, i32x4.dot_i16x8_s) against a broadcast pair of inputs
+// moves all 16 sums on. Every block of columns (class W) starts a new pair; an odd block's last pair, and outputs
+// behind the last, are filled with 0.
+constexpr uint32_t kPackOutputs = 16;
+
+struct PackedLinear {
+  const int16_t* weights = nullptr;    // 64-byte aligned; null = not packed, the kernels read the model's bytes
+  const int32_t* bias = nullptr;       // [outputs] class N
+  const int64_t* wide_bias = nullptr;  // [outputs] class W
+  const int32_t* residual = nullptr;   // [outputs] factors, 0 without a residual
+  const int32_t* shifts = nullptr;     // [outputs]
+  uint32_t pairs = 0;                  // of all blocks
+};
+
+// Bytes of one packed layer, a multiple of 64. A function of the shape alone.
+uint64_t packed_linear_bytes(uint32_t in, uint32_t out, uint32_t block);
+
+// Fills `memory` (packed_linear_bytes(), 64-byte aligned) from the model's bytes.
+void pack_linear(const LinearView& linear, void* memory);
+// The parts of what pack_linear() filled. Shifts lie before weights, so that 16 values behind the last shift or factor
+// may be read (and mean nothing).
+PackedLinear packed_view(const LinearView& linear, const void* memory);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Which kernels run: what was built, what the processor has, what the caller wants.
+#include "kernels/select.hpp"
+
+#include "kernels/cpu.hpp"
+
+namespace sinew {
+namespace {
+
+void fill_reference(Kernels* kernels) {
+  kernels->id = SINEW_KERNEL_REF;
+  kernels->linear = linear_s16_ref;
+  kernels->linear_packed = nullptr;
+  kernels->ring_mean_vertex = ring_mean_vertex_s16_ref;
+  kernels->ring_max_vertex = ring_max_vertex_s16_ref;
+  kernels->ring_mean_pair = ring_mean_pair_s16_ref;
+  kernels->ring_max_pair = ring_max_pair_s16_ref;
+  kernels->candidate_max = candidate_max_s16_ref;
+  kernels->part_mean_vertex = part_mean_vertex_s16_ref;
+  kernels->part_mean_pair = part_mean_pair_s16_ref;
+  kernels->global_mean = global_mean_s16_ref;
+  kernels->global_max = global_max_s16_ref;
+}
+
+// Puts one instruction set's variants over the reference. A processor with AVX-512 VNNI or AVX-VNNI has AVX2 too.
+bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
+  LinearKernel linear = nullptr;
+  switch (kernel) {
+    case SINEW_KERNEL_AVX2:
+      linear = cpu.avx2 ? find_linear_s16_avx2() : nullptr;
+      break;
+    case SINEW_KERNEL_AVXVNNI:
+      linear = cpu.avxvnni ? find_linear_s16_avxvnni() : nullptr;
+      break;
+    case SINEW_KERNEL_VNNI:
+      linear = cpu.vnni ? find_linear_s16_vnni() : nullptr;
+      break;
+    default:
+      break;
+  }
+  if (linear == nullptr) return false;
+  kernels->id = kernel;
+  kernels->linear_packed = linear;
+  return true;
+}
+
+constexpr uint32_t kFastestFirst[] = {SINEW_KERNEL_VNNI, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_AVX2};
+
+}  // namespace
+
+bool select_kernels(uint32_t wanted, Kernels* kernels) {
+  fill_reference(kernels);
+  if (wanted == SINEW_KERNEL_REF) return true;
+  const Cpu cpu = detect_cpu();
+  if (wanted != SINEW_KERNEL_AUTO) return add_variants(wanted, cpu, kernels);
+  for (const uint32_t kernel : kFastestFirst) {
+    if (add_variants(kernel, cpu, kernels)) break;
+  }
+  return true;
+}
+
+const char* kernel_name(uint32_t kernel) {
+  switch (kernel) {
+    case SINEW_KERNEL_AUTO:
+      return "auto";
+    case SINEW_KERNEL_REF:
+      return "ref";
+    case SINEW_KERNEL_AVX2:
+      return "avx2";
+    case SINEW_KERNEL_AVXVNNI:
+      return "avxvnni";
+    case SINEW_KERNEL_VNNI:
+      return "vnni";
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace sinew

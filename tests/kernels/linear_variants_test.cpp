@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Every vector variant of the linear layer equals the reference bit for bit: odd sizes, every tile shape, strides,
+// extremes, absent rows, both accumulator classes. A variant that was built for this processor must have run.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <vector>
+
+#include "kernels/select.hpp"
+#include "network_fixture.hpp"
+
+namespace sinew::test {
+namespace {
+
+constexpr int16_t kGuard = 0x7A7A;
+
+struct Release {
+  void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
+};
+using Block = std::unique_ptr<uint8_t, Release>;
+
+struct LinearCase {
+  uint32_t in, out, rows, block;
+  bool wide, residual, masked, extreme;
+  ValueRange range;
+};
+
+// Both kernels on one random layer; every array has exactly the size it needs, so that a sanitizer sees a step outside.
+void compare(uint32_t seed, const LinearCase& c, LinearKernel variant) {
+  Random random(seed);
+  // The proof: products of a block stay in int32 whatever the inputs are, and in class N with bias and residual.
+  const uint32_t summed = c.wide ? c.block : c.in + 2;
+  const int32_t largest = static_cast<int32_t>(std::min<uint32_t>(32767, (131000u - 70) / summed));
+  const auto weight = [&] {
+    return static_cast<int16_t>(c.extreme ? (random.below(2) ? largest : -largest) : random.between(-largest, largest));
+  };
+  const auto value = [&] {
+    return static_cast<int16_t>(c.extreme ? (random.below(2) ? 16383 : -16384) : random.between(-16384, 16383));
+  };
+  std::vector<int16_t> weights(size_t{c.in} * c.out), factors(c.out);
+  std::vector<uint8_t> bias(c.out * 8), shifts(c.out);
+  for (int16_t& w : weights) w = weight();
+  for (int16_t& w : factors) w = weight();
+  for (uint32_t n = 0; n < c.out; ++n) {
+    const int64_t b =
+        c.wide ? int64_t{random.between(-1000000, 1000000)} << random.below(36) : random.between(-1000000, 1000000);
+    store_u64(bias.data() + 8 * n, static_cast<uint64_t>(b));
+    shifts[n] =
+        static_cast<uint8_t>(random.below(4) == 0 ? random.between(1, c.wide ? 47 : 31) : random.between(8, 16));
+  }
+  LinearView view;
+  view.weights = weights.data();
+  view.bias = bias.data();
+  view.residual = c.residual ? factors.data() : nullptr;
+  view.shifts = shifts.data();
+  view.in = c.in;
+  view.out = c.out;
+  view.block = c.block;
+  view.wide = c.wide;
+  view.low = range_low(c.range);
+  view.high = range_high(c.range);
+  const size_t bytes = packed_linear_bytes(c.in, c.out, c.block);
+  const Block packed(static_cast<uint8_t*>(::operator new (bytes, std::align_val_t{64})));
+  pack_linear(view, packed.get());
+  view.packed = packed_view(view, packed.get());
+
+  const uint32_t in_stride = c.in + random.below(4), residual_stride = c.out + random.below(4),
+                 out_stride = c.out + random.below(4);
+  const size_t last = c.rows - 1;
+  std::vector<int16_t> in(last * in_stride + c.in), residual(c.residual ? last * residual_stride + c.out : 0);
+  for (int16_t& x : in) x = value();
+  for (int16_t& x : residual) x = value();
+  std::vector<uint16_t> present(c.rows);
+  for (uint16_t& joint : present) joint = random.below(4) == 0 ? kNoJoint : 3;
+  std::vector<int16_t> want(last * out_stride + c.out, kGuard), got = want;
+  const uint16_t* mask = c.masked ? present.data() : nullptr;
+  linear_s16_ref(view, {in.data(), in_stride}, {residual.data(), residual_stride}, mask, c.rows, want.data(),
+                 out_stride);
+  variant(view, {in.data(), in_stride}, {residual.data(), residual_stride}, mask, c.rows, got.data(), out_stride);
+  for (size_t i = 0; i < want.size(); ++i) {
+    ASSERT_EQ(got[i], want[i]) << "row " << i / out_stride << " channel " << i % out_stride << ": in " << c.in
+                               << " out " << c.out << " rows " << c.rows << " block " << c.block << " wide " << c.wide
+                               << " residual " << c.residual << " masked " << c.masked << " seed " << seed;
+  }
+}
+
+bool processor_has(uint32_t kernel) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (kernel == SINEW_KERNEL_AVX2) return __builtin_cpu_supports("avx2");
+  if (kernel == SINEW_KERNEL_VNNI) {
+    return __builtin_cpu_supports("avx512vnni") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  }
+#endif
+  return sinew_kernel_select(kernel) != 0;  // the compiler's own check does not know the others
+}
+
+class LinearVariant : public testing::TestWithParam<uint32_t> {
+ protected:
+  // A path that was built and that the processor has but that is not chosen is a failure, not a skip.
+  void SetUp() override {
+    const uint32_t kernel = GetParam();
+    if (!select_kernels(kernel, &kernels_)) {
+      ASSERT_FALSE(processor_has(kernel))
+          << kernel_name(kernel) << ": this processor has it, but it was not built or not chosen";
+      GTEST_SKIP() << "NOT RUN: this processor has no " << kernel_name(kernel);
+    }
+    ASSERT_NE(kernels_.linear_packed, nullptr);
+  }
+  Kernels kernels_;
+};
+
+TEST_P(LinearVariant, EqualsReferenceOnRandomShapes) {
+  Random random(11);
+  for (uint32_t i = 0; i < 1500; ++i) {
+    LinearCase c;
+    c.in = 1 + random.below(i % 10 == 0 ? 1152 : i % 3 == 0 ? 130 : 40);
+    c.out = 1 + random.below(i % 10 == 0 ? 40 : 150);
+    c.rows = 1 + random.below(i % 4 == 0 ? 40 : 9);
+    c.wide = i % 3 == 1;
+    c.block = c.wide ? 1 + random.below(random.below(2) ? 4 : c.in) : c.in;
+    c.block = std::min(c.block, c.in);
+    c.residual = random.below(2) != 0;
+    c.masked = random.below(2) != 0;
+    c.extreme = i % 5 == 0;
+    c.range = static_cast<ValueRange>(random.below(3));
+    compare(i, c, kernels_.linear_packed);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST_P(LinearVariant, EqualsReferenceOnEveryTileShape) {
+  uint32_t seed = 5000;
+  for (const uint32_t out : {1u, 15u, 16u, 17u, 31u, 32u, 33u, 47u, 48u, 49u, 63u, 64u, 65u, 80u, 96u, 112u, 129u}) {
+    for (uint32_t rows = 1; rows <= 22; ++rows) {
+      for (const uint32_t in : {1u, 2u, 3u, 48u}) {
+        compare(seed++, {in, out, rows, in, false, rows % 2 == 0, rows % 3 == 0, false, ValueRange::kPositive},
+                kernels_.linear_packed);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+TEST_P(LinearVariant, EqualsReferenceOnLongLayersAndManyRows) {
+  for (const uint32_t in : {576u, 1023u, 1152u}) {
+    for (const bool wide : {false, true}) {
+      compare(in, {in, 70, 400, wide ? 37u : in, wide, true, true, true, ValueRange::kSigned}, kernels_.linear_packed);
+      compare(in, {in, 64, 13, in, wide, false, false, true, ValueRange::kLogits}, kernels_.linear_packed);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+// Products at the very edge of int32: the sum of one pair is 2 * 32767 * 32767.
+TEST_P(LinearVariant, LargestPairDoesNotSaturate) {
+  const std::vector<int16_t> weights = {32767, 32767, -32767, -32767}, in = {32767, 32767};
+  std::vector<uint8_t> bias(16, 0);
+  const uint8_t shifts[2] = {17, 17};
+  LinearView view;
+  view.weights = weights.data();
+  view.bias = bias.data();
+  view.shifts = shifts;
+  view.in = 2;
+  view.out = 2;
+  view.block = 2;
+  view.low = -32767;
+  view.high = 32767;
+  const Block packed(static_cast<uint8_t*>(::operator new (packed_linear_bytes(2, 2, 2), std::align_val_t{64})));
+  pack_linear(view, packed.get());
+  view.packed = packed_view(view, packed.get());
+  int16_t out[2];
+  kernels_.linear_packed(view, {in.data(), 2}, {nullptr, 0}, nullptr, 1, out, 2);
+  EXPECT_EQ(out[0], 16383);   // 2 * 32767^2 = 2147352578; >> 17
+  EXPECT_EQ(out[1], -16384);  // floor
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LinearVariant,
+                         testing::Values(SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI),
+                         [](const auto& tested) { return std::string(kernel_name(tested.param)); });
+
+TEST(SelectKernels, AutoIsTheFastestAndReferenceIsAlwaysThere) {
+  EXPECT_EQ(sinew_kernel_select(SINEW_KERNEL_REF), uint32_t{SINEW_KERNEL_REF});
+  uint32_t fastest = SINEW_KERNEL_REF;
+  for (const uint32_t kernel : {SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI}) {
+    if (sinew_kernel_select(kernel) != 0) fastest = kernel;
+  }
+  EXPECT_EQ(sinew_kernel_select(SINEW_KERNEL_AUTO), fastest);
+  EXPECT_EQ(sinew_kernel_select(1000), 0u);
+}
+
+TEST(SelectKernels, NamesEndWithNull) {
+  uint32_t count = 0;
+  while (sinew_kernel_name(count) != nullptr) ++count;
+  EXPECT_EQ(count, 5u);
+  EXPECT_STREQ(sinew_kernel_name(SINEW_KERNEL_VNNI), "vnni");
+  EXPECT_EQ(sinew_kernel_name(1000), nullptr);
+}
+
+TEST(PackedLinear, BytesAreWhatPackingFills) {
+  Random random(3);
+  for (int i = 0; i < 300; ++i) {
+    const uint32_t in = 1 + random.below(200), out = 1 + random.below(90), block = 1 + random.below(in);
+    std::vector<int16_t> weights(size_t{in} * out, 7);
+    std::vector<uint8_t> bias(out * 8, 1), shifts(out, 9);
+    LinearView view;
+    view.weights = weights.data();
+    view.bias = bias.data();
+    view.shifts = shifts.data();
+    view.in = in;
+    view.out = out;
+    view.block = block;
+    view.wide = block < in;
+    const size_t bytes = packed_linear_bytes(in, out, block);
+    EXPECT_EQ(bytes % 64, 0u);
+    const Block memory(static_cast<uint8_t*>(::operator new (bytes + 64, std::align_val_t{64})));
+    std::memset(memory.get(), 0xA5, bytes + 64);
+    pack_linear(view, memory.get());
+    for (size_t b = bytes; b < bytes + 64; ++b) ASSERT_EQ(memory.get()[b], 0xA5);
+    const PackedLinear packed = packed_view(view, memory.get());
+    const size_t weight_bytes = size_t{packed.pairs} * 4 * ((out + 15) / 16 * 16);
+    EXPECT_EQ(reinterpret_cast<const uint8_t*>(packed.weights) + weight_bytes, memory.get() + bytes);
+    EXPECT_EQ(reinterpret_cast<uintptr_t>(packed.weights) % 64, 0u);
+  }
+}
+
+}  // namespace
+}  // namespace sinew::test
