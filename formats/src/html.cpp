@@ -32,12 +32,13 @@ code { font: 12.5px/1.5 ui-monospace, "SF Mono", Menlo, Consolas, monospace; ove
 .figures b { display: block; font-size: 24px; line-height: 1.25; letter-spacing: -0.01em; font-variant-numeric: tabular-nums; }
 .figures span { display: block; font-size: 13px; color: var(--soft); line-height: 1.35; }
 table { border-collapse: collapse; width: 100%; font-size: 13.5px; font-variant-numeric: tabular-nums; }
-th { font-weight: 600; color: var(--soft); text-align: right; padding: 5px 8px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
-td { text-align: right; padding: 5px 8px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
+th { font-weight: 600; color: var(--soft); text-align: right; padding: 5px 7px; border-bottom: 1px solid var(--rule); vertical-align: bottom; line-height: 1.25; }
+td { text-align: right; padding: 5px 7px; border-bottom: 1px solid var(--rule); white-space: nowrap; }
 tr:last-child td { border-bottom: 0; }
 th.name, td.name { text-align: left; }
 td.best { font-weight: 700; }
-td.long { text-align: left; white-space: normal; overflow-wrap: anywhere; min-width: 150px; font-size: 12.5px; line-height: 1.3; }
+.wide th, .wide td { padding-left: 4px; padding-right: 6px; }
+.wide small { display: block; color: var(--soft); font-size: 12px; line-height: 1.3; white-space: normal; overflow-wrap: anywhere; min-width: 130px; padding-left: 18px; }
 .key { display: inline-block; width: 10px; height: 10px; border-radius: 3px; margin-right: 8px; }
 .grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(460px, 100%), 1fr)); gap: 0 16px; }
 .grid > div { min-width: 0; }

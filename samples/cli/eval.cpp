@@ -406,6 +406,11 @@ class Evaluation {
     for (const auto& [name, one] : confidence_) judged.push_back(one);
     data.reliability = reliability(judged);
     data.confidence = variants_[main_].confidence;
+    // A checkpoint has no table yet; what counts is the confidence with one, on families that it was not fitted on.
+    if (!s_.checkpoint.empty() && scores[main_].families.size() > 1) {
+      data.reliability = reliability_across_families(judged);
+      data.confidence = "the strongest joint's share through a table that was fitted on the other half of the families";
+    }
     data.beaten_by_nearest = beaten(scores);
     for (size_t i = 0; i < variants_.size(); ++i) {
       ReportVariant row;

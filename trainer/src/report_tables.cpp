@@ -83,14 +83,18 @@ const Metrics* family_metrics(const ReportVariant& v, const std::string& family)
 
 std::string variant_table(const ReportData& data) {
   const std::vector<Column> columns = used_columns(data);
-  std::string out = "<table><thead><tr><th class=\"name\">variant</th><th>n</th>";
+  std::string out =
+      "<table class=\"wide\"><thead><tr><th class=\"name\">variant, its worst character (L1)</th><th>n</th>";
   for (const Column& column : columns)
-    out += "<th>" + html::escape(column.heading) + (column.lower_is_better ? " ↓" : " ↑") + "</th>";
-  out += "<th>failed</th><th class=\"name\">worst character (L1)</th></tr></thead><tbody>\n";
+    out += "<th>" + html::escape(column.heading) + (column.lower_is_better ? "\u00a0↓" : "\u00a0↑") + "</th>";
+  out += "<th>failed</th></tr></thead><tbody>\n";
   for (size_t i = 0; i < data.variants.size(); ++i) {
     const ReportVariant& v = data.variants[i];
+    const auto* worst = worst_character(v.scores);
     out += "<tr><td class=\"name\"><i class=\"key\" style=\"background:" + html::colour(i) + "\"></i>" +
-           html::escape(v.label) + "</td><td>" + std::to_string(v.scores.characters.size()) + "</td>";
+           html::escape(v.label) +
+           (worst ? "<small>" + html::escape(worst->first) + " (" + number(worst->second.l1, 3) + ")</small>" : "") +
+           "</td><td>" + std::to_string(v.scores.characters.size()) + "</td>";
     for (const Column& column : columns) {
       const std::optional<double> value = column.value(v);
       bool best = value.has_value() && data.variants.size() > 1;
@@ -101,9 +105,7 @@ std::string variant_table(const ReportData& data) {
       out += std::string("<td") + (best ? " class=\"best\">" : ">") +
              (value ? number(*value * column.factor, column.digits) : "–") + "</td>";
     }
-    const auto* worst = worst_character(v.scores);
-    out += "<td>" + std::to_string(v.scores.failures.size()) + "</td><td class=\"long\">" +
-           (worst ? html::escape(worst->first) + " (" + number(worst->second.l1, 3) + ")" : "–") + "</td></tr>\n";
+    out += "<td>" + std::to_string(v.scores.failures.size()) + "</td></tr>\n";
   }
   return out + "</tbody></table>\n";
 }
