@@ -88,6 +88,9 @@ inline Sample random_sample(const RandomSampleOptions& o) {
     s.missing.push_back(missing);
     s.importance.push_back(o.ragged && v % 7 == 3 ? 0.0f : 1.0f + static_cast<float>(v % 2));
   }
+  for (uint32_t v = 0; v < 3 * o.vertices; ++v) s.positions.push_back(uniform());
+  for (uint32_t j = 0; j < 3 * o.joints; ++j) s.joint_positions.push_back(uniform());
+  for (uint32_t j = 0; j < o.joints; ++j) s.parents.push_back(j == 0 ? -1 : static_cast<int32_t>((j - 1) / 2));
   return s;
 }
 

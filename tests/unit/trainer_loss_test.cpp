@@ -23,12 +23,14 @@ std::vector<double> random_logits(const Sample& sample, uint64_t seed) {
 }
 
 TEST(WeightLoss, GradientOfEveryTermAgreesWithDifferences) {
-  const LossWeights cases[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}, {0.5, 1, 2, 0.5}};
+  const LossWeights cases[] = {{1, 0, 0, 0}, {0, 1, 0, 0},    {0, 0, 1, 0},
+                               {0, 0, 0, 1}, {0, 0, 0, 0, 1}, {0.5, 1, 2, 0.5, 3}};
   for (uint64_t seed : {1, 2, 3}) {
     const Sample sample = random_sample({.vertices = 30, .candidates = 5, .seed = seed});
     for (const LossWeights& weights : cases) {
       SCOPED_TRACE(::testing::Message() << "seed " << seed << " kl " << weights.kl << " l1 " << weights.l1 << " regret "
-                                        << weights.regret << " part " << weights.part);
+                                        << weights.regret << " part " << weights.part << " deformation "
+                                        << weights.deformation);
       std::vector<double> logits = random_logits(sample, seed), gradient;
       weight_loss(sample, weights, logits, &gradient);
       size_t moved = 0;
@@ -64,6 +66,9 @@ Sample one_vertex() {
   s.heat = {0.25f, 0.5f, 0.25f};
   s.missing = {0};
   s.importance = {3};
+  s.positions = {0.5f, 0.25f, 0};
+  s.joint_positions = {0, 0, 0, 0.5f, 0.75f, 0, 0.25f, 0.25f, 0};
+  s.parents = {-1, 0, 0};
   return s;
 }
 
@@ -76,6 +81,19 @@ TEST(WeightLoss, WorkedExample) {
   EXPECT_NEAR(terms.regret, 1.0 - 0.5, 1e-12);
   EXPECT_NEAR(terms.part, 1.0, 1e-12);
   EXPECT_NEAR(terms.total, terms.l1 + terms.kl + terms.regret + terms.part, 1e-12);
+}
+
+TEST(WeightLoss, DeformationIsWhatTurningTheWronglyWeightedJointsMoves) {
+  // p - t is -0.5 on joint 0 and 0.5 on joint 2: under the root they cancel, joint 2 is 0.25 away.
+  const std::vector<double> logits = {0, 0, std::log(2.0)};
+  EXPECT_NEAR(weight_loss<double>(one_vertex(), {0, 0, 0, 0, 1}, logits, nullptr).deformation, 0.5 * 0.25, 1e-6);
+  Sample s = one_vertex();
+  s.parents = {-1, 0, 1};  // turning joint 1, half a side away, moves joint 2's share as well
+  s.fold = {0, 1, 2};
+  s.target = {0.25f, 0.75f, 0};  // p - t: 0, -0.5, 0.5; below joint 1 they cancel
+  EXPECT_NEAR(weight_loss<double>(s, {0, 0, 0, 0, 1}, logits, nullptr).deformation, 0.5 * 0.25, 1e-6);
+  s.target = {0.75f, 0.25f, 0};  // -0.5, 0, 0.5
+  EXPECT_NEAR(weight_loss<double>(s, {0, 0, 0, 0, 1}, logits, nullptr).deformation, 0.5 * std::hypot(0.25, 0.5), 1e-6);
 }
 
 TEST(WeightLoss, HeatOutsideTheCandidatesIsHeatsError) {

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "family_queue.hpp"
 #include "optimizer.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
 
 namespace sinew {
 namespace {
@@ -127,6 +129,17 @@ TEST(TrainConfig, ShippedFilesAreValid) {
     std::fclose(file);
     EXPECT_EQ(parse_train_config(text, path).architecture, name);
   }
+}
+
+TEST(TrainConfig, AblationFilesAreValid) {
+  size_t files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(SINEW_SOURCE_DIR) + "/trainer/configs/ablation")) {
+    const std::vector<uint8_t> bytes = read_file(entry.path().string());
+    EXPECT_GT(parse_train_config(std::string(bytes.begin(), bytes.end()), entry.path().string()).steps, 0u);
+    ++files;
+  }
+  EXPECT_GT(files, 20u);
 }
 
 TEST(TrainConfig, ErrorsNameFileAndKey) {

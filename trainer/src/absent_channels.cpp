@@ -56,10 +56,12 @@ AbsentChannels absent_channels(const std::vector<std::string>& names, const std:
 
 void clear_weights(const AbsentChannels& absent, FloatNetwork* network) {
   for (const Layer& layer : network->layers) {
-    if (layer.kind != LayerKind::kLinear || (layer.in.buffer != kVertexInput && layer.in.buffer != kPairInput)) continue;
+    if (layer.kind != LayerKind::kLinear || (layer.in.buffer != kVertexInput && layer.in.buffer != kPairInput))
+      continue;
     LinearParameters& linear = network->parameters[layer.parameters];
     for (const uint32_t channel : layer.in.buffer == kVertexInput ? absent.vertex : absent.pair) {
-      for (uint32_t out = 0; out < linear.out; ++out) linear.weights[size_t{out} * linear.in + channel - layer.in.offset] = 0;
+      for (uint32_t out = 0; out < linear.out; ++out)
+        linear.weights[size_t{out} * linear.in + channel - layer.in.offset] = 0;
     }
   }
 }

@@ -32,14 +32,16 @@ void visit_numbers(std::vector<LinearBlock<float>>& blocks, Visit&& visit) {
   }
 }
 
-constexpr size_t kTermCount = 5;
-std::array<double*, kTermCount> fields(LossTerms& t) { return {&t.total, &t.kl, &t.l1, &t.regret, &t.part}; }
+constexpr size_t kTermCount = 6;
+std::array<double*, kTermCount> fields(LossTerms& t) {
+  return {&t.total, &t.kl, &t.l1, &t.regret, &t.part, &t.deformation};
+}
 
 }  // namespace
 
 BatchGradient::BatchGradient(const TrainConfig& config, uint32_t threads, Ranks* ranks)
     : config_(config),
-      loss_{config.loss_kl, config.loss_l1, config.loss_regret, config.loss_part},
+      loss_{config.loss_kl, config.loss_l1, config.loss_regret, config.loss_part, config.loss_deformation},
       absent_(absent_channels(config.without, "configuration")),
       ranks_(ranks) {
   for (uint32_t t = 0; t < std::max(threads, 1u); ++t) {

@@ -44,6 +44,58 @@ double total_importance(const Sample& sample) {
   return total;
 }
 
+// How far a vertex sways from where it should be when joints turn.
+template <class S>
+class Lever {
+ public:
+  explicit Lever(const Sample& sample)
+      : sample_(sample), subtree_(sample.joints, S(0)), mark_(sample.joints, UINT32_MAX) {}
+
+  // off [K] p - t of the slots that lead a fold group, 0 elsewhere; slope [K] = d sway / d off.
+  S sway(uint32_t v, const std::array<S, kMaxCandidates>& off, std::array<S, kMaxCandidates>* slope) {
+    const size_t row = size_t{v} * sample_.candidates;
+    touched_.clear();
+    for_ancestors(row, off, [&](uint32_t joint, S amount, uint32_t) {
+      if (mark_[joint] != v) {
+        mark_[joint] = v;
+        subtree_[joint] = 0;
+        touched_.push_back(joint);
+      }
+      subtree_[joint] += amount;
+    });
+    S sum = S(1e-8);
+    for (const uint32_t joint : touched_) {
+      S square = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const S d = static_cast<S>(sample_.positions[3 * size_t{v} + static_cast<size_t>(axis)]) -
+                    static_cast<S>(sample_.joint_positions[3 * size_t{joint} + static_cast<size_t>(axis)]);
+        square += d * d;
+      }
+      sum += subtree_[joint] * subtree_[joint] * square;
+      subtree_[joint] *= square;
+    }
+    const S root = std::sqrt(sum);
+    for_ancestors(row, off, [&](uint32_t joint, S, uint32_t slot) { (*slope)[slot] += subtree_[joint] / root; });
+    return root;
+  }
+
+ private:
+  template <class Visit>
+  void for_ancestors(size_t row, const std::array<S, kMaxCandidates>& off, Visit&& visit) const {
+    for (uint32_t k = 0; k < sample_.candidates; ++k) {
+      if (sample_.candidate[row + k] == kAbsent) continue;
+      for (int32_t joint = static_cast<int32_t>(sample_.fold[sample_.candidate[row + k]]); joint >= 0;
+           joint = sample_.parents[static_cast<size_t>(joint)]) {
+        visit(static_cast<uint32_t>(joint), off[k], k);
+      }
+    }
+  }
+
+  const Sample& sample_;
+  std::vector<S> subtree_;
+  std::vector<uint32_t> mark_, touched_;
+};
+
 }  // namespace
 
 template <class S>
@@ -60,6 +112,7 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
   std::vector<uint32_t> mark(sample.joints, UINT32_MAX);
   std::vector<S> part_error(sample.joints, S(0));  // importance-weighted sum of p - t of the part, by folded joint
   std::vector<uint32_t> part_joints;
+  Lever<S> lever(sample);
 
   for (uint32_t part = 0; part < sample.components; ++part) {
     part_joints.clear();
@@ -122,6 +175,14 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
         part_error[joint] += importance * (group[k] - target[k]);
       }
       const bool worse = l1 > heat_l1;
+      std::array<S, kMaxCandidates> sway{};
+      if (weights.deformation > 0) {
+        std::array<S, kMaxCandidates> off{};
+        for (uint32_t k = 0; k < slots; ++k) {
+          if (sample.candidate[row + k] != kAbsent && groups.first[k] == k) off[k] = group[k] - target[k];
+        }
+        terms.deformation += static_cast<double>(importance * lever.sway(v, off, &sway));
+      }
       terms.l1 += static_cast<double>(importance * l1);
       terms.kl += static_cast<double>(importance * kl);
       if (worse) terms.regret += static_cast<double>(importance * (l1 - heat_l1));
@@ -129,7 +190,7 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
         const S pull = static_cast<S>(weights.l1) + (worse ? static_cast<S>(weights.regret) : S(0));
         for (uint32_t k = 0; k < slots; ++k) {
           const uint32_t g = groups.first[k];
-          slope[row + k] = pull * sign(group[g] - target[g]);
+          slope[row + k] = pull * sign(group[g] - target[g]) + static_cast<S>(weights.deformation) * sway[g];
           kl_pull[row + k] = static_cast<S>(weights.kl) * (probability[row + k] * target_sum - kl_pull[row + k]);
         }
       }
@@ -156,8 +217,9 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
   terms.kl /= total;
   terms.regret /= total;
   terms.part /= total;
-  terms.total =
-      weights.kl * terms.kl + weights.l1 * terms.l1 + weights.regret * terms.regret + weights.part * terms.part;
+  terms.deformation /= total;
+  terms.total = weights.kl * terms.kl + weights.l1 * terms.l1 + weights.regret * terms.regret +
+                weights.part * terms.part + weights.deformation * terms.deformation;
   return terms;
 }
 template LossTerms weight_loss<float>(const Sample&, const LossWeights&, const std::vector<float>&,

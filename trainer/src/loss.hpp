@@ -12,7 +12,7 @@
 namespace sinew {
 
 struct LossWeights {
-  double kl = 0.5, l1 = 1.0, regret = 2.0, part = 0.5;
+  double kl = 0.5, l1 = 1.0, regret = 2.0, part = 0.5, deformation = 0;
 };
 // Unweighted terms and their weighted sum. Means over vertices by Sample::importance.
 struct LossTerms {
@@ -21,6 +21,9 @@ struct LossTerms {
   double l1 = 0;      // sum_j |p - t| + missing
   double regret = 0;  // max(0, L1 of the network - L1 of heat)
   double part = 0;    // per part: sum_j |mean p - mean t|, parts weighted by their vertices' importance
+  // Root of the mean squared way a vertex is off when every joint turns by an independent random rotation of one
+  // radian: sqrt(sum over joints a of (sum of p - t over a's subtree)^2 |vertex - a|^2), sides of the grid.
+  double deformation = 0;
 };
 
 // Candidates that fold to the same joint (Sample::fold: end joints) count as one: their weights are summed before they

@@ -105,6 +105,12 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   s.component_vertices = copy(p.mesh.component_vertices, s.vertices);
   s.vertex_to_welded = copy(p.mesh.vertex_to_welded, character.vertices.size());
   s.fold = fold_targets(character);
+  const auto add_position = [](const Vec3i& at, std::vector<float>* out) {
+    for (const int32_t x : {at.x, at.y, at.z}) out->push_back(static_cast<float>(x) / static_cast<float>(kSide));
+  };
+  for (uint32_t u = 0; u < s.vertices; ++u) add_position(p.mesh.positions[u], &s.positions);
+  for (uint32_t j = 0; j < s.joints; ++j) add_position(p.skeleton.positions[j], &s.joint_positions);
+  s.parents = copy(p.skeleton.parents, s.joints);
   s.target.assign(pairs, 0.0f);
   s.missing.assign(s.vertices, 0.0f);
   s.heat.assign(pairs, 0.0f);

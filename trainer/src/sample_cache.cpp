@@ -27,12 +27,13 @@ template <class Archive>
 void serialize(Archive& archive, Sample& s) {
   archive(s.name, s.family, s.vertices, s.candidates, s.vertex_features, s.pair_features, s.components, s.joints,
           s.vertex, s.pair, s.candidate, s.row_offsets, s.col_indices, s.component, s.component_offsets,
-          s.component_vertices, s.target, s.fold, s.missing, s.importance, s.heat, s.vertex_to_welded);
+          s.component_vertices, s.target, s.fold, s.missing, s.importance, s.heat, s.vertex_to_welded, s.positions,
+          s.joint_positions, s.parents);
 }
 
 namespace {
 
-constexpr uint64_t kCacheVersion = 1;  // grows whenever the file's layout changes
+constexpr uint64_t kCacheVersion = 2;  // grows whenever the file's layout changes
 constexpr char kMagic[8] = {'S', 'N', 'W', 'S', 'M', 'P', 'L', '1'};
 
 uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {

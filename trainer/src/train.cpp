@@ -157,7 +157,8 @@ class Run {
     checkpoint_.state.config_json = config_json;
     checkpoint_.state.rng = {mix_seeds(config_.seed, 3)};
     checkpoint_.state.log_csv =
-        "step,seconds,loss,l1,kl,regret,part,gradient_norm,learning_rate,val_l1,val_family_l1,heat_l1,heat_family_l1,"
+        "step,seconds,loss,l1,kl,regret,part,deformation,gradient_norm,learning_rate,val_l1,val_family_l1,heat_l1,heat_"
+        "family_l1,"
         "best\n";
   }
 
@@ -282,6 +283,7 @@ class Run {
       recent_.kl += terms.kl;
       recent_.regret += terms.regret;
       recent_.part += terms.part;
+      recent_.deformation += terms.deformation;
       ++recent_count_;
     }
     recent_norm_ += norm * static_cast<double>(terms_.size());
@@ -303,12 +305,12 @@ class Run {
       checkpoint_.network = candidate;
     }
     last_val_ = val;
-    char line[320];
+    char line[340];
     const double n = static_cast<double>(std::max<size_t>(recent_count_, 1));
-    std::snprintf(line, sizeof line, "%llu,%.1f,%.5f,%.5f,%.5f,%.5f,%.5f,%.4f,%.3e,%.5f,%.5f,%.5f,%.5f,%.5f\n",
+    std::snprintf(line, sizeof line, "%llu,%.1f,%.5f,%.5f,%.5f,%.5f,%.5f,%.6f,%.4f,%.3e,%.5f,%.5f,%.5f,%.5f,%.5f\n",
                   static_cast<unsigned long long>(state.step), state.seconds, recent_.total / n, recent_.l1 / n,
-                  recent_.kl / n, recent_.regret / n, recent_.part / n, recent_norm_ / n, rate, val.l1, val.family_l1,
-                  heat_.l1, heat_.family_l1, val_.empty() ? 0.0 : state.best_score);
+                  recent_.kl / n, recent_.regret / n, recent_.part / n, recent_.deformation / n, recent_norm_ / n, rate,
+                  val.l1, val.family_l1, heat_.l1, heat_.family_l1, val_.empty() ? 0.0 : state.best_score);
     state.log_csv += line;
     shown_loss_ = recent_.total / n;
     recent_ = {};

@@ -35,6 +35,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("loss_l1", c.loss_l1);
   visit("loss_regret", c.loss_regret);
   visit("loss_part", c.loss_part);
+  visit("loss_deformation", c.loss_deformation);
   visit("steps", c.steps);
   visit("batch", c.batch);
   visit("seed", c.seed);
@@ -100,6 +101,7 @@ void check(const TrainConfig& c, const std::string& source) {
   require(c.loss_kl >= 0 && c.loss_l1 >= 0 && c.loss_regret >= 0 && c.loss_part >= 0 &&
               c.loss_kl + c.loss_l1 + c.loss_regret + c.loss_part > 0,
           "loss_kl, loss_l1, loss_regret, loss_part", "0 or more and not all 0");
+  require(c.loss_deformation >= 0, "loss_deformation", "0 or more");
   require(c.steps >= 1, "steps", "1 or more");
   require(c.batch >= 1 && c.batch <= 64, "batch", "1 to 64");
   require(c.average_decay >= 0 && c.average_decay < 1, "average_decay", "0 (off) or more and below 1");

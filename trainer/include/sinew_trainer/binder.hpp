@@ -62,6 +62,9 @@ struct Sample {
       importance;           // [U] caller's vertices welded into this one (0 when unbound): the yardstick counts those
   std::vector<float> heat;  // [U x K] the finished rule field at the candidates (sums to <= 1)
   std::vector<uint32_t> vertex_to_welded;  // [V]
+  std::vector<float> positions;            // [U x 3] in sides of the grid, 0..1
+  std::vector<float> joint_positions;      // [J x 3] likewise
+  std::vector<int32_t> parents;            // [J] -1 for roots
 };
 // Runs the engine's stages 1 to 7 on a character. feature_flags: of a network's feature set (other bits are ignored).
 // Throws Error.
