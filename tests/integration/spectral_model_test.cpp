@@ -12,6 +12,7 @@
 #include "quantised.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
+#include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/train.hpp"
 #include "spectral/spectral.hpp"
@@ -67,6 +68,21 @@ TEST(SpectralModel, QuantisedAndBound) {
     if (!bound.influences[v].empty() && bound.influences[v][0].joint == expected[v][0].joint) ++same;
   }
   EXPECT_GE(same, expected.size() * 98 / 100);
+}
+
+TEST(SpectralModel, ShippedClassicModelBindsASample) {
+  const std::vector<uint8_t> file = read_file(SINEW_SOURCE_DIR "/samples/data/sinew_classic.sinew");
+  std::vector<uint64_t> aligned(file.size() / 8 + 1);
+  std::memcpy(aligned.data(), file.data(), file.size());
+  sinew_model model;
+  ASSERT_EQ(sinew_model_open(aligned.data(), file.size(), &model), SINEW_OK);
+  EXPECT_EQ(model.feature_set, kFeatureSet | kSpectralFlag);
+  EXPECT_NE(model.fixed_candidates, 0u);
+  BindOptions options;
+  options.method = SINEW_METHOD_MODEL;
+  options.model = &model;
+  const Metrics metrics = measure(character(), bind(character(), options).influences, "snake");
+  EXPECT_GT(metrics.argmax, 0.6) << "an untrained one finds an eighth";
 }
 
 TEST(SpectralModel, ConfigurationTurnsItOn) {

@@ -301,7 +301,6 @@ namespace {
 // Distances to bones of which a leaf's goes on along its parent bone: half as long, at most a tenth of the skeleton.
 BoneDistance with_stubs(const Character& character) {
   BoneDistance distance(character);
-  using Point = BoneDistance::Point;
   std::vector<Point> joints;
   for (const Joint& joint : character.joints)
     joints.push_back({static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
