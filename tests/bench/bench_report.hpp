@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What every row of a benchmark's CSV begins with, and the hash that ends it.
+#ifndef SINEW_TESTS_BENCH_BENCH_REPORT_HPP
+#define SINEW_TESTS_BENCH_BENCH_REPORT_HPP
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace sinew_bench {
+
+inline std::string machine() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string family, model, name;
+  for (std::string line; std::getline(file, line) && line != "";) {
+    const size_t at = line.find(": ");
+    if (at == std::string::npos) continue;
+    const std::string value = line.substr(at + 2);
+    if (line.rfind("cpu family", 0) == 0) family = value;
+    if (line.rfind("model name", 0) == 0) {
+      name = value;
+    } else if (line.rfind("model", 0) == 0) {
+      model = value;
+    }
+  }
+  std::replace(name.begin(), name.end(), ',', ' ');
+  return name.empty() ? "unknown" : name + " family " + family + " model " + model;
+}
+
+inline std::string row_start() { return machine() + "," SINEW_BENCH_COMPILER "," SINEW_BENCH_COMMIT; }
+
+// Processor time of this thread: other work on the machine counts only where it takes caches and clock away.
+inline double thread_seconds() {
+  timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+inline double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[values.size() / 2];
+}
+
+inline uint64_t fnv1a(uint64_t hash, const void* data, size_t bytes) {
+  const unsigned char* p = static_cast<const unsigned char*>(data);
+  for (size_t i = 0; i < bytes; ++i) hash = (hash ^ p[i]) * 1099511628211ull;
+  return hash;
+}
+constexpr uint64_t kHashStart = 14695981039346656037ull;
+
+}  // namespace sinew_bench
+#endif

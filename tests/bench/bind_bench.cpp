@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// A whole bind with the bundled model, stage by stage, on synthetic bodies of several sizes: CSV on standard output.
+//   sinew_bench_bind [--kernel NAME] [--repeats N] [VERTICES...]      default: 1000 10000 100000
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "bench_report.hpp"
+#include "bind/bind.hpp"
+#include "heat_scene.hpp"
+#include "network/network.hpp"
+
+namespace {
+
+using namespace sinew;
+
+constexpr const char* kStages[] = {"mesh", "heat", "candidates", "features", "network", "whole"};
+
+void check(sinew_status status, const char* what) {
+  if (status == SINEW_OK) return;
+  std::fprintf(stderr, "sinew_bench_bind: %s: %s\n", what, sinew_status_text(status));
+  std::exit(1);
+}
+
+struct Input {
+  sinew_test::HeatScene scene;
+  sinew_mesh mesh = {};
+  sinew_skeleton skeleton = {};
+
+  // 61 joints whatever the size; rings and segments as on the 10k body of the other benchmarks.
+  explicit Input(double vertices) {
+    const uint32_t rings = static_cast<uint32_t>(std::lround(std::sqrt(vertices * 0.78)));
+    scene = sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10);
+    mesh.positions = scene.positions.data();
+    mesh.vertex_count = scene.vertex_count();
+    mesh.face_vertices = scene.triangles.data();
+    mesh.corner_count = static_cast<uint32_t>(scene.triangles.size());
+    mesh.face_count = mesh.corner_count / 3;
+    skeleton.positions = scene.joints.data();
+    skeleton.parents = scene.parents.data();
+    skeleton.joint_count = scene.joint_count();
+  }
+};
+
+class Block {
+ public:
+  explicit Block(size_t bytes) : data_(::operator new (bytes, std::align_val_t{64})) { std::memset(data_, 0, bytes); }
+  ~Block() { ::operator delete (data_, std::align_val_t{64}); }
+  Block(const Block&) = delete;
+  Block& operator=(const Block&) = delete;
+  void* data() const { return data_; }
+
+ private:
+  void* data_;
+};
+
+// The stages as run_bind() calls them, each with the time it took.
+void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std::vector<double>* seconds) {
+  Counts counts;
+  check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count,
+                    model.candidate_count, model.grid_size, &counts),
+        "counts");
+  NetworkOptions options;
+  options.kernel = kernel;
+  Arena measuring;
+  measure_prepare(measuring, counts, PrepareFor::kNetwork);
+  measure_run_network(measuring, model, counts, options);
+  const size_t bytes = measuring.high_water() + counts.vertices * size_t{64};
+  const Block block(bytes);
+  Arena arena(block.data(), bytes);
+  Prepared p;
+  const auto timed = [&](size_t stage, auto run) {
+    const double start = sinew_bench::thread_seconds();
+    check(run(), kStages[stage]);
+    seconds[stage].push_back(sinew_bench::thread_seconds() - start);
+  };
+  p.mesh.allocate(arena, counts);
+  p.skeleton.allocate(arena, counts);
+  timed(0, [&] { return build_mesh(in.mesh, in.skeleton, 0, counts, arena, &p.mesh, &p.skeleton); });
+  p.heat.allocate(arena, counts);
+  timed(1, [&] { return solve_heat(p.mesh, p.skeleton, counts, {}, arena, &p.heat); });
+  p.candidates.allocate(arena, counts);
+  timed(2, [&] { return find_candidates(p.mesh, p.skeleton, counts, {}, arena, &p.candidates); });
+  p.features.allocate(arena, counts);
+  timed(3, [&] { return build_features(p.mesh, p.skeleton, p.candidates, p.heat, counts, arena, &p.features); });
+  NetworkInput input;
+  input.vertex_count = p.mesh.welded_count;
+  input.candidate_count = counts.candidates;
+  input.vertex_features = p.features.vertex;
+  input.pair_features = p.features.pair;
+  input.joints = p.features.joints;
+  input.row_offsets = p.mesh.row_offsets;
+  input.col_indices = p.mesh.col_indices;
+  input.component = p.mesh.component;
+  input.component_offsets = p.mesh.component_offsets;
+  input.component_vertices = p.mesh.component_vertices;
+  input.component_count = p.mesh.component_count;
+  input.joint_count = p.skeleton.joint_count;
+  std::vector<int16_t> logits(size_t{p.mesh.welded_count} * counts.candidates);
+  timed(4, [&] { return run_network(model, input, {}, arena, logits.data(), options); });
+}
+
+void measure(double vertices, const sinew_model& model, uint32_t kernel, int repeats) {
+  const Input in(vertices);
+  sinew_options options = {};
+  options.kernel = kernel;
+  size_t bytes = 0, used = 0;
+  check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
+                                  in.skeleton.joint_count, &options, &bytes),
+        "workspace");
+  const Block block(bytes);
+  std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
+  std::vector<double> seconds[6];
+  for (int i = 0; i < repeats; ++i) {
+    const double start = sinew_bench::thread_seconds();
+    check(
+        sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, joints.data(), weights.data(), &used),
+        "bind");
+    seconds[5].push_back(sinew_bench::thread_seconds() - start);
+    time_stages(in, model, kernel, seconds);
+  }
+  const double whole = sinew_bench::median(seconds[5]);
+  uint64_t hash = sinew_bench::fnv1a(sinew_bench::kHashStart, joints.data(), joints.size() * 2);
+  hash = sinew_bench::fnv1a(hash, weights.data(), weights.size() * 2);
+  for (size_t stage = 0; stage < 6; ++stage) {
+    const double median = sinew_bench::median(seconds[stage]);
+    std::printf("%s,%s,%u,%u,%s,%.3f,%.3f,%.0f,%zu,%.0f,%016llx\n", sinew_bench::row_start().c_str(),
+                sinew_kernel_name(sinew_kernel_select(kernel)), in.mesh.vertex_count, in.skeleton.joint_count,
+                kStages[stage], median * 1e3, median / whole, median * 1e9 / in.mesh.vertex_count, used,
+                static_cast<double>(used) / in.mesh.vertex_count, static_cast<unsigned long long>(hash));
+  }
+  std::fflush(stdout);
+}
+
+std::vector<uint64_t> read_model(size_t* size) {
+  std::FILE* file = std::fopen(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew", "rb");
+  if (file == nullptr) {
+    std::fprintf(stderr, "sinew_bench_bind: samples/data/sinew_default.sinew is missing\n");
+    std::exit(1);
+  }
+  std::vector<uint64_t> bytes(512 * 1024);
+  *size = std::fread(bytes.data(), 1, bytes.size() * 8, file);
+  std::fclose(file);
+  return bytes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  uint32_t kernel = SINEW_KERNEL_AUTO;
+  int repeats = 5;
+  std::vector<double> sizes;
+  for (int i = 1; i < argc; ++i) {
+    if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
+      repeats = std::max(1, std::atoi(argv[++i]));
+    } else if (i + 1 < argc && std::strcmp(argv[i], "--kernel") == 0) {
+      const char* name = argv[++i];
+      while (sinew_kernel_name(kernel) != nullptr && std::strcmp(sinew_kernel_name(kernel), name) != 0) ++kernel;
+      if (sinew_kernel_select(kernel) == 0) {
+        std::fprintf(stderr, "sinew_bench_bind: no kernels called %s run here\n", name);
+        return 2;
+      }
+    } else {
+      sizes.push_back(std::atof(argv[i]));
+    }
+  }
+  if (sizes.empty()) sizes = {1000, 10000, 100000};
+  size_t size = 0;
+  const std::vector<uint64_t> bytes = read_model(&size);
+  sinew_model model = {};
+  check(sinew_model_open(bytes.data(), size, &model), "model");
+  std::printf(
+      "machine,compiler,commit,kernel,vertices,joints,stage,median_ms,share,ns_per_vertex,used_bytes,"
+      "bytes_per_vertex,hash\n");
+  for (const double vertices : sizes) measure(vertices, model, kernel, repeats);
+  return 0;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Compiled twice with other instruction sets. Eigen is given another namespace each time (-DEigen=...), because the
+// linker would otherwise keep one of the two copies of every template for both.
+#include "linear_eigen.hpp"
+
+#define EIGEN_DONT_PARALLELIZE
+#include <Eigen/Core>
+
+void SINEW_EIGEN_PRODUCT(const float* in, const float* weights, long rows, long ins, long outs, float* out) {
+  using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  using Columns = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
+  Eigen::Map<Rows>(out, rows, outs).noalias() =
+      Eigen::Map<const Rows>(in, rows, ins) * Eigen::Map<const Columns>(weights, ins, outs);
+}
