@@ -4,6 +4,10 @@ if(SINEW_BUILD_QUANT)
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/network_kernels_test.cpp
     LIBS sinew::quant sinew::engine_internals
     LABELS kernels)
+  sinew_test(aggregate_variants_test
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/aggregate_variants_test.cpp
+    LIBS sinew::quant sinew::engine_internals
+    LABELS kernels)
   sinew_test(linear_variants_test
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/linear_variants_test.cpp
     LIBS sinew::quant sinew::engine_internals

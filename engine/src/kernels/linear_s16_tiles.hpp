@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The linear layer for instruction sets with a multiply-add of int16 pairs: register tiles over packed weights. Written
 // once; linear_s16_avx2.cpp and its siblings include it with their own registers.
-//
-// Everything here has internal linkage and calls no function that other files could share: those files are compiled
-// with flags of their own, and the linker must never choose their copy of an inline function for a plain processor.
 #ifndef SINEW_KERNELS_LINEAR_S16_TILES_HPP
 #define SINEW_KERNELS_LINEAR_S16_TILES_HPP
 
 #include <string.h>
 
+#include "kernels/isolated.hpp"
 #include "kernels/kernels.hpp"
-
-#if defined(_MSC_VER)
-#define SINEW_INLINE __forceinline
-#define SINEW_UNROLL
-#elif defined(__clang__)
-#define SINEW_INLINE __attribute__((always_inline)) inline
-#define SINEW_UNROLL _Pragma("clang loop unroll(full)")
-#else
-#define SINEW_INLINE __attribute__((always_inline)) inline
-#define SINEW_UNROLL _Pragma("GCC unroll 32")
-#endif
 
 namespace sinew {
 namespace {
@@ -177,12 +164,6 @@ SINEW_INLINE void wide_tile(const LinearView& linear, const TileRows& rows, uint
     }
   }
 }
-
-#if defined(__GNUC__)
-#define SINEW_NOINLINE __attribute__((noinline))
-#else
-#define SINEW_NOINLINE
-#endif
 
 SINEW_INLINE TileRows rows_from(const TileRows& all, uint32_t begin) {
   TileRows tile = all;

@@ -3,6 +3,7 @@
 #include "kernels/select.hpp"
 
 #include "kernels/cpu.hpp"
+#include "kernels/variants.hpp"
 
 namespace sinew {
 namespace {
@@ -22,7 +23,8 @@ void fill_reference(Kernels* kernels) {
   kernels->global_max = global_max_s16_ref;
 }
 
-// Puts one instruction set's variants over the reference. A processor with AVX-512 VNNI or AVX-VNNI has AVX2 too.
+// Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has
+// AVX2 too.
 bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
   LinearKernel linear = nullptr;
   switch (kernel) {
@@ -41,6 +43,7 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
   if (linear == nullptr) return false;
   kernels->id = kernel;
   kernels->linear_packed = linear;
+  (void)add_aggregates_s16_avx2(kernels);  // a compiler with one of the three has AVX2 as well
   return true;
 }
 

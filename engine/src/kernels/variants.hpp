@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The kernels that exist beside the reference, one function per file and instruction set. A file that was compiled
-// without its instruction set (another processor, a plain `g++ src/*/*.cpp`) returns null.
+// without its instruction set (another processor, a plain `g++ src/*/*.cpp`) returns null or false.
 #ifndef SINEW_KERNELS_VARIANTS_HPP
 #define SINEW_KERNELS_VARIANTS_HPP
 
-#include "kernels/kernels.hpp"
+#include "kernels/table.hpp"
 
 namespace sinew {
-
-using LinearKernel = void (*)(const LinearView& linear, RowsView in, RowsView residual, const uint16_t* present,
-                              uint32_t rows, int16_t* out, uint32_t out_stride);
 
 // linear_s16_ref() over linear.packed.
 LinearKernel find_linear_s16_avx2();
 LinearKernel find_linear_s16_avxvnni();
 LinearKernel find_linear_s16_vnni();
+
+// Puts the aggregations that AVX2 speeds up into *kernels.
+bool add_aggregates_s16_avx2(Kernels* kernels);
 
 }  // namespace sinew
 #endif
