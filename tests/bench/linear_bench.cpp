@@ -159,13 +159,17 @@ void add_shape(const Shape& shape) {
   const long rows = shape.rows, in = shape.in, out = shape.out;
   for (const bool wide : {false, true}) {
     if (wide ? !__builtin_cpu_supports("avx512dq") : !__builtin_cpu_supports("fma")) continue;
-    const auto product = wide ? eigen_avx512_product : eigen_avx2_product;
-    add(shape.name(), wide ? "eigen-avx512-float" : "eigen-avx2-float", shape.macs(), 2 * size16, 0,
-        [=] { product(p->float_in.data(), p->float_weights.data(), rows, in, out, p->float_out.data()); });
+    const auto layer = wide ? eigen_avx512_layer : eigen_avx2_layer;
+    for (const bool product : {false, true}) {
+      const std::string name = std::string(wide ? "eigen-avx512" : "eigen-avx2") + (product ? "-product" : "");
+      const float* const bias = product ? nullptr : p->float_bias.data();
+      add(shape.name(), name, shape.macs(), 2 * size16, 0,
+          [=] { layer(p->float_in.data(), p->float_weights.data(), bias, rows, in, out, p->float_out.data()); });
+    }
   }
 #if SINEW_BENCH_DNNL
   const auto dnnl = std::make_shared<OneDnn>(p.get());
-  add(shape.name(), "onednn-float", shape.macs(), 2 * size16, 0, [dnnl, p] { dnnl->run(); });
+  add(shape.name(), "onednn", shape.macs(), 2 * size16, 0, [dnnl, p] { dnnl->run(); });
 #endif
 }
 
@@ -204,7 +208,7 @@ int main(int argc, char** argv) {
   const std::string start = sinew_bench::row_start();
   std::printf(
       "machine,compiler,commit,shape,kernel,repetitions,median_ns,gmac_per_s,share_of_vnni_peak,"
-      "to_eigen_avx512,to_eigen_avx2,to_onednn,bytes,hash\n");
+      "to_eigen_avx512,to_eigen_avx512_product,to_eigen_avx2,to_onednn,bytes,hash\n");
   for (const Measured& row : g_rows) {
     if (row.nanoseconds.empty()) continue;
     const double rate = gmacs[row.shape + "/" + row.kernel];
@@ -212,10 +216,10 @@ int main(int argc, char** argv) {
       const auto at = gmacs.find(row.shape + "/" + other);
       return at == gmacs.end() ? 0 : rate / at->second;
     };
-    std::printf("%s,%s,%s,%zu,%.0f,%.1f,%.3f,%.2f,%.2f,%.2f,%zu,%016llx\n", start.c_str(), row.shape.c_str(),
+    std::printf("%s,%s,%s,%zu,%.0f,%.1f,%.3f,%.2f,%.2f,%.2f,%.2f,%zu,%016llx\n", start.c_str(), row.shape.c_str(),
                 row.kernel.c_str(), row.nanoseconds.size(), sinew_bench::median(row.nanoseconds), rate,
-                peak > 0 ? rate / peak : 0, ratio("eigen-avx512-float"), ratio("eigen-avx2-float"),
-                ratio("onednn-float"), row.bytes, static_cast<unsigned long long>(row.hash));
+                peak > 0 ? rate / peak : 0, ratio("eigen-avx512"), ratio("eigen-avx512-product"), ratio("eigen-avx2"),
+                ratio("onednn"), row.bytes, static_cast<unsigned long long>(row.hash));
   }
   return 0;
 }

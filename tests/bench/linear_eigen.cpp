@@ -6,9 +6,11 @@
 #define EIGEN_DONT_PARALLELIZE
 #include <Eigen/Core>
 
-void SINEW_EIGEN_PRODUCT(const float* in, const float* weights, long rows, long ins, long outs, float* out) {
+void SINEW_EIGEN_LAYER(const float* in, const float* weights, const float* bias, long rows, long ins, long outs,
+                       float* out) {
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   using Columns = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>;
-  Eigen::Map<Rows>(out, rows, outs).noalias() =
-      Eigen::Map<const Rows>(in, rows, ins) * Eigen::Map<const Columns>(weights, ins, outs);
+  Eigen::Map<Rows> y(out, rows, outs);
+  y.noalias() = Eigen::Map<const Rows>(in, rows, ins) * Eigen::Map<const Columns>(weights, ins, outs);
+  if (bias != nullptr) y = (y.rowwise() + Eigen::Map<const Eigen::RowVectorXf>(bias, outs)).cwiseMax(0.0f);
 }

@@ -11,8 +11,9 @@ int run_vnni_peak(uint64_t rounds) {
   __m512i a = w, b = w, c = w, d = w, e = w, f = w, g = w, h = w, i = w, j = w, k = w, l = w;
   for (uint64_t round = 0; round < rounds; ++round) {
     SINEW_DOT(a)
-    SINEW_DOT(b) SINEW_DOT(c) SINEW_DOT(d) SINEW_DOT(e) SINEW_DOT(f) SINEW_DOT(g) SINEW_DOT(h) SINEW_DOT(i) SINEW_DOT(j)
-        SINEW_DOT(k) SINEW_DOT(l)
+    SINEW_DOT(b)
+    SINEW_DOT(c)
+    SINEW_DOT(d) SINEW_DOT(e) SINEW_DOT(f) SINEW_DOT(g) SINEW_DOT(h) SINEW_DOT(i) SINEW_DOT(j) SINEW_DOT(k) SINEW_DOT(l)
   }
   const __m512i all =
       _mm512_add_epi32(_mm512_add_epi32(_mm512_add_epi32(a, b), _mm512_add_epi32(c, d)),

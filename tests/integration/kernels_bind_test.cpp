@@ -18,7 +18,7 @@ struct Bound {
 };
 
 Bound bind_star(uint32_t kernel, uint32_t weights_in_place) {
-  const sinew_test::HeatScene scene = sinew_test::star(20, 24, 4);
+  const sinew_test::HeatScene scene = sinew_test::star(11, 12, 3);
   sinew_options options = {};
   options.kernel = kernel;
   options.weights_in_place = weights_in_place;

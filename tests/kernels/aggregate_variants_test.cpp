@@ -17,7 +17,8 @@ class AggregateVariant : public testing::TestWithParam<uint32_t> {
  protected:
   void SetUp() override {
     ASSERT_TRUE(select_kernels(SINEW_KERNEL_REF, &reference_));
-    if (!select_kernels(GetParam(), &variant_)) GTEST_SKIP() << "NOT RUN: this processor has no " << kernel_name(GetParam());
+    if (!select_kernels(GetParam(), &variant_))
+      GTEST_SKIP() << "NOT RUN: this processor has no " << kernel_name(GetParam());
     ASSERT_NE(variant_.ring_mean_pair, reference_.ring_mean_pair) << "the variant was not built";
     ASSERT_NE(variant_.candidate_max, reference_.candidate_max) << "the variant was not built";
   }
@@ -55,12 +56,19 @@ TEST_P(AggregateVariant, RingsEqualReference) {
       std::vector<int16_t> want(channels + 1, kGuard), got = want;
       call(reference_, want.data());
       call(variant_, got.data());
-      ASSERT_EQ(got, want) << what << ": channels " << channels << " neighbours " << count << " k " << k << " round " << round;
+      ASSERT_EQ(got, want) << what << ": channels " << channels << " neighbours " << count << " k " << k << " round "
+                           << round;
     };
-    compare([&](const Kernels& x, int16_t* o) { x.ring_mean_vertex(rows, channels, neighbours.data(), count, o); }, "mean, vertex");
-    compare([&](const Kernels& x, int16_t* o) { x.ring_max_vertex(rows, channels, neighbours.data(), count, o); }, "max, vertex");
-    compare([&](const Kernels& x, int16_t* o) { x.ring_mean_pair(rows, channels, joints.data(), k, joint, neighbours.data(), count, o); }, "mean, pair");
-    compare([&](const Kernels& x, int16_t* o) { x.ring_max_pair(rows, channels, joints.data(), k, joint, neighbours.data(), count, o); }, "max, pair");
+    compare([&](const Kernels& x, int16_t* o) { x.ring_mean_vertex(rows, channels, neighbours.data(), count, o); },
+            "mean, vertex");
+    compare([&](const Kernels& x, int16_t* o) { x.ring_max_vertex(rows, channels, neighbours.data(), count, o); },
+            "max, vertex");
+    compare([&](const Kernels& x,
+                int16_t* o) { x.ring_mean_pair(rows, channels, joints.data(), k, joint, neighbours.data(), count, o); },
+            "mean, pair");
+    compare([&](const Kernels& x,
+                int16_t* o) { x.ring_max_pair(rows, channels, joints.data(), k, joint, neighbours.data(), count, o); },
+            "max, pair");
     if (HasFatalFailure()) return;
   }
 }
@@ -100,12 +108,64 @@ TEST_P(AggregateVariant, CandidateMaxEqualsReference) {
     const uint32_t stride = channels + random.below(3), out_stride = channels + random.below(3);
     std::vector<uint16_t> joints(k);
     const uint32_t absent = random.below(4);
-    for (uint16_t& joint : joints) joint = absent == 3 || (absent != 0 && random.below(3) < absent) ? kNoJoint : uint16_t{5};
-    std::vector<int16_t> values(size_t{k - 1} * stride + channels), want(size_t{k - 1} * out_stride + channels, kGuard), got = want;
+    for (uint16_t& joint : joints)
+      joint = absent == 3 || (absent != 0 && random.below(3) < absent) ? kNoJoint : uint16_t{5};
+    std::vector<int16_t> values(size_t{k - 1} * stride + channels), want(size_t{k - 1} * out_stride + channels, kGuard),
+        got = want;
     for (int16_t& value : values) value = any_value(&random, round % 5 == 0);
     reference_.candidate_max({values.data(), stride}, channels, joints.data(), k, want.data(), out_stride);
     variant_.candidate_max({values.data(), stride}, channels, joints.data(), k, got.data(), out_stride);
     ASSERT_EQ(got, want) << "k " << k << " channels " << channels << " round " << round;
+  }
+}
+
+TEST_P(AggregateVariant, PartAndGlobalMeansEqualReference) {
+  Random random(24);
+  for (uint32_t round = 0; round < 200; ++round) {
+    // Some parts beyond what int32 sums hold, and beyond what the vector division takes.
+    const bool huge = round % 50 == 0;
+    const uint32_t vertices = huge ? 66000 : 1 + random.below(round % 4 == 0 ? 300 : 60);
+    const uint32_t k = huge ? 1 : 1 + random.below(9), joint_count = k + random.below(20);
+    const uint32_t channels = huge             ? 17
+                              : round % 3 == 0 ? 48
+                                               : 1 + random.below(140),
+                   stride = channels + random.below(3);
+    std::vector<uint16_t> joints(size_t{vertices} * k);
+    for (size_t i = 0; i < joints.size(); ++i) {
+      joints[i] = random.below(5) == 0
+                      ? kNoJoint
+                      : static_cast<uint16_t>((i % k + random.below(joint_count / k) * k) % joint_count);
+    }
+    std::vector<int16_t> values((size_t{vertices} * k - 1) * stride + channels);
+    const bool extreme = round % 5 == 0;
+    for (int16_t& value : values) value = extreme ? int16_t{-32767} : any_value(&random, false);
+    std::vector<uint32_t> part;
+    for (uint32_t v = 0; v < vertices; ++v) {
+      if (huge || random.below(3) != 0 || v == 0) part.push_back(v);
+    }
+    const auto compare = [&](size_t outputs, auto call, const char* what) {
+      std::vector<int64_t> sums(outputs);
+      std::vector<int16_t> want(outputs, kGuard), got = want;
+      call(reference_, sums.data(), want.data());
+      call(variant_, sums.data(), got.data());
+      ASSERT_EQ(got, want) << what << ": channels " << channels << " vertices " << vertices << " k " << k << " round "
+                           << round;
+    };
+    const RowsView rows = {values.data(), stride};
+    const uint32_t count = static_cast<uint32_t>(part.size());
+    compare(
+        size_t{joint_count} * channels,
+        [&](const Kernels& x, int64_t* sums, int16_t* out) {
+          x.part_mean_pair(rows, channels, joints.data(), k, part.data(), count, sums, out);
+        },
+        "part, pair");
+    compare(
+        channels,
+        [&](const Kernels& x, int64_t* sums, int16_t* out) {
+          x.global_mean(rows, channels, round % 2 == 0 ? joints.data() : nullptr, joints.size(), sums, out);
+        },
+        "global");
+    if (HasFatalFailure()) return;
   }
 }
 

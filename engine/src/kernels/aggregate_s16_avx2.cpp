@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One-ring and candidate aggregations with AVX2, 16 channels at a time.
+// Aggregations over one-rings, candidates, parts and all rows with AVX2, 16 channels at a time.
 #include "kernels/variants.hpp"
 
 #if defined(__AVX2__)
@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kLanes = 16;        // int16 of a register
+constexpr uint32_t kLanes = 16;  // int16 of a register
 // Rows of a usual one-ring, found once for all channels. A longer ring goes to the reference.
 constexpr uint32_t kMostListed = 64;
 
@@ -25,7 +25,8 @@ SINEW_INLINE __m256i high_half(__m256i values) { return _mm256_cvtepi16_epi32(_m
 
 // round_mean() of 8 sums. floor(D / 2n) with D = 2 (sum + 32768 n) + n <= 131073 n is (D m) >> k for
 // m = floor(2^k / 2n) + 1: the error D (m 2n - 2^k) / (2n 2^k) stays below 1 / 2n while D 2n < 2^k (Granlund and
-// Montgomery 1994). With n <= 2^b, k = 19 + 2b does it; m < 2^(20 + b) and D < 2^(17 + b) fit 32 bits for n <= kMostListed.
+// Montgomery 1994). With n <= 2^b, k = 19 + 2b does it; m < 2^(20 + b) and D < 2^(17 + b) fit 32 bits for n <=
+// kMostListed.
 struct Divider {
   __m256i multiplier, offset;
   __m128i shift;
@@ -92,7 +93,8 @@ struct PairRows {
 
 // Up to R registers of channels of all rows in `list`; the sums stay in registers.
 template <int R>
-SINEW_INLINE void mean_of(const int16_t* const* list, uint32_t n, uint32_t channel, const Divider& divider, int16_t* out) {
+SINEW_INLINE void mean_of(const int16_t* const* list, uint32_t n, uint32_t channel, const Divider& divider,
+                          int16_t* out) {
   __m256i low[R], high[R];
   for (int i = 0; i < R; ++i) low[i] = high[i] = _mm256_setzero_si256();
   for (uint32_t r = 0; r < n; ++r) {
@@ -223,6 +225,86 @@ void candidate_max_s16_avx2(RowsView values, uint32_t channels, const uint16_t* 
   }
 }
 
+// round_mean(), which is an inline function of a header and may not be called here.
+SINEW_INLINE int16_t mean_of_sum(int64_t sum, uint32_t n) {
+  const uint64_t dividend = 2 * static_cast<uint64_t>(sum + static_cast<int64_t>(n) * 32768) + n;
+  return static_cast<int16_t>(static_cast<int64_t>(dividend / (2 * static_cast<uint64_t>(n))) - 32768);
+}
+
+SINEW_INLINE __m256i load32(const int32_t* from) {
+  return _mm256_loadu_si256(static_cast<const __m256i*>(static_cast<const void*>(from)));
+}
+SINEW_INLINE void store32(int32_t* to, __m256i value) {
+  _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
+}
+
+SINEW_INLINE void add_row(const int16_t* row, uint32_t channels, int32_t* sums) {
+  uint32_t c = 0;
+  for (; c + kLanes <= channels; c += kLanes) {
+    const __m256i values = load(row + c);
+    store32(sums + c, _mm256_add_epi32(load32(sums + c), low_half(values)));
+    store32(sums + c + 8, _mm256_add_epi32(load32(sums + c + 8), high_half(values)));
+  }
+  for (; c < channels; ++c) sums[c] += row[c];
+}
+
+SINEW_INLINE void divide_row(const int32_t* sums, uint32_t channels, uint32_t n, int16_t* out) {
+  uint32_t c = 0;
+  if (n <= kMostListed) {
+    const Divider divider(n);
+    for (; c + kLanes <= channels; c += kLanes) store(out + c, divider.means(load32(sums + c), load32(sums + c + 8)));
+  }
+  for (; c < channels; ++c) out[c] = mean_of_sum(sums[c], n);
+}
+
+// As the reference, with int32 sums in the scratch: 65535 * 32768 < 2^31.
+void part_mean_pair_s16_avx2(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k,
+                             const uint32_t* vertices, uint32_t count, int64_t* scratch, int16_t* out) {
+  if (count > 65535) return part_mean_pair_s16_ref(values, channels, joints, k, vertices, count, scratch, out);
+  constexpr int32_t kDone = INT32_MIN;  // no sum reaches it
+  int32_t* const sums = static_cast<int32_t*>(static_cast<void*>(scratch));
+  for (uint32_t pass = 0; pass < 3; ++pass) {
+    for (uint32_t i = 0; i < count; ++i) {
+      const size_t first = static_cast<size_t>(vertices[i]) * k;
+      for (uint32_t slot = 0; slot < k; ++slot) {
+        const uint16_t joint = joints[first + slot];
+        if (joint == kNoJoint) continue;
+        int32_t* const joint_sums = sums + static_cast<size_t>(joint) * channels;
+        if (pass == 0) {
+          for (uint32_t c = 0; c < channels; ++c) joint_sums[c] = 0;
+        } else if (pass == 1) {
+          add_row(values.data + (first + slot) * values.stride, channels, joint_sums);
+        } else if (joint_sums[0] != kDone) {
+          divide_row(joint_sums, channels, count, out + static_cast<size_t>(joint) * channels);
+          joint_sums[0] = kDone;
+        }
+      }
+    }
+  }
+}
+
+void global_mean_s16_avx2(RowsView values, uint32_t channels, const uint16_t* present, size_t rows, int64_t* sums,
+                          int16_t* out) {
+  constexpr uint32_t kChunk = 64, kMostRows = 65535;  // channels whose int32 sums stay close; rows before they overflow
+  uint32_t n = 0;
+  for (size_t r = 0; r < rows; ++r) n += present == nullptr || present[r] != kNoJoint ? 1 : 0;
+  for (uint32_t c = 0; c < channels; ++c) sums[c] = 0;
+  for (uint32_t first = 0; first < channels; first += kChunk) {
+    const uint32_t width = channels - first < kChunk ? channels - first : kChunk;
+    for (size_t begin = 0; begin < rows; begin += kMostRows) {
+      const size_t end = rows - begin < kMostRows ? rows : begin + kMostRows;
+      int32_t part[kChunk];
+      for (uint32_t c = 0; c < kChunk; ++c) part[c] = 0;
+      for (size_t r = begin; r < end; ++r) {
+        if (present != nullptr && present[r] == kNoJoint) continue;
+        add_row(values.data + r * values.stride + first, width, part);
+      }
+      for (uint32_t c = 0; c < width; ++c) sums[first + c] += part[c];
+    }
+  }
+  for (uint32_t c = 0; c < channels; ++c) out[c] = n == 0 ? static_cast<int16_t>(0) : mean_of_sum(sums[c], n);
+}
+
 }  // namespace
 
 bool add_aggregates_s16_avx2(Kernels* kernels) {
@@ -231,6 +313,8 @@ bool add_aggregates_s16_avx2(Kernels* kernels) {
   kernels->ring_mean_pair = ring_mean_pair_s16_avx2;
   kernels->ring_max_pair = ring_max_pair_s16_avx2;
   kernels->candidate_max = candidate_max_s16_avx2;
+  kernels->part_mean_pair = part_mean_pair_s16_avx2;
+  kernels->global_mean = global_mean_s16_avx2;
   return true;
 }
 
