@@ -178,6 +178,63 @@ TEST_P(LinearVariant, LargestPairDoesNotSaturate) {
   EXPECT_EQ(out[1], -16384);  // floor
 }
 
+// Rows that share columns: the shared part once per group of rows, the rest row by row, is the whole layer.
+TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
+  Random random(31);
+  for (uint32_t round = 0; round < 300; ++round) {
+    const uint32_t per_start = 1 + random.below(9), groups = 1 + random.below(12), rows = per_start * groups;
+    const uint32_t out = 1 + random.below(round % 3 == 0 ? 100 : 50);
+    // Pieces of even width, the last one of any, that alternately are the rows' own and shared.
+    std::vector<ColumnRange> own, shared;
+    uint32_t in = 0;
+    const uint32_t pieces = 1 + random.below(8);
+    for (uint32_t i = 0; i < pieces; ++i) {
+      const uint32_t count = 2 * (1 + random.below(20)) - (i + 1 == pieces ? random.below(2) : 0);
+      ((i + round) % 2 == 0 ? own : shared).push_back({static_cast<uint16_t>(in), static_cast<uint16_t>(count)});
+      in += count;
+    }
+    std::vector<int16_t> weights(size_t{in} * out), values(size_t{rows} * in);
+    std::vector<uint8_t> bias(8 * size_t{out}), shifts(out, 9);
+    const int32_t largest = static_cast<int32_t>(120000 / (in + 2));
+    for (int16_t& w : weights) w = static_cast<int16_t>(random.between(-largest, largest));
+    for (int16_t& x : values) x = static_cast<int16_t>(random.between(-16384, 16383));
+    for (uint32_t n = 0; n < out; ++n)
+      store_u64(bias.data() + 8 * n, static_cast<uint64_t>(int64_t{random.between(-99999, 99999)}));
+    for (uint32_t r = 0; r < rows; ++r) {
+      for (const ColumnRange& range : shared) {
+        std::memcpy(&values[size_t{r} * in + range.first],
+                    &values[size_t{r / per_start * per_start} * in + range.first], range.count * sizeof(int16_t));
+      }
+    }
+    LinearView view;
+    view.weights = weights.data();
+    view.bias = bias.data();
+    view.shifts = shifts.data();
+    view.in = in;
+    view.out = out;
+    view.block = in;
+    view.low = -32767;
+    view.high = 32767;
+    const Block packed(static_cast<uint8_t*>(::operator new (packed_linear_bytes(in, out, in), std::align_val_t{64})));
+    pack_linear(view, packed.get());
+    view.packed = packed_view(view, packed.get());
+    std::vector<int16_t> want(size_t{rows} * out), got(want.size());
+    linear_s16_ref(view, {values.data(), in}, {}, nullptr, rows, want.data(), out);
+
+    std::vector<int32_t> starts(size_t{groups} * padded_outputs(out));
+    if (shared.empty()) continue;
+    view.packed.range_count = static_cast<uint32_t>(shared.size());
+    std::copy(shared.begin(), shared.end(), view.packed.ranges);
+    kernels_.linear_sums(view, {values.data(), in * per_start}, groups, starts.data());
+    view.packed.starts = starts.data();
+    view.packed.rows_per_start = per_start;
+    view.packed.range_count = static_cast<uint32_t>(own.size());
+    std::copy(own.begin(), own.end(), view.packed.ranges);
+    kernels_.linear_packed(view, {values.data(), in}, {}, nullptr, rows, got.data(), out);
+    ASSERT_EQ(got, want) << "in " << in << " out " << out << " rows " << rows << " per start " << per_start;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, LinearVariant,
                          testing::Values(SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI),
                          [](const auto& tested) { return std::string(kernel_name(tested.param)); });

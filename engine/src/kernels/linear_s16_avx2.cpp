@@ -28,13 +28,21 @@ void linear_s16_avx2(const LinearView& linear, RowsView in, RowsView residual, c
                                           out, out_stride);
 }
 
+void linear_sums_s16_avx2(const LinearView& linear, RowsView in, uint32_t rows, int32_t* sums) {
+  linear_sums_tiled<Registers256<MultiplyAdd>>(linear, in.data, in.stride, rows, sums);
+}
+
 }  // namespace
 
-LinearKernel find_linear_s16_avx2() { return linear_s16_avx2; }
+bool add_linear_s16_avx2(Kernels* kernels) {
+  kernels->linear_packed = linear_s16_avx2;
+  kernels->linear_sums = linear_sums_s16_avx2;
+  return true;
+}
 
 }  // namespace sinew
 #else
 namespace sinew {
-LinearKernel find_linear_s16_avx2() { return nullptr; }
+bool add_linear_s16_avx2(Kernels*) { return false; }
 }  // namespace sinew
 #endif

@@ -25,13 +25,21 @@ void linear_s16_avxvnni(const LinearView& linear, RowsView in, RowsView residual
                                           out, out_stride);
 }
 
+void linear_sums_s16_avxvnni(const LinearView& linear, RowsView in, uint32_t rows, int32_t* sums) {
+  linear_sums_tiled<Registers256<MultiplyAdd>>(linear, in.data, in.stride, rows, sums);
+}
+
 }  // namespace
 
-LinearKernel find_linear_s16_avxvnni() { return linear_s16_avxvnni; }
+bool add_linear_s16_avxvnni(Kernels* kernels) {
+  kernels->linear_packed = linear_s16_avxvnni;
+  kernels->linear_sums = linear_sums_s16_avxvnni;
+  return true;
+}
 
 }  // namespace sinew
 #else
 namespace sinew {
-LinearKernel find_linear_s16_avxvnni() { return nullptr; }
+bool add_linear_s16_avxvnni(Kernels*) { return false; }
 }  // namespace sinew
 #endif

@@ -71,7 +71,40 @@ struct TileRows {
   const uint16_t* present;  // or null
   int16_t* out;
   size_t out_stride;
+  uint32_t first_row;  // of the tile, counted from the layer's first row
 };
+
+// The sums that row `row` starts from.
+SINEW_INLINE const int32_t* start_of(const LinearView& linear, uint32_t row) {
+  if (linear.packed.starts == nullptr) return linear.packed.bias;
+  const size_t outputs = (linear.out + kPackOutputs - 1) / kPackOutputs * kPackOutputs;
+  return linear.packed.starts + row / linear.packed.rows_per_start * outputs;
+}
+
+// R rows x G groups of outputs, class N: int32 sums all the way.
+template <class Isa, int R, int G>
+SINEW_INLINE void narrow_sums(const LinearView& linear, const TileRows& rows, uint32_t group,
+                              typename Isa::Int32 (&sums)[R][G * static_cast<int>(kPackOutputs) / Isa::kLanes]) {
+  constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kLanes, V = G * kPerGroup;
+  const int16_t* weights[V];
+  SINEW_UNROLL for (int v = 0; v < V; ++v) {
+    const size_t g = group + static_cast<size_t>(v / kPerGroup);
+    weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kLanes * 2;
+  }
+  SINEW_UNROLL for (int r = 0; r < R; ++r) {
+    const int32_t* const start = start_of(linear, rows.first_row + static_cast<uint32_t>(r)) + group * kPackOutputs;
+    SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::load(start + v * Isa::kLanes);
+  }
+  const bool all = linear.packed.range_count == 0 && linear.packed.starts == nullptr;
+  const uint32_t ranges = all ? 1 : linear.packed.range_count;
+  for (uint32_t i = 0; i < ranges; ++i) {
+    const uint32_t first = all ? 0 : linear.packed.ranges[i].first;
+    const uint32_t count = all ? linear.in : linear.packed.ranges[i].count;
+    const int16_t* from[V];
+    SINEW_UNROLL for (int v = 0; v < V; ++v) from[v] = weights[v] + static_cast<size_t>(first / 2) * 2 * kPackOutputs;
+    add_block<Isa, R, V>(rows.in + first, rows.in_stride, count, from, sums);
+  }
+}
 
 SINEW_INLINE bool absent(const TileRows& rows, int r) { return rows.present != nullptr && rows.present[r] == kNoJoint; }
 
@@ -79,20 +112,13 @@ SINEW_INLINE void clear(int16_t* out, uint32_t count) {
   for (uint32_t n = 0; n < count; ++n) out[n] = 0;
 }
 
-// R rows x G groups of outputs from group `group` on, class N: int32 sums all the way.
+// The same from group `group` on, requantised into the output.
 template <class Isa, int R, int G>
 SINEW_INLINE void narrow_tile(const LinearView& linear, const TileRows& rows, uint32_t group) {
   constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kLanes, V = G * kPerGroup;
   const uint32_t first = group * kPackOutputs;
-  const int16_t* weights[V];
   typename Isa::Int32 sums[R][V];
-  SINEW_UNROLL for (int v = 0; v < V; ++v) {
-    const size_t g = group + static_cast<size_t>(v / kPerGroup);
-    weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kLanes * 2;
-    const typename Isa::Int32 bias = Isa::load(linear.packed.bias + first + v * Isa::kLanes);
-    SINEW_UNROLL for (int r = 0; r < R; ++r) sums[r][v] = bias;
-  }
-  add_block<Isa, R, V>(rows.in, rows.in_stride, linear.in, weights, sums);
+  narrow_sums<Isa, R, G>(linear, rows, group, sums);
   SINEW_UNROLL for (int g = 0; g < G; g += Isa::kFinish) {
     constexpr uint32_t kOutputs = Isa::kFinish * kPackOutputs;
     const uint32_t n = first + static_cast<uint32_t>(g) * kPackOutputs;
@@ -171,6 +197,7 @@ SINEW_INLINE TileRows rows_from(const TileRows& all, uint32_t begin) {
   tile.residual += begin * all.residual_stride;
   tile.out += begin * all.out_stride;
   if (tile.present != nullptr) tile.present += begin;
+  tile.first_row += begin;
   return tile;
 }
 
@@ -198,6 +225,34 @@ SINEW_INLINE void run_groups(const LinearView& linear, const TileRows& all, uint
   run_narrow<Isa, 1, G>(linear, all, done, rows, group);
 }
 
+template <class Isa, int R>
+SINEW_NOINLINE uint32_t run_sums(const LinearView& linear, const TileRows& all, uint32_t begin, uint32_t rows,
+                                 int32_t* to) {
+  constexpr int V = static_cast<int>(kPackOutputs) / Isa::kLanes;
+  const uint32_t groups = (linear.out + kPackOutputs - 1) / kPackOutputs;
+  for (; begin + R <= rows; begin += R) {
+    for (uint32_t group = 0; group < groups; ++group) {
+      typename Isa::Int32 sums[R][V];
+      narrow_sums<Isa, R, 1>(linear, rows_from(all, begin), group, sums);
+      SINEW_UNROLL for (int r = 0; r < R; ++r) {
+        int32_t* const row =
+            to + (static_cast<size_t>(begin + static_cast<uint32_t>(r)) * groups + group) * kPackOutputs;
+        SINEW_UNROLL for (int v = 0; v < V; ++v) Isa::store(row + v * Isa::kLanes, sums[r][v]);
+      }
+    }
+  }
+  return begin;
+}
+
+// See LinearSumsKernel.
+template <class Isa>
+SINEW_INLINE void linear_sums_tiled(const LinearView& linear, const int16_t* in, uint32_t in_stride, uint32_t rows,
+                                    int32_t* sums) {
+  const TileRows all = {in, in_stride, nullptr, 0, nullptr, nullptr, 0, 0};
+  const uint32_t done = run_sums<Isa, Isa::kRows[1]>(linear, all, 0, rows, sums);
+  run_sums<Isa, 1>(linear, all, done, rows, sums);
+}
+
 // linear_s16_ref()'s contract over linear.packed. Rows in blocks whose inputs stay in the first two cache levels while
 // the groups of outputs go by.
 template <class Isa>
@@ -214,7 +269,8 @@ SINEW_INLINE void linear_tiled(const LinearView& linear, const int16_t* in, uint
                            residual_stride,
                            present == nullptr ? nullptr : present + first,
                            out + static_cast<size_t>(first) * out_stride,
-                           out_stride};
+                           out_stride,
+                           first};
     uint32_t group = 0;
     if (linear.wide) {
       for (; group < groups; ++group) {

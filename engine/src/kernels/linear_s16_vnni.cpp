@@ -64,13 +64,21 @@ void linear_s16_vnni(const LinearView& linear, RowsView in, RowsView residual, c
   linear_tiled<Vnni>(linear, in.data, in.stride, residual.data, residual.stride, present, rows, out, out_stride);
 }
 
+void linear_sums_s16_vnni(const LinearView& linear, RowsView in, uint32_t rows, int32_t* sums) {
+  linear_sums_tiled<Vnni>(linear, in.data, in.stride, rows, sums);
+}
+
 }  // namespace
 
-LinearKernel find_linear_s16_vnni() { return linear_s16_vnni; }
+bool add_linear_s16_vnni(Kernels* kernels) {
+  kernels->linear_packed = linear_s16_vnni;
+  kernels->linear_sums = linear_sums_s16_vnni;
+  return true;
+}
 
 }  // namespace sinew
 #else
 namespace sinew {
-LinearKernel find_linear_s16_vnni() { return nullptr; }
+bool add_linear_s16_vnni(Kernels*) { return false; }
 }  // namespace sinew
 #endif

@@ -7,8 +7,6 @@
 namespace sinew {
 namespace {
 
-uint32_t padded_outputs(uint32_t out) { return (out + kPackOutputs - 1) / kPackOutputs * kPackOutputs; }
-
 uint32_t pair_count(uint32_t in, uint32_t block) { return in / block * ((block + 1) / 2) + (in % block + 1) / 2; }
 
 }  // namespace

@@ -18,6 +18,12 @@ struct LinearView;
 // behind the last, are filled with 0.
 constexpr uint32_t kPackOutputs = 16;
 
+// Columns [first, first + count) of a layer's input; first is even.
+struct ColumnRange {
+  uint16_t first = 0, count = 0;
+};
+constexpr uint32_t kMaxRanges = 4;
+
 struct PackedLinear {
   const int16_t* weights = nullptr;    // 64-byte aligned; null = not packed, the kernels read the model's bytes
   const int32_t* bias = nullptr;       // [outputs] class N
@@ -25,7 +31,15 @@ struct PackedLinear {
   const int32_t* residual = nullptr;   // [outputs] factors, 0 without a residual
   const int32_t* shifts = nullptr;     // [outputs]
   uint32_t pairs = 0;                  // of all blocks
+  // Class N may be computed in two steps. Columns that several rows share are multiplied once (LinearSumsKernel); the
+  // rows then start from those sums and add the columns of `ranges` alone. The sums are the same: int32 wraps, so
+  // order is free. Without `starts` every row starts from the bias and adds all columns.
+  const int32_t* starts = nullptr;  // [rows / rows_per_start][padded outputs]
+  uint32_t rows_per_start = 1;
+  ColumnRange ranges[kMaxRanges];
+  uint32_t range_count = 0;
 };
+constexpr uint32_t padded_outputs(uint32_t out) { return (out + kPackOutputs - 1) / kPackOutputs * kPackOutputs; }
 
 // Bytes of one packed layer, a multiple of 64. A function of the shape alone.
 uint64_t packed_linear_bytes(uint32_t in, uint32_t out, uint32_t block);

@@ -12,6 +12,7 @@ void fill_reference(Kernels* kernels) {
   kernels->id = SINEW_KERNEL_REF;
   kernels->linear = linear_s16_ref;
   kernels->linear_packed = nullptr;
+  kernels->linear_sums = nullptr;
   kernels->ring_mean_vertex = ring_mean_vertex_s16_ref;
   kernels->ring_max_vertex = ring_max_vertex_s16_ref;
   kernels->ring_mean_pair = ring_mean_pair_s16_ref;
@@ -26,23 +27,22 @@ void fill_reference(Kernels* kernels) {
 // Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has
 // AVX2 too.
 bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
-  LinearKernel linear = nullptr;
+  bool added = false;
   switch (kernel) {
     case SINEW_KERNEL_AVX2:
-      linear = cpu.avx2 ? find_linear_s16_avx2() : nullptr;
+      added = cpu.avx2 && add_linear_s16_avx2(kernels);
       break;
     case SINEW_KERNEL_AVXVNNI:
-      linear = cpu.avxvnni ? find_linear_s16_avxvnni() : nullptr;
+      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels);
       break;
     case SINEW_KERNEL_VNNI:
-      linear = cpu.vnni ? find_linear_s16_vnni() : nullptr;
+      added = cpu.vnni && add_linear_s16_vnni(kernels);
       break;
     default:
       break;
   }
-  if (linear == nullptr) return false;
+  if (!added) return false;
   kernels->id = kernel;
-  kernels->linear_packed = linear;
   (void)add_aggregates_s16_avx2(kernels);  // a compiler with one of the three has AVX2 as well
   return true;
 }

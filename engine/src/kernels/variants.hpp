@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The kernels that exist beside the reference, one function per file and instruction set. A file that was compiled
-// without its instruction set (another processor, a plain `g++ src/*/*.cpp`) returns null or false.
+// without its instruction set (another processor, a plain `g++ src/*/*.cpp`) returns false.
 #ifndef SINEW_KERNELS_VARIANTS_HPP
 #define SINEW_KERNELS_VARIANTS_HPP
 
@@ -8,10 +8,10 @@
 
 namespace sinew {
 
-// linear_s16_ref() over linear.packed.
-LinearKernel find_linear_s16_avx2();
-LinearKernel find_linear_s16_avxvnni();
-LinearKernel find_linear_s16_vnni();
+// linear_s16_ref() over linear.packed, whole or in two steps: linear_packed and linear_sums.
+bool add_linear_s16_avx2(Kernels* kernels);
+bool add_linear_s16_avxvnni(Kernels* kernels);
+bool add_linear_s16_vnni(Kernels* kernels);
 
 // Puts the aggregations that AVX2 speeds up into *kernels.
 bool add_aggregates_s16_avx2(Kernels* kernels);

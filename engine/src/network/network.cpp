@@ -64,22 +64,87 @@ bool wants_packed(const NetworkOptions& options) {
   return !options.weights_in_place && options.kernel != SINEW_KERNEL_REF;
 }
 
+// A pair layer whose columns are partly the same in all slots of a vertex: those are multiplied once per vertex.
+struct SharedColumns {
+  ColumnRange own[kMaxRanges], shared[kMaxRanges];
+  uint16_t own_count = 0, shared_count = 0;  // shared 0 = all columns are the row's own
+};
+
+// True when every present slot of a vertex has the same values there.
+bool same_in_all_slots(const NetworkPlan& plan, const Segment& segment) {
+  if (segment.producer < 0) return false;
+  const LayerKind kind = plan.layers[segment.producer].kind;
+  return kind == LayerKind::kCandidateMax || kind == LayerKind::kVertexToPair || kind == LayerKind::kGlobalMean ||
+         kind == LayerKind::kGlobalMax;
+}
+
+// Adds columns [first, first + count) behind the last range, or to it. False when there is no room.
+bool add_range(uint32_t first, uint32_t count, ColumnRange* ranges, uint16_t* range_count) {
+  if (*range_count > 0) {
+    ColumnRange& last = ranges[*range_count - 1];
+    if (last.first + last.count == first) {
+      last.count = static_cast<uint16_t>(last.count + count);
+      return true;
+    }
+  }
+  if (*range_count == kMaxRanges) return false;
+  ranges[*range_count].first = static_cast<uint16_t>(first);
+  ranges[*range_count].count = static_cast<uint16_t>(count);
+  ++*range_count;
+  return true;
+}
+
+SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const LinearRecord& record) {
+  const Layer& layer = plan.layers[index];
+  SharedColumns columns;
+  if (plan.buffers[layer.in.buffer].domain != Domain::kPair || record.accumulator != AccumulatorClass::kNarrow) {
+    return SharedColumns();
+  }
+  for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
+    const Segment segment = segment_at(plan.layers, index, layer.in, channel);
+    const uint32_t first = channel - layer.in.offset;
+    const bool shared = same_in_all_slots(plan, segment);
+    // Ranges start at whole pairs of columns, and so must what follows them.
+    if (first % 2 != 0) return SharedColumns();
+    if (!add_range(first, segment.count, shared ? columns.shared : columns.own,
+                   shared ? &columns.shared_count : &columns.own_count)) {
+      return SharedColumns();
+    }
+    channel += segment.count;
+  }
+  return columns;
+}
+
 // Where each linear layer's rearranged parameters are; null = nowhere.
 struct PackedLayers {
   uint8_t* memory[kMaxLayers];
+  bool has_shared = false;           // some layer has shared columns
+  SharedColumns* columns = nullptr;  // [layers]
+  int32_t* starts = nullptr;         // [tile x widest layer's outputs] sums of shared columns
 
   bool allocate(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, Arena& arena) {
+    uint32_t outputs = 0;
     for (uint32_t i = 0; i < plan.layer_count; ++i) {
       memory[i] = nullptr;
       if (plan.layers[i].kind != LayerKind::kLinear || !wants_packed(options)) continue;
       const LinearRecord record = tables.linear(plan.layers[i].parameters);
       memory[i] = arena.alloc<uint8_t>(checked(packed_linear_bytes(record.in, record.out, record.block)));
+      if (find_shared_columns(plan, i, record).shared_count > 0 && padded_outputs(record.out) > outputs) {
+        outputs = padded_outputs(record.out);
+      }
     }
+    columns = arena.alloc<SharedColumns>(outputs > 0 ? plan.layer_count : 0);
+    starts = arena.alloc<int32_t>(checked(static_cast<uint64_t>(options.tile_vertices) * outputs));
+    has_shared = outputs > 0;
     return arena.ok();
   }
-  void fill(const NetworkPlan& plan, const ModelTables& tables) {
+  // Leaves the memory unused where no kernel wants it.
+  void fill(const NetworkPlan& plan, const ModelTables& tables, bool wanted) {
     for (uint32_t i = 0; i < plan.layer_count; ++i) {
-      if (memory[i] != nullptr) pack_linear(make_linear_view(tables, plan.layers[i]), memory[i]);
+      if (!wanted) memory[i] = nullptr;
+      if (memory[i] == nullptr) continue;
+      pack_linear(make_linear_view(tables, plan.layers[i]), memory[i]);
+      if (has_shared) columns[i] = find_shared_columns(plan, i, tables.linear(plan.layers[i].parameters));
     }
   }
 };
@@ -198,11 +263,42 @@ void make_tables(Run& run, uint32_t stage, bool global, const uint32_t* vertices
   }
 }
 
+// Present slots of a vertex stand before absent ones, wherever candidates come from the engine; a tile where they do
+// not is computed row by row.
+bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32_t k) {
+  for (uint32_t i = 0; i < vertices; ++i) {
+    const uint16_t* row = joints + static_cast<size_t>(i) * k;
+    for (uint32_t slot = 1; row[0] == kNoJoint && slot < k; ++slot) {
+      if (row[slot] != kNoJoint) return false;
+    }
+  }
+  return true;
+}
+
+// Multiplies what a vertex' slots share once, from its first slot's row, and lets the rows start from it.
+void add_shared_columns(const Run& run, uint32_t index, uint32_t rows, LinearView* linear) {
+  const SharedColumns& columns = run.packed.columns[index];
+  const Layer& layer = run.plan.layers[index];
+  const uint32_t k = run.plan.candidates;
+  if (columns.shared_count == 0 || !first_slot_speaks_for_all(run.scratch.joints, rows / k, k)) return;
+  linear->packed.range_count = columns.shared_count;
+  memcpy(linear->packed.ranges, columns.shared, sizeof(columns.shared));
+  const RowsView first_slots = {tile_row(run, layer.in, 0), run.plan.buffers[layer.in.buffer].channels * k};
+  run.kernels.linear_sums(*linear, first_slots, rows / k, run.packed.starts);
+  linear->packed.starts = run.packed.starts;
+  linear->packed.rows_per_start = k;
+  linear->packed.range_count = columns.own_count;
+  memcpy(linear->packed.ranges, columns.own, sizeof(columns.own));
+}
+
 void run_linear(const Run& run, uint32_t index, uint32_t rows, const uint16_t* present) {
   const Layer& layer = run.plan.layers[index];
   const RowsView residual = (layer.flags & kLayerResidual) != 0 ? tile_rows(run, layer.residual) : RowsView();
   LinearView linear = make_linear_view(run.tables, layer);
-  if (run.packed.memory[index] != nullptr) linear.packed = packed_view(linear, run.packed.memory[index]);
+  if (run.packed.memory[index] != nullptr) {
+    linear.packed = packed_view(linear, run.packed.memory[index]);
+    if (run.packed.has_shared) add_shared_columns(run, index, rows, &linear);
+  }
   run.kernels.linear(linear, tile_rows(run, layer.in), residual, present, rows, tile_row(run, layer.out, 0),
                      run.plan.buffers[layer.out.buffer].channels);
 }
@@ -413,7 +509,7 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
              nullptr, logits, {}};
   run.storage = allocate_storage(plan, run.sizes, arena);
   sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;
-  if (status == SINEW_OK && kernels.linear_packed != nullptr) packed.fill(plan, tables);
+  if (status == SINEW_OK) packed.fill(plan, tables, kernels.linear_packed != nullptr);
   for (uint32_t stage = 0; stage < plan.stage_count && status == SINEW_OK; ++stage) {
     const size_t stage_start = arena.mark();
     if (!allocate_stage(plan, stage, run.sizes, arena, &run.scratch)) {
