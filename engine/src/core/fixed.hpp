@@ -38,6 +38,9 @@ inline int64_t abs64(int64_t v) { return v < 0 ? -v : v; }
 
 // Index of the highest set bit; 0 for 0.
 inline int top_bit(uint64_t v) {
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__) || defined(__wasm__))
+  return 63 - __builtin_clzll(v | 1);
+#else
   int bit = 0;
   for (int step = 32; step > 0; step /= 2) {
     if (v >> step != 0) {
@@ -46,10 +49,11 @@ inline int top_bit(uint64_t v) {
     }
   }
   return bit;
+#endif
 }
 
-// floor(sqrt(v)), exact.
-inline uint32_t isqrt64(uint64_t v) {
+// floor(sqrt(v)) bit by bit: for processors without a 64-bit division, and for constants.
+constexpr uint32_t isqrt64_bitwise(uint64_t v) {
   uint64_t r = 0;
   uint64_t bit = static_cast<uint64_t>(1) << 62;
   while (bit > v) bit >>= 2;
@@ -63,6 +67,35 @@ inline uint32_t isqrt64(uint64_t v) {
     bit >>= 2;
   }
   return static_cast<uint32_t>(r);
+}
+
+// sqrt(i + 64.5) in Q4, rounded down: eight good bits of the root of a number whose top byte is i + 64.
+struct RootTable {
+  uint8_t q4[192];
+  constexpr RootTable() : q4() {
+    for (uint32_t i = 0; i < 192; ++i) q4[i] = static_cast<uint8_t>(isqrt64_bitwise((2 * i + 129) * 128));
+  }
+};
+
+// floor(sqrt(v)), exact.
+inline uint32_t isqrt64(uint64_t v) {
+#if UINTPTR_MAX > 0xFFFFFFFFu
+  static constexpr RootTable kRoots;
+  if (v == 0) return 0;
+  const int shift = (63 - top_bit(v)) & ~1;
+  const uint64_t n = v << shift;  // 2^62 <= n
+  // Newton's step doubles the good bits: 8, 16, 32.
+  uint64_t r = kRoots.q4[(n >> 56) - 64];
+  r = (r << 7) + (n >> 41) / r;
+  r = ((r << 15) + (n >> 17) / r) >> (shift / 2);
+  // Whatever the last bits are by now, this makes them right.
+  if (r > 0xFFFFFFFFu) r = 0xFFFFFFFFu;
+  while (r * r > v) --r;
+  while (r < 0xFFFFFFFFu && (r + 1) * (r + 1) <= v) ++r;
+  return static_cast<uint32_t>(r);
+#else
+  return isqrt64_bitwise(v);
+#endif
 }
 
 // (a * b) >> shift with floor, over the full 128-bit product; the result must fit int64. shift 0..63.
@@ -92,10 +125,9 @@ inline int32_t log2_q16(uint64_t v) {
   int32_t out = msb << 16;
   for (int bit = 15; bit >= 0; --bit) {
     m = (m * m) >> 31;
-    if (m >> 32) {
-      out += 1 << bit;
-      m >>= 1;
-    }
+    const uint32_t one = static_cast<uint32_t>(m >> 32);  // as likely as not: no branch
+    out += static_cast<int32_t>(one << bit);
+    m >>= one;
   }
   return out;
 }

@@ -74,13 +74,6 @@ struct TileRows {
   uint32_t first_row;  // of the tile, counted from the layer's first row
 };
 
-// The sums that row `row` starts from.
-SINEW_INLINE const int32_t* start_of(const LinearView& linear, uint32_t row) {
-  if (linear.packed.starts == nullptr) return linear.packed.bias;
-  const size_t outputs = (linear.out + kPackOutputs - 1) / kPackOutputs * kPackOutputs;
-  return linear.packed.starts + row / linear.packed.rows_per_start * outputs;
-}
-
 // R rows x G groups of outputs, class N: int32 sums all the way.
 template <class Isa, int R, int G>
 SINEW_INLINE void narrow_sums(const LinearView& linear, const TileRows& rows, uint32_t group,
@@ -91,9 +84,18 @@ SINEW_INLINE void narrow_sums(const LinearView& linear, const TileRows& rows, ui
     const size_t g = group + static_cast<size_t>(v / kPerGroup);
     weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kLanes * 2;
   }
-  SINEW_UNROLL for (int r = 0; r < R; ++r) {
-    const int32_t* const start = start_of(linear, rows.first_row + static_cast<uint32_t>(r)) + group * kPackOutputs;
-    SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::load(start + v * Isa::kLanes);
+  if (linear.packed.starts == nullptr) {
+    SINEW_UNROLL for (int v = 0; v < V; ++v) {
+      const typename Isa::Int32 bias = Isa::load(linear.packed.bias + group * kPackOutputs + v * Isa::kLanes);
+      SINEW_UNROLL for (int r = 0; r < R; ++r) sums[r][v] = bias;
+    }
+  } else {
+    const size_t outputs = (linear.out + kPackOutputs - 1) / kPackOutputs * kPackOutputs;
+    SINEW_UNROLL for (int r = 0; r < R; ++r) {
+      const uint32_t row = (rows.first_row + static_cast<uint32_t>(r)) / linear.packed.rows_per_start;
+      const int32_t* const start = linear.packed.starts + row * outputs + group * kPackOutputs;
+      SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::load(start + v * Isa::kLanes);
+    }
   }
   const bool all = linear.packed.range_count == 0 && linear.packed.starts == nullptr;
   const uint32_t ranges = all ? 1 : linear.packed.range_count;
