@@ -31,7 +31,7 @@ struct TrainConfig {
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
   double feature_dropout = 0.03;  // probability of an input channel to be missing from a whole character
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5, loss_deformation = 10;
-  uint64_t steps = 1200;  // length of the cosine schedule
+  uint64_t steps = 2400;  // length of the cosine schedule
   uint32_t batch = 2;     // characters per step, one per thread
   uint64_t seed = 1;
   double average_decay = 0.999;  // running average of weights; 0 = off
