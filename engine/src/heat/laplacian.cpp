@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "mesh/edge_index.hpp"
+
 namespace sinew {
 namespace {
 
@@ -18,19 +20,6 @@ struct Scratch {
     return arena.ok();
   }
 };
-
-uint32_t edge_index(const Mesh& mesh, uint32_t from, uint32_t to) {
-  uint32_t low = mesh.row_offsets[from], high = mesh.row_offsets[from + 1];
-  while (low + 1 < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (mesh.col_indices[middle] <= to) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
-}
 
 }  // namespace
 

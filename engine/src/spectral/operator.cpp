@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "heat/factor.hpp"
+#include "mesh/edge_index.hpp"
 
 namespace sinew {
 namespace {
@@ -13,16 +14,8 @@ constexpr int kSmallestMassBits = 10;  // below the mean
 constexpr int32_t kLargestWeight = 1 << 30;
 
 void add_to_edge(const Mesh& mesh, uint32_t from, uint32_t to, int32_t value, int32_t* weight) {
-  uint32_t low = mesh.row_offsets[from], high = mesh.row_offsets[from + 1];
-  while (low + 1 < high) {
-    const uint32_t middle = low + (high - low) / 2;
-    if (mesh.col_indices[middle] <= to) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  weight[low] = clamp32(static_cast<int64_t>(weight[low]) + value, -kLargestWeight, kLargestWeight);
+  int32_t& sum = weight[edge_index(mesh, from, to)];
+  sum = clamp32(static_cast<int64_t>(sum) + value, -kLargestWeight, kLargestWeight);
 }
 
 }  // namespace
