@@ -88,19 +88,7 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   timed(2, [&] { return find_candidates(p.mesh, p.skeleton, counts, {}, arena, &p.candidates); });
   p.features.allocate(arena, counts);
   timed(3, [&] { return build_features(p.mesh, p.skeleton, p.candidates, p.heat, counts, arena, &p.features); });
-  NetworkInput input;
-  input.vertex_count = p.mesh.welded_count;
-  input.candidate_count = counts.candidates;
-  input.vertex_features = p.features.vertex;
-  input.pair_features = p.features.pair;
-  input.joints = p.features.joints;
-  input.row_offsets = p.mesh.row_offsets;
-  input.col_indices = p.mesh.col_indices;
-  input.component = p.mesh.component;
-  input.component_offsets = p.mesh.component_offsets;
-  input.component_vertices = p.mesh.component_vertices;
-  input.component_count = p.mesh.component_count;
-  input.joint_count = p.skeleton.joint_count;
+  const NetworkInput input = network_input(p, counts);
   std::vector<int16_t> logits(size_t{p.mesh.welded_count} * counts.candidates);
   timed(4, [&] { return run_network(model, input, {}, arena, logits.data(), options); });
 }

@@ -248,19 +248,7 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   Logits logits;
   if (plan.purpose == PrepareFor::kNetwork) {
     if (!logits.allocate(arena, plan.counts)) return SINEW_ERROR_WORKSPACE;
-    NetworkInput input;
-    input.vertex_count = p.mesh.welded_count;
-    input.candidate_count = plan.counts.candidates;
-    input.vertex_features = p.features.vertex;
-    input.pair_features = p.features.pair;
-    input.joints = p.features.joints;
-    input.row_offsets = p.mesh.row_offsets;
-    input.col_indices = p.mesh.col_indices;
-    input.component = p.mesh.component;
-    input.component_offsets = p.mesh.component_offsets;
-    input.component_vertices = p.mesh.component_vertices;
-    input.component_count = p.mesh.component_count;
-    input.joint_count = p.skeleton.joint_count;
+    const NetworkInput input = network_input(p, plan.counts);
     status = run_network(plan.model, input, plan.progress.part(650, is_edited(plan) ? 960 : 990), arena, logits.values,
                          plan.network);
     if (status != SINEW_OK) return status;

@@ -6,6 +6,23 @@
 
 namespace sinew {
 
+NetworkInput network_input(const Prepared& p, const Counts& counts) {
+  NetworkInput input;
+  input.vertex_count = p.mesh.welded_count;
+  input.candidate_count = counts.candidates;
+  input.vertex_features = p.features.vertex;
+  input.pair_features = p.features.pair;
+  input.joints = p.features.joints;
+  input.row_offsets = p.mesh.row_offsets;
+  input.col_indices = p.mesh.col_indices;
+  input.component = p.mesh.component;
+  input.component_offsets = p.mesh.component_offsets;
+  input.component_vertices = p.mesh.component_vertices;
+  input.component_count = p.mesh.component_count;
+  input.joint_count = p.skeleton.joint_count;
+  return input;
+}
+
 sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints, uint32_t candidates,
                          uint32_t grid, Counts* counts) {
   if (vertices == 0 || vertices > SINEW_MAX_VERTICES || joints == 0 || joints > SINEW_MAX_JOINTS)

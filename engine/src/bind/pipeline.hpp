@@ -7,6 +7,7 @@
 #include "features/features.hpp"
 #include "heat/heat.hpp"
 #include "mesh/mesh.hpp"
+#include "network/network.hpp"
 
 namespace sinew {
 
@@ -28,6 +29,8 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
                      PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out);
 // Bytes prepare() needs, for a measuring arena. Leaves the arena at the mark where the network would start.
 void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose);
+// What the network reads of them; the arrays stay where they are.
+NetworkInput network_input(const Prepared& prepared, const Counts& counts);
 // Checks the caller's counts against the limits and fills Counts. SINEW_ERROR_COUNT, SINEW_ERROR_ARGUMENT.
 sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints, uint32_t candidates,
                          uint32_t grid, Counts* counts);
