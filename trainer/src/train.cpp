@@ -157,9 +157,8 @@ class Run {
     checkpoint_.state.config_json = config_json;
     checkpoint_.state.rng = {mix_seeds(config_.seed, 3)};
     checkpoint_.state.log_csv =
-        "step,seconds,loss,l1,kl,regret,part,deformation,gradient_norm,learning_rate,val_l1,val_family_l1,heat_l1,heat_"
-        "family_l1,"
-        "best\n";
+        "step,seconds,loss,l1,kl,regret,part,deformation,gradient_norm,learning_rate,val_l1,val_family_l1,"
+        "heat_l1,heat_family_l1,best\n";
   }
 
   void go() {
