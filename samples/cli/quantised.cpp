@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "network/network.hpp"
+#include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_trainer/aligned_block.hpp"
 
 namespace sinew {
 
@@ -19,7 +19,7 @@ std::vector<float> engine_logits(const sinew_model& model, const Sample& sample)
   NetworkOptions options;
   options.kernel = kernel_from_environment();
   measure_run_network(measuring, model, counts, options);
-  const AlignedBlock block(measuring.high_water());
+  const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
 
   NetworkInput input;

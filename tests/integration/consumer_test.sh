@@ -19,3 +19,4 @@ cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -DCMAKE_PR
   { cat "$work/log"; exit 1; }
 cmake --build "$work/consumer" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/consumer/consumer" | grep -q '^sinew [0-9]'
+"$work/consumer/consumer_cpp" | grep -q "^sinew [0-9]"

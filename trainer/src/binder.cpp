@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "engine_views.hpp"
+#include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_trainer/aligned_block.hpp"
 
 namespace sinew {
 
@@ -110,7 +110,10 @@ BindResult bind(const Character& character, const BindOptions& options) {
   throw_status(character, sinew_bind_workspace_size(options.model, views.mesh.vertex_count, views.mesh.face_count,
                                                     views.mesh.corner_count, views.skeleton.joint_count,
                                                     &engine_options, &result.workspace_bytes));
-  const AlignedBlock workspace(result.workspace_bytes);
+  const Workspace workspace(result.workspace_bytes);
+  if (workspace.size() < result.workspace_bytes) {
+    throw Error(character.name + ": no memory for a workspace of " + std::to_string(result.workspace_bytes) + " bytes");
+  }
   const size_t n = options.influence_count;
   std::vector<uint16_t> joints(character.vertices.size() * n), weights(character.vertices.size() * n);
   if (!options.locked.empty() || !options.hints.empty()) fill_given(character, options, &joints, &weights);

@@ -7,8 +7,8 @@
 #include "features/candidates.hpp"
 #include "features/features.hpp"
 #include "mesh/mesh.hpp"
+#include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_trainer/aligned_block.hpp"
 #include "sinew_trainer/evaluate.hpp"
 
 namespace sinew {
@@ -54,7 +54,7 @@ std::vector<double> candidate_recall(const Character& character, const std::vect
   count(1);
   Arena measuring;
   measure_prepare(measuring, counts, PrepareFor::kHeat);
-  const AlignedBlock block(measuring.high_water());
+  const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
   Prepared p;
   throw_status(character, prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kHeat, Progress{}, arena, &p));
@@ -69,7 +69,7 @@ std::vector<double> candidate_recall(const Character& character, const std::vect
     allocate(measuring_k);
     measure_find_candidates(measuring_k, counts);
     measure_build_features(measuring_k, counts);
-    const AlignedBlock block_k(measuring_k.high_water());
+    const Workspace block_k(measuring_k.high_water());
     Arena arena_k(block_k.data(), block_k.size());
     allocate(arena_k);
     throw_status(character, find_candidates(p.mesh, p.skeleton, counts, Progress{}, arena_k, &p.candidates));

@@ -5,8 +5,8 @@
 
 #include "bind/pipeline.hpp"
 #include "engine_views.hpp"
+#include "sinew/sinew.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/aligned_block.hpp"
 #include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "weights/influences.hpp"
@@ -80,7 +80,7 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   counts.feature_flags = feature_flags & kFeatureFlags;
   Arena measuring;
   measure_prepare(measuring, counts, PrepareFor::kNetwork);
-  const AlignedBlock block(measuring.high_water());
+  const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
   Prepared p;
   throw_status(character, prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Thin typed C++17 wrapper over sinew.h: who has a heap writes one line per bind. Header only; no exceptions of its own
+// and no RTTI. Everything of sinew.h works beside it.
+//
+//   sinew::Workspace workspace;  // kept for the next character
+//   sinew::Skin<uint8_t> skin;
+//   sinew_status status = sinew::bind(&model, mesh, skeleton, {}, &workspace, &skin);
+#ifndef SINEW_SINEW_HPP
+#define SINEW_SINEW_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "sinew/sinew.h"
+
+namespace sinew {
+
+// Bytes for sinew_bind(), aligned as it wants them; grows, never shrinks, freed at the end of its life.
+class Workspace {
+ public:
+  Workspace() = default;
+  // size() is 0 where memory is short.
+  explicit Workspace(size_t bytes) { (void)reserve(bytes); }
+  ~Workspace() { release(); }
+  Workspace(Workspace&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+  Workspace& operator=(Workspace&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(size_, other.size_);
+    return *this;
+  }
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  // At least so many bytes, whose content is undefined. False where memory is short; what was there is gone then.
+  bool reserve(size_t bytes) noexcept {
+    if (bytes <= size_) return true;
+    release();
+    data_ = ::operator new (bytes, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}, std::nothrow);
+    size_ = data_ == nullptr ? 0 : bytes;
+    return data_ != nullptr;
+  }
+  void* data() const { return data_; }
+  size_t size() const { return size_; }
+
+ private:
+  void release() noexcept {
+    if (data_ != nullptr) ::operator delete (data_, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT});
+    data_ = nullptr;
+    size_ = 0;
+  }
+  void* data_ = nullptr;
+  size_t size_ = 0;
+};
+
+// The weight format that belongs to a type: uint16_t, uint8_t or float.
+template <class Weight>
+struct WeightFormat;
+template <>
+struct WeightFormat<uint16_t> {
+  static constexpr uint32_t value = SINEW_WEIGHT_UNORM16;
+};
+template <>
+struct WeightFormat<uint8_t> {
+  static constexpr uint32_t value = SINEW_WEIGHT_UNORM8;
+};
+template <>
+struct WeightFormat<float> {
+  static constexpr uint32_t value = SINEW_WEIGHT_FLOAT;
+};
+
+// Rows of a bound mesh, see sinew_bind().
+template <class Weight>
+struct Skin {
+  uint32_t influence_count = 0;  // N
+  std::vector<uint16_t> joints;  // [vertex_count x N]
+  std::vector<Weight> weights;   // [vertex_count x N]
+};
+
+// sinew_bind() with the size query, the workspace and the outputs taken care of. options.weight_format is set from
+// Weight. With options.locked or options.hints *skin is input too and must hold vertex_count rows of the wanted
+// influence count (else SINEW_ERROR_ARGUMENT). Returns what sinew_bind() does; SINEW_ERROR_WORKSPACE where memory is
+// short. *skin is untouched on failure.
+template <class Weight>
+sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
+                  sinew_options options, Workspace* workspace, Skin<Weight>* skin) {
+  options.weight_format = WeightFormat<Weight>::value;
+  size_t bytes = 0;
+  const sinew_status status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
+                                                        skeleton.joint_count, &options, &bytes);
+  if (status != SINEW_OK) return status;
+  if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+  const uint32_t influences = options.influence_count == 0 ? 4 : options.influence_count;
+  const size_t values = static_cast<size_t>(mesh.vertex_count) * influences;
+  const auto run = [&](Skin<Weight>& rows) {
+    return sinew_bind(model, &mesh, &skeleton, &options, workspace->data(), workspace->size(), rows.joints.data(),
+                      rows.weights.data(), nullptr);
+  };
+  if (skin->influence_count == influences && skin->joints.size() == values && skin->weights.size() == values) {
+    return run(*skin);
+  }
+  if (options.locked != nullptr || options.hints != nullptr) return SINEW_ERROR_ARGUMENT;
+  Skin<Weight> fresh{influences, std::vector<uint16_t>(values), std::vector<Weight>(values)};
+  const sinew_status bound = run(fresh);
+  if (bound == SINEW_OK) *skin = std::move(fresh);
+  return bound;
+}
+
+}  // namespace sinew
+#endif

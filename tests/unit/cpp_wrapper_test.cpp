@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// sinew.hpp against sinew.h: the same bytes in every weight format, and outputs that stay as they were on failure.
+#include "sinew/sinew.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+
+#include "mesh_scene.hpp"
+
+namespace {
+
+using sinew_test::MeshScene;
+
+// A bar of five rings along y with two bones.
+MeshScene bar() {
+  MeshScene scene;
+  for (int ring = 0; ring < 5; ++ring) {
+    for (const auto &c : {std::array<float, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+      scene.add_vertex(c[0], static_cast<float>(ring), c[1]);
+    }
+  }
+  for (uint32_t ring = 0; ring < 4; ++ring) {
+    for (uint32_t side = 0; side < 4; ++side) {
+      const uint32_t a = 4 * ring + side, b = 4 * ring + (side + 1) % 4;
+      scene.add_face({a, a + 4, b + 4, b});
+    }
+  }
+  scene.add_joint(0.5f, 0.1f, 0.5f, -1);
+  scene.add_joint(0.5f, 2.0f, 0.5f, 0);
+  scene.flags = {SINEW_JOINT_DEFORMS, SINEW_JOINT_DEFORMS};
+  return scene;
+}
+
+template <class Weight>
+void expect_the_same_bytes(uint32_t influences) {
+  const MeshScene scene = bar();
+  const sinew_mesh mesh = scene.mesh_view();
+  const sinew_skeleton skeleton = scene.skeleton_view();
+  sinew_options options = {};
+  options.method = SINEW_METHOD_HEAT;
+  options.influence_count = influences;
+  sinew::Workspace workspace;
+  sinew::Skin<Weight> skin;
+  ASSERT_EQ(sinew::bind(nullptr, mesh, skeleton, options, &workspace, &skin), SINEW_OK);
+  const uint32_t n = influences == 0 ? 4 : influences;
+  ASSERT_EQ(skin.influence_count, n);
+  ASSERT_EQ(skin.joints.size(), size_t{n} * mesh.vertex_count);
+
+  options.weight_format = sinew::WeightFormat<Weight>::value;
+  std::vector<uint16_t> joints(skin.joints.size(), 99);
+  std::vector<Weight> weights(skin.weights.size(), static_cast<Weight>(99));
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, workspace.data(), workspace.size(), joints.data(),
+                       weights.data(), nullptr),
+            SINEW_OK);
+  EXPECT_EQ(skin.joints, joints);
+  EXPECT_EQ(std::memcmp(skin.weights.data(), weights.data(), weights.size() * sizeof(Weight)), 0);
+}
+
+TEST(CppWrapper, BindsAsTheCFunctionDoes) {
+  expect_the_same_bytes<uint16_t>(2);
+  expect_the_same_bytes<uint8_t>(0);
+  expect_the_same_bytes<float>(3);
+}
+
+TEST(CppWrapper, LeavesTheSkinAloneOnFailure) {
+  const MeshScene scene = bar();
+  sinew_mesh mesh = scene.mesh_view();
+  const sinew_skeleton skeleton = scene.skeleton_view();
+  sinew_options options = {};
+  options.method = SINEW_METHOD_HEAT;
+  sinew::Workspace workspace;
+  sinew::Skin<uint16_t> skin{1, {7}, {65535}};
+  mesh.face_vertices = nullptr;
+  EXPECT_NE(sinew::bind(nullptr, mesh, skeleton, options, &workspace, &skin), SINEW_OK);
+  options.influence_count = 13;
+  EXPECT_EQ(sinew::bind(nullptr, scene.mesh_view(), skeleton, options, &workspace, &skin), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(skin.joints, std::vector<uint16_t>{7});
+  EXPECT_EQ(skin.weights, std::vector<uint16_t>{65535});
+}
+
+TEST(CppWrapper, KeepsLockedRowsAndWantsThem) {
+  const MeshScene scene = bar();
+  sinew_options options = {};
+  options.method = SINEW_METHOD_HEAT;
+  options.influence_count = 1;
+  std::vector<uint8_t> locked(scene.vertex_count(), 0);
+  locked[19] = 1;  // at the far end, where the other joint would have it
+  options.locked = locked.data();
+  sinew::Workspace workspace;
+  sinew::Skin<uint16_t> skin;
+  EXPECT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin),
+            SINEW_ERROR_ARGUMENT);
+  skin = {1, std::vector<uint16_t>(scene.vertex_count(), 0), std::vector<uint16_t>(scene.vertex_count(), 65535)};
+  ASSERT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin), SINEW_OK);
+  EXPECT_EQ(skin.joints[19], 0);
+  EXPECT_EQ(skin.joints[18], 1);
+}
+
+TEST(CppWrapper, WorkspaceGrowsAndMoves) {
+  sinew::Workspace workspace(100);
+  EXPECT_EQ(workspace.size(), 100u);
+  EXPECT_TRUE(workspace.reserve(10));
+  EXPECT_EQ(workspace.size(), 100u);
+  EXPECT_TRUE(workspace.reserve(1000));
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(workspace.data()) % SINEW_WORKSPACE_ALIGNMENT, 0u);
+  const sinew::Workspace moved(std::move(workspace));
+  EXPECT_EQ(moved.size(), 1000u);
+}
+
+}  // namespace
