@@ -3,7 +3,6 @@
 #include "batch_gradient.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <numeric>
 
@@ -30,11 +29,6 @@ void visit_numbers(std::vector<LinearBlock<float>>& blocks, Visit&& visit) {
     visit(block.weights);
     visit(block.bias);
   }
-}
-
-constexpr size_t kTermCount = 6;
-std::array<double*, kTermCount> fields(LossTerms& t) {
-  return {&t.total, &t.kl, &t.l1, &t.regret, &t.part, &t.deformation};
 }
 
 }  // namespace
@@ -128,11 +122,11 @@ void BatchGradient::exchange(const std::vector<uint32_t>& owner) {
   std::vector<size_t> counts(ranks_->size(), 0), term_counts(ranks_->size(), 0);
   for (size_t i = 0; i < slots_.size(); ++i) {
     counts[owner[i]] += numbers;
-    term_counts[owner[i]] += kTermCount;
+    term_counts[owner[i]] += slots_[i].terms.all().size();
     if (owner[i] != ranks_->rank()) continue;
     visit_numbers(slots_[i].gradients,
                   [&](const std::vector<float>& v) { gradients.insert(gradients.end(), v.begin(), v.end()); });
-    for (const double* field : fields(slots_[i].terms)) terms.push_back(*field);
+    for (const double* term : slots_[i].terms.all()) terms.push_back(*term);
   }
   gradients = ranks_->gather(gradients, counts);
   terms = ranks_->gather(terms, term_counts);
@@ -144,7 +138,7 @@ void BatchGradient::exchange(const std::vector<uint32_t>& owner) {
         std::copy_n(gradients.begin() + static_cast<std::ptrdiff_t>(at), v.size(), v.begin());
         at += v.size();
       });
-      for (double* field : fields(slots_[i].terms)) *field = terms[term_at++];
+      for (double* term : slots_[i].terms.all()) *term = terms[term_at++];
     }
   }
 }

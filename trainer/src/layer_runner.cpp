@@ -135,43 +135,19 @@ void check_network(const FloatNetwork& network) {
     if (!inside(layer.in) || !inside(layer.out) || layer.out.buffer <= kPairInput || overlap(layer.in, layer.out)) {
       fail(name + " has a region outside its buffer, or writes over what it reads");
     }
-    const Domain in = domain(layer.in), out = domain(layer.out);
-    bool fits = false;
-    switch (layer.kind) {
-      case LayerKind::kLinear: {
-        fits = in == out && layer.parameters < network.parameters.size();
-        if (!fits) break;
+    bool fits = layer_fits(layer.kind, domain(layer.in), domain(layer.out), layer.in.channels, layer.out.channels,
+                           network.candidate_count);
+    if (layer.kind == LayerKind::kLinear && fits) {
+      fits = layer.parameters < network.parameters.size();
+      if (fits) {
         const LinearParameters& p = network.parameters[layer.parameters];
         fits = p.in == layer.in.channels && p.out == layer.out.channels && p.weights.size() == size_t{p.in} * p.out &&
                p.bias.size() == p.out;
-        if (layer.flags & kLayerResidual) {
-          fits = fits && inside(layer.residual) && domain(layer.residual) == out &&
-                 layer.residual.channels == layer.out.channels && !overlap(layer.residual, layer.out);
-        }
-        break;
       }
-      case LayerKind::kRingMean:
-      case LayerKind::kRingMax:
-      case LayerKind::kPartMean:
-      case LayerKind::kGlobalMean:
-      case LayerKind::kGlobalMax:
-      case LayerKind::kCopy:
-        fits = in == out && layer.in.channels == layer.out.channels;
-        break;
-      case LayerKind::kCandidateMax:
-        fits = in == Domain::kPair && out == in && layer.in.channels == layer.out.channels;
-        break;
-      case LayerKind::kVertexToPair:
-        fits = in == Domain::kVertex && out == Domain::kPair && layer.in.channels == layer.out.channels;
-        break;
-      case LayerKind::kPairToVertex:
-        fits = in == Domain::kPair && out == Domain::kVertex &&
-               layer.in.channels * network.candidate_count == layer.out.channels;
-        break;
-      case LayerKind::kVertexToSlots:
-        fits = in == Domain::kVertex && out == Domain::kPair &&
-               layer.out.channels * network.candidate_count == layer.in.channels;
-        break;
+      if (layer.flags & kLayerResidual) {
+        fits = fits && inside(layer.residual) && domain(layer.residual) == domain(layer.out) &&
+               layer.residual.channels == layer.out.channels && !overlap(layer.residual, layer.out);
+      }
     }
     if (!fits)
       fail(name + " (kind " + std::to_string(static_cast<int>(layer.kind)) + ") has regions that do not fit it");

@@ -277,12 +277,7 @@ class Run {
     ++state.step;
     if (config_.average_decay > 0) update_average(network, config_.average_decay, state.step, &state.averages[0]);
     for (const LossTerms& terms : terms_) {
-      recent_.total += terms.total;
-      recent_.l1 += terms.l1;
-      recent_.kl += terms.kl;
-      recent_.regret += terms.regret;
-      recent_.part += terms.part;
-      recent_.deformation += terms.deformation;
+      for (size_t i = 0; i < terms.all().size(); ++i) *recent_.all()[i] += *terms.all()[i];
       ++recent_count_;
     }
     recent_norm_ += norm * static_cast<double>(terms_.size());

@@ -54,6 +54,32 @@ struct Buffer {
   uint16_t channels = 0;
 };
 
+// Whether a layer of this kind may read `in_channels` of an `in` buffer and write `out_channels` of an `out` buffer, in
+// a network for `candidates` slots. Regions inside their buffers, order and parameters are the caller's to check.
+inline bool layer_fits(LayerKind kind, Domain in, Domain out, uint32_t in_channels, uint32_t out_channels,
+                       uint32_t candidates) {
+  switch (kind) {
+    case LayerKind::kLinear:
+      return in == out;
+    case LayerKind::kRingMean:
+    case LayerKind::kRingMax:
+    case LayerKind::kPartMean:
+    case LayerKind::kGlobalMean:
+    case LayerKind::kGlobalMax:
+    case LayerKind::kCopy:
+      return in == out && in_channels == out_channels;
+    case LayerKind::kCandidateMax:
+      return in == Domain::kPair && out == Domain::kPair && in_channels == out_channels;
+    case LayerKind::kVertexToPair:
+      return in == Domain::kVertex && out == Domain::kPair && in_channels == out_channels;
+    case LayerKind::kPairToVertex:
+      return in == Domain::kPair && out == Domain::kVertex && in_channels * candidates == out_channels;
+    case LayerKind::kVertexToSlots:
+      return in == Domain::kVertex && out == Domain::kPair && in_channels == out_channels * candidates;
+  }
+  return false;
+}
+
 // Buffer 0 = vertex features [U x kVertexFeatures], buffer 1 = pair features [U x K x kPairFeatures], both inputs.
 // The last layer writes the logits: a pair buffer, 1 channel; natural log units in the trainer, log2 units (Q10 int16)
 // in the engine. A region may be written by one layer only, and only before it is read.

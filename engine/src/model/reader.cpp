@@ -82,30 +82,10 @@ bool written(const LayerList& list, uint32_t before, const Region& region) {
   return true;
 }
 
-// Domains and channel counts of one layer. The regions are known to lie inside their buffers.
+// The regions are known to lie inside their buffers.
 bool legal_shape(const LayerList& list, const Layer& layer) {
-  const Domain in = list.buffers[layer.in.buffer].domain, out = list.buffers[layer.out.buffer].domain;
-  const uint32_t in_channels = layer.in.channels, out_channels = layer.out.channels;
-  switch (layer.kind) {
-    case LayerKind::kLinear:
-      return in == out;
-    case LayerKind::kRingMean:
-    case LayerKind::kRingMax:
-    case LayerKind::kPartMean:
-    case LayerKind::kGlobalMean:
-    case LayerKind::kGlobalMax:
-    case LayerKind::kCopy:
-      return in == out && in_channels == out_channels;
-    case LayerKind::kCandidateMax:
-      return in == Domain::kPair && out == Domain::kPair && in_channels == out_channels;
-    case LayerKind::kVertexToPair:
-      return in == Domain::kVertex && out == Domain::kPair && in_channels == out_channels;
-    case LayerKind::kPairToVertex:
-      return in == Domain::kPair && out == Domain::kVertex && in_channels * list.candidates == out_channels;
-    case LayerKind::kVertexToSlots:
-      return in == Domain::kVertex && out == Domain::kPair && in_channels == out_channels * list.candidates;
-  }
-  return false;
+  return layer_fits(layer.kind, list.buffers[layer.in.buffer].domain, list.buffers[layer.out.buffer].domain,
+                    layer.in.channels, layer.out.channels, list.candidates);
 }
 
 // One linear layer's record: consistent with its layer, data where the canonical order puts it (*offset moves behind
