@@ -95,6 +95,9 @@ bool processor_has(uint32_t kernel) {
            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
   }
 #endif
+#if defined(__wasm_simd128__)
+  if (kernel == SINEW_KERNEL_SIMD128) return true;
+#endif
   return sinew_kernel_select(kernel) != 0;  // the compiler's own check does not know the others
 }
 
@@ -236,13 +239,14 @@ TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, LinearVariant,
-                         testing::Values(SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI),
+                         testing::Values(SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI,
+                                         SINEW_KERNEL_SIMD128),
                          [](const auto& tested) { return std::string(kernel_name(tested.param)); });
 
 TEST(SelectKernels, AutoIsTheFastestAndReferenceIsAlwaysThere) {
   EXPECT_EQ(sinew_kernel_select(SINEW_KERNEL_REF), uint32_t{SINEW_KERNEL_REF});
   uint32_t fastest = SINEW_KERNEL_REF;
-  for (const uint32_t kernel : {SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI}) {
+  for (const uint32_t kernel : {SINEW_KERNEL_SIMD128, SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI}) {
     if (sinew_kernel_select(kernel) != 0) fastest = kernel;
   }
   EXPECT_EQ(sinew_kernel_select(SINEW_KERNEL_AUTO), fastest);
@@ -252,7 +256,7 @@ TEST(SelectKernels, AutoIsTheFastestAndReferenceIsAlwaysThere) {
 TEST(SelectKernels, NamesEndWithNull) {
   uint32_t count = 0;
   while (sinew_kernel_name(count) != nullptr) ++count;
-  EXPECT_EQ(count, 5u);
+  EXPECT_EQ(count, 6u);
   EXPECT_STREQ(sinew_kernel_name(SINEW_KERNEL_VNNI), "vnni");
   EXPECT_EQ(sinew_kernel_name(1000), nullptr);
 }

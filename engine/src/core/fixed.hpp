@@ -100,7 +100,7 @@ inline uint32_t isqrt64(uint64_t v) {
 
 // (a * b) >> shift with floor, over the full 128-bit product; the result must fit int64. shift 0..63.
 inline int64_t mul_shift(int64_t a, int64_t b, int shift) {
-#if defined(__SIZEOF_INT128__) && !defined(SINEW_NO_INT128)
+#if defined(__SIZEOF_INT128__) && !defined(SINEW_NO_INT128) && !defined(__wasm__)  // there it would be a call
   __extension__ typedef __int128 int128;
   return static_cast<int64_t>((static_cast<int128>(a) * b) >> shift);
 #else

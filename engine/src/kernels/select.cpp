@@ -30,24 +30,25 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
   bool added = false;
   switch (kernel) {
     case SINEW_KERNEL_AVX2:
-      added = cpu.avx2 && add_linear_s16_avx2(kernels);
+      added = cpu.avx2 && add_linear_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels);
       break;
     case SINEW_KERNEL_AVXVNNI:
-      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels);
+      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels) && add_aggregates_s16_avx2(kernels);
       break;
     case SINEW_KERNEL_VNNI:
-      added = cpu.vnni && add_linear_s16_vnni(kernels);
+      added = cpu.vnni && add_linear_s16_vnni(kernels) && add_aggregates_s16_avx2(kernels);
+      break;
+    case SINEW_KERNEL_SIMD128:  // no question to a processor: a module with these instructions does not start without
+      added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels);
       break;
     default:
       break;
   }
-  if (!added) return false;
-  kernels->id = kernel;
-  (void)add_aggregates_s16_avx2(kernels);  // a compiler with one of the three has AVX2 as well
-  return true;
+  if (added) kernels->id = kernel;
+  return added;
 }
 
-constexpr uint32_t kFastestFirst[] = {SINEW_KERNEL_VNNI, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_AVX2};
+constexpr uint32_t kFastestFirst[] = {SINEW_KERNEL_VNNI, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_AVX2, SINEW_KERNEL_SIMD128};
 
 }  // namespace
 
@@ -74,6 +75,8 @@ const char* kernel_name(uint32_t kernel) {
       return "avxvnni";
     case SINEW_KERNEL_VNNI:
       return "vnni";
+    case SINEW_KERNEL_SIMD128:
+      return "simd128";
     default:
       return nullptr;
   }

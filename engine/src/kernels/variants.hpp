@@ -12,9 +12,11 @@ namespace sinew {
 bool add_linear_s16_avx2(Kernels* kernels);
 bool add_linear_s16_avxvnni(Kernels* kernels);
 bool add_linear_s16_vnni(Kernels* kernels);
+bool add_linear_s16_simd128(Kernels* kernels);
 
-// Puts the aggregations that AVX2 speeds up into *kernels.
+// Puts the aggregations that the instruction set speeds up into *kernels.
 bool add_aggregates_s16_avx2(Kernels* kernels);
+bool add_aggregates_s16_simd128(Kernels* kernels);
 
 }  // namespace sinew
 #endif
