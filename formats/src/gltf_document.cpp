@@ -48,9 +48,14 @@ bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, i
   return true;
 }
 
+// A parser's words as part of one line: without its marks for programs, and without the bytes that it stumbled over.
 std::string one_line(std::string text) {
+  for (size_t mark; (mark = text.find("[json.exception")) != std::string::npos;) {
+    const size_t end = text.find("] ", mark);
+    text.erase(mark, end == std::string::npos ? end : end + 2 - mark);
+  }
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  std::replace(text.begin(), text.end(), '\n', ';');
+  for (char& c : text) c = c == '\n' ? ';' : c < ' ' || c > '~' ? '?' : c;
   return text;
 }
 

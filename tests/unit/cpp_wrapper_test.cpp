@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // sinew.hpp against sinew.h: the same bytes in every weight format, and outputs that stay as they were on failure.
-#include "sinew/sinew.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstring>
 
 #include "mesh_scene.hpp"
+#include "sinew/sinew.hpp"
 
 namespace {
 
@@ -17,7 +16,7 @@ using sinew_test::MeshScene;
 MeshScene bar() {
   MeshScene scene;
   for (int ring = 0; ring < 5; ++ring) {
-    for (const auto &c : {std::array<float, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+    for (const auto& c : {std::array<float, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
       scene.add_vertex(c[0], static_cast<float>(ring), c[1]);
     }
   }

@@ -482,6 +482,7 @@ TEST(GltfRead, ErrorsNameFileAndElement) {
   const auto text = [&](const std::string& bytes) { return read_gltf(folder.write("bad.glb", bytes)); };
   EXPECT_ERROR(text(""), "bad.glb", "empty");
   EXPECT_ERROR(text("rubbish"), "bad.glb", "does not parse");
+  EXPECT_ERROR(text("\xff\x01rubbish"), "does not parse: parse error at line 1", "last read: '?'");
   EXPECT_ERROR(text("{\"asset\": {\"version\": \"2.0\"}}"), "bad.glb", "mesh");
   EXPECT_ERROR(text(std::string("glTF\1\0\0\0", 8) + std::string(20, '\0')), "bad.glb", "version 2", "version 1");
   const std::string whole = two_joint_strip().glb();
