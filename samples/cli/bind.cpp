@@ -15,6 +15,7 @@
 #include "sinew_trainer/binder.hpp"
 #include "style_options.hpp"
 #include "support.hpp"
+#include "thread_pool.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -155,6 +156,10 @@ void run(Settings settings) {
     options.progress = show_progress;
     options.progress_user = &shown;
   }
+  ThreadPool pool(settings.threads);
+  options.thread_count = settings.threads;
+  options.parallel_for = ThreadPool::parallel_for;
+  options.parallel_user = &pool;
   BindResult result = bind(character, options);
   character.influences = std::move(result.influences);
   if (settings.confidence) character.confidence = result.confidence;
@@ -255,8 +260,9 @@ void add_bind(CLI::App& app) {
       ->type_name("FILE");
   sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   sub->add_option("--threads", s->threads,
-                  "Accepted for scripts: one mesh is bound on one thread, with the same bytes for any N")
-      ->check(CLI::Range(1, 256))
+                  "Threads that work on the mesh, each with some memory of its own; the same bytes for any N")
+      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
+      ->capture_default_str()
       ->type_name("N");
   sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
   add_style_options(sub, &s->style);

@@ -102,6 +102,9 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.kernel = options.kernel != SINEW_KERNEL_AUTO ? options.kernel : kernel_from_environment();
   engine_options.progress = options.progress;
   engine_options.progress_user = options.progress_user;
+  engine_options.thread_count = options.thread_count;
+  engine_options.parallel_for = options.parallel_for;
+  engine_options.parallel_user = options.parallel_user;
 
   BindResult result;
   result.confidence.resize(character.vertices.size());

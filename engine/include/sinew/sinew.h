@@ -27,6 +27,7 @@ extern "C" {
 #define SINEW_MAX_JOINTS 4096u
 #define SINEW_MAX_VERTICES 4000000u
 #define SINEW_WORKSPACE_ALIGNMENT 64u
+#define SINEW_MAX_THREADS 64u
 
 /* 0 is success; numbers are never reused. */
 typedef enum sinew_status {
@@ -137,6 +138,13 @@ uint32_t sinew_kernel_select(uint32_t kernel);
 /* Called now and then with a share of work done, 0..1000. Return non-zero to cancel. */
 typedef int (*sinew_progress)(void* user, uint32_t done_permille);
 
+/* The caller's threads. Calls body(body_data, i) exactly once for each i in 0 .. count-1, in any order and on any
+ * threads, several at a time or none, and returns when all of them have returned; what they wrote must be visible to
+ * its caller then. count is at most sinew_options::thread_count. Bodies never call back and never wait for one another,
+ * so a job system, a pool, OpenMP and a plain loop all do. */
+typedef void (*sinew_parallel_for)(void* user, uint32_t count, void (*body)(void* body_data, uint32_t index),
+                                   void* body_data);
+
 /* All zero means defaults. */
 typedef struct sinew_options {
   uint32_t version;         /* 0 */
@@ -171,6 +179,12 @@ typedef struct sinew_options {
   uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being rearranged in the
                               * workspace. Saves about the model's size, for small devices; slower where kernels want
                               * them rearranged. Given to sinew_bind_workspace_size() too */
+  /* How the caller lends its threads, or null: everything runs on the calling thread. The progress callback is called
+   * there in any case, between two calls of parallel_for. The result does not depend on either. */
+  sinew_parallel_for parallel_for;
+  void* parallel_user;
+  uint32_t thread_count; /* 1..64 pieces that work is cut into, as many as threads are to be busy; 0 = 1. Every piece
+                          * has scratch of its own: given to sinew_bind_workspace_size() too */
 } sinew_options;
 
 /* Bytes sinew_bind() needs for meshes of at most these counts. A pure function of its arguments: the same on every

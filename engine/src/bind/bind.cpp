@@ -69,6 +69,8 @@ bool is_edited(const BindPlan& plan) {
   return plan.hints != nullptr || plan.symmetric || plan.rigid_parts != SINEW_RIGID_PARTS_AUTO;
 }
 
+constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
+
 bool is_given(const BindPlan& plan, uint32_t vertex) {
   return (plan.locked != nullptr && plan.locked[vertex] != 0) || (plan.hints != nullptr && plan.hints[vertex] != 0);
 }
@@ -90,8 +92,10 @@ sinew_status check_given(const BindPlan& plan, const uint16_t* joints, const voi
 
 sinew_status edit_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const uint16_t* joints,
                        const void* weights, Arena& arena, Edit* edit) {
-  for (uint32_t v = 0; v < p.mesh.welded_count; ++v)
-    predicted_row(plan, p, logits, v, edit->rows.joints_of(v), edit->rows.weights_of(v));
+  plan.counts.threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v)
+      predicted_row(plan, p, logits, v, edit->rows.joints_of(v), edit->rows.weights_of(v));
+  });
   if (plan.rigid_parts != SINEW_RIGID_PARTS_AUTO) {
     const sinew_status status =
         plan.rigid_parts == SINEW_RIGID_PARTS_ALWAYS
@@ -143,15 +147,17 @@ void write_extras(const BindPlan& plan, const Prepared& p, const Logits& logits,
       *plan.symmetric_vertices += edit.symmetry.vertex[p.mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
   }
   if (plan.confidence == nullptr) return;
-  for (uint32_t v = 0; v < p.mesh.vertex_count; ++v)
-    plan.confidence[v] = is_given(plan, v) ? 255 : confidence_of(plan, p, logits, p.mesh.vertex_to_welded[v]);
+  plan.counts.threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v)
+      plan.confidence[v] = is_given(plan, v) ? 255 : confidence_of(plan, p, logits, p.mesh.vertex_to_welded[v]);
+  });
 }
 
-void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit, uint16_t* joints,
-                void* weights) {
+void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit, uint32_t begin,
+                uint32_t end, uint16_t* joints, void* weights) {
   const uint32_t n = plan.influence_count;
   const uint32_t total = plan.weight_format == SINEW_WEIGHT_UNORM8 ? 255u : 65535u;
-  for (uint32_t v = 0; v < p.mesh.vertex_count; ++v) {
+  for (uint32_t v = begin; v < end; ++v) {
     if (is_given(plan, v)) continue;
     const size_t first = static_cast<size_t>(v) * n;
     const uint32_t welded = p.mesh.vertex_to_welded[v];
@@ -188,8 +194,9 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   const sinew_options defaults = {};
   const sinew_options& o = options != nullptr ? *options : defaults;
   if (o.version != 0 || o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
-      o.up_axis > 1 || o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr ||
-      o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
+      o.up_axis > 1 || o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS ||
+      kernel_name(o.kernel) == nullptr || o.weight_format > SINEW_WEIGHT_FLOAT ||
+      o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
       (o.softness_percent != 0 && (o.softness_percent < 25 || o.softness_percent > 400))) {
     return SINEW_ERROR_ARGUMENT;
   }
@@ -218,6 +225,7 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->progress = Progress{o.progress, o.progress_user};
   const sinew_status status = make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
   if (plan->purpose == PrepareFor::kNetwork) plan->counts.feature_flags = model->feature_set & kFeatureFlags;
+  plan->counts.threads = Threads{or_default(o.thread_count, 1), o.parallel_for, o.parallel_user};
   return status;
 }
 
@@ -260,7 +268,9 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
     if (status != SINEW_OK) return status;
   }
   if (!plan.progress.report(1000)) return SINEW_ERROR_CANCELLED;
-  write_rows(plan, p, logits, edit, joints, weights);
+  plan.counts.threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    write_rows(plan, p, logits, edit, begin, end, joints, weights);
+  });
   write_extras(plan, p, logits, edit);
   if (used_bytes != nullptr) *used_bytes = arena.high_water();
   return SINEW_OK;

@@ -20,6 +20,7 @@ NetworkInput network_input(const Prepared& p, const Counts& counts) {
   input.component_vertices = p.mesh.component_vertices;
   input.component_count = p.mesh.component_count;
   input.joint_count = p.skeleton.joint_count;
+  input.threads = counts.threads;
   return input;
 }
 
@@ -30,7 +31,7 @@ sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, ui
   // A vertex of a closed triangle mesh has about six corners; sixteen times that is no mesh any more.
   if (corners > 24u * SINEW_MAX_VERTICES || faces > corners) return SINEW_ERROR_COUNT;
   if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || grid < 16 || grid > 128) return SINEW_ERROR_ARGUMENT;
-  *counts = Counts{vertices, faces, corners, joints, candidates, grid, 0};
+  *counts = Counts{vertices, faces, corners, joints, candidates, grid};
   return SINEW_OK;
 }
 

@@ -5,14 +5,15 @@
 
 #include <stdint.h>
 
+#include "core/threads.hpp"
 #include "sinew/sinew.h"
 
 namespace sinew {
 
 constexpr uint16_t kNoJoint = 0xFFFF;
 
-// V, F, corners, J, K and the grid size of one bind. T (fan triangles) is at most corner_count - 2 * faces <=
-// corner_count.
+// V, F, corners, J, K, the grid size and the lanes of one bind. T (fan triangles) is at most corner_count - 2 * faces
+// <= corner_count.
 struct Counts {
   uint32_t vertices = 0;
   uint32_t faces = 0;
@@ -21,6 +22,7 @@ struct Counts {
   uint32_t candidates = 8;
   uint32_t grid = 64;
   uint32_t feature_flags = 0;  // optional channels, features/features.hpp
+  Threads threads = {};        // `lanes` is a bound like the others; the rest says how to run
 
   // Fan triangles: every face with n >= 3 corners gives n - 2; never more than corners.
   uint32_t triangles() const { return corners; }

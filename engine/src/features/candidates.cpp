@@ -186,8 +186,11 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
   }
 }
 
-void write_candidates(const Mesh& mesh, const Propagation& p, const uint32_t* starts, Candidates* out) {
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
+
+void write_candidates(const Mesh& mesh, const Propagation& p, const uint32_t* starts, uint32_t begin, uint32_t end,
+                      Candidates* out) {
+  for (uint32_t v = begin; v < end; ++v) {
     uint32_t row[SINEW_MAX_CANDIDATES];
     const uint32_t count = read_labels(p, mesh.positions[v], out->k, row);
     for (uint32_t k = 0; k < count; ++k) row[k] -= starts[row[k] & kJointMask] << kJointBits;
@@ -239,7 +242,9 @@ sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const C
   find_starts(skeleton, candidates->tips, propagation.grid, joints.extents, joints.starts);
   seed_bones(skeleton, candidates->tips, joints.starts, &propagation);
   if (!propagation.run(progress, 600)) return SINEW_ERROR_CANCELLED;
-  write_candidates(mesh, propagation, joints.starts, candidates);
+  counts.threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    write_candidates(mesh, propagation, joints.starts, begin, end, candidates);
+  });
   arena.release(mark);
   return progress.report(1000) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }

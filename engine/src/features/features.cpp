@@ -104,17 +104,27 @@ struct PartTables {
   }
 };
 
+constexpr uint32_t kSmallPart = 256;  // vertices: parts below it are a lane's work each, larger ones all lanes'
+
 struct Scratch {
   Parts parts;
-  PartTables tables;
-  uint64_t* keys = nullptr;           // [V] (host distance, vertex) of one part
+  PartTables* tables = nullptr;    // [lanes]
+  uint64_t* keys = nullptr;        // [V] (host distance, vertex) of one part, lane 0
+  uint64_t* small_keys = nullptr;  // [lanes - 1 x kSmallPart] of the other lanes, which never take a large part alone
   uint32_t* child_offsets = nullptr;  // [J + 1]
   uint32_t* children = nullptr;       // [J]
 
   bool allocate(Arena& arena, const Counts& counts) {
+    const uint32_t lanes = counts.threads.lanes;
     parts.allocate(arena, counts);
-    tables.allocate(arena, counts.joints);
+    tables = arena.alloc<PartTables>(lanes);
+    for (uint32_t lane = 0; lane < lanes; ++lane) {
+      PartTables table;
+      table.allocate(arena, counts.joints);
+      if (!arena.measuring() && arena.ok()) tables[lane] = table;
+    }
     keys = arena.alloc<uint64_t>(counts.vertices);
+    small_keys = arena.alloc<uint64_t>(static_cast<size_t>(lanes - 1) * kSmallPart);
     child_offsets = arena.alloc<uint32_t>(static_cast<size_t>(counts.joints) + 1);
     children = arena.alloc<uint32_t>(counts.joints);
     return arena.ok();
@@ -132,58 +142,46 @@ void list_children(const Skeleton& skeleton, uint32_t* offsets, uint32_t* childr
   }
 }
 
+// What all lanes read, and the rows that they write.
+struct Sources {
+  const Mesh& mesh;
+  const Skeleton& skeleton;
+  const Candidates& candidates;
+  const HeatFields& heat;
+  const Scratch& scratch;
+  Features* out;
+};
+
+// One lane's work.
 class Builder {
  public:
-  Builder(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates, const HeatFields& heat,
-          Scratch& scratch, Features* out)
-      : mesh_(mesh),
-        skeleton_(skeleton),
-        candidates_(candidates),
-        heat_(heat),
-        s_(scratch),
-        out_(out),
-        k_(candidates.k) {}
+  // `tables` are filled by fill_tables() or were, by another lane's.
+  Builder(const Sources& sources, PartTables& tables, uint64_t* keys)
+      : mesh_(sources.mesh),
+        skeleton_(sources.skeleton),
+        candidates_(sources.candidates),
+        heat_(sources.heat),
+        s_(sources.scratch),
+        out_(sources.out),
+        k_(sources.candidates.k),
+        tables_(tables),
+        keys_(keys) {}
 
-  void run() {
-    for (uint32_t c = 0; c < mesh_.component_count; ++c) {
-      fill_tables(c);
-      for (uint32_t i = mesh_.component_offsets[c]; i < mesh_.component_offsets[c + 1]; ++i) {
-        const uint32_t v = mesh_.component_vertices[i];
-        rule_.load(heat_.field[kFieldRule], v);
-        parts_.load(heat_.field[kFieldParts], v);
-        soft_.load(heat_.field[kFieldSoft], v);
-        choose_candidates(v);
-        write_vertex(v, c);
-        write_pairs(v, c);
-      }
-    }
-  }
-
- private:
-  uint16_t argmax(const int64_t* table) const {
-    uint16_t best = kNoJoint;
-    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) {
-      if (table[j] > 0 && (best == kNoJoint || table[j] > table[best])) best = static_cast<uint16_t>(j);
-    }
-    return best;
-  }
-
-  void add_rule_row(uint32_t vertex, int64_t* table) {
-    Row row;
-    row.load(heat_.field[kFieldRule], vertex);
-    for (uint32_t i = 0; i < row.count; ++i) table[row.joints[i]] += row.weights[i];
-  }
-
-  void sum_subtrees(const int64_t* own, int64_t* subtree) const {
-    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) subtree[j] = own[j];
-    for (uint32_t i = skeleton_.joint_count; i-- > 0;) {
-      const uint32_t j = skeleton_.order[i];
-      if (skeleton_.parents[j] >= 0) subtree[skeleton_.parents[j]] += subtree[j];
+  // Vertices [first, end) of the list of components, all of component c.
+  void write(uint32_t c, uint32_t first, uint32_t end) {
+    for (uint32_t i = first; i < end; ++i) {
+      const uint32_t v = mesh_.component_vertices[i];
+      rule_.load(heat_.field[kFieldRule], v);
+      parts_.load(heat_.field[kFieldParts], v);
+      soft_.load(heat_.field[kFieldSoft], v);
+      choose_candidates(v);
+      write_vertex(v, c);
+      write_pairs(v, c);
     }
   }
 
   void fill_tables(uint32_t c) {
-    PartTables& t = s_.tables;
+    PartTables& t = tables_;
     const uint32_t joints = skeleton_.joint_count;
     const uint32_t first = mesh_.component_offsets[c], size = mesh_.component_sizes[c];
     memset(t.own, 0, joints * sizeof(int64_t));
@@ -195,14 +193,14 @@ class Builder {
     if (s_.parts.host_vertex[mesh_.component_vertices[first]] != kNoVertex) {
       for (uint32_t i = 0; i < size; ++i) {
         const uint32_t v = mesh_.component_vertices[first + i];
-        s_.keys[i] = static_cast<uint64_t>(s_.parts.host_distance[v]) << 32 | v;
+        keys_[i] = static_cast<uint64_t>(s_.parts.host_distance[v]) << 32 | v;
       }
-      heap_sort(s_.keys, size, [](uint64_t a, uint64_t b) { return a < b; });
+      heap_sort(keys_, size, [](uint64_t a, uint64_t b) { return a < b; });
       const uint32_t closest = (size + 3) / 4;
       uint64_t distance = 0;
       for (uint32_t i = 0; i < closest; ++i) {
-        add_rule_row(s_.parts.host_vertex[static_cast<uint32_t>(s_.keys[i])], t.host);
-        distance += s_.keys[i] >> 32;
+        add_rule_row(s_.parts.host_vertex[static_cast<uint32_t>(keys_[i])], t.host);
+        distance += keys_[i] >> 32;
       }
       t.contact = static_cast<uint32_t>(distance / closest);
       for (uint32_t j = 0; j < joints; ++j) t.host_total += t.host[j];
@@ -244,10 +242,33 @@ class Builder {
     }
   }
 
+ private:
+  uint16_t argmax(const int64_t* table) const {
+    uint16_t best = kNoJoint;
+    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) {
+      if (table[j] > 0 && (best == kNoJoint || table[j] > table[best])) best = static_cast<uint16_t>(j);
+    }
+    return best;
+  }
+
+  void add_rule_row(uint32_t vertex, int64_t* table) {
+    Row row;
+    row.load(heat_.field[kFieldRule], vertex);
+    for (uint32_t i = 0; i < row.count; ++i) table[row.joints[i]] += row.weights[i];
+  }
+
+  void sum_subtrees(const int64_t* own, int64_t* subtree) const {
+    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) subtree[j] = own[j];
+    for (uint32_t i = skeleton_.joint_count; i-- > 0;) {
+      const uint32_t j = skeleton_.order[i];
+      if (skeleton_.parents[j] >= 0) subtree[skeleton_.parents[j]] += subtree[j];
+    }
+  }
+
   // Heat's joints and the part's favourites first, then the voxel candidates by distance until K are there. What the
   // rigid answer for a whole part could be must be open to each of its vertices.
   void choose_candidates(uint32_t v) {
-    const PartTables& t = s_.tables;
+    const PartTables& t = tables_;
     const uint16_t* voxel = candidates_.joints + static_cast<size_t>(v) * k_;
     const uint32_t* voxel_distance = candidates_.distances + static_cast<size_t>(v) * k_;
     count_ = 0;
@@ -295,7 +316,7 @@ class Builder {
   }
 
   void write_vertex(uint32_t v, uint32_t c) {
-    const PartTables& t = s_.tables;
+    const PartTables& t = tables_;
     const uint32_t size = mesh_.component_sizes[c];
     int16_t* f = out_->vertex + static_cast<size_t>(v) * out_->vertex_channels;
     f[kV_mean_curvature] = q13(mesh_.mean_curvature[v]);
@@ -377,7 +398,7 @@ class Builder {
   }
 
   void write_pairs(uint32_t v, uint32_t c) {
-    const PartTables& t = s_.tables;
+    const PartTables& t = tables_;
     const uint32_t size = mesh_.component_sizes[c];
     const HeatField& raw = heat_.field[kFieldRule];
     int16_t* rows = out_->pair + static_cast<size_t>(v) * k_ * kPairFeatureCount;
@@ -468,15 +489,46 @@ class Builder {
   const Skeleton& skeleton_;
   const Candidates& candidates_;
   const HeatFields& heat_;
-  Scratch& s_;
+  const Scratch& s_;
   Features* out_;
   const uint32_t k_;
+  PartTables& tables_;
+  uint64_t* keys_;
   // Of the vertex at work:
   Row rule_, parts_, soft_;
   uint16_t joints_[SINEW_MAX_CANDIDATES] = {};
   uint32_t distances_[SINEW_MAX_CANDIDATES] = {};
   uint32_t count_ = 0;
 };
+
+// Large parts are spread over the lanes; of small ones, every lane takes some whole.
+void build(const Sources& sources, const Threads& threads) {
+  const Mesh& mesh = sources.mesh;
+  const Scratch& scratch = sources.scratch;
+  const auto keys_of = [&](uint32_t lane) {
+    return lane == 0 ? scratch.keys : scratch.small_keys + static_cast<size_t>(lane - 1) * kSmallPart;
+  };
+  for (uint32_t c = 0; c < mesh.component_count;) {
+    uint32_t end = c;
+    while (end < mesh.component_count && mesh.component_sizes[end] < kSmallPart) ++end;
+    if (end == c) {
+      PartTables& tables = scratch.tables[0];
+      Builder(sources, tables, keys_of(0)).fill_tables(c);
+      const uint32_t first = mesh.component_offsets[c];
+      threads.ranges(mesh.component_sizes[c], kSmallPart / 4, [&](uint32_t from, uint32_t to, uint32_t lane) {
+        Builder(sources, tables, keys_of(lane)).write(c, first + from, first + to);
+      });
+      ++c;
+      continue;
+    }
+    threads.each(end - c, [&](uint32_t index, uint32_t lane) {
+      Builder builder(sources, scratch.tables[lane], keys_of(lane));
+      builder.fill_tables(c + index);
+      builder.write(c + index, mesh.component_offsets[c + index], mesh.component_offsets[c + index + 1]);
+    });
+    c = end;
+  }
+}
 
 }  // namespace
 
@@ -513,7 +565,7 @@ sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Ca
   const sinew_status status = find_parts(mesh, heat, counts, arena, &scratch.parts);
   if (status != SINEW_OK) return status;
   list_children(skeleton, scratch.child_offsets, scratch.children);
-  Builder(mesh, skeleton, candidates, heat, scratch, features).run();
+  build({mesh, skeleton, candidates, heat, scratch, features}, counts.threads);
   arena.release(mark);
   return SINEW_OK;
 }

@@ -12,18 +12,22 @@ namespace sinew {
 namespace {
 
 struct Sizes {
-  uint32_t vertices = 0, joints = 0, tile = 0;
+  uint32_t vertices = 0, joints = 0, tile = 0, lanes = 0;
+  // Vertices of the tiles of all lanes, which lie behind one another.
+  uint64_t tile_vertices() const { return static_cast<uint64_t>(tile) * lanes; }
 };
 
-// Scratch of one stage.
+// Scratch of one stage. Lanes work on a tile each; tables are per lane too, for parts so small that a lane takes them
+// whole.
 struct StageScratch {
-  int16_t* tile[kMaxBuffers];  // [tile x slots x channels] rows of each buffer the stage touches, else null
+  int16_t* tile[kMaxBuffers];  // [lanes x tile x slots x channels] rows of each buffer the stage touches, else null
   bool load[kMaxLayers];       // outputs of earlier stages that this stage reads row by row
   bool load_input[2];
-  int16_t* table[kMaxLayers];  // part and global layers: [joints x channels] or [channels]
-  int64_t* sums;               // for the table being made
-  uint32_t* vertices;          // [tile] vertex of each tile row
-  uint16_t* joints;            // [tile x K] their candidates
+  int16_t* table[kMaxLayers];  // part and global layers: [lanes x joints x channels] or [lanes x channels]
+  int64_t* sums;               // [lanes x table_sums] for the table being made
+  uint64_t table_sums;
+  uint32_t* vertices;  // [lanes x tile] vertex of each tile row
+  uint16_t* joints;    // [lanes x tile x K] their candidates
 };
 
 // A count that does not fit size_t becomes SIZE_MAX, which no arena grants.
@@ -120,10 +124,11 @@ struct PackedLayers {
   uint8_t* memory[kMaxLayers];
   bool has_shared = false;           // some layer has shared columns
   SharedColumns* columns = nullptr;  // [layers]
-  int32_t* starts = nullptr;         // [tile x widest layer's outputs] sums of shared columns
+  int32_t* starts = nullptr;         // [lanes x tile x outputs] sums of shared columns
+  uint32_t outputs = 0;              // of the widest layer that has them
 
-  bool allocate(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, Arena& arena) {
-    uint32_t outputs = 0;
+  bool allocate(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, uint32_t lanes,
+                Arena& arena) {
     for (uint32_t i = 0; i < plan.layer_count; ++i) {
       memory[i] = nullptr;
       if (plan.layers[i].kind != LayerKind::kLinear || !wants_packed(options)) continue;
@@ -134,7 +139,7 @@ struct PackedLayers {
       }
     }
     columns = arena.alloc<SharedColumns>(outputs > 0 ? plan.layer_count : 0);
-    starts = arena.alloc<int32_t>(checked(static_cast<uint64_t>(options.tile_vertices) * outputs));
+    starts = arena.alloc<int32_t>(checked(static_cast<uint64_t>(options.tile_vertices) * lanes * outputs));
     has_shared = outputs > 0;
     return arena.ok();
   }
@@ -179,19 +184,20 @@ bool allocate_stage(const NetworkPlan& plan, uint32_t stage, const Sizes& sizes,
     if ((layer.flags & kLayerResidual) != 0) mark_loads(plan, stage, i, layer.residual, scratch, touched);
     if (uses_table(layer.kind)) {
       const uint64_t values = table_values(plan, layer, sizes);
-      scratch->table[i] = arena.alloc<int16_t>(checked(values));
+      scratch->table[i] = arena.alloc<int16_t>(checked(values * sizes.lanes));
       if (values > sums) sums = values;
     }
   }
-  scratch->sums = arena.alloc<int64_t>(checked(sums));
+  scratch->sums = arena.alloc<int64_t>(checked(sums * sizes.lanes));
+  scratch->table_sums = sums;
   for (uint32_t b = 0; b < plan.buffer_count; ++b) {
     scratch->tile[b] = nullptr;
     if (!touched[b]) continue;
     scratch->tile[b] = arena.alloc<int16_t>(
-        checked(static_cast<uint64_t>(sizes.tile) * plan.slots(static_cast<uint16_t>(b)) * plan.buffers[b].channels));
+        checked(sizes.tile_vertices() * plan.slots(static_cast<uint16_t>(b)) * plan.buffers[b].channels));
   }
-  scratch->vertices = arena.alloc<uint32_t>(sizes.tile);
-  scratch->joints = arena.alloc<uint16_t>(checked(static_cast<uint64_t>(sizes.tile) * plan.candidates));
+  scratch->vertices = arena.alloc<uint32_t>(checked(sizes.tile_vertices()));
+  scratch->joints = arena.alloc<uint16_t>(checked(sizes.tile_vertices() * plan.candidates));
   return arena.ok();
 }
 
@@ -208,7 +214,22 @@ struct Run {
   StageScratch scratch;
 };
 
+// Some vertices of a run on their way through a stage.
+struct Tile {
+  const Run& run;
+  uint32_t lane;        // whose scratch they use
+  uint32_t table_lane;  // whose tables they read
+  uint32_t count;       // vertices
+  const uint32_t* vertices() const { return run.scratch.vertices + first(); }
+  const uint16_t* joints() const { return run.scratch.joints + first() * run.plan.candidates; }
+  size_t first() const { return static_cast<size_t>(lane) * run.sizes.tile; }  // vertex of the scratch
+};
+
 uint32_t slots_of(const Run& run, const Region& region) { return run.plan.slots(region.buffer); }
+int16_t* table_of(const Run& run, uint32_t index, uint32_t lane) {
+  return run.scratch.table[index] +
+         static_cast<size_t>(table_values(run.plan, run.plan.layers[index], run.sizes)) * lane;
+}
 
 // Rows of a stored output, or of an input, for the whole mesh; `channel` is the buffer's.
 RowsView whole_mesh(const Run& run, uint16_t buffer, int producer, uint32_t channel) {
@@ -221,18 +242,21 @@ RowsView whole_mesh(const Run& run, uint16_t buffer, int producer, uint32_t chan
   return {rows + (channel - out.offset), out.channels};
 }
 
-int16_t* tile_row(const Run& run, const Region& region, size_t row) {
-  return run.scratch.tile[region.buffer] + row * run.plan.buffers[region.buffer].channels + region.offset;
+int16_t* tile_row(const Tile& tile, const Region& region, size_t row) {
+  const NetworkPlan& plan = tile.run.plan;
+  return tile.run.scratch.tile[region.buffer] +
+         (tile.first() * plan.slots(region.buffer) + row) * plan.buffers[region.buffer].channels + region.offset;
 }
-RowsView tile_rows(const Run& run, const Region& region) {
-  return {tile_row(run, region, 0), run.plan.buffers[region.buffer].channels};
+RowsView tile_rows(const Tile& tile, const Region& region) {
+  return {tile_row(tile, region, 0), tile.run.plan.buffers[region.buffer].channels};
 }
 
 void copy_values(int16_t* to, const int16_t* from, uint32_t count) { memcpy(to, from, count * sizeof(int16_t)); }
 
-// Tables of the stage's global layers, or of its part layers for one part (vertices, count).
-void make_tables(Run& run, uint32_t stage, bool global, const uint32_t* vertices, uint32_t count) {
+// Tables of the stage's global layers, or of its part layers for one part (vertices, count), in a lane's memory.
+void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* vertices, uint32_t count, uint32_t lane) {
   const uint32_t k = run.plan.candidates;
+  int64_t* const sums = run.scratch.sums + static_cast<size_t>(run.scratch.table_sums) * lane;
   for (uint32_t i = 0; i < run.plan.layer_count; ++i) {
     const Layer& layer = run.plan.layers[i];
     if (run.plan.stage[i] != stage || !uses_table(layer.kind) || (layer.kind != LayerKind::kPartMean) != global)
@@ -241,21 +265,20 @@ void make_tables(Run& run, uint32_t stage, bool global, const uint32_t* vertices
     const uint16_t* present = pair ? run.input.joints : nullptr;
     const size_t rows = static_cast<size_t>(run.sizes.vertices) * slots_of(run, layer.in);
     // A region of several writers gives one table behind the other.
-    int16_t* table = run.scratch.table[i];
+    int16_t* table = table_of(run, i, lane);
     for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
       const Segment segment = segment_at(run.plan.layers, i, layer.in, channel);
       const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
       size_t made = segment.count;
       if (layer.kind == LayerKind::kGlobalMean) {
-        run.kernels.global_mean(values, segment.count, present, rows, run.scratch.sums, table);
+        run.kernels.global_mean(values, segment.count, present, rows, sums, table);
       } else if (layer.kind == LayerKind::kGlobalMax) {
         run.kernels.global_max(values, segment.count, present, rows, table);
       } else if (pair) {
-        run.kernels.part_mean_pair(values, segment.count, run.input.joints, k, vertices, count, run.scratch.sums,
-                                   table);
+        run.kernels.part_mean_pair(values, segment.count, run.input.joints, k, vertices, count, sums, table);
         made *= run.sizes.joints;
       } else {
-        run.kernels.part_mean_vertex(values, segment.count, vertices, count, run.scratch.sums, table);
+        run.kernels.part_mean_vertex(values, segment.count, vertices, count, sums, table);
       }
       table += made;
       channel += segment.count;
@@ -276,46 +299,52 @@ bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32
 }
 
 // Multiplies what a vertex' slots share once, from its first slot's row, and lets the rows start from it.
-void add_shared_columns(const Run& run, uint32_t index, uint32_t rows, LinearView* linear) {
+void add_shared_columns(const Tile& tile, uint32_t index, LinearView* linear) {
+  const Run& run = tile.run;
   const SharedColumns& columns = run.packed.columns[index];
   const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates;
-  if (columns.shared_count == 0 || !first_slot_speaks_for_all(run.scratch.joints, rows / k, k)) return;
+  if (columns.shared_count == 0 || !first_slot_speaks_for_all(tile.joints(), tile.count, k)) return;
+  int32_t* const starts = run.packed.starts + tile.first() * run.packed.outputs;
   linear->packed.range_count = columns.shared_count;
   memcpy(linear->packed.ranges, columns.shared, sizeof(columns.shared));
-  const RowsView first_slots = {tile_row(run, layer.in, 0), run.plan.buffers[layer.in.buffer].channels * k};
-  run.kernels.linear_sums(*linear, first_slots, rows / k, run.packed.starts);
-  linear->packed.starts = run.packed.starts;
+  const RowsView first_slots = {tile_row(tile, layer.in, 0), run.plan.buffers[layer.in.buffer].channels * k};
+  run.kernels.linear_sums(*linear, first_slots, tile.count, starts);
+  linear->packed.starts = starts;
   linear->packed.rows_per_start = k;
   linear->packed.range_count = columns.own_count;
   memcpy(linear->packed.ranges, columns.own, sizeof(columns.own));
 }
 
-void run_linear(const Run& run, uint32_t index, uint32_t rows, const uint16_t* present) {
+void run_linear(const Tile& tile, uint32_t index) {
+  const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
-  const RowsView residual = (layer.flags & kLayerResidual) != 0 ? tile_rows(run, layer.residual) : RowsView();
+  const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
+  const RowsView residual = (layer.flags & kLayerResidual) != 0 ? tile_rows(tile, layer.residual) : RowsView();
   LinearView linear = make_linear_view(run.tables, layer);
   if (run.packed.memory[index] != nullptr) {
     linear.packed = packed_view(linear, run.packed.memory[index]);
-    if (run.packed.has_shared) add_shared_columns(run, index, rows, &linear);
+    if (run.packed.has_shared) add_shared_columns(tile, index, &linear);
   }
-  run.kernels.linear(linear, tile_rows(run, layer.in), residual, present, rows, tile_row(run, layer.out, 0),
+  run.kernels.linear(linear, tile_rows(tile, layer.in), residual, pair ? tile.joints() : nullptr,
+                     tile.count * slots_of(run, layer.out), tile_row(tile, layer.out, 0),
                      run.plan.buffers[layer.out.buffer].channels);
 }
 
 // One-ring layers: rows of neighbours come from storage, whatever tile they belong to.
-void run_ring(const Run& run, uint32_t index, uint32_t count) {
+void run_ring(const Tile& tile, uint32_t index) {
+  const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates, slots = slots_of(run, layer.out);
   const bool mean = layer.kind == LayerKind::kRingMean;
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
     const Segment segment = segment_at(run.plan.layers, index, layer.in, channel);
     const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
-    for (uint32_t row = 0; row < count * slots; ++row) {
-      const uint32_t vertex = run.scratch.vertices[row / slots];
+    for (uint32_t row = 0; row < tile.count * slots; ++row) {
+      const uint32_t vertex = tile.vertices()[row / slots];
       const uint32_t* ring = run.input.col_indices + run.input.row_offsets[vertex];
       const uint32_t valence = run.input.row_offsets[vertex + 1] - run.input.row_offsets[vertex];
-      int16_t* out = tile_row(run, layer.out, row) + (channel - layer.in.offset);
+      int16_t* out = tile_row(tile, layer.out, row) + (channel - layer.in.offset);
       if (run.plan.buffers[layer.out.buffer].domain == Domain::kVertex) {
         if (mean) {
           run.kernels.ring_mean_vertex(values, segment.count, ring, valence, out);
@@ -323,7 +352,7 @@ void run_ring(const Run& run, uint32_t index, uint32_t count) {
           run.kernels.ring_max_vertex(values, segment.count, ring, valence, out);
         }
       } else {
-        const uint16_t joint = run.scratch.joints[row];
+        const uint16_t joint = tile.joints()[row];
         const uint32_t neighbours = joint == kNoJoint ? 0 : valence;  // an absent slot has none
         if (mean) {
           run.kernels.ring_mean_pair(values, segment.count, run.input.joints, k, joint, ring, neighbours, out);
@@ -337,17 +366,18 @@ void run_ring(const Run& run, uint32_t index, uint32_t count) {
 }
 
 // Hands a table's row to the tile's rows.
-void run_table(const Run& run, uint32_t index, uint32_t count) {
+void run_table(const Tile& tile, uint32_t index) {
+  const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
   const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
   const bool by_joint = pair && layer.kind == LayerKind::kPartMean;
-  const uint32_t rows = count * slots_of(run, layer.out);
-  const int16_t* table = run.scratch.table[index];
+  const uint32_t rows = tile.count * slots_of(run, layer.out);
+  const int16_t* table = table_of(run, index, tile.table_lane);
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
     const Segment segment = segment_at(run.plan.layers, index, layer.in, channel);
     for (uint32_t row = 0; row < rows; ++row) {
-      int16_t* out = tile_row(run, layer.out, row) + (channel - layer.in.offset);
-      const uint16_t joint = pair ? run.scratch.joints[row] : static_cast<uint16_t>(0);
+      int16_t* out = tile_row(tile, layer.out, row) + (channel - layer.in.offset);
+      const uint16_t joint = pair ? tile.joints()[row] : static_cast<uint16_t>(0);
       if (joint == kNoJoint) {
         memset(out, 0, segment.count * sizeof(int16_t));
       } else {
@@ -359,103 +389,103 @@ void run_table(const Run& run, uint32_t index, uint32_t count) {
   }
 }
 
-void run_local(const Run& run, uint32_t index, uint32_t count) {
+void run_local(const Tile& tile, uint32_t index) {
+  const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates;
-  const uint16_t* joints = run.scratch.joints;
+  const uint16_t* joints = tile.joints();
+  const uint32_t count = tile.count;
   const uint32_t out_stride = run.plan.buffers[layer.out.buffer].channels;
   switch (layer.kind) {
-    case LayerKind::kLinear: {
-      const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
-      run_linear(run, index, count * slots_of(run, layer.out), pair ? joints : nullptr);
+    case LayerKind::kLinear:
+      run_linear(tile, index);
       break;
-    }
     case LayerKind::kCandidateMax:
       for (uint32_t i = 0; i < count; ++i) {
         const size_t row = static_cast<size_t>(i) * k;
-        run.kernels.candidate_max({tile_row(run, layer.in, row), run.plan.buffers[layer.in.buffer].channels},
-                                  layer.in.channels, joints + row, k, tile_row(run, layer.out, row), out_stride);
+        run.kernels.candidate_max({tile_row(tile, layer.in, row), run.plan.buffers[layer.in.buffer].channels},
+                                  layer.in.channels, joints + row, k, tile_row(tile, layer.out, row), out_stride);
       }
       break;
     case LayerKind::kVertexToPair:
       for (uint32_t row = 0; row < count * k; ++row) {
-        int16_t* out = tile_row(run, layer.out, row);
+        int16_t* out = tile_row(tile, layer.out, row);
         if (joints[row] == kNoJoint) {
           memset(out, 0, layer.out.channels * sizeof(int16_t));
         } else {
-          copy_values(out, tile_row(run, layer.in, row / k), layer.out.channels);
+          copy_values(out, tile_row(tile, layer.in, row / k), layer.out.channels);
         }
       }
       break;
     case LayerKind::kPairToVertex:  // absent slots are 0 already
       for (uint32_t row = 0; row < count * k; ++row) {
-        copy_values(tile_row(run, layer.out, row / k) + (row % k) * layer.in.channels, tile_row(run, layer.in, row),
+        copy_values(tile_row(tile, layer.out, row / k) + (row % k) * layer.in.channels, tile_row(tile, layer.in, row),
                     layer.in.channels);
       }
       break;
     case LayerKind::kVertexToSlots:
       for (uint32_t row = 0; row < count * k; ++row) {
-        int16_t* out = tile_row(run, layer.out, row);
+        int16_t* out = tile_row(tile, layer.out, row);
         if (joints[row] == kNoJoint) {
           memset(out, 0, layer.out.channels * sizeof(int16_t));
         } else {
-          copy_values(out, tile_row(run, layer.in, row / k) + (row % k) * layer.out.channels, layer.out.channels);
+          copy_values(out, tile_row(tile, layer.in, row / k) + (row % k) * layer.out.channels, layer.out.channels);
         }
       }
       break;
     default:  // kCopy: the reader knows no other kind
       for (uint32_t row = 0; row < count * slots_of(run, layer.out); ++row) {
-        copy_values(tile_row(run, layer.out, row), tile_row(run, layer.in, row), layer.out.channels);
+        copy_values(tile_row(tile, layer.out, row), tile_row(tile, layer.in, row), layer.out.channels);
       }
       break;
   }
 }
 
 // Rows of the tile's vertices between a whole-mesh array and the tile. `region` is the array's place in its buffer.
-void load_rows(const Run& run, const Region& region, RowsView from, uint32_t count) {
-  const uint32_t slots = slots_of(run, region);
-  for (uint32_t row = 0; row < count * slots; ++row) {
-    const size_t mesh_row = static_cast<size_t>(run.scratch.vertices[row / slots]) * slots + row % slots;
-    copy_values(tile_row(run, region, row), from.data + mesh_row * from.stride, region.channels);
+void load_rows(const Tile& tile, const Region& region, RowsView from) {
+  const uint32_t slots = slots_of(tile.run, region);
+  for (uint32_t row = 0; row < tile.count * slots; ++row) {
+    const size_t mesh_row = static_cast<size_t>(tile.vertices()[row / slots]) * slots + row % slots;
+    copy_values(tile_row(tile, region, row), from.data + mesh_row * from.stride, region.channels);
   }
 }
-void store_rows(const Run& run, const Region& region, int16_t* to, uint32_t count) {
-  const uint32_t slots = slots_of(run, region);
-  for (uint32_t row = 0; row < count * slots; ++row) {
-    const size_t mesh_row = static_cast<size_t>(run.scratch.vertices[row / slots]) * slots + row % slots;
-    copy_values(to + mesh_row * region.channels, tile_row(run, region, row), region.channels);
+void store_rows(const Tile& tile, const Region& region, int16_t* to) {
+  const uint32_t slots = slots_of(tile.run, region);
+  for (uint32_t row = 0; row < tile.count * slots; ++row) {
+    const size_t mesh_row = static_cast<size_t>(tile.vertices()[row / slots]) * slots + row % slots;
+    copy_values(to + mesh_row * region.channels, tile_row(tile, region, row), region.channels);
   }
 }
 
-// scratch.vertices[0, count) goes through all layers of the stage.
-void run_tile(Run& run, uint32_t stage, uint32_t count) {
+// The tile's vertices go through all layers of the stage.
+void run_tile(const Tile& tile, uint32_t stage) {
+  const Run& run = tile.run;
   const uint32_t k = run.plan.candidates;
-  for (uint32_t i = 0; i < count; ++i) {
-    memcpy(run.scratch.joints + static_cast<size_t>(i) * k,
-           run.input.joints + static_cast<size_t>(run.scratch.vertices[i]) * k, k * sizeof(uint16_t));
+  for (uint32_t i = 0; i < tile.count; ++i) {
+    memcpy(run.scratch.joints + (tile.first() + i) * k, run.input.joints + static_cast<size_t>(tile.vertices()[i]) * k,
+           k * sizeof(uint16_t));
   }
   for (uint16_t b = 0; b < 2; ++b) {
     if (!run.scratch.load_input[b]) continue;
-    load_rows(run, {b, 0, run.plan.buffers[b].channels}, whole_mesh(run, b, kFromInput, 0), count);
+    load_rows(tile, {b, 0, run.plan.buffers[b].channels}, whole_mesh(run, b, kFromInput, 0));
   }
   for (uint32_t i = 0; i < run.plan.layer_count; ++i) {
     const Layer& layer = run.plan.layers[i];
     if (run.scratch.load[i]) {
-      load_rows(run, layer.out, whole_mesh(run, layer.out.buffer, static_cast<int>(i), layer.out.offset), count);
+      load_rows(tile, layer.out, whole_mesh(run, layer.out.buffer, static_cast<int>(i), layer.out.offset));
     }
     if (run.plan.stage[i] != stage) continue;
     if (layer.kind == LayerKind::kRingMean || layer.kind == LayerKind::kRingMax) {
-      run_ring(run, i, count);
+      run_ring(tile, i);
     } else if (uses_table(layer.kind)) {
-      run_table(run, i, count);
+      run_table(tile, i);
     } else {
-      run_local(run, i, count);
+      run_local(tile, i);
     }
     if (run.plan.stored[i]) {
-      store_rows(run, layer.out, run.storage + static_cast<size_t>(run.plan.store_offset[i]) * run.sizes.vertices,
-                 count);
+      store_rows(tile, layer.out, run.storage + static_cast<size_t>(run.plan.store_offset[i]) * run.sizes.vertices);
     }
-    if (i + 1 == run.plan.layer_count) store_rows(run, layer.out, run.logits, count);
+    if (i + 1 == run.plan.layer_count) store_rows(tile, layer.out, run.logits);
   }
 }
 
@@ -466,31 +496,106 @@ bool has_part_layer(const NetworkPlan& plan, uint32_t stage) {
   return false;
 }
 
-// One walk over all vertices: part by part when a layer wants part means, so that one part's table is enough; else in
-// order. Returns false when the caller cancelled.
-bool run_stage(Run& run, uint32_t stage, const Progress& progress) {
-  const bool by_part = has_part_layer(run.plan, stage);
-  const uint32_t groups = by_part ? run.input.component_count : 1;
-  uint64_t done = static_cast<uint64_t>(stage) * run.sizes.vertices;
-  const uint64_t all = static_cast<uint64_t>(run.plan.stage_count) * run.sizes.vertices;
-  make_tables(run, stage, true, nullptr, 0);
-  for (uint32_t group = 0; group < groups; ++group) {
-    const uint32_t begin = by_part ? run.input.component_offsets[group] : 0;
-    const uint32_t end = by_part ? run.input.component_offsets[group + 1] : run.sizes.vertices;
-    if (begin == end) continue;
-    if (by_part) make_tables(run, stage, false, run.input.component_vertices + begin, end - begin);
-    for (uint32_t first = begin; first < end; first += run.sizes.tile) {
-      const uint32_t count = end - first < run.sizes.tile ? end - first : run.sizes.tile;
-      if (!progress.report(static_cast<uint32_t>(done * 1000 / all))) return false;
-      for (uint32_t i = 0; i < count; ++i) {
-        run.scratch.vertices[i] = by_part ? run.input.component_vertices[first + i] : first + i;
+// One walk over the vertices of a stage.
+class StageWalk {
+ public:
+  StageWalk(const Run& run, uint32_t stage, const Progress& progress)
+      : run_(run),
+        stage_(stage),
+        progress_(progress),
+        by_part_(has_part_layer(run.plan, stage)),
+        small_part_(uint64_t{run.sizes.tile} * kSmallPart),
+        round_(run.sizes.tile_vertices() * kTilesPerRound),
+        done_(static_cast<uint64_t>(stage) * run.sizes.vertices) {}
+
+  // Part by part when a layer wants part means, so that one part's table is enough; else in order. Returns false when
+  // the caller cancelled.
+  bool run() {
+    make_tables(run_, stage_, true, nullptr, 0, 0);
+    for (uint32_t lane = 1; lane < run_.sizes.lanes; ++lane) copy_global_tables(lane);
+    if (!by_part_) return run_range(0, run_.sizes.vertices);
+    const uint32_t* offsets = run_.input.component_offsets;
+    for (uint32_t part = 0; part < run_.input.component_count;) {
+      // A part that keeps all lanes busy, or as many small parts as a round holds: a lane takes those whole.
+      uint32_t end = part;
+      while (end < run_.input.component_count && offsets[end + 1] - offsets[end] < small_part_ &&
+             offsets[end + 1] - offsets[part] <= round_) {
+        ++end;
       }
-      run_tile(run, stage, count);
-      done += count;
+      if (end == part) {
+        make_tables(run_, stage_, false, run_.input.component_vertices + offsets[part],
+                    offsets[part + 1] - offsets[part], 0);
+        if (!run_range(offsets[part], offsets[part + 1])) return false;
+        ++part;
+      } else {
+        if (!run_parts(part, end)) return false;
+        part = end;
+      }
+    }
+    return true;
+  }
+
+ private:
+  static constexpr uint32_t kTilesPerRound = 32;  // of each lane between two reports of progress
+  static constexpr uint32_t kSmallPart = 4;       // tiles
+
+  bool report(uint32_t vertices) {
+    const uint64_t all = static_cast<uint64_t>(run_.plan.stage_count) * run_.sizes.vertices;
+    const bool go_on = progress_.report(static_cast<uint32_t>(done_ * 1000 / all));
+    done_ += vertices;
+    return go_on;
+  }
+
+  // Global layers are computed once; every lane's own table has them, beside its parts'.
+  void copy_global_tables(uint32_t lane) const {
+    for (uint32_t i = 0; i < run_.plan.layer_count; ++i) {
+      const Layer& layer = run_.plan.layers[i];
+      if (run_.plan.stage[i] != stage_ || !uses_table(layer.kind) || layer.kind == LayerKind::kPartMean) continue;
+      copy_values(table_of(run_, i, lane), table_of(run_, i, 0), layer.in.channels);
     }
   }
-  return true;
-}
+
+  void run_tiles(uint32_t first, uint32_t end, uint32_t lane, uint32_t table_lane) const {
+    for (; first < end; first += run_.sizes.tile) {
+      const Tile tile = {run_, lane, table_lane, end - first < run_.sizes.tile ? end - first : run_.sizes.tile};
+      for (uint32_t i = 0; i < tile.count; ++i) {
+        run_.scratch.vertices[tile.first() + i] = by_part_ ? run_.input.component_vertices[first + i] : first + i;
+      }
+      run_tile(tile, stage_);
+    }
+  }
+
+  bool run_range(uint32_t begin, uint32_t end) {
+    for (uint32_t first = begin; first < end;) {
+      const uint32_t last = end - first < round_ ? end : first + static_cast<uint32_t>(round_);
+      if (!report(last - first)) return false;
+      run_.input.threads.ranges(last - first, run_.sizes.tile, [&](uint32_t from, uint32_t to, uint32_t lane) {
+        run_tiles(first + from, first + to, lane, 0);
+      });
+      first = last;
+    }
+    return true;
+  }
+
+  bool run_parts(uint32_t first, uint32_t end) {
+    const uint32_t* offsets = run_.input.component_offsets;
+    if (!report(offsets[end] - offsets[first])) return false;
+    run_.input.threads.each(end - first, [&](uint32_t index, uint32_t lane) {
+      const uint32_t part = first + index, begin = offsets[part], count = offsets[part + 1] - begin;
+      if (count == 0) return;
+      make_tables(run_, stage_, false, run_.input.component_vertices + begin, count, lane);
+      run_tiles(begin, begin + count, lane, lane);
+    });
+    return true;
+  }
+
+  const Run& run_;
+  const uint32_t stage_;
+  const Progress& progress_;
+  const bool by_part_;
+  const uint64_t small_part_, round_;  // vertices
+  uint64_t done_;
+};
 
 }  // namespace
 
@@ -504,9 +609,9 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
   const ModelTables tables(model.bytes);
   const size_t start = arena.mark();
   PackedLayers packed;
-  (void)packed.allocate(plan, tables, options, arena);
-  Run run = {plan,    input,  tables, kernels, packed, {input.vertex_count, input.joint_count, options.tile_vertices},
-             nullptr, logits, {}};
+  const Sizes sizes = {input.vertex_count, input.joint_count, options.tile_vertices, input.threads.lanes};
+  (void)packed.allocate(plan, tables, options, sizes.lanes, arena);
+  Run run = {plan, input, tables, kernels, packed, sizes, nullptr, logits, {}};
   run.storage = allocate_storage(plan, run.sizes, arena);
   sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;
   if (status == SINEW_OK) packed.fill(plan, tables, kernels.linear_packed != nullptr);
@@ -514,7 +619,7 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
     const size_t stage_start = arena.mark();
     if (!allocate_stage(plan, stage, run.sizes, arena, &run.scratch)) {
       status = SINEW_ERROR_WORKSPACE;
-    } else if (!run_stage(run, stage, progress)) {
+    } else if (!StageWalk(run, stage, progress).run()) {
       status = SINEW_ERROR_CANCELLED;
     }
     arena.release(stage_start);
@@ -526,10 +631,10 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
 void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts, const NetworkOptions& options) {
   NetworkPlan plan;
   make_plan(model, counts.candidates, &plan);
-  const Sizes sizes = {counts.vertices, counts.joints, options.tile_vertices};
+  const Sizes sizes = {counts.vertices, counts.joints, options.tile_vertices, counts.threads.lanes};
   const size_t start = arena.mark();
   PackedLayers packed;
-  (void)packed.allocate(plan, ModelTables(model.bytes), options, arena);
+  (void)packed.allocate(plan, ModelTables(model.bytes), options, sizes.lanes, arena);
   allocate_storage(plan, sizes, arena);
   for (uint32_t stage = 0; stage < plan.stage_count; ++stage) {
     StageScratch scratch;

@@ -25,6 +25,7 @@ struct NetworkInput {
   const uint32_t* component_vertices = nullptr;  // [U]
   uint32_t component_count = 0;
   uint32_t joint_count = 0;
+  Threads threads = {};
 };
 
 // Vertices that go through a stage's layers together: with 8 candidates and some 600 channels their rows fill 150 KB.
@@ -44,7 +45,8 @@ struct NetworkOptions {
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
                          int16_t* logits, const NetworkOptions& options = {});
 // Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J,
-// counts.candidates is K. Asks neither for the processor nor for what the library was built with: the same everywhere.
+// counts.candidates is K, counts.threads.lanes those of the input. Asks neither for the processor nor for what the
+// library was built with: the same everywhere.
 void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts,
                          const NetworkOptions& options = {});
 

@@ -27,6 +27,9 @@ struct BindOptions {
   uint32_t kernel = SINEW_KERNEL_AUTO;  // AUTO asks kernel_from_environment()
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;
+  uint32_t thread_count = 1;                  // pieces that the engine cuts its work into
+  sinew_parallel_for parallel_for = nullptr;  // who runs them, see sinew_options
+  void* parallel_user = nullptr;
 };
 struct BindResult {
   std::vector<std::vector<Influence>> influences;  // [V], weights unorm16 / 65535

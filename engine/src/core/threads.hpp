@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The caller's threads (sinew_options::parallel_for): how a stage hands out independent pieces of work.
+#ifndef SINEW_CORE_THREADS_HPP
+#define SINEW_CORE_THREADS_HPP
+
+#include <stdint.h>
+
+#include "sinew/sinew.h"
+
+namespace sinew {
+
+// Work is cut into `lanes` pieces, whatever threads there are: without parallel_for they run one after the other. Scratch
+// that a piece writes is there once per lane, so that the workspace is a function of this number alone.
+struct Threads {
+  uint32_t lanes = 1;  // 1..SINEW_MAX_THREADS
+  sinew_parallel_for parallel_for = nullptr;
+  void* user = nullptr;
+
+  // body(index, lane) for every index in [0, count). Lane l takes l, l + lanes, ...: fixed, so nothing is shared that
+  // threads would have to agree on, and interleaved, so that neighbours of unlike cost are spread. A body writes only
+  // what belongs to its index or its lane, which makes every order of calls the same. Not to be nested.
+  template <class Body>
+  void each(uint32_t count, const Body& body) const {
+    const uint32_t used = count < lanes ? count : lanes;
+    const Job<Body> job = {&body, count, used};
+    if (used < 2 || parallel_for == nullptr) {
+      for (uint32_t lane = 0; lane < used; ++lane) Job<Body>::run(const_cast<Job<Body>*>(&job), lane);
+    } else {
+      parallel_for(user, used, Job<Body>::run, const_cast<Job<Body>*>(&job));
+    }
+  }
+
+  // The same over the pieces [begin, end) of [0, count), `size` each and the last one shorter: body(begin, end, lane).
+  template <class Body>
+  void ranges(uint32_t count, uint32_t size, const Body& body) const {
+    each((count + size - 1) / size, [&](uint32_t index, uint32_t lane) {
+      const uint32_t begin = index * size;
+      body(begin, count - begin < size ? count : begin + size, lane);
+    });
+  }
+
+ private:
+  template <class Body>
+  struct Job {
+    const Body* body;
+    uint32_t count, lanes;
+    static void run(void* data, uint32_t lane) {
+      const Job& job = *static_cast<const Job*>(data);
+      for (uint32_t index = lane; index < job.count; index += job.lanes) (*job.body)(index, lane);
+    }
+  };
+};
+
+}  // namespace sinew
+#endif

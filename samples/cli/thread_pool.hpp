@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Threads that the command lends to the engine (sinew_options::parallel_for).
+#ifndef SINEW_CLI_THREAD_POOL_HPP
+#define SINEW_CLI_THREAD_POOL_HPP
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+#include <vector>
+
+namespace sinew::cli {
+
+// The calling thread and `threads - 1` others, which sleep between two loops. One caller at a time.
+class ThreadPool {
+ public:
+  explicit ThreadPool(unsigned threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  // body(data, i) for i in 0..count-1; returns when all are done.
+  void run(uint32_t count, void (*body)(void* data, uint32_t index), void* data);
+  // As sinew_options wants it; `user` is the pool.
+  static void parallel_for(void* user, uint32_t count, void (*body)(void* data, uint32_t index), void* data);
+
+ private:
+  void work();
+  void serve();
+
+  std::vector<std::thread> others_;
+  // The loop at hand; written while all others sleep.
+  void (*body_)(void*, uint32_t) = nullptr;
+  void* data_ = nullptr;
+  uint32_t count_ = 0;
+  bool stop_ = false;
+  std::atomic<uint32_t> next_{0};     // index
+  std::atomic<uint32_t> loop_{0};     // counts loops; what the others wait for
+  std::atomic<uint32_t> working_{0};  // others that are not back from it
+};
+
+}  // namespace sinew::cli
+#endif
