@@ -13,6 +13,7 @@
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "text_lines.hpp"
 
 namespace sinew {
 
@@ -133,7 +134,7 @@ Checkpoint read_checkpoint(const std::string& path) {
     archive(checkpoint);
     if (stream.peek() != std::istringstream::traits_type::eof()) throw Error("bytes left over");
   } catch (const std::exception& problem) {
-    throw Error(path + ": damaged checkpoint, " + problem.what());
+    throw Error(path + ": damaged checkpoint, " + one_line(problem.what()));
   }
   check_network(path, "evaluated", checkpoint.network);
   check_network(path, "latest", checkpoint.latest);

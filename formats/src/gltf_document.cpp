@@ -48,17 +48,6 @@ bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, i
   return true;
 }
 
-// A parser's words as part of one line: without its marks for programs, and without the bytes that it stumbled over.
-std::string one_line(std::string text) {
-  for (size_t mark; (mark = text.find("[json.exception")) != std::string::npos;) {
-    const size_t end = text.find("] ", mark);
-    text.erase(mark, end == std::string::npos ? end : end + 2 - mark);
-  }
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  for (char& c : text) c = c == '\n' ? ';' : c < ' ' || c > '~' ? '?' : c;
-  return text;
-}
-
 const char* image_type(const std::vector<unsigned char>& bytes) {
   const auto begins = [&](const char* magic, size_t size, size_t at) {
     return bytes.size() >= at + size && std::memcmp(bytes.data() + at, magic, size) == 0;
@@ -167,7 +156,7 @@ GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) 
   try {
     gather_buffers(&source);
   } catch (const std::exception& error) {
-    throw Error(path + ": expected buffer views that name their buffer, found others: " + error.what());
+    throw Error(path + ": expected buffer views that name their buffer, found others: " + one_line(error.what()));
   }
   return source;
 }

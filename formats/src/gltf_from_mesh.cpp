@@ -9,6 +9,7 @@
 
 #include "gltf_source.hpp"
 #include "sinew_formats/error.hpp"
+#include "text_lines.hpp"
 
 namespace sinew {
 namespace {
@@ -202,7 +203,7 @@ GltfSource gltf_from_mesh(const std::string& path, const Character& character) {
   try {
     if (!writer.WriteGltfSceneToStream(&model, stream, false, true)) throw Error("no reason given");
   } catch (const std::exception& error) {  // names that are not UTF-8
-    throw Error(path + ": cannot write a GLB: " + error.what());
+    throw Error(path + ": cannot write a GLB: " + one_line(error.what()));
   }
   const std::string glb = stream.str();
   GltfSource source = load_gltf(path, {glb.begin(), glb.end()});

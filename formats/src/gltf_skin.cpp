@@ -544,7 +544,7 @@ void write_gltf_skin(const std::string& path, const Character& character, bool u
   try {
     SkinWriter(path, character, unorm8, source).write();
   } catch (const nlohmann::json::exception& error) {
-    throw Error(path + ": cannot write, the input document has an unexpected form: " + error.what());
+    throw Error(path + ": cannot write, the input document has an unexpected form: " + one_line(error.what()));
   }
 }
 

@@ -8,6 +8,7 @@
 #include "gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "text_lines.hpp"
 
 namespace sinew {
 namespace {
@@ -183,7 +184,7 @@ void write_glb(const std::string& path, const Character& character, const GlbOpt
   try {
     glb = to_glb(path, &source);
   } catch (const nlohmann::json::exception& error) {
-    throw Error(path + ": cannot write, a name is not UTF-8 text: " + error.what());
+    throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));
   }
   write_file(path, glb);
 }

@@ -32,6 +32,19 @@ inline std::string in_quotes(std::string_view found) {
   return out + (found.size() > kLongest ? "...'" : "'");
 }
 
+// What a library complained of, made fit for a message: it may quote the file, zero bytes and all.
+inline std::string one_line(std::string text) {
+  constexpr size_t kLongest = 300;
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  const bool cut = text.size() > kLongest;
+  if (cut) text.resize(kLongest);
+  for (char& c : text) {
+    if (c == '\n') c = ';';
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+  }
+  return cut ? text + "..." : text;
+}
+
 // Decimal number that is finite as a float; nullopt otherwise ("nan", "inf", "1e99", "0x10", "1,5", "").
 inline std::optional<float> to_finite_float(std::string_view word) {
   if (!word.empty() && word[0] == '+') word.remove_prefix(1);
