@@ -138,9 +138,9 @@ SINEW_INLINE void narrow_tile(const LinearView& linear, const TileRows& rows, ui
       SINEW_UNROLL for (int i = 0; i < Isa::kFinish * kPerGroup; ++i) {
         part[i] = sums[r][g * kPerGroup + (g + i / kPerGroup < G ? i : i % kPerGroup)];
       }
-      Isa::finish(part, linear.packed.shifts + n, factors,
-                  rows.residual + static_cast<size_t>(r) * rows.residual_stride + n, linear.low, linear.high, count,
-                  out);
+      const int16_t* const residual =
+          factors != nullptr ? rows.residual + static_cast<size_t>(r) * rows.residual_stride + n : nullptr;
+      Isa::finish(part, linear.packed.shifts + n, factors, residual, linear.low, linear.high, count, out);
     }
   }
 }
