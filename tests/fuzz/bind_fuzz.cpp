@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Fuzz target: the size query and sinew_bind() on arbitrary meshes, skeletons and options, with the bundled model and
+// without one. Refusals are those that the header documents; rows obey its rules; a second run with another kernel and
+// another content of the workspace gives the same bytes.
+#include <cstdio>
+
+#include "bind_checks.hpp"
+#include "fuzz.hpp"
+
+namespace {
+
+using namespace sinew::test;
+
+const sinew_model* bundled_model() {
+  struct Opened {
+    std::vector<uint64_t> bytes = std::vector<uint64_t>(64 * 1024);  // 8-byte aligned
+    sinew_model model = {};
+    Opened() {
+      std::FILE* file = std::fopen(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew", "rb");
+      demand(file != nullptr, "samples/data/sinew_default.sinew is there");
+      const size_t size = std::fread(bytes.data(), 1, bytes.size() * 8, file);
+      std::fclose(file);
+      demand(sinew_model_open(bytes.data(), size, &model) == SINEW_OK, "samples/data/sinew_default.sinew opens");
+    }
+  };
+  static const Opened opened;
+  return &opened.model;
+}
+
+float any_float(Bytes& in, bool raw) {
+  if (!raw) return static_cast<float>(static_cast<int16_t>(in.u16())) / 256.0f;
+  const uint32_t bits = in.u32();
+  float value;
+  std::memcpy(&value, &bits, 4);
+  return value;
+}
+
+// An input as a call. Every enumeration reaches one beyond its last legal value.
+struct Call {
+  std::vector<float> positions, joint_positions;
+  std::vector<uint32_t> offsets, corners;
+  std::vector<int32_t> parents;
+  std::vector<uint8_t> flags, locked, hints, confidence, given_weights;
+  std::vector<uint16_t> given_joints;
+  sinew_mesh mesh = {};
+  sinew_skeleton skeleton = {};
+  sinew_options options = {};
+  uint32_t influences = 4, symmetric_vertices = 0;
+  size_t weight_size = 2, short_by = 0, misaligned = 0;
+  uint32_t cancel_at = 0, reports = 0;
+
+  explicit Call(Bytes in) {
+    const uint8_t shape = in.u8(), extras = in.u8();
+    const uint32_t vertices = in.below(41), joints = in.below(11), faces = in.below(49);
+    read_options(in, extras, vertices);
+    for (uint32_t i = 0; i < 3 * joints; ++i) joint_positions.push_back(any_float(in, (shape & 1) != 0));
+    for (uint32_t j = 0; j < joints; ++j) {
+      parents.push_back((shape & 2) != 0 ? static_cast<int8_t>(in.u8()) : static_cast<int32_t>(in.below(j + 1)) - 1);
+      flags.push_back(in.u8() % 16 == 0 ? in.u8() : uint8_t{0});
+    }
+    for (uint32_t i = 0; i < 3 * vertices; ++i) positions.push_back(any_float(in, (shape & 4) != 0));
+    // Faces: triangles without offsets, polygons, or any offsets at all.
+    offsets.push_back((shape & 32) != 0 ? in.u8() : 0);
+    for (uint32_t f = 0; f < faces; ++f) {
+      const uint32_t length = (shape & 8) != 0 ? in.below(7) : 3;
+      offsets.push_back((shape & 32) != 0 ? in.u32() % 200 : offsets.back() + length);
+    }
+    const uint32_t corner_count = (shape & 32) != 0 ? in.below(160) : offsets.back();
+    const uint32_t beyond = (shape & 16) != 0 ? 1 : 0;
+    for (uint32_t c = 0; c < corner_count; ++c) corners.push_back(vertices + beyond > 0 ? in.below(vertices + beyond) : 0);
+    mesh.positions = positions.data();
+    mesh.vertex_count = vertices;
+    mesh.face_offsets = (shape & 40) != 0 ? offsets.data() : nullptr;
+    mesh.face_vertices = corners.data();
+    mesh.face_count = faces;
+    mesh.corner_count = corner_count;
+    skeleton.positions = joint_positions.data();
+    skeleton.parents = parents.data();
+    skeleton.flags = (shape & 64) != 0 ? flags.data() : nullptr;
+    skeleton.joint_count = joints;
+    for (size_t i = 0; i < size_t{vertices} * influences; ++i) {
+      given_joints.push_back(static_cast<uint16_t>(in.below(joints + ((shape & 128) != 0 ? 1 : 0) + (joints == 0))));
+      for (size_t b = 0; b < weight_size; ++b) given_weights.push_back(in.u8());
+    }
+  }
+
+  void read_options(Bytes& in, uint8_t extras, uint32_t vertices) {
+    sinew_options& o = options;
+    if ((extras & 1) != 0) {
+      o.version = in.below(16) == 15;
+      o.influence_count = in.below(14);
+      o.candidate_count = in.below(18);
+      constexpr uint32_t kGrids[] = {16, 17, 20, 24, 15, 129, 16, 0};  // finer ones cost time and show nothing new
+      o.grid_size = kGrids[in.below(7)];
+      o.up_axis = in.below(8) == 7 ? 2 : in.below(2);
+      o.weight_format = in.below(4);
+      o.symmetric = in.below(8) == 7 ? 2 : in.below(2);
+      o.rigid_parts = in.below(4);
+      constexpr uint32_t kSoftness[] = {0, 25, 100, 250, 400, 24, 401};
+      o.softness_percent = kSoftness[in.below(7)];
+      o.weights_in_place = in.below(2);
+    } else {
+      o.grid_size = 16;
+    }
+    o.method = (extras & 2) != 0 ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+    influences = o.influence_count == 0 ? 4 : o.influence_count;
+    weight_size = o.weight_format == SINEW_WEIGHT_UNORM8 ? 1 : o.weight_format == SINEW_WEIGHT_FLOAT ? 4 : 2;
+    confidence.assign(vertices, 77);
+    for (uint32_t v = 0; v < vertices; ++v) {
+      locked.push_back((extras & 4) != 0 ? in.u8() & 1 : 0);
+      hints.push_back((extras & 8) != 0 ? in.u8() & 1 : 0);
+    }
+    if ((extras & 4) != 0) o.locked = locked.data();
+    if ((extras & 8) != 0) o.hints = hints.data();
+    if ((extras & 16) != 0) o.confidence = confidence.data();
+    if ((extras & 16) != 0) o.symmetric_vertices = &symmetric_vertices;
+    if ((extras & 32) != 0) short_by = 1 + in.u16();
+    if ((extras & 64) != 0) misaligned = in.below(64);
+    if ((extras & 128) != 0) cancel_at = 1 + in.below(32);
+    o.progress = [](void* user, uint32_t permille) {
+      Call& call = *static_cast<Call*>(user);
+      demand(permille <= 1000, "progress is 0 to 1000");
+      return ++call.reports == call.cancel_at ? 1 : 0;
+    };
+  }
+
+  Binding run(size_t need, uint32_t kernel, uint8_t fill) {
+    Binding binding;
+    binding.joints = given_joints;
+    binding.weights = given_weights;
+    binding.fill = fill;
+    binding.misaligned = misaligned;
+    options.kernel = kernel;
+    options.progress_user = this;
+    reports = 0;
+    binding.run(bundled_model(), mesh, skeleton, options, short_by > need ? 0 : need - short_by, influences, weight_size);
+    return binding;
+  }
+};
+
+void check_status(const Call& call, const Binding& binding) {
+  switch (binding.status) {
+    case SINEW_ERROR_WORKSPACE:
+      demand(call.short_by != 0 || call.misaligned % 64 != 0, "the promised workspace is enough");
+      break;
+    case SINEW_ERROR_CANCELLED:
+      demand(call.cancel_at != 0 && call.reports == call.cancel_at, "cancelled only when the callback says so");
+      break;
+    case SINEW_ERROR_RANGE:
+      demand(call.options.locked != nullptr || call.options.hints != nullptr, "RANGE is about given rows");
+      break;
+    case SINEW_ERROR_NO_JOINT:
+      demand(call.skeleton.flags != nullptr, "without flags every joint is usable");
+      break;
+    default:
+      demand(binding.status >= SINEW_ERROR_NO_JOINT && binding.status != SINEW_ERROR_ARGUMENT,
+             std::string("a documented status: ") + sinew_status_text(binding.status));
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  Call call{Bytes(data, size)};
+  size_t need = 1;
+  const sinew_status sized =
+      sinew_bind_workspace_size(bundled_model(), call.mesh.vertex_count, call.mesh.face_count, call.mesh.corner_count,
+                                call.skeleton.joint_count, &call.options, &need);
+  if (sized != SINEW_OK) {
+    demand(need == 0, "the size is 0 on failure");
+    demand(sized == SINEW_ERROR_ARGUMENT || sized == SINEW_ERROR_COUNT, "a documented status of the size query");
+    const Binding binding = call.run(size_t{1} << 16, SINEW_KERNEL_AUTO, 0xA5);
+    demand(binding.status != SINEW_OK, "what has no size cannot be bound");
+    return 0;
+  }
+  const Binding first = call.run(need, SINEW_KERNEL_REF, 0xA5);
+  const uint32_t mirrored = call.symmetric_vertices;
+  const std::vector<uint8_t> confidence = call.confidence;
+  const Binding second = call.run(need, SINEW_KERNEL_AUTO, 0x3C);
+  demand(first.status == second.status, "a second run says the same");
+  if (first.status != SINEW_OK) {
+    check_status(call, first);
+    return 0;
+  }
+  demand(call.short_by == 0 || first.used <= need - call.short_by, "a smaller workspace is refused");
+  check_rows(first, call.mesh, call.skeleton, call.options);
+  demand(first.joints == second.joints && first.weights == second.weights, "a second run gives the same bytes");
+  demand(first.used == second.used, "a second run uses the same memory");
+  demand(mirrored == call.symmetric_vertices && confidence == call.confidence, "a second run says the same besides");
+  return 0;
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Fuzz target: the glTF reader (GLB and JSON). What it accepts is sound; with a row of weights for every vertex it can be
+// written as a skinned GLB, which reads back.
+#include "reader_checks.hpp"
+#include "sinew_formats/io.hpp"
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  using namespace sinew;
+  using namespace sinew::test;
+  const std::string path = input_file(data, size, "input.glb");
+  const auto character = read_or_refuse(path, [&] { return read_gltf(path); });
+  if (!character) return 0;
+  check_character(*character);
+  const Character once_more = read_gltf(path);
+  demand(same_mesh(*character, once_more) && same_joints(*character, once_more), "a second reading gives the same");
+  if (character->joints.empty()) return 0;
+
+  Character bound = *character;
+  bound.influences.assign(bound.vertices.size(), {});
+  for (size_t v = 0; v < bound.vertices.size(); ++v)
+    bound.influences[v] = {{static_cast<uint32_t>(v % bound.joints.size()), 1.0f}};
+  const std::string again = input_file(nullptr, 0, "again.glb");
+  const auto second = [&]() -> std::optional<Character> {
+    try {
+      write_glb(again, bound);
+    } catch (const Error& error) {  // transforms without an inverse, say
+      check_refusal(error.what(), again);
+      return std::nullopt;
+    }
+    return read_gltf(again);  // an Error here is a finding
+  }();
+  if (!second) return 0;
+  check_character(*second);
+  demand(second->face_vertices.size() == character->face_vertices.size(), "what was written has the same faces");
+  return 0;
+}

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Writes the binary seeds of the corpus: models of a few hundred bytes, GLB files, and calls of sinew_bind().
+//   sinew_fuzz_seeds tests/fuzz/corpus
+#include <cstdio>
+#include <string>
+
+#include "make_glb.hpp"
+#include "network_fixture.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace {
+
+using namespace sinew;
+using namespace sinew::test;
+
+void write(const std::string& path, const std::string& bytes) { write_text_file(path, bytes); }
+
+IntegerLinear linear(uint16_t in, uint16_t out, ValueRange range) {
+  IntegerLinear p;
+  p.in = p.block = in;
+  p.out = out;
+  p.range = range;
+  p.bias.assign(out, 1 << 9);
+  for (uint32_t i = 0; i < uint32_t{in} * out; ++i) p.weights.push_back(static_cast<int16_t>(i * 37 % 201) - 100);
+  p.shifts.assign(out, 10);
+  return p;
+}
+Layer layer(LayerKind kind, Region in, Region out, uint32_t parameters = 0, uint8_t flags = 0) {
+  Layer l;
+  l.kind = kind;
+  l.flags = flags;
+  l.in = in;
+  l.out = out;
+  l.parameters = parameters;
+  return l;
+}
+
+// Every kind of layer is in one of the two.
+IntegerModel pair_model(bool spectral) {
+  IntegerModel m;
+  m.candidate_count = 4;
+  m.feature_set = kFeatureSet | (spectral ? kSpectralFlag : 0);
+  const uint16_t vertex = static_cast<uint16_t>(vertex_channels(m.feature_set));
+  m.buffers = {{Domain::kVertex, vertex}, {Domain::kPair, static_cast<uint16_t>(kPairFeatures)},
+               {Domain::kPair, 9},        {Domain::kPair, 3},
+               {Domain::kPair, 1},        {Domain::kVertex, 8}};
+  m.layers = {layer(LayerKind::kLinear, {1, 0, 5}, {2, 0, 3}, 0, kLayerRelu),
+              layer(LayerKind::kRingMean, {2, 0, 3}, {2, 3, 3}),
+              layer(LayerKind::kCandidateMax, {2, 3, 1}, {2, 6, 1}),
+              layer(LayerKind::kRingMax, {0, 0, 2}, {5, 0, 2}),
+              layer(LayerKind::kPartMean, {5, 0, 2}, {5, 2, 2}),
+              layer(LayerKind::kGlobalMax, {5, 1, 2}, {5, 4, 2}),
+              layer(LayerKind::kGlobalMean, {0, 1, 2}, {5, 6, 2}),
+              layer(LayerKind::kVertexToPair, {5, 3, 2}, {2, 7, 2}),
+              layer(LayerKind::kLinear, {2, 0, 9}, {3, 0, 3}, 1, kLayerRelu | kLayerResidual),
+              layer(LayerKind::kLinear, {3, 0, 3}, {4, 0, 1}, 2)};
+  m.layers[8].residual = {2, 0, 3};
+  m.linears = {linear(5, 3, ValueRange::kPositive), linear(9, 3, ValueRange::kPositive), linear(3, 1, ValueRange::kLogits)};
+  m.linears[1].residual.assign(3, 1024);
+  return m;
+}
+IntegerModel slot_model() {  // tied to its candidates
+  IntegerModel m;
+  m.candidate_count = 3;
+  m.feature_set = kFeatureSet;
+  m.buffers = {{Domain::kVertex, static_cast<uint16_t>(kVertexFeatures)}, {Domain::kPair, static_cast<uint16_t>(kPairFeatures)},
+               {Domain::kVertex, 6}, {Domain::kVertex, 3}, {Domain::kPair, 1}};
+  m.layers = {layer(LayerKind::kPairToVertex, {1, 0, 2}, {2, 0, 6}), layer(LayerKind::kLinear, {2, 0, 6}, {3, 0, 3}, 0),
+              layer(LayerKind::kVertexToSlots, {3, 0, 3}, {4, 0, 1})};
+  m.linears = {linear(6, 3, ValueRange::kLogits)};
+  return m;
+}
+IntegerModel wide_model() {  // int64 sums in blocks
+  IntegerModel m = pair_model(false);
+  IntegerLinear& wide = m.linears[1];
+  wide.accumulator = AccumulatorClass::kWide;
+  wide.block = 2;
+  wide.weights.assign(wide.weights.size(), 32767);
+  wide.shifts.assign(wide.out, 20);
+  wide.bias.assign(wide.out, int64_t{1} << 19);
+  return m;
+}
+
+void write_models(const std::string& folder) {
+  const auto put = [&](const char* name, const IntegerModel& model) { write_file(folder + name, write_model(model)); };
+  put("/pair.sinew", pair_model(false));
+  put("/spectral.sinew", pair_model(true));
+  put("/slots.sinew", slot_model());
+  put("/wide.sinew", wide_model());
+}
+
+void write_glbs(const std::string& folder) {
+  write(folder + "/strip.glb", two_joint_strip().glb());
+  write(folder + "/seam.glb", two_joint_strip(true).glb());
+  GlbBuilder bare;
+  bare.add("meshes",
+           {{"primitives", nlohmann::json::array({{{"attributes", {{"POSITION", bare.positions({0, 0, 0, 1, 0, 0, 0, 1, 0})}}}}})}});
+  bare.root({{"mesh", 0}, {"scale", {2, 2, 2}}});
+  write(folder + "/bare.glb", bare.glb());
+}
+
+// Calls as bind_fuzz.cpp reads them: shape, extras, counts, then options, joints and positions; zeros behind the end.
+void write_binds(const std::string& folder) {
+  Random random(5);
+  const auto call = [&](const char* name, std::string start, size_t length) {
+    while (start.size() < length) start += static_cast<char>(random.below(256));
+    write(folder + name, start);
+  };
+  call("/triangles", {'\x00', '\x00', 30, 5, 40}, 340);
+  call("/heat", {'\x00', '\x02', 30, 5, 40}, 340);
+  call("/polygons", {'\x48', '\x10', 20, 8, 20}, 300);
+  call("/symmetric_unorm8", {'\x00', '\x11', 24, 4, 30, 0, 3, 8, 0, 0, 1, 1, 0, 0, 0}, 300);
+  call("/float_hints", {'\x00', '\x19', 16, 4, 30, 0, 2, 4, 0, 1, 2, 0, 1, 3, 1}, 400);
+  call("/locked", {'\x00', '\x06', 16, 4, 30}, 300);
+  call("/cancelled", {'\x00', '\x80', 16, 4, 30, 9}, 250);
+  call("/short", {'\x00', '\x20', 16, 4, 30, 9}, 250);
+  call("/raw_floats", {'\x05', '\x00', 12, 3, 12}, 300);
+  call("/any_offsets", {'\x20', '\x00', 12, 3, 12}, 300);
+  call("/empty", {'\x00', '\x00', 0, 0, 0}, 5);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: sinew_fuzz_seeds CORPUS_FOLDER\n");
+    return 2;
+  }
+  const std::string folder = argv[1];
+  write_models(folder + "/model");
+  write_glbs(folder + "/glb");
+  write_binds(folder + "/bind");
+  return 0;
+}
