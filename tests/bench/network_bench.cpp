@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+// The network as a whole: the int16 engine with every kernel that runs here, the float trainer's forward pass (Eigen) and
+// PyTorch on the same features of one synthetic body. One run, passes interleaved, processor time of the thread that
+// computes. CSV on standard output; float results that differ from each other end the run.
+//   sinew_bench_network [--repeats N] [VERTICES...]      default: 10000
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "bench_report.hpp"
+#include "core/counts.hpp"
+#include "features/features.hpp"
+#include "heat_scene.hpp"
+#include "network/network.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/network.hpp"
+#include "temp_folder.hpp"
+
+namespace {
+
+using namespace sinew;
+
+Character body(double vertices) {
+  const uint32_t rings = static_cast<uint32_t>(std::lround(std::sqrt(vertices * 0.78)));
+  const sinew_test::HeatScene scene =
+      sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10);
+  Character c;
+  c.name = "body";
+  for (uint32_t v = 0; v < scene.vertex_count(); ++v)
+    c.vertices.push_back({scene.positions[3 * v], scene.positions[3 * v + 1], scene.positions[3 * v + 2]});
+  c.face_vertices = scene.triangles;
+  for (uint32_t i = 3; i <= scene.triangles.size(); i += 3) c.face_offsets.push_back(i);
+  for (uint32_t j = 0; j < scene.joint_count(); ++j)
+    c.joints.push_back({"j" + std::to_string(j),
+                        {scene.joints[3 * j], scene.joints[3 * j + 1], scene.joints[3 * j + 2]},
+                        scene.parents[j]});
+  return c;
+}
+
+struct Model {
+  std::vector<uint64_t> storage;
+  sinew_model model = {};
+  Model() {
+    const std::vector<uint8_t> bytes = read_file(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew");
+    storage.resize(bytes.size() / 8 + 1);
+    std::memcpy(storage.data(), bytes.data(), bytes.size());
+    if (sinew_model_open(storage.data(), bytes.size(), &model) != SINEW_OK) throw Error("the bundled model is refused");
+  }
+};
+
+struct Contestant {
+  std::string name;
+  size_t bytes = 0;  // activations and, for int16, rearranged weights
+  std::vector<double> seconds;
+  uint64_t hash = 0;
+  virtual ~Contestant() = default;
+  virtual double pass() = 0;                          // seconds
+  virtual std::vector<float> logits() const = 0;      // natural units, of the last pass
+};
+
+struct Int16 : Contestant {
+  const sinew_model& model;
+  NetworkInput input;
+  NetworkOptions options;
+  std::vector<int16_t> result;
+  void* block = nullptr;
+
+  Int16(const sinew_model& m, const Sample& s, uint32_t kernel) : model(m) {
+    name = std::string("int16 ") + sinew_kernel_name(kernel);
+    options.kernel = kernel;
+    input.vertex_count = s.vertices;
+    input.candidate_count = s.candidates;
+    input.vertex_features = s.vertex.data();
+    input.pair_features = s.pair.data();
+    input.joints = s.candidate.data();
+    input.row_offsets = s.row_offsets.data();
+    input.col_indices = s.col_indices.data();
+    input.component = s.component.data();
+    input.component_offsets = s.component_offsets.data();
+    input.component_vertices = s.component_vertices.data();
+    input.component_count = s.components;
+    input.joint_count = s.joints;
+    Counts counts;
+    counts.vertices = s.vertices;
+    counts.joints = s.joints;
+    counts.candidates = s.candidates;
+    Arena measuring;
+    measure_run_network(measuring, model, counts, options);
+    bytes = measuring.high_water();
+    block = ::operator new (bytes, std::align_val_t{64});
+    result.resize(size_t{s.vertices} * s.candidates);
+  }
+  ~Int16() override { ::operator delete (block, std::align_val_t{64}); }
+  double pass() override {
+    Arena arena(block, bytes);
+    const double start = sinew_bench::thread_seconds();
+    if (run_network(model, input, {}, arena, result.data(), options) != SINEW_OK) throw Error(name + ": does not run");
+    const double seconds = sinew_bench::thread_seconds() - start;
+    hash = sinew_bench::fnv1a(sinew_bench::kHashStart, result.data(), result.size() * 2);
+    return seconds;
+  }
+  std::vector<float> logits() const override {
+    std::vector<float> out;
+    for (const int16_t q : result) out.push_back(static_cast<float>(q) / 1024 * 0.69314718f);
+    return out;
+  }
+};
+
+size_t activation_bytes(const FloatNetwork& network, const Sample& s) {
+  size_t values = 0;
+  for (const Buffer& b : network.buffers)
+    values += size_t{b.channels} * s.vertices * (b.domain == Domain::kPair ? s.candidates : 1);
+  return values * sizeof(float);
+}
+
+struct EigenForward : Contestant {
+  const FloatNetwork& network;
+  const Sample& sample;
+  NetworkRunner runner;
+  std::vector<float> result;
+  EigenForward(const FloatNetwork& n, const Sample& s) : network(n), sample(s), runner(n) {
+    name = "float trainer (Eigen)";
+    bytes = activation_bytes(n, s);
+  }
+  double pass() override {
+    const double start = sinew_bench::thread_seconds();
+    const std::vector<float>& out = runner.forward(network, sample);
+    const double seconds = sinew_bench::thread_seconds() - start;
+    result = out;
+    hash = sinew_bench::fnv1a(sinew_bench::kHashStart, result.data(), result.size() * 4);
+    return seconds;
+  }
+  std::vector<float> logits() const override { return result; }
+};
+
+const char* kind_name(LayerKind kind) {
+  switch (kind) {
+    case LayerKind::kLinear: return "linear";
+    case LayerKind::kRingMean: return "ring_mean";
+    case LayerKind::kRingMax: return "ring_max";
+    case LayerKind::kPartMean: return "part_mean";
+    case LayerKind::kGlobalMean: return "global_mean";
+    case LayerKind::kGlobalMax: return "global_max";
+    case LayerKind::kCandidateMax: return "candidate_max";
+    case LayerKind::kVertexToPair: return "vertex_to_pair";
+    case LayerKind::kPairToVertex: return "pair_to_vertex";
+    case LayerKind::kVertexToSlots: return "vertex_to_slots";
+    case LayerKind::kCopy: return "copy";
+  }
+  return "";
+}
+
+// A child process that has the network and the sample, and passes once per line.
+struct PyTorch : Contestant {
+  TempFolder folder;
+  size_t logit_count;
+  std::FILE* to = nullptr;
+  std::FILE* from = nullptr;
+  pid_t child = -1;
+
+  PyTorch(const char* python, const FloatNetwork& network, const Sample& s)
+      : logit_count(size_t{s.vertices} * s.candidates) {
+    name = "PyTorch";
+    bytes = activation_bytes(network, s);
+    write_input(network, s);
+    int down[2], up[2];
+    if (pipe(down) != 0 || pipe(up) != 0) throw Error("PyTorch: no pipe");
+    child = fork();
+    if (child == 0) {
+      dup2(down[0], 0);
+      dup2(up[1], 1);
+      close(down[1]);
+      close(up[0]);
+      execlp(python, python, SINEW_SOURCE_DIR "/tests/bench/network_torch.py", folder.path().c_str(), nullptr);
+      _exit(127);
+    }
+    close(down[0]);
+    close(up[1]);
+    to = fdopen(down[1], "w");
+    from = fdopen(up[0], "r");
+  }
+  ~PyTorch() override {
+    std::fclose(to);
+    std::fclose(from);
+    waitpid(child, nullptr, 0);
+  }
+  double pass() override {
+    double seconds = 0;
+    if (std::fputs("run\n", to) < 0 || std::fflush(to) != 0 || std::fscanf(from, "%lf", &seconds) != 1)
+      throw Error("PyTorch: the script ended early; run it alone to see why");
+    const std::vector<float> result = logits();
+    hash = sinew_bench::fnv1a(sinew_bench::kHashStart, result.data(), result.size() * 4);
+    return seconds;
+  }
+  std::vector<float> logits() const override {
+    const std::vector<uint8_t> raw = read_file(folder.file("logits.bin"));
+    std::vector<float> out(logit_count);
+    if (raw.size() != out.size() * 4) throw Error("PyTorch: expected " + std::to_string(logit_count) + " logits");
+    std::memcpy(out.data(), raw.data(), raw.size());
+    return out;
+  }
+  void write_input(const FloatNetwork& network, const Sample& s) {
+    std::string arrays;
+    const auto put = [&](const auto& values) {
+      arrays.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0]));
+    };
+    const auto scaled = [](const std::vector<int16_t>& values) {
+      std::vector<float> out;
+      for (const int16_t x : values) out.push_back(static_cast<float>(x) / 8192);
+      return out;
+    };
+    put(scaled(s.vertex));
+    put(scaled(s.pair));
+    put(s.candidate);
+    put(s.row_offsets);
+    put(s.component);
+    put(s.col_indices);
+    nlohmann::json spec = {{"vertices", s.vertices}, {"candidates", s.candidates}, {"joints", s.joints}};
+    for (const Buffer& b : network.buffers)
+      spec["buffers"].push_back({b.domain == Domain::kPair ? 1 : 0, b.channels});
+    const auto region = [](const Region& r) { return nlohmann::json{r.buffer, r.offset, r.channels}; };
+    for (const Layer& l : network.layers)
+      spec["layers"].push_back({{"kind", kind_name(l.kind)},
+                                {"in", region(l.in)},
+                                {"out", region(l.out)},
+                                {"residual", (l.flags & kLayerResidual) != 0 ? region(l.residual) : nlohmann::json()},
+                                {"relu", (l.flags & kLayerRelu) != 0},
+                                {"parameters", l.parameters}});
+    for (const LinearParameters& p : network.parameters) {
+      spec["linears"].push_back({p.in, p.out});
+      put(p.weights);
+      put(p.bias);
+    }
+    folder.write("network.json", spec.dump());
+    folder.write("arrays.bin", arrays);
+  }
+};
+
+// Largest and mean distance of logits where candidates are present.
+void compare(const Contestant& a, const Contestant& b, const Sample& s, double limit) {
+  const std::vector<float> x = a.logits(), y = b.logits();
+  double largest = 0, sum = 0;
+  size_t count = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    if (s.candidate[i] == kNoJoint) continue;
+    const double distance = std::fabs(static_cast<double>(x[i]) - static_cast<double>(y[i]));
+    largest = std::max(largest, distance);
+    sum += distance;
+    ++count;
+  }
+  std::fprintf(stderr, "%s - %s: logits differ by %.2g in the mean, %.2g at most\n", a.name.c_str(), b.name.c_str(),
+               sum / static_cast<double>(count), largest);
+  if (sum / static_cast<double>(count) > limit) throw Error(a.name + " and " + b.name + " compute different things");
+}
+
+void measure(double vertices, const Model& model, const FloatNetwork& network, int repeats) {
+  const Sample sample = make_sample(body(vertices), model.model.candidate_count, model.model.grid_size, model.model.feature_set);
+  std::vector<std::unique_ptr<Contestant>> all;
+  for (uint32_t k = 1; sinew_kernel_name(k) != nullptr; ++k) {
+    if (sinew_kernel_select(k) != 0) all.push_back(std::make_unique<Int16>(model.model, sample, k));
+  }
+  const size_t best = all.size() - 1, floats = all.size();  // kernels are numbered by rising speed
+  all.push_back(std::make_unique<EigenForward>(network, sample));
+#ifdef SINEW_BENCH_PYTHON
+  all.push_back(std::make_unique<PyTorch>(SINEW_BENCH_PYTHON, network, sample));
+#endif
+  for (int i = -1; i < repeats; ++i) {  // the first round warms up
+    for (const auto& contestant : all) {
+      const double seconds = contestant->pass();
+      if (i >= 0) contestant->seconds.push_back(seconds);
+    }
+  }
+  for (size_t i = 1; i < floats; ++i) {
+    if (all[i]->hash != all[0]->hash) throw Error(all[i]->name + " differs from " + all[0]->name);
+  }
+  compare(*all[floats], *all[0], sample, 0.05);
+  if (all.size() > floats + 1) compare(*all[floats], *all[floats + 1], sample, 1e-4);
+  const double fastest = sinew_bench::median(all[best]->seconds);
+  for (const auto& contestant : all) {
+    const double median = sinew_bench::median(contestant->seconds);
+    std::printf("%s,%u,%s,%.3f,%.0f,%.2f,%zu,%016llx\n", sinew_bench::row_start().c_str(), sample.vertices,
+                contestant->name.c_str(), median * 1e3, median * 1e9 / sample.vertices, median / fastest,
+                contestant->bytes, static_cast<unsigned long long>(contestant->hash));
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    int repeats = 15;
+    std::vector<double> sizes;
+    for (int i = 1; i < argc; ++i) {
+      if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
+        repeats = std::max(1, std::atoi(argv[++i]));
+      } else {
+        sizes.push_back(std::atof(argv[i]));
+      }
+    }
+    if (sizes.empty()) sizes = {10000};
+    const Model model;
+    const Checkpoint checkpoint = read_checkpoint(SINEW_SOURCE_DIR "/samples/data/sinew_default.ckpt");
+    std::printf("machine,compiler,commit,vertices,network,median_ms,ns_per_vertex,times_fastest_int16,bytes,hash\n");
+    for (const double vertices : sizes) measure(vertices, model, checkpoint.network, repeats);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sinew_bench_network: %s\n", error.what());
+    return 1;
+  }
+}
