@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The network as a whole: the int16 engine with every kernel that runs here, the float trainer's forward pass (Eigen) and
-// PyTorch on the same features of one synthetic body. One run, passes interleaved, processor time of the thread that
-// computes. CSV on standard output; float results that differ from each other end the run.
+// The network as a whole: the int16 engine with every kernel that runs here, the float trainer's forward pass (Eigen)
+// and PyTorch on the same features of one synthetic body. One run, passes interleaved, processor time of the thread
+// that computes. CSV on standard output; float results that differ from each other end the run.
 //   sinew_bench_network [--repeats N] [VERTICES...]      default: 10000
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,8 +30,7 @@ using namespace sinew;
 
 Character body(double vertices) {
   const uint32_t rings = static_cast<uint32_t>(std::lround(std::sqrt(vertices * 0.78)));
-  const sinew_test::HeatScene scene =
-      sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10);
+  const sinew_test::HeatScene scene = sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10);
   Character c;
   c.name = "body";
   for (uint32_t v = 0; v < scene.vertex_count(); ++v)
@@ -62,8 +61,8 @@ struct Contestant {
   std::vector<double> seconds;
   uint64_t hash = 0;
   virtual ~Contestant() = default;
-  virtual double pass() = 0;                          // seconds
-  virtual std::vector<float> logits() const = 0;      // natural units, of the last pass
+  virtual double pass() = 0;                      // seconds
+  virtual std::vector<float> logits() const = 0;  // natural units, of the last pass
 };
 
 struct Int16 : Contestant {
@@ -143,17 +142,28 @@ struct EigenForward : Contestant {
 
 const char* kind_name(LayerKind kind) {
   switch (kind) {
-    case LayerKind::kLinear: return "linear";
-    case LayerKind::kRingMean: return "ring_mean";
-    case LayerKind::kRingMax: return "ring_max";
-    case LayerKind::kPartMean: return "part_mean";
-    case LayerKind::kGlobalMean: return "global_mean";
-    case LayerKind::kGlobalMax: return "global_max";
-    case LayerKind::kCandidateMax: return "candidate_max";
-    case LayerKind::kVertexToPair: return "vertex_to_pair";
-    case LayerKind::kPairToVertex: return "pair_to_vertex";
-    case LayerKind::kVertexToSlots: return "vertex_to_slots";
-    case LayerKind::kCopy: return "copy";
+    case LayerKind::kLinear:
+      return "linear";
+    case LayerKind::kRingMean:
+      return "ring_mean";
+    case LayerKind::kRingMax:
+      return "ring_max";
+    case LayerKind::kPartMean:
+      return "part_mean";
+    case LayerKind::kGlobalMean:
+      return "global_mean";
+    case LayerKind::kGlobalMax:
+      return "global_max";
+    case LayerKind::kCandidateMax:
+      return "candidate_max";
+    case LayerKind::kVertexToPair:
+      return "vertex_to_pair";
+    case LayerKind::kPairToVertex:
+      return "pair_to_vertex";
+    case LayerKind::kVertexToSlots:
+      return "vertex_to_slots";
+    case LayerKind::kCopy:
+      return "copy";
   }
   return "";
 }
@@ -224,8 +234,7 @@ struct PyTorch : Contestant {
     put(s.component);
     put(s.col_indices);
     nlohmann::json spec = {{"vertices", s.vertices}, {"candidates", s.candidates}, {"joints", s.joints}};
-    for (const Buffer& b : network.buffers)
-      spec["buffers"].push_back({b.domain == Domain::kPair ? 1 : 0, b.channels});
+    for (const Buffer& b : network.buffers) spec["buffers"].push_back({b.domain == Domain::kPair ? 1 : 0, b.channels});
     const auto region = [](const Region& r) { return nlohmann::json{r.buffer, r.offset, r.channels}; };
     for (const Layer& l : network.layers)
       spec["layers"].push_back({{"kind", kind_name(l.kind)},
@@ -262,7 +271,8 @@ void compare(const Contestant& a, const Contestant& b, const Sample& s, double l
 }
 
 void measure(double vertices, const Model& model, const FloatNetwork& network, int repeats) {
-  const Sample sample = make_sample(body(vertices), model.model.candidate_count, model.model.grid_size, model.model.feature_set);
+  const Sample sample =
+      make_sample(body(vertices), model.model.candidate_count, model.model.grid_size, model.model.feature_set);
   std::vector<std::unique_ptr<Contestant>> all;
   for (uint32_t k = 1; sinew_kernel_name(k) != nullptr; ++k) {
     if (sinew_kernel_select(k) != 0) all.push_back(std::make_unique<Int16>(model.model, sample, k));

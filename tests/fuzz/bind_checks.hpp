@@ -27,8 +27,8 @@
 
 namespace sinew::test {
 
-// A block of exactly `size` bytes at a multiple of 64 (plus `offset`) between guards: AddressSanitizer stops at the first
-// access to them, other builds see afterwards whether they were written.
+// A block of exactly `size` bytes at a multiple of 64 (plus `offset`) between guards: AddressSanitizer stops at the
+// first access to them, other builds see afterwards whether they were written.
 class Workspace {
  public:
   Workspace(size_t size, size_t offset, uint8_t fill) : size_(size), fill_(fill) {
@@ -70,8 +70,8 @@ struct Binding {
   size_t misaligned = 0;
 
   // Outputs not filled before are filled here. `influences` is N with its default.
-  void run(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton, const sinew_options& options,
-           size_t workspace_bytes, uint32_t influences, size_t weight_size) {
+  void run(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
+           const sinew_options& options, size_t workspace_bytes, uint32_t influences, size_t weight_size) {
     const size_t slots = size_t{mesh.vertex_count} * influences;
     joints.resize(slots, 0xBEEF);
     weights.resize(slots * weight_size, 0xDB);

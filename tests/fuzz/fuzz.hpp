@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every fuzz target shares. A target is one function over arbitrary bytes; libFuzzer calls it (SINEW_BUILD_FUZZ), and
-// so does replay_test.cpp with the corpus in git.
+// What every fuzz target shares. A target is one function over arbitrary bytes; libFuzzer calls it (SINEW_BUILD_FUZZ),
+// and so does replay_test.cpp with the corpus in git.
 #ifndef SINEW_TESTS_FUZZ_HPP
 #define SINEW_TESTS_FUZZ_HPP
 

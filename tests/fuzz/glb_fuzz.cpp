@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fuzz target: the glTF reader (GLB and JSON). What it accepts is sound; with a row of weights for every vertex it can be
-// written as a skinned GLB, which reads back.
+// Fuzz target: the glTF reader (GLB and JSON). What it accepts is sound; with a row of weights for every vertex it can
+// be written as a skinned GLB, which reads back.
 #include "reader_checks.hpp"
 #include "sinew_formats/io.hpp"
 

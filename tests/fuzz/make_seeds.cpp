@@ -55,7 +55,8 @@ IntegerModel pair_model(bool spectral) {
               layer(LayerKind::kLinear, {2, 0, 9}, {3, 0, 3}, 1, kLayerRelu | kLayerResidual),
               layer(LayerKind::kLinear, {3, 0, 3}, {4, 0, 1}, 2)};
   m.layers[8].residual = {2, 0, 3};
-  m.linears = {linear(5, 3, ValueRange::kPositive), linear(9, 3, ValueRange::kPositive), linear(3, 1, ValueRange::kLogits)};
+  m.linears = {linear(5, 3, ValueRange::kPositive), linear(9, 3, ValueRange::kPositive),
+               linear(3, 1, ValueRange::kLogits)};
   m.linears[1].residual.assign(3, 1024);
   return m;
 }
@@ -63,8 +64,11 @@ IntegerModel slot_model() {  // tied to its candidates
   IntegerModel m;
   m.candidate_count = 3;
   m.feature_set = kFeatureSet;
-  m.buffers = {{Domain::kVertex, static_cast<uint16_t>(kVertexFeatures)}, {Domain::kPair, static_cast<uint16_t>(kPairFeatures)},
-               {Domain::kVertex, 6}, {Domain::kVertex, 3}, {Domain::kPair, 1}};
+  m.buffers = {{Domain::kVertex, static_cast<uint16_t>(kVertexFeatures)},
+               {Domain::kPair, static_cast<uint16_t>(kPairFeatures)},
+               {Domain::kVertex, 6},
+               {Domain::kVertex, 3},
+               {Domain::kPair, 1}};
   m.layers = {layer(LayerKind::kPairToVertex, {1, 0, 2}, {2, 0, 6}), layer(LayerKind::kLinear, {2, 0, 6}, {3, 0, 3}, 0),
               layer(LayerKind::kVertexToSlots, {3, 0, 3}, {4, 0, 1})};
   m.linears = {linear(6, 3, ValueRange::kLogits)};
@@ -94,7 +98,8 @@ void write_glbs(const std::string& folder) {
   write(folder + "/seam.glb", two_joint_strip(true).glb());
   GlbBuilder bare;
   bare.add("meshes",
-           {{"primitives", nlohmann::json::array({{{"attributes", {{"POSITION", bare.positions({0, 0, 0, 1, 0, 0, 0, 1, 0})}}}}})}});
+           {{"primitives",
+             nlohmann::json::array({{{"attributes", {{"POSITION", bare.positions({0, 0, 0, 1, 0, 0, 0, 1, 0})}}}}})}});
   bare.root({{"mesh", 0}, {"scale", {2, 2, 2}}});
   write(folder + "/bare.glb", bare.glb());
 }

@@ -78,7 +78,8 @@ inline void check_character(const Character& c) {
   demand(c.corner_normals.empty() || c.corner_normals.size() == corners, "a normal per corner");
   demand(c.face_materials.empty() || c.face_materials.size() == faces, "a material per face");
   demand(c.face_groups.empty() || c.face_groups.size() == faces, "a group per face");
-  for (const int m : c.face_materials) demand(m >= -1 && m < static_cast<int>(c.material_names.size()), "materials exist");
+  for (const int m : c.face_materials)
+    demand(m >= -1 && m < static_cast<int>(c.material_names.size()), "materials exist");
   for (const int g : c.face_groups) demand(g >= -1 && g < static_cast<int>(c.group_names.size()), "groups exist");
   check_joints(c);
 }
@@ -95,7 +96,8 @@ inline bool same_joints(const Character& a, const Character& b) {
   for (size_t v = 0; same && v < a.influences.size(); ++v) {
     same = a.influences[v].size() == b.influences[v].size();
     for (size_t i = 0; same && i < a.influences[v].size(); ++i)
-      same = a.influences[v][i].joint == b.influences[v][i].joint && a.influences[v][i].weight == b.influences[v][i].weight;
+      same = a.influences[v][i].joint == b.influences[v][i].joint &&
+             a.influences[v][i].weight == b.influences[v][i].weight;
   }
   return same;
 }

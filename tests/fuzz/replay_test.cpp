@@ -13,7 +13,8 @@ namespace {
 
 std::vector<std::string> corpus_files() {
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(SINEW_FUZZ_CORPUS)) files.push_back(entry.path().string());
+  for (const auto& entry : std::filesystem::directory_iterator(SINEW_FUZZ_CORPUS))
+    files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -9,8 +9,8 @@
 
 namespace sinew {
 
-// Work is cut into `lanes` pieces, whatever threads there are: without parallel_for they run one after the other. Scratch
-// that a piece writes is there once per lane, so that the workspace is a function of this number alone.
+// Work is cut into `lanes` pieces, whatever threads there are: without parallel_for they run one after the other.
+// Scratch that a piece writes is there once per lane, so that the workspace is a function of this number alone.
 struct Threads {
   uint32_t lanes = 1;  // 1..SINEW_MAX_THREADS
   sinew_parallel_for parallel_for = nullptr;

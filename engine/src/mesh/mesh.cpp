@@ -317,7 +317,7 @@ sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_
   if (!topology_scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   connect(topology_scratch.surface.boundary, mesh);
   find_components(topology_scratch, mesh);
-  measure_surface(topology_scratch.surface, mesh);
+  measure_surface(topology_scratch.surface, counts.threads, mesh);
   arena.release(mark);
 
   find_sources(*mesh, skeleton);

@@ -130,9 +130,12 @@ int32_t angle_q30(int64_t y, int64_t x) {
   return clamp32(angle, 0, static_cast<int32_t>(kHalfTurn));
 }
 
-void measure_surface(const SurfaceScratch& scratch, Mesh* mesh) {
+void measure_surface(const SurfaceScratch& scratch, const Threads& threads, Mesh* mesh) {
+  constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
   add_triangles(scratch, mesh);
-  for (uint32_t v = 0; v < mesh->welded_count; ++v) finish_vertex(scratch, v, mesh);
+  threads.ranges(mesh->welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) finish_vertex(scratch, v, mesh);
+  });
 }
 
 }  // namespace sinew

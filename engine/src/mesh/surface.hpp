@@ -15,7 +15,7 @@ struct SurfaceScratch {
 
 // Fills face_normals, normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the
 // CSR.
-void measure_surface(const SurfaceScratch& scratch, Mesh* mesh);
+void measure_surface(const SurfaceScratch& scratch, const Threads& threads, Mesh* mesh);
 
 }  // namespace sinew
 #endif
