@@ -32,16 +32,18 @@ inline std::string in_quotes(std::string_view found) {
   return out + (found.size() > kLongest ? "...'" : "'");
 }
 
-// What a library complained of, made fit for a message: it may quote the file, zero bytes and all.
+// A parser's words as part of one line: without its marks for programs, without the bytes that it stumbled over, and not
+// with half of the file behind them.
 inline std::string one_line(std::string text) {
   constexpr size_t kLongest = 300;
+  for (size_t mark; (mark = text.find("[json.exception")) != std::string::npos;) {
+    const size_t end = text.find("] ", mark);
+    text.erase(mark, end == std::string::npos ? end : end + 2 - mark);
+  }
   while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
   const bool cut = text.size() > kLongest;
   if (cut) text.resize(kLongest);
-  for (char& c : text) {
-    if (c == '\n') c = ';';
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
-  }
+  for (char& c : text) c = c == '\n' ? ';' : c < ' ' || c > '~' ? '?' : c;
   return cut ? text + "..." : text;
 }
 
