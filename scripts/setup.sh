@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what building and testing need on Debian or Ubuntu; does nothing for what is there. Other systems: vcpkg.json.
+# Installs what building and testing need on Debian or Ubuntu, and the packages named as arguments; does nothing for what is there. Other
+# systems: vcpkg.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -10,6 +11,7 @@ packages=(g++ clang cmake make binutils libeigen3-dev libspectra-dev libopenmesh
 # A node that did not come from Debian's packages is fine too.
 command -v node >/dev/null 2>&1 || packages+=(nodejs)
 command -v npm >/dev/null 2>&1 || packages+=(npm)
+packages+=("$@")
 
 missing=()
 for package in "${packages[@]}"; do

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what is missing, builds with warnings as errors, and runs every test; then the tests of engine, formats and quant again under
-# AddressSanitizer and UndefinedBehaviorSanitizer. `scripts/test.sh quick` leaves the sanitizer build out.
+# Installs what is missing, builds with warnings as errors, and runs every test; then the engine on emulated processors and the tests of engine,
+# formats and quant again under AddressSanitizer and UndefinedBehaviorSanitizer. `scripts/test.sh quick` leaves both out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
@@ -14,6 +14,9 @@ cmake --preset ci >/dev/null
 cmake --build --preset ci -j "$jobs"
 ctest --test-dir build/release --output-on-failure -j "$jobs"
 if [ "${1:-}" != quick ]; then
+  echo "== conformance"
+  # Native targets were tests above.
+  scripts/conformance.sh --install ci
   echo "== sanitizer build"
   # Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
   cmake --preset dev -DSINEW_BUILD_TRAINER=OFF -DSINEW_BUILD_SAMPLES=OFF >/dev/null

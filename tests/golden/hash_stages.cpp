@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Prints one hash per stage of a bind for OBJ + rig.txt characters: what must be equal on every target and build type.
 //   hash_stages [--kernel NAME] [--model FILE] NAME.obj...      (NAME.rig.txt beside each)
-//   hash_stages --runs NAME      exits with 0 when the processor runs these kernels, else with 1
+//   hash_stages [--kernel NAME] --set FILE      the lines of tests/golden/set.txt, then one hash over all of them
+//   hash_stages --kernels      the kernels that run here, one a line
 // Needs the engine alone; its own small reader keeps it free of packages, so that it cross-compiles.
 #include <cstdint>
 #include <cstdio>
@@ -38,8 +39,14 @@ struct Hash {
   }
 };
 
+Hash all_printed;
+
 void print(const char* name, const char* stage, const Hash& hash) {
   std::printf("%s %s %016llx\n", name, stage, static_cast<unsigned long long>(hash.state));
+  std::fflush(stdout);  // a target that dies names the stage it died in
+  all_printed.add(name, std::strlen(name));
+  all_printed.add(stage, std::strlen(stage));
+  all_printed.add(&hash.state, 1);
 }
 
 std::vector<uint8_t> read_all(const char* path) {
@@ -99,11 +106,12 @@ Input read_input(const std::string& obj) {
     for (size_t i = 2; i < 5; ++i) in.joints.push_back(std::strtof(line[i].c_str(), nullptr));
   }
   in.parents.assign(names.size(), -1);
-  auto index = [&](const std::string& name) {
+  auto index = [&](const std::string& name) -> int32_t {
     for (size_t i = 0; i < names.size(); ++i) {
       if (names[i] == name) return static_cast<int32_t>(i);
     }
-    return -1;
+    std::fprintf(stderr, "hash_stages: %s: no joint is called %s\n", obj.c_str(), name.c_str());
+    std::exit(1);
   };
   for (const auto& line : rig) {
     if (!line.empty() && line[0] == "hier") in.parents[static_cast<size_t>(index(line[2]))] = index(line[1]);
@@ -195,43 +203,177 @@ void hash_bind(const char* name, const char* stage, const Input& in, const sinew
   print(name, stage, hash);
 }
 
+// Bytes of a file where sinew_model_open() wants them.
+struct ModelFile {
+  explicit ModelFile(const char* path) {
+    const std::vector<uint8_t> bytes = read_all(path);
+    aligned.resize(bytes.size() / 8 + 1);
+    std::memcpy(aligned.data(), bytes.data(), bytes.size());
+    check(sinew_model_open(aligned.data(), bytes.size(), &model));
+  }
+  std::vector<uint64_t> aligned;
+  sinew_model model = {};
+};
+
+void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_t grid) {
+  Counts counts;
+  check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count, candidates,
+                    grid, &counts));
+  Arena measuring;
+  measure_prepare(measuring, counts, PrepareFor::kNetwork);
+  Block block(measuring.high_water());
+  Arena arena(block.data, measuring.high_water());
+  Prepared p;
+  check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));
+  hash_prepared(name, p, candidates);
+  hash_spectral(name, p.mesh, counts);
+}
+
+// One line of a set: "CHARACTER.obj KEY=VALUE ...". Without a model all stages before the network are printed, with one
+// what sinew_bind() writes. `model=heat` is the heat method.
+struct SetLine {
+  explicit SetLine(const std::vector<std::string>& words) : character(words[0]) {
+    for (size_t i = 1; i < words.size(); ++i) {
+      const size_t split = words[i].find('=');
+      const std::string key = words[i].substr(0, split);
+      const char* const text = split == std::string::npos ? "" : words[i].c_str() + split + 1;
+      const uint32_t value = static_cast<uint32_t>(std::strtoul(text, nullptr, 10));
+      if (key == "model") {
+        model = text;
+      } else if (uint32_t* const option = find(key)) {
+        *option = value;
+      } else {
+        std::fprintf(stderr, "hash_stages: a line of the set has the unknown key %s\n", key.c_str());
+        std::exit(2);
+      }
+    }
+  }
+
+  uint32_t* find(const std::string& key) {
+    if (key == "grid") return &options.grid_size;
+    if (key == "candidates") return &options.candidate_count;
+    if (key == "influences") return &options.influence_count;
+    if (key == "format") return &options.weight_format;
+    if (key == "up") return &options.up_axis;
+    if (key == "symmetric") return &options.symmetric;
+    if (key == "rigid") return &options.rigid_parts;
+    if (key == "softness") return &options.softness_percent;
+    if (key == "in-place") return &options.weights_in_place;
+    if (key == "hints") return &hint_step;
+    if (key == "confidence") return &confidence;
+    return nullptr;
+  }
+
+  std::string character, model;
+  sinew_options options = {};
+  uint32_t hint_step = 0;  // every so many vertices one is a hint
+  uint32_t confidence = 0;
+};
+
+// Everything that sinew_bind() gives to a caller, its status and memory included.
+void hash_line(const char* name, const SetLine& line, const Input& in, const sinew_model* model, uint32_t kernel) {
+  sinew_options options = line.options;
+  options.method = model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  const uint32_t vertices = in.mesh.vertex_count;
+  const size_t slots = size_t{vertices} * (options.influence_count != 0 ? options.influence_count : 4);
+  std::vector<uint16_t> joints(slots, 0);
+  // One array for each format: rows are values of their own width, which a hash over bytes would not see.
+  std::vector<uint16_t> wide(slots, 0);
+  std::vector<uint8_t> narrow(slots, 0), hints(vertices, 0), confidence(vertices, 0);
+  std::vector<float> real(slots, 0);
+  void* weights = wide.data();
+  if (options.weight_format == SINEW_WEIGHT_UNORM8) weights = narrow.data();
+  if (options.weight_format == SINEW_WEIGHT_FLOAT) weights = real.data();
+  for (uint32_t v = 0; line.hint_step != 0 && v < vertices; v += line.hint_step) {
+    const size_t first = v * (slots / vertices);
+    hints[v] = 1;
+    joints[first] = static_cast<uint16_t>(v / line.hint_step % in.skeleton.joint_count);
+    wide[first] = 65535;
+    narrow[first] = 255;
+    real[first] = 1;
+  }
+  uint32_t symmetric_vertices = 0;
+  if (line.hint_step != 0) options.hints = hints.data();
+  if (line.confidence != 0) options.confidence = confidence.data();
+  if (options.symmetric != 0) options.symmetric_vertices = &symmetric_vertices;
+
+  // Asked for the automatic kernel: the same on every host. The reference alone, when forced, needs less.
+  size_t bytes = 0;
+  check(sinew_bind_workspace_size(model, vertices, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count,
+                                  &options, &bytes));
+  options.kernel = kernel;
+  Block block(bytes);
+  check(sinew_bind(model, &in.mesh, &in.skeleton, &options, block.data, bytes, joints.data(), weights, nullptr));
+  Hash memory, rows, extras;
+  const uint64_t size = bytes;
+  memory.add(&size, 1);
+  rows.add(joints.data(), slots);
+  rows.add(wide.data(), slots);
+  rows.add(narrow.data(), slots);
+  std::vector<uint32_t> bits(slots);
+  std::memcpy(bits.data(), real.data(), slots * sizeof(uint32_t));
+  rows.add(bits.data(), slots);
+  extras.add(confidence.data(), vertices);
+  extras.add(&symmetric_vertices, 1);
+  print(name, "memory", memory);
+  print(name, "rows", rows);
+  if (line.confidence != 0 || options.symmetric != 0) print(name, "extras", extras);
+}
+
+std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+void hash_set(const std::string& path, uint32_t kernel) {
+  const std::string folder = path.substr(0, path.find_last_of('/') + 1);
+  for (const auto& words : read_words(path)) {
+    if (words.empty() || words[0][0] == '#') continue;
+    const SetLine line(words);
+    const Input in = read_input(folder + line.character);
+    std::string name = base_name(words[0]);
+    for (size_t i = 1; i < words.size(); ++i) name += "," + base_name(words[i]);
+    if (line.model.empty()) {
+      hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size);
+    } else if (line.model == "heat") {
+      hash_line(name.c_str(), line, in, nullptr, kernel);
+    } else {
+      const ModelFile file((folder + line.model).c_str());
+      hash_line(name.c_str(), line, in, &file.model, kernel);
+    }
+  }
+  const Hash all = all_printed;
+  print("set", "all", all);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<uint8_t> model_bytes;
-  sinew_model model = {};
-  if (argc == 3 && std::strcmp(argv[1], "--runs") == 0) return sinew_kernel_select(find_kernel(argv[2])) != 0 ? 0 : 1;
+  if (argc == 2 && std::strcmp(argv[1], "--kernels") == 0) {
+    for (uint32_t kernel = SINEW_KERNEL_REF; sinew_kernel_name(kernel) != nullptr; ++kernel) {
+      if (sinew_kernel_select(kernel) != 0) std::printf("%s\n", sinew_kernel_name(kernel));
+    }
+    return 0;
+  }
   int first = 1;
   uint32_t kernel = SINEW_KERNEL_AUTO;
   if (argc > 2 && std::strcmp(argv[1], "--kernel") == 0) {
     kernel = find_kernel(argv[2]);
     first = 3;
   }
-  std::vector<uint64_t> aligned;
+  if (argc == first + 2 && std::strcmp(argv[first], "--set") == 0) {
+    hash_set(argv[first + 1], kernel);
+    return 0;
+  }
+  std::vector<ModelFile> models;
   if (argc > first + 1 && std::strcmp(argv[first], "--model") == 0) {
-    model_bytes = read_all(argv[first + 1]);
-    aligned.resize(model_bytes.size() / 8 + 1);
-    std::memcpy(aligned.data(), model_bytes.data(), model_bytes.size());
-    check(sinew_model_open(aligned.data(), model_bytes.size(), &model));
+    models.emplace_back(argv[first + 1]);
     first += 2;
   }
   for (int i = first; i < argc; ++i) {
     const std::string path = argv[i];
-    const std::string name = path.substr(path.find_last_of('/') + 1);
+    const std::string name = base_name(path);
     const Input in = read_input(path);
-    Counts counts;
-    check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count, 8, 64,
-                      &counts));
-    Arena measuring;
-    measure_prepare(measuring, counts, PrepareFor::kNetwork);
-    Block block(measuring.high_water());
-    Arena arena(block.data, measuring.high_water());
-    Prepared p;
-    check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));
-    hash_prepared(name.c_str(), p, 8);
-    hash_spectral(name.c_str(), p.mesh, counts);
+    hash_stages(name.c_str(), in, 8, 64);
     hash_bind(name.c_str(), "bind-heat", in, nullptr, SINEW_METHOD_HEAT, kernel);
-    if (model.bytes != nullptr) hash_bind(name.c_str(), "bind-model", in, &model, SINEW_METHOD_MODEL, kernel);
+    if (!models.empty()) hash_bind(name.c_str(), "bind-model", in, &models[0].model, SINEW_METHOD_MODEL, kernel);
   }
   return 0;
 }

@@ -439,14 +439,14 @@ inline FloatNetwork classic_like(uint32_t seed, uint32_t k, uint32_t width) {
 }
 
 // A random legal list over a few wide buffers: regions of several writers, every kind, random integers in both classes.
-inline IntegerModel random_model(uint32_t seed, uint32_t k) {
+inline IntegerModel random_model(uint32_t seed, uint32_t k, uint32_t vertex_channels = kVertexFeatures) {
   Random random(seed);
   IntegerModel model;
   model.candidate_count = k;
   model.feature_set = kFeatureSet;
-  model.buffers = {{Domain::kVertex, static_cast<uint16_t>(kVertexFeatures)},
+  model.buffers = {{Domain::kVertex, static_cast<uint16_t>(vertex_channels)},
                    {Domain::kPair, static_cast<uint16_t>(kPairFeatures)}};
-  std::vector<uint32_t> filled = {kVertexFeatures, kPairFeatures};
+  std::vector<uint32_t> filled = {vertex_channels, kPairFeatures};
   const auto place = [&](Domain domain, uint32_t channels) {  // next free channels of a buffer of the domain
     for (size_t b = 2; b < model.buffers.size(); ++b) {
       if (model.buffers[b].domain == domain && filled[b] + channels <= model.buffers[b].channels &&

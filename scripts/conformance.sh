@@ -1,0 +1,155 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# One hash on every target: builds the engine for each, binds what tests/golden/set.txt lists and prints a line `TARGET/KERNEL HASH` for
+# every kernel that runs there. Native targets bind the characters of samples/data as well. Exits with 1 when a stage's hash differs from
+# tests/golden/conformance.txt (or samples.txt) and names the first, or when a target cannot be built or run.
+#   scripts/conformance.sh [--work DIR] [--update] [--install] [TARGET ...]
+# Without targets: all. `ci` stands for the emulated ones that scripts/test.sh runs, `list` prints all names.
+#   --work DIR   builds there [build/conformance]
+#   --install    installs the cross compilers and emulators that the targets need (Debian, Ubuntu)
+#   --update     rewrites both files from the first target; for changes of the output that are meant
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+golden=$root/tests/golden
+work=$root/build/conformance
+update=no install=no
+wanted=()
+
+native=(gcc-O0 gcc-O3 clang-O0 clang-O3)
+linux=(aarch64 armhf riscv64 s390x)
+cortex=(cortex-m3 cortex-m4 cortex-m7 cortex-m33 cortex-m55)
+web=(wasm wasm-simd)
+ci=(aarch64 s390x cortex-m7 wasm-simd)
+
+while [ $# -gt 0 ]; do
+  case $1 in
+    --work) work=$2; shift ;;
+    --update) update=yes ;;
+    --install) install=yes ;;
+    list) printf '%s\n' "${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}"; exit 0 ;;
+    ci) wanted+=("${ci[@]}") ;;
+    -h | --help) sed -n '3,11s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -*) echo "conformance: unknown option $1, see --help" >&2; exit 2 ;;
+    *) wanted+=("$1") ;;
+  esac
+  shift
+done
+[ "${#wanted[@]}" -gt 0 ] || wanted=("${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}")
+
+packages_of() {
+  case $1 in
+    gcc-*) echo g++ ;;
+    clang-*) echo clang ;;
+    aarch64) echo g++-aarch64-linux-gnu qemu-user-static ;;
+    armhf) echo g++-arm-linux-gnueabihf qemu-user-static ;;
+    riscv64) echo g++-riscv64-linux-gnu qemu-user-static ;;
+    s390x) echo g++-s390x-linux-gnu qemu-user-static ;;
+    cortex-*) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm ;;
+    wasm*) echo emscripten nodejs ;;
+    *) echo "conformance: there is no target $1, \`scripts/conformance.sh list\` prints them" >&2; exit 2 ;;
+  esac
+}
+packages=()
+for target in "${wanted[@]}"; do
+  list=$(packages_of "$target")  # a line of its own: its failure ends the script
+  for package in $list; do
+    # A node that did not come from Debian's packages is fine too.
+    if [ "$package" = nodejs ] && command -v node >/dev/null; then continue; fi
+    case " ${packages[*]-} " in *" $package "*) ;; *) packages+=("$package") ;; esac
+  done
+done
+if [ "$install" = yes ]; then "$root/scripts/setup.sh" "${packages[@]}"; fi
+
+# How the target is configured: arguments of cmake.
+configuration_of() {
+  case $1 in
+    gcc-O0) echo "-DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS_RELEASE=-O0" ;;
+    gcc-O3) echo "-DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS_RELEASE=-O3" ;;
+    # and the portable 128-bit products
+    clang-O0) echo "-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_FLAGS=-DSINEW_NO_INT128" ;;
+    clang-O3) echo "-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS_RELEASE=-O3" ;;
+    aarch64) echo "--toolchain $root/engine/cmake/toolchains/linux.cmake -DSINEW_CROSS=aarch64-linux-gnu" ;;
+    armhf) echo "--toolchain $root/engine/cmake/toolchains/linux.cmake -DSINEW_CROSS=arm-linux-gnueabihf" ;;
+    riscv64) echo "--toolchain $root/engine/cmake/toolchains/linux.cmake -DSINEW_CROSS=riscv64-linux-gnu" ;;
+    s390x) echo "--toolchain $root/engine/cmake/toolchains/linux.cmake -DSINEW_CROSS=s390x-linux-gnu" ;;
+    cortex-*) echo "--toolchain $root/engine/cmake/toolchains/cortex-m.cmake -DSINEW_CORTEX_M=${1#cortex-}" ;;
+    wasm) echo "-DCMAKE_EXECUTABLE_SUFFIX=.js" ;;
+    wasm-simd) echo "-DCMAKE_EXECUTABLE_SUFFIX=.js -DCMAKE_CXX_FLAGS=-msimd128" ;;
+  esac
+}
+
+run() {  # TARGET ARGUMENT...: hash_stages there, in the folder of the set
+  local target=$1 name board
+  shift
+  name=$work/$target/hash_stages
+  cd "$golden"
+  case $target in
+    aarch64 | riscv64 | s390x) "$(command -v "qemu-$target-static" || command -v "qemu-$target")" "$name" "$@" ;;
+    armhf) "$(command -v qemu-arm-static || command -v qemu-arm)" "$name" "$@" ;;
+    cortex-*)
+      case $target in
+        *-m3) board=mps2-an385 ;;
+        *-m4) board=mps2-an386 ;;
+        *-m7) board=mps2-an500 ;;
+        *-m33) board=mps2-an505 ;;
+        *-m55) board=mps3-an547 ;;
+      esac
+      local arguments=arg=hash_stages argument
+      for argument in "$@"; do arguments+=,arg=$argument; done
+      qemu-system-arm -M "$board" -display none -monitor none -serial none \
+        -semihosting-config "enable=on,target=native,$arguments" -kernel "$name"
+      ;;
+    wasm*) node --no-experimental-fetch "$name.js" "$@" ;;
+    *) "$name" "$@" ;;
+  esac
+}
+
+check() {  # TARGET: builds it, then a line for each kernel it runs
+  local target=$1 folder=$work/$1 log=$work/$1.log kernel label out fails=0 configure=(cmake)
+  mkdir -p "$folder"
+  local arguments
+  read -ra arguments <<<"$(configuration_of "$target")"
+  if [[ $target == wasm* ]]; then
+    export NODE_PATH=${NODE_PATH:-/usr/share/nodejs}
+    configure=(emcmake cmake)
+  fi
+  if ! { "${configure[@]}" -S "$golden" -B "$folder" -DCMAKE_BUILD_TYPE=Release "${arguments[@]}" &&
+         cmake --build "$folder" -j "${SINEW_JOBS:-$(nproc)}"; } >"$log" 2>&1; then
+    tail -n 5 "$log" >&2
+    echo "$target NOT BUILT, see $log; \`scripts/conformance.sh --install $target\` installs what it needs" >&2
+    return 1
+  fi
+  for kernel in $(run "$target" --kernels); do
+    label=$target/$kernel
+    out=$work/$target-$kernel.txt
+    if ! run "$target" --kernel "$kernel" --set set.txt >"$out" 2>>"$log"; then
+      tail -n 2 "$log" >&2
+      echo "$label FAILED behind $(tail -n 1 "$out")" >&2
+      fails=1
+      continue
+    fi
+    if [ "$update" = yes ]; then cp "$out" "$golden/conformance.txt"; fi
+    echo "$label $(awk '$1 == "set" { print $3 }' "$out")"
+    compare "$label" conformance.txt "$out" || fails=1
+    if [[ " ${native[*]} " == *" $target "* ]]; then
+      # Larger ones, on the grid that the command uses: more memory than a microcontroller has.
+      run "$target" --kernel "$kernel" --model "$root/samples/data/sinew_default.sinew" "$root"/samples/data/*.obj >"$out.samples"
+      if [ "$update" = yes ]; then cp "$out.samples" "$golden/samples.txt"; fi
+      compare "$label" samples.txt "$out.samples" || fails=1
+    fi
+    update=no
+  done
+  return "$fails"
+}
+
+compare() {  # LABEL EXPECTED FILE
+  cmp -s "$golden/$2" "$3" && return 0
+  echo "$1 differs from tests/golden/$2, first at: $(diff "$golden/$2" "$3" | sed -n 's/^[<>] //p' | head -n 1)" >&2
+  return 1
+}
+
+fails=0
+mkdir -p "$work"
+for target in "${wanted[@]}"; do check "$target" || fails=1; done
+[ "$fails" = 0 ] || echo "conformance: FAILED" >&2
+exit "$fails"
