@@ -3,16 +3,16 @@
 # One hash on every target: builds the engine for each, binds what tests/golden/set.txt lists and prints a line `TARGET/KERNEL HASH` for
 # every kernel that runs there. Native targets bind the characters of samples/data as well. Exits with 1 when a stage's hash differs from
 # tests/golden/conformance.txt (or samples.txt) and names the first, or when a target cannot be built or run.
-#   scripts/conformance.sh [--work DIR] [--update] [--install] [TARGET ...]
+#   scripts/conformance.sh [--work DIR] [--update] [--packages] [TARGET ...]
 # Without targets: all. `ci` stands for the emulated ones that scripts/test.sh runs, `list` prints all names.
 #   --work DIR   builds there [build/conformance]
-#   --install    installs the cross compilers and emulators that the targets need (Debian, Ubuntu)
+#   --packages   only prints the Debian packages that the targets need: scripts/setup.sh $(scripts/conformance.sh --packages)
 #   --update     rewrites both files from the first target; for changes of the output that are meant
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 golden=$root/tests/golden
 work=$root/build/conformance
-update=no install=no
+update=no only_packages=no
 wanted=()
 
 native=(gcc-O0 gcc-O3 clang-O0 clang-O3)
@@ -25,7 +25,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --work) work=$2; shift ;;
     --update) update=yes ;;
-    --install) install=yes ;;
+    --packages) only_packages=yes ;;
     list) printf '%s\n' "${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}"; exit 0 ;;
     ci) wanted+=("${ci[@]}") ;;
     -h | --help) sed -n '3,11s/^# \{0,1\}//p' "$0"; exit 0 ;;
@@ -58,7 +58,10 @@ for target in "${wanted[@]}"; do
     case " ${packages[*]-} " in *" $package "*) ;; *) packages+=("$package") ;; esac
   done
 done
-if [ "$install" = yes ]; then "$root/scripts/setup.sh" "${packages[@]}"; fi
+if [ "$only_packages" = yes ]; then
+  echo "${packages[@]}"
+  exit 0
+fi
 
 # How the target is configured: arguments of cmake.
 configuration_of() {
@@ -99,7 +102,7 @@ run() {  # TARGET ARGUMENT...: hash_stages there, in the folder of the set
       qemu-system-arm -M "$board" -display none -monitor none -serial none \
         -semihosting-config "enable=on,target=native,$arguments" -kernel "$name"
       ;;
-    wasm*) node --no-experimental-fetch "$name.js" "$@" ;;
+    wasm*) node_wasm "$name.js" "$@" ;;
     *) "$name" "$@" ;;
   esac
 }
@@ -110,13 +113,14 @@ check() {  # TARGET: builds it, then a line for each kernel it runs
   local arguments
   read -ra arguments <<<"$(configuration_of "$target")"
   if [[ $target == wasm* ]]; then
-    export NODE_PATH=${NODE_PATH:-/usr/share/nodejs}
+    # shellcheck source=tests/wasm/emscripten.sh
+    . "$root/tests/wasm/emscripten.sh"
     configure=(emcmake cmake)
   fi
   if ! { "${configure[@]}" -S "$golden" -B "$folder" -DCMAKE_BUILD_TYPE=Release "${arguments[@]}" &&
          cmake --build "$folder" -j "${SINEW_JOBS:-$(nproc)}"; } >"$log" 2>&1; then
     tail -n 5 "$log" >&2
-    echo "$target NOT BUILT, see $log; \`scripts/conformance.sh --install $target\` installs what it needs" >&2
+    echo "$target NOT BUILT, see $log; it needs $(packages_of "$target")" >&2
     return 1
   fi
   for kernel in $(run "$target" --kernels); do

@@ -4,7 +4,8 @@
 # formats and quant again under AddressSanitizer and UndefinedBehaviorSanitizer. `scripts/test.sh quick` leaves both out.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-scripts/setup.sh
+# shellcheck disable=SC2046  # several packages
+scripts/setup.sh $(scripts/conformance.sh --packages ci)
 jobs=$(nproc)
 
 echo "== format"
@@ -16,7 +17,7 @@ ctest --test-dir build/release --output-on-failure -j "$jobs"
 if [ "${1:-}" != quick ]; then
   echo "== conformance"
   # Native targets were tests above.
-  scripts/conformance.sh --install ci
+  scripts/conformance.sh ci
   echo "== sanitizer build"
   # Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
   cmake --preset dev -DSINEW_BUILD_TRAINER=OFF -DSINEW_BUILD_SAMPLES=OFF >/dev/null
