@@ -3,16 +3,17 @@
 # One hash on every target: builds the engine for each, binds what tests/golden/set.txt lists and prints a line `TARGET/KERNEL HASH` for
 # every kernel that runs there. Native targets bind the characters of samples/data as well. Exits with 1 when a stage's hash differs from
 # tests/golden/conformance.txt (or samples.txt) and names the first, or when a target cannot be built or run.
-#   scripts/conformance.sh [--work DIR] [--update] [--packages] [TARGET ...]
+#   scripts/conformance.sh [--work DIR] [--update] [--packages] [--kernels] [TARGET ...]
 # Without targets: all. `ci` stands for the emulated ones that scripts/test.sh runs, `list` prints all names.
 #   --work DIR   builds there [build/conformance]
 #   --packages   only prints the Debian packages that the targets need: scripts/setup.sh $(scripts/conformance.sh --packages)
+#   --kernels    instead, the tests of the kernels that compare each with the reference over many shapes (aarch64, armhf, Cortex-M4 and up)
 #   --update     rewrites both files from the first target; for changes of the output that are meant
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 golden=$root/tests/golden
 work=$root/build/conformance
-update=no only_packages=no
+update=no only_packages=no job=check
 wanted=()
 
 native=(gcc-O0 gcc-O3 clang-O0 clang-O3)
@@ -25,10 +26,11 @@ while [ $# -gt 0 ]; do
   case $1 in
     --work) work=$2; shift ;;
     --update) update=yes ;;
+    --kernels) job=check_kernels ;;
     --packages) only_packages=yes ;;
     list) printf '%s\n' "${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}"; exit 0 ;;
     ci) wanted+=("${ci[@]}") ;;
-    -h | --help) sed -n '3,11s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,12s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) echo "conformance: unknown option $1, see --help" >&2; exit 2 ;;
     *) wanted+=("$1") ;;
   esac
@@ -81,10 +83,9 @@ configuration_of() {
   esac
 }
 
-run() {  # TARGET ARGUMENT...: hash_stages there, in the folder of the set
-  local target=$1 name board
-  shift
-  name=$work/$target/hash_stages
+run() {  # TARGET PROGRAM ARGUMENT...: there, in the folder of the set
+  local target=$1 name=$work/$1/$2 board
+  shift 2
   cd "$golden"
   case $target in
     aarch64 | riscv64 | s390x) "$(command -v "qemu-$target-static" || command -v "qemu-$target")" "$name" "$@" ;;
@@ -97,7 +98,7 @@ run() {  # TARGET ARGUMENT...: hash_stages there, in the folder of the set
         *-m33) board=mps2-an505 ;;
         *-m55) board=mps3-an547 ;;
       esac
-      local arguments=arg=hash_stages argument
+      local arguments=arg=test argument
       for argument in "$@"; do arguments+=,arg=$argument; done
       qemu-system-arm -M "$board" -display none -monitor none -serial none \
         -semihosting-config "enable=on,target=native,$arguments" -kernel "$name"
@@ -107,26 +108,52 @@ run() {  # TARGET ARGUMENT...: hash_stages there, in the folder of the set
   esac
 }
 
-check() {  # TARGET: builds it, then a line for each kernel it runs
-  local target=$1 folder=$work/$1 log=$work/$1.log kernel label out fails=0 configure=(cmake)
-  mkdir -p "$folder"
-  local arguments
+build() {  # TARGET PROGRAM...
+  local target=$1 log=$work/$1.log configure=(cmake) arguments
+  shift
   read -ra arguments <<<"$(configuration_of "$target")"
   if [[ $target == wasm* ]]; then
     # shellcheck source=tests/wasm/emscripten.sh
     . "$root/tests/wasm/emscripten.sh"
     configure=(emcmake cmake)
   fi
-  if ! { "${configure[@]}" -S "$golden" -B "$folder" -DCMAKE_BUILD_TYPE=Release "${arguments[@]}" &&
-         cmake --build "$folder" -j "${SINEW_JOBS:-$(nproc)}"; } >"$log" 2>&1; then
+  if ! { "${configure[@]}" -S "$golden" -B "$work/$target" -DCMAKE_BUILD_TYPE=Release "${arguments[@]}" &&
+         cmake --build "$work/$target" -j "${SINEW_JOBS:-$(nproc)}" --target "$@"; } >"$log" 2>&1; then
     tail -n 5 "$log" >&2
     echo "$target NOT BUILT, see $log; it needs $(packages_of "$target")" >&2
     return 1
   fi
-  for kernel in $(run "$target" --kernels); do
+}
+
+check_kernels() {  # TARGET: the tests of its kernels; one that has none but the reference is left out
+  local target=$1 program out ran vector
+  build "$target" hash_stages || return 1
+  vector=$(run "$target" hash_stages --kernels | grep -v '^ref$' || true)
+  if [ -z "$vector" ]; then
+    echo "$target has the reference alone"
+    return 0
+  fi
+  build "$target" linear_variants_test aggregate_variants_test || return 1
+  for program in linear_variants_test aggregate_variants_test; do
+    out=$work/$target-$program.txt
+    run "$target" "$program" --gtest_color=no >"$out" 2>&1 || { grep -v -i skipped "$out" >&2; return 1; }
+    ran=$(grep -c '^\[       OK \] All/' "$out" || true)
+    # Aggregations are the reference's own with dsp.
+    if [ "$ran" -lt 4 ] && ! { [ "$vector" = dsp ] && [ "$program" = aggregate_variants_test ]; }; then
+      echo "$target: $program ran $ran cases, expected 4 or more" >&2
+      return 1
+    fi
+    echo "$target/${vector//$'\n'/,} $program: $ran cases equal the reference"
+  done
+}
+
+check() {  # TARGET: builds it, then a line for each kernel it runs
+  local target=$1 log=$work/$1.log kernel label out fails=0
+  build "$target" hash_stages || return 1
+  for kernel in $(run "$target" hash_stages --kernels); do
     label=$target/$kernel
     out=$work/$target-$kernel.txt
-    if ! run "$target" --kernel "$kernel" --set set.txt >"$out" 2>>"$log"; then
+    if ! run "$target" hash_stages --kernel "$kernel" --set set.txt >"$out" 2>>"$log"; then
       tail -n 2 "$log" >&2
       echo "$label FAILED behind $(tail -n 1 "$out")" >&2
       fails=1
@@ -137,7 +164,7 @@ check() {  # TARGET: builds it, then a line for each kernel it runs
     compare "$label" conformance.txt "$out" || fails=1
     if [[ " ${native[*]} " == *" $target "* ]]; then
       # Larger ones, on the grid that the command uses: more memory than a microcontroller has.
-      run "$target" --kernel "$kernel" --model "$root/samples/data/sinew_default.sinew" "$root"/samples/data/*.obj >"$out.samples"
+      run "$target" hash_stages --kernel "$kernel" --model "$root/samples/data/sinew_default.sinew" "$root"/samples/data/*.obj >"$out.samples"
       if [ "$update" = yes ]; then cp "$out.samples" "$golden/samples.txt"; fi
       compare "$label" samples.txt "$out.samples" || fails=1
     fi
@@ -154,6 +181,6 @@ compare() {  # LABEL EXPECTED FILE
 
 fails=0
 mkdir -p "$work"
-for target in "${wanted[@]}"; do check "$target" || fails=1; done
+for target in "${wanted[@]}"; do "$job" "$target" || fails=1; done
 [ "$fails" = 0 ] || echo "conformance: FAILED" >&2
 exit "$fails"

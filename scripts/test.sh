@@ -18,6 +18,7 @@ if [ "${1:-}" != quick ]; then
   echo "== conformance"
   # Native targets were tests above.
   scripts/conformance.sh ci
+  scripts/conformance.sh --kernels aarch64 cortex-m7
   echo "== sanitizer build"
   # Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
   cmake --preset dev -DSINEW_BUILD_TRAINER=OFF -DSINEW_BUILD_SAMPLES=OFF >/dev/null

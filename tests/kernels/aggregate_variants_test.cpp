@@ -171,7 +171,7 @@ TEST_P(AggregateVariant, PartAndGlobalMeansEqualReference) {
 
 INSTANTIATE_TEST_SUITE_P(All, AggregateVariant,
                          testing::Values(SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI,
-                                         SINEW_KERNEL_SIMD128),
+                                         SINEW_KERNEL_SIMD128, SINEW_KERNEL_NEON),
                          [](const auto& tested) { return std::string(kernel_name(tested.param)); });
 
 }  // namespace

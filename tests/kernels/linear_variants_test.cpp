@@ -97,6 +97,10 @@ bool processor_has(uint32_t kernel) {
 #endif
 #if defined(__wasm_simd128__)
   if (kernel == SINEW_KERNEL_SIMD128) return true;
+#elif defined(__aarch64__)
+  if (kernel == SINEW_KERNEL_NEON) return true;
+#elif defined(__ARM_FEATURE_SIMD32)
+  if (kernel == SINEW_KERNEL_DSP) return true;
 #endif
   return sinew_kernel_select(kernel) != 0;  // the compiler's own check does not know the others
 }
@@ -111,9 +115,11 @@ class LinearVariant : public testing::TestWithParam<uint32_t> {
           << kernel_name(kernel) << ": this processor has it, but it was not built or not chosen";
       GTEST_SKIP() << "NOT RUN: this processor has no " << kernel_name(kernel);
     }
-    ASSERT_NE(kernels_.linear_packed, nullptr);
+    linear_ = kernels_.linear_packed != nullptr ? kernels_.linear_packed : kernels_.linear;
+    ASSERT_NE(linear_, &linear_s16_ref);
   }
   Kernels kernels_;
+  LinearKernel linear_ = nullptr;
 };
 
 TEST_P(LinearVariant, EqualsReferenceOnRandomShapes) {
@@ -130,7 +136,7 @@ TEST_P(LinearVariant, EqualsReferenceOnRandomShapes) {
     c.masked = random.below(2) != 0;
     c.extreme = i % 5 == 0;
     c.range = static_cast<ValueRange>(random.below(3));
-    compare(i, c, kernels_.linear_packed);
+    compare(i, c, linear_);
     if (HasFatalFailure()) return;
   }
 }
@@ -141,7 +147,7 @@ TEST_P(LinearVariant, EqualsReferenceOnEveryTileShape) {
     for (uint32_t rows = 1; rows <= 22; ++rows) {
       for (const uint32_t in : {1u, 2u, 3u, 48u}) {
         compare(seed++, {in, out, rows, in, false, rows % 2 == 0, rows % 3 == 0, false, ValueRange::kPositive},
-                kernels_.linear_packed);
+                linear_);
         if (HasFatalFailure()) return;
       }
     }
@@ -151,8 +157,8 @@ TEST_P(LinearVariant, EqualsReferenceOnEveryTileShape) {
 TEST_P(LinearVariant, EqualsReferenceOnLongLayersAndManyRows) {
   for (const uint32_t in : {576u, 1023u, 1152u}) {
     for (const bool wide : {false, true}) {
-      compare(in, {in, 70, 400, wide ? 37u : in, wide, true, true, true, ValueRange::kSigned}, kernels_.linear_packed);
-      compare(in, {in, 64, 13, in, wide, false, false, true, ValueRange::kLogits}, kernels_.linear_packed);
+      compare(in, {in, 70, 400, wide ? 37u : in, wide, true, true, true, ValueRange::kSigned}, linear_);
+      compare(in, {in, 64, 13, in, wide, false, false, true, ValueRange::kLogits}, linear_);
       if (HasFatalFailure()) return;
     }
   }
@@ -176,13 +182,14 @@ TEST_P(LinearVariant, LargestPairDoesNotSaturate) {
   pack_linear(view, packed.get());
   view.packed = packed_view(view, packed.get());
   int16_t out[2];
-  kernels_.linear_packed(view, {in.data(), 2}, {nullptr, 0}, nullptr, 1, out, 2);
+  linear_(view, {in.data(), 2}, {nullptr, 0}, nullptr, 1, out, 2);
   EXPECT_EQ(out[0], 16383);   // 2 * 32767^2 = 2147352578; >> 17
   EXPECT_EQ(out[1], -16384);  // floor
 }
 
 // Rows that share columns: the shared part once per group of rows, the rest row by row, is the whole layer.
 TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
+  if (kernels_.linear_packed == nullptr) GTEST_SKIP() << "reads the model's bytes, whole rows at a time";
   Random random(31);
   for (uint32_t round = 0; round < 300; ++round) {
     const uint32_t per_start = 1 + random.below(9), groups = 1 + random.below(12), rows = per_start * groups;
@@ -240,13 +247,14 @@ TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(All, LinearVariant,
                          testing::Values(SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI,
-                                         SINEW_KERNEL_SIMD128),
+                                         SINEW_KERNEL_SIMD128, SINEW_KERNEL_NEON, SINEW_KERNEL_DSP),
                          [](const auto& tested) { return std::string(kernel_name(tested.param)); });
 
 TEST(SelectKernels, AutoIsTheFastestAndReferenceIsAlwaysThere) {
   EXPECT_EQ(sinew_kernel_select(SINEW_KERNEL_REF), uint32_t{SINEW_KERNEL_REF});
   uint32_t fastest = SINEW_KERNEL_REF;
-  for (const uint32_t kernel : {SINEW_KERNEL_SIMD128, SINEW_KERNEL_AVX2, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI}) {
+  for (const uint32_t kernel : {SINEW_KERNEL_DSP, SINEW_KERNEL_NEON, SINEW_KERNEL_SIMD128, SINEW_KERNEL_AVX2,
+                                SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_VNNI}) {
     if (sinew_kernel_select(kernel) != 0) fastest = kernel;
   }
   EXPECT_EQ(sinew_kernel_select(SINEW_KERNEL_AUTO), fastest);
@@ -256,7 +264,7 @@ TEST(SelectKernels, AutoIsTheFastestAndReferenceIsAlwaysThere) {
 TEST(SelectKernels, NamesEndWithNull) {
   uint32_t count = 0;
   while (sinew_kernel_name(count) != nullptr) ++count;
-  EXPECT_EQ(count, 6u);
+  EXPECT_EQ(count, 8u);
   EXPECT_STREQ(sinew_kernel_name(SINEW_KERNEL_VNNI), "vnni");
   EXPECT_EQ(sinew_kernel_name(1000), nullptr);
 }

@@ -474,7 +474,7 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k, uint32_t vertex_chan
     p.block = p.in;
     layer.parameters = static_cast<uint32_t>(model.linears.size());
     const bool wide = random.below(3) == 0;
-    const int32_t largest = wide ? 32767 : std::min(32767, static_cast<int32_t>(60000 / (p.in + 2)));
+    const int32_t largest = wide ? 32767 : std::min<int32_t>(32767, static_cast<int32_t>(60000 / (p.in + 2)));
     for (uint32_t n = 0; n < p.out; ++n) {
       const int shift = wide ? random.between(1, 20) : random.between(1, 14);
       p.shifts.push_back(static_cast<uint8_t>(shift));
@@ -518,7 +518,7 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k, uint32_t vertex_chan
         layer.out = place(Domain::kPair, layer.in.channels);
         break;
       case LayerKind::kPairToVertex:
-        layer.in = pick(Domain::kPair, std::min(fit(Domain::kPair), 3u));
+        layer.in = pick(Domain::kPair, std::min<uint32_t>(fit(Domain::kPair), 3));
         layer.out = place(Domain::kVertex, layer.in.channels * k);
         break;
       case LayerKind::kVertexToSlots: {

@@ -126,7 +126,9 @@ typedef enum sinew_kernel {
   SINEW_KERNEL_AVX2 = 2,    /* x86-64 with AVX2 */
   SINEW_KERNEL_AVXVNNI = 3, /* x86-64 with AVX-VNNI (256 bits) */
   SINEW_KERNEL_VNNI = 4,    /* x86-64 with AVX-512 F, BW, DQ, VL and VNNI */
-  SINEW_KERNEL_SIMD128 = 5  /* WebAssembly with its 128-bit SIMD */
+  SINEW_KERNEL_SIMD128 = 5, /* WebAssembly with its 128-bit SIMD */
+  SINEW_KERNEL_NEON = 6,    /* ARM64 */
+  SINEW_KERNEL_DSP = 7      /* 32-bit Arm with smlad: Cortex-M4, M7, M33, M55, Cortex-A */
 } sinew_kernel;
 
 /* "auto", "ref", "avx2", ... for 0, 1, 2, ...; null behind the last, so that tools can list or parse them. */

@@ -17,7 +17,7 @@ namespace {
 //   kRows[c]                   rows of the widest tile for c groups of outputs (c = 1 .. kGroups), chosen so that sums,
 //                              weights and one input fit the registers
 //   zero(), load(int32*), store(int32*, Int32)
-//   broadcast(int32)           the same pair of int16 in every lane
+//   broadcast(int32)           the same pair of int16 in every lane, of whatever type dot() takes
 //   load_pairs(int16*)         kLanes pairs of weights
 //   dot(sum, weights, input)   sum + w[0] x[0] + w[1] x[1] per lane; wraps
 //   kFinish                    groups that finish() takes at once
@@ -40,7 +40,7 @@ SINEW_INLINE void step(const int16_t* const (&weights)[V], size_t at, const int3
   typename Isa::Pairs w[V];
   SINEW_UNROLL for (int v = 0; v < V; ++v) w[v] = Isa::load_pairs(weights[v] + at);
   SINEW_UNROLL for (int r = 0; r < R; ++r) {
-    const typename Isa::Pairs x = Isa::broadcast(pairs[r]);
+    const auto x = Isa::broadcast(pairs[r]);
     SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::dot(sums[r][v], w[v], x);
   }
 }

@@ -41,6 +41,12 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
     case SINEW_KERNEL_SIMD128:  // no question to a processor: a module with these instructions does not start without
       added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels);
       break;
+    case SINEW_KERNEL_NEON:  // every ARM64 processor
+      added = add_linear_s16_neon(kernels) && add_aggregates_s16_neon(kernels);
+      break;
+    case SINEW_KERNEL_DSP:  // code for a core with these instructions is for such cores alone
+      added = add_linear_s16_dsp(kernels);
+      break;
     default:
       break;
   }
@@ -48,7 +54,8 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
   return added;
 }
 
-constexpr uint32_t kFastestFirst[] = {SINEW_KERNEL_VNNI, SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_AVX2, SINEW_KERNEL_SIMD128};
+constexpr uint32_t kFastestFirst[] = {SINEW_KERNEL_VNNI,    SINEW_KERNEL_AVXVNNI, SINEW_KERNEL_AVX2,
+                                      SINEW_KERNEL_SIMD128, SINEW_KERNEL_NEON,    SINEW_KERNEL_DSP};
 
 }  // namespace
 
@@ -77,6 +84,10 @@ const char* kernel_name(uint32_t kernel) {
       return "vnni";
     case SINEW_KERNEL_SIMD128:
       return "simd128";
+    case SINEW_KERNEL_NEON:
+      return "neon";
+    case SINEW_KERNEL_DSP:
+      return "dsp";
     default:
       return nullptr;
   }

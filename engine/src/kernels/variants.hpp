@@ -13,10 +13,14 @@ bool add_linear_s16_avx2(Kernels* kernels);
 bool add_linear_s16_avxvnni(Kernels* kernels);
 bool add_linear_s16_vnni(Kernels* kernels);
 bool add_linear_s16_simd128(Kernels* kernels);
+bool add_linear_s16_neon(Kernels* kernels);
+// The same in place of the reference: reads the model's bytes, packs nothing.
+bool add_linear_s16_dsp(Kernels* kernels);
 
 // Puts the aggregations that the instruction set speeds up into *kernels.
 bool add_aggregates_s16_avx2(Kernels* kernels);
 bool add_aggregates_s16_simd128(Kernels* kernels);
+bool add_aggregates_s16_neon(Kernels* kernels);
 
 }  // namespace sinew
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Starts hash_stages on a Cortex-M under qemu-system-arm: vectors, floating point unit, C library, the command line from
+ * Starts a test program on a Cortex-M under qemu-system-arm: vectors, floating point unit, C library, the command line from
  * semihosting. */
 #include <stdint.h>
 #include <stdlib.h>
@@ -15,6 +15,11 @@ void reset(void);
 void* __dso_handle;
 void _init(void) {}
 void _fini(void) {}
+/* GoogleTest's, for reports that nobody asks for here. */
+int mkdir(const char* path, unsigned mode) {
+  (void)path, (void)mode;
+  return -1;
+}
 
 static int semihosting(int operation, void* block) {
   register int r0 __asm__("r0") = operation;
@@ -25,7 +30,7 @@ static int semihosting(int operation, void* block) {
 
 /* A fault would hang in the emulator; this ends the run with a message. */
 static void fault(void) {
-  static char text[] = "hash_stages: the processor faulted\n";
+  static char text[] = "the processor faulted\n";
   uint32_t exit_code[2] = {0x20026, 1}; /* ADP_Stopped_ApplicationExit */
   semihosting(0x04, text);
   semihosting(0x20, exit_code);
