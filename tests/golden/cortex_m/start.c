@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Starts a test program on a Cortex-M under qemu-system-arm: vectors, floating point unit, C library, the command line from
- * semihosting. */
+ * Starts a test program on a Cortex-M under qemu-system-arm: vectors, floating point unit, C library, the command line
+ * from semihosting. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -38,9 +38,22 @@ static void fault(void) {
   }
 }
 
-__attribute__((section(".vectors"), used)) static void (*const vectors[16])(void) = {
-    (void (*)(void))stack_top, reset, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
-    fault, fault};
+__attribute__((section(".vectors"), used)) static void (*const vectors[16])(void) = {(void (*)(void))stack_top,
+                                                                                     reset,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault,
+                                                                                     fault};
 
 void reset(void) {
 #if defined(__ARM_FP) || defined(__ARM_FEATURE_MVE)
