@@ -70,6 +70,19 @@ void visit_view_numbers(Json* document, const Visit& each) {
   visit_all(document, "images", [&](Json* image) { visit(image, "bufferView", each); });
 }
 
+// False for a file that names accessors or buffer views that it does not have, in places that the reader had no need
+// of.
+bool numbers_exist(Json* document) {
+  bool exist = true;
+  const auto below = [&](const char* key) {
+    const size_t count = document->contains(key) ? (*document)[key].size() : 0;
+    return [&exist, count](Json* number) { exist = exist && number->get<size_t>() < count; };
+  };
+  visit_accessor_numbers(document, below("accessors"));
+  visit_view_numbers(document, below("bufferViews"));
+  return exist;
+}
+
 // Takes the elements in `gone` out of document[key] and lets `renumber` put the new numbers into all references.
 void remove_elements(Json* document, const char* key, const std::set<size_t>& gone,
                      const std::function<void(const Visit&)>& renumber) {
@@ -153,7 +166,7 @@ std::vector<uint8_t> to_glb(const std::string& path, GltfSource* source) {
 
 void drop_unused_accessors(std::vector<int> candidates, GltfSource* source) {
   Json& document = source->document;
-  if (!numbers_may_change(document)) return;
+  if (!numbers_may_change(document) || !numbers_exist(&document)) return;
   std::set<size_t> gone(candidates.begin(), candidates.end());
   visit_accessor_numbers(&document, [&](Json* number) { gone.erase(number->get<size_t>()); });
   if (gone.empty()) return;

@@ -32,8 +32,8 @@ inline std::string in_quotes(std::string_view found) {
   return out + (found.size() > kLongest ? "...'" : "'");
 }
 
-// A parser's words as part of one line: without its marks for programs, without the bytes that it stumbled over, and not
-// with half of the file behind them.
+// A parser's words as part of one line: without its marks for programs, without the bytes that it stumbled over, and
+// not with half of the file behind them.
 inline std::string one_line(std::string text) {
   constexpr size_t kLongest = 300;
   for (size_t mark; (mark = text.find("[json.exception")) != std::string::npos;) {
