@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A whole bind with the bundled model, stage by stage, on synthetic bodies of several sizes: CSV on standard output.
+// A whole bind with the bundled model, stage by stage and with threads, on synthetic bodies of several sizes: CSV on
+// standard output.
 //   sinew_bench_bind [--kernel NAME] [--repeats N] [VERTICES...]      default: 1000 10000 100000
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +17,7 @@
 #include "bind/bind.hpp"
 #include "heat_scene.hpp"
 #include "network/network.hpp"
+#include "thread_pool.hpp"
 
 namespace {
 
@@ -93,6 +97,70 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   timed(4, [&] { return run_network(model, input, {}, arena, logits.data(), options); });
 }
 
+// What threads would make of a bind, from processor time alone, so that it can be told on a busy machine too: pieces
+// run one after the other, and of every loop only the longest piece counts.
+struct Lanes {
+  double all = 0, longest = 0;
+  static void run(void* user, uint32_t count, void (*body)(void*, uint32_t), void* data) {
+    Lanes& lanes = *static_cast<Lanes*>(user);
+    double longest = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+      const double start = sinew_bench::thread_seconds();
+      body(data, i);
+      const double seconds = sinew_bench::thread_seconds() - start;
+      lanes.all += seconds;
+      longest = std::max(longest, seconds);
+    }
+    lanes.longest += longest;
+  }
+};
+
+// Rows for 2, 4 and 8 threads: the longest way through a bind, and the time on the clock with real threads.
+void measure_threads(const Input& in, const sinew_model& model, sinew_options options, int repeats, uint64_t hash) {
+  for (const uint32_t threads : {2u, 4u, 8u}) {
+    options.thread_count = threads;
+    size_t bytes = 0, used = 0;
+    check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
+                                    in.skeleton.joint_count, &options, &bytes),
+          "workspace");
+    const Block block(bytes);
+    std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
+    const auto bind = [&] {
+      check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, joints.data(), weights.data(),
+                       &used),
+            "bind");
+    };
+    std::vector<double> way, clock;
+    for (int i = 0; i < repeats; ++i) {
+      Lanes lanes;
+      options.parallel_for = Lanes::run;
+      options.parallel_user = &lanes;
+      const double start = sinew_bench::thread_seconds();
+      bind();
+      way.push_back(sinew_bench::thread_seconds() - start - lanes.all + lanes.longest);
+      sinew::cli::ThreadPool pool(threads);
+      options.parallel_for = sinew::cli::ThreadPool::parallel_for;
+      options.parallel_user = &pool;
+      const auto begin = std::chrono::steady_clock::now();
+      bind();
+      clock.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+    uint64_t found = sinew_bench::fnv1a(sinew_bench::kHashStart, joints.data(), joints.size() * 2);
+    found = sinew_bench::fnv1a(found, weights.data(), weights.size() * 2);
+    if (found != hash) check(SINEW_ERROR_RANGE, "another result with threads");
+    const auto print = [&](const char* what, const std::vector<double>& seconds) {
+      const double median = sinew_bench::median(seconds);
+      std::printf("%s,%s,%u,%u,whole with %u threads: %s,%.3f,,%.0f,%zu,%.0f,%016llx\n",
+                  sinew_bench::row_start().c_str(), sinew_kernel_name(sinew_kernel_select(options.kernel)),
+                  in.mesh.vertex_count, in.skeleton.joint_count, threads, what, median * 1e3,
+                  median * 1e9 / in.mesh.vertex_count, used, static_cast<double>(used) / in.mesh.vertex_count,
+                  static_cast<unsigned long long>(found));
+    };
+    print("longest way", way);
+    print("clock", clock);
+  }
+}
+
 void measure(double vertices, const sinew_model& model, uint32_t kernel, int repeats) {
   const Input in(vertices);
   sinew_options options = {};
@@ -122,6 +190,7 @@ void measure(double vertices, const sinew_model& model, uint32_t kernel, int rep
                 kStages[stage], median * 1e3, median / whole, median * 1e9 / in.mesh.vertex_count, used,
                 static_cast<double>(used) / in.mesh.vertex_count, static_cast<unsigned long long>(hash));
   }
+  measure_threads(in, model, options, repeats, hash);
   std::fflush(stdout);
 }
 

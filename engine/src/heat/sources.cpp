@@ -20,12 +20,12 @@ struct Bone {
 
 struct BoneList {
   Bone* bones = nullptr;        // [J]
-  uint64_t* euclid2 = nullptr;  // [J] of the vertex at hand, Q12
+  uint64_t* euclid2 = nullptr;  // [lanes x J] of the vertex at hand, Q12
   uint32_t count = 0;
 
   bool allocate(Arena& arena, const Counts& counts) {
     bones = arena.alloc<Bone>(counts.joints);
-    euclid2 = arena.alloc<uint64_t>(counts.joints);
+    euclid2 = arena.alloc<uint64_t>(static_cast<size_t>(counts.joints) * counts.threads.lanes);
     return arena.ok();
   }
   void build(const Skeleton& skeleton) {
@@ -90,8 +90,12 @@ Vec3i seen_point(Vec3i vertex, Vec3i offset) {
 
 class SourceFinder {
  public:
-  SourceFinder(const Mesh& mesh, const FaceTree& tree, BoneList& list, HeatSources& out)
-      : mesh_(mesh), tree_(tree), list_(list), out_(out) {}
+  SourceFinder(const Mesh& mesh, const FaceTree& tree, const BoneList& list, uint32_t lane, HeatSources& out)
+      : mesh_(mesh),
+        tree_(tree),
+        list_(list),
+        euclid2_(list.euclid2 + static_cast<size_t>(list.count) * lane),
+        out_(out) {}
 
   void run(uint32_t vertex) {
     vertex_ = vertex;
@@ -102,7 +106,7 @@ class SourceFinder {
     own_hint_ = FaceTree::kNoFace;
     for (uint32_t b = 0; b < list_.count; ++b) {
       const Vec3i offset = offset_from_bone(list_.bones[b], position_);
-      list_.euclid2[b] = static_cast<uint64_t>(dot(offset, offset));
+      euclid2_[b] = static_cast<uint64_t>(dot(offset, offset));
     }
     with_cosine();
     soft();
@@ -118,7 +122,7 @@ class SourceFinder {
     return tree_.hidden(mesh_, vertex_, target, first_, last_, true, &other_hint_);
   }
   int64_t distance_of(uint32_t bone) const {
-    return cosine_distance(offset_from_bone(list_.bones[bone], position_), list_.euclid2[bone], mesh_.normals[vertex_]);
+    return cosine_distance(offset_from_bone(list_.bones[bone], position_), euclid2_[bone], mesh_.normals[vertex_]);
   }
   // No bone with a larger Euclid^2 can have a distance tied with `distance`: the cosine divides by at most 1.0005.
   static uint64_t reach2(int64_t distance) {
@@ -133,7 +137,7 @@ class SourceFinder {
     int64_t smallest = distance_of(best);
     uint64_t limit = reach2(smallest);
     for (uint32_t b = 0; b < list_.count; ++b) {
-      if (b == best || list_.euclid2[b] > limit) continue;
+      if (b == best || euclid2_[b] > limit) continue;
       const int64_t distance = distance_of(b);
       if (distance < smallest || (distance == smallest && b < best)) {
         best = b;
@@ -146,7 +150,7 @@ class SourceFinder {
     uint8_t parts = 0, merged = 0;
     tie_count_ = 0;
     for (uint32_t b = 0; b < list_.count && tie_count_ < kMaxTies; ++b) {
-      if (list_.euclid2[b] > limit || (b != best && !tied(distance_of(b), smallest))) continue;
+      if (euclid2_[b] > limit || (b != best && !tied(distance_of(b), smallest))) continue;
       tie_bones_[tie_count_] = b;
       ties[tie_count_] = list_.bones[b].joint;
       if (!hidden_by_own(b)) {
@@ -172,7 +176,7 @@ class SourceFinder {
   uint32_t nearest_untried() const {
     uint32_t best = 0;
     for (uint32_t b = 1; b < list_.count; ++b) {
-      if (list_.euclid2[b] < list_.euclid2[best]) best = b;
+      if (euclid2_[b] < euclid2_[best]) best = b;
     }
     return best;
   }
@@ -183,24 +187,24 @@ class SourceFinder {
     uint32_t count = 0;
     uint8_t mask = 0;
     const uint32_t nearest = nearest_untried();
-    int64_t smallest = euclid_q6(list_.euclid2[nearest]);
+    int64_t smallest = euclid_q6(euclid2_[nearest]);
     out_.nearest[1][vertex_] = list_.bones[nearest].joint;
     // Without a visible bone the tied nearest ones stay, masked out, for components that see nothing at all.
     for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
-      if (list_.euclid2[b] <= reach2(smallest) && tied(euclid_q6(list_.euclid2[b]), smallest))
+      if (euclid2_[b] <= reach2(smallest) && tied(euclid_q6(euclid2_[b]), smallest))
         ties[count++] = list_.bones[b].joint;
     }
     for (;;) {
       const uint32_t bone = nearest_untried();
-      if (list_.euclid2[bone] == kTried) break;
+      if (euclid2_[bone] == kTried) break;
       if (!seen_past_own(bone)) {
-        list_.euclid2[bone] = kTried;
+        euclid2_[bone] = kTried;
         continue;
       }
-      smallest = euclid_q6(list_.euclid2[bone]);
+      smallest = euclid_q6(euclid2_[bone]);
       count = 0;
       for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
-        if (list_.euclid2[b] > reach2(smallest) || !tied(euclid_q6(list_.euclid2[b]), smallest)) continue;
+        if (euclid2_[b] > reach2(smallest) || !tied(euclid_q6(euclid2_[b]), smallest)) continue;
         if (b != bone && !seen_past_own(b)) continue;
         mask = static_cast<uint8_t>(mask | 1u << count);
         ties[count++] = list_.bones[b].joint;
@@ -214,7 +218,8 @@ class SourceFinder {
 
   const Mesh& mesh_;
   const FaceTree& tree_;
-  BoneList& list_;
+  const BoneList& list_;
+  uint64_t* const euclid2_;  // [list_.count] the lane's
   HeatSources& out_;
   uint32_t vertex_ = 0;
   Vec3i position_ = {0, 0, 0};
@@ -293,14 +298,19 @@ sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Coun
   }
   tree.build(mesh);
   list.build(skeleton);
-  SourceFinder finder(mesh, tree, list, *sources);
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    if ((v & 1023u) == 0 &&
-        !progress.report(static_cast<uint32_t>(static_cast<uint64_t>(v) * permille_end / mesh.welded_count))) {
+  // What a finder knows of the vertex before it changes its time, never its answer.
+  constexpr uint32_t kVertexPiece = 128;
+  const uint32_t round = 1024 * counts.threads.lanes;  // vertices between two reports
+  for (uint32_t first = 0; first < mesh.welded_count; first += round) {
+    if (!progress.report(static_cast<uint32_t>(static_cast<uint64_t>(first) * permille_end / mesh.welded_count))) {
       arena.release(mark);
       return SINEW_ERROR_CANCELLED;
     }
-    finder.run(v);
+    const uint32_t rest = mesh.welded_count - first;
+    counts.threads.ranges(rest < round ? rest : round, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t lane) {
+      SourceFinder finder(mesh, tree, list, lane, *sources);
+      for (uint32_t v = first + begin; v < first + end; ++v) finder.run(v);
+    });
   }
   apply_rule(mesh, sources);
   arena.release(mark);
