@@ -87,7 +87,7 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   p.skeleton.allocate(arena, counts);
   timed(0, [&] { return build_mesh(in.mesh, in.skeleton, 0, counts, arena, &p.mesh, &p.skeleton); });
   p.heat.allocate(arena, counts);
-  timed(1, [&] { return solve_heat(p.mesh, p.skeleton, counts, {}, arena, &p.heat); });
+  timed(1, [&] { return solve_heat(p.mesh, p.skeleton, counts, {}, arena, &p.heat, kernel); });
   p.candidates.allocate(arena, counts);
   timed(2, [&] { return find_candidates(p.mesh, p.skeleton, counts, {}, arena, &p.candidates); });
   p.features.allocate(arena, counts);

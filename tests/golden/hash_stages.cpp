@@ -215,7 +215,7 @@ struct ModelFile {
   sinew_model model = {};
 };
 
-void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_t grid) {
+void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_t grid, uint32_t kernel) {
   Counts counts;
   check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count, candidates,
                     grid, &counts));
@@ -224,7 +224,7 @@ void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_
   Block block(measuring.high_water());
   Arena arena(block.data, measuring.high_water());
   Prepared p;
-  check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));
+  check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p, kernel));
   hash_prepared(name, p, candidates);
   hash_spectral(name, p.mesh, counts);
 }
@@ -331,7 +331,8 @@ void hash_set(const std::string& path, uint32_t kernel) {
     std::string name = base_name(words[0]);
     for (size_t i = 1; i < words.size(); ++i) name += "," + base_name(words[i]);
     if (line.model.empty()) {
-      hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size);
+      hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size,
+                  line.options.kernel);
     } else if (line.model == "heat") {
       hash_line(name.c_str(), line, in, nullptr, kernel);
     } else {
@@ -371,7 +372,7 @@ int main(int argc, char** argv) {
     const std::string path = argv[i];
     const std::string name = base_name(path);
     const Input in = read_input(path);
-    hash_stages(name.c_str(), in, 8, 64);
+    hash_stages(name.c_str(), in, 8, 64, kernel);
     hash_bind(name.c_str(), "bind-heat", in, nullptr, SINEW_METHOD_HEAT, kernel);
     if (!models.empty()) hash_bind(name.c_str(), "bind-model", in, &models[0].model, SINEW_METHOD_MODEL, kernel);
   }

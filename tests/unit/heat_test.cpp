@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "heat/fronts.hpp"
 #include "heat/iterative.hpp"
 #include "heat/solver.hpp"
 #include "heat/sources.hpp"
@@ -308,25 +309,126 @@ TEST(Ordering, IsAPermutationAndKeepsFillSmall) {
   const HeatRun run(sinew_test::star(40, 50, 2), false);
   ASSERT_EQ(run.status, SINEW_OK);
   Arena measure;
-  EdgeWeights edges;
-  HeatSolver solver;
-  edges.allocate(measure, run.counts);
-  measure_weigh_edges(measure, run.counts);
-  solver.allocate(measure, run.counts);
-  Block block(measure.high_water() + (1 << 20));
-  edges.allocate(block.arena, run.counts);
-  ASSERT_EQ(weigh_edges(run.mesh, run.counts, block.arena, &edges), SINEW_OK);
   Ordering ordering;
+  Factor factor;
+  ordering.allocate(measure, run.counts);
+  factor.allocate(measure, run.counts);
+  Block block(measure.high_water());
   ordering.allocate(block.arena, run.counts);
+  factor.allocate(block.arena, run.counts);
   ordering.dissect(run.mesh, 0);
   std::set<uint32_t> seen(ordering.order, ordering.order + run.mesh.welded_count);
   EXPECT_EQ(seen.size(), run.mesh.welded_count);
   for (uint32_t k = 0; k < run.mesh.welded_count; ++k) EXPECT_EQ(ordering.place[ordering.order[k]], k);
-  HeatSolver real;
-  real.allocate(block.arena, run.counts);
-  real.begin_component(run.mesh, edges, 0);
-  EXPECT_FALSE(real.iterative());
-  EXPECT_LT(real.factor_entries(), 26u * run.mesh.welded_count);  // minimum degree: 21 per vertex; by number: 45
+  HeatMatrix matrix;
+  matrix.mesh = &run.mesh;
+  matrix.ordering = &ordering;
+  matrix.rows = run.mesh.welded_count;
+  ASSERT_TRUE(factor.analyse(matrix));
+  // Minimum degree: 21 per vertex; by number: 45.
+  EXPECT_LT(factor.column_start[run.mesh.welded_count], 26u * run.mesh.welded_count);
+}
+
+// Everything that a solver of one component of a scene needs.
+struct OneComponent {
+  explicit OneComponent(const HeatScene& scene) : run(scene, false), block(size(run.counts)) {
+    edges.allocate(block.arena, run.counts);
+    ordering.allocate(block.arena, run.counts);
+    fronts.allocate(block.arena, run.counts);
+    matrix.diagonal = block.arena.alloc<int64_t>(run.counts.vertices);
+    EXPECT_EQ(weigh_edges(run.mesh, run.counts, block.arena, &edges), SINEW_OK);
+    ordering.dissect(run.mesh, 0);
+    matrix.mesh = &run.mesh;
+    matrix.edges = &edges;
+    matrix.ordering = &ordering;
+    matrix.rows = run.mesh.component_sizes[0];
+  }
+  static size_t size(const Counts& counts) {
+    Arena measure;
+    EdgeWeights().allocate(measure, counts);
+    Ordering().allocate(measure, counts);
+    FrontFactor().allocate(measure, counts);
+    measure.alloc<int64_t>(counts.vertices);
+    measure_weigh_edges(measure, counts);
+    return measure.high_water();
+  }
+  HeatRun run;
+  Block block;
+  EdgeWeights edges;
+  Ordering ordering;
+  FrontFactor fronts;
+  HeatMatrix matrix;
+};
+
+TEST(Fronts, SolveForAKnownSolution) {
+  // The pulls of a solution that falls along the body, some of them a thousandfold stronger than the stiffness.
+  OneComponent c(sinew_test::star(40, 50, 2));
+  const uint32_t rows = c.matrix.rows;
+  std::vector<int64_t> pulls(rows);
+  std::mt19937 random(5);
+  for (uint32_t k = 0; k < rows; ++k) pulls[k] = random() % 3 == 0 ? int64_t{1} << (30 + random() % 22) : 0;
+  ASSERT_TRUE(c.fronts.analyse(c.matrix));
+  c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
+  ASSERT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
+  const auto wanted = [&](uint32_t k) {
+    return 0.5 + 0.4 * c.run.mesh.positions[c.ordering.order[k]].y / static_cast<double>(kSide);
+  };
+  c.fronts.begin();
+  const double one = std::pow(2.0, 40), stiffness_unit = std::pow(2.0, 40 - kEdgeWeightBits);
+  for (uint32_t k = 0; k < rows; ++k) {
+    const uint32_t v = c.ordering.order[k];
+    double b = static_cast<double>(pulls[k]) / one * wanted(k);
+    for (uint32_t e = c.run.mesh.row_offsets[v]; e < c.run.mesh.row_offsets[v + 1]; ++e) {
+      b += c.edges.weight[e] * stiffness_unit / one * (wanted(k) - wanted(c.ordering.place[c.run.mesh.col_indices[e]]));
+    }
+    c.fronts.add(k, 3, static_cast<int64_t>(std::llround(b * one)));
+  }
+  c.fronts.eliminate(FrontKernels());
+  uint32_t seen = 0;
+  double worst = 0;
+  c.fronts.substitute(FrontKernels(), [&](uint32_t first, uint32_t count, const int32_t* x) {
+    for (uint32_t i = 0; i < count; ++i, ++seen) {
+      worst =
+          std::max(worst, std::abs(x[i * kFrontLanes + 3] * std::pow(2.0, -kFrontSolutionBits) - wanted(first + i)));
+      for (uint32_t lane = 0; lane < kFrontLanes; ++lane) EXPECT_TRUE(lane == 3 || x[i * kFrontLanes + lane] == 0);
+    }
+  });
+  EXPECT_EQ(seen, rows);
+  EXPECT_LT(worst, 2e-5);
+}
+
+TEST(Fronts, SkipWhatASourceDoesNotReach) {
+  OneComponent c(sinew_test::capsule(200, 20, 2));
+  const uint32_t rows = c.matrix.rows;
+  const std::vector<int64_t> pulls(rows, int64_t{1} << 39);
+  ASSERT_TRUE(c.fronts.analyse(c.matrix));
+  c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
+  ASSERT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
+  c.fronts.begin();
+  c.fronts.add(c.ordering.place[0], 0, pulls[0]);
+  c.fronts.eliminate(FrontKernels());
+  uint32_t seen = 0;
+  int32_t largest = 0;
+  c.fronts.substitute(FrontKernels(), [&](uint32_t, uint32_t count, const int32_t* x) {
+    seen += count;
+    for (uint32_t i = 0; i < count; ++i) largest = std::max(largest, x[i * kFrontLanes]);
+  });
+  EXPECT_GT(largest, 1 << (kFrontSolutionBits - 4));
+  EXPECT_GT(seen, 20u);
+  EXPECT_LT(seen, rows / 3);
+}
+
+TEST(Fronts, RefuseAMatrixThatIsNotDefinite) {
+  OneComponent c(sinew_test::capsule(20, 20, 2));
+  std::vector<int64_t> pulls(c.matrix.rows, 0);
+  ASSERT_TRUE(c.fronts.analyse(c.matrix));
+  c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
+  EXPECT_FALSE(c.fronts.factorise(c.matrix, FrontKernels()));  // singular: constants cost nothing
+  pulls[7] = int64_t{1} << 40;
+  c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
+  EXPECT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
+  c.matrix.diagonal[9] = -c.matrix.diagonal[9];
+  EXPECT_FALSE(c.fronts.factorise(c.matrix, FrontKernels()));
 }
 
 TEST(Factor, ReciprocalsAndQuotients) {

@@ -250,7 +250,8 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   if (status != SINEW_OK) return status;
   Arena arena(workspace, workspace_bytes);
   Prepared p;
-  status = prepare(mesh, skeleton, plan.up_axis, plan.counts, plan.purpose, plan.progress, arena, &p);
+  status =
+      prepare(mesh, skeleton, plan.up_axis, plan.counts, plan.purpose, plan.progress, arena, &p, plan.network.kernel);
   if (status != SINEW_OK) return status;
 
   Logits logits;

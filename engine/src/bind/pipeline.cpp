@@ -51,7 +51,7 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out) {
+                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out, uint32_t kernel) {
   if (!out->mesh.allocate(arena, counts) || !out->skeleton.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = build_mesh(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
   if (status != SINEW_OK) return status;
@@ -59,7 +59,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
 
   if (!out->heat.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   const uint32_t heat_end = purpose == PrepareFor::kHeat ? 950 : 450;
-  status = solve_heat(out->mesh, out->skeleton, counts, progress.part(50, heat_end), arena, &out->heat);
+  status = solve_heat(out->mesh, out->skeleton, counts, progress.part(50, heat_end), arena, &out->heat, kernel);
   if (status != SINEW_OK || purpose == PrepareFor::kHeat) return status;
 
   if (!out->candidates.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;

@@ -5,6 +5,7 @@
 #include "heat/laplacian.hpp"
 #include "heat/solver.hpp"
 #include "heat/sources.hpp"
+#include "kernels/select.hpp"
 
 namespace sinew {
 namespace {
@@ -60,8 +61,11 @@ sinew_status solve_components(const Mesh& mesh, const Progress& progress, Scratc
 }
 
 sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                 Arena& arena, HeatFields* fields) {
+                 Arena& arena, uint32_t kernel, HeatFields* fields) {
+  Kernels kernels;
+  (void)select_kernels(kernel, &kernels);
   Scratch scratch;
+  scratch.solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, &scratch)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources);
   if (status != SINEW_OK) return status;
@@ -93,9 +97,9 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
 }
 
 sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                        Arena& arena, HeatFields* fields) {
+                        Arena& arena, HeatFields* fields, uint32_t kernel) {
   const size_t mark = arena.mark();
-  const sinew_status status = run(mesh, skeleton, counts, progress, arena, fields);
+  const sinew_status status = run(mesh, skeleton, counts, progress, arena, kernel, fields);
   arena.release(mark);
   return status;
 }

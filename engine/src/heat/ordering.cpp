@@ -2,10 +2,15 @@
 // Geometric nested dissection on integer coordinates, without recursion (stage 4, before the factorisation).
 #include "heat/ordering.hpp"
 
+#include <string.h>
+
+#include "core/sort.hpp"
+
 namespace sinew {
 namespace {
 
-constexpr uint32_t kSmallestPiece = 4;
+constexpr uint32_t kLeastSamples = 23;
+constexpr uint32_t kMostSamples = 255;  // of a piece, for its median
 
 int32_t coordinate(Vec3i p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
@@ -26,44 +31,37 @@ class Dissection {
  public:
   Dissection(const Mesh& mesh, Ordering& out) : mesh_(mesh), out_(out) {}
 
-  // Median of the coordinates; when many are equal the value whose two sides are most alike. False when all are equal.
-  bool median(Piece piece, int axis, Cut* cut) const {
-    int32_t low = coordinate(mesh_.positions[out_.order[piece.begin]], axis), high = low;
+  void find_box(Piece piece, Vec3i* low, Vec3i* high) const {
+    *low = *high = mesh_.positions[out_.order[piece.begin]];
     for (uint32_t i = piece.begin + 1; i < piece.end; ++i) {
-      const int32_t c = coordinate(mesh_.positions[out_.order[i]], axis);
-      if (c < low) low = c;
-      if (c > high) high = c;
+      const Vec3i p = mesh_.positions[out_.order[i]];
+      *low = {p.x < low->x ? p.x : low->x, p.y < low->y ? p.y : low->y, p.z < low->z ? p.z : low->z};
+      *high = {p.x > high->x ? p.x : high->x, p.y > high->y ? p.y : high->y, p.z > high->z ? p.z : high->z};
     }
-    if (low == high) return false;
-    const uint32_t half = (piece.end - piece.begin) / 2;
-    int32_t below = low, above = high - 1;  // smallest value with at least half of the vertices at or under it
-    while (below < above) {
-      const int32_t middle = below + (above - below) / 2;
-      if (count_up_to(piece, axis, middle) >= half) {
-        above = middle;
-      } else {
-        below = middle + 1;
-      }
+  }
+
+  // About the median of the coordinates along an axis, below the highest one, so that no side is empty.
+  int32_t median(Piece piece, int axis, int32_t high) const {
+    int32_t samples[kMostSamples];
+    const uint32_t length = piece.end - piece.begin;
+    // An eighth of the vertices, within these bounds: more would not balance the halves much better.
+    const uint32_t wanted = length / 8 < kMostSamples ? length / 8 : kMostSamples;
+    const uint32_t count = wanted > kLeastSamples ? wanted : length < kLeastSamples ? length : kLeastSamples;
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t at = piece.begin + static_cast<uint32_t>(static_cast<uint64_t>(i) * length / count);
+      samples[i] = coordinate(mesh_.positions[out_.order[at]], axis);
     }
-    cut->axis = axis;
-    cut->value = below;
-    cut->low_count = count_up_to(piece, axis, below);
-    if (below > low) {
-      const uint32_t under = count_up_to(piece, axis, below - 1);
-      if (under > 0 && cut->low_count > half && half - under < cut->low_count - half) {
-        cut->value = below - 1;
-        cut->low_count = under;
-      }
-    }
-    return true;
+    sort_ascending(samples, count);
+    const int32_t middle = samples[(count - 1) / 2];
+    return middle < high ? middle : high - 1;
   }
 
   void count_borders(Piece piece, uint32_t region, Cut* cut) const {
-    cut->low_border = 0;
-    cut->high_border = 0;
+    cut->low_count = cut->low_border = cut->high_border = 0;
     for (uint32_t i = piece.begin; i < piece.end; ++i) {
       const uint32_t v = out_.order[i];
       const bool low = on_low_side(v, *cut);
+      cut->low_count += low ? 1 : 0;
       if (!touches_other_side(v, region, *cut, low)) continue;
       ++(low ? cut->low_border : cut->high_border);
     }
@@ -94,13 +92,6 @@ class Dissection {
   }
 
  private:
-  uint32_t count_up_to(Piece piece, int axis, int32_t value) const {
-    uint32_t count = 0;
-    for (uint32_t i = piece.begin; i < piece.end; ++i) {
-      count += coordinate(mesh_.positions[out_.order[i]], axis) <= value;
-    }
-    return count;
-  }
   bool on_low_side(uint32_t vertex, const Cut& cut) const {
     return coordinate(mesh_.positions[vertex], cut.axis) <= cut.value;
   }
@@ -123,13 +114,16 @@ bool Ordering::allocate(Arena& arena, const Counts& counts) {
   place = arena.alloc<uint32_t>(counts.vertices);
   region = arena.alloc<uint32_t>(counts.vertices);
   scratch = arena.alloc<uint32_t>(counts.vertices);
+  piece_size = arena.alloc<uint32_t>(counts.vertices);
+  piece_begin = arena.alloc<uint32_t>(counts.vertices);
   return arena.ok();
 }
 
-void Ordering::dissect(const Mesh& mesh, uint32_t component) {
+void Ordering::dissect(const Mesh& mesh, uint32_t component, uint32_t smallest) {
   const uint32_t first = mesh.component_offsets[component];
   const uint32_t count = mesh.component_offsets[component + 1] - first;
   for (uint32_t i = 0; i < count; ++i) order[i] = mesh.component_vertices[first + i];
+  memset(piece_size, 0, count * sizeof(piece_size[0]));
 
   const Dissection dissection(mesh, *this);
   uint32_t next_region = 0;
@@ -139,17 +133,25 @@ void Ordering::dissect(const Mesh& mesh, uint32_t component) {
   while (depth > 0) {
     const Piece piece = stack[--depth];
     const uint32_t mine = next_region++;
+    const uint32_t length = piece.end - piece.begin;
     for (uint32_t i = piece.begin; i < piece.end; ++i) region[order[i]] = mine;
-    if (piece.end - piece.begin <= kSmallestPiece) continue;
+    if (length <= smallest) {
+      piece_size[piece.begin] = length;
+      piece_begin[piece.begin] = piece.begin;
+      continue;
+    }
 
     // All three axes are tried: the shortest separator for the balance it gives.
+    Vec3i lowest, highest;
+    dissection.find_box(piece, &lowest, &highest);
     Cut best;
     bool found = false;
     for (int axis = 0; axis < 3; ++axis) {
+      if (coordinate(lowest, axis) == coordinate(highest, axis)) continue;
       Cut cut;
-      if (!dissection.median(piece, axis, &cut)) continue;
+      cut.axis = axis;
+      cut.value = dissection.median(piece, axis, coordinate(highest, axis));
       dissection.count_borders(piece, mine, &cut);
-      const uint32_t length = piece.end - piece.begin;
       const auto smaller_side = [length](const Cut& c) {
         return static_cast<uint64_t>(c.low_count < length - c.low_count ? c.low_count : length - c.low_count);
       };
@@ -160,6 +162,10 @@ void Ordering::dissect(const Mesh& mesh, uint32_t component) {
     dissection.split(piece, mine, best, &low, &high);
     const Piece low_piece = {piece.begin, piece.begin + low};
     const Piece high_piece = {piece.begin + low, piece.begin + low + high};
+    if (high_piece.end < piece.end) {
+      piece_size[high_piece.end] = piece.end - high_piece.end;
+      piece_begin[high_piece.end] = piece.begin;
+    }
     // The separator leaves the region, so that the halves do not see it.
     for (uint32_t i = high_piece.end; i < piece.end; ++i) region[order[i]] = next_region;
     ++next_region;

@@ -36,18 +36,25 @@ void insert(uint16_t joint, uint16_t weight, uint16_t* joints, uint16_t* weights
 
 bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
   const size_t lanes = static_cast<size_t>(counts.vertices) * kLanes;
-  const bool parts = ordering_.allocate(arena, counts) && factor_.allocate(arena, counts);
+  (void)ordering_.allocate(arena, counts);
   matrix_.diagonal = arena.alloc<int64_t>(counts.vertices);
   pull_ = arena.alloc<int64_t>(counts.vertices);
   row_pull_ = arena.alloc<int64_t>(counts.vertices);
-  rhs_ = arena.alloc<int64_t>(lanes);
-  solution_ = arena.alloc<int32_t>(lanes);
-  refinement_ = arena.alloc<int32_t>(lanes);
   total_ = arena.alloc<int64_t>(counts.vertices);
   joints_ = arena.alloc<uint16_t>(counts.joints);
   lane_of_ = arena.alloc<uint8_t>(counts.joints);
   joint_count_ = counts.joints;
-  return parts && arena.ok();
+
+  const size_t shared = arena.mark();
+  (void)fronts_.allocate(arena, counts);
+  const size_t end = arena.used();
+  arena.release(shared);
+  (void)factor_.allocate(arena, counts);
+  rhs_ = arena.alloc<int64_t>(lanes);
+  solution_ = arena.alloc<int32_t>(lanes);
+  refinement_ = arena.alloc<int32_t>(lanes);
+  if (arena.used() < end) (void)arena.alloc<uint8_t>(end - arena.used());
+  return arena.ok();
 }
 
 void HeatSolver::begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component) {
@@ -56,7 +63,15 @@ void HeatSolver::begin_component(const Mesh& mesh, const EdgeWeights& edges, uin
   matrix_.edges = &edges;
   matrix_.ordering = &ordering_;
   matrix_.rows = mesh.component_sizes[component];
-  ordering_.dissect(mesh, component);
+  ordering_.dissect(mesh, component, kSmallestFront);
+  with_fronts_ = fronts_.analyse(matrix_);
+  iterative_ = false;
+  if (!with_fronts_) leave_fronts();
+}
+
+void HeatSolver::leave_fronts() {
+  with_fronts_ = false;
+  ordering_.dissect(*mesh_, mesh_->component[ordering_.order[0]]);
   iterative_ = !factor_.analyse(matrix_);
 }
 
@@ -158,7 +173,7 @@ void HeatSolver::solve_batch(const HeatSources& sources, uint32_t field, const u
   }
 }
 
-bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField* out) {
+void HeatSolver::clear_rows(HeatField* out) {
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
     total_[k] = 0;
@@ -168,6 +183,69 @@ bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField
     }
   }
   wild_ = false;
+}
+
+void HeatSolver::keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_t first, uint32_t count,
+                            const int32_t* x, HeatField* out) {
+  constexpr int kToQ15 = kFrontSolutionBits - 15;
+  constexpr int32_t kLeast = kSmallestKept * (1 << kToQ15) - (1 << (kToQ15 - 1));  // rounds to kSmallestKept
+  for (uint32_t k = first; k < first + count; ++k, x += kFrontLanes) {
+    uint32_t kept = 0;
+    int64_t sum = 0;
+    for (uint32_t lane = 0; lane < kFrontLanes; ++lane) {
+      sum += x[lane];
+      kept |= static_cast<uint32_t>(x[lane] >= kLeast || x[lane] < -kLeast) << lane;
+    }
+    total_[k] += sum;
+    if (kept == 0) continue;
+    const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
+    for (uint32_t lane = 0; lane < lanes; ++lane) {
+      if ((kept >> lane & 1) == 0) continue;
+      constexpr int32_t kFrontOne = 1 << kFrontSolutionBits;
+      wild_ = wild_ || x[lane] < -kFrontOne || x[lane] > 2 * kFrontOne;
+      if (x[lane] < kLeast) continue;
+      const int64_t weight = round_shift(x[lane], kToQ15);
+      insert(lane_joints[lane], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), out->joints + slots,
+             out->weights + slots);
+    }
+  }
+}
+
+bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
+  clear_rows(out);
+  matrix_.assemble(row_pull_, kFactorDiagonalBits);
+  if (!fronts_.factorise(matrix_, kernels_)) return false;
+  const uint32_t count = list_joints(sources, field);
+  const uint16_t* const ties = sources.ties[HeatSources::measure_of(field)];
+  for (uint32_t first = 0; first < count; first += kFrontLanes) {
+    const uint32_t lanes = count - first < kFrontLanes ? count - first : kFrontLanes;
+    const uint16_t* const lane_joints = joints_ + first;
+    for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = static_cast<uint8_t>(lane);
+    fronts_.begin();
+    for (uint32_t k = 0; k < matrix_.rows; ++k) {
+      const uint32_t v = ordering_.order[k];
+      for (uint32_t mask = sources.mask[field][v], t = 0; mask != 0; mask >>= 1, ++t) {
+        const uint8_t lane = lane_of_[ties[static_cast<size_t>(v) * kMaxTies + t]];
+        if ((mask & 1) != 0 && lane != kNoLane) fronts_.add(k, lane, pull_[k]);
+      }
+    }
+    for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = kNoLane;
+    fronts_.eliminate(kernels_);
+    fronts_.substitute(kernels_, [&](uint32_t place, uint32_t vertices, const int32_t* x) {
+      keep_front(lane_joints, lanes, place, vertices, x, out);
+    });
+  }
+  // What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
+  constexpr int64_t kFrontOne = static_cast<int64_t>(1) << kFrontSolutionBits;
+  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    if (abs64(total_[k] - kFrontOne) > kFrontOne / 256) return false;
+    total_[k] = round_shift(total_[k], kFrontSolutionBits - kSolutionBits);
+  }
+  return !wild_;
+}
+
+bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField* out) {
+  clear_rows(out);
   matrix_.assemble(row_pull_, iterative_ ? kIterativeDiagonalBits : kFactorDiagonalBits);
   if (!iterative_) {
     factor_.factorise(matrix_);
@@ -209,7 +287,7 @@ void HeatSolver::strengthen_pulls() {
   }
 }
 
-void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatField* out) {
+void HeatSolver::set_pulls(const HeatSources& sources, uint32_t field) {
   const int measure = HeatSources::measure_of(field);
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const uint32_t v = ordering_.order[k];
@@ -222,6 +300,19 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
     row_pull_[k] = bones * pull_[k];
   }
   strengthen_pulls();
+}
+
+void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatField* out) {
+  set_pulls(sources, field);
+  matrix_.positive = false;
+  if (with_fronts_) {
+    if (try_fronts(sources, field, out)) {
+      divide_by_totals(out);
+      return;
+    }
+    leave_fronts();
+    set_pulls(sources, field);  // by elimination place
+  }
   matrix_.positive = iterative_;
   refinements_ = 0;
   bool done = try_field(sources, field, out);

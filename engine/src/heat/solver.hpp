@@ -4,6 +4,7 @@
 #define SINEW_HEAT_SOLVER_HPP
 
 #include "heat/factor.hpp"
+#include "heat/fronts.hpp"
 #include "heat/heat.hpp"
 #include "heat/sources.hpp"
 
@@ -12,6 +13,7 @@ namespace sinew {
 class HeatSolver {
  public:
   bool allocate(Arena& arena, const Counts& counts);
+  void use(const FrontKernels& kernels) { kernels_ = kernels; }
   // Orders and analyses a component; the fields below share the result.
   void begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component);
   // Solves one field of that component and writes its rows. Every row sums to 1 up to what was too small to keep: the
@@ -22,13 +24,23 @@ class HeatSolver {
 
   bool iterative() const { return iterative_; }
   // Entries of the factor of the current component (0 when it is solved iteratively).
-  uint64_t factor_entries() const { return iterative_ ? 0 : factor_.column_start[matrix_.rows]; }
+  uint64_t factor_entries() const {
+    return with_fronts_ ? fronts_.factor_entries() : iterative_ ? 0 : factor_.column_start[matrix_.rows];
+  }
   // For tests: pretends that no more than this fits.
   void limit_factor(size_t entries) {
+    fronts_.limit(entries);
     if (entries < factor_.capacity) factor_.capacity = entries;
   }
 
  private:
+  void set_pulls(const HeatSources& sources, uint32_t field);
+  void leave_fronts();
+  // The fast way. False when the matrix is not for it.
+  bool try_fronts(const HeatSources& sources, uint32_t field, HeatField* out);
+  void clear_rows(HeatField* out);
+  void keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_t first, uint32_t count, const int32_t* x,
+                  HeatField* out);
   // One pass over all joints. True when every row's total came out as 1 within 2^-12.
   bool try_field(const HeatSources& sources, uint32_t field, HeatField* out);
   uint32_t list_joints(const HeatSources& sources, uint32_t field);
@@ -41,7 +53,11 @@ class HeatSolver {
   const Mesh* mesh_ = nullptr;
   HeatMatrix matrix_;
   Ordering ordering_;
+  FrontKernels kernels_;
+  // These two share their memory: the second is for what the first cannot do.
+  FrontFactor fronts_;
   Factor factor_;
+  bool with_fronts_ = false;
   bool iterative_ = false;
   uint32_t refinements_ = 0;
   bool wild_ = false;

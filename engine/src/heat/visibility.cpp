@@ -43,19 +43,44 @@ bool segment_meets_box(Vec3i middle, Vec3i along, Vec3i half, Vec3i low, Vec3i h
          abs64(c.z) <= static_cast<int64_t>(e.x) * half.y + static_cast<int64_t>(e.y) * half.x;
 }
 
-void grow(Vec3i* low, Vec3i* high, Vec3i p) {
-  if (p.x < low->x) low->x = p.x;
-  if (p.y < low->y) low->y = p.y;
-  if (p.z < low->z) low->z = p.z;
-  if (p.x > high->x) high->x = p.x;
-  if (p.y > high->y) high->y = p.y;
-  if (p.z > high->z) high->z = p.z;
+constexpr int32_t kNowhere = 1 << 28;  // targets lie within 2^23
+
+void grow(FaceTree::Group* group, uint32_t slot, Vec3i low, Vec3i high) {
+  const int32_t lows[3] = {low.x, low.y, low.z}, highs[3] = {high.x, high.y, high.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (lows[axis] < group->low[axis][slot]) group->low[axis][slot] = lows[axis];
+    if (highs[axis] > group->high[axis][slot]) group->high[axis][slot] = highs[axis];
+  }
 }
 
-uint32_t leaf_span_for(uint32_t triangles) {
-  uint32_t span = 1;
-  while (span < (triangles + FaceTree::kLeafFaces - 1) / FaceTree::kLeafFaces) span *= 2;
-  return span;
+// Groups of all levels over this many triangles.
+uint32_t group_count(uint32_t triangles) {
+  uint32_t boxes = (triangles + FaceTree::kLeafFaces - 1) / FaceTree::kLeafFaces, groups = 0;
+  do {
+    boxes = (boxes + FaceTree::kWidth - 1) / FaceTree::kWidth;
+    groups += boxes;
+  } while (boxes > 1);
+  return groups;
+}
+
+// Bit i: the box around the segment meets box i. Without comparisons, so that compilers make vector code of it: a
+// difference is negative where the two are apart.
+uint32_t boxes_met(const FaceTree::Group& group, Vec3i low, Vec3i high) {
+  constexpr int32_t kBits[FaceTree::kWidth] = {1, 2, 4, 8, 16, 32, 64, 128};
+  int32_t apart[FaceTree::kWidth];
+  for (uint32_t i = 0; i < FaceTree::kWidth; ++i) {
+    apart[i] = (high.x - group.low[0][i]) | (group.high[0][i] - low.x) | (high.y - group.low[1][i]) |
+               (group.high[1][i] - low.y) | (high.z - group.low[2][i]) | (group.high[2][i] - low.z);
+  }
+  int32_t met = 0;
+  for (uint32_t i = 0; i < FaceTree::kWidth; ++i) met |= ~(apart[i] >> 31) & kBits[i];
+  return static_cast<uint32_t>(met);
+}
+
+uint32_t lowest_bit(uint32_t mask) {
+  uint32_t bit = 0;
+  while ((mask >> bit & 1) == 0) ++bit;
+  return bit;
 }
 
 }  // namespace
@@ -89,11 +114,9 @@ bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
 }
 
 bool FaceTree::allocate(Arena& arena, const Counts& counts) {
-  const size_t nodes = 2 * static_cast<size_t>(leaf_span_for(counts.triangles()));
   order = arena.alloc<uint32_t>(counts.triangles());
   component_first = arena.alloc<uint32_t>(static_cast<size_t>(counts.vertices) + 1);
-  box_low = arena.alloc<Vec3i>(nodes);
-  box_high = arena.alloc<Vec3i>(nodes);
+  groups = arena.alloc<Group>(group_count(counts.triangles()));
   return arena.ok();
 }
 
@@ -106,40 +129,49 @@ void FaceTree::build(const Mesh& mesh) {
   for (uint32_t c = mesh.component_count; c > 0; --c) component_first[c] = component_first[c - 1];
   component_first[0] = 0;
 
-  leaf_span = leaf_span_for(mesh.triangle_count);
-  leaf_count = (mesh.triangle_count + kLeafFaces - 1) / kLeafFaces;
-  for (uint32_t leaf = 0; leaf < leaf_count; ++leaf) {
-    const uint32_t first = leaf * kLeafFaces;
-    Vec3i low = mesh.positions[mesh.triangles[3 * order[first]]];
-    Vec3i high = low;
-    for (uint32_t place = first; place < mesh.triangle_count && place < first + kLeafFaces; ++place) {
-      for (uint32_t k = 0; k < 3; ++k) grow(&low, &high, mesh.positions[mesh.triangles[3 * order[place] + k]]);
-    }
-    box_low[leaf_span + leaf] = low;
-    box_high[leaf_span + leaf] = high;
-  }
-  // Nodes whose leaves all lie past leaf_count stay unset; the walk skips them by their range.
-  uint32_t used = leaf_count;
-  for (uint32_t level = leaf_span / 2; level > 0; level /= 2) {
-    const uint32_t used_below = used;
-    used = (used + 1) / 2;
-    for (uint32_t i = 0; i < used; ++i) {
-      const uint32_t left = 2 * (level + i);
-      box_low[level + i] = box_low[left];
-      box_high[level + i] = box_high[left];
-      if (2 * i + 1 < used_below) {
-        grow(&box_low[level + i], &box_high[level + i], box_low[left + 1]);
-        grow(&box_low[level + i], &box_high[level + i], box_high[left + 1]);
+  levels = 0;
+  if (mesh.triangle_count == 0) return;
+  uint32_t boxes = (mesh.triangle_count + kLeafFaces - 1) / kLeafFaces, next = 0;
+  do {
+    const uint32_t count = (boxes + kWidth - 1) / kWidth;
+    level_first[levels] = next;
+    for (uint32_t g = 0; g < count; ++g) {
+      Group& group = groups[next + g];
+      for (uint32_t i = 0; i < kWidth; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {  // boxes that are not there meet nothing
+          group.low[axis][i] = kNowhere;
+          group.high[axis][i] = -kNowhere;
+        }
+        const uint32_t box = g * kWidth + i;
+        if (box >= boxes) continue;
+        if (levels > 0) {
+          const Group& below = groups[level_first[levels - 1] + box];
+          for (uint32_t k = 0; k < kWidth; ++k) {
+            grow(&group, i, {below.low[0][k], below.low[1][k], below.low[2][k]},
+                 {below.high[0][k], below.high[1][k], below.high[2][k]});
+          }
+          continue;
+        }
+        for (uint32_t place = box * kLeafFaces; place < mesh.triangle_count && place < (box + 1) * kLeafFaces;
+             ++place) {
+          for (uint32_t k = 0; k < 3; ++k) {
+            const Vec3i p = mesh.positions[mesh.triangles[3 * order[place] + k]];
+            grow(&group, i, p, p);
+          }
+        }
       }
     }
-  }
+    next += count;
+    boxes = count;
+    ++levels;
+  } while (boxes > 1);
 }
 
 bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t first, uint32_t last, bool outside,
                       uint32_t* hint) const {
   const Vec3i start = mesh.positions[vertex];
   const Vec3i along = target - start;
-  if (leaf_count == 0 || (along.x == 0 && along.y == 0 && along.z == 0)) return false;
+  if (levels == 0 || (along.x == 0 && along.y == 0 && along.z == 0)) return false;
   const Vec3i half = {abs32(along.x), abs32(along.y), abs32(along.z)};
   const Vec3i middle = start + target;
 
@@ -151,29 +183,37 @@ bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t 
   };
   if (*hint != kNoFace && hides(*hint)) return true;
 
+  const Vec3i low = {along.x < 0 ? target.x : start.x, along.y < 0 ? target.y : start.y,
+                     along.z < 0 ? target.z : start.z};
+  const Vec3i high = {low.x + half.x, low.y + half.y, low.z + half.z};
   struct Entry {
-    uint32_t node, first_leaf, span;
+    uint32_t level, group, span;  // span: places under one of the group's boxes
   };
-  Entry stack[34];  // one sibling per level, at most 32 levels
+  Entry stack[kMostLevels * kWidth];
   uint32_t depth = 0;
-  stack[depth++] = {1, 0, leaf_span};
+  uint32_t top_span = kLeafFaces;  // below 8 times the triangles
+  for (uint32_t level = 1; level < levels; ++level) top_span *= kWidth;
+  stack[depth++] = {levels - 1, 0, top_span};
   while (depth > 0) {
     const Entry entry = stack[--depth];
-    if (entry.first_leaf >= leaf_count) continue;
-    const uint32_t place_begin = entry.first_leaf * kLeafFaces;
-    const uint32_t place_end = place_begin + entry.span * kLeafFaces;
-    if (outside ? (place_begin >= first && place_end <= last) : (place_end <= first || place_begin >= last)) continue;
-    if (!segment_meets_box(middle, along, half, box_low[entry.node], box_high[entry.node])) continue;
-    if (entry.span > 1) {
-      const uint32_t span = entry.span / 2;
-      stack[depth++] = {2 * entry.node + 1, entry.first_leaf + span, span};
-      stack[depth++] = {2 * entry.node, entry.first_leaf, span};
-      continue;
-    }
-    for (uint32_t place = place_begin; place < place_end && place < mesh.triangle_count; ++place) {
-      if (hides(place)) {
-        *hint = place;
-        return true;
+    const Group& group = groups[level_first[entry.level] + entry.group];
+    for (uint32_t met = boxes_met(group, low, high); met != 0; met &= met - 1) {
+      const uint32_t i = lowest_bit(met), box = entry.group * kWidth + i;
+      const uint32_t place_begin = box * entry.span, place_end = place_begin + entry.span;
+      if (outside ? (place_begin >= first && place_end <= last) : (place_end <= first || place_begin >= last)) continue;
+      if (!segment_meets_box(middle, along, half, {group.low[0][i], group.low[1][i], group.low[2][i]},
+                             {group.high[0][i], group.high[1][i], group.high[2][i]})) {
+        continue;
+      }
+      if (entry.level > 0) {
+        stack[depth++] = {entry.level - 1, box, entry.span / kWidth};
+        continue;
+      }
+      for (uint32_t place = place_begin; place < place_end && place < mesh.triangle_count; ++place) {
+        if (hides(place)) {
+          *hint = place;
+          return true;
+        }
       }
     }
   }

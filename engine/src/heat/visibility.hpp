@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which faces stand between a vertex and a bone: an implicit bounding-box tree over the triangles and an exact integer
+// Which faces stand between a vertex and a bone: a bounding-box tree over the triangles and an exact integer
 // segment/triangle test (stage 4, before the sources are chosen).
 #ifndef SINEW_HEAT_VISIBILITY_HPP
 #define SINEW_HEAT_VISIBILITY_HPP
@@ -17,17 +17,24 @@ bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 
 // Triangles grouped by component, inside a component in the mesh's own order (Morton order of their first vertex), so
-// that consecutive triangles are near each other and a complete binary tree over runs of kLeafFaces needs no sorting.
+// that consecutive triangles are near each other and a tree over runs of them needs no sorting: kLeafFaces triangles
+// share a box, kWidth boxes a group, and the box around a group is one of the next level.
 struct FaceTree {
   static constexpr uint32_t kLeafFaces = 4;
+  static constexpr uint32_t kWidth = 8;
+  static constexpr uint32_t kMostLevels = 11;  // 8^11 leaves are more than there can be
   static constexpr uint32_t kNoFace = 0xFFFFFFFFu;
+
+  // Boxes that are tested together.
+  struct Group {
+    int32_t low[3][kWidth], high[3][kWidth];
+  };
 
   uint32_t* order = nullptr;            // [T] triangle at each place
   uint32_t* component_first = nullptr;  // [component_count + 1] first place of each component
-  Vec3i* box_low = nullptr;             // [2 x leaf_span] heap order, root 1; leaf i is node leaf_span + i
-  Vec3i* box_high = nullptr;
-  uint32_t leaf_span = 1;  // power of two >= number of leaves
-  uint32_t leaf_count = 0;
+  Group* groups = nullptr;              // level by level, leaves first
+  uint32_t level_first[kMostLevels] = {};
+  uint32_t levels = 0;  // the last one has one group; 0 without triangles
 
   bool allocate(Arena& arena, const Counts& counts);
   void build(const Mesh& mesh);

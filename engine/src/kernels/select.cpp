@@ -22,6 +22,7 @@ void fill_reference(Kernels* kernels) {
   kernels->part_mean_pair = part_mean_pair_s16_ref;
   kernels->global_mean = global_mean_s16_ref;
   kernels->global_max = global_max_s16_ref;
+  kernels->front = FrontKernels();
 }
 
 // Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has
@@ -30,13 +31,16 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
   bool added = false;
   switch (kernel) {
     case SINEW_KERNEL_AVX2:
-      added = cpu.avx2 && add_linear_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels);
+      added = cpu.avx2 && add_linear_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels) &&
+              add_front_s32_avx2(&kernels->front);
       break;
     case SINEW_KERNEL_AVXVNNI:
-      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels) && add_aggregates_s16_avx2(kernels);
+      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels) && add_aggregates_s16_avx2(kernels) &&
+              add_front_s32_avx2(&kernels->front);
       break;
     case SINEW_KERNEL_VNNI:
-      added = cpu.vnni && add_linear_s16_vnni(kernels) && add_aggregates_s16_avx2(kernels);
+      added = cpu.vnni && add_linear_s16_vnni(kernels) && add_aggregates_s16_avx2(kernels) &&
+              add_front_s32_vnni(&kernels->front);
       break;
     case SINEW_KERNEL_SIMD128:  // no question to a processor: a module with these instructions does not start without
       added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels);

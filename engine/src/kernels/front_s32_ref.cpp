@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The definition of the factorisation's inner loops (heat/fronts.cpp) in plain C++.
+#include "kernels/front.hpp"
+
+namespace sinew {
+
+void front_update_ref(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows,
+                      int32_t* target, size_t target_stride) {
+  constexpr uint32_t kBlock = 8;
+  for (uint32_t first = 0; first < rows; first += kBlock) {
+    const uint32_t count = rows - first < kBlock ? rows - first : kBlock;
+    for (uint32_t c = 0; c < columns; ++c) {
+      uint64_t sums[kBlock] = {};
+      for (uint32_t k = 0; k < pivots; ++k) {
+        const int32_t* column = g + k * stride;
+        const int64_t factor = column[c];
+        for (uint32_t i = 0; i < count; ++i) sums[i] += static_cast<uint64_t>(column[first + i] * factor);
+      }
+      int32_t* out = target + c * target_stride + first;
+      for (uint32_t i = 0; i < count; ++i) {
+        const int64_t rounded = static_cast<int64_t>(sums[i] + (1u << (kFrontBits - 1))) >> kFrontBits;
+        out[i] = static_cast<int32_t>(static_cast<uint32_t>(out[i]) - static_cast<uint32_t>(rounded));
+      }
+    }
+  }
+}
+
+void front_lanes_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes, int64_t* sums) {
+  for (uint32_t c = 0; c < kFrontColumns; ++c) {
+    uint64_t sum[kFrontLanes] = {};
+    for (uint32_t t = 0; t < terms; ++t) {
+      const int64_t factor = g[c * next + t * step];
+      for (uint32_t lane = 0; lane < kFrontLanes; ++lane)
+        sum[lane] += static_cast<uint64_t>(factor * lanes[t * kFrontLanes + lane]);
+    }
+    for (uint32_t lane = 0; lane < kFrontLanes; ++lane) sums[c * kFrontLanes + lane] = static_cast<int64_t>(sum[lane]);
+  }
+}
+
+}  // namespace sinew
