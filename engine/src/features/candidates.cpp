@@ -105,13 +105,22 @@ void want_cells(const Mesh& mesh, Propagation* p) {
 uint32_t read_labels(const Propagation& p, Vec3i position, uint32_t keep, uint32_t* row) {
   uint32_t cells[8];
   const uint32_t cell_count = cells_around(p.grid, position, cells);
+  // Most labels name a joint that a nearer cell has named: its last label, kept by the joint's low bits, answers for
+  // them.
+  constexpr uint32_t kPlaces = 64;
+  uint32_t best[kPlaces];
+  for (uint32_t& label : best) label = UINT32_MAX;
   uint32_t count = 0;
   for (uint32_t i = 0; i < cell_count; ++i) {
     const uint32_t extra = cell_length(p.grid, position - p.grid.centre(cells[i])) << kJointBits;
     const uint32_t* const labels = p.labels(cells[i]);
-    for (uint32_t k = 0; k < p.label_count(cells[i]); ++k) {
+    const uint32_t label_count = p.label_count(cells[i]);
+    for (uint32_t k = 0; k < label_count; ++k) {
       const uint32_t label = labels[k] + extra;
       if (count == keep && label >= row[count - 1]) break;  // the rest of the cell is farther still
+      uint32_t& known = best[label % kPlaces];
+      if (((known ^ label) & kJointMask) == 0 && known <= label) continue;
+      known = label;
       uint32_t at = 0;
       while (at < count && (row[at] & kJointMask) != (label & kJointMask)) ++at;
       if (at < count) {

@@ -17,6 +17,7 @@ namespace {
 constexpr int32_t kOne = 1 << kFeatureBits;
 constexpr int32_t kWeightOne = 1 << 15;  // heat weights are Q15
 constexpr uint32_t kLogFloor = 4;        // Q15: logs of heat weights start at 2^-13
+constexpr int64_t kLogFloorLog = -13 * (1 << 16);
 constexpr int32_t kSoftLength =
     kSide / 256;                        // added to lengths before a logarithm, so that noise at contact does not count
 constexpr uint32_t kListedHeat = 1638;  // Q15, 5 %: a heat joint above it is always a candidate
@@ -34,6 +35,10 @@ enum PairFeature : uint32_t {
       kPairFeatureCount
 };
 
+// From here on a pair's channels depend on the joint and the part alone.
+constexpr uint32_t kFirstPartChannel = kP_host_share;
+constexpr uint32_t kPartChannels = kPairFeatureCount - kFirstPartChannel;
+
 int16_t q13(int64_t value) { return clamp16(value, -2 * kOne, 2 * kOne - 1); }
 // value / whole in Q13, rounded half up; whole > 0.
 int16_t ratio_q13(int64_t value, int64_t whole) {
@@ -47,7 +52,7 @@ int16_t log_q13(uint64_t value, int32_t minus_q16, int shift) {
 }
 // Natural log of a Q15 weight divided by kLogFeatureDivisor = 8, in Q13. 45426 = ln 2 in Q16.
 int16_t weight_log_q13(uint32_t weight) {
-  const int64_t l = static_cast<int64_t>(log2_q16(weight < kLogFloor ? kLogFloor : weight)) - (15 << 16);
+  const int64_t l = weight <= kLogFloor ? kLogFloorLog : static_cast<int64_t>(log2_q16(weight)) - (15 << 16);
   return q13(round_shift(l * 45426, 16 + 3 + 3));
 }
 // sqrt of a Q15 weight in Q13.
@@ -85,6 +90,8 @@ struct PartTables {
   uint8_t* topmost = nullptr;  // [J] in the box, and no ancestor is
   uint8_t* covered = nullptr;  // [J] in the box or below one that is
   uint8_t* deepest = nullptr;  // [J] subtree holds 90 % of the part, no child's does
+  int16_t* pair = nullptr;     // [J x kPartChannels] channels of a pair that all vertices of the part share
+  uint8_t* paired = nullptr;   // [J] whether it was written
   int64_t host_total = 0;
   uint16_t own_top = kNoJoint, host_top = kNoJoint, box_top = kNoJoint;
   Vec3i centre = {0, 0, 0};
@@ -100,6 +107,8 @@ struct PartTables {
     topmost = arena.alloc<uint8_t>(joints);
     covered = arena.alloc<uint8_t>(joints);
     deepest = arena.alloc<uint8_t>(joints);
+    pair = arena.alloc<int16_t>(static_cast<size_t>(joints) * kPartChannels);
+    paired = arena.alloc<uint8_t>(joints);
     return arena.ok();
   }
 };
@@ -240,6 +249,8 @@ class Builder {
       if (t.topmost[j] == 0 || skeleton_.usable[j] == 0) continue;
       if (t.box_top == kNoJoint || t.subtree[j] > t.subtree[t.box_top]) t.box_top = static_cast<uint16_t>(j);
     }
+    memset(t.paired, 0, joints);
+    for (uint32_t j = 0; j < joints && size >= kSmallPart; ++j) (void)part_channels(j, c);
   }
 
  private:
@@ -397,9 +408,40 @@ class Builder {
     return steps;
   }
 
-  void write_pairs(uint32_t v, uint32_t c) {
+  // Written when the part's first vertex with this candidate asks; before its vertices where many lanes ask.
+  const int16_t* part_channels(uint32_t j, uint32_t c) {
     const PartTables& t = tables_;
+    int16_t* const row = t.pair + static_cast<size_t>(j) * kPartChannels;
+    if (t.paired[j] != 0) return row;
+    t.paired[j] = 1;
     const uint32_t size = mesh_.component_sizes[c];
+    const int32_t parent = skeleton_.parents[j];
+    int16_t f[kPairFeatureCount] = {};
+    if (t.host_total > 0) {
+      f[kP_host_share] = ratio_q13(t.host[j], t.host_total);
+      f[kP_host_subtree] = ratio_q13(t.host_subtree[j], t.host_total);
+      f[kP_is_host_top] = t.host_top == j ? kOne : 0;
+    }
+    f[kP_part_share] = share_q13(t.own[j], size);
+    f[kP_part_subtree] = share_q13(t.subtree[j], size);
+    f[kP_part_parent_subtree] = parent < 0 ? kOne : share_q13(t.subtree[parent], size);
+    f[kP_is_part_top] = t.own_top == j ? kOne : 0;
+    f[kP_joint_in_box] = t.in_box[j] != 0 ? kOne : 0;
+    f[kP_topmost_in_box] = t.topmost[j] != 0 ? kOne : 0;
+    f[kP_deepest_of_part] = t.deepest[j] != 0 ? kOne : 0;
+    const Vec3i to_centre = t.centre - skeleton_.positions[j];
+    const uint32_t centre_distance = isqrt64(static_cast<uint64_t>(dot(to_centre, to_centre)));
+    f[kP_centre_distance] = ratio_q13(2 * static_cast<int64_t>(centre_distance), kSide);
+    f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
+                                 log2_q16(static_cast<uint64_t>(t.extent) + kSoftLength), 2);
+    f[kP_territory] = log_q13(candidates_.territory[j] + uint64_t{16}, 16 << 16, 3);
+    f[kP_is_source] = skeleton_.source[j] != 0 ? kOne : 0;
+    f[kP_is_root] = parent < 0 ? kOne : 0;
+    memcpy(row, f + kFirstPartChannel, kPartChannels * sizeof(int16_t));
+    return row;
+  }
+
+  void write_pairs(uint32_t v, uint32_t c) {
     const HeatField& raw = heat_.field[kFieldRule];
     int16_t* rows = out_->pair + static_cast<size_t>(v) * k_ * kPairFeatureCount;
     memset(rows, 0, static_cast<size_t>(k_) * kPairFeatureCount * sizeof(int16_t));
@@ -411,6 +453,8 @@ class Builder {
     }
     const uint32_t rule_top = rule_.top(), parts_top = parts_.top();
     const uint32_t top_joint = rule_.joints[rule_top];
+    const int32_t nearest_voxel_log = log2_q16(distances_[0] + uint64_t{kSoftLength});
+    const int32_t nearest_bone_log = log2_q16(nearest_bone + uint64_t{kSoftLength});
     for (uint32_t i = 0; i < count_; ++i) {
       const uint32_t j = joints_[i];
       const int32_t parent = skeleton_.parents[j];
@@ -432,12 +476,10 @@ class Builder {
         if (raw.joints[slot] == j) f[kP_rule_raw_root] = weight_root_q13(raw.weights[slot]);
       }
       f[kP_voxel_distance] = ratio_q13(2 * static_cast<int64_t>(distances_[i]), kSide);
-      f[kP_voxel_ratio] =
-          log_q13(distances_[i] + uint64_t{kSoftLength}, log2_q16(distances_[0] + uint64_t{kSoftLength}), 2);
+      f[kP_voxel_ratio] = log_q13(distances_[i] + uint64_t{kSoftLength}, nearest_voxel_log, 2);
       const BoneFit& bone = fits[i];
       f[kP_bone_distance] = ratio_q13(2 * static_cast<int64_t>(bone.distance), kSide);
-      f[kP_bone_ratio] =
-          log_q13(bone.distance + uint64_t{kSoftLength}, log2_q16(nearest_bone + uint64_t{kSoftLength}), 2);
+      f[kP_bone_ratio] = log_q13(bone.distance + uint64_t{kSoftLength}, nearest_bone_log, 2);
       f[kP_bone_position] = q13(bone.along_q13);
       f[kP_bone_cosine] = cosine_q13(bone.away, bone.distance, mesh_.normals[v]);
       f[kP_bone_normal] = cosine_q13(bone.direction, bone.length, mesh_.normals[v]);
@@ -457,26 +499,7 @@ class Builder {
         if (skeleton_.parents[rule_.joints[n]] == static_cast<int32_t>(j)) below += rule_.weights[n];
       }
       f[kP_children_rule] = weight_q13(below);
-      if (t.host_total > 0) {
-        f[kP_host_share] = ratio_q13(t.host[j], t.host_total);
-        f[kP_host_subtree] = ratio_q13(t.host_subtree[j], t.host_total);
-        f[kP_is_host_top] = t.host_top == j ? kOne : 0;
-      }
-      f[kP_part_share] = share_q13(t.own[j], size);
-      f[kP_part_subtree] = share_q13(t.subtree[j], size);
-      f[kP_part_parent_subtree] = parent < 0 ? kOne : share_q13(t.subtree[parent], size);
-      f[kP_is_part_top] = t.own_top == j ? kOne : 0;
-      f[kP_joint_in_box] = t.in_box[j] != 0 ? kOne : 0;
-      f[kP_topmost_in_box] = t.topmost[j] != 0 ? kOne : 0;
-      f[kP_deepest_of_part] = t.deepest[j] != 0 ? kOne : 0;
-      const Vec3i to_centre = t.centre - skeleton_.positions[j];
-      const uint32_t centre_distance = isqrt64(static_cast<uint64_t>(dot(to_centre, to_centre)));
-      f[kP_centre_distance] = ratio_q13(2 * static_cast<int64_t>(centre_distance), kSide);
-      f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
-                                   log2_q16(static_cast<uint64_t>(t.extent) + kSoftLength), 2);
-      f[kP_territory] = log_q13(candidates_.territory[j] + uint64_t{16}, 16 << 16, 3);
-      f[kP_is_source] = skeleton_.source[j] != 0 ? kOne : 0;
-      f[kP_is_root] = parent < 0 ? kOne : 0;
+      memcpy(f + kFirstPartChannel, part_channels(j, c), kPartChannels * sizeof(int16_t));
     }
   }
 

@@ -101,11 +101,10 @@ void finish_vertex(const SurfaceScratch& scratch, uint32_t v, Mesh* mesh) {
 int32_t angle_q30(int64_t y, int64_t x) {
   if (x == 0 && y == 0) return 0;
   // Brings the vector to 60 bits, so that small triangles are measured as finely as large ones.
-  uint64_t top = static_cast<uint64_t>(y) | static_cast<uint64_t>(abs64(x));
-  while (top < (static_cast<uint64_t>(1) << 59)) {
-    top <<= 1;
-    x *= 2;
-    y *= 2;
+  const int lift = 59 - top_bit(static_cast<uint64_t>(y) | static_cast<uint64_t>(abs64(x)));
+  if (lift > 0) {
+    x *= static_cast<int64_t>(1) << lift;
+    y *= static_cast<int64_t>(1) << lift;
   }
   int64_t angle = 0;
   if (x < 0) {  // a quarter turn back brings the vector to the right half plane
@@ -116,16 +115,12 @@ int32_t angle_q30(int64_t y, int64_t x) {
   }
   // CORDIC in vectoring mode (Volder 1959): turns the vector onto the x axis, its length grows by at most 1.65.
   for (int i = 0; i < kAngleSteps; ++i) {
+    // The sense of the turn is as likely as not: no branch.
+    const int64_t back = y > 0 ? 0 : -1;  // v ^ back - back is v or -v
     const int64_t shifted_x = x >> i, shifted_y = y >> i;
-    if (y > 0) {
-      x += shifted_y;
-      y -= shifted_x;
-      angle += kAngles[i];
-    } else {
-      x -= shifted_y;
-      y += shifted_x;
-      angle -= kAngles[i];
-    }
+    x += (shifted_y ^ back) - back;
+    y -= (shifted_x ^ back) - back;
+    angle += (kAngles[i] ^ back) - back;
   }
   return clamp32(angle, 0, static_cast<int32_t>(kHalfTurn));
 }
