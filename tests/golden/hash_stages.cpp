@@ -331,8 +331,7 @@ void hash_set(const std::string& path, uint32_t kernel) {
     std::string name = base_name(words[0]);
     for (size_t i = 1; i < words.size(); ++i) name += "," + base_name(words[i]);
     if (line.model.empty()) {
-      hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size,
-                  line.options.kernel);
+      hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size, kernel);
     } else if (line.model == "heat") {
       hash_line(name.c_str(), line, in, nullptr, kernel);
     } else {
