@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Sanitizers add symbols, data and stack of their own: this looks at the library that users link.
+if(NOT SINEW_SANITIZE)
+  sinew_test(sinew_symbols_test SOURCES budget/symbols_test.cpp LIBS sinew::engine LABELS budget)
+  target_compile_definitions(sinew_symbols_test PRIVATE SINEW_ENGINE_LIBRARY="$<TARGET_FILE:sinew_engine>")
+  if(CMAKE_BUILD_TYPE MATCHES "^Rel" AND UNIX)
+    find_package(Threads REQUIRED)
+    sinew_test(sinew_stack_test SOURCES budget/stack_test.cpp LIBS sinew::engine Threads::Threads LABELS budget)
+  endif()
+  find_program(SINEW_ARM_GCC arm-none-eabi-g++)
+  find_program(SINEW_QEMU_ARM qemu-system-arm)
+  if(SINEW_ARM_GCC AND SINEW_QEMU_ARM)
+    add_test(NAME budget_embedded COMMAND ${CMAKE_SOURCE_DIR}/tests/budget/embedded_test.sh ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/embedded)
+    set_tests_properties(budget_embedded PROPERTIES LABELS "budget;tools" TIMEOUT 900)
+  else()
+    message(STATUS "sinew: no test of samples/embedded: run scripts/setup.sh $(scripts/conformance.sh --packages cortex-m7)")
+  endif()
+endif()
