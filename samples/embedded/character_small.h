@@ -1,7 +1,7 @@
-/* SPDX-License-Identifier: CC0-1.0
- * A character of our own, written by make_character.py from an OBJ made with
- *   sinew dataset synthesize --plan biped --seed 1 --resolution 24 --no-clothing -o biped.obj, sinew dataset decimate biped.obj -o character_small.obj --ratio 0.15 */
+/* SPDX-License-Identifier: CC0-1.0 */
 /* clang-format off */
+/* A character of our own, written by make_character.py from an OBJ made with
+ *   sinew dataset synthesize --plan biped --seed 1 --resolution 24 --no-clothing -o biped.obj, sinew dataset decimate biped.obj -o character_small.obj --ratio 0.15 */
 enum { kVertices = 104, kTriangles = 204, kJoints = 29 };
 static const float kPositions[] = {
     -0.04404f, 0.74866f, -0.61513f, -0.06475f, 0.69044f, -0.56989f, 0.00052f, 0.66973f, -0.60195f, 0.06482f, 0.69055f,

@@ -40,9 +40,8 @@ def array(kind, name, rows, show):
     print(line + "\n};")
 
 
-print("/* SPDX-License-Identifier: CC0-1.0")
-print(f" * A character of our own, written by make_character.py from an OBJ made with\n *   {made_with} */")
-print("/* clang-format off */")
+print("/* SPDX-License-Identifier: CC0-1.0 */\n/* clang-format off */")
+print(f"/* A character of our own, written by make_character.py from an OBJ made with\n *   {made_with} */")
 print(f"enum {{ kVertices = {len(positions)}, kTriangles = {len(triangles)}, kJoints = {len(names)} }};")
 array("float", "kPositions", positions, single)
 array("uint32_t", "kCorners", triangles, str)
