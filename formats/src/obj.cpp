@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <sstream>
 #include <string_view>
 #include <unordered_map>
 
+#include "decimal.hpp"
 #include "file_names.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -223,11 +223,8 @@ void finish(ObjCollector* from) {
 }
 
 void append_number(std::string* out, float value) {
-  char text[32];
-  const auto end =
-      std::to_chars(text, text + sizeof text, value).ptr;  // the shortest text that reads back as the same float
   *out += ' ';
-  out->append(text, end);
+  *out += shortest_decimal(value);
 }
 
 // Numbers of distinct values, from 1, in the order of their first use.

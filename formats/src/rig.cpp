@@ -2,10 +2,10 @@
 // rig.txt (formats/spec/rig.md): joints, hierarchy and skin weights as text, read with exact error lines and written.
 #include "rig.hpp"
 
-#include <charconv>
 #include <set>
 #include <unordered_map>
 
+#include "decimal.hpp"
 #include "file_names.hpp"
 #include "joint_names.hpp"
 #include "sinew_formats/error.hpp"
@@ -71,14 +71,6 @@ void check_no_cycle(const std::string& path, const std::vector<Joint>& joints) {
                     in_quotes(joints[static_cast<size_t>(j)].name) + " in the hier lines");
     }
   }
-}
-
-// As printf's %.*f, but the same in every locale.
-std::string fixed(float value, int digits) {
-  char text[80];
-  const auto end =
-      std::to_chars(text, text + sizeof text, static_cast<double>(value), std::chars_format::fixed, digits).ptr;
-  return {text, end};
 }
 
 }  // namespace
@@ -164,7 +156,8 @@ void write_rig(const std::string& path, const Character& character) {
   for (size_t j = 0; j < names.size(); ++j) {
     const Joint& joint = character.joints[j];
     const Vec3& p = joint.position;
-    out += "joints " + names[j] + " " + fixed(p.x, 8) + " " + fixed(p.y, 8) + " " + fixed(p.z, 8) + "\n";
+    out += "joints " + names[j] + " " + fixed_decimal(p.x, 8) + " " + fixed_decimal(p.y, 8) + " " +
+           fixed_decimal(p.z, 8) + "\n";
     if (joint.parent >= static_cast<int>(names.size()))
       throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " has a parent that does not exist");
     if (joint.parent < 0 && root == names.size()) root = j;
@@ -178,7 +171,7 @@ void write_rig(const std::string& path, const Character& character) {
       if (influence.joint >= names.size())
         throw Error(path + ": cannot write, vertex " + std::to_string(v) + " names joint " +
                     std::to_string(influence.joint) + " of " + std::to_string(names.size()));
-      const std::string weight = fixed(influence.weight, 6);
+      const std::string weight = fixed_decimal(influence.weight, 6);
       if (weight != "0.000000") row += " " + names[influence.joint] + " " + weight;
     }
     if (!row.empty()) out += "skin " + std::to_string(v) + row + "\n";

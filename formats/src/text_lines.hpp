@@ -5,13 +5,13 @@
 #define SINEW_FORMATS_TEXT_LINES_HPP
 
 #include <charconv>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "decimal.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -50,18 +50,7 @@ inline std::string one_line(std::string text) {
 // Decimal number that is finite as a float; nullopt otherwise ("nan", "inf", "1e99", "0x10", "1,5", "").
 inline std::optional<float> to_finite_float(std::string_view word) {
   if (!word.empty() && word[0] == '+') word.remove_prefix(1);
-  float value = 0;
-  const auto end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error == std::errc::result_out_of_range && stop == end) {
-    // Also reported for numbers too small for a float, which are 0 here; "1e99" is not.
-    const size_t exponent = word.find_first_of("eE");
-    if (exponent == std::string_view::npos || exponent + 1 >= word.size() || word[exponent + 1] != '-')
-      return std::nullopt;
-    return 0.0f;
-  }
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  return decimal_to_float(word);
 }
 
 inline std::optional<int64_t> to_integer(std::string_view word) {
