@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # shellcheck disable=SC2046  # several packages
-scripts/setup.sh $(scripts/conformance.sh --packages ci)
+scripts/setup.sh $(scripts/conformance.sh --packages ci) $(samples/web/build.sh --packages)
 jobs=$(nproc)
 
 echo "== format"

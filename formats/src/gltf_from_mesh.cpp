@@ -56,9 +56,9 @@ struct SplitVertex {
 };
 struct HashSplitVertex {
   size_t operator()(const SplitVertex& v) const {
-    size_t hash = v.vertex * 0x9e3779b97f4a7c15ull;
+    uint64_t hash = v.vertex * 0x9e3779b97f4a7c15ull;
     for (const float value : v.uv_normal) hash = (hash ^ std::hash<float>()(value)) * 0x100000001b3ull;
-    return hash;
+    return static_cast<size_t>(hash);
   }
 };
 

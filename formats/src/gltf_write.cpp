@@ -144,13 +144,13 @@ std::vector<uint8_t> to_glb(const std::string& path, GltfSource* source) {
   if (total > UINT32_MAX)
     throw Error(path + ": cannot write, a GLB holds at most 4 GiB, this one needs " + std::to_string(total) + " bytes");
   std::vector<uint8_t> glb;
-  glb.reserve(total);
+  glb.reserve(static_cast<size_t>(total));
   const auto put = [&](size_t value) {
     for (size_t i = 0; i < 4; ++i) glb.push_back(static_cast<uint8_t>(value >> (8 * i)));
   };
   put(0x46546c67);  // "glTF"
   put(2);
-  put(total);
+  put(static_cast<size_t>(total));
   put(text.size());
   put(0x4e4f534a);  // "JSON"
   glb.insert(glb.end(), text.begin(), text.end());

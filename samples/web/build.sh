@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds the page: the module with and without SIMD by emscripten, the scripts by esbuild, the sample characters and the bundled model beside them.
+#   build.sh [OUTPUT_DIR]      samples/web/dist; serve it with any web server. Object files go to OUTPUT_DIR.build
+#   build.sh --packages        Debian packages that building and testing need and that are not there
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
+if [ "${1:-}" = --packages ]; then
+  command -v emcc >/dev/null || echo emscripten
+  command -v chromium google-chrome google-chrome-stable chromium-browser >/dev/null || echo chromium
+  exit 0
+fi
+out=${1:-$here/dist}
+mkdir -p "$out" "$out.build"
+out=$(cd "$out" && pwd) build=$(cd "$out.build" && pwd)
+. "$root/tests/wasm/emscripten.sh"
+
+for kind in simd scalar; do
+  simd=$([ $kind = simd ] && echo ON || echo OFF)
+  emcmake cmake -S "$here/wasm" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -DSINEW_WEB_SIMD="$simd" >"$build/$kind.log" 2>&1 &&
+    cmake --build "$build/$kind" -j "$(nproc)" >>"$build/$kind.log" 2>&1 || { cat "$build/$kind.log" >&2; exit 1; }
+  cp "$build/$kind/sinew_web.wasm" "$out/sinew-$kind.wasm"
+done
+
+[ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
+cd "$here"
+node_modules/.bin/esbuild src/main.js src/worker.js --bundle --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
+  --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
+cp src/index.html src/style.css "$out"
+cp "$root/samples/data/sinew_default.sinew" "$out"
+mkdir -p "$out/samples"
+cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$out/samples"
+echo "web: built $out"

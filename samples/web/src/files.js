@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Which of the dropped files make a character together: names alone decide, contents are the module's business.
+
+const meshEndings = [".obj", ".glb", ".gltf", ".vrm"];
+
+const lower = (name) => name.toLowerCase();
+export const isMesh = (name) => meshEndings.some((ending) => lower(name).endsWith(ending));
+export const isRig = (name) => lower(name).endsWith(".txt");
+export const isModel = (name) => lower(name).endsWith(".sinew");
+const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl)$/.test(lower(name)); // parts of a .gltf or .obj
+
+export function stem(name) {
+  return name.replace(/(\.rig\.txt|\.[^.]*)$/i, "");
+}
+
+// names: of the files now dropped. waiting: {mesh, rig} names of earlier files that still lack their other half.
+// Returns {characters: [{name, mesh, skeleton}], model, waiting, problems: [one line each]}.
+export function pairFiles(names, waiting = {}) {
+  const problems = [];
+  const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isBeside(n));
+  for (const name of others) {
+    problems.push(`${name}: expected .obj with .rig.txt, .glb, .gltf, .vrm or .sinew, found another kind of file`);
+  }
+  const models = names.filter(isModel);
+  const meshes = names.filter(isMesh);
+  const rigs = names.filter(isRig);
+  if (waiting.mesh && rigs.length > 0 && meshes.length === 0) meshes.push(waiting.mesh);
+  if (waiting.rig && meshes.length > 0 && rigs.length === 0) rigs.push(waiting.rig);
+  const characters = [];
+  const next = {};
+  const used = new Set();
+  const lonely = [];
+  for (const mesh of meshes) {
+    const rig = rigs.find((r) => lower(stem(r)) === lower(stem(mesh)));
+    if (rig) used.add(rig);
+    if (rig || !lower(mesh).endsWith(".obj")) {
+      characters.push({ name: stem(mesh), mesh, skeleton: rig ?? "" });
+    } else {
+      lonely.push(mesh);
+    }
+  }
+  const free = rigs.filter((r) => !used.has(r));
+  if (free.length === 1 && lonely.length === 1) {
+    characters.push({ name: stem(lonely[0]), mesh: lonely[0], skeleton: free[0] }); // one of each: they belong together
+  } else if (free.length === 1 && lonely.length === 0 && characters.length === 1 && characters[0].skeleton === "") {
+    characters[0].skeleton = free[0]; // a GLB with a skeleton from elsewhere
+  } else {
+    for (const mesh of lonely) problems.push(`${mesh}: has no skeleton; drop its ${stem(mesh)}.rig.txt as well`);
+    for (const rig of free) problems.push(`${rig}: is a skeleton without a mesh; drop its ${stem(rig)}.obj as well`);
+    if (lonely.length === 1) next.mesh = lonely[0];
+    if (free.length === 1) next.rig = free[0];
+  }
+  if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length === 0) {
+    problems.push(`${names[0]}: holds no mesh; drop an .obj with its .rig.txt, or a .glb`);
+  }
+  return { characters, model: models[0] ?? "", waiting: next, problems };
+}

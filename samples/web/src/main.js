@@ -1,0 +1,518 @@
+// SPDX-License-Identifier: MIT
+// The page: what is open, what is chosen, and what follows when that changes.
+import { Engine } from "./engine.js";
+import { pairFiles } from "./files.js";
+import { Pose } from "./pose.js";
+import { View } from "./view.js";
+
+const $ = (id) => document.getElementById(id);
+const number = new Intl.NumberFormat("en");
+const bytes = (n) => (n < 1e6 ? `${(n / 1e3).toFixed(1)} kB` : `${(n / 1e6).toFixed(2)} MB`);
+const milliseconds = (s) => (s < 10 ? `${number.format(Math.round(s * 1e3))} ms` : `${s.toFixed(1)} s`);
+const samples = [
+  { name: "biped__robed", files: ["biped__robed.obj", "biped__robed.rig.txt"] },
+  { name: "biped__robot", files: ["biped__robot.obj", "biped__robot.rig.txt"] },
+  { name: "biped__caped", files: ["biped__caped.gltf"] },
+  { name: "bird__winged", files: ["bird__winged.obj", "bird__winged.rig.txt"] },
+  { name: "many-legged__plated", files: ["many-legged__plated.obj", "many-legged__plated.rig.txt"] },
+  { name: "quadruped__tailed", files: ["quadruped__tailed.obj", "quadruped__tailed.rig.txt"] },
+  { name: "snake__long", files: ["snake__long.obj", "snake__long.rig.txt"] },
+];
+const modes = { joints: 0, field: 1, doubt: 2 };
+
+const engine = new Engine();
+let view;
+let facts = {}; // of module and model
+let open = []; // characters that were dropped together: {name, mesh, skeleton}
+let waiting = {}; // a mesh or a rig that still lacks its other half
+let character = null; // what the module has loaded, with its bind result
+let pose = null;
+let mode = modes.joints;
+
+// ---- one thing after another
+
+let queue = Promise.resolve();
+// Runs a job after those before it. What it throws is shown, and the page goes on.
+function run(job) {
+  const done = queue.then(job);
+  queue = done.catch((error) => showError(error.message));
+  return queue;
+}
+
+function showError(line) {
+  $("error").firstElementChild.textContent = line;
+  $("error").hidden = false;
+}
+
+function clearError() {
+  $("error").hidden = true;
+}
+
+engine.onProgress = (share) => {
+  $("progress").firstElementChild.style.width = `${share * 100}%`;
+  $("progress").setAttribute("aria-valuenow", String(Math.round(share * 100)));
+};
+
+async function whileBinding(job) {
+  engine.onProgress(0);
+  $("progress").hidden = false;
+  try {
+    return await job();
+  } finally {
+    $("progress").hidden = true;
+  }
+}
+
+// ---- files in
+
+async function openFiles(list) {
+  clearError();
+  if (list.length === 0) return;
+  const files = await Promise.all(list.map(async (file) => ({ name: file.name, bytes: await file.arrayBuffer() })));
+  const names = files.map((file) => file.name);
+  await engine.call("write", { files }, files.map((file) => file.bytes));
+  const found = pairFiles(names, waiting);
+  waiting = found.waiting;
+  if (found.model !== "") await useModel(found.model);
+  if (found.characters.length > 0) {
+    const before = open;
+    open = found.characters;
+    try {
+      await load(open[0]);
+    } catch (error) {
+      open = before;
+      showCharacters();
+      throw error;
+    }
+    $("sample").value = "";
+    const kept = new Set([...names, ...open.flatMap((c) => [c.mesh, c.skeleton])]);
+    await engine.call("remove", { names: before.flatMap((c) => [c.mesh, c.skeleton]).filter((n) => n && !kept.has(n)) });
+  } else if (found.model !== "" && character) {
+    await bind();
+  }
+  if (found.problems.length > 0) throw new Error(found.problems.join("; "));
+}
+
+async function openSample({ name, files }) {
+  const get = async (file) => {
+    const response = await fetch(`samples/${file}`);
+    if (!response.ok) throw new Error(`samples/${file}: ${response.status} ${response.statusText}`);
+    return new File([await response.blob()], file);
+  };
+  waiting = {};
+  await openFiles(await Promise.all(files.map(get)));
+  $("sample").value = name;
+}
+
+async function useModel(file) {
+  const model = await engine.call("model", { name: file });
+  facts = { ...facts, model, modelName: file };
+}
+
+async function load({ name, mesh, skeleton }) {
+  const upAxis = Number($("up").value);
+  const loaded = await engine.call("load", { mesh, skeleton });
+  // From here on the module has the new character, whether it can be bound or not.
+  character = { ...loaded, name, upAxis, result: null };
+  pose = new Pose(loaded.joints.length);
+  view.setCharacter({ ...loaded.buffers, joints: loaded.joints, upAxis });
+  mode = modes.joints;
+  $("search").value = "";
+  showCharacters();
+  listJoints();
+  showPose();
+  await bind();
+}
+
+async function bind() {
+  character.result = null;
+  showFacts();
+  const started = performance.now();
+  const result = await whileBinding(() => engine.call("bind", { method: Number($("method").value), upAxis: character.upAxis }));
+  character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
+  showFacts();
+  listJoints();
+  await colour();
+  await sendPose();
+}
+
+// ---- what is shown
+
+async function colour() {
+  if (mode === modes.field && view.selected < 0) mode = modes.joints;
+  for (const input of document.querySelectorAll("#mode input")) {
+    input.checked = Number(input.value) === mode;
+    input.disabled = !character?.result || (Number(input.value) === modes.field && view.selected < 0);
+  }
+  showLegend();
+  if (!character?.result) return;
+  const { buffers } = await engine.call("colour", { mode, joint: Math.max(0, view.selected) });
+  view.setColours(buffers.colours);
+}
+
+function showLegend() {
+  const name = character?.joints[view.selected]?.name ?? "";
+  const [caption, low, high] = {
+    [modes.joints]: ["Each joint has its colour; vertices that joints share blend them.", "", ""],
+    [modes.field]: [`Weight of ${name}`, "0", "1"],
+    [modes.doubt]: ["Doubt about the strongest joint", "sure", "look here"],
+  }[mode];
+  $("legend").hidden = !character;
+  $("legend").querySelector("figcaption").textContent = caption;
+  $("legend").querySelector(".scale").hidden = mode === modes.joints;
+  $("legend").querySelector(".low").textContent = low;
+  $("legend").querySelector(".high").textContent = high;
+}
+
+// The pose that is wanted last is computed next; those between are left out.
+let poseRuns = false;
+let poseWanted = false;
+async function sendPose() {
+  poseWanted = true;
+  if (poseRuns) return;
+  poseRuns = true;
+  try {
+    while (poseWanted && character?.result) {
+      poseWanted = false;
+      const { turns } = pose;
+      const posed = pose;
+      const { buffers } = await engine.call("pose", { turns, dualQuaternion: $("skinning").value === "1" });
+      if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns);
+    }
+  } finally {
+    poseRuns = false;
+  }
+}
+
+function poseChanged() {
+  showPose();
+  sendPose().catch((error) => showError(error.message));
+}
+
+function choose(joint) {
+  if (!character?.result) return;
+  view.select(joint);
+  mode = joint >= 0 ? modes.field : modes.joints;
+  markJoint();
+  showPose();
+  run(colour);
+}
+
+function showPose() {
+  const joint = view.selected;
+  $("joint-name").textContent = joint < 0 ? "No joint chosen" : character.joints[joint].name;
+  ["x", "y", "z"].forEach((axis, i) => {
+    const slider = $(`turn-${axis}`);
+    const turn = joint < 0 ? 0 : pose.of(joint)[i];
+    slider.disabled = joint < 0;
+    slider.value = turn;
+    slider.nextElementSibling.textContent = joint < 0 ? "" : `${Math.round(turn)}°`;
+  });
+  $("undo").disabled = !pose?.canUndo;
+  $("reset").disabled = !pose || pose.isRest;
+  $("reset-joint").disabled = joint < 0 || pose.of(joint).every((t) => t === 0);
+}
+
+function showCharacters() {
+  const tabs = $("characters");
+  tabs.hidden = open.length < 2;
+  tabs.replaceChildren(
+    ...open.map((one) => {
+      const tab = document.createElement("button");
+      tab.type = "button";
+      tab.role = "tab";
+      tab.textContent = one.name;
+      tab.title = one.name;
+      tab.ariaSelected = String(one.name === character?.name);
+      tab.onclick = () => run(async () => (clearError(), load(one)));
+      return tab;
+    }),
+  );
+}
+
+function showFacts() {
+  const parts = [];
+  const add = (label, value, title) => {
+    const part = document.createElement("span");
+    part.title = title ?? "";
+    part.append(label, Object.assign(document.createElement("b"), { textContent: value }));
+    parts.push(part);
+  };
+  if (character) {
+    add("", character.name);
+    add("", `${number.format(character.vertices)} vertices, ${number.format(character.faces)} faces, ${number.format(character.joints.length)} joints`);
+    const { result } = character;
+    if (result) {
+      add("bound in ", milliseconds(result.seconds), `${milliseconds(result.wallSeconds)} with the way to the worker and back; ${bytes(result.usedBytes)} of memory`);
+      add("to look at ", `${number.format(result.unsureVertices)} vertices`, "Vertices that are less than half sure of their strongest joint; Doubt shows them");
+    } else {
+      add("", "binding…");
+    }
+  }
+  if (facts.model) add("model ", bytes(facts.model.bytes), `${facts.modelName}: ${number.format(facts.model.parameters)} int16 parameters in ${facts.model.layers} layers`);
+  if (facts.kernel) add("engine ", `${bytes(facts.moduleBytes)}, ${facts.kernel === "ref" ? "without SIMD" : "SIMD"}`, `sinew ${facts.version} as WebAssembly, with readers and writers; kernels ${facts.kernel}`);
+  if (character?.result) {
+    const part = document.createElement("span");
+    part.title = "Hash of all joints and weights: the same on every machine, compiler and browser";
+    part.append("result ", Object.assign(document.createElement("code"), { textContent: character.result.hash }));
+    parts.push(part);
+  }
+  $("facts").replaceChildren(...parts);
+  $("download").disabled = !character?.result;
+}
+
+// ---- the list of joints
+
+function depth(joint) {
+  let d = 0;
+  for (let j = character.joints[joint].parent; j >= 0; j = character.joints[j].parent) ++d;
+  return d;
+}
+
+// Parents before children, children in the file's order.
+function treeOrder() {
+  const children = character.joints.map(() => []);
+  const stack = [];
+  character.joints.forEach(({ parent }, j) => (parent < 0 ? stack : children[parent]).push(j));
+  stack.reverse();
+  const order = [];
+  while (stack.length > 0) {
+    const j = stack.pop();
+    order.push(j);
+    stack.push(...children[j].reverse());
+  }
+  return order;
+}
+
+function listJoints() {
+  const wanted = $("search").value.trim().toLowerCase();
+  const weights = character.result?.jointWeights;
+  const items = [];
+  const item = (joint, name, indent) => {
+    const li = document.createElement("li");
+    li.role = "option";
+    li.id = `joint-${joint}`;
+    li.dataset.joint = joint;
+    li.title = name;
+    li.style.paddingLeft = `${6 + indent * 9}px`;
+    const swatch = document.createElement("i");
+    const label = Object.assign(document.createElement("span"), { className: "name", textContent: name });
+    li.append(swatch, label);
+    items.push(li);
+    return { li, swatch };
+  };
+  if (wanted === "") item(-1, "All joints", 0).swatch.style.background = "conic-gradient(#e66,#ee6,#6c6,#6cc,#66e,#e6e,#e66)";
+  for (const j of treeOrder()) {
+    const { name, colour: rgb } = character.joints[j];
+    if (!name.toLowerCase().includes(wanted)) continue;
+    const { li, swatch } = item(j, name, wanted === "" ? Math.min(8, depth(j)) : 0);
+    swatch.style.background = `rgb(${rgb.join(" ")})`;
+    if (!weights) continue;
+    const share = weights[j] / character.vertices;
+    li.classList.toggle("unused", share === 0);
+    const text = share === 0 ? "–" : share < 0.001 ? "<0.1 %" : `${(share * 100).toFixed(1)} %`;
+    li.append(Object.assign(document.createElement("span"), { className: "share", textContent: text, title: "share of all weight" }));
+  }
+  if (items.length === 0) {
+    items.push(Object.assign(document.createElement("li"), { className: "none", textContent: `No joint is called “${$("search").value.trim()}”` }));
+  }
+  $("joints").replaceChildren(...items);
+  markJoint();
+}
+
+function markJoint() {
+  for (const li of $("joints").children) li.ariaSelected = String(Number(li.dataset.joint) === view.selected);
+  const chosen = $(`joint-${view.selected}`);
+  $("joints").setAttribute("aria-activedescendant", chosen?.id ?? "");
+  chosen?.scrollIntoView({ block: "nearest" });
+}
+
+function stepJoint(by) {
+  const shown = [...$("joints").children].filter((li) => li.dataset.joint !== undefined).map((li) => Number(li.dataset.joint));
+  if (shown.length === 0) return;
+  const at = shown.indexOf(view.selected);
+  choose(shown[Math.min(shown.length - 1, Math.max(0, at < 0 ? 0 : at + by))]);
+}
+
+// ---- the user
+
+function setMode(wanted) {
+  if (!character?.result || (wanted === modes.field && view.selected < 0)) return;
+  mode = wanted;
+  run(colour);
+}
+
+function undo(forward) {
+  if (forward ? pose?.redo() : pose?.undo()) poseChanged();
+}
+
+async function download() {
+  const { buffers } = await engine.call("glb", { name: character.name });
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([buffers.bytes], { type: "model/gltf-binary" }));
+  link.download = `${character.name}.bound.glb`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+function listen() {
+  $("sample").append(new Option("Samples…", ""), ...samples.map(({ name }) => new Option(name, name)));
+  $("sample").onchange = () => {
+    const sample = samples.find(({ name }) => name === $("sample").value);
+    if (sample) run(() => openSample(sample));
+  };
+  $("open").onclick = () => $("files").click();
+  $("files").onchange = () => {
+    const list = [...$("files").files];
+    $("files").value = ""; // the same file again is news too
+    run(() => openFiles(list));
+  };
+  $("download").onclick = () => run(download);
+  $("error").lastElementChild.onclick = clearError;
+
+  // A drag passes over many elements; the count says when it has left the page.
+  let over = 0;
+  const drag = (step) => {
+    over = Math.max(0, over + step);
+    document.body.classList.toggle("dragging", over > 0);
+  };
+  addEventListener("dragenter", (event) => (event.preventDefault(), drag(1)));
+  addEventListener("dragleave", () => drag(-1));
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    drag(-over);
+    const list = [...event.dataTransfer.files];
+    run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("the drop held no files"))));
+  });
+
+  $("mode").onchange = (event) => setMode(Number(event.target.value));
+  $("joints").onclick = (event) => {
+    const li = event.target.closest("li");
+    if (li?.dataset.joint !== undefined) choose(Number(li.dataset.joint));
+  };
+  const arrows = (event) => {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    stepJoint(by);
+  };
+  $("joints").onkeydown = arrows;
+  $("search").onkeydown = arrows;
+  $("search").oninput = () => character && listJoints();
+
+  ["x", "y", "z"].forEach((axis, i) => {
+    const slider = $(`turn-${axis}`);
+    let changing = false;
+    slider.oninput = () => {
+      if (!changing) pose.remember();
+      changing = true;
+      const turn = [...pose.of(view.selected)];
+      turn[i] = Number(slider.value);
+      pose.set(view.selected, ...turn);
+      poseChanged();
+    };
+    slider.onchange = () => (changing = false);
+    slider.ondblclick = () => {
+      const turn = [...pose.of(view.selected)];
+      turn[i] = 0;
+      pose.set(view.selected, ...turn);
+      poseChanged();
+    };
+  });
+  $("undo").onclick = () => undo(false);
+  $("reset").onclick = () => pose.reset() && poseChanged();
+  $("reset-joint").onclick = () => {
+    pose.remember();
+    pose.set(view.selected, 0, 0, 0);
+    poseChanged();
+  };
+  $("skeleton").onclick = toggleSkeleton;
+  $("frame").onclick = () => character && view.frame();
+  $("method").onchange = () => character && run(async () => (clearError(), bind()));
+  $("skinning").onchange = () => character && poseChanged();
+  $("up").onchange = () => {
+    const current = open.find(({ name }) => name === character?.name);
+    if (current) run(async () => (clearError(), load(current)));
+  };
+
+  view.onPickJoint = choose;
+  view.onPickSurface = (shown) => character.result && choose(character.result.strongest[shown]);
+  view.onTurnStart = () => pose.remember();
+  view.onTurn = (joint, x, y, z) => {
+    pose.set(joint, x, y, z);
+    poseChanged();
+  };
+
+  addEventListener("keydown", (event) => {
+    const typing = event.target.matches("input[type=search], select");
+    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
+      event.preventDefault();
+      return undo(event.shiftKey);
+    }
+    if (event.key === "Escape") {
+      if (document.activeElement === $("search")) $("search").blur();
+      else if (!$("error").hidden) clearError();
+      else choose(-1);
+      return;
+    }
+    if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
+    const keys = {
+      "/": () => $("search").focus(),
+      f: () => character && view.frame(),
+      s: toggleSkeleton,
+      r: () => pose?.reset() && poseChanged(),
+      1: () => setMode(modes.joints),
+      2: () => setMode(modes.field),
+      3: () => setMode(modes.doubt),
+    };
+    const action = keys[event.key.toLowerCase()];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}
+
+function toggleSkeleton() {
+  view.skeletonShown = !view.skeletonShown;
+  $("skeleton").ariaPressed = String(view.skeletonShown);
+}
+
+async function start() {
+  const forceScalar = new URLSearchParams(location.search).has("scalar");
+  facts = { ...facts, ...(await engine.call("start", { forceScalar })) };
+  const name = "sinew_default.sinew";
+  const response = await fetch(name);
+  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
+  const model = await response.arrayBuffer();
+  await engine.call("write", { files: [{ name, bytes: model }] }, [model]);
+  await useModel(name);
+  const wanted = new URLSearchParams(location.search).get("sample");
+  await openSample(samples.find((sample) => sample.name === wanted) ?? samples[0]);
+}
+
+try {
+  view = new View($("stage"));
+  listen();
+  run(start);
+} catch (error) {
+  showError(`this browser shows no 3D picture (${error.message}); turn on WebGL or try another browser`);
+}
+
+// What the tests ask: everything that was started is done, and the state that no element shows.
+window.sinewPage = {
+  async settled() {
+    while (true) {
+      const last = queue;
+      await last;
+      if (last === queue && !poseRuns) return;
+      await new Promise((resolve) => setTimeout(resolve, 5));
+    }
+  },
+  get view() {
+    return view;
+  },
+  get character() {
+    return character;
+  },
+};

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Runs the module beside the page, so that binding never stops the picture. Messages in: {id, call, ...}; out: {id,
+// reply, buffers} or {progress}.
+import scalar from "sinew-scalar";
+import simd from "sinew-simd";
+
+// A function that adds two lanes: valid only where SIMD is.
+const simdProbe = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6 };
+const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array };
+
+let module;
+let moduleBytes = 0;
+
+async function start({ forceScalar }) {
+  const useSimd = !forceScalar && WebAssembly.validate(simdProbe);
+  const name = useSimd ? "sinew-simd.wasm" : "sinew-scalar.wasm";
+  const response = await fetch(name);
+  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
+  const wasmBinary = await response.arrayBuffer();
+  moduleBytes = wasmBinary.byteLength;
+  module = await (useSimd ? simd : scalar)({
+    wasmBinary,
+    onProgress: (share) => postMessage({ progress: share }),
+    print: () => {},
+    printErr: () => {},
+  });
+  module.FS.mkdir("/drop");
+  module.FS.chdir("/drop");
+  return { kernel: text(module._web_kernel()), version: text(module._web_version()), moduleBytes };
+}
+
+const text = (at) => module.UTF8ToString(at);
+
+function withText(value, use) {
+  const bytes = module.lengthBytesUTF8(value) + 1;
+  const at = module._malloc(bytes);
+  module.stringToUTF8(value, at, bytes);
+  try {
+    return use(at);
+  } finally {
+    module._free(at);
+  }
+}
+
+function checked(at) {
+  const reply = JSON.parse(text(at));
+  if (reply.error) throw new Error(reply.error);
+  return reply;
+}
+
+// Copies: the module's memory moves when it grows.
+function take(names) {
+  const buffers = {};
+  const size = module._malloc(4);
+  for (const name of names) {
+    const at = module._web_buffer(kinds[name], size);
+    const bytes = new Uint32Array(module.HEAPU8.buffer, size, 1)[0];
+    const copy = module.HEAPU8.slice(at, at + bytes).buffer;
+    buffers[name] = new (arrays[name] ?? Float32Array)(copy);
+  }
+  module._free(size);
+  return buffers;
+}
+
+// A name out of a dropped folder may hold anything; only its last part becomes a file.
+const plain = (name) => name.split(/[/\\]/).pop();
+
+const calls = {
+  start,
+  write({ files }) {
+    for (const { name, bytes } of files) module.FS.writeFile(plain(name), new Uint8Array(bytes));
+  },
+  remove({ names }) {
+    for (const name of names) {
+      if (module.FS.analyzePath(plain(name)).exists) module.FS.unlink(plain(name));
+    }
+  },
+  model: ({ name }) => withText(plain(name), (at) => checked(module._web_model(at))),
+  load({ mesh, skeleton }) {
+    const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s))));
+    return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
+  },
+  bind({ method, upAxis }) {
+    return { ...checked(module._web_bind(method, upAxis)), buffers: take(["strongest"]) };
+  },
+  colour({ mode, joint }) {
+    checked(module._web_colour(mode, joint));
+    return { buffers: take(["colours"]) };
+  },
+  pose({ turns, dualQuaternion }) {
+    const at = module._malloc(turns.byteLength);
+    try {
+      module.HEAPF32.set(turns, at / 4);
+      checked(module._web_pose(at, dualQuaternion ? 1 : 0));
+    } finally {
+      module._free(at);
+    }
+    return { buffers: take(["positions", "normals", "jointPositions"]) };
+  },
+  glb({ name }) {
+    const file = `${plain(name)}.bound.glb`;
+    withText(file, (at) => checked(module._web_write_glb(at)));
+    const bytes = module.FS.readFile(file);
+    module.FS.unlink(file);
+    return { buffers: { bytes } };
+  },
+};
+
+onmessage = async ({ data }) => {
+  try {
+    const reply = (await calls[data.call](data)) ?? {};
+    const transfer = Object.values(reply.buffers ?? {}).map((b) => b.buffer);
+    postMessage({ id: data.id, reply }, transfer);
+  } catch (error) {
+    let line = String(error?.message ?? error);
+    if (error instanceof RangeError) line = "out of memory: the file is too large for this browser; try the sinew command";
+    if (error instanceof WebAssembly.RuntimeError) line = `the engine stopped (${line}); reload the page`;
+    postMessage({ id: data.id, error: line });
+  }
+};

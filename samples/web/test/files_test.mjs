@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Which dropped files belong together.
+import assert from "node:assert/strict";
+import { pairFiles, stem } from "../src/files.js";
+
+const character = (name, mesh, skeleton) => ({ name, mesh, skeleton });
+const check = (names, waiting, want) => {
+  const got = pairFiles(names, waiting);
+  assert.deepEqual({ characters: got.characters, model: got.model, waiting: got.waiting }, { characters: [], model: "", waiting: {}, ...want });
+  return got.problems;
+};
+
+assert.equal(stem("a.b.rig.txt"), "a.b");
+assert.deepEqual(check(["a.obj", "a.rig.txt"], {}, { characters: [character("a", "a.obj", "a.rig.txt")] }), []);
+assert.deepEqual(check(["A.OBJ", "a.Rig.TXT"], {}, { characters: [character("A", "A.OBJ", "a.Rig.TXT")] }), []);
+assert.deepEqual(check(["hero.obj", "skeleton.txt"], {}, { characters: [character("hero", "hero.obj", "skeleton.txt")] }), []);
+assert.deepEqual(check(["hero.glb"], {}, { characters: [character("hero", "hero.glb", "")] }), []);
+assert.deepEqual(check(["hero.glb", "other.rig.txt"], {}, { characters: [character("hero", "hero.glb", "other.rig.txt")] }), []);
+assert.deepEqual(check(["hero.gltf", "hero.bin", "skin.png"], {}, { characters: [character("hero", "hero.gltf", "")] }), []);
+assert.deepEqual(
+  check(["b.rig.txt", "a.obj", "c.vrm", "b.obj", "a.rig.txt"], {}, {
+    characters: [character("a", "a.obj", "a.rig.txt"), character("c", "c.vrm", ""), character("b", "b.obj", "b.rig.txt")],
+  }),
+  [],
+);
+// One half first, the other later.
+assert.match(check(["a.obj"], {}, { waiting: { mesh: "a.obj" } })[0], /^a\.obj: has no skeleton; drop its a\.rig\.txt/);
+assert.deepEqual(check(["b.rig.txt"], { mesh: "a.obj" }, { characters: [character("a", "a.obj", "b.rig.txt")] }), []);
+assert.match(check(["a.rig.txt"], {}, { waiting: { rig: "a.rig.txt" } })[0], /is a skeleton without a mesh/);
+assert.deepEqual(check(["a.obj"], { rig: "a.rig.txt" }, { characters: [character("a", "a.obj", "a.rig.txt")] }), []);
+// Two meshes and one foreign rig: no guess.
+assert.equal(check(["a.obj", "b.obj", "c.rig.txt"], {}, { waiting: { rig: "c.rig.txt" } }).length, 3);
+// What is left over does not stop the rest.
+assert.match(check(["a.glb", "x.docx"], {}, { characters: [character("a", "a.glb", "")] })[0], /^x\.docx: expected/);
+assert.match(check(["hero.bin"], {}, {})[0], /holds no mesh/);
+assert.deepEqual(check(["mine.sinew"], {}, { model: "mine.sinew" }), []);
+console.log("files_test: ok");

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// The page in a real headless Chromium: samples bind to the native hashes with and without SIMD, joints turn, the GLB is the command's
+// to the last byte, and whatever is wrong with a file is said in one line. Leaves screenshots to look at.
+//   page_test.mjs DIST_DIR SOURCE_DIR WORK_DIR [SINEW_COMMAND]
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, readdirSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { launch, serve } from "./browser.mjs";
+
+const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
+const data = join(source, "samples/data");
+mkdirSync(work, { recursive: true });
+const native = new Map(
+  readFileSync(join(source, "tests/golden/samples.txt"), "utf8").split("\n").map((line) => line.split(" "))
+    .filter(([, stage]) => stage === "bind-model").map(([name, , hash]) => [name.replace(/\.obj$/, ""), hash]),
+);
+
+const server = await serve(dist);
+const browser = await launch();
+const troubles = [];
+let page;
+
+async function openPage(query, size) {
+  page = await browser.context.newPage();
+  page.setDefaultTimeout(60000);
+  if (size) await page.setViewportSize(size);
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
+  page.on("pageerror", (error) => troubles.push(error.message));
+  page.on("request", (request) => /^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url()) || troubles.push(`asks ${request.url()}`));
+  await page.goto(server.address + query);
+  await settled();
+}
+const settled = () => page.evaluate(() => sinewPage.settled());
+const shoot = (name) => page.screenshot({ path: join(work, `${name}.png`) });
+const errorLine = async () => ((await page.locator("#error").isVisible()) ? page.locator("#error span").innerText() : "");
+const fact = (start) => page.locator("#facts > span", { hasText: start }).innerText();
+const hash = () => page.locator("#facts code").innerText();
+const positions = () => page.evaluate(() => sinewPage.view.shownPositions());
+const file = (path) => ({ name: path.split("/").pop(), mimeType: "application/octet-stream", buffer: readFileSync(join(data, path)) });
+const made = (name, content) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
+async function give(...files) {
+  await page.setInputFiles("#files", files);
+  await page.waitForFunction(() => document.getElementById("files").files.length === 0);
+  await settled();
+}
+const step = async (name, test) => {
+  const start = Date.now();
+  try {
+    await test();
+  } catch (error) {
+    await shoot("failed").catch(() => {});
+    error.message = `${name}: ${error.message}`;
+    throw error;
+  }
+  assert.deepEqual(troubles, [], `${name}: the browser's console`);
+  console.log(`${name}: ok, ${Date.now() - start} ms`);
+};
+
+try {
+  for (const [query, kernel] of [["?sample=snake__long", "SIMD"], ["?sample=snake__long&scalar", "without SIMD"]]) {
+    await step(`every sample has the native hash, ${kernel}`, async () => {
+      await openPage(query);
+      assert.equal(await errorLine(), "");
+      assert.ok((await fact("engine")).endsWith(kernel), await fact("engine"));
+      assert.equal(await fact("model"), `model ${(readFileSync(join(data, "sinew_default.sinew")).length / 1e3).toFixed(1)} kB`);
+      assert.match(await fact("bound in"), /bound in [\d,.]+ m?s/);
+      assert.ok(native.size >= 5);
+      for (const [name, want] of native) {
+        await page.selectOption("#sample", name);
+        await settled();
+        assert.equal(await hash(), want, name);
+      }
+    });
+    if (kernel !== "SIMD") await page.close();
+  }
+  [page] = browser.context.pages().filter((open) => open.url().includes("?sample=snake__long"));
+
+  await step("a joint shows its field and turns the mesh", async () => {
+    await page.selectOption("#sample", "biped__robot");
+    await settled();
+    await shoot("joints");
+    await page.fill("#search", "FOREARM.l");
+    assert.deepEqual(await page.locator("#joints li .name").allTextContents(), ["forearm.L"]);
+    await page.click("#joints li");
+    await settled();
+    assert.equal(await page.locator("#legend figcaption").innerText(), "Weight of forearm.L");
+    await shoot("field");
+    const rest = await positions();
+    assert.equal(await page.isDisabled("#reset"), true);
+    await page.focus("#turn-z");
+    for (let i = 0; i < 40; ++i) await page.keyboard.press("ArrowRight");
+    await settled();
+    const turned = await positions();
+    const moved = turned.filter((x, i) => x !== rest[i]).length / rest.length;
+    assert.ok(moved > 0.01 && moved < 0.5, `${moved} of the mesh moved`);
+    assert.equal(await page.locator("#turn-z + output").innerText(), "40°");
+    await shoot("turned");
+    await page.keyboard.press("r");
+    await settled();
+    assert.deepEqual(await positions(), rest);
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.deepEqual(await positions(), turned);
+    await page.click("#undo"); // the keys' forty steps
+    await settled();
+    assert.notDeepEqual(await positions(), turned);
+  });
+
+  await step("the rings' skeleton is the engine's", async () => {
+    await page.click("#reset");
+    for (const [joint, axis, keys] of [["upper_arm.L", "y", 25], ["upper_arm.L", "x", 40], ["upper_arm.L", "z", 35], ["forearm.L", "x", 30]]) {
+      await page.fill("#search", joint);
+      await page.click(`#joints li >> text="${joint}"`);
+      await page.focus(`#turn-${axis}`);
+      for (let i = 0; i < keys; ++i) await page.keyboard.press("ArrowRight");
+    }
+    await page.fill("#search", "");
+    await settled();
+    const apart = await page.evaluate(() => sinewPage.view.largestHandleDistance());
+    assert.ok(apart < 1e-4, `${apart} of the character's size apart`);
+  });
+
+  await step("a ring dragged by the mouse turns the joint", async () => {
+    await page.click("#reset");
+    await settled();
+    const rest = await positions();
+    const { x, y } = await page.evaluate(() => sinewPage.view.jointOnScreen(sinewPage.view.selected));
+    // The rings lie around the joint; from the right of it inwards, the first thing that takes the mouse is one.
+    let at = null;
+    for (let r = 140; r > 20 && !at; r -= 2) {
+      await page.mouse.move(x + r, y);
+      if (await page.evaluate(() => sinewPage.view.ringUnderPointer())) at = x + r;
+    }
+    assert.ok(at !== null, "no ring under the mouse");
+    await page.mouse.down();
+    await page.mouse.move(at - 10, y - 60, { steps: 6 });
+    await page.mouse.up();
+    await settled();
+    assert.notDeepEqual(await positions(), rest);
+    await shoot("ring");
+    await page.click("#undo");
+    await settled();
+    assert.deepEqual(await positions(), rest);
+  });
+
+  await step("a click on the picture chooses a joint, a drag orbits", async () => {
+    await page.keyboard.press("Escape");
+    await settled();
+    assert.equal(await page.locator("#joint-name").innerText(), "No joint chosen");
+    const head = await page.evaluate(() => {
+      const joint = sinewPage.character.joints.findIndex(({ name }) => name === "head");
+      return sinewPage.view.jointOnScreen(joint);
+    });
+    await page.mouse.move(head.x, head.y);
+    await page.mouse.down();
+    await page.mouse.move(head.x + 80, head.y + 10, { steps: 4 });
+    await page.mouse.up();
+    await settled();
+    assert.equal(await page.locator("#joint-name").innerText(), "No joint chosen");
+    await page.keyboard.press("f");
+    await page.mouse.click(head.x, head.y);
+    await settled();
+    assert.equal(await page.locator("#joint-name").innerText(), "head");
+    await page.keyboard.press("s"); // without the skeleton, the surface answers
+    await page.keyboard.press("Escape");
+    await page.mouse.click(head.x, head.y - 25);
+    await settled();
+    assert.equal(await page.locator("#joint-name").innerText(), "head_end");
+    await page.keyboard.press("s");
+    await page.keyboard.press("3");
+    await settled();
+    assert.match(await page.locator("#legend figcaption").innerText(), /^Doubt about/);
+    await shoot("doubt");
+  });
+
+  await step("the GLB is the command's", async () => {
+    for (const [name, files] of [["biped__robot", ["biped__robot.obj", "biped__robot.rig.txt"]], ["biped__caped", ["biped__caped.gltf"]]]) {
+      await give(...files.map(file));
+      assert.equal(await errorLine(), "");
+      const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download")]);
+      assert.equal(download.suggestedFilename(), `${name}.bound.glb`);
+      const glb = readFileSync(await download.path());
+      assert.equal(glb.toString("latin1", 0, 4), "glTF");
+      if (!sinew) continue;
+      const out = join(work, `${name}.glb`);
+      const rig = files[1] ? ["--skeleton", join(data, files[1])] : [];
+      execFileSync(sinew, ["bind", join(data, files[0]), ...rig, "-o", out], { stdio: "pipe" });
+      assert.ok(glb.equals(readFileSync(out)), `${name}: the page's GLB differs from the command's`);
+      // And back in again.
+      await give({ name: `${name}.bound.glb`, mimeType: "model/gltf-binary", buffer: glb });
+      assert.equal(await errorLine(), "");
+      assert.equal(await page.locator("#facts b").first().innerText(), `${name}.bound`);
+    }
+  });
+
+  await step("several files at once, dropped", async () => {
+    const names = ["snake__long", "bird__winged", "biped__robed"];
+    const files = names.flatMap((name) => [`${name}.rig.txt`, `${name}.obj`]).map((name) => ({ name, text: readFileSync(join(data, name), "utf8") }));
+    const transfer = await page.evaluateHandle((list) => {
+      const dropped = new DataTransfer();
+      for (const { name, text } of list) dropped.items.add(new File([text], name));
+      return dropped;
+    }, files);
+    await page.dispatchEvent("#stage", "dragenter", { dataTransfer: transfer });
+    await shoot("dragging");
+    await page.dispatchEvent("#stage", "drop", { dataTransfer: transfer });
+    await settled();
+    assert.equal(await errorLine(), "");
+    assert.deepEqual(await page.locator("#characters button").allInnerTexts(), names);
+    for (const name of names) {
+      await page.click(`#characters >> text="${name}"`);
+      await settled();
+      assert.equal(await hash(), native.get(name));
+    }
+    await shoot("several");
+  });
+
+  await step("a mesh first, its skeleton later", async () => {
+    await give(file("quadruped__tailed.obj"));
+    assert.equal(await errorLine(), "quadruped__tailed.obj: has no skeleton; drop its quadruped__tailed.rig.txt as well");
+    await give(file("quadruped__tailed.rig.txt"));
+    assert.equal(await errorLine(), "");
+    assert.equal(await hash(), native.get("quadruped__tailed"));
+  });
+
+  await step("what is wrong is said in one line, and the page goes on", async () => {
+    const obj = readFileSync(join(data, "snake__long.obj"), "utf8");
+    const rig = readFileSync(join(data, "snake__long.rig.txt"), "utf8");
+    const triangle = JSON.stringify({
+      asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0 }],
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+      accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: "VEC3", min: [0, 0, 0], max: [1, 1, 0] }],
+      bufferViews: [{ buffer: 0, byteLength: 36 }],
+      buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${Buffer.from(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]).buffer).toString("base64")}` }],
+    });
+    const before = await hash();
+    for (const [files, want] of [
+      [[made("notes.docx", "PK")], /^notes\.docx: expected \.obj with \.rig\.txt, .* found another kind of file$/],
+      [[made("broken.glb", "glTF but not really, only a few bytes of it")], /^broken\.glb: /],
+      [[made("empty.glb", "")], /^empty\.glb: /],
+      [[made("plain.gltf", triangle)], /^plain\.gltf: has no skeleton; drop a rig\.txt or a GLB with one together with it$/],
+      [[made("a.obj", obj.replace(/\nv .*/, "\nv 0 nan 0")), made("a.rig.txt", rig)], /^a\.obj:\d+: expected a finite number after 'v', found 'nan'$/],
+      [[made("a.obj", obj), made("a.rig.txt", rig.replace(/^hier /m, "heir "))], /^a\.rig\.txt:\d+: expected /],
+      [[made("a.obj", "v 0 0 0\nv 1 0 0\n"), made("a.rig.txt", rig)], /^a\.obj: has no faces to show/],
+      [[made("a.obj", obj), made("a.rig.txt", "\0\0")], /^a\.rig\.txt: expected a rig text file, found binary data/],
+      [[made("mine.sinew", "not a model")], /^mine\.sinew: /],
+    ]) {
+      await give(...files);
+      const line = await errorLine();
+      assert.match(line, want);
+      assert.ok(!line.includes("\n") && line.length < 300, line);
+      assert.equal(await hash(), before, "the character from before is still there");
+    }
+    await shoot("error");
+    await page.click("#error button");
+    assert.equal(await errorLine(), "");
+    await give(file("snake__long.obj"), file("snake__long.rig.txt"));
+    assert.equal(await hash(), native.get("snake__long"));
+  });
+
+  await step("options", async () => {
+    await page.click("summary");
+    await page.selectOption("#method", "1");
+    await settled();
+    assert.notEqual(await hash(), native.get("snake__long"));
+    await page.selectOption("#method", "0");
+    await page.selectOption("#up", "1");
+    await settled();
+    await page.selectOption("#up", "0");
+    await settled();
+    assert.equal(await hash(), native.get("snake__long"));
+    await page.locator("#joints li").nth(8).click();
+    await page.focus("#turn-y");
+    for (let i = 0; i < 60; ++i) await page.keyboard.press("ArrowRight");
+    await settled();
+    const linear = await positions();
+    await page.selectOption("#skinning", "1");
+    await settled();
+    assert.notDeepEqual(await positions(), linear);
+    assert.equal(await errorLine(), "");
+  });
+
+  await step("a small window", async () => {
+    await page.setViewportSize({ width: 390, height: 780 });
+    await page.waitForTimeout(100);
+    const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.equal(over, 0, "the page is wider than the window");
+    await shoot("small");
+    for (const id of ["#download", "#open", "#legend", "#search"]) {
+      const box = await page.locator(id).boundingBox();
+      assert.ok(box && box.x >= 0 && box.x + box.width <= 390, `${id} reaches out of the window`);
+    }
+  });
+} finally {
+  await browser.close();
+  server.close();
+}
+console.log(`page_test: ok; screenshots: ${readdirSync(work).filter((name) => name.endsWith(".png")).join(" ")}`);

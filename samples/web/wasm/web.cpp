@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+// What the page's worker calls: one character at a time is read from the module's files, bound, coloured, posed and
+// written. Calls that can fail return JSON, {"error": "one line"} when they did; arrays are read where web_buffer()
+// says they lie.
+#include <emscripten.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sinew/sinew.h"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/image.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/pose.hpp"
+#include "surface.hpp"
+
+using Json = nlohmann::ordered_json;
+
+EM_JS(void, show_progress, (uint32_t permille), {
+  if (Module["onProgress"]) Module["onProgress"](permille / 1000);
+});
+
+namespace {
+
+using namespace sinew;
+
+constexpr uint32_t kInfluences = 4;  // what glTF viewers show everywhere, and the command's default
+
+enum Buffer : uint32_t { kTriangles = 0, kVertexOf, kPositions, kNormals, kColours, kJointPositions, kStrongest };
+
+struct Session {
+  std::vector<uint64_t> model_bytes;
+  sinew_model model = {};
+  Character character;
+  web::Surface surface;
+  std::vector<float> rest;                // [V x 3]
+  std::vector<uint16_t> joints, weights;  // [V x kInfluences]
+  std::vector<uint8_t> confidence;        // [V]
+  // What web_buffer() hands out, but for the surface.
+  std::vector<float> posed, shown_positions, shown_normals, joint_positions;
+  std::vector<uint8_t> colours;     // [R x 3] sRGB
+  std::vector<uint16_t> strongest;  // [R] joint
+  std::string reply;
+};
+
+Session& session() {
+  static Session only;
+  return only;
+}
+
+class Block {
+ public:
+  explicit Block(size_t bytes)
+      : data_(::operator new (std::max<size_t>(bytes, 1), std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}, std::nothrow)) {
+    if (data_ == nullptr) {
+      throw Error("binding this mesh needs " + std::to_string(bytes / 1000000) +
+                  " MB in one piece, more than this browser gives a page; try the sinew command");
+    }
+  }
+  ~Block() { ::operator delete (data_, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
+  Block(const Block&) = delete;
+  Block& operator=(const Block&) = delete;
+  void* data() const { return data_; }
+
+ private:
+  void* data_;
+};
+
+// Runs a call; what it throws becomes its reply.
+template <class Call>
+const char* answer(Call call) {
+  Json reply;
+  try {
+    reply = call();
+  } catch (const std::bad_alloc&) {
+    reply = {{"error", "out of memory: the file is too large for this browser; try the sinew command"}};
+  } catch (const std::exception& error) {
+    reply = {{"error", error.what()}};
+  }
+  session().reply = reply.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return session().reply.c_str();
+}
+
+void check(const std::string& what, sinew_status status) {
+  if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status));
+}
+
+// FNV-1a over joints, then weights, low byte first: the line "bind-model" of tests/golden/samples.txt.
+std::string result_hash(const Session& s) {
+  uint64_t hash = 1469598103934665603ull;
+  const auto add = [&](const std::vector<uint16_t>& values) {
+    for (const uint16_t v : values) {
+      for (const uint32_t byte : {v & 0xFFu, static_cast<uint32_t>(v >> 8)}) hash = (hash ^ byte) * 1099511628211ull;
+    }
+  };
+  add(s.joints);
+  add(s.weights);
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+void show(Session& s) {
+  const size_t shown = s.surface.vertex_of.size();
+  s.shown_positions.resize(shown * 3);
+  for (size_t i = 0; i < shown; ++i)
+    std::memcpy(&s.shown_positions[i * 3], &s.posed[size_t{s.surface.vertex_of[i]} * 3], 3 * sizeof(float));
+  web::surface_normals(s.surface, s.posed, &s.shown_normals);
+}
+
+int progress(void*, uint32_t permille) {
+  show_progress(permille);
+  return 0;
+}
+
+Json bind(Session& s, uint32_t method, uint32_t up_axis) {
+  std::vector<float> joint_positions;
+  std::vector<int32_t> parents;
+  for (const Joint& joint : s.character.joints) {
+    joint_positions.insert(joint_positions.end(), {joint.position.x, joint.position.y, joint.position.z});
+    parents.push_back(joint.parent);
+  }
+  sinew_mesh mesh = {};
+  mesh.positions = s.rest.data();
+  mesh.vertex_count = static_cast<uint32_t>(s.character.vertices.size());
+  mesh.face_offsets = s.character.face_offsets.data();
+  mesh.face_vertices = s.character.face_vertices.data();
+  mesh.face_count = static_cast<uint32_t>(s.character.face_count());
+  mesh.corner_count = static_cast<uint32_t>(s.character.face_vertices.size());
+  sinew_skeleton skeleton = {};
+  skeleton.positions = joint_positions.data();
+  skeleton.parents = parents.data();
+  skeleton.joint_count = static_cast<uint32_t>(parents.size());
+  std::vector<uint8_t> confidence(mesh.vertex_count);
+  sinew_options options = {};
+  options.method = method;
+  options.influence_count = kInfluences;
+  options.up_axis = up_axis;
+  options.confidence = confidence.data();
+  options.progress = progress;
+  const sinew_model* const model = method == SINEW_METHOD_MODEL ? &s.model : nullptr;
+  if (model != nullptr && model->bytes == nullptr) throw Error("no model is loaded");
+  size_t bytes = 0, used = 0;
+  check(s.character.name, sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
+                                                    skeleton.joint_count, &options, &bytes));
+  std::vector<uint16_t> joints(size_t{mesh.vertex_count} * kInfluences), weights(joints.size());
+  double seconds = 0;
+  {
+    const Block workspace(bytes);
+    const auto start = std::chrono::steady_clock::now();
+    check(s.character.name,
+          sinew_bind(model, &mesh, &skeleton, &options, workspace.data(), bytes, joints.data(), weights.data(), &used));
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  s.joints = std::move(joints);
+  s.weights = std::move(weights);
+  s.confidence = std::move(confidence);
+  s.character.influences.assign(s.character.vertices.size(), {});
+  std::vector<double> sums(parents.size(), 0);
+  size_t pairs = 0;
+  for (size_t v = 0; v < s.character.vertices.size(); ++v) {
+    for (size_t i = v * kInfluences; i < (v + 1) * kInfluences; ++i) {
+      if (s.weights[i] == 0) continue;
+      const float weight = static_cast<float>(s.weights[i]) / 65535.0f;
+      s.character.influences[v].push_back({s.joints[i], weight});
+      sums[s.joints[i]] += weight;
+      ++pairs;
+    }
+  }
+  s.strongest.resize(s.surface.vertex_of.size());
+  for (size_t i = 0; i < s.strongest.size(); ++i)
+    s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * kInfluences];
+  size_t unsure = 0;
+  for (const uint8_t c : s.confidence) unsure += c < 128 ? 1 : 0;
+  return {{"seconds", seconds},
+          {"workspaceBytes", bytes},
+          {"usedBytes", used},
+          {"hash", result_hash(s)},
+          {"jointWeights", sums},
+          {"unsureVertices", unsure},
+          {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(mesh.vertex_count)}};
+}
+
+Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
+  Character character = read_mesh(mesh);
+  if (!skeleton.empty()) read_skeleton(skeleton, false, &character);
+  if (character.vertices.empty()) throw Error(mesh + ": has no vertices to bind");
+  if (character.joints.empty())
+    throw Error(mesh + ": has no skeleton; drop a rig.txt or a GLB with one together with it");
+  if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
+  character.influences.clear();
+  s.surface = web::make_surface(character);
+  s.character = std::move(character);
+  s.rest.clear();
+  for (const Vec3& p : s.character.vertices) s.rest.insert(s.rest.end(), {p.x, p.y, p.z});
+  s.posed = s.rest;
+  s.joints.clear();
+  s.weights.clear();
+  show(s);
+  Json joints = Json::array();
+  for (size_t j = 0; j < s.character.joints.size(); ++j) {
+    const Joint& joint = s.character.joints[j];
+    joints.push_back({{"name", joint.name},
+                      {"parent", joint.parent},
+                      {"position", {joint.position.x, joint.position.y, joint.position.z}},
+                      {"colour", joint_colour(j)}});
+  }
+  return {{"name", s.character.name},
+          {"vertices", s.character.vertices.size()},
+          {"faces", s.character.face_count()},
+          {"joints", std::move(joints)}};
+}
+
+// mode 0: joints' colours by weight, 1: the field of `joint`, 2: how sure the prediction is (red: not).
+void colour(Session& s, uint32_t mode, uint32_t joint) {
+  std::vector<std::array<uint8_t, 3>> of_vertex;
+  if (mode == 0) {
+    of_vertex = weight_colours(s.character);
+  } else {
+    std::vector<float> values(s.character.vertices.size(), 0);
+    for (size_t v = 0; v < values.size(); ++v) {
+      if (mode == 2) {
+        values[v] = 1.0f - static_cast<float>(s.confidence[v]) / 255.0f;
+        continue;
+      }
+      for (const Influence& influence : s.character.influences[v])
+        if (influence.joint == joint) values[v] = influence.weight;
+    }
+    of_vertex = heat_colours(values, 1.0f);
+  }
+  s.colours.clear();
+  for (const uint32_t v : s.surface.vertex_of)
+    s.colours.insert(s.colours.end(), of_vertex[v].begin(), of_vertex[v].end());
+}
+
+// turns: [J x 3] degrees about x, then y, then z.
+void pose(Session& s, const float* turns, bool dual_quaternion) {
+  std::vector<JointTurn> list;
+  for (size_t j = 0; j < s.character.joints.size(); ++j) {
+    const float* const turn = turns + 3 * j;
+    if (turn[0] != 0 || turn[1] != 0 || turn[2] != 0) list.push_back({j, turn[0], turn[1], turn[2]});
+  }
+  const std::vector<Mat34> palette = pose_palette(s.character, list);
+  std::vector<float> matrices;
+  s.joint_positions.clear();
+  for (size_t j = 0; j < palette.size(); ++j) {
+    const Mat34& m = palette[j];
+    const Vec3& p = s.character.joints[j].position;
+    for (const double x : m) matrices.push_back(static_cast<float>(x));
+    for (size_t row = 0; row < 12; row += 4)
+      s.joint_positions.push_back(static_cast<float>(m[row] * p.x + m[row + 1] * p.y + m[row + 2] * p.z + m[row + 3]));
+  }
+  const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
+  check(s.character.name,
+        skin(s.rest.data(), static_cast<uint32_t>(s.character.vertices.size()), s.joints.data(), s.weights.data(),
+             kInfluences, matrices.data(), static_cast<uint32_t>(palette.size()), s.posed.data()));
+  show(s);
+}
+
+void need_weights(const Session& s) {
+  if (s.weights.empty()) throw Error("no character is bound yet");
+}
+
+}  // namespace
+
+extern "C" {
+
+// "auto" of this module: "simd128" or "ref".
+EMSCRIPTEN_KEEPALIVE const char* web_kernel() { return sinew_kernel_name(sinew_kernel_select(SINEW_KERNEL_AUTO)); }
+EMSCRIPTEN_KEEPALIVE const char* web_version() { return sinew_version(); }
+
+EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
+  return answer([&]() -> Json {
+    Session& s = session();
+    const std::vector<uint8_t> bytes = read_file(path);
+    std::vector<uint64_t> aligned(bytes.size() / 8 + 1);
+    if (!bytes.empty()) std::memcpy(aligned.data(), bytes.data(), bytes.size());
+    sinew_model model = {};
+    check(path, sinew_model_open(aligned.data(), bytes.size(), &model));
+    s.model_bytes = std::move(aligned);  // the block stays where it is, and with it model.bytes
+    s.model = model;
+    return {{"bytes", bytes.size()}, {"parameters", model.parameter_count}, {"layers", model.layer_count}};
+  });
+}
+
+// skeleton: "" when the mesh file has its own. A failure leaves the present character as it was.
+EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton) {
+  return answer([&] { return load(session(), mesh, skeleton); });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_bind(uint32_t method, uint32_t up_axis) {
+  return answer([&] { return bind(session(), method, up_axis); });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_colour(uint32_t mode, uint32_t joint) {
+  return answer([&] {
+    need_weights(session());
+    colour(session(), mode, joint);
+    return Json::object();
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t dual_quaternion) {
+  return answer([&] {
+    need_weights(session());
+    pose(session(), turns, dual_quaternion != 0);
+    return Json::object();
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_write_glb(const char* path) {
+  return answer([&] {
+    need_weights(session());
+    write_glb(path, session().character);
+    return Json::object();
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const void* web_buffer(uint32_t which, size_t* bytes) {
+  const Session& s = session();
+  const auto give = [&](const auto& values) -> const void* {
+    *bytes = values.size() * sizeof(values[0]);
+    return values.data();
+  };
+  switch (which) {
+    case kTriangles:
+      return give(s.surface.triangles);
+    case kVertexOf:
+      return give(s.surface.vertex_of);
+    case kPositions:
+      return give(s.shown_positions);
+    case kNormals:
+      return give(s.shown_normals);
+    case kColours:
+      return give(s.colours);
+    case kJointPositions:
+      return give(s.joint_positions);
+    default:
+      return give(s.strongest);
+  }
+}
+
+}  // extern "C"
