@@ -72,9 +72,10 @@ struct Int16 : Contestant {
   std::vector<int16_t> result;
   void* block = nullptr;
 
-  Int16(const sinew_model& m, const Sample& s, uint32_t kernel) : model(m) {
-    name = std::string("int16 ") + sinew_kernel_name(kernel);
+  Int16(const sinew_model& m, const Sample& s, uint32_t kernel, bool in_place) : model(m) {
+    name = std::string("int16 ") + sinew_kernel_name(kernel) + (in_place ? " in place" : "");
     options.kernel = kernel;
+    options.weights_in_place = in_place;
     input.vertex_count = s.vertices;
     input.candidate_count = s.candidates;
     input.vertex_features = s.vertex.data();
@@ -275,9 +276,10 @@ void measure(double vertices, const Model& model, const FloatNetwork& network, i
       make_sample(body(vertices), model.model.candidate_count, model.model.grid_size, model.model.feature_set);
   std::vector<std::unique_ptr<Contestant>> all;
   for (uint32_t k = 1; sinew_kernel_name(k) != nullptr; ++k) {
-    if (sinew_kernel_select(k) != 0) all.push_back(std::make_unique<Int16>(model.model, sample, k));
+    if (sinew_kernel_select(k) != 0) all.push_back(std::make_unique<Int16>(model.model, sample, k, false));
   }
-  const size_t best = all.size() - 1, floats = all.size();  // kernels are numbered by rising speed
+  const size_t best = all.size() - 1, floats = all.size() + 1;  // kernels are numbered by rising speed
+  all.push_back(std::make_unique<Int16>(model.model, sample, SINEW_KERNEL_AUTO, true));
   all.push_back(std::make_unique<EigenForward>(network, sample));
 #ifdef SINEW_BENCH_PYTHON
   all.push_back(std::make_unique<PyTorch>(SINEW_BENCH_PYTHON, network, sample));

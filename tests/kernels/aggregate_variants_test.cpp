@@ -20,6 +20,8 @@ class AggregateVariant : public testing::TestWithParam<uint32_t> {
     if (!select_kernels(GetParam(), &variant_))
       GTEST_SKIP() << "NOT RUN: this processor has no " << kernel_name(GetParam());
     ASSERT_NE(variant_.ring_mean_pair, reference_.ring_mean_pair) << "the variant was not built";
+    ASSERT_NE(variant_.part_mean_vertex, reference_.part_mean_vertex) << "the variant was not built";
+    ASSERT_NE(variant_.global_max, reference_.global_max) << "the variant was not built";
     ASSERT_NE(variant_.candidate_max, reference_.candidate_max) << "the variant was not built";
   }
   Kernels reference_, variant_;
@@ -159,6 +161,18 @@ TEST_P(AggregateVariant, PartAndGlobalMeansEqualReference) {
           x.part_mean_pair(rows, channels, joints.data(), k, part.data(), count, sums, out);
         },
         "part, pair");
+    compare(
+        channels,
+        [&](const Kernels& x, int64_t* sums, int16_t* out) {
+          x.part_mean_vertex(rows, channels, part.data(), count, sums, out);
+        },
+        "part, vertex");
+    compare(
+        channels,
+        [&](const Kernels& x, int64_t*, int16_t* out) {
+          x.global_max(rows, channels, round % 2 == 0 ? joints.data() : nullptr, joints.size(), out);
+        },
+        "global max");
     compare(
         channels,
         [&](const Kernels& x, int64_t* sums, int16_t* out) {

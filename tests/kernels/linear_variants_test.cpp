@@ -115,11 +115,17 @@ class LinearVariant : public testing::TestWithParam<uint32_t> {
           << kernel_name(kernel) << ": this processor has it, but it was not built or not chosen";
       GTEST_SKIP() << "NOT RUN: this processor has no " << kernel_name(kernel);
     }
-    linear_ = kernels_.linear_packed != nullptr ? kernels_.linear_packed : kernels_.linear;
-    ASSERT_NE(linear_, &linear_s16_ref);
+    // Rearranged weights, the model's own bytes, or both.
+    if (kernels_.linear_packed != nullptr) linear_.push_back(kernels_.linear_packed);
+    if (kernels_.linear != &linear_s16_ref) linear_.push_back(kernels_.linear);
+    const bool x86 = kernel == SINEW_KERNEL_AVX2 || kernel == SINEW_KERNEL_AVXVNNI || kernel == SINEW_KERNEL_VNNI;
+    ASSERT_EQ(linear_.size(), x86 ? 2u : 1u) << "a variant was not built";
+  }
+  void compare_all(uint32_t seed, const LinearCase& c) const {
+    for (const LinearKernel variant : linear_) compare(seed, c, variant);
   }
   Kernels kernels_;
-  LinearKernel linear_ = nullptr;
+  std::vector<LinearKernel> linear_;
 };
 
 TEST_P(LinearVariant, EqualsReferenceOnRandomShapes) {
@@ -136,7 +142,7 @@ TEST_P(LinearVariant, EqualsReferenceOnRandomShapes) {
     c.masked = random.below(2) != 0;
     c.extreme = i % 5 == 0;
     c.range = static_cast<ValueRange>(random.below(3));
-    compare(i, c, linear_);
+    compare_all(i, c);
     if (HasFatalFailure()) return;
   }
 }
@@ -146,8 +152,7 @@ TEST_P(LinearVariant, EqualsReferenceOnEveryTileShape) {
   for (const uint32_t out : {1u, 15u, 16u, 17u, 31u, 32u, 33u, 47u, 48u, 49u, 63u, 64u, 65u, 80u, 96u, 112u, 129u}) {
     for (uint32_t rows = 1; rows <= 22; ++rows) {
       for (const uint32_t in : {1u, 2u, 3u, 48u}) {
-        compare(seed++, {in, out, rows, in, false, rows % 2 == 0, rows % 3 == 0, false, ValueRange::kPositive},
-                linear_);
+        compare_all(seed++, {in, out, rows, in, false, rows % 2 == 0, rows % 3 == 0, false, ValueRange::kPositive});
         if (HasFatalFailure()) return;
       }
     }
@@ -157,8 +162,8 @@ TEST_P(LinearVariant, EqualsReferenceOnEveryTileShape) {
 TEST_P(LinearVariant, EqualsReferenceOnLongLayersAndManyRows) {
   for (const uint32_t in : {576u, 1023u, 1152u}) {
     for (const bool wide : {false, true}) {
-      compare(in, {in, 70, 400, wide ? 37u : in, wide, true, true, true, ValueRange::kSigned}, linear_);
-      compare(in, {in, 64, 13, in, wide, false, false, true, ValueRange::kLogits}, linear_);
+      compare_all(in, {in, 70, 400, wide ? 37u : in, wide, true, true, true, ValueRange::kSigned});
+      compare_all(in, {in, 64, 13, in, wide, false, false, true, ValueRange::kLogits});
       if (HasFatalFailure()) return;
     }
   }
@@ -181,10 +186,12 @@ TEST_P(LinearVariant, LargestPairDoesNotSaturate) {
   const Block packed(static_cast<uint8_t*>(::operator new (packed_linear_bytes(2, 2, 2), std::align_val_t{64})));
   pack_linear(view, packed.get());
   view.packed = packed_view(view, packed.get());
-  int16_t out[2];
-  linear_(view, {in.data(), 2}, {nullptr, 0}, nullptr, 1, out, 2);
-  EXPECT_EQ(out[0], 16383);   // 2 * 32767^2 = 2147352578; >> 17
-  EXPECT_EQ(out[1], -16384);  // floor
+  for (const LinearKernel variant : linear_) {
+    int16_t out[2];
+    variant(view, {in.data(), 2}, {nullptr, 0}, nullptr, 1, out, 2);
+    EXPECT_EQ(out[0], 16383);   // 2 * 32767^2 = 2147352578; >> 17
+    EXPECT_EQ(out[1], -16384);  // floor
+  }
 }
 
 // Rows that share columns: the shared part once per group of rows, the rest row by row, is the whole layer.

@@ -278,6 +278,37 @@ void global_mean(RowsView values, uint32_t channels, const uint16_t* present, si
   for (uint32_t c = 0; c < channels; ++c) out[c] = n == 0 ? static_cast<int16_t>(0) : mean_of_sum(sums[c], n);
 }
 
+// int32 sums in the scratch, as for pairs.
+template <class Isa>
+void part_mean_vertex(RowsView values, uint32_t channels, const uint32_t* vertices, uint32_t count, int64_t* scratch,
+                      int16_t* out) {
+  if (count > 65535) return part_mean_vertex_s16_ref(values, channels, vertices, count, scratch, out);
+  int32_t* const sums = static_cast<int32_t*>(static_cast<void*>(scratch));
+  for (uint32_t c = 0; c < channels; ++c) sums[c] = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    add_row<Isa>(values.data + static_cast<size_t>(vertices[i]) * values.stride, channels, sums);
+  }
+  divide_row<Isa>(sums, channels, count, out);
+}
+
+template <class Isa>
+void global_max(RowsView values, uint32_t channels, const uint16_t* present, size_t rows, int16_t* out) {
+  constexpr uint32_t kLanes = Isa::kLanes;
+  size_t first = 0;
+  while (first < rows && present != nullptr && present[first] == kNoJoint) ++first;
+  if (first == rows) return zero(out, channels);
+  for (uint32_t c = 0; c < channels; ++c) out[c] = values.data[first * values.stride + c];
+  for (size_t r = first + 1; r < rows; ++r) {
+    if (present != nullptr && present[r] == kNoJoint) continue;
+    const int16_t* const row = values.data + r * values.stride;
+    uint32_t c = 0;
+    for (; c + kLanes <= channels; c += kLanes) {
+      Isa::store(out + c, Isa::largest(Isa::load(out + c), Isa::load(row + c)));
+    }
+    for (; c < channels; ++c) out[c] = row[c] > out[c] ? row[c] : out[c];
+  }
+}
+
 template <class Isa>
 SINEW_INLINE void add_aggregates(Kernels* kernels) {
   kernels->ring_mean_vertex = ring_mean_vertex<Isa>;
@@ -285,8 +316,10 @@ SINEW_INLINE void add_aggregates(Kernels* kernels) {
   kernels->ring_mean_pair = ring_mean_pair<Isa>;
   kernels->ring_max_pair = ring_max_pair<Isa>;
   kernels->candidate_max = candidate_max<Isa>;
+  kernels->part_mean_vertex = part_mean_vertex<Isa>;
   kernels->part_mean_pair = part_mean_pair<Isa>;
   kernels->global_mean = global_mean<Isa>;
+  kernels->global_max = global_max<Isa>;
 }
 
 }  // namespace

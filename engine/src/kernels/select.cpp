@@ -25,22 +25,25 @@ void fill_reference(Kernels* kernels) {
   kernels->front = FrontKernels();
 }
 
+// What the three x86-64 kernels share.
+bool add_x86_rest(Kernels* kernels) {
+  return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels);
+}
+
 // Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has
 // AVX2 too.
 bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
   bool added = false;
   switch (kernel) {
     case SINEW_KERNEL_AVX2:
-      added = cpu.avx2 && add_linear_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels) &&
-              add_front_s32_avx2(&kernels->front);
+      added = cpu.avx2 && add_linear_s16_avx2(kernels) && add_x86_rest(kernels) && add_front_s32_avx2(&kernels->front);
       break;
     case SINEW_KERNEL_AVXVNNI:
-      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels) && add_aggregates_s16_avx2(kernels) &&
+      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels) && add_x86_rest(kernels) &&
               add_front_s32_avx2(&kernels->front);
       break;
     case SINEW_KERNEL_VNNI:
-      added = cpu.vnni && add_linear_s16_vnni(kernels) && add_aggregates_s16_avx2(kernels) &&
-              add_front_s32_vnni(&kernels->front);
+      added = cpu.vnni && add_linear_s16_vnni(kernels) && add_x86_rest(kernels) && add_front_s32_vnni(&kernels->front);
       break;
     case SINEW_KERNEL_SIMD128:  // no question to a processor: a module with these instructions does not start without
       added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels);
