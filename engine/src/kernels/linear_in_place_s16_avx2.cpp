@@ -34,8 +34,7 @@ SINEW_INLINE __m256i add_products(__m256i sum, __m256i weights, __m256i inputs) 
   return _mm256_add_epi32(sum, _mm256_madd_epi16(weights, inputs));
 }
 SINEW_INLINE __m128i add_across(const __m256i* sums) {
-  const __m256i both =
-      _mm256_hadd_epi32(_mm256_hadd_epi32(sums[0], sums[1]), _mm256_hadd_epi32(sums[2], sums[3]));
+  const __m256i both = _mm256_hadd_epi32(_mm256_hadd_epi32(sums[0], sums[1]), _mm256_hadd_epi32(sums[2], sums[3]));
   return _mm_add_epi32(_mm256_castsi256_si128(both), _mm256_extracti128_si256(both, 1));
 }
 
