@@ -57,8 +57,8 @@ struct Model {
 
 struct Contestant {
   std::string name;
-  size_t bytes = 0;  // activations and, for int16, rearranged weights
-  std::vector<double> seconds;
+  size_t bytes = 0;            // activations and, for int16, rearranged weights
+  std::vector<double> passes;  // seconds
   uint64_t hash = 0;
   virtual ~Contestant() = default;
   virtual double pass() = 0;                      // seconds
@@ -287,7 +287,7 @@ void measure(double vertices, const Model& model, const FloatNetwork& network, i
   for (int i = -1; i < repeats; ++i) {  // the first round warms up
     for (const auto& contestant : all) {
       const double seconds = contestant->pass();
-      if (i >= 0) contestant->seconds.push_back(seconds);
+      if (i >= 0) contestant->passes.push_back(seconds);
     }
   }
   for (size_t i = 1; i < floats; ++i) {
@@ -295,9 +295,9 @@ void measure(double vertices, const Model& model, const FloatNetwork& network, i
   }
   compare(*all[floats], *all[0], sample, 0.05);
   if (all.size() > floats + 1) compare(*all[floats], *all[floats + 1], sample, 1e-4);
-  const double fastest = sinew_bench::median(all[best]->seconds);
+  const double fastest = sinew_bench::median(all[best]->passes);
   for (const auto& contestant : all) {
-    const double median = sinew_bench::median(contestant->seconds);
+    const double median = sinew_bench::median(contestant->passes);
     std::printf("%s,%u,%s,%.3f,%.0f,%.2f,%zu,%016llx\n", sinew_bench::row_start().c_str(), sample.vertices,
                 contestant->name.c_str(), median * 1e3, median * 1e9 / sample.vertices, median / fastest,
                 contestant->bytes, static_cast<unsigned long long>(contestant->hash));

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "lent_threads.hpp"
 #include "model/reader.hpp"
 #include "network/plan.hpp"
 #include "network_fixture.hpp"
@@ -19,7 +20,9 @@ struct Outcome {
   size_t high_water = 0, measured = 0;
 };
 
-Outcome run(const std::vector<uint8_t>& bytes, const Graph& g, uint32_t tile, size_t less = 0, Progress progress = {}) {
+// `lanes` pieces of work, the last one first.
+Outcome run(const std::vector<uint8_t>& bytes, const Graph& g, uint32_t tile, size_t less = 0, Progress progress = {},
+            uint32_t lanes = 1) {
   Outcome outcome;
   AlignedBytes file(bytes);
   sinew_model model{};
@@ -29,12 +32,16 @@ Outcome run(const std::vector<uint8_t>& bytes, const Graph& g, uint32_t tile, si
   Arena measure;
   NetworkOptions options;
   options.tile_vertices = tile;
-  measure_run_network(measure, model, g.counts(), options);
+  Counts counts = g.counts();
+  NetworkInput input = g.input();
+  sinew_test::LoopLog log;
+  counts.threads = input.threads = {lanes, sinew_test::run_backwards, &log};
+  measure_run_network(measure, model, counts, options);
   outcome.measured = measure.high_water();
   AlignedBytes workspace(outcome.measured - less);
   Arena arena(workspace.data(), workspace.size());
   outcome.logits.assign(size_t{g.vertices} * g.k, 12345);
-  outcome.status = run_network(model, g.input(), progress, arena, outcome.logits.data(), options);
+  outcome.status = run_network(model, input, progress, arena, outcome.logits.data(), options);
   outcome.high_water = arena.high_water();
   EXPECT_EQ(arena.used(), 0u) << "scratch is given back";
   return outcome;
@@ -62,6 +69,13 @@ TEST(Executor, EqualsInterpreterOnRandomLists) {
       ASSERT_EQ(outcome.status, SINEW_OK) << "seed " << seed;
       EXPECT_EQ(outcome.high_water, outcome.measured) << "seed " << seed;
       expect_same(outcome.logits, want, g, "seed " + std::to_string(seed) + " tile " + std::to_string(tile));
+      if (HasFatalFailure()) return;
+    }
+    for (const uint32_t lanes : {2u, 5u}) {  // small tiles, so that every lane has some
+      const Outcome outcome = run(bytes, g, 2, 0, {}, lanes);
+      ASSERT_EQ(outcome.status, SINEW_OK) << "seed " << seed;
+      EXPECT_EQ(outcome.high_water, outcome.measured) << "seed " << seed;
+      expect_same(outcome.logits, want, g, "seed " + std::to_string(seed) + " lanes " + std::to_string(lanes));
       if (HasFatalFailure()) return;
     }
     for (const Layer& layer : model.layers) ++kinds[static_cast<size_t>(layer.kind)];
@@ -137,18 +151,18 @@ int on_progress(void* user, uint32_t permille) {
   return ++calls->count == calls->stop_at;
 }
 
-TEST(Executor, ReportsAndCancelsBetweenTiles) {
+TEST(Executor, ReportsAndCancelsBetweenRoundsOfTiles) {
   const FloatNetwork network = field_like(3, 4, 8, 1);
-  const Graph g = random_graph(5, 100, 4, 9, 3, usual_feature);
+  const Graph g = random_graph(5, 500, 4, 9, 3, usual_feature);
   const std::vector<uint8_t> bytes = quantize(network, {run_float(network, g).layer_max}).bytes;
   Calls calls;
-  EXPECT_EQ(run(bytes, g, 10, 0, {on_progress, &calls}).status, SINEW_OK);
+  EXPECT_EQ(run(bytes, g, 1, 0, {on_progress, &calls}).status, SINEW_OK);
   EXPECT_GE(calls.count, 20u);
   EXPECT_TRUE(calls.rising);
   EXPECT_GT(calls.last, 850u);
   Calls stopping;
   stopping.stop_at = 13;
-  EXPECT_EQ(run(bytes, g, 10, 0, {on_progress, &stopping}).status, SINEW_ERROR_CANCELLED);
+  EXPECT_EQ(run(bytes, g, 1, 0, {on_progress, &stopping}).status, SINEW_ERROR_CANCELLED);
   EXPECT_EQ(stopping.count, 13u);
 }
 
