@@ -15,7 +15,9 @@ constexpr uint32_t kSourcesPermille = 300;
 struct Scratch {
   HeatSources sources;
   EdgeWeights edges;
-  HeatSolver solver;
+  HeatSolver solvers[kFieldCount];  // one per lane
+
+  bool allocate_solvers(Arena& arena, const Counts& counts);
 };
 
 // The finder's and the Laplacian's scratch lies where the solver's arrays come later.
@@ -41,23 +43,98 @@ void copy_component(const Mesh& mesh, uint32_t component, const HeatField& from,
   }
 }
 
-sinew_status solve_components(const Mesh& mesh, const Progress& progress, Scratch& scratch, HeatFields* fields) {
-  uint64_t done = 0;
-  const uint64_t work = static_cast<uint64_t>(mesh.welded_count) * kFieldCount;
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
-    scratch.solver.begin_component(mesh, scratch.edges, c);
-    for (uint32_t f = 0; f < kFieldCount; ++f) {
-      if (f == kFieldParts && same_sources(mesh, c, scratch.sources)) {
-        copy_component(mesh, c, fields->field[kFieldRule], &fields->field[kFieldParts]);
+// All fields of components, on up to kFieldCount lanes: those of a large component at the same time, small components
+// one to a lane.
+class ComponentWalk {
+ public:
+  ComponentWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch,
+                HeatFields* fields)
+      : mesh_(mesh), threads_(threads), progress_(progress), scratch_(scratch), fields_(fields) {
+    threads_.lanes = solver_count(threads);
+  }
+  static uint32_t solver_count(const Threads& threads) {
+    return threads.lanes < kFieldCount ? threads.lanes : static_cast<uint32_t>(kFieldCount);
+  }
+
+  sinew_status run() {
+    for (uint32_t c = 0; c < mesh_.component_count;) {
+      uint32_t end = c + 1, vertices = mesh_.component_sizes[c];
+      if (threads_.lanes > 1 && vertices < kSmall) {
+        while (end < mesh_.component_count && vertices + mesh_.component_sizes[end] < kRound) {
+          vertices += mesh_.component_sizes[end++];
+        }
+        threads_.each(end - c, [&](uint32_t index, uint32_t lane) { solve_alone(c + index, scratch_.solvers[lane]); });
+        if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
+      } else if (threads_.lanes > 1) {
+        solve_together(c);
+        if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
       } else {
-        scratch.solver.solve_field(scratch.sources, f, &fields->field[f]);
+        scratch_.solvers[0].begin_component(mesh_, scratch_.edges, c);
+        for (uint32_t f = 0; f < kFieldCount; ++f) {
+          solve_field(c, f, scratch_.solvers[0]);
+          if (!report(vertices)) return SINEW_ERROR_CANCELLED;
+        }
       }
-      done += mesh.component_sizes[c];
-      const uint64_t share = done * (1000 - kSourcesPermille) / work;
-      if (!progress.report(kSourcesPermille + static_cast<uint32_t>(share))) return SINEW_ERROR_CANCELLED;
+      c = end;
+    }
+    return SINEW_OK;
+  }
+
+ private:
+  static constexpr uint32_t kSmall = 512, kRound = 8192;  // vertices
+
+  bool is_copy(uint32_t component, uint32_t field) const {
+    return field == kFieldParts && same_sources(mesh_, component, scratch_.sources);
+  }
+  bool report(uint64_t field_vertices) {
+    done_ += field_vertices;
+    const uint64_t share = done_ * (1000 - kSourcesPermille) / (uint64_t{mesh_.welded_count} * kFieldCount);
+    return progress_.report(kSourcesPermille + static_cast<uint32_t>(share));
+  }
+  void copy_rule(uint32_t component) const {
+    copy_component(mesh_, component, fields_->field[kFieldRule], &fields_->field[kFieldParts]);
+  }
+
+  void solve_alone(uint32_t component, HeatSolver& solver) const {
+    solver.begin_component(mesh_, scratch_.edges, component);
+    for (uint32_t f = 0; f < kFieldCount; ++f) solve_field(component, f, solver);
+  }
+  void solve_field(uint32_t component, uint32_t field, HeatSolver& solver) const {
+    if (is_copy(component, field)) {
+      copy_rule(component);
+    } else {
+      solver.solve_field(scratch_.sources, field, &fields_->field[field]);
     }
   }
-  return SINEW_OK;
+
+  void solve_together(uint32_t component) const {
+    bool begun[kFieldCount] = {}, left[kFieldCount] = {};  // by lane; by field
+    const bool copy = is_copy(component, kFieldParts);
+    threads_.each(kFieldCount, [&](uint32_t f, uint32_t lane) {
+      if (f == kFieldParts && copy) return;
+      HeatSolver& solver = scratch_.solvers[lane];
+      if (!begun[lane]) solver.begin_component(mesh_, scratch_.edges, component);
+      begun[lane] = true;
+      const bool fronts = solver.with_fronts();
+      solver.solve_field(scratch_.sources, f, &fields_->field[f]);
+      left[f] = fronts && !solver.with_fronts();
+    });
+    // A field that has to do without fronts makes those after it do without: rare, and then a matter for one lane.
+    if (left[kFieldRule] || left[kFieldParts]) return solve_alone(component, scratch_.solvers[0]);
+    if (copy) copy_rule(component);
+  }
+
+  const Mesh& mesh_;
+  Threads threads_;
+  const Progress& progress_;
+  Scratch& scratch_;
+  HeatFields* fields_;
+  uint64_t done_ = 0;  // vertices of all fields
+};
+
+bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
+  for (uint32_t i = 0; i < ComponentWalk::solver_count(counts.threads); ++i) (void)solvers[i].allocate(arena, counts);
+  return arena.ok();
 }
 
 sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
@@ -65,13 +142,13 @@ sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& count
   Kernels kernels;
   (void)select_kernels(kernel, &kernels);
   Scratch scratch;
-  scratch.solver.use(kernels.front);
+  for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, &scratch)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources);
   if (status != SINEW_OK) return status;
   status = weigh_edges(mesh, counts, arena, &scratch.edges);
   if (status != SINEW_OK) return status;
-  if (!scratch.solver.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (!scratch.allocate_solvers(arena, counts)) return SINEW_ERROR_WORKSPACE;
   for (uint32_t f = 0; f < kFieldCount; ++f) {
     for (uint32_t v = 0; v < mesh.welded_count; ++v) {
       fields->field[f].nearest[v] = scratch.sources.nearest[HeatSources::measure_of(f)][v];
@@ -79,7 +156,7 @@ sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& count
     }
   }
   for (uint32_t c = 0; c < mesh.component_count; ++c) fields->component_rule[c] = scratch.sources.component_rule[c];
-  return solve_components(mesh, progress, scratch, fields);
+  return ComponentWalk(mesh, counts.threads, progress, scratch, fields).run();
 }
 
 }  // namespace
@@ -110,7 +187,7 @@ void measure_solve_heat(Arena& arena, const Counts& counts) {
   (void)allocate_inputs(arena, counts, &scratch);
   measure_find_sources(arena, counts);
   measure_weigh_edges(arena, counts);
-  (void)scratch.solver.allocate(arena, counts);
+  (void)scratch.allocate_solvers(arena, counts);
   arena.release(mark);
 }
 

@@ -23,6 +23,8 @@ class HeatSolver {
   void solve_field(const HeatSources& sources, uint32_t field, HeatField* out);
 
   bool iterative() const { return iterative_; }
+  // False from begin_component() on where they do not fit, or from a solve_field() on that they did not do for.
+  bool with_fronts() const { return with_fronts_; }
   // Entries of the factor of the current component (0 when it is solved iteratively).
   uint64_t factor_entries() const {
     return with_fronts_ ? fronts_.factor_entries() : iterative_ ? 0 : factor_.column_start[matrix_.rows];
