@@ -3,6 +3,7 @@
 // fail.
 #include "bind/bind.hpp"
 
+#include "core/build.hpp"
 #include "kernels/select.hpp"
 #include "weights/confidence.hpp"
 #include "weights/given.hpp"
@@ -66,7 +67,7 @@ struct Edit {
 };
 
 bool is_edited(const BindPlan& plan) {
-  return plan.hints != nullptr || plan.symmetric || plan.rigid_parts != SINEW_RIGID_PARTS_AUTO;
+  return kHasExtras && (plan.hints != nullptr || plan.symmetric || plan.rigid_parts != SINEW_RIGID_PARTS_AUTO);
 }
 
 constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
@@ -200,6 +201,8 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
       (o.softness_percent != 0 && (o.softness_percent < 25 || o.softness_percent > 400))) {
     return SINEW_ERROR_ARGUMENT;
   }
+  if (!kHasExtras && (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO))
+    return SINEW_ERROR_ARGUMENT;
   plan->purpose = o.method == SINEW_METHOD_HEAT ? PrepareFor::kHeat : PrepareFor::kNetwork;
   uint32_t candidates = or_default(o.candidate_count, 8), grid = or_default(o.grid_size, 64);
   if (plan->purpose == PrepareFor::kNetwork) {

@@ -47,7 +47,7 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
   measure_find_candidates(arena, counts);
   p.features.allocate(arena, counts);
   measure_build_features(arena, counts);
-  if ((counts.feature_flags & kSpectralFlag) != 0) measure_compute_spectral(arena, counts);
+  if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) measure_compute_spectral(arena, counts);
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
@@ -69,7 +69,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   if (!out->features.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   status = build_features(out->mesh, out->skeleton, out->candidates, out->heat, counts, arena, &out->features);
   if (status != SINEW_OK) return status;
-  if ((counts.feature_flags & kSpectralFlag) != 0) {
+  if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) {
     status = compute_spectral(out->mesh, counts, progress.part(620, 650), arena, out->features.vertex + kVertexFeatures,
                               out->features.vertex_channels);
     if (status != SINEW_OK) return status;

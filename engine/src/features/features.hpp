@@ -4,6 +4,7 @@
 #ifndef SINEW_FEATURES_FEATURES_HPP
 #define SINEW_FEATURES_FEATURES_HPP
 
+#include "core/build.hpp"
 #include "features/candidates.hpp"
 #include "heat/heat.hpp"
 #include "mesh/mesh.hpp"
@@ -13,7 +14,7 @@ namespace sinew {
 constexpr uint32_t kFeatureSet = 1;  // grows whenever a feature changes its meaning; models name the set they need
 // A model's feature set is kFeatureSet in its low 16 bits and flags of what it wants beside it in the high ones.
 constexpr uint32_t kSpectralFlag = 1u << 16;  // the channels of spectral/spectral.hpp, behind the others of a vertex
-constexpr uint32_t kFeatureFlags = kSpectralFlag;
+constexpr uint32_t kFeatureFlags = kHasExtras ? kSpectralFlag : 0;  // that this build knows
 constexpr int kFeatureBits = 13;
 extern const uint32_t kVertexFeatures;  // channels of buffer 0 without flags
 extern const uint32_t kPairFeatures;    // channels of buffer 1
