@@ -17,7 +17,9 @@
 #include "bind/bind.hpp"
 #include "heat_scene.hpp"
 #include "network/network.hpp"
+#if !defined(__EMSCRIPTEN__)
 #include "thread_pool.hpp"
+#endif
 
 namespace {
 
@@ -116,6 +118,9 @@ struct Lanes {
 };
 
 // Rows for 2, 4 and 8 threads: the longest way through a bind, and the time on the clock with real threads.
+#if defined(__EMSCRIPTEN__)
+void measure_threads(const Input&, const sinew_model&, sinew_options, int, uint64_t) {}  // a module has none
+#else
 void measure_threads(const Input& in, const sinew_model& model, sinew_options options, int repeats, uint64_t hash) {
   for (const uint32_t threads : {2u, 4u, 8u}) {
     options.thread_count = threads;
@@ -160,6 +165,7 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
     print("clock", clock);
   }
 }
+#endif
 
 void measure(double vertices, const sinew_model& model, uint32_t kernel, int repeats) {
   const Input in(vertices);

@@ -26,7 +26,10 @@ std::vector<Variant> variants() {
   FrontKernels kernels;
   if (add_front_s32_avx2(&kernels) && cpu.avx2) out.push_back({"avx2", kernels});
   if (add_front_s32_vnni(&kernels) && cpu.vnni) out.push_back({"vnni", kernels});
-#if defined(__x86_64__)
+  if (add_front_s32_simd128(&kernels)) out.push_back({"simd128", kernels});
+#if defined(__wasm_simd128__)
+  EXPECT_EQ(out.size(), 1u);
+#elif defined(__x86_64__)
   EXPECT_EQ(out.size(), size_t{cpu.avx2} + size_t{cpu.vnni});
 #endif
   return out;

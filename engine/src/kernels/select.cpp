@@ -46,7 +46,8 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
       added = cpu.vnni && add_linear_s16_vnni(kernels) && add_x86_rest(kernels) && add_front_s32_vnni(&kernels->front);
       break;
     case SINEW_KERNEL_SIMD128:  // no question to a processor: a module with these instructions does not start without
-      added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels);
+      added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels) &&
+              add_front_s32_simd128(&kernels->front);
       break;
     case SINEW_KERNEL_NEON:  // every ARM64 processor
       added = add_linear_s16_neon(kernels) && add_aggregates_s16_neon(kernels);
