@@ -497,6 +497,60 @@ TEST(Solver, IterativeAgreesWithTheFactor) {
   EXPECT_LT(largest, 1e-4);
 }
 
+// A strip whose border triangles are very flat: the matrix is indefinite, because a border edge counts in full.
+HeatScene flat_strip(int columns) {
+  HeatScene scene;
+  for (int i = 0; i <= columns; ++i) {
+    scene.add_vertex(i, 3, 0);
+    scene.add_vertex(i + 0.5, 3.05, 0.02 * (i % 3));
+    scene.add_vertex(i, 6, 0.1);
+  }
+  for (uint32_t i = 0; i < static_cast<uint32_t>(columns); ++i) {
+    const uint32_t a = 3 * i;
+    scene.add_triangle(a, a + 1, a + 3);
+    scene.add_triangle(a, a + 2, a + 1);
+    scene.add_triangle(a + 1, a + 2, a + 5);
+    scene.add_triangle(a + 1, a + 5, a + 3);
+  }
+  for (int j = 0; 50 * j < columns; ++j) scene.add_joint(50 * j, 4, -2, j - 1);
+  return scene;
+}
+
+TEST(Solver, LargeIndefinitePartsKeepToFronts) {
+  const HeatScene scene = flat_strip(22000);
+  HeatRun run(scene, false);
+  ASSERT_EQ(run.status, SINEW_OK);
+  ASSERT_GT(run.mesh.component_sizes[0], 65536u);
+  const Sources sources(run);
+  Arena measure;
+  EdgeWeights edges;
+  HeatSolver solver;
+  const auto allocate = [&](Arena& arena) {
+    run.fields.allocate(arena, run.counts);
+    edges.allocate(arena, run.counts);
+    solver.allocate(arena, run.counts);
+  };
+  allocate(measure);
+  measure_weigh_edges(measure, run.counts);
+  Block block(measure.high_water());
+  allocate(block.arena);
+  block.arena.release(0);
+  run.fields.allocate(block.arena, run.counts);
+  edges.allocate(block.arena, run.counts);
+  ASSERT_EQ(weigh_edges(run.mesh, run.counts, block.arena, &edges), SINEW_OK);
+  solver.allocate(block.arena, run.counts);
+  std::copy_n(sources.found.nearest[0], run.mesh.welded_count, run.fields.field[0].nearest);
+  solver.begin_component(run.mesh, edges, 0);
+  solver.solve_field(sources.found, kFieldRule, &run.fields.field[0]);
+  EXPECT_TRUE(solver.with_fronts());
+  EXPECT_FALSE(solver.iterative());
+  for (uint32_t v = 0; v < run.mesh.welded_count; v += 7) {
+    double sum = 0;
+    for (uint32_t s = 0; s < kHeatSlots; ++s) sum += run.fields.field[kFieldRule].weights[v * kHeatSlots + s] / 32768.0;
+    ASSERT_NEAR(sum, 1.0, 1e-3) << v;
+  }
+}
+
 TEST(Solver, TanglesDoNotFitTheFactor) {
   const HeatRun run(sinew_test::tangle(700, 1500, 4, 5), false);
   ASSERT_EQ(run.status, SINEW_OK);

@@ -11,8 +11,9 @@ namespace {
 
 constexpr uint8_t kNoLane = 0xFF;
 constexpr uint8_t kListed = 0xFE;
-constexpr int kWellConditionedBits = 28;  // of Factor::smallest_bits; each bit less costs the solution one
-constexpr uint32_t kRefinements = 3;      // each wins about 20 bits back
+constexpr int kWellConditionedBits = 28;       // of Factor::smallest_bits; each bit less costs the solution one
+constexpr uint32_t kRefinements = 3;           // each wins about 20 bits back
+constexpr uint32_t kMostForFactor = 1u << 16;  // vertices: the sparse factor's time grows faster than they do
 constexpr int32_t kOne = 1 << kSolutionBits;
 constexpr int32_t kWild = kOne;
 constexpr int32_t kSmallestKept = 32768 >> 12;  // Q15
@@ -306,7 +307,12 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
   set_pulls(sources, field);
   matrix_.positive = false;
   if (with_fronts_) {
-    if (try_fronts(sources, field, out)) {
+    bool done = try_fronts(sources, field, out);
+    if (!done && matrix_.rows > kMostForFactor) {
+      matrix_.positive = true;
+      done = try_fronts(sources, field, out);
+    }
+    if (done) {
       divide_by_totals(out);
       return;
     }

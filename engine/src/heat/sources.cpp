@@ -2,6 +2,8 @@
 // Nearest bones, ties, the visibility rule and the strength of sources (stage 4).
 #include "heat/sources.hpp"
 
+#include <string.h>
+
 namespace sinew {
 namespace {
 
@@ -19,13 +21,21 @@ struct Bone {
 };
 
 struct BoneList {
-  Bone* bones = nullptr;        // [J]
-  uint64_t* euclid2 = nullptr;  // [lanes x J] of the vertex at hand, Q12
+  Bone* bones = nullptr;                // [J]
+  int32_t *low[3] = {}, *high[3] = {};  // [J] boxes around the bones, a grid unit wider for the sake of rounding
+  // Of the vertex at hand, [J] for every lane: Euclid^2 in Q12, or a lower bound of it until `known` is 1.
+  uint64_t* euclid2 = nullptr;
+  uint8_t* known = nullptr;
   uint32_t count = 0;
 
   bool allocate(Arena& arena, const Counts& counts) {
     bones = arena.alloc<Bone>(counts.joints);
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = arena.alloc<int32_t>(counts.joints);
+      high[axis] = arena.alloc<int32_t>(counts.joints);
+    }
     euclid2 = arena.alloc<uint64_t>(static_cast<size_t>(counts.joints) * counts.threads.lanes);
+    known = arena.alloc<uint8_t>(static_cast<size_t>(counts.joints) * counts.threads.lanes);
     return arena.ok();
   }
   void build(const Skeleton& skeleton) {
@@ -36,6 +46,13 @@ struct BoneList {
     count = 0;
     for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
       if (chosen[j] == 0) continue;
+      const int32_t ends[2][3] = {{skeleton.positions[j].x, skeleton.positions[j].y, skeleton.positions[j].z},
+                                  {skeleton.bone_tail[j].x, skeleton.bone_tail[j].y, skeleton.bone_tail[j].z}};
+      for (int axis = 0; axis < 3; ++axis) {
+        const bool falls = ends[1][axis] < ends[0][axis];
+        low[axis][count] = ends[falls ? 1 : 0][axis] - 1;
+        high[axis][count] = ends[falls ? 0 : 1][axis] + 1;
+      }
       Bone& bone = bones[count++];
       bone.head = skeleton.positions[j];
       bone.tail = skeleton.bone_tail[j];
@@ -95,6 +112,7 @@ class SourceFinder {
         tree_(tree),
         list_(list),
         euclid2_(list.euclid2 + static_cast<size_t>(list.count) * lane),
+        known_(list.known + static_cast<size_t>(list.count) * lane),
         out_(out) {}
 
   void run(uint32_t vertex) {
@@ -104,15 +122,37 @@ class SourceFinder {
     first_ = tree_.component_first[component];
     last_ = tree_.component_first[component + 1];
     own_hint_ = FaceTree::kNoFace;
-    for (uint32_t b = 0; b < list_.count; ++b) {
-      const Vec3i offset = offset_from_bone(list_.bones[b], position_);
-      euclid2_[b] = static_cast<uint64_t>(dot(offset, offset));
-    }
+    bound_distances();
     with_cosine();
     soft();
   }
 
  private:
+  static uint32_t gap(int32_t low, int32_t value, int32_t high) {
+    const int32_t under = low - value, over = value - high;
+    const int32_t larger = under > over ? under : over;
+    return larger > 0 ? static_cast<uint32_t>(larger) : 0;
+  }
+  // Most bones are so far away that their boxes say enough.
+  void bound_distances() {
+    memset(known_, 0, list_.count);
+    for (uint32_t b = 0; b < list_.count; ++b) {
+      const uint64_t x = gap(list_.low[0][b], position_.x, list_.high[0][b]);
+      const uint64_t y = gap(list_.low[1][b], position_.y, list_.high[1][b]);
+      const uint64_t z = gap(list_.low[2][b], position_.z, list_.high[2][b]);
+      euclid2_[b] = (x * x + y * y + z * z) << (2 * kDistanceBits);
+    }
+  }
+  uint64_t euclid2(uint32_t bone) {
+    if (known_[bone] == 0) {
+      known_[bone] = 1;
+      const Vec3i offset = offset_from_bone(list_.bones[bone], position_);
+      euclid2_[bone] = static_cast<uint64_t>(dot(offset, offset));
+    }
+    return euclid2_[bone];
+  }
+  bool beyond(uint32_t bone, uint64_t limit) { return euclid2_[bone] > limit || euclid2(bone) > limit; }
+
   bool hidden_by_own(uint32_t bone) {
     const Vec3i target = seen_point(position_, offset_from_bone(list_.bones[bone], position_));
     return tree_.hidden(mesh_, vertex_, target, first_, last_, false, &own_hint_);
@@ -121,8 +161,8 @@ class SourceFinder {
     const Vec3i target = seen_point(position_, offset_from_bone(list_.bones[bone], position_));
     return tree_.hidden(mesh_, vertex_, target, first_, last_, true, &other_hint_);
   }
-  int64_t distance_of(uint32_t bone) const {
-    return cosine_distance(offset_from_bone(list_.bones[bone], position_), euclid2_[bone], mesh_.normals[vertex_]);
+  int64_t distance_of(uint32_t bone) {
+    return cosine_distance(offset_from_bone(list_.bones[bone], position_), euclid2(bone), mesh_.normals[vertex_]);
   }
   // No bone with a larger Euclid^2 can have a distance tied with `distance`: the cosine divides by at most 1.0005.
   static uint64_t reach2(int64_t distance) {
@@ -137,7 +177,7 @@ class SourceFinder {
     int64_t smallest = distance_of(best);
     uint64_t limit = reach2(smallest);
     for (uint32_t b = 0; b < list_.count; ++b) {
-      if (b == best || euclid2_[b] > limit) continue;
+      if (b == best || beyond(b, limit)) continue;
       const int64_t distance = distance_of(b);
       if (distance < smallest || (distance == smallest && b < best)) {
         best = b;
@@ -150,7 +190,7 @@ class SourceFinder {
     uint8_t parts = 0, merged = 0;
     tie_count_ = 0;
     for (uint32_t b = 0; b < list_.count && tie_count_ < kMaxTies; ++b) {
-      if (euclid2_[b] > limit || (b != best && !tied(distance_of(b), smallest))) continue;
+      if (beyond(b, limit) || (b != best && !tied(distance_of(b), smallest))) continue;
       tie_bones_[tie_count_] = b;
       ties[tie_count_] = list_.bones[b].joint;
       if (!hidden_by_own(b)) {
@@ -173,12 +213,15 @@ class SourceFinder {
     return !hidden_by_own(bone);
   }
 
-  uint32_t nearest_untried() const {
-    uint32_t best = 0;
-    for (uint32_t b = 1; b < list_.count; ++b) {
-      if (euclid2_[b] < euclid2_[best]) best = b;
+  uint32_t nearest_untried() {
+    for (;;) {
+      uint32_t best = 0;
+      for (uint32_t b = 1; b < list_.count; ++b) {
+        if (euclid2_[b] < euclid2_[best]) best = b;
+      }
+      if (known_[best] != 0) return best;
+      (void)euclid2(best);  // a bound was the smallest: it may not stay so
     }
-    return best;
   }
 
   // Nearest visible bones by plain distance; euclid2 is used up.
@@ -191,8 +234,7 @@ class SourceFinder {
     out_.nearest[1][vertex_] = list_.bones[nearest].joint;
     // Without a visible bone the tied nearest ones stay, masked out, for components that see nothing at all.
     for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
-      if (euclid2_[b] <= reach2(smallest) && tied(euclid_q6(euclid2_[b]), smallest))
-        ties[count++] = list_.bones[b].joint;
+      if (!beyond(b, reach2(smallest)) && tied(euclid_q6(euclid2_[b]), smallest)) ties[count++] = list_.bones[b].joint;
     }
     for (;;) {
       const uint32_t bone = nearest_untried();
@@ -204,7 +246,7 @@ class SourceFinder {
       smallest = euclid_q6(euclid2_[bone]);
       count = 0;
       for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
-        if (euclid2_[b] > reach2(smallest) || !tied(euclid_q6(euclid2_[b]), smallest)) continue;
+        if (beyond(b, reach2(smallest)) || !tied(euclid_q6(euclid2_[b]), smallest)) continue;
         if (b != bone && !seen_past_own(b)) continue;
         mask = static_cast<uint8_t>(mask | 1u << count);
         ties[count++] = list_.bones[b].joint;
@@ -219,7 +261,8 @@ class SourceFinder {
   const Mesh& mesh_;
   const FaceTree& tree_;
   const BoneList& list_;
-  uint64_t* const euclid2_;  // [list_.count] the lane's
+  uint64_t* const euclid2_;
+  uint8_t* const known_;  // [list_.count] the lane's
   HeatSources& out_;
   uint32_t vertex_ = 0;
   Vec3i position_ = {0, 0, 0};

@@ -66,7 +66,8 @@ uint32_t group_count(uint32_t triangles) {
 // Bit i: the box around the segment meets box i. Without comparisons, so that compilers make vector code of it: a
 // difference is negative where the two are apart.
 uint32_t boxes_met(const FaceTree::Group& group, Vec3i low, Vec3i high) {
-  constexpr int32_t kBits[FaceTree::kWidth] = {1, 2, 4, 8, 16, 32, 64, 128};
+  constexpr int32_t kBits[FaceTree::kWidth] = {1,   2,   4,    8,    16,   32,   64,    128,
+                                               256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
   int32_t apart[FaceTree::kWidth];
   for (uint32_t i = 0; i < FaceTree::kWidth; ++i) {
     apart[i] = (high.x - group.low[0][i]) | (group.high[0][i] - low.x) | (high.y - group.low[1][i]) |
@@ -77,11 +78,7 @@ uint32_t boxes_met(const FaceTree::Group& group, Vec3i low, Vec3i high) {
   return static_cast<uint32_t>(met);
 }
 
-uint32_t lowest_bit(uint32_t mask) {
-  uint32_t bit = 0;
-  while ((mask >> bit & 1) == 0) ++bit;
-  return bit;
-}
+uint32_t lowest_bit(uint32_t mask) { return static_cast<uint32_t>(top_bit(mask & (~mask + 1))); }
 
 }  // namespace
 

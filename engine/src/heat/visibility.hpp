@@ -20,8 +20,8 @@ bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 // that consecutive triangles are near each other and a tree over runs of them needs no sorting: kLeafFaces triangles
 // share a box, kWidth boxes a group, and the box around a group is one of the next level.
 struct FaceTree {
-  static constexpr uint32_t kLeafFaces = 4;
-  static constexpr uint32_t kWidth = 8;
+  static constexpr uint32_t kLeafFaces = 2;
+  static constexpr uint32_t kWidth = 16;
   static constexpr uint32_t kMostLevels = 11;  // 8^11 leaves are more than there can be
   static constexpr uint32_t kNoFace = 0xFFFFFFFFu;
 
