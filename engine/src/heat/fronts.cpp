@@ -10,8 +10,9 @@
 namespace sinew {
 namespace {
 
-constexpr int32_t kSmallestPivot = 1 << 10;  // Q30
-constexpr int kWidestRange = 24;             // of the rows' exponents
+constexpr int32_t kSmallestPivot = 1 << 10;    // Q30
+constexpr int32_t kLargestSolution = 1 << 30;  // Q28: only where the matrix is not what it should be
+constexpr int kWidestRange = 24;               // of the rows' exponents
 
 // value / 2^shift rounded half up; a negative shift multiplies.
 int64_t shifted(int64_t value, int shift) {
@@ -357,7 +358,7 @@ void FrontFactor::substitute_front(const FrontKernels& kernels, uint32_t index) 
         const int64_t left = wrapping_subtract(v, round_shift(sum[lane], shift));
         const int64_t solution =
             wrapping_add(wrapping_multiply(left, inverse), static_cast<int64_t>(1) << (kFrontBits - 1)) >> kFrontBits;
-        x[lane] = clamp32(solution, -0x7FFFFFFF, 0x7FFFFFFF);
+        x[lane] = clamp32(solution, -kLargestSolution, kLargestSolution);
         lanes_[k * kFrontLanes + lane] = static_cast<int32_t>(round_shift(x[lane], lift));
       }
     }

@@ -11,7 +11,7 @@
 // Numbers. Row i of the matrix M is scaled by 2^-e[i], so that its diagonal is in [1/4, 1).
 //   G, the Cholesky factor of the scaled matrix: int32 Q30. The squares of a row sum to the diagonal, so entries are
 //     below 1 and sums of products below 2^60. Every entry of a front is rounded once for all of its pivots.
-//   solution x: int32 Q28. A definite matrix gives 0 .. 1, negative edge weights a little more.
+//   solution x: int32 Q28, clamped to +-4. A definite matrix gives 0 .. 1, negative edge weights a little more.
 //   right-hand sides, and what is eliminated of them, as 4^-e times their value, v = G^-1 of it as 2^-e: both at most
 //     the diagonal times x, so int32 Q28, too.
 // A matrix that is not definite makes all of this wrap, in a defined way, and shows in the pivots or in the rows' sums.

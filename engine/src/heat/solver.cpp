@@ -18,6 +18,14 @@ constexpr int32_t kOne = 1 << kSolutionBits;
 constexpr int32_t kWild = kOne;
 constexpr int32_t kSmallestKept = 32768 >> 12;  // Q15
 
+void prefetch(const void* address) {
+#if defined(__GNUC__)
+  __builtin_prefetch(address, 1);
+#else
+  (void)address;
+#endif
+}
+
 // Keeps a row of kHeatSlots sorted by falling weight, ties by lower joint.
 void insert(uint16_t joint, uint16_t weight, uint16_t* joints, uint16_t* weights) {
   const auto comes_first = [&](uint32_t slot) {
@@ -189,25 +197,35 @@ void HeatSolver::clear_rows(HeatField* out) {
 void HeatSolver::keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_t first, uint32_t count,
                             const int32_t* x, HeatField* out) {
   constexpr int kToQ15 = kFrontSolutionBits - 15;
-  constexpr int32_t kLeast = kSmallestKept * (1 << kToQ15) - (1 << (kToQ15 - 1));  // rounds to kSmallestKept
+  constexpr int32_t kHalf = 1 << (kToQ15 - 1);
+  constexpr int32_t kFrontOne = 1 << kFrontSolutionBits;
+  constexpr uint32_t kAhead = 6;
   for (uint32_t k = first; k < first + count; ++k, x += kFrontLanes) {
-    uint32_t kept = 0;
+    if (k + kAhead < matrix_.rows) {  // waiting for rows was half of the time
+      const size_t later = static_cast<size_t>(ordering_.order[k + kAhead]) * kHeatSlots;
+      prefetch(out->weights + later);
+      prefetch(out->joints + later);
+    }
+    const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
+    uint16_t* const joints = out->joints + slots;
+    uint16_t* const weights = out->weights + slots;
+    // What rounds to less than the row's last weight is of no use; solutions are within +-4, so differences fit.
+    const int32_t last = weights[kHeatSlots - 1] > kSmallestKept ? weights[kHeatSlots - 1] : kSmallestKept;
+    const int32_t below = last * (1 << kToQ15) - kHalf - 1;
     int64_t sum = 0;
+    int32_t useful = 0, out_of_range = 0;
     for (uint32_t lane = 0; lane < kFrontLanes; ++lane) {
       sum += x[lane];
-      kept |= static_cast<uint32_t>(x[lane] >= kLeast || x[lane] < -kLeast) << lane;
+      useful |= (below - x[lane]) >> 31 & static_cast<int32_t>(1u << lane);
+      out_of_range |= (x[lane] + kFrontOne) | (2 * kFrontOne - x[lane]);
     }
     total_[k] += sum;
-    if (kept == 0) continue;
-    const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
-    for (uint32_t lane = 0; lane < lanes; ++lane) {
-      if ((kept >> lane & 1) == 0) continue;
-      constexpr int32_t kFrontOne = 1 << kFrontSolutionBits;
-      wild_ = wild_ || x[lane] < -kFrontOne || x[lane] > 2 * kFrontOne;
-      if (x[lane] < kLeast) continue;
+    wild_ = wild_ || out_of_range < 0;
+    for (uint32_t rest = static_cast<uint32_t>(useful); rest != 0; rest &= rest - 1) {
+      const uint32_t lane = static_cast<uint32_t>(top_bit(rest & (~rest + 1)));
+      if (lane >= lanes) break;
       const int64_t weight = round_shift(x[lane], kToQ15);
-      insert(lane_joints[lane], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), out->joints + slots,
-             out->weights + slots);
+      insert(lane_joints[lane], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), joints, weights);
     }
   }
 }
