@@ -173,11 +173,12 @@ void FrontFactor::add_child(uint32_t child, const Front& front, uint32_t height,
   const uint32_t count = border(child), below = height - front.pivots;
   for (uint32_t j = 0; j < count; ++j) {
     const uint32_t column = mark_[rows[j]];
-    int32_t* const target = column < front.pivots
-                                ? columns + static_cast<size_t>(column) * height
-                                : corner + static_cast<size_t>(column - front.pivots) * below - front.pivots;
+    const bool own = column < front.pivots;
+    const uint32_t skipped = own ? 0 : front.pivots;  // rows that the corner's columns do not have
+    int32_t* const target = own ? columns + static_cast<size_t>(column) * height
+                                : corner + static_cast<size_t>(column - front.pivots) * below;
     for (uint32_t i = j; i < count; ++i, ++rest) {
-      int32_t& entry = target[mark_[rows[i]]];
+      int32_t& entry = target[mark_[rows[i]] - skipped];
       entry = static_cast<int32_t>(static_cast<uint32_t>(entry) + static_cast<uint32_t>(*rest));
     }
   }
