@@ -80,8 +80,9 @@ struct Row {  // a finished heat row
   }
 };
 
-// What one part thinks of each joint, refilled part by part.
-struct PartTables {
+// What one part thinks of each joint, refilled part by part. One per lane lies in the workspace, whose size must not
+// depend on the host's pointers: aligned to a multiple that both kinds fill.
+struct alignas(64) PartTables {
   int64_t* own = nullptr;      // [J] sum of rule weights over the part's vertices, Q15
   int64_t* subtree = nullptr;  // [J] the same summed over the joint's subtree
   int64_t* host = nullptr;     // [J] sum of rule weights over the host vertices
@@ -112,6 +113,8 @@ struct PartTables {
     return arena.ok();
   }
 };
+
+static_assert(sizeof(PartTables) == 128, "the workspace would have another size on this host");
 
 constexpr uint32_t kSmallPart = 256;  // vertices: parts below it are a lane's work each, larger ones all lanes'
 
