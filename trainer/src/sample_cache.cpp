@@ -33,7 +33,7 @@ void serialize(Archive& archive, Sample& s) {
 
 namespace {
 
-constexpr uint64_t kCacheVersion = 2;  // grows whenever the file's layout changes
+constexpr uint64_t kCacheVersion = 3;  // grows whenever the file's layout or, in its last bits, a feature changes
 constexpr char kMagic[8] = {'S', 'N', 'W', 'S', 'M', 'P', 'L', '1'};
 
 uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {
