@@ -32,10 +32,15 @@ def main():
     repeats = sys.argv[3] if len(sys.argv) > 3 else "3"
     here = os.path.dirname(os.path.abspath(__file__))
     model = os.path.join(here, "..", "..", "samples", "data", "sinew_default.sinew")
+    bench = os.path.join(build, "tests", "bench", "sinew_bench_peers")
+    if not os.path.isfile(bench):
+        sys.exit(f"peers.py: {bench} is missing: configure with -DSINEW_BUILD_BENCH=ON and build sinew_bench_peers")
+    if not os.path.isdir(folder):
+        sys.exit(f"peers.py: {folder} is no folder: expected one of NAME.obj + NAME.rig.txt")
     if shutil.which("blender") is None:
         sys.exit("peers.py: the command blender is missing: apt-get install blender")
     script = os.path.join(here, "blender_heat.py")
-    ours = rows([os.path.join(build, "tests", "bench", "sinew_bench_peers"), model, folder, repeats], "machine,")
+    ours = rows([bench, model, folder, repeats], "machine,")
     blender = {
         row["character"]: row
         for row in rows(

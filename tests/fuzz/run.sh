@@ -4,6 +4,7 @@
 # beside the build; stops with 1 at the first finding. Prints how many inputs were run.
 #   tests/fuzz/run.sh BUILD_DIR TARGET [CPU_SECONDS]
 set -euo pipefail
+[ $# -ge 2 ] || { echo "usage: tests/fuzz/run.sh BUILD_DIR obj|rig|glb|model|bind [CPU_SECONDS]" >&2; exit 2; }
 build=$1 target=$2 seconds=${3:-600}
 here=$(cd "$(dirname "$0")" && pwd)
 program=$build/tests/sinew_fuzz_$target
