@@ -5,98 +5,62 @@
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 
-#include "kernels/isolated.hpp"
+#include "kernels/front_s32_lanes.hpp"
 
 namespace sinew {
 namespace {
 
-constexpr uint32_t kLanes = 4;
+struct LanesSimd128 {
+  using Int32 = v128_t;
+  using Mask = uint32_t;  // how many; there are no masked loads, and a tail comes once per column of a front
+  using Values = v128_t;
+  struct Sums {
+    v128_t low, high;
+  };
+  static constexpr uint32_t kLanes = 4;
 
-// Sums of products of four values with one factor per column.
-template <uint32_t kColumns>
-struct Sums {
-  v128_t low[kColumns], high[kColumns];
-
-  SINEW_INLINE Sums() {
-    SINEW_UNROLL
-    for (uint32_t c = 0; c < kColumns; ++c) low[c] = high[c] = wasm_i64x2_const_splat(0);
+  static SINEW_INLINE Mask first(uint32_t n) { return n; }
+  static SINEW_INLINE v128_t load(const int32_t* from) { return wasm_v128_load(from); }
+  static SINEW_INLINE v128_t load(const int32_t* from, Mask n) {
+    int32_t four[kLanes] = {};
+    for (uint32_t i = 0; i < n; ++i) four[i] = from[i];
+    return wasm_v128_load(four);
   }
-  SINEW_INLINE void add(uint32_t c, v128_t values, int32_t factor) {
+  static SINEW_INLINE void store(int32_t* to, v128_t value) { wasm_v128_store(to, value); }
+  static SINEW_INLINE void store(int32_t* to, v128_t value, Mask n) {
+    int32_t four[kLanes];
+    wasm_v128_store(four, value);
+    for (uint32_t i = 0; i < n; ++i) to[i] = four[i];
+  }
+
+  static SINEW_INLINE Values values(v128_t row) { return row; }
+  static SINEW_INLINE Sums zero() { return {wasm_i64x2_const_splat(0), wasm_i64x2_const_splat(0)}; }
+  static SINEW_INLINE Sums add(Sums sums, Values values, int32_t factor) {
     const v128_t factors = wasm_i32x4_splat(factor);
-    low[c] = wasm_i64x2_add(low[c], wasm_i64x2_extmul_low_i32x4(values, factors));
-    high[c] = wasm_i64x2_add(high[c], wasm_i64x2_extmul_high_i32x4(values, factors));
+    return {wasm_i64x2_add(sums.low, wasm_i64x2_extmul_low_i32x4(values, factors)),
+            wasm_i64x2_add(sums.high, wasm_i64x2_extmul_high_i32x4(values, factors))};
+  }
+  // No arithmetic shift is needed for the low 32 bits.
+  static SINEW_INLINE v128_t less(v128_t out, Sums sums) {
+    const v128_t half = wasm_i64x2_const_splat(1 << (kFrontBits - 1));
+    return wasm_i32x4_sub(out,
+                          wasm_i32x4_shuffle(wasm_u64x2_shr(wasm_i64x2_add(sums.low, half), kFrontBits),
+                                             wasm_u64x2_shr(wasm_i64x2_add(sums.high, half), kFrontBits), 0, 2, 4, 6));
+  }
+  static SINEW_INLINE void store_sums(int64_t* to, Sums sums) {
+    wasm_v128_store(to, sums.low);
+    wasm_v128_store(to + 2, sums.high);
   }
 };
 
-// The low 32 bits of (sum + half) >> kFrontBits; no arithmetic shift is needed for them.
-SINEW_INLINE v128_t rounded(v128_t low, v128_t high) {
-  const v128_t half = wasm_i64x2_const_splat(1 << (kFrontBits - 1));
-  return wasm_i32x4_shuffle(wasm_u64x2_shr(wasm_i64x2_add(low, half), kFrontBits),
-                            wasm_u64x2_shr(wasm_i64x2_add(high, half), kFrontBits), 0, 2, 4, 6);
-}
-
-template <uint32_t kColumns>
-SINEW_INLINE void update(const int32_t* g, size_t stride, uint32_t pivots, uint32_t rows, int32_t* target,
-                         size_t target_stride) {
-  uint32_t i = 0;
-  for (; i + kLanes <= rows; i += kLanes) {
-    Sums<kColumns> sums;
-    const int32_t* column = g;
-    for (uint32_t k = 0; k < pivots; ++k, column += stride) {
-      const v128_t values = wasm_v128_load(column + i);
-      SINEW_UNROLL
-      for (uint32_t c = 0; c < kColumns; ++c) sums.add(c, values, column[c]);
-    }
-    SINEW_UNROLL
-    for (uint32_t c = 0; c < kColumns; ++c) {
-      int32_t* const out = target + c * target_stride + i;
-      wasm_v128_store(out, wasm_i32x4_sub(wasm_v128_load(out), rounded(sums.low[c], sums.high[c])));
-    }
-  }
-  for (; i < rows; ++i) {
-    for (uint32_t c = 0; c < kColumns; ++c) {
-      uint64_t sum = 1u << (kFrontBits - 1);
-      const int32_t* column = g;
-      for (uint32_t k = 0; k < pivots; ++k, column += stride) {
-        sum += static_cast<uint64_t>(static_cast<int64_t>(column[i]) * column[c]);
-      }
-      int32_t* const out = target + c * target_stride + i;
-      *out = static_cast<int32_t>(static_cast<uint32_t>(*out) - static_cast<uint32_t>(sum >> kFrontBits));
-    }
-  }
-}
-
 void front_update_simd128(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows,
                           int32_t* target, size_t target_stride) {
-  switch (columns) {
-    case 4:
-      return update<4>(g, stride, pivots, rows, target, target_stride);
-    case 3:
-      return update<3>(g, stride, pivots, rows, target, target_stride);
-    case 2:
-      return update<2>(g, stride, pivots, rows, target, target_stride);
-    default:
-      return update<1>(g, stride, pivots, rows, target, target_stride);
-  }
+  front_update<LanesSimd128>(g, stride, pivots, columns, rows, target, target_stride);
 }
 
 void front_lanes_simd128(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes,
                          int64_t* sums) {
-  for (uint32_t lane = 0; lane < kFrontLanes; lane += kLanes) {
-    Sums<kFrontColumns> part;
-    const int32_t* factors = g;
-    const int32_t* values = lanes + lane;
-    for (uint32_t t = 0; t < terms; ++t, factors += step, values += kFrontLanes) {
-      const v128_t four = wasm_v128_load(values);
-      SINEW_UNROLL
-      for (uint32_t c = 0; c < kFrontColumns; ++c) part.add(c, four, factors[c * next]);
-    }
-    SINEW_UNROLL
-    for (uint32_t c = 0; c < kFrontColumns; ++c) {
-      wasm_v128_store(sums + c * kFrontLanes + lane, part.low[c]);
-      wasm_v128_store(sums + c * kFrontLanes + lane + 2, part.high[c]);
-    }
-  }
+  front_lanes<LanesSimd128>(g, next, step, terms, lanes, sums);
 }
 
 }  // namespace

@@ -5,83 +5,55 @@
 #if defined(__AVX512F__)
 #include <immintrin.h>
 
-#include "kernels/isolated.hpp"
+#include "kernels/front_s32_lanes.hpp"
 
 namespace sinew {
 namespace {
 
-// The low 32 bits of (sum + half) >> kFrontBits; no arithmetic shift is needed for them.
-SINEW_INLINE __m512i rounded(__m512i even, __m512i odd) {
-  const __m512i half = _mm512_set1_epi64(1 << (kFrontBits - 1));
-  const __m512i low = _mm512_srli_epi64(_mm512_add_epi64(even, half), kFrontBits);
-  const __m512i high = _mm512_slli_epi64(_mm512_add_epi64(odd, half), 32 - kFrontBits);
-  return _mm512_mask_blend_epi32(0xAAAA, low, high);
-}
+struct LanesAvx512 {
+  using Int32 = __m512i;
+  using Mask = __mmask16;
+  struct Values {
+    __m512i even, odd;
+  };
+  using Sums = Values;
+  static constexpr uint32_t kLanes = 16;
 
-template <uint32_t kColumns>
-SINEW_INLINE void update(const int32_t* g, size_t stride, uint32_t pivots, uint32_t rows, int32_t* target,
-                         size_t target_stride) {
-  for (uint32_t i = 0; i < rows; i += 16) {
-    const uint32_t left = rows - i;
-    const __mmask16 mask = static_cast<__mmask16>(left < 16 ? (1u << left) - 1 : 0xFFFF);
-    __m512i even[kColumns], odd[kColumns];
-    SINEW_UNROLL
-    for (uint32_t c = 0; c < kColumns; ++c) even[c] = odd[c] = _mm512_setzero_si512();
-    const int32_t* column = g;
-    for (uint32_t k = 0; k < pivots; ++k, column += stride) {
-      const __m512i values = _mm512_maskz_loadu_epi32(mask, column + i);
-      const __m512i others = _mm512_srli_epi64(values, 32);
-      SINEW_UNROLL
-      for (uint32_t c = 0; c < kColumns; ++c) {
-        const __m512i factor = _mm512_set1_epi32(column[c]);
-        even[c] = _mm512_add_epi64(even[c], _mm512_mul_epi32(values, factor));
-        odd[c] = _mm512_add_epi64(odd[c], _mm512_mul_epi32(others, factor));
-      }
-    }
-    SINEW_UNROLL
-    for (uint32_t c = 0; c < kColumns; ++c) {
-      int32_t* const out = target + c * target_stride + i;
-      _mm512_mask_storeu_epi32(out, mask,
-                               _mm512_sub_epi32(_mm512_maskz_loadu_epi32(mask, out), rounded(even[c], odd[c])));
-    }
+  static SINEW_INLINE Mask first(uint32_t n) { return static_cast<Mask>((1u << n) - 1); }
+  static SINEW_INLINE __m512i load(const int32_t* from) { return _mm512_loadu_si512(from); }
+  static SINEW_INLINE __m512i load(const int32_t* from, Mask mask) { return _mm512_maskz_loadu_epi32(mask, from); }
+  static SINEW_INLINE void store(int32_t* to, __m512i value) { _mm512_storeu_si512(to, value); }
+  static SINEW_INLINE void store(int32_t* to, __m512i value, Mask mask) { _mm512_mask_storeu_epi32(to, mask, value); }
+
+  static SINEW_INLINE Values values(__m512i row) { return {row, _mm512_srli_epi64(row, 32)}; }
+  static SINEW_INLINE Sums zero() { return {_mm512_setzero_si512(), _mm512_setzero_si512()}; }
+  static SINEW_INLINE Sums add(Sums sums, Values values, int32_t factor) {
+    const __m512i factors = _mm512_set1_epi32(factor);
+    return {_mm512_add_epi64(sums.even, _mm512_mul_epi32(values.even, factors)),
+            _mm512_add_epi64(sums.odd, _mm512_mul_epi32(values.odd, factors))};
   }
-}
+  // No arithmetic shift is needed for the low 32 bits.
+  static SINEW_INLINE __m512i less(__m512i out, Sums sums) {
+    const __m512i half = _mm512_set1_epi64(1 << (kFrontBits - 1));
+    const __m512i low = _mm512_srli_epi64(_mm512_add_epi64(sums.even, half), kFrontBits);
+    const __m512i high = _mm512_slli_epi64(_mm512_add_epi64(sums.odd, half), 32 - kFrontBits);
+    return _mm512_sub_epi32(out, _mm512_mask_blend_epi32(0xAAAA, low, high));
+  }
+  static SINEW_INLINE void store_sums(int64_t* to, Sums sums) {
+    const __m512i first_half = _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11),
+                  second_half = _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15);
+    _mm512_storeu_si512(to, _mm512_permutex2var_epi64(sums.even, first_half, sums.odd));
+    _mm512_storeu_si512(to + 8, _mm512_permutex2var_epi64(sums.even, second_half, sums.odd));
+  }
+};
 
 void front_update_vnni(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows,
                        int32_t* target, size_t target_stride) {
-  switch (columns) {
-    case 4:
-      return update<4>(g, stride, pivots, rows, target, target_stride);
-    case 3:
-      return update<3>(g, stride, pivots, rows, target, target_stride);
-    case 2:
-      return update<2>(g, stride, pivots, rows, target, target_stride);
-    default:
-      return update<1>(g, stride, pivots, rows, target, target_stride);
-  }
+  front_update<LanesAvx512>(g, stride, pivots, columns, rows, target, target_stride);
 }
 
 void front_lanes_vnni(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes, int64_t* sums) {
-  __m512i even[kFrontColumns], odd[kFrontColumns];
-  SINEW_UNROLL
-  for (uint32_t c = 0; c < kFrontColumns; ++c) even[c] = odd[c] = _mm512_setzero_si512();
-  for (uint32_t t = 0; t < terms; ++t, g += step, lanes += kFrontLanes) {
-    const __m512i values = _mm512_loadu_si512(lanes);
-    const __m512i others = _mm512_srli_epi64(values, 32);
-    SINEW_UNROLL
-    for (uint32_t c = 0; c < kFrontColumns; ++c) {
-      const __m512i factor = _mm512_set1_epi32(g[c * next]);
-      even[c] = _mm512_add_epi64(even[c], _mm512_mul_epi32(values, factor));
-      odd[c] = _mm512_add_epi64(odd[c], _mm512_mul_epi32(others, factor));
-    }
-  }
-  const __m512i first = _mm512_setr_epi64(0, 8, 1, 9, 2, 10, 3, 11),
-                second = _mm512_setr_epi64(4, 12, 5, 13, 6, 14, 7, 15);
-  SINEW_UNROLL
-  for (uint32_t c = 0; c < kFrontColumns; ++c) {
-    _mm512_storeu_si512(sums + c * kFrontLanes, _mm512_permutex2var_epi64(even[c], first, odd[c]));
-    _mm512_storeu_si512(sums + c * kFrontLanes + 8, _mm512_permutex2var_epi64(even[c], second, odd[c]));
-  }
+  front_lanes<LanesAvx512>(g, next, step, terms, lanes, sums);
 }
 
 }  // namespace

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The factorisation's inner loops, once for all registers. A file that is compiled with an instruction set's flags
+// includes this and says what a register is:
+//   Int32, kLanes             int32 of a register
+//   Mask, first(n)            the first n of them, n < kLanes
+//   load, store               of a whole register; with a mask: of those, zero elsewhere, nothing else touched
+//   Values, values(Int32)     what sums are fed with
+//   Sums, zero(), add(...)    kLanes sums of int64; += values * factor
+//   less(out, sums)           out - the low 32 bits of (sum + 2^29) >> kFrontBits
+//   store_sums(to, sums)      in the order of the lanes
+#ifndef SINEW_KERNELS_FRONT_S32_LANES_HPP
+#define SINEW_KERNELS_FRONT_S32_LANES_HPP
+
+#include "kernels/front.hpp"
+#include "kernels/isolated.hpp"
+
+namespace sinew {
+namespace {
+
+template <class L, uint32_t kColumns>
+struct FrontSums {
+  typename L::Sums column[kColumns];
+
+  SINEW_INLINE FrontSums() {
+    SINEW_UNROLL
+    for (uint32_t c = 0; c < kColumns; ++c) column[c] = L::zero();
+  }
+  // factors[c * next] for column c.
+  SINEW_INLINE void add(typename L::Int32 row, const int32_t* factors, size_t next) {
+    const typename L::Values values = L::values(row);
+    SINEW_UNROLL
+    for (uint32_t c = 0; c < kColumns; ++c) column[c] = L::add(column[c], values, factors[c * next]);
+  }
+};
+
+template <class L, uint32_t kColumns>
+SINEW_INLINE void front_update_columns(const int32_t* g, size_t stride, uint32_t pivots, uint32_t rows, int32_t* target,
+                                       size_t target_stride) {
+  uint32_t i = 0;
+  for (; i + L::kLanes <= rows; i += L::kLanes) {
+    FrontSums<L, kColumns> sums;
+    const int32_t* column = g;
+    for (uint32_t k = 0; k < pivots; ++k, column += stride) sums.add(L::load(column + i), column, 1);
+    SINEW_UNROLL
+    for (uint32_t c = 0; c < kColumns; ++c) {
+      int32_t* const out = target + c * target_stride + i;
+      L::store(out, L::less(L::load(out), sums.column[c]));
+    }
+  }
+  if (i == rows) return;
+  const typename L::Mask mask = L::first(rows - i);
+  FrontSums<L, kColumns> sums;
+  const int32_t* column = g;
+  for (uint32_t k = 0; k < pivots; ++k, column += stride) sums.add(L::load(column + i, mask), column, 1);
+  SINEW_UNROLL
+  for (uint32_t c = 0; c < kColumns; ++c) {
+    int32_t* const out = target + c * target_stride + i;
+    L::store(out, L::less(L::load(out, mask), sums.column[c]), mask);
+  }
+}
+
+template <class L>
+SINEW_INLINE void front_update(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows,
+                               int32_t* target, size_t target_stride) {
+  switch (columns) {
+    case 4:
+      return front_update_columns<L, 4>(g, stride, pivots, rows, target, target_stride);
+    case 3:
+      return front_update_columns<L, 3>(g, stride, pivots, rows, target, target_stride);
+    case 2:
+      return front_update_columns<L, 2>(g, stride, pivots, rows, target, target_stride);
+    default:
+      return front_update_columns<L, 1>(g, stride, pivots, rows, target, target_stride);
+  }
+}
+
+// A register of lanes at a time: sums of more would not stay in registers.
+template <class L>
+SINEW_INLINE void front_lanes(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes,
+                              int64_t* sums) {
+  for (uint32_t lane = 0; lane < kFrontLanes; lane += L::kLanes) {
+    FrontSums<L, kFrontColumns> part;
+    const int32_t* factors = g;
+    const int32_t* row = lanes + lane;
+    for (uint32_t t = 0; t < terms; ++t, factors += step, row += kFrontLanes) part.add(L::load(row), factors, next);
+    SINEW_UNROLL
+    for (uint32_t c = 0; c < kFrontColumns; ++c) L::store_sums(sums + c * kFrontLanes + lane, part.column[c]);
+  }
+}
+
+}  // namespace
+}  // namespace sinew
+#endif
