@@ -115,6 +115,17 @@ class GltfReader {
     return node < 0 ? -1 : joint_of_node_[static_cast<size_t>(node)];
   }
 
+  // A skin may list a node twice: its weights are one joint's.
+  static void add_influence(uint32_t joint, float weight, Row* row) {
+    for (Influence& other : *row) {
+      if (other.joint == joint) {
+        other.weight += weight;
+        return;
+      }
+    }
+    row->push_back({joint, weight});
+  }
+
   void read_mesh_node(size_t node_index) {
     const tinygltf::Node& node = model().nodes[node_index];
     const size_t mesh = static_cast<size_t>(node.mesh);
@@ -233,7 +244,7 @@ class GltfReader {
       if (carrier >= 0) row.push_back({static_cast<uint32_t>(carrier), 1.0f});
       for (const Influence& influence : rows[v]) {
         const int joint_node = model().skins[static_cast<size_t>(node.skin)].joints[influence.joint];
-        row.push_back({static_cast<uint32_t>(joint_of_node_[static_cast<size_t>(joint_node)]), influence.weight});
+        add_influence(static_cast<uint32_t>(joint_of_node_[static_cast<size_t>(joint_node)]), influence.weight, &row);
       }
       character_.influences.push_back(std::move(row));
     }

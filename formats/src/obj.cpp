@@ -279,6 +279,18 @@ Character read_obj(const std::string& path) {
   return character;
 }
 
+namespace {
+
+// A name as the rest of a line. OBJ has no escapes: a line break would begin a statement, and a backslash at the end
+// would swallow the next one.
+std::string rest_of_line(std::string name) {
+  for (char& c : name) c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  for (size_t i = name.size(); i > 0 && (name[i - 1] == '\\' || name[i - 1] == ' '); --i) name[i - 1] = '_';
+  return name;
+}
+
+}  // namespace
+
 void write_obj(const std::string& path, const Character& character) {
   std::string out = "# sinew\n";
   out.reserve(character.vertices.size() * 32 + character.face_vertices.size() * 12);
@@ -304,11 +316,13 @@ void write_obj(const std::string& path, const Character& character) {
   for (size_t f = 0; f < character.face_count(); ++f) {
     if (has_groups && character.face_groups[f] != group) {
       group = character.face_groups[f];
-      out += group < 0 ? "g\n" : "g " + character.group_names[static_cast<size_t>(group)] + "\n";
+      out += group < 0 ? "g\n" : "g " + rest_of_line(character.group_names[static_cast<size_t>(group)]) + "\n";
     }
     if (has_materials && character.face_materials[f] != material) {
       material = character.face_materials[f];
-      if (material >= 0) out += "usemtl " + character.material_names[static_cast<size_t>(material)] + "\n";
+      if (material >= 0) {
+        out += "usemtl " + rest_of_line(character.material_names[static_cast<size_t>(material)]) + "\n";
+      }
     }
     out += 'f';
     for (size_t c = character.face_offsets[f]; c < character.face_offsets[f + 1]; ++c) {

@@ -129,6 +129,19 @@ TEST(GltfRead, SecondSetOfWeightsAndRepeatedJoints) {
   EXPECT_NEAR(row(c, 3)[1], 0.375f, 1e-6);
 }
 
+TEST(GltfRead, ANodeListedTwiceIsOneJoint) {
+  GlbBuilder builder = two_joint_strip();
+  const auto knee = builder.document["skins"][0]["joints"][1];
+  builder.document["skins"][0]["joints"] = {knee, knee};
+  builder.document["skins"][0].erase("inverseBindMatrices");
+  const Character c = read(builder);
+  ASSERT_EQ(c.joints.size(), 1u);
+  for (const auto& influences : c.influences) {
+    ASSERT_EQ(influences.size(), 1u);
+    EXPECT_NEAR(influences[0].weight, 1, 1e-6);
+  }
+}
+
 TEST(GltfRead, SparseAccessors) {
   GlbBuilder builder = two_joint_strip();
   json& position = builder.document["accessors"][attributes(&builder)["POSITION"].get<size_t>()];

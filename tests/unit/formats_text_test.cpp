@@ -134,6 +134,19 @@ TEST(Obj, ReadsHundredThousandVerticesFast) {
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 5.0);
 }
 
+TEST(Obj, NamesNeverEndALineOrJoinTwo) {
+  const TempFolder folder;
+  Character c = read_obj(folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  for (const std::string name : {"cloth\\", "cloth\\ ", "two\nf 1 1 1", "\\", "\r"}) {
+    c.material_names = c.group_names = {name};
+    c.face_materials = c.face_groups = {0};
+    write_obj(folder.file("out.obj"), c);
+    const Character again = read_obj(folder.file("out.obj"));
+    EXPECT_EQ(again.face_vertices, c.face_vertices) << name;
+    EXPECT_EQ(again.material_names.size(), 1u) << name;
+  }
+}
+
 TEST(Obj, WritesWhatItReads) {
   const TempFolder folder;
   const std::string text = std::string(kTriangle) +
