@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -164,6 +165,9 @@ int64_t resolve(int index, size_t count) {
   return index > 0 ? index - 1 : static_cast<int64_t>(count) + index;
 }
 
+// The loader makes NaN of "0e999", a zero that check_numbers() let pass.
+float number(float loaded) { return std::isfinite(loaded) ? loaded : 0.0f; }
+
 void add_face(ObjCollector* to, const tinyobj::index_t* corners, int count) {
   Character& character = *to->character;
   for (int i = 0; i < count; ++i) {
@@ -180,13 +184,13 @@ void add_face(ObjCollector* to, const tinyobj::index_t* corners, int count) {
 tinyobj::callback_t collector_callbacks() {
   tinyobj::callback_t callbacks;
   callbacks.vertex_cb = [](void* to, float x, float y, float z, float) {
-    static_cast<ObjCollector*>(to)->character->vertices.push_back({x, y, z});
+    static_cast<ObjCollector*>(to)->character->vertices.push_back({number(x), number(y), number(z)});
   };
   callbacks.normal_cb = [](void* to, float x, float y, float z) {
-    static_cast<ObjCollector*>(to)->normals.push_back({x, y, z});
+    static_cast<ObjCollector*>(to)->normals.push_back({number(x), number(y), number(z)});
   };
   callbacks.texcoord_cb = [](void* to, float u, float v, float) {
-    static_cast<ObjCollector*>(to)->uvs.push_back({u, v});
+    static_cast<ObjCollector*>(to)->uvs.push_back({number(u), number(v)});
   };
   callbacks.index_cb = [](void* to, tinyobj::index_t* corners, int count) {
     add_face(static_cast<ObjCollector*>(to), corners, count);

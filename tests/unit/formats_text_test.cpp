@@ -109,8 +109,11 @@ TEST(Obj, ErrorsNameFileLineExpectedAndFound) {
 }
 
 TEST(Obj, AcceptsNumbersInEveryUsualForm) {
-  const Character c = obj("v +1 -.5 2.\nv 1e-3 1E+2 1e-400\nv 0 0 0 1\nv 0 0 0 0.1 0.2 0.3\nf 1 2 3\n");
+  const Character c =
+      obj("v +1 -.5 2.\nv 1e-3 1E+2 1e-400\nv 0 0 0 1\nv 0 0 0 0.1 0.2 0.3\nv 1 0e491 -0E400\nf 1 2 3\n");
   EXPECT_EQ(c.vertices[0].y, -0.5f);
+  EXPECT_EQ(c.vertices[4].y, 0);
+  EXPECT_EQ(c.vertices[4].z, 0);
   EXPECT_EQ(c.vertices[1].y, 100);
   EXPECT_EQ(c.vertices[1].z, 0);
 }
