@@ -49,12 +49,12 @@ inline std::string one_line(std::string text) {
 
 // Decimal number that is finite as a float; nullopt otherwise ("nan", "inf", "1e99", "0x10", "1,5", "").
 inline std::optional<float> to_finite_float(std::string_view word) {
-  if (!word.empty() && word[0] == '+') word.remove_prefix(1);
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return decimal_to_float(word);
 }
 
 inline std::optional<int64_t> to_integer(std::string_view word) {
-  if (!word.empty() && word[0] == '+') word.remove_prefix(1);
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   int64_t value = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;

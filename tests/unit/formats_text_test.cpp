@@ -81,6 +81,8 @@ TEST(Obj, ErrorsNameFileLineExpectedAndFound) {
   EXPECT_ERROR(obj(head + "f 1 2 4\n"), "mesh.obj:4:", "up to 3", "'4'");
   EXPECT_ERROR(obj(head + "f 1 2 -4\n"), "mesh.obj:4:", "-3", "'-4'");
   EXPECT_ERROR(obj(head + "f 1 2 x\n"), "mesh.obj:4:", "'x'");
+  EXPECT_ERROR(obj(head + "f +-3 2 1\n"), "mesh.obj:4:", "vertex number", "'+-3'");
+  EXPECT_ERROR(obj(head + "v 0 +-1 0\n"), "mesh.obj:4:", "finite number", "'+-1'");
   EXPECT_ERROR(obj(head + "f 1/ 2 3\n"), "mesh.obj:4:", "texture coordinate", "'1/'");
   EXPECT_ERROR(obj(head + "f 1/2 2 3\n"), "mesh.obj:4:", "texture coordinate", "up to 0");
   EXPECT_ERROR(obj(head + "f 1//1 2 3\n"), "mesh.obj:4:", "normal");
