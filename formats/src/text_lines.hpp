@@ -47,14 +47,16 @@ inline std::string one_line(std::string text) {
   return cut ? text + "..." : text;
 }
 
-// Decimal number that is finite as a float; nullopt otherwise ("nan", "inf", "1e99", "0x10", "1,5", "").
-inline std::optional<float> to_finite_float(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  return decimal_to_float(word);
+// A number may begin with '+'; not with '+-', which loaders read in ways of their own.
+inline std::string_view without_plus(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
+// Decimal number that is finite as a float; nullopt otherwise ("nan", "inf", "1e99", "0x10", "1,5", "").
+inline std::optional<float> to_finite_float(std::string_view word) { return decimal_to_float(without_plus(word)); }
+
 inline std::optional<int64_t> to_integer(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  word = without_plus(word);
   int64_t value = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || stop != word.data() + word.size()) return std::nullopt;
