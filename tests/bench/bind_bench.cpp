@@ -42,14 +42,8 @@ struct Input {
   explicit Input(double vertices) {
     const uint32_t rings = static_cast<uint32_t>(std::lround(std::sqrt(vertices * 0.78)));
     scene = sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10);
-    mesh.positions = scene.positions.data();
-    mesh.vertex_count = scene.vertex_count();
-    mesh.face_vertices = scene.triangles.data();
-    mesh.corner_count = static_cast<uint32_t>(scene.triangles.size());
-    mesh.face_count = mesh.corner_count / 3;
-    skeleton.positions = scene.joints.data();
-    skeleton.parents = scene.parents.data();
-    skeleton.joint_count = scene.joint_count();
+    mesh = scene.mesh_view();
+    skeleton = scene.skeleton_view();
   }
 };
 

@@ -22,16 +22,8 @@ Bound bind_star(uint32_t kernel, uint32_t weights_in_place) {
   sinew_options options = {};
   options.kernel = kernel;
   options.weights_in_place = weights_in_place;
-  sinew_mesh mesh = {};
-  mesh.positions = scene.positions.data();
-  mesh.vertex_count = scene.vertex_count();
-  mesh.face_vertices = scene.triangles.data();
-  mesh.corner_count = static_cast<uint32_t>(scene.triangles.size());
-  mesh.face_count = mesh.corner_count / 3;
-  sinew_skeleton skeleton = {};
-  skeleton.positions = scene.joints.data();
-  skeleton.parents = scene.parents.data();
-  skeleton.joint_count = scene.joint_count();
+  const sinew_mesh mesh = scene.mesh_view();
+  const sinew_skeleton skeleton = scene.skeleton_view();
   Bound bound;
   bound.status = sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
                                            skeleton.joint_count, &options, &bound.bytes);

@@ -35,16 +35,8 @@ struct Extras {
 Bound bind_scene(const sinew_test::HeatScene& scene, uint32_t threads, sinew_parallel_for parallel_for,
                  const Extras& extras) {
   Bound bound;
-  sinew_mesh mesh = {};
-  mesh.positions = scene.positions.data();
-  mesh.vertex_count = scene.vertex_count();
-  mesh.face_vertices = scene.triangles.data();
-  mesh.corner_count = static_cast<uint32_t>(scene.triangles.size());
-  mesh.face_count = mesh.corner_count / 3;
-  sinew_skeleton skeleton = {};
-  skeleton.positions = scene.joints.data();
-  skeleton.parents = scene.parents.data();
-  skeleton.joint_count = scene.joint_count();
+  const sinew_mesh mesh = scene.mesh_view();
+  const sinew_skeleton skeleton = scene.skeleton_view();
   std::vector<uint8_t> hints(mesh.vertex_count, 0);
   bound.joints.assign(size_t{mesh.vertex_count} * 4, 0);
   bound.weights.assign(size_t{mesh.vertex_count} * 4, 0);

@@ -24,6 +24,24 @@ struct HeatScene {
 
   uint32_t vertex_count() const { return static_cast<uint32_t>(positions.size() / 3); }
   uint32_t joint_count() const { return static_cast<uint32_t>(parents.size()); }
+  // Views of the scene, which must outlive them.
+  sinew_mesh mesh_view() const {
+    sinew_mesh view = {};
+    view.positions = positions.data();
+    view.vertex_count = vertex_count();
+    view.face_vertices = triangles.data();
+    view.corner_count = static_cast<uint32_t>(triangles.size());
+    view.face_count = view.corner_count / 3;
+    return view;
+  }
+  sinew_skeleton skeleton_view() const {
+    sinew_skeleton view = {};
+    view.positions = joints.data();
+    view.parents = parents.data();
+    view.flags = flags.empty() ? nullptr : flags.data();
+    view.joint_count = joint_count();
+    return view;
+  }
   uint32_t add_vertex(double x, double y, double z) {
     positions.insert(positions.end(), {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
     return vertex_count() - 1;
@@ -174,18 +192,7 @@ class HeatRun {
     arena = sinew::Arena(block_.get(), bytes);
     allocate(arena);
 
-    sinew_mesh view = {};
-    view.positions = scene.positions.data();
-    view.vertex_count = counts.vertices;
-    view.face_vertices = scene.triangles.data();
-    view.face_count = counts.faces;
-    view.corner_count = counts.corners;
-    sinew_skeleton skeleton_view = {};
-    skeleton_view.positions = scene.joints.data();
-    skeleton_view.parents = scene.parents.data();
-    skeleton_view.flags = scene.flags.empty() ? nullptr : scene.flags.data();
-    skeleton_view.joint_count = counts.joints;
-    status = sinew::build_mesh(view, skeleton_view, 0, counts, arena, &mesh, &skeleton);
+    status = sinew::build_mesh(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
     if (status == SINEW_OK && solve) status = sinew::solve_heat(mesh, skeleton, counts, {}, arena, &fields);
   }
 
