@@ -24,11 +24,11 @@ const char* sinew_status_text(sinew_status status) {
     case SINEW_ERROR_WORKSPACE:
       return "the workspace is too small or not aligned to 64 bytes";
     case SINEW_ERROR_COUNT:
-      return "too many or no vertices, corners or joints";
+      return "too many or no vertices, corners or joints, or fewer than two corners a face";
     case SINEW_ERROR_NOT_FINITE:
       return "a position is NaN or infinite";
     case SINEW_ERROR_INDEX:
-      return "a face names a vertex, or a parent a joint, that does not exist";
+      return "a face names a vertex, or a parent a joint, that does not exist, or a face has fewer than two corners";
     case SINEW_ERROR_HIERARCHY:
       return "the joint parents form a cycle";
     case SINEW_ERROR_NO_JOINT:

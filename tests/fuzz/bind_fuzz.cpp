@@ -62,7 +62,7 @@ struct Call {
     // Faces: triangles without offsets, polygons, or any offsets at all.
     offsets.push_back((shape & 32) != 0 ? in.u8() : 0);
     for (uint32_t f = 0; f < faces; ++f) {
-      const uint32_t length = (shape & 8) != 0 ? in.below(7) : 3;
+      const uint32_t length = (shape & 8) != 0 ? 2 + in.below(5) : 3;
       offsets.push_back((shape & 32) != 0 ? in.u32() % 200 : offsets.back() + length);
     }
     const uint32_t corner_count = (shape & 32) != 0 ? in.below(160) : offsets.back();

@@ -32,7 +32,7 @@ Renumbered random_pair(uint32_t seed, uint32_t vertices, uint32_t faces, uint32_
   }
   std::vector<std::vector<uint32_t>> polygons(faces);
   for (auto& face : polygons) {
-    face.resize(random() % 6);
+    face.resize(2 + random() % 4);
     for (uint32_t& corner : face) corner = static_cast<uint32_t>(random() % vertices);
     pair.first.add_face(face);
   }

@@ -34,9 +34,11 @@ typedef enum sinew_status {
   SINEW_OK = 0,
   SINEW_ERROR_ARGUMENT = -1,         /* a pointer is null or an option is out of its range: see the call's comment */
   SINEW_ERROR_WORKSPACE = -2,        /* the block is too small or not aligned to 64: ask sinew_bind_workspace_size() */
-  SINEW_ERROR_COUNT = -3,            /* more vertices, joints or corners than the limits above, or none at all */
+  SINEW_ERROR_COUNT = -3,            /* more vertices, joints or corners than the limits above, or none at all;
+                                      * fewer than two corners a face */
   SINEW_ERROR_NOT_FINITE = -4,       /* a position is NaN or infinite: clean the mesh */
-  SINEW_ERROR_INDEX = -5,            /* a face names a vertex, or a parent a joint, that does not exist */
+  SINEW_ERROR_INDEX = -5,            /* a face names a vertex, or a parent a joint, that does not exist; a face
+                                      * has fewer than two corners */
   SINEW_ERROR_HIERARCHY = -6,        /* joint parents form a cycle */
   SINEW_ERROR_NO_JOINT = -7,         /* every joint is marked SINEW_JOINT_NEVER: leave at least one usable */
   SINEW_ERROR_CANCELLED = -8,        /* the progress callback asked to stop; outputs are untouched */
@@ -83,7 +85,8 @@ sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model*
 typedef struct sinew_mesh {
   const float* positions;        /* [vertex_count x 3] any unit, rest pose */
   uint32_t vertex_count;         /* 1 .. SINEW_MAX_VERTICES */
-  const uint32_t* face_offsets;  /* [face_count + 1] CSR offsets into face_vertices; null = every face is a triangle */
+  const uint32_t* face_offsets;  /* [face_count + 1] CSR offsets into face_vertices; null = every face is a triangle.
+                                  * A face of two corners is ignored, one of fewer is SINEW_ERROR_INDEX */
   const uint32_t* face_vertices; /* [corner_count] vertex indices */
   uint32_t face_count;
   uint32_t corner_count; /* length of face_vertices */
@@ -189,9 +192,10 @@ typedef struct sinew_options {
                           * has scratch of its own: given to sinew_bind_workspace_size() too */
 } sinew_options;
 
-/* Bytes sinew_bind() needs for meshes of at most these counts. A pure function of its arguments: the same on every
- * host. model  may be null for SINEW_METHOD_HEAT Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT;
- * *size_bytes is 0 on failure. */
+/* Bytes sinew_bind() needs for meshes of at most these counts that have no more than corner_count - 2 face_count
+ * triangles once polygons are cut. A pure function of its arguments: the same on every host.
+ *   model  may be null for SINEW_METHOD_HEAT
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT; *size_bytes is 0 on failure. */
 sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
                                        uint32_t corner_count, uint32_t joint_count, const sinew_options* options,
                                        size_t* size_bytes);
@@ -199,11 +203,12 @@ sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex
 /* Predicts skin weights.
  *   workspace  scratch, 64-byte aligned, size from sinew_bind_workspace_size(); content is undefined afterwards
  *   joints     out [vertex_count x N] uint16 joint indices, N = influence_count, sorted by falling weight, ties by
- * lower joint index; unused slots are joint 0 with weight 0; no joint twice in a row weights    out [vertex_count x N]
- * in weight_format; no row is empty used_bytes out, may be null: high-water mark of the workspace For locked and
- * hinted vertices both outputs are input and stay as they are: joint indices must exist, and a hint's weights must be
- * finite, not negative and not all 0 (SINEW_ERROR_RANGE). Returns SINEW_OK or a
- * status; outputs are untouched on failure. Same bytes on every platform. */
+ *              lower joint index; unused slots are joint 0 with weight 0; no joint twice in a row
+ *   weights    out [vertex_count x N] in weight_format; no row is empty
+ *   used_bytes out, may be null: high-water mark of the workspace
+ * For locked and hinted vertices both outputs are input and stay as they are: joint indices must exist, and a hint's
+ * weights must be finite, not negative and not all 0 (SINEW_ERROR_RANGE).
+ * Returns SINEW_OK or a status; outputs are untouched on failure. Same bytes on every platform. */
 sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
                         const sinew_options* options, void* workspace, size_t workspace_bytes, uint16_t* joints,
                         void* weights, size_t* used_bytes);

@@ -12,8 +12,7 @@ namespace sinew {
 
 constexpr uint16_t kNoJoint = 0xFFFF;
 
-// V, F, corners, J, K, the grid size and the lanes of one bind. T (fan triangles) is at most corner_count - 2 * faces
-// <= corner_count.
+// V, F, corners, J, K, the grid size and the lanes of one bind.
 struct Counts {
   uint32_t vertices = 0;
   uint32_t faces = 0;
@@ -24,8 +23,8 @@ struct Counts {
   uint32_t feature_flags = 0;  // optional channels, features/features.hpp
   Threads threads = {};        // `lanes` is a bound like the others; the rest says how to run
 
-  // Fan triangles: every face with n >= 3 corners gives n - 2; never more than corners.
-  uint32_t triangles() const { return corners; }
+  // Fan triangles T: a face of n corners gives n - 2, and none has fewer than two corners.
+  uint32_t triangles() const { return corners - 2 * faces; }
 };
 
 // Progress of one stage: 0..1000 of the stage is mapped to [from, to] of the whole. report() returns false when the

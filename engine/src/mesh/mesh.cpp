@@ -104,6 +104,7 @@ sinew_status check_faces(const sinew_mesh& input) {
       return SINEW_ERROR_INDEX;
     for (uint32_t f = 0; f < input.face_count; ++f) {
       if (input.face_offsets[f] > input.face_offsets[f + 1]) return SINEW_ERROR_INDEX;
+      if (input.face_offsets[f + 1] - input.face_offsets[f] < 2) return SINEW_ERROR_INDEX;
     }
   } else if (input.corner_count != 0) {
     return SINEW_ERROR_INDEX;

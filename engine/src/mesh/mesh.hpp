@@ -73,7 +73,7 @@ struct Skeleton {
 
 // Fills both, allocated beforehand, from the caller's views. Faces are checked (SINEW_ERROR_INDEX): every corner names
 // a vertex, face_offsets start at 0, never fall and end at corner_count; without them corner_count is 3 face_count.
-// Faces of fewer than three corners are legal and ignored. Scratch beyond the two structs is taken from `arena` and
+// Faces of two corners are legal and ignored, of fewer not. Scratch beyond the two structs is taken from `arena` and
 // released. Returns SINEW_OK, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY, SINEW_ERROR_NO_JOINT or
 // SINEW_ERROR_WORKSPACE. The counts were checked by the caller. A mesh of one point has side 1.
 sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_input, uint32_t up_axis,
