@@ -1,17 +1,30 @@
 // SPDX-License-Identifier: MIT
 // What a build has beside the bind itself. -DSINEW_SMALL_CODE=ON leaves it out, for microcontrollers: spectral features
 // (a model that asks for them is refused as of an unknown version), hints, symmetry and rigid_parts
-// (SINEW_ERROR_ARGUMENT). What is left gives the same bytes.
+// (SINEW_ERROR_ARGUMENT); threads (any thread_count works as 1 does, parallel_for is never called); and kernels that
+// want weights rearranged (weights_in_place is always on). What is left gives the same bytes.
 #ifndef SINEW_CORE_BUILD_HPP
 #define SINEW_CORE_BUILD_HPP
 
 namespace sinew {
 
 #if defined(SINEW_SMALL_CODE)
-constexpr bool kHasExtras = false;
+constexpr bool kSmallCode = true;
 #else
-constexpr bool kHasExtras = true;
+constexpr bool kSmallCode = false;
 #endif
+constexpr bool kHasExtras = !kSmallCode;
+constexpr bool kHasThreads = !kSmallCode;
+constexpr bool kHasPackedWeights = !kSmallCode;
 
 }  // namespace sinew
+
+// A small function that is used in many places, and is there once where code is to be small: 64-bit arithmetic on a
+// 32-bit processor is longer than a call.
+#if defined(SINEW_SMALL_CODE) && defined(__GNUC__)
+#define SINEW_ONCE [[gnu::noinline]]
+#else
+#define SINEW_ONCE
+#endif
+
 #endif

@@ -6,6 +6,8 @@
 
 #include <stdint.h>
 
+#include "core/build.hpp"
+
 namespace sinew {
 
 struct Vec3i {
@@ -20,14 +22,14 @@ struct Vec3l {
 inline int64_t dot(Vec3i a, Vec3i b) {
   return static_cast<int64_t>(a.x) * b.x + static_cast<int64_t>(a.y) * b.y + static_cast<int64_t>(a.z) * b.z;
 }
-inline Vec3l cross(Vec3i a, Vec3i b) {
+SINEW_ONCE inline Vec3l cross(Vec3i a, Vec3i b) {
   return {static_cast<int64_t>(a.y) * b.z - static_cast<int64_t>(a.z) * b.y,
           static_cast<int64_t>(a.z) * b.x - static_cast<int64_t>(a.x) * b.z,
           static_cast<int64_t>(a.x) * b.y - static_cast<int64_t>(a.y) * b.x};
 }
 
 // Arithmetic shift right with rounding half up; the one rounding rule of the engine. shift 0..62.
-inline int64_t round_shift(int64_t value, int shift) {
+SINEW_ONCE inline int64_t round_shift(int64_t value, int shift) {
   return shift == 0 ? value : (value + (static_cast<int64_t>(1) << (shift - 1))) >> shift;
 }
 inline int32_t clamp32(int64_t v, int32_t lo, int32_t hi) {
@@ -38,7 +40,8 @@ inline int64_t abs64(int64_t v) { return v < 0 ? -v : v; }
 
 // Index of the highest set bit; 0 for 0.
 inline int top_bit(uint64_t v) {
-#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__) || defined(__wasm__))
+#if defined(__GNUC__) && \
+    (defined(__x86_64__) || defined(__aarch64__) || defined(__wasm__) || defined(__ARM_FEATURE_CLZ))
   return 63 - __builtin_clzll(v | 1);
 #else
   int bit = 0;

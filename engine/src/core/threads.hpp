@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 
+#include "core/build.hpp"
 #include "sinew/sinew.h"
 
 namespace sinew {
@@ -16,11 +17,18 @@ struct Threads {
   sinew_parallel_for parallel_for = nullptr;
   void* user = nullptr;
 
+  // What there is one of per lane; known to compilers where a build has no threads.
+  uint32_t lane_count() const { return kHasThreads ? lanes : 1; }
+
   // body(index, lane) for every index in [0, count). Lane l takes l, l + lanes, ...: fixed, so nothing is shared that
   // threads would have to agree on, and interleaved, so that neighbours of unlike cost are spread. A body writes only
   // what belongs to its index or its lane, which makes every order of calls the same. Not to be nested.
   template <class Body>
   void each(uint32_t count, const Body& body) const {
+    if (!kHasThreads) {
+      for (uint32_t index = 0; index < count; ++index) body(index, 0);
+      return;
+    }
     const uint32_t used = count < lanes ? count : lanes;
     const Job<Body> job = {&body, count, used};
     if (used < 2 || parallel_for == nullptr) {

@@ -127,7 +127,7 @@ struct Scratch {
   uint32_t* children = nullptr;       // [J]
 
   bool allocate(Arena& arena, const Counts& counts) {
-    const uint32_t lanes = counts.threads.lanes;
+    const uint32_t lanes = counts.threads.lane_count();
     parts.allocate(arena, counts);
     tables = arena.alloc<PartTables>(lanes);
     for (uint32_t lane = 0; lane < lanes; ++lane) {
@@ -207,7 +207,7 @@ class Builder {
         const uint32_t v = mesh_.component_vertices[first + i];
         keys_[i] = static_cast<uint64_t>(s_.parts.host_distance[v]) << 32 | v;
       }
-      heap_sort(keys_, size, [](uint64_t a, uint64_t b) { return a < b; });
+      sort_ascending(keys_, size);
       const uint32_t closest = (size + 3) / 4;
       uint64_t distance = 0;
       for (uint32_t i = 0; i < closest; ++i) {

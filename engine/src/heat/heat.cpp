@@ -53,19 +53,19 @@ class ComponentWalk {
     threads_.lanes = solver_count(threads);
   }
   static uint32_t solver_count(const Threads& threads) {
-    return threads.lanes < kFieldCount ? threads.lanes : static_cast<uint32_t>(kFieldCount);
+    return threads.lane_count() < kFieldCount ? threads.lane_count() : static_cast<uint32_t>(kFieldCount);
   }
 
   sinew_status run() {
     for (uint32_t c = 0; c < mesh_.component_count;) {
       uint32_t end = c + 1, vertices = mesh_.component_sizes[c];
-      if (threads_.lanes > 1 && vertices < kSmall) {
+      if (threads_.lane_count() > 1 && vertices < kSmall) {
         while (end < mesh_.component_count && vertices + mesh_.component_sizes[end] < kRound) {
           vertices += mesh_.component_sizes[end++];
         }
         threads_.each(end - c, [&](uint32_t index, uint32_t lane) { solve_alone(c + index, scratch_.solvers[lane]); });
         if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
-      } else if (threads_.lanes > 1) {
+      } else if (threads_.lane_count() > 1) {
         solve_together(c);
         if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
       } else {

@@ -34,8 +34,8 @@ struct BoneList {
       low[axis] = arena.alloc<int32_t>(counts.joints);
       high[axis] = arena.alloc<int32_t>(counts.joints);
     }
-    euclid2 = arena.alloc<uint64_t>(static_cast<size_t>(counts.joints) * counts.threads.lanes);
-    known = arena.alloc<uint8_t>(static_cast<size_t>(counts.joints) * counts.threads.lanes);
+    euclid2 = arena.alloc<uint64_t>(static_cast<size_t>(counts.joints) * counts.threads.lane_count());
+    known = arena.alloc<uint8_t>(static_cast<size_t>(counts.joints) * counts.threads.lane_count());
     return arena.ok();
   }
   void build(const Skeleton& skeleton) {
@@ -343,7 +343,7 @@ sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Coun
   list.build(skeleton);
   // What a finder knows of the vertex before it changes its time, never its answer.
   constexpr uint32_t kVertexPiece = 128;
-  const uint32_t round = 1024 * counts.threads.lanes;  // vertices between two reports
+  const uint32_t round = 1024 * counts.threads.lane_count();  // vertices between two reports
   for (uint32_t first = 0; first < mesh.welded_count; first += round) {
     if (!progress.report(static_cast<uint32_t>(static_cast<uint64_t>(first) * permille_end / mesh.welded_count))) {
       arena.release(mark);

@@ -29,6 +29,8 @@ bool less(Wide a, Wide b) { return a.high != b.high ? a.high < b.high : a.low < 
 
 int64_t dot64(Vec3l n, Vec3i d) { return n.x * d.x + n.y * d.y + n.z * d.z; }
 
+SINEW_ONCE int64_t determinant(Vec3i a, Vec3i b, Vec3i c) { return dot64(cross(a, b), c); }
+
 int32_t abs32(int32_t v) { return v < 0 ? -v : v; }
 
 // Segment against box by separating axes, everything doubled to stay in integers: `middle` = start + target,
@@ -107,7 +109,7 @@ bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
   if (depth >= 0) return false;
   if (dot64(normal, d) >= depth) return false;
   const Vec3i rb = b - start, rc = c - start;
-  return dot64(cross(ra, rb), d) <= 0 && dot64(cross(rb, rc), d) <= 0 && dot64(cross(rc, ra), d) <= 0;
+  return determinant(ra, rb, d) <= 0 && determinant(rb, rc, d) <= 0 && determinant(rc, ra, d) <= 0;
 }
 
 bool FaceTree::allocate(Arena& arena, const Counts& counts) {

@@ -280,7 +280,6 @@ bool Mesh::allocate(Arena& arena, const Counts& counts) {
   vertex_to_welded = arena.alloc<uint32_t>(v);
   positions = arena.alloc<Vec3i>(v);
   triangles = arena.alloc<uint32_t>(3 * t);
-  face_normals = arena.alloc<Vec3i>(t);
   row_offsets = arena.alloc<uint32_t>(v + 1);
   col_indices = arena.alloc<uint32_t>(6 * t);
   normals = arena.alloc<Vec3i>(v);

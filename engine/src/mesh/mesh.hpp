@@ -27,7 +27,6 @@ struct Mesh {
   Vec3i* positions = nullptr;            // [U] grid units
   uint32_t triangle_count = 0;      // T: fan triangles, degenerate (repeated vertex or zero area) and duplicate (same
   uint32_t* triangles = nullptr;    // [T x 3] vertex set) removed; smallest index first, orientation kept; sorted
-  Vec3i* face_normals = nullptr;    // [T] unit, Q14
   uint32_t* row_offsets = nullptr;  // [U + 1] CSR one-ring over edges of triangles
   uint32_t* col_indices = nullptr;  // [E2 <= 6 T] neighbours ascending
   Vec3i* normals = nullptr;         // [U] normalised sum of the unit face normals, Q14; (0,0,0) when there is no

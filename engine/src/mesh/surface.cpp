@@ -42,7 +42,6 @@ void add_triangles(const SurfaceScratch& scratch, Mesh* mesh) {
     const uint32_t* t = mesh->triangles + 3 * static_cast<size_t>(i);
     const Vec3l normal = corner_cross(*mesh, t);
     const int64_t twice_area = static_cast<int64_t>(length(normal));
-    mesh->face_normals[i] = unit_vector(normal, kNormalBits);
     const Vec3i fine = unit_vector(normal, 24);
     for (int corner = 0; corner < 3; ++corner) {
       const uint32_t v = t[corner];

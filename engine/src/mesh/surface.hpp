@@ -13,7 +13,7 @@ struct SurfaceScratch {
   int64_t* angle_sums = nullptr;  // [U]
 };
 
-// Fills face_normals, normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the
+// Fills normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the
 // CSR.
 void measure_surface(const SurfaceScratch& scratch, const Threads& threads, Mesh* mesh);
 

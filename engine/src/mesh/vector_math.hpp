@@ -8,20 +8,19 @@
 namespace sinew {
 
 // floor(a / b), b > 0.
-inline int64_t floor_div(int64_t a, int64_t b) {
+SINEW_ONCE inline int64_t floor_div(int64_t a, int64_t b) {
   const int64_t q = a / b;
   return q * b > a ? q - 1 : q;
 }
 // a / b rounded half up, b > 0. |a| < 2^61, b < 2^61.
-inline int64_t round_div(int64_t a, int64_t b) { return floor_div(2 * a + b, 2 * b); }
+SINEW_ONCE inline int64_t round_div(int64_t a, int64_t b) { return floor_div(2 * a + b, 2 * b); }
 
 // Length of an integer vector with components below 2^62, relative error below 2^-28 (exact floor while components are
 // below 2^30).
 inline uint64_t length(Vec3l v) {
   uint64_t x = static_cast<uint64_t>(abs64(v.x)), y = static_cast<uint64_t>(abs64(v.y)),
            z = static_cast<uint64_t>(abs64(v.z));
-  int shift = 0;
-  for (uint64_t top = (x | y | z) >> 30; top != 0; top >>= 1) ++shift;
+  const int top = top_bit(x | y | z), shift = top > 29 ? top - 29 : 0;
   x >>= shift;
   y >>= shift;
   z >>= shift;
@@ -35,9 +34,7 @@ inline Vec3i unit_vector(Vec3l v, int bits) {
       static_cast<uint64_t>(abs64(v.x)) | static_cast<uint64_t>(abs64(v.y)) | static_cast<uint64_t>(abs64(v.z));
   if (top == 0) return {0, 0, 0};
   // Brings the largest component to 30 bits, so that a one-unit triangle gets as good a normal as a large one.
-  int msb = 0;
-  for (uint64_t t = top; t > 1; t >>= 1) ++msb;
-  const int shift = msb - 29;
+  const int shift = top_bit(top) - 29;
   const int64_t x = shift > 0 ? v.x >> shift : v.x * (static_cast<int64_t>(1) << -shift);
   const int64_t y = shift > 0 ? v.y >> shift : v.y * (static_cast<int64_t>(1) << -shift);
   const int64_t z = shift > 0 ? v.z >> shift : v.z * (static_cast<int64_t>(1) << -shift);

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "core/build.hpp"
 #include "kernels/select.hpp"
 #include "model/regions.hpp"
 #include "network/plan.hpp"
@@ -65,7 +66,7 @@ LinearView make_linear_view(const ModelTables& tables, const Layer& layer) {
 // Whether memory is asked for rearranged weights. Does not look at the processor, so that the size query is the same
 // everywhere; a processor whose kernels do not want them leaves the memory unused.
 bool wants_packed(const NetworkOptions& options) {
-  return !options.weights_in_place && options.kernel != SINEW_KERNEL_REF;
+  return kHasPackedWeights && !options.weights_in_place && options.kernel != SINEW_KERNEL_REF;
 }
 
 // A pair layer whose columns are partly the same in all slots of a vertex: those are multiplied once per vertex.
@@ -322,7 +323,7 @@ void run_linear(const Tile& tile, uint32_t index) {
   const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
   const RowsView residual = (layer.flags & kLayerResidual) != 0 ? tile_rows(tile, layer.residual) : RowsView();
   LinearView linear = make_linear_view(run.tables, layer);
-  if (run.packed.memory[index] != nullptr) {
+  if (kHasPackedWeights && run.packed.memory[index] != nullptr) {
     linear.packed = packed_view(linear, run.packed.memory[index]);
     if (run.packed.has_shared) add_shared_columns(tile, index, &linear);
   }
@@ -609,12 +610,12 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
   const ModelTables tables(model.bytes);
   const size_t start = arena.mark();
   PackedLayers packed;
-  const Sizes sizes = {input.vertex_count, input.joint_count, options.tile_vertices, input.threads.lanes};
-  (void)packed.allocate(plan, tables, options, sizes.lanes, arena);
+  const Sizes sizes = {input.vertex_count, input.joint_count, options.tile_vertices, input.threads.lane_count()};
+  if (kHasPackedWeights) (void)packed.allocate(plan, tables, options, sizes.lanes, arena);
   Run run = {plan, input, tables, kernels, packed, sizes, nullptr, logits, {}};
   run.storage = allocate_storage(plan, run.sizes, arena);
   sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;
-  if (status == SINEW_OK) packed.fill(plan, tables, kernels.linear_packed != nullptr);
+  if (kHasPackedWeights && status == SINEW_OK) packed.fill(plan, tables, kernels.linear_packed != nullptr);
   for (uint32_t stage = 0; stage < plan.stage_count && status == SINEW_OK; ++stage) {
     const size_t stage_start = arena.mark();
     if (!allocate_stage(plan, stage, run.sizes, arena, &run.scratch)) {
@@ -631,10 +632,10 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
 void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts, const NetworkOptions& options) {
   NetworkPlan plan;
   make_plan(model, counts.candidates, &plan);
-  const Sizes sizes = {counts.vertices, counts.joints, options.tile_vertices, counts.threads.lanes};
+  const Sizes sizes = {counts.vertices, counts.joints, options.tile_vertices, counts.threads.lane_count()};
   const size_t start = arena.mark();
   PackedLayers packed;
-  (void)packed.allocate(plan, ModelTables(model.bytes), options, sizes.lanes, arena);
+  if (kHasPackedWeights) (void)packed.allocate(plan, ModelTables(model.bytes), options, sizes.lanes, arena);
   allocate_storage(plan, sizes, arena);
   for (uint32_t stage = 0; stage < plan.stage_count; ++stage) {
     StageScratch scratch;
