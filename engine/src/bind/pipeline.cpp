@@ -40,11 +40,13 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
   p.mesh.allocate(arena, counts);
   p.skeleton.allocate(arena, counts);
   measure_build_mesh(arena, counts);
+  if (purpose == PrepareFor::kNetwork) {
+    p.candidates.allocate(arena, counts);
+    measure_find_candidates(arena, counts);
+  }
   p.heat.allocate(arena, counts);
   measure_solve_heat(arena, counts);
   if (purpose == PrepareFor::kHeat) return;
-  p.candidates.allocate(arena, counts);
-  measure_find_candidates(arena, counts);
   p.features.allocate(arena, counts);
   measure_build_features(arena, counts);
   if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) measure_compute_spectral(arena, counts);
@@ -57,14 +59,18 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   if (status != SINEW_OK) return status;
   if (!progress.report(50)) return SINEW_ERROR_CANCELLED;
 
-  if (!out->heat.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  const uint32_t heat_end = purpose == PrepareFor::kHeat ? 950 : 450;
-  status = solve_heat(out->mesh, out->skeleton, counts, progress.part(50, heat_end), arena, &out->heat, kernel);
-  if (status != SINEW_OK || purpose == PrepareFor::kHeat) return status;
+  // The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
+  const bool network = purpose == PrepareFor::kNetwork;
+  if (network) {
+    if (!out->candidates.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+    status = find_candidates(out->mesh, out->skeleton, counts, progress.part(50, 200), arena, &out->candidates);
+    if (status != SINEW_OK) return status;
+  }
 
-  if (!out->candidates.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  status = find_candidates(out->mesh, out->skeleton, counts, progress.part(450, 600), arena, &out->candidates);
-  if (status != SINEW_OK) return status;
+  if (!out->heat.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  const Progress heat_progress = network ? progress.part(200, 600) : progress.part(50, 950);
+  status = solve_heat(out->mesh, out->skeleton, counts, heat_progress, arena, &out->heat, kernel);
+  if (status != SINEW_OK || !network) return status;
 
   if (!out->features.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   status = build_features(out->mesh, out->skeleton, out->candidates, out->heat, counts, arena, &out->features);

@@ -67,24 +67,28 @@ void HeatMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
 }
 
 size_t Factor::capacity_for(const Counts& counts) {
-  size_t per_vertex = 12;
-  for (uint32_t v = counts.vertices; v > 1; v = (v + 1) / 2) per_vertex += 4;
-  return per_vertex * counts.vertices;
+  size_t levels = 0;
+  for (uint32_t v = counts.vertices; v > 1; v = (v + 1) / 2) ++levels;
+  const size_t most = 12 + 4 * levels, usual = 14 + levels * levels / 5;
+  return (usual < most ? usual : most) * counts.vertices;
 }
 
-bool Factor::allocate(Arena& arena, const Counts& counts) {
+bool Factor::allocate(Arena& arena, const Counts& counts, size_t* solve_mark) {
   capacity = capacity_for(counts);
   parent = arena.alloc<uint32_t>(counts.vertices);
   mark = arena.alloc<uint32_t>(counts.vertices);
   pattern = arena.alloc<uint32_t>(counts.vertices);
-  column_start = arena.alloc<uint64_t>(static_cast<size_t>(counts.vertices) + 1);
+  column_start = arena.alloc<uint32_t>(static_cast<size_t>(counts.vertices) + 1);
   column_fill = arena.alloc<uint32_t>(counts.vertices);
   work = arena.alloc<int64_t>(counts.vertices);
   inverse = arena.alloc<Reciprocal>(counts.vertices);
-  row = arena.alloc<uint32_t>(capacity);
-  value = arena.alloc<int64_t>(capacity);
-  short_value = arena.alloc<int32_t>(capacity);
   short_bits = arena.alloc<uint8_t>(counts.vertices);
+  row = arena.alloc<uint32_t>(capacity);
+  const size_t values = arena.mark();
+  (void)arena.alloc<int32_t>(capacity);  // what solves leave of `value`
+  if (solve_mark != nullptr) *solve_mark = arena.mark();
+  arena.release(values);
+  value = arena.alloc<int64_t>(capacity);
   return arena.ok();
 }
 
@@ -140,8 +144,8 @@ void Factor::factorise(const HeatMatrix& matrix) {
       const uint32_t i = pattern[top];
       const int64_t y = work[i];
       work[i] = 0;
-      const uint64_t begin = column_start[i], end = begin + column_fill[i];
-      for (uint64_t p = begin; p < end; ++p)
+      const uint32_t begin = column_start[i], end = begin + column_fill[i];
+      for (uint32_t p = begin; p < end; ++p)
         work[row[p]] = wrapping_subtract(work[row[p]], mul_shift(value[p], y, kFactorBits));
       const int64_t l = divide(y, inverse[i], kFactorBits, kFactorHeadroom);
       d = wrapping_subtract(d, mul_shift(l, y, kFactorBits));
@@ -157,7 +161,7 @@ void Factor::factorise(const HeatMatrix& matrix) {
   smallest_bits = 31;
   for (uint32_t k = 0; k < rows; ++k) {
     uint64_t sum = 1;
-    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+    for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
       sum += static_cast<uint64_t>(abs64(value[p])) >> 8;  // Q32, so that 2^24 saturated entries still fit
     }
     int bits = 31 + 32 - 1 - top_bit(sum);
@@ -165,8 +169,10 @@ void Factor::factorise(const HeatMatrix& matrix) {
     if (bits < 0) bits = 0;
     short_bits[k] = static_cast<uint8_t>(bits);
     if (bits < smallest_bits) smallest_bits = bits;
-    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
-      short_value[p] = clamp32(round_shift(value[p], kFactorBits - bits), -0x7FFFFFFF, 0x7FFFFFFF);
+    for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+      // Four bytes of eight: what is overwritten was read before.
+      const int32_t entry = clamp32(round_shift(value[p], kFactorBits - bits), -0x7FFFFFFF, 0x7FFFFFFF);
+      memcpy(reinterpret_cast<uint8_t*>(value) + size_t{p} * sizeof(entry), &entry, sizeof(entry));
     }
   }
 }
@@ -182,9 +188,9 @@ void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
       continue;
     }
     const int bits = short_bits[k];
-    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+    for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
       int64_t* target = rhs + static_cast<size_t>(row[p]) * kLanes;
-      const int64_t l = short_value[p];
+      const int64_t l = short_value(p);
       for (uint32_t lane = 0; lane < kLanes; ++lane)
         target[lane] = wrapping_subtract(target[lane], mul_shift(z[lane], l, bits));
     }
@@ -194,9 +200,9 @@ void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
   }
   for (uint32_t k = rows; k-- > 0;) {
     uint64_t sum[kLanes] = {};  // two's complement; below 2^62 in magnitude, see the header
-    for (uint64_t p = column_start[k]; p < column_start[k + 1]; ++p) {
+    for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
       const int32_t* x = out + static_cast<size_t>(row[p]) * kLanes;
-      const int64_t l = short_value[p];
+      const int64_t l = short_value(p);
       for (uint32_t lane = 0; lane < kLanes; ++lane) sum[lane] += static_cast<uint64_t>(l * x[lane]);
     }
     int32_t* x = out + static_cast<size_t>(k) * kLanes;

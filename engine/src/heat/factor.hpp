@@ -15,6 +15,8 @@
 #ifndef SINEW_HEAT_FACTOR_HPP
 #define SINEW_HEAT_FACTOR_HPP
 
+#include <string.h>
+
 #include "heat/laplacian.hpp"
 #include "heat/ordering.hpp"
 
@@ -76,24 +78,31 @@ struct Factor {
   uint32_t* parent = nullptr;        // [U] elimination tree
   uint32_t* mark = nullptr;          // [U]
   uint32_t* pattern = nullptr;       // [U]
-  uint64_t* column_start = nullptr;  // [U + 1]
+  uint32_t* column_start = nullptr;  // [U + 1]; 2^22 vertices have less than 2^29 entries
   uint32_t* column_fill = nullptr;   // [U]
   int64_t* work = nullptr;           // [U]
   Reciprocal* inverse = nullptr;     // [U] 1 / D
   uint32_t* row = nullptr;           // [capacity] row of each entry, ascending inside a column
-  int64_t* value = nullptr;          // [capacity] Q40
-  int32_t* short_value = nullptr;    // [capacity] Q short_bits of the column
+  int64_t* value = nullptr;          // [capacity] Q40; after factorise() the lower half is the entries' short values
   uint8_t* short_bits = nullptr;     // [U]
   int smallest_bits = 31;            // of short_bits: 30 or 31 for an M-matrix, less where pivots nearly cancelled
 
-  // Entries reserved: 12 + 4 log2 V per vertex. Nested dissection of closed surfaces needs 32 per vertex at 10k
-  // vertices, 61 at 400k; characters need at most half of what is reserved. A tangle of faces that needs more goes to
-  // the iterative solver.
+  // Entries reserved: 14 + log2(V)^2 / 5 per vertex, at most 12 + 4 log2 V. Nested dissection of closed surfaces needs
+  // 22 per vertex at 1k vertices, 36 at 10k, 61 at 400k; characters of 200 to 4000 vertices need at most 31. A tangle
+  // of faces that needs more goes to the iterative solver.
   static size_t capacity_for(const Counts& counts);
-  bool allocate(Arena& arena, const Counts& counts);
+  // `value` is the last array, so that what solves want may lie over its upper half: allocated after
+  // arena.release(solve_mark).
+  bool allocate(Arena& arena, const Counts& counts, size_t* solve_mark = nullptr);
   // Elimination tree and column counts. False when the factor would not fit.
   bool analyse(const HeatMatrix& matrix);
   void factorise(const HeatMatrix& matrix);
+  // Entry p of L as the solves take it: Q short_bits of its column.
+  int32_t short_value(uint32_t p) const {
+    int32_t out;
+    memcpy(&out, reinterpret_cast<const uint8_t*>(value) + size_t{p} * sizeof(out), sizeof(out));
+    return out;
+  }
   // Solves for kLanes right-hand sides. rhs [rows x kLanes] Q matrix_bits, destroyed; out [rows x kLanes] Q24.
   void solve(uint32_t rows, int64_t* rhs, int32_t* out) const;
 };

@@ -33,22 +33,28 @@ bool FrontFactor::allocate(Arena& arena, const Counts& counts) {
   size_t levels = 0, root = 1;
   for (size_t v = vertices; v > 1; v = (v + 1) / 2) ++levels;
   while (root * root < vertices) ++root;
-  row_capacity_ = 8 * vertices;
-  factor_capacity_ = (28 + 4 * levels) * vertices;
+  front_capacity_ = 3 * (counts.vertices / 8) + 64;
+  row_capacity_ = 6 * vertices;
+  factor_capacity_ = (20 + 3 * levels + levels * levels / 14) * vertices;
   height_capacity_ = 4 * root + 64;
-  stack_capacity_ = height_capacity_ * height_capacity_ + 8 * vertices;
-  fronts_ = arena.alloc<Front>(vertices + 1);
+  stack_capacity_ = height_capacity_ * height_capacity_ / 2 + 4 * vertices;
+  fronts_ = arena.alloc<Front>(size_t{front_capacity_} + 1);
   rows_ = arena.alloc<uint32_t>(row_capacity_);
-  waiting_ = arena.alloc<uint32_t>(vertices);
+  waiting_ = arena.alloc<uint32_t>(front_capacity_);
   mark_ = arena.alloc<uint32_t>(vertices);
   front_of_ = arena.alloc<uint32_t>(vertices);
   exponent_ = arena.alloc<int8_t>(vertices);
   inverse_ = arena.alloc<int64_t>(vertices);
   factor_ = arena.alloc<int32_t>(factor_capacity_ + kFrontColumns * height_capacity_);  // kernels read whole blocks
+  // The factorisation's stack lies where the solves' rows come later.
+  const size_t shared = arena.mark();
   stack_ = arena.alloc<int32_t>(stack_capacity_);
+  const size_t end = arena.used();
+  arena.release(shared);
   lanes_ = arena.alloc<int32_t>(height_capacity_ * kFrontLanes);
   x_ = arena.alloc<int32_t>(vertices * kFrontLanes);
-  active_ = arena.alloc<uint8_t>(vertices);
+  active_ = arena.alloc<uint8_t>(front_capacity_);
+  if (arena.used() < end) (void)arena.alloc<uint8_t>(end - arena.used());
   return arena.ok();
 }
 
@@ -94,6 +100,7 @@ bool FrontFactor::analyse(const HeatMatrix& matrix) {
   fronts_[0].factor = 0;
   for (uint32_t place = 0; place < matrix.rows;) {
     const uint32_t index = front_count_;
+    if (index == front_capacity_) return false;
     Front& front = fronts_[index];
     front.first = place;
     front.pivots = ordering.piece_size[place];

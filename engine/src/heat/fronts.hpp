@@ -77,10 +77,13 @@ class FrontFactor {
   int shift_of(uint32_t place, const Front& front) const { return kFrontBits - front.exponent + exponent_[place]; }
 
   uint32_t front_count_ = 0;
+  // Reserved: what characters of 100 to 8000 vertices, bodies of up to a million and tubes of regular rings need, and a
+  // ninth more at least. What needs more is no case for fronts.
+  uint32_t front_capacity_ = 0;
   size_t row_capacity_ = 0, factor_capacity_ = 0, stack_capacity_ = 0, height_capacity_ = 0;
-  Front* fronts_ = nullptr;       // [U + 1]
+  Front* fronts_ = nullptr;       // [front_capacity_ + 1]
   uint32_t* rows_ = nullptr;      // [row_capacity_] places on the fronts' borders, ascending
-  uint32_t* waiting_ = nullptr;   // [U] fronts whose parent is still to come
+  uint32_t* waiting_ = nullptr;   // [front_capacity_] fronts whose parent is still to come
   uint32_t* mark_ = nullptr;      // [U] by place
   uint32_t* front_of_ = nullptr;  // [U] by place
   int8_t* exponent_ = nullptr;    // [U] by place
@@ -89,7 +92,7 @@ class FrontFactor {
   int32_t* stack_ = nullptr;      // [stack_capacity_] lower triangles by columns, and the corner of the front at hand
   int32_t* lanes_ = nullptr;      // [height_capacity_ x kFrontLanes] right-hand sides of a front's rows
   int32_t* x_ = nullptr;          // [U x kFrontLanes] right-hand sides, then v, then the solution
-  uint8_t* active_ = nullptr;     // [U] by front: some right-hand side of the batch is not 0 in its subtree
+  uint8_t* active_ = nullptr;     // [front_capacity_] some right-hand side of the batch is not 0 in its subtree
 };
 
 template <class Take>

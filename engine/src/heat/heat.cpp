@@ -21,8 +21,8 @@ struct Scratch {
 };
 
 // The finder's and the Laplacian's scratch lies where the solver's arrays come later.
-bool allocate_inputs(Arena& arena, const Counts& counts, Scratch* scratch) {
-  return scratch->sources.allocate(arena, counts) && scratch->edges.allocate(arena, counts);
+bool allocate_inputs(Arena& arena, const Counts& counts, const HeatFields& fields, Scratch* scratch) {
+  return scratch->sources.allocate_beside(arena, counts, fields) && scratch->edges.allocate(arena, counts);
 }
 
 bool same_sources(const Mesh& mesh, uint32_t component, const HeatSources& sources) {
@@ -143,20 +143,20 @@ sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& count
   (void)select_kernels(kernel, &kernels);
   Scratch scratch;
   for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
-  if (!allocate_inputs(arena, counts, &scratch)) return SINEW_ERROR_WORKSPACE;
+  if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources);
   if (status != SINEW_OK) return status;
   status = weigh_edges(mesh, counts, arena, &scratch.edges);
   if (status != SINEW_OK) return status;
   if (!scratch.allocate_solvers(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  for (uint32_t f = 0; f < kFieldCount; ++f) {
-    for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-      fields->field[f].nearest[v] = scratch.sources.nearest[HeatSources::measure_of(f)][v];
-      fields->field[f].has_source[v] = scratch.sources.mask[f][v] != 0;
-    }
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    fields->field[kFieldParts].nearest[v] = fields->field[kFieldRule].nearest[v];
   }
-  for (uint32_t c = 0; c < mesh.component_count; ++c) fields->component_rule[c] = scratch.sources.component_rule[c];
-  return ComponentWalk(mesh, counts.threads, progress, scratch, fields).run();
+  status = ComponentWalk(mesh, counts.threads, progress, scratch, fields).run();
+  for (HeatField& field : fields->field) {
+    for (uint32_t v = 0; v < mesh.welded_count; ++v) field.has_source[v] = field.has_source[v] != 0;
+  }
+  return status;
 }
 
 }  // namespace
@@ -184,7 +184,7 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts
 void measure_solve_heat(Arena& arena, const Counts& counts) {
   const size_t mark = arena.mark();
   Scratch scratch;
-  (void)allocate_inputs(arena, counts, &scratch);
+  (void)allocate_inputs(arena, counts, HeatFields(), &scratch);
   measure_find_sources(arena, counts);
   measure_weigh_edges(arena, counts);
   (void)scratch.allocate_solvers(arena, counts);

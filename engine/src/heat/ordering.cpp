@@ -110,10 +110,18 @@ class Dissection {
 }  // namespace
 
 bool Ordering::allocate(Arena& arena, const Counts& counts) {
-  order = arena.alloc<uint32_t>(counts.vertices);
-  place = arena.alloc<uint32_t>(counts.vertices);
+  return allocate_result(arena, counts) && allocate_scratch(arena, counts);
+}
+
+bool Ordering::allocate_scratch(Arena& arena, const Counts& counts) {
   region = arena.alloc<uint32_t>(counts.vertices);
   scratch = arena.alloc<uint32_t>(counts.vertices);
+  return arena.ok();
+}
+
+bool Ordering::allocate_result(Arena& arena, const Counts& counts) {
+  order = arena.alloc<uint32_t>(counts.vertices);
+  place = arena.alloc<uint32_t>(counts.vertices);
   piece_size = arena.alloc<uint32_t>(counts.vertices);
   piece_begin = arena.alloc<uint32_t>(counts.vertices);
   return arena.ok();

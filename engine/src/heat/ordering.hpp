@@ -22,6 +22,9 @@ struct Ordering {
   uint32_t* piece_begin = nullptr;  // [U]
 
   bool allocate(Arena& arena, const Counts& counts);
+  // The same in two parts: the scratch may be given back after dissect().
+  bool allocate_result(Arena& arena, const Counts& counts);
+  bool allocate_scratch(Arena& arena, const Counts& counts);
   // Orders the vertices of one component: halves first, the vertices that separate them last, again inside the halves
   // until they have at most `smallest` vertices.
   void dissect(const Mesh& mesh, uint32_t component, uint32_t smallest = kSmallestPiece);

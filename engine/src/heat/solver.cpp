@@ -45,20 +45,25 @@ void insert(uint16_t joint, uint16_t weight, uint16_t* joints, uint16_t* weights
 
 bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
   const size_t lanes = static_cast<size_t>(counts.vertices) * kLanes;
-  (void)ordering_.allocate(arena, counts);
+  (void)ordering_.allocate_result(arena, counts);
   matrix_.diagonal = arena.alloc<int64_t>(counts.vertices);
   pull_ = arena.alloc<int64_t>(counts.vertices);
-  row_pull_ = arena.alloc<int64_t>(counts.vertices);
   total_ = arena.alloc<int64_t>(counts.vertices);
   joints_ = arena.alloc<uint16_t>(counts.joints);
   lane_of_ = arena.alloc<uint8_t>(counts.joints);
   joint_count_ = counts.joints;
 
   const size_t shared = arena.mark();
-  (void)fronts_.allocate(arena, counts);
-  const size_t end = arena.used();
+  (void)ordering_.allocate_scratch(arena, counts);
+  size_t end = arena.used(), solve_mark = 0;
   arena.release(shared);
-  (void)factor_.allocate(arena, counts);
+  (void)fronts_.allocate(arena, counts);
+  if (arena.used() > end) end = arena.used();
+  arena.release(shared);
+  // An iterative solver's five vectors lie in the lower half of the factor's values: 12 entries are reserved at least.
+  (void)factor_.allocate(arena, counts, &solve_mark);
+  if (arena.used() > end) end = arena.used();
+  arena.release(solve_mark);
   rhs_ = arena.alloc<int64_t>(lanes);
   solution_ = arena.alloc<int32_t>(lanes);
   refinement_ = arena.alloc<int32_t>(lanes);
@@ -231,8 +236,9 @@ void HeatSolver::keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_
 }
 
 bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
+  add_row_pulls(sources, field);
+  matrix_.assemble(total_, kFactorDiagonalBits);
   clear_rows(out);
-  matrix_.assemble(row_pull_, kFactorDiagonalBits);
   if (!fronts_.factorise(matrix_, kernels_)) return false;
   const uint32_t count = list_joints(sources, field);
   const uint16_t* const ties = sources.ties[HeatSources::measure_of(field)];
@@ -264,8 +270,9 @@ bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatFiel
 }
 
 bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField* out) {
+  add_row_pulls(sources, field);
+  matrix_.assemble(total_, iterative_ ? kIterativeDiagonalBits : kFactorDiagonalBits);
   clear_rows(out);
-  matrix_.assemble(row_pull_, iterative_ ? kIterativeDiagonalBits : kFactorDiagonalBits);
   if (!iterative_) {
     factor_.factorise(matrix_);
     if (factor_.smallest_bits < kWellConditionedBits) refinements_ = kRefinements;
@@ -291,8 +298,8 @@ void HeatSolver::strengthen_pulls() {
     int64_t row = 0;
     for (uint32_t e = mesh_->row_offsets[v]; e < mesh_->row_offsets[v + 1]; ++e) row += matrix_.edges->weight[e];
     if (row > stiffness) stiffness = row;
-    if (row_pull_[k] >> 40 != 0) return;  // one strong source is enough
-    sum += row_pull_[k];
+    if (total_[k] >> 40 != 0) return;  // one strong source is enough
+    sum += total_[k];
   }
   int shift = 0;
   while (sum > 0 && sum < (stiffness >> 8)) {
@@ -300,9 +307,13 @@ void HeatSolver::strengthen_pulls() {
     ++shift;
   }
   if (shift == 0) return;
+  for (uint32_t k = 0; k < matrix_.rows; ++k) pull_[k] *= static_cast<int64_t>(1) << shift;
+}
+
+void HeatSolver::add_row_pulls(const HeatSources& sources, uint32_t field) {
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
-    pull_[k] *= static_cast<int64_t>(1) << shift;
-    row_pull_[k] *= static_cast<int64_t>(1) << shift;
+    total_[k] = 0;
+    for (uint32_t mask = sources.mask[field][ordering_.order[k]]; mask != 0; mask &= mask - 1) total_[k] += pull_[k];
   }
 }
 
@@ -316,8 +327,8 @@ void HeatSolver::set_pulls(const HeatSources& sources, uint32_t field) {
     // A bone through a vertex holds it fast long before this, and the others keep their precision.
     constexpr int64_t kStrongest = static_cast<int64_t>(1) << 59;
     if (bones > 0 && pull_[k] > kStrongest / bones) pull_[k] = kStrongest / bones;
-    row_pull_[k] = bones * pull_[k];
   }
+  add_row_pulls(sources, field);
   strengthen_pulls();
 }
 

@@ -38,6 +38,7 @@ class HeatSolver {
 
  private:
   void set_pulls(const HeatSources& sources, uint32_t field);
+  void add_row_pulls(const HeatSources& sources, uint32_t field);
   void leave_fronts();
   // The fast way. False when the matrix is not for it.
   bool try_fronts(const HeatSources& sources, uint32_t field, HeatField* out);
@@ -57,7 +58,7 @@ class HeatSolver {
   HeatMatrix matrix_;
   Ordering ordering_;
   FrontKernels kernels_;
-  // These two share their memory: the second is for what the first cannot do.
+  // These two share their memory: the second is for what the first cannot do. The ordering's scratch lies there, too.
   FrontFactor fronts_;
   Factor factor_;
   bool with_fronts_ = false;
@@ -65,14 +66,13 @@ class HeatSolver {
   uint32_t refinements_ = 0;
   bool wild_ = false;
   int64_t* pull_ = nullptr;        // [U] Q40 of one tied bone, by elimination place
-  int64_t* row_pull_ = nullptr;    // [U] of all tied bones
   int64_t* rhs_ = nullptr;         // [U x kLanes]
   int32_t* solution_ = nullptr;    // [U x kLanes] Q24
   int32_t* refinement_ = nullptr;  // [U x kLanes] Q24
-  int64_t* total_ = nullptr;       // [U] sum of the solutions over all joints, Q24
-  uint16_t* joints_ = nullptr;     // [J] joints with a source in this component and field
-  uint8_t* lane_of_ = nullptr;     // [J] kNoLane or the joint's lane in the batch at hand
-  uint32_t joint_count_ = 0;       // J
+  int64_t* total_ = nullptr;    // [U] Q40 pulls of all tied bones; then the sum of the solutions over all joints, Q24
+  uint16_t* joints_ = nullptr;  // [J] joints with a source in this component and field
+  uint8_t* lane_of_ = nullptr;  // [J] kNoLane or the joint's lane in the batch at hand
+  uint32_t joint_count_ = 0;    // J
 };
 
 }  // namespace sinew

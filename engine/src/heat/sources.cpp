@@ -320,13 +320,23 @@ bool allocate_scratch(Arena& arena, const Counts& counts, FaceTree* tree, BoneLi
 }  // namespace
 
 bool HeatSources::allocate(Arena& arena, const Counts& counts) {
+  HeatFields fields;
+  for (HeatField& field : fields.field) {
+    field.nearest = arena.alloc<uint16_t>(counts.vertices);
+    field.has_source = arena.alloc<uint8_t>(counts.vertices);
+  }
+  fields.component_rule = arena.alloc<uint8_t>(counts.vertices);
+  return allocate_beside(arena, counts, fields);
+}
+
+bool HeatSources::allocate_beside(Arena& arena, const Counts& counts, const HeatFields& fields) {
   for (int m = 0; m < 2; ++m) {
     ties[m] = arena.alloc<uint16_t>(static_cast<size_t>(counts.vertices) * kMaxTies);
     distance[m] = arena.alloc<int64_t>(counts.vertices);
-    nearest[m] = arena.alloc<uint16_t>(counts.vertices);
+    nearest[m] = fields.field[m == 0 ? kFieldRule : kFieldSoft].nearest;
   }
-  for (uint32_t f = 0; f < kFieldCount; ++f) mask[f] = arena.alloc<uint8_t>(counts.vertices);
-  component_rule = arena.alloc<uint8_t>(counts.vertices);
+  for (uint32_t f = 0; f < kFieldCount; ++f) mask[f] = fields.field[f].has_source;
+  component_rule = fields.component_rule;
   return arena.ok();
 }
 

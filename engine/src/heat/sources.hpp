@@ -23,6 +23,9 @@ struct HeatSources {
   uint8_t* component_rule = nullptr;  // [component_count] 0 merged, 1 parts, 2 open
 
   bool allocate(Arena& arena, const Counts& counts);
+  // The same, with nearest, mask and component_rule where the fields have nearest (of rule and soft), has_source and
+  // component_rule.
+  bool allocate_beside(Arena& arena, const Counts& counts, const HeatFields& fields);
   static int measure_of(uint32_t field) { return field == kFieldSoft ? 1 : 0; }
 };
 
