@@ -19,6 +19,12 @@ void add_style_options(CLI::App* sub, StyleOptions* style) {
                   "How softly weights blend between joints: 2 twice as softly, 0.5 harder")
       ->check(CLI::Range(0.25, 4.0))
       ->capture_default_str();
+  sub->add_option("--surface-vertices", style->surface_vertices,
+                  "A mesh of more vertices is bound on a surface reduced to so many, and its weights are interpolated: "
+                  "faster, in less memory")
+      ->check(CLI::Range(16, static_cast<int>(SINEW_MAX_VERTICES)))
+      ->capture_default_str()
+      ->type_name("N");
 }
 
 void apply_style(const StyleOptions& style, BindOptions* options) {
@@ -27,6 +33,7 @@ void apply_style(const StyleOptions& style, BindOptions* options) {
   options->rigid_parts = style.rigid_parts == "always"  ? SINEW_RIGID_PARTS_ALWAYS
                          : style.rigid_parts == "never" ? SINEW_RIGID_PARTS_NEVER
                                                         : SINEW_RIGID_PARTS_AUTO;
+  options->surface_vertices = style.surface_vertices;
   options->softness_percent = static_cast<uint32_t>(std::lround(style.softness * 100));
 }
 
@@ -35,6 +42,7 @@ std::string style_text(const StyleOptions& style) {
   std::string text;
   if (style.rigid_parts != usual.rigid_parts) text += " --rigid-parts " + style.rigid_parts;
   if (style.softness != usual.softness) text += print(" --softness %g", style.softness);
+  if (style.surface_vertices != usual.surface_vertices) text += print(" --surface-vertices %u", style.surface_vertices);
   return text;
 }
 

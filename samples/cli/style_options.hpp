@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options --rigid-parts and --softness, which bind and eval share.
+// The options --rigid-parts, --softness and --surface-vertices, which bind and eval share.
 #ifndef SINEW_CLI_STYLE_OPTIONS_HPP
 #define SINEW_CLI_STYLE_OPTIONS_HPP
 
@@ -13,10 +13,11 @@ namespace sinew::cli {
 struct StyleOptions {
   std::string rigid_parts = "auto";
   double softness = 1;
+  uint32_t surface_vertices = 32768;
 };
 // `style` must live as long as the subcommand.
 void add_style_options(CLI::App* sub, StyleOptions* style);
-// Throws UsageError when the method of `options` has no use for them.
+// Throws UsageError when the method of `options` has no use for the softness.
 void apply_style(const StyleOptions& style, BindOptions* options);
 // " --rigid-parts always --softness 2", without what is as usual: empty for the defaults.
 std::string style_text(const StyleOptions& style);

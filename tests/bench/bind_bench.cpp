@@ -25,7 +25,8 @@ namespace {
 
 using namespace sinew;
 
-constexpr const char* kStages[] = {"mesh", "heat", "candidates", "features", "network", "whole"};
+constexpr const char* kStages[] = {"mesh", "reduction", "heat", "candidates", "features", "network", "whole"};
+constexpr size_t kWhole = 6;
 
 void check(sinew_status status, const char* what) {
   if (status == SINEW_OK) return;
@@ -61,16 +62,16 @@ class Block {
 
 // The stages as run_bind() calls them, each with the time it took.
 void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std::vector<double>* seconds) {
-  Counts counts;
-  check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count,
-                    model.candidate_count, model.grid_size, &counts),
-        "counts");
-  NetworkOptions options;
+  sinew_options options = {};
   options.kernel = kernel;
+  BindPlan plan;
+  check(plan_bind(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count,
+                  &options, &plan),
+        "plan");
   Arena measuring;
-  measure_prepare(measuring, counts, PrepareFor::kNetwork);
-  measure_run_network(measuring, model, counts, options);
-  const size_t bytes = measuring.high_water() + counts.vertices * size_t{64};
+  measure_bind(measuring, plan);
+  const size_t bytes = measuring.high_water();
+  const Counts &full = plan.counts, counts = full.surface();
   const Block block(bytes);
   Arena arena(block.data(), bytes);
   Prepared p;
@@ -79,18 +80,21 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
     check(run(), kStages[stage]);
     seconds[stage].push_back(sinew_bench::thread_seconds() - start);
   };
-  p.mesh.allocate(arena, counts);
-  p.skeleton.allocate(arena, counts);
-  timed(0, [&] { return build_mesh(in.mesh, in.skeleton, 0, counts, arena, &p.mesh, &p.skeleton); });
+  p.mesh.allocate(arena, full);
+  p.skeleton.allocate(arena, full);
+  timed(0, [&] { return build_mesh(in.mesh, in.skeleton, 0, full, arena, &p.mesh, &p.skeleton); });
+  if (full.may_reduce()) p.reduction.allocate(arena, full);
+  timed(1, [&] { return full.may_reduce() ? reduce_mesh(p.mesh, full, {}, arena, &p.reduction) : SINEW_OK; });
+  const Mesh& mesh = p.surface();
   p.heat.allocate(arena, counts);
-  timed(1, [&] { return solve_heat(p.mesh, p.skeleton, counts, {}, arena, &p.heat, kernel); });
+  timed(2, [&] { return solve_heat(mesh, p.skeleton, counts, {}, arena, &p.heat, kernel); });
   p.candidates.allocate(arena, counts);
-  timed(2, [&] { return find_candidates(p.mesh, p.skeleton, counts, {}, arena, &p.candidates); });
+  timed(3, [&] { return find_candidates(mesh, p.skeleton, counts, {}, arena, &p.candidates); });
   p.features.allocate(arena, counts);
-  timed(3, [&] { return build_features(p.mesh, p.skeleton, p.candidates, p.heat, counts, arena, &p.features); });
+  timed(4, [&] { return build_features(mesh, p.skeleton, p.candidates, p.heat, counts, arena, &p.features); });
   const NetworkInput input = network_input(p, counts);
-  std::vector<int16_t> logits(size_t{p.mesh.welded_count} * counts.candidates);
-  timed(4, [&] { return run_network(model, input, {}, arena, logits.data(), options); });
+  std::vector<int16_t> logits(size_t{mesh.welded_count} * counts.candidates);
+  timed(5, [&] { return run_network(model, input, {}, arena, logits.data(), plan.network); });
 }
 
 // What threads would make of a bind, from processor time alone, so that it can be told on a busy machine too: pieces
@@ -171,19 +175,19 @@ void measure(double vertices, const sinew_model& model, uint32_t kernel, int rep
         "workspace");
   const Block block(bytes);
   std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
-  std::vector<double> seconds[6];
+  std::vector<double> seconds[kWhole + 1];
   for (int i = 0; i < repeats; ++i) {
     const double start = sinew_bench::thread_seconds();
     check(
         sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, joints.data(), weights.data(), &used),
         "bind");
-    seconds[5].push_back(sinew_bench::thread_seconds() - start);
+    seconds[kWhole].push_back(sinew_bench::thread_seconds() - start);
     time_stages(in, model, kernel, seconds);
   }
-  const double whole = sinew_bench::median(seconds[5]);
+  const double whole = sinew_bench::median(seconds[kWhole]);
   uint64_t hash = sinew_bench::fnv1a(sinew_bench::kHashStart, joints.data(), joints.size() * 2);
   hash = sinew_bench::fnv1a(hash, weights.data(), weights.size() * 2);
-  for (size_t stage = 0; stage < 6; ++stage) {
+  for (size_t stage = 0; stage <= kWhole; ++stage) {
     const double median = sinew_bench::median(seconds[stage]);
     std::printf("%s,%s,%u,%u,%s,%.3f,%.3f,%.0f,%zu,%.0f,%016llx\n", sinew_bench::row_start().c_str(),
                 sinew_kernel_name(sinew_kernel_select(kernel)), in.mesh.vertex_count, in.skeleton.joint_count,

@@ -100,6 +100,7 @@ struct Call {
       constexpr uint32_t kSoftness[] = {0, 25, 100, 250, 400, 24, 401};
       o.softness_percent = kSoftness[in.below(7)];
       o.weights_in_place = in.below(2);
+      o.surface_vertices = in.below(2) == 0 ? 0 : 15 + in.below(12);
     } else {
       o.grid_size = 16;
     }

@@ -259,6 +259,7 @@ struct SetLine {
     if (key == "rigid") return &options.rigid_parts;
     if (key == "softness") return &options.softness_percent;
     if (key == "in-place") return &options.weights_in_place;
+    if (key == "surface") return &options.surface_vertices;
     if (key == "hints") return &hint_step;
     if (key == "confidence") return &confidence;
     return nullptr;

@@ -99,6 +99,7 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.symmetric = options.symmetric ? 1 : 0;
   engine_options.rigid_parts = options.rigid_parts;
   engine_options.softness_percent = options.softness_percent;
+  engine_options.surface_vertices = options.surface_vertices;
   engine_options.kernel = options.kernel != SINEW_KERNEL_AUTO ? options.kernel : kernel_from_environment();
   engine_options.progress = options.progress;
   engine_options.progress_user = options.progress_user;

@@ -190,6 +190,10 @@ typedef struct sinew_options {
   void* parallel_user;
   uint32_t thread_count; /* 1..64 pieces that work is cut into, as many as threads are to be busy; 0 = 1. Every piece
                           * has scratch of its own: given to sinew_bind_workspace_size() too */
+  /* 16..SINEW_MAX_VERTICES: a mesh with more welded vertices is bound on a surface reduced to at most as many, and its
+   * rows are interpolated on it; 0 = 32768. Time and most of the workspace hardly grow from there on. Given to
+   * sinew_bind_workspace_size() too. */
+  uint32_t surface_vertices;
 } sinew_options;
 
 /* Bytes sinew_bind() needs for meshes of at most these counts that have no more than corner_count - 2 face_count

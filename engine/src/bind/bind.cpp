@@ -3,8 +3,11 @@
 // fail.
 #include "bind/bind.hpp"
 
+#include <string.h>
+
 #include "core/build.hpp"
 #include "kernels/select.hpp"
+#include "weights/blend.hpp"
 #include "weights/confidence.hpp"
 #include "weights/given.hpp"
 #include "weights/hints.hpp"
@@ -26,9 +29,9 @@ struct Logits {
   }
 };
 
-// What the network or the heat field says of a welded vertex, in kRowSlots slots.
-void predicted_row(const BindPlan& plan, const Prepared& p, const Logits& logits, uint32_t vertex, uint16_t* joints,
-                   uint32_t* weights) {
+// What the network or the heat field says of a vertex of p.surface(), in kRowSlots slots.
+void surface_row(const BindPlan& plan, const Prepared& p, const Logits& logits, uint32_t vertex, uint16_t* joints,
+                 uint32_t* weights) {
   for (uint32_t i = 0; i < kRowSlots; ++i) {
     joints[i] = kNoJoint;
     weights[i] = 0;
@@ -52,14 +55,42 @@ void predicted_row(const BindPlan& plan, const Prepared& p, const Logits& logits
   prune_q16(weights, k);
 }
 
+// The row of a welded vertex of the full mesh, from those that row(surface vertex, joints, weights) gives.
+template <class Row>
+void full_row(const Prepared& p, uint32_t vertex, const Row& row, uint16_t* joints, uint32_t* weights) {
+  if (!kHasExtras || !p.reduction.active) return row(vertex, joints, weights);
+  const Place place = p.reduction.place(p.mesh, vertex);
+  RowBlend blend;
+  for (int i = 0; i < 3; ++i) {
+    if (place.shares[i] == 0) continue;
+    row(place.vertices[i], joints, weights);
+    blend.add(joints, weights, place.shares[i]);
+  }
+  blend.take(joints, weights);
+}
+
+// The same from the prediction.
+void predicted_row(const BindPlan& plan, const Prepared& p, const Logits& logits, uint32_t vertex, uint16_t* joints,
+                   uint32_t* weights) {
+  full_row(
+      p, vertex,
+      [&](uint32_t v, uint16_t* row_joints, uint32_t* row_weights) {
+        surface_row(plan, p, logits, v, row_joints, row_weights);
+      },
+      joints, weights);
+}
+
 // Rows that rigid parts, hints and symmetry change; not there without them.
 struct Edit {
+  Rows surface;  // of p.surface(), where parts become rigid or soft; the same as `rows` where nothing can be reduced
   Rows rows;
   GivenRows given;
   Symmetry symmetry;
 
   bool allocate(Arena& arena, const BindPlan& plan) {
     (void)rows.allocate(arena, plan.counts);
+    surface = rows;
+    if (plan.counts.may_reduce()) (void)surface.allocate(arena, plan.counts.surface());
     (void)given.allocate(arena, plan.counts);
     if (plan.symmetric) (void)symmetry.allocate(arena, plan.counts);
     return arena.ok();
@@ -93,16 +124,25 @@ sinew_status check_given(const BindPlan& plan, const uint16_t* joints, const voi
 
 sinew_status edit_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const uint16_t* joints,
                        const void* weights, Arena& arena, Edit* edit) {
-  plan.counts.threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-    for (uint32_t v = begin; v < end; ++v)
-      predicted_row(plan, p, logits, v, edit->rows.joints_of(v), edit->rows.weights_of(v));
+  Rows& surface = edit->surface;
+  plan.counts.threads.ranges(p.surface().welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) surface_row(plan, p, logits, v, surface.joints_of(v), surface.weights_of(v));
   });
   if (plan.rigid_parts != SINEW_RIGID_PARTS_AUTO) {
     const sinew_status status =
         plan.rigid_parts == SINEW_RIGID_PARTS_ALWAYS
-            ? make_parts_rigid(p.mesh, plan.counts, arena, &edit->rows)
-            : make_parts_soft(p.mesh, p.heat.field[kFieldRule], plan.counts, arena, &edit->rows);
+            ? make_parts_rigid(p.surface(), plan.counts, arena, &surface)
+            : make_parts_soft(p.surface(), p.heat.field[kFieldRule], plan.counts, arena, &surface);
     if (status != SINEW_OK) return status;
+  }
+  if (surface.joints != edit->rows.joints) {
+    const auto row = [&](uint32_t v, uint16_t* row_joints, uint32_t* row_weights) {
+      memcpy(row_joints, surface.joints_of(v), kRowSlots * sizeof(uint16_t));
+      memcpy(row_weights, surface.weights_of(v), kRowSlots * sizeof(uint32_t));
+    };
+    plan.counts.threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+      for (uint32_t v = begin; v < end; ++v) full_row(p, v, row, edit->rows.joints_of(v), edit->rows.weights_of(v));
+    });
   }
   gather_given_rows(p.mesh, plan.locked, plan.hints, joints, weights, plan.weight_format, plan.influence_count,
                     &edit->given);
@@ -198,11 +238,14 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
       o.up_axis > 1 || o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS ||
       kernel_name(o.kernel) == nullptr || o.weight_format > SINEW_WEIGHT_FLOAT ||
       o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
+      (o.surface_vertices != 0 && (o.surface_vertices < 16 || o.surface_vertices > SINEW_MAX_VERTICES)) ||
       (o.softness_percent != 0 && (o.softness_percent < 25 || o.softness_percent > 400))) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (!kHasExtras && (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO))
+  if (!kHasExtras &&
+      (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO || o.surface_vertices != 0)) {
     return SINEW_ERROR_ARGUMENT;
+  }
   plan->purpose = o.method == SINEW_METHOD_HEAT ? PrepareFor::kHeat : PrepareFor::kNetwork;
   uint32_t candidates = or_default(o.candidate_count, 8), grid = or_default(o.grid_size, 64);
   if (plan->purpose == PrepareFor::kNetwork) {
@@ -228,6 +271,7 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->progress = Progress{o.progress, o.progress_user};
   const sinew_status status = make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
   if (plan->purpose == PrepareFor::kNetwork) plan->counts.feature_flags = model->feature_set & kFeatureFlags;
+  plan->counts.surface_vertices = or_default(o.surface_vertices, kSurfaceVertices);
   plan->counts.threads = Threads{or_default(o.thread_count, 1), o.parallel_for, o.parallel_user};
   return status;
 }
@@ -235,8 +279,8 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
 void measure_bind(Arena& arena, const BindPlan& plan) {
   measure_prepare(arena, plan.counts, plan.purpose);
   if (plan.purpose == PrepareFor::kNetwork) {
-    Logits().allocate(arena, plan.counts);
-    measure_run_network(arena, plan.model, plan.counts, plan.network);
+    Logits().allocate(arena, plan.counts.surface());
+    measure_run_network(arena, plan.model, plan.counts.surface(), plan.network);
   }
   if (!is_edited(plan)) return;
   Edit().allocate(arena, plan);
@@ -259,7 +303,7 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
 
   Logits logits;
   if (plan.purpose == PrepareFor::kNetwork) {
-    if (!logits.allocate(arena, plan.counts)) return SINEW_ERROR_WORKSPACE;
+    if (!logits.allocate(arena, plan.counts.surface())) return SINEW_ERROR_WORKSPACE;
     const NetworkInput input = network_input(p, plan.counts);
     status = run_network(plan.model, input, plan.progress.part(650, is_edited(plan) ? 960 : 990), arena, logits.values,
                          plan.network);

@@ -27,6 +27,9 @@ struct BindPlan {
   Progress progress;
 };
 
+// Vertices above which a mesh is reduced unless the caller says otherwise.
+constexpr uint32_t kSurfaceVertices = 32768;
+
 // Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan);

@@ -8,17 +8,18 @@ namespace sinew {
 
 NetworkInput network_input(const Prepared& p, const Counts& counts) {
   NetworkInput input;
-  input.vertex_count = p.mesh.welded_count;
+  const Mesh& mesh = p.surface();
+  input.vertex_count = mesh.welded_count;
   input.candidate_count = counts.candidates;
   input.vertex_features = p.features.vertex;
   input.pair_features = p.features.pair;
   input.joints = p.features.joints;
-  input.row_offsets = p.mesh.row_offsets;
-  input.col_indices = p.mesh.col_indices;
-  input.component = p.mesh.component;
-  input.component_offsets = p.mesh.component_offsets;
-  input.component_vertices = p.mesh.component_vertices;
-  input.component_count = p.mesh.component_count;
+  input.row_offsets = mesh.row_offsets;
+  input.col_indices = mesh.col_indices;
+  input.component = mesh.component;
+  input.component_offsets = mesh.component_offsets;
+  input.component_vertices = mesh.component_vertices;
+  input.component_count = mesh.component_count;
   input.joint_count = p.skeleton.joint_count;
   input.threads = counts.threads;
   return input;
@@ -40,16 +41,21 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
   p.mesh.allocate(arena, counts);
   p.skeleton.allocate(arena, counts);
   measure_build_mesh(arena, counts);
-  if (purpose == PrepareFor::kNetwork) {
-    p.candidates.allocate(arena, counts);
-    measure_find_candidates(arena, counts);
+  if (counts.may_reduce()) {
+    p.reduction.allocate(arena, counts);
+    measure_reduce_mesh(arena, counts);
   }
-  p.heat.allocate(arena, counts);
-  measure_solve_heat(arena, counts);
+  const Counts surface = counts.surface();
+  if (purpose == PrepareFor::kNetwork) {
+    p.candidates.allocate(arena, surface);
+    measure_find_candidates(arena, surface);
+  }
+  p.heat.allocate(arena, surface);
+  measure_solve_heat(arena, surface);
   if (purpose == PrepareFor::kHeat) return;
-  p.features.allocate(arena, counts);
-  measure_build_features(arena, counts);
-  if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) measure_compute_spectral(arena, counts);
+  p.features.allocate(arena, surface);
+  measure_build_features(arena, surface);
+  if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) measure_compute_spectral(arena, surface);
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
@@ -59,25 +65,33 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   if (status != SINEW_OK) return status;
   if (!progress.report(50)) return SINEW_ERROR_CANCELLED;
 
+  if (counts.may_reduce()) {
+    if (!out->reduction.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+    status = reduce_mesh(out->mesh, counts, progress.part(50, 100), arena, &out->reduction);
+    if (status != SINEW_OK) return status;
+  }
+  const Counts surface = counts.surface();
+  const Mesh& mesh_of_stages = out->surface();
+
   // The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
   const bool network = purpose == PrepareFor::kNetwork;
   if (network) {
-    if (!out->candidates.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-    status = find_candidates(out->mesh, out->skeleton, counts, progress.part(50, 200), arena, &out->candidates);
+    if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+    status = find_candidates(mesh_of_stages, out->skeleton, surface, progress.part(100, 200), arena, &out->candidates);
     if (status != SINEW_OK) return status;
   }
 
-  if (!out->heat.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  const Progress heat_progress = network ? progress.part(200, 600) : progress.part(50, 950);
-  status = solve_heat(out->mesh, out->skeleton, counts, heat_progress, arena, &out->heat, kernel);
+  if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+  const Progress heat_progress = network ? progress.part(200, 600) : progress.part(100, 950);
+  status = solve_heat(mesh_of_stages, out->skeleton, surface, heat_progress, arena, &out->heat, kernel);
   if (status != SINEW_OK || !network) return status;
 
-  if (!out->features.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  status = build_features(out->mesh, out->skeleton, out->candidates, out->heat, counts, arena, &out->features);
+  if (!out->features.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+  status = build_features(mesh_of_stages, out->skeleton, out->candidates, out->heat, surface, arena, &out->features);
   if (status != SINEW_OK) return status;
   if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) {
-    status = compute_spectral(out->mesh, counts, progress.part(620, 650), arena, out->features.vertex + kVertexFeatures,
-                              out->features.vertex_channels);
+    status = compute_spectral(mesh_of_stages, surface, progress.part(620, 650), arena,
+                              out->features.vertex + kVertexFeatures, out->features.vertex_channels);
     if (status != SINEW_OK) return status;
   }
   return progress.report(650) ? SINEW_OK : SINEW_ERROR_CANCELLED;

@@ -8,6 +8,7 @@
 #include "heat/heat.hpp"
 #include "mesh/mesh.hpp"
 #include "network/network.hpp"
+#include "reduce/reduction.hpp"
 
 namespace sinew {
 
@@ -15,16 +16,21 @@ namespace sinew {
 struct Prepared {
   Mesh mesh;
   Skeleton skeleton;
+  Reduction reduction;
   Candidates candidates;
   HeatFields heat;
   Features features;  // candidates and features: only for kNetwork
+
+  // The mesh that the last three belong to.
+  const Mesh& surface() const { return reduction.active ? reduction.mesh : mesh; }
 };
 
 // How far to go: method heat needs neither candidates nor features.
 enum class PrepareFor { kHeat, kNetwork };
 
-// Runs stages 1 to 7 (and the spectral stage where counts.feature_flags ask for it) in the arena (for kHeat stages 1, 2
-// and 4). Reports 0..650 permille (kHeat: 0..950). `kernel` as in solve_heat().
+// Runs stages 1 to 7, from the heat on over a reduced mesh if the mesh exceeds counts.surface() (and the spectral stage
+// where counts.feature_flags ask for it) in the arena (for kHeat stages 1, 2 and 4). Reports 0..650 permille (kHeat:
+// 0..950). `kernel` as in solve_heat().
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
                      PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out,
                      uint32_t kernel = SINEW_KERNEL_AUTO);

@@ -5,6 +5,7 @@
 
 #include <stdint.h>
 
+#include "core/build.hpp"
 #include "core/threads.hpp"
 #include "sinew/sinew.h"
 
@@ -20,11 +21,25 @@ struct Counts {
   uint32_t joints = 0;
   uint32_t candidates = 8;
   uint32_t grid = 64;
-  uint32_t feature_flags = 0;  // optional channels, features/features.hpp
-  Threads threads = {};        // `lanes` is a bound like the others; the rest says how to run
+  uint32_t feature_flags = 0;              // optional channels, features/features.hpp
+  uint32_t surface_vertices = UINT32_MAX;  // a mesh of more is reduced to as many
+  Threads threads = {};                    // `lanes` is a bound like the others; the rest says how to run
 
   // Fan triangles T: a face of n corners gives n - 2, and none has fewer than two corners.
   uint32_t triangles() const { return corners - 2 * faces; }
+  // Triangles above which a mesh is reduced, whatever its vertices: twice what a closed surface has.
+  uint32_t surface_triangles() const { return surface_vertices > UINT32_MAX / 4 ? UINT32_MAX : 4 * surface_vertices; }
+  // Whether the mesh may have to be reduced.
+  bool may_reduce() const { return kHasExtras && (vertices > surface_vertices || triangles() > surface_triangles()); }
+  // Bounds of the mesh that the stages after the mesh run on: the reduced one, or the mesh itself.
+  Counts surface() const {
+    if (!may_reduce()) return *this;
+    Counts counts = *this;
+    if (vertices > surface_vertices) counts.vertices = surface_vertices;
+    counts.faces = triangles() > surface_triangles() ? surface_triangles() : triangles();
+    counts.corners = 3 * counts.faces;
+    return counts;
+  }
 };
 
 // Progress of one stage: 0..1000 of the stage is mapped to [from, to] of the whole. report() returns false when the

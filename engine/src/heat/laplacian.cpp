@@ -21,6 +21,18 @@ struct Scratch {
   }
 };
 
+// Of a triangle so flat that a cotangent was cut to the limit: the obtuse corner's becomes what belongs to the other
+// two, because products of the three in pairs sum to 1. Without it the triangle's part of the matrix is not positive.
+void fit_obtuse_corner(int32_t* cotangents) {
+  constexpr int32_t kLimit = static_cast<int32_t>(kCotangentLimit * (1 << kEdgeWeightBits));
+  uint32_t least = 0;
+  for (uint32_t k = 1; k < 3; ++k) least = cotangents[k] < cotangents[least] ? k : least;
+  const int64_t a = cotangents[(least + 1) % 3], b = cotangents[(least + 2) % 3];
+  if (a < kLimit && b < kLimit) return;
+  constexpr int64_t kOne = static_cast<int64_t>(1) << (2 * kEdgeWeightBits);
+  cotangents[least] = static_cast<int32_t>((kOne - a * b) / (a + b));  // both others are acute, and one is the limit
+}
+
 }  // namespace
 
 int32_t cotangent_q24(Vec3i apex, Vec3i b, Vec3i c) {
@@ -62,18 +74,34 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
   memset(scratch.faces, 0, entries * sizeof(scratch.faces[0]));
   for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
     const uint32_t* corner = mesh.triangles + 3 * static_cast<size_t>(t);
+    int32_t cotangents[3];
     for (uint32_t k = 0; k < 3; ++k) {
-      const uint32_t apex = corner[k], b = corner[(k + 1) % 3], c = corner[(k + 2) % 3];
-      const int32_t cotangent = cotangent_q24(mesh.positions[apex], mesh.positions[b], mesh.positions[c]);
+      cotangents[k] = cotangent_q24(mesh.positions[corner[k]], mesh.positions[corner[(k + 1) % 3]],
+                                    mesh.positions[corner[(k + 2) % 3]]);
+    }
+    if (mesh.reduced) fit_obtuse_corner(cotangents);
+    for (uint32_t k = 0; k < 3; ++k) {
+      const uint32_t b = corner[(k + 1) % 3], c = corner[(k + 2) % 3];
       const uint32_t edges[2] = {edge_index(mesh, b, c), edge_index(mesh, c, b)};
       for (const uint32_t e : edges) {
-        scratch.sums[e] += cotangent;
+        scratch.sums[e] += cotangents[k];
         ++scratch.faces[e];
       }
     }
   }
   for (size_t e = 0; e < entries; ++e) {
     const int64_t count = scratch.faces[e];
+    if (count == 0) {  // an edge without a triangle, of a reduced mesh: about as an equilateral one's
+      out->weight[e] = 1 << (kEdgeWeightBits - 1);
+      continue;
+    }
+    // Two triangles an edge make a positive matrix whatever their angles; with more or fewer, no less than half of the
+    // sum does. The mean may be less: a caller's mesh keeps it all the same (engine/src/heat/README.md).
+    const int64_t half = round_shift(scratch.sums[e], 1);
+    if (mesh.reduced && count != 2 && half * count > scratch.sums[e]) {
+      out->weight[e] = static_cast<int32_t>(half);
+      continue;
+    }
     const int64_t doubled = 2 * scratch.sums[e] + count;  // round half up: floor((2 sum + count) / (2 count))
     const int64_t quotient = doubled / (2 * count);
     out->weight[e] = static_cast<int32_t>(doubled < 0 && quotient * 2 * count != doubled ? quotient - 1 : quotient);

@@ -21,6 +21,7 @@ constexpr int kNormalBits = 14;  // unit vectors are Q14
 // The welded mesh. Vertices with the same grid position are one welded vertex. Welded vertices are in Morton order of
 // their grid position, so nothing after this stage depends on the caller's numbering. U = welded_count.
 struct Mesh {
+  bool reduced = false;                  // made by reduce_mesh(): edges may have any number of triangles, even none
   uint32_t vertex_count = 0;             // V, the caller's
   uint32_t welded_count = 0;             // U <= V
   uint32_t* vertex_to_welded = nullptr;  // [V]

@@ -23,6 +23,7 @@ struct BindOptions {
   std::vector<uint8_t> hints;           // [V] or empty; the same, and their rows steer the vertices around them
   uint32_t rigid_parts = 0;             // sinew_rigid_parts
   uint32_t softness_percent = 100;      // of the model's weights
+  uint32_t surface_vertices = 0;        // see sinew_options
   bool symmetric = false;               // mirrored vertices get mirrored rows
   uint32_t kernel = SINEW_KERNEL_AUTO;  // AUTO asks kernel_from_environment()
   sinew_progress progress = nullptr;

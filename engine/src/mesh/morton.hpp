@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Morton keys of grid positions: the order of vertices in everything after the weld.
+#ifndef SINEW_MESH_MORTON_HPP
+#define SINEW_MESH_MORTON_HPP
+
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+// 21-bit coordinate to every third bit and back.
+inline uint64_t spread_bits(uint32_t value) {
+  uint64_t v = value;
+  v = (v | (v << 32)) & 0x001F00000000FFFFull;
+  v = (v | (v << 16)) & 0x001F0000FF0000FFull;
+  v = (v | (v << 8)) & 0x100F00F00F00F00Full;
+  v = (v | (v << 4)) & 0x10C30C30C30C30C3ull;
+  v = (v | (v << 2)) & 0x1249249249249249ull;
+  return v;
+}
+inline uint32_t gather_bits(uint64_t key) {
+  uint64_t v = key & 0x1249249249249249ull;
+  v = (v | (v >> 2)) & 0x10C30C30C30C30C3ull;
+  v = (v | (v >> 4)) & 0x100F00F00F00F00Full;
+  v = (v | (v >> 8)) & 0x001F0000FF0000FFull;
+  v = (v | (v >> 16)) & 0x001F00000000FFFFull;
+  v = (v | (v >> 32)) & 0x00000000001FFFFFull;
+  return static_cast<uint32_t>(v);
+}
+// Mesh coordinates are x, z in [-2^19, 2^19] and y in [0, 2^20]; the shift makes x and z non-negative.
+inline uint64_t morton_key(Vec3i p) {
+  return spread_bits(static_cast<uint32_t>(p.x + kSide / 2)) | (spread_bits(static_cast<uint32_t>(p.y)) << 1) |
+         (spread_bits(static_cast<uint32_t>(p.z + kSide / 2)) << 2);
+}
+inline Vec3i position_of_key(uint64_t key) {
+  return {static_cast<int32_t>(gather_bits(key)) - kSide / 2, static_cast<int32_t>(gather_bits(key >> 1)),
+          static_cast<int32_t>(gather_bits(key >> 2)) - kSide / 2};
+}
+
+}  // namespace sinew
+#endif

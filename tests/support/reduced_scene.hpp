@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// A scene taken through the mesh stage and the reduction, in a block of exactly the measured size.
+#ifndef SINEW_TESTS_SUPPORT_REDUCED_SCENE_HPP
+#define SINEW_TESTS_SUPPORT_REDUCED_SCENE_HPP
+
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include "heat_scene.hpp"
+#include "reduce/reduction.hpp"
+
+namespace sinew_test {
+
+class ReducedRun {
+ public:
+  explicit ReducedRun(const HeatScene& scene, uint32_t surface_vertices, sinew::Threads threads = {}) {
+    counts = scene.counts();
+    counts.surface_vertices = surface_vertices;
+    counts.threads = threads;
+    sinew::Arena measure;
+    (void)take(measure);
+    sinew::measure_build_mesh(measure, counts);
+    if (counts.may_reduce()) sinew::measure_reduce_mesh(measure, counts);
+    const size_t bytes = measure.high_water();
+    block_.reset(static_cast<uint8_t*>(::operator new (bytes, std::align_val_t{64})));
+    std::memset(block_.get(), 0xA5, bytes);
+    sinew::Arena arena(block_.get(), bytes);
+    (void)take(arena);
+    status = sinew::build_mesh(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
+    if (status == SINEW_OK && counts.may_reduce()) status = sinew::reduce_mesh(mesh, counts, {}, arena, &reduction);
+  }
+
+  sinew::Counts counts;
+  sinew::Mesh mesh;
+  sinew::Skeleton skeleton;
+  sinew::Reduction reduction;
+  sinew_status status = SINEW_OK;
+
+ private:
+  bool take(sinew::Arena& arena) {
+    (void)mesh.allocate(arena, counts);
+    (void)skeleton.allocate(arena, counts);
+    return !counts.may_reduce() || reduction.allocate(arena, counts);
+  }
+  struct Release {
+    void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
+  };
+  std::unique_ptr<uint8_t, Release> block_;
+};
+
+}  // namespace sinew_test
+#endif
