@@ -4,39 +4,19 @@
 
 #include <cmath>
 
-#include "network/network.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_trainer/network_input.hpp"
 
 namespace sinew {
 
 std::vector<float> engine_logits(const sinew_model& model, const Sample& sample) {
-  Counts counts;
-  counts.vertices = sample.vertices;
-  counts.joints = sample.joints;
-  counts.candidates = sample.candidates;
-  Arena measuring;
   NetworkOptions options;
   options.kernel = kernel_from_environment();
-  measure_run_network(measuring, model, counts, options);
-  const Workspace block(measuring.high_water());
+  const Workspace block(network_workspace(model, sample, options));
   Arena arena(block.data(), block.size());
-
-  NetworkInput input;
-  input.vertex_count = sample.vertices;
-  input.candidate_count = sample.candidates;
-  input.vertex_features = sample.vertex.data();
-  input.pair_features = sample.pair.data();
-  input.joints = sample.candidate.data();
-  input.row_offsets = sample.row_offsets.data();
-  input.col_indices = sample.col_indices.data();
-  input.component = sample.component.data();
-  input.component_offsets = sample.component_offsets.data();
-  input.component_vertices = sample.component_vertices.data();
-  input.component_count = sample.components;
-  input.joint_count = sample.joints;
   std::vector<int16_t> logits(static_cast<size_t>(sample.vertices) * sample.candidates);
-  const sinew_status status = run_network(model, input, Progress{}, arena, logits.data(), options);
+  const sinew_status status = run_network(model, network_input(sample), Progress{}, arena, logits.data(), options);
   if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
 
   constexpr float kLn2 = 0.69314718056f;

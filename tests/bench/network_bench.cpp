@@ -10,18 +10,17 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "bench_report.hpp"
-#include "core/counts.hpp"
 #include "features/features.hpp"
 #include "heat_scene.hpp"
-#include "network/network.hpp"
+#include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/network_input.hpp"
 #include "temp_folder.hpp"
 
 namespace {
@@ -70,37 +69,18 @@ struct Int16 : Contestant {
   NetworkInput input;
   NetworkOptions options;
   std::vector<int16_t> result;
-  void* block = nullptr;
+  std::unique_ptr<Workspace> block;
 
-  Int16(const sinew_model& m, const Sample& s, uint32_t kernel, bool in_place) : model(m) {
+  Int16(const sinew_model& m, const Sample& s, uint32_t kernel, bool in_place) : model(m), input(network_input(s)) {
     name = std::string("int16 ") + sinew_kernel_name(kernel) + (in_place ? " in place" : "");
     options.kernel = kernel;
     options.weights_in_place = in_place;
-    input.vertex_count = s.vertices;
-    input.candidate_count = s.candidates;
-    input.vertex_features = s.vertex.data();
-    input.pair_features = s.pair.data();
-    input.joints = s.candidate.data();
-    input.row_offsets = s.row_offsets.data();
-    input.col_indices = s.col_indices.data();
-    input.component = s.component.data();
-    input.component_offsets = s.component_offsets.data();
-    input.component_vertices = s.component_vertices.data();
-    input.component_count = s.components;
-    input.joint_count = s.joints;
-    Counts counts;
-    counts.vertices = s.vertices;
-    counts.joints = s.joints;
-    counts.candidates = s.candidates;
-    Arena measuring;
-    measure_run_network(measuring, model, counts, options);
-    bytes = measuring.high_water();
-    block = ::operator new (bytes, std::align_val_t{64});
+    block = std::make_unique<Workspace>(network_workspace(model, s, options));
+    bytes = block->size();
     result.resize(size_t{s.vertices} * s.candidates);
   }
-  ~Int16() override { ::operator delete (block, std::align_val_t{64}); }
   double pass() override {
-    Arena arena(block, bytes);
+    Arena arena(block->data(), block->size());
     const double start = sinew_bench::thread_seconds();
     if (run_network(model, input, {}, arena, result.data(), options) != SINEW_OK) throw Error(name + ": does not run");
     const double seconds = sinew_bench::thread_seconds() - start;

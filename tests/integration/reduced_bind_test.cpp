@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <new>
 #include <vector>
 
 #include "heat_scene.hpp"
 #include "lent_threads.hpp"
 #include "open_bundled_model.hpp"
+#include "sinew/sinew.hpp"
 
 namespace {
 
@@ -45,10 +45,9 @@ Bound bind_scene(const HeatScene& scene, sinew_options options) {
   bound.status = sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
                                            skeleton.joint_count, &options, &bound.bytes);
   if (bound.status != SINEW_OK) return bound;
-  void* block = ::operator new (bound.bytes, std::align_val_t{64});
-  bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block, bound.bytes, bound.joints.data(),
+  const sinew::Workspace block(bound.bytes);
+  bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block.data(), bound.bytes, bound.joints.data(),
                             bound.weights.data(), &bound.used);
-  ::operator delete (block, std::align_val_t{64});
   return bound;
 }
 

@@ -4,11 +4,10 @@
 #define SINEW_TESTS_SUPPORT_REDUCED_SCENE_HPP
 
 #include <cstring>
-#include <memory>
-#include <new>
 
 #include "heat_scene.hpp"
 #include "reduce/reduction.hpp"
+#include "sinew/sinew.hpp"
 
 namespace sinew_test {
 
@@ -23,9 +22,9 @@ class ReducedRun {
     sinew::measure_build_mesh(measure, counts);
     if (counts.may_reduce()) sinew::measure_reduce_mesh(measure, counts);
     const size_t bytes = measure.high_water();
-    block_.reset(static_cast<uint8_t*>(::operator new (bytes, std::align_val_t{64})));
-    std::memset(block_.get(), 0xA5, bytes);
-    sinew::Arena arena(block_.get(), bytes);
+    block_ = sinew::Workspace(bytes);
+    std::memset(block_.data(), 0xA5, bytes);
+    sinew::Arena arena(block_.data(), bytes);
     (void)take(arena);
     status = sinew::build_mesh(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
     if (status == SINEW_OK && counts.may_reduce()) status = sinew::reduce_mesh(mesh, counts, {}, arena, &reduction);
@@ -43,10 +42,7 @@ class ReducedRun {
     (void)skeleton.allocate(arena, counts);
     return !counts.may_reduce() || reduction.allocate(arena, counts);
   }
-  struct Release {
-    void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
-  };
-  std::unique_ptr<uint8_t, Release> block_;
+  sinew::Workspace block_;
 };
 
 }  // namespace sinew_test

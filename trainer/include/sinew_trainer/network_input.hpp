@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A sample as the engine's network sees it: for programs that run the int16 network beside the float one.
+#ifndef SINEW_TRAINER_NETWORK_INPUT_HPP
+#define SINEW_TRAINER_NETWORK_INPUT_HPP
+
+#include "network/network.hpp"
+#include "sinew_trainer/binder.hpp"
+
+namespace sinew {
+
+// Views of the sample, which must outlive them.
+inline NetworkInput network_input(const Sample& sample) {
+  NetworkInput input;
+  input.vertex_count = sample.vertices;
+  input.candidate_count = sample.candidates;
+  input.vertex_features = sample.vertex.data();
+  input.pair_features = sample.pair.data();
+  input.joints = sample.candidate.data();
+  input.row_offsets = sample.row_offsets.data();
+  input.col_indices = sample.col_indices.data();
+  input.component = sample.component.data();
+  input.component_offsets = sample.component_offsets.data();
+  input.component_vertices = sample.component_vertices.data();
+  input.component_count = sample.components;
+  input.joint_count = sample.joints;
+  return input;
+}
+
+// Bytes that run_network() needs for the sample.
+inline size_t network_workspace(const sinew_model& model, const Sample& sample, const NetworkOptions& options) {
+  Counts counts;
+  counts.vertices = sample.vertices;
+  counts.joints = sample.joints;
+  counts.candidates = sample.candidates;
+  Arena measuring;
+  measure_run_network(measuring, model, counts, options);
+  return measuring.high_water();
+}
+
+}  // namespace sinew
+#endif
