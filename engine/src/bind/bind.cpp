@@ -97,6 +97,12 @@ struct Edit {
   }
 };
 
+// What make_parts_soft() wants of the heat fields is all that is read of them behind the features.
+PrepareFor stages_of(const BindPlan& plan) {
+  const bool wants_heat = kHasExtras && plan.rigid_parts == SINEW_RIGID_PARTS_NEVER;
+  return plan.purpose == PrepareFor::kNetwork && !wants_heat ? PrepareFor::kNetworkAlone : plan.purpose;
+}
+
 bool is_edited(const BindPlan& plan) {
   return kHasExtras && (plan.hints != nullptr || plan.symmetric || plan.rigid_parts != SINEW_RIGID_PARTS_AUTO);
 }
@@ -277,7 +283,7 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
 }
 
 void measure_bind(Arena& arena, const BindPlan& plan) {
-  measure_prepare(arena, plan.counts, plan.purpose);
+  measure_prepare(arena, plan.counts, stages_of(plan));
   if (plan.purpose == PrepareFor::kNetwork) {
     Logits().allocate(arena, plan.counts.surface());
     measure_run_network(arena, plan.model, plan.counts.surface(), plan.network);
@@ -297,8 +303,8 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   if (status != SINEW_OK) return status;
   Arena arena(workspace, workspace_bytes);
   Prepared p;
-  status =
-      prepare(mesh, skeleton, plan.up_axis, plan.counts, plan.purpose, plan.progress, arena, &p, plan.network.kernel);
+  status = prepare(mesh, skeleton, plan.up_axis, plan.counts, stages_of(plan), plan.progress, arena, &p,
+                   plan.network.kernel);
   if (status != SINEW_OK) return status;
 
   Logits logits;

@@ -2,9 +2,24 @@
 // The order of the stages before the network, once for the run and once for the size query.
 #include "bind/pipeline.hpp"
 
+#include <string.h>
+
 #include "spectral/spectral.hpp"
 
 namespace sinew {
+namespace {
+
+// To the arena's end, which is in front of where they are: all arrays move by the same distance, the first one first.
+void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Features* features) {
+  const Features from = *features;
+  (void)features->allocate(arena, counts);
+  const size_t vertices = mesh.welded_count, pairs = vertices * counts.candidates;
+  memmove(features->vertex, from.vertex, vertices * from.vertex_channels * sizeof(int16_t));
+  memmove(features->pair, from.pair, pairs * kPairFeatures * sizeof(int16_t));
+  memmove(features->joints, from.joints, pairs * sizeof(uint16_t));
+}
+
+}  // namespace
 
 NetworkInput network_input(const Prepared& p, const Counts& counts) {
   NetworkInput input;
@@ -46,7 +61,8 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
     measure_reduce_mesh(arena, counts);
   }
   const Counts surface = counts.surface();
-  if (purpose == PrepareFor::kNetwork) {
+  const size_t mark = arena.mark();
+  if (purpose != PrepareFor::kHeat) {
     p.candidates.allocate(arena, surface);
     measure_find_candidates(arena, surface);
   }
@@ -56,6 +72,9 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
   p.features.allocate(arena, surface);
   measure_build_features(arena, surface);
   if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) measure_compute_spectral(arena, surface);
+  if (purpose != PrepareFor::kNetworkAlone) return;
+  arena.release(mark);
+  p.features.allocate(arena, surface);
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
@@ -74,7 +93,8 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const Mesh& mesh_of_stages = out->surface();
 
   // The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
-  const bool network = purpose == PrepareFor::kNetwork;
+  const bool network = purpose != PrepareFor::kHeat;
+  const size_t mark = arena.mark();
   if (network) {
     if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
     status = find_candidates(mesh_of_stages, out->skeleton, surface, progress.part(100, 200), arena, &out->candidates);
@@ -93,6 +113,12 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
     status = compute_spectral(mesh_of_stages, surface, progress.part(620, 650), arena,
                               out->features.vertex + kVertexFeatures, out->features.vertex_channels);
     if (status != SINEW_OK) return status;
+  }
+  if (purpose == PrepareFor::kNetworkAlone) {
+    arena.release(mark);
+    move_features(mesh_of_stages, surface, arena, &out->features);
+    out->candidates = Candidates();
+    out->heat = HeatFields();
   }
   return progress.report(650) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }

@@ -19,14 +19,15 @@ struct Prepared {
   Reduction reduction;
   Candidates candidates;
   HeatFields heat;
-  Features features;  // candidates and features: only for kNetwork
+  Features features;  // candidates and features: not for kHeat
 
   // The mesh that the last three belong to.
   const Mesh& surface() const { return reduction.active ? reduction.mesh : mesh; }
 };
 
-// How far to go: method heat needs neither candidates nor features.
-enum class PrepareFor { kHeat, kNetwork };
+// How far to go: method heat needs neither candidates nor features. kNetworkAlone gives candidates and heat back, once
+// the features are there, and puts those in their place.
+enum class PrepareFor { kHeat, kNetwork, kNetworkAlone };
 
 // Runs stages 1 to 7, from the heat on over a reduced mesh if the mesh exceeds counts.surface() (and the spectral stage
 // where counts.feature_flags ask for it) in the arena (for kHeat stages 1, 2 and 4). Reports 0..650 permille (kHeat:

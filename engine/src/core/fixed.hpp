@@ -32,7 +32,7 @@ SINEW_ONCE inline Vec3l cross(Vec3i a, Vec3i b) {
 SINEW_ONCE inline int64_t round_shift(int64_t value, int shift) {
   return shift == 0 ? value : (value + (static_cast<int64_t>(1) << (shift - 1))) >> shift;
 }
-inline int32_t clamp32(int64_t v, int32_t lo, int32_t hi) {
+SINEW_ONCE inline int32_t clamp32(int64_t v, int32_t lo, int32_t hi) {
   return v < lo ? lo : v > hi ? hi : static_cast<int32_t>(v);
 }
 inline int16_t clamp16(int64_t v, int32_t lo, int32_t hi) { return static_cast<int16_t>(clamp32(v, lo, hi)); }

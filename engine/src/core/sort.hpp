@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/build.hpp"
+
 namespace sinew {
 
 // Sorts data[0, count) so that less(data[i + 1], data[i]) is never true. Equal elements keep no order: make keys
@@ -36,7 +38,7 @@ void heap_sort(T* data, size_t count, Less less) {
 // Sorts numbers ascending. Insertion for the short rows that most calls see (a vertex's neighbours).
 template <class T>
 void sort_ascending(T* values, size_t count) {
-  if (count > 24) {
+  if (kSmallCode || count > 24) {
     heap_sort(values, count, [](T a, T b) { return a < b; });
     return;
   }

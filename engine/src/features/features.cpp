@@ -39,7 +39,7 @@ enum PairFeature : uint32_t {
 constexpr uint32_t kFirstPartChannel = kP_host_share;
 constexpr uint32_t kPartChannels = kPairFeatureCount - kFirstPartChannel;
 
-int16_t q13(int64_t value) { return clamp16(value, -2 * kOne, 2 * kOne - 1); }
+SINEW_ONCE int16_t q13(int64_t value) { return clamp16(value, -2 * kOne, 2 * kOne - 1); }
 // value / whole in Q13, rounded half up; whole > 0.
 int16_t ratio_q13(int64_t value, int64_t whole) {
   const int64_t twice = 2 * value * kOne + whole;

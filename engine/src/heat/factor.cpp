@@ -69,18 +69,14 @@ void HeatMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
 size_t Factor::capacity_for(const Counts& counts) {
   size_t levels = 0;
   for (uint32_t v = counts.vertices; v > 1; v = (v + 1) / 2) ++levels;
-  const size_t most = 12 + 4 * levels, usual = 14 + levels * levels / 5;
+  const size_t most = 12 + 4 * levels, usual = 10 + levels * levels / 5;
   return (usual < most ? usual : most) * counts.vertices;
 }
 
 bool Factor::allocate(Arena& arena, const Counts& counts, size_t* solve_mark) {
   capacity = capacity_for(counts);
   parent = arena.alloc<uint32_t>(counts.vertices);
-  mark = arena.alloc<uint32_t>(counts.vertices);
-  pattern = arena.alloc<uint32_t>(counts.vertices);
   column_start = arena.alloc<uint32_t>(static_cast<size_t>(counts.vertices) + 1);
-  column_fill = arena.alloc<uint32_t>(counts.vertices);
-  work = arena.alloc<int64_t>(counts.vertices);
   inverse = arena.alloc<Reciprocal>(counts.vertices);
   short_bits = arena.alloc<uint8_t>(counts.vertices);
   row = arena.alloc<uint32_t>(capacity);
@@ -89,6 +85,10 @@ bool Factor::allocate(Arena& arena, const Counts& counts, size_t* solve_mark) {
   if (solve_mark != nullptr) *solve_mark = arena.mark();
   arena.release(values);
   value = arena.alloc<int64_t>(capacity);
+  mark = arena.alloc<uint32_t>(counts.vertices);
+  pattern = arena.alloc<uint32_t>(counts.vertices);
+  column_fill = arena.alloc<uint32_t>(counts.vertices);
+  work = arena.alloc<int64_t>(counts.vertices);
   return arena.ok();
 }
 

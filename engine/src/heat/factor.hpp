@@ -87,12 +87,12 @@ struct Factor {
   uint8_t* short_bits = nullptr;     // [U]
   int smallest_bits = 31;            // of short_bits: 30 or 31 for an M-matrix, less where pivots nearly cancelled
 
-  // Entries reserved: 14 + log2(V)^2 / 5 per vertex, at most 12 + 4 log2 V. Nested dissection of closed surfaces needs
+  // Entries reserved: 10 + log2(V)^2 / 5 per vertex, at most 12 + 4 log2 V. Nested dissection of closed surfaces needs
   // 22 per vertex at 1k vertices, 36 at 10k, 61 at 400k; characters of 200 to 4000 vertices need at most 31. A tangle
   // of faces that needs more goes to the iterative solver.
   static size_t capacity_for(const Counts& counts);
-  // `value` is the last array, so that what solves want may lie over its upper half: allocated after
-  // arena.release(solve_mark).
+  // What solves want may lie over the upper half of `value` and over mark, pattern, column_fill and work behind it,
+  // which factorise() fills anew: allocated after arena.release(solve_mark).
   bool allocate(Arena& arena, const Counts& counts, size_t* solve_mark = nullptr);
   // Elimination tree and column counts. False when the factor would not fit.
   bool analyse(const HeatMatrix& matrix);

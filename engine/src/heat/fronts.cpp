@@ -36,8 +36,8 @@ bool FrontFactor::allocate(Arena& arena, const Counts& counts) {
   front_capacity_ = 3 * (counts.vertices / 8) + 64;
   row_capacity_ = 6 * vertices;
   factor_capacity_ = (20 + 3 * levels + levels * levels / 14) * vertices;
-  height_capacity_ = 4 * root + 64;
-  stack_capacity_ = height_capacity_ * height_capacity_ / 2 + 4 * vertices;
+  height_capacity_ = 4 * root + 32;
+  stack_capacity_ = 2 * height_capacity_ * height_capacity_ / 3 + 4 * vertices;
   fronts_ = arena.alloc<Front>(size_t{front_capacity_} + 1);
   rows_ = arena.alloc<uint32_t>(row_capacity_);
   waiting_ = arena.alloc<uint32_t>(front_capacity_);

@@ -60,7 +60,7 @@ bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
   (void)fronts_.allocate(arena, counts);
   if (arena.used() > end) end = arena.used();
   arena.release(shared);
-  // An iterative solver's five vectors lie in the lower half of the factor's values: 12 entries are reserved at least.
+  // An iterative solver's five vectors lie in the lower half of the factor's values: 10 entries are reserved at least.
   (void)factor_.allocate(arena, counts, &solve_mark);
   if (arena.used() > end) end = arena.used();
   arena.release(solve_mark);

@@ -27,7 +27,7 @@ Wide wide_dot(Vec3l n, Vec3i d) {
 bool positive(Wide v) { return v.high > 0 || (v.high == 0 && v.low != 0); }
 bool less(Wide a, Wide b) { return a.high != b.high ? a.high < b.high : a.low < b.low; }
 
-int64_t dot64(Vec3l n, Vec3i d) { return n.x * d.x + n.y * d.y + n.z * d.z; }
+SINEW_ONCE int64_t dot64(Vec3l n, Vec3i d) { return n.x * d.x + n.y * d.y + n.z * d.z; }
 
 SINEW_ONCE int64_t determinant(Vec3i a, Vec3i b, Vec3i c) { return dot64(cross(a, b), c); }
 
