@@ -190,6 +190,51 @@ TEST(Laplacian, BorderEdgesCountInFull) {
   EXPECT_EQ(weights.count(1 << kEdgeWeightBits), 8u);
 }
 
+// Smallest pivot of the matrix of the edge weights, which is singular at best, after a millionth was added.
+double smallest_pivot(const Mesh& mesh, const EdgeWeights& edges) {
+  const size_t n = mesh.welded_count;
+  std::vector<double> m(n * n, 0);
+  double largest = 0;
+  for (uint32_t v = 0; v < n; ++v) {
+    for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
+      m[v * n + mesh.col_indices[e]] -= edges.weight[e];
+      m[v * n + v] += edges.weight[e];
+      largest = std::max(largest, std::fabs(static_cast<double>(edges.weight[e])));
+    }
+  }
+  double smallest = largest;
+  for (size_t k = 0; k < n; ++k) {
+    const double pivot = m[k * n + k] + largest * 1e-6;
+    smallest = std::min(smallest, pivot);
+    if (pivot <= 0) break;
+    for (size_t i = k + 1; i < n; ++i) {
+      for (size_t j = k + 1; j < n; ++j) m[i * n + j] -= m[i * n + k] * m[k * n + j] / pivot;
+    }
+  }
+  return smallest;
+}
+
+// Needles whose cotangents were cut, and edges with any number of triangles: as the caller's they may spoil the matrix,
+// on a reduced mesh they must not.
+TEST(Laplacian, OfAReducedMeshIsPositive) {
+  int spoilt = 0;
+  for (uint32_t seed = 0; seed < 60; ++seed) {
+    HeatScene scene = sinew_test::tangle(16, 30, 1, seed);
+    for (size_t v = 0; v < scene.positions.size(); v += 3) scene.positions[v] *= 0.002f;
+    HeatRun run(scene, false);
+    ASSERT_EQ(run.status, SINEW_OK);
+    Block block(1 << 16);
+    EdgeWeights edges;
+    edges.allocate(block.arena, run.counts);
+    ASSERT_EQ(weigh_edges(run.mesh, run.counts, block.arena, &edges), SINEW_OK);
+    spoilt += smallest_pivot(run.mesh, edges) <= 0 ? 1 : 0;
+    run.mesh.reduced = true;
+    ASSERT_EQ(weigh_edges(run.mesh, run.counts, block.arena, &edges), SINEW_OK);
+    EXPECT_GT(smallest_pivot(run.mesh, edges), 0) << seed;
+  }
+  EXPECT_GT(spoilt, 10) << "no scene needs the rules";
+}
+
 TEST(Sources, BonesThatShareTheNearestPointShareTheVertex) {
   // A chain of three joints: vertices level with the middle joint are nearest to the end of one bone and the start of
   // the next.
