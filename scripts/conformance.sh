@@ -138,8 +138,12 @@ check_kernels() {  # TARGET: the tests of its kernels; one that has none but the
     out=$work/$target-$program.txt
     run "$target" "$program" --gtest_color=no >"$out" 2>&1 || { grep -v -i skipped "$out" >&2; return 1; }
     ran=$(grep -c '^\[       OK \] All/' "$out" || true)
-    # Aggregations are the reference's own with dsp.
-    if [ "$ran" -lt 4 ] && ! { [ "$vector" = dsp ] && [ "$program" = aggregate_variants_test ]; }; then
+    if [ "$vector" = dsp ] && [ "$program" = aggregate_variants_test ]; then
+      [ "$ran" = 0 ] || { echo "$target: $program ran $ran cases for dsp, which has no aggregations of its own" >&2; return 1; }
+      echo "$target/dsp $program: no cases, dsp has no aggregations of its own and takes the reference's"
+      continue
+    fi
+    if [ "$ran" -lt 4 ]; then
       echo "$target: $program ran $ran cases, expected 4 or more" >&2
       return 1
     fi

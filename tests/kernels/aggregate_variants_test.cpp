@@ -188,5 +188,18 @@ INSTANTIATE_TEST_SUITE_P(All, AggregateVariant,
                                          SINEW_KERNEL_SIMD128, SINEW_KERNEL_NEON),
                          [](const auto& tested) { return std::string(kernel_name(tested.param)); });
 
+// A Cortex-M's DSP instructions are used for the linear layer alone. Whoever adds aggregations for them adds them above.
+TEST(AggregateDsp, TakesTheReference) {
+  Kernels reference, dsp;
+  ASSERT_TRUE(select_kernels(SINEW_KERNEL_REF, &reference));
+  if (!select_kernels(SINEW_KERNEL_DSP, &dsp)) GTEST_SKIP() << "NOT RUN: this processor has no dsp";
+  EXPECT_NE(dsp.linear, reference.linear);
+  EXPECT_EQ(dsp.ring_mean_vertex, reference.ring_mean_vertex);
+  EXPECT_EQ(dsp.ring_max_pair, reference.ring_max_pair);
+  EXPECT_EQ(dsp.candidate_max, reference.candidate_max);
+  EXPECT_EQ(dsp.part_mean_pair, reference.part_mean_pair);
+  EXPECT_EQ(dsp.global_max, reference.global_max);
+}
+
 }  // namespace
 }  // namespace sinew::test

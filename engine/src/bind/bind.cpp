@@ -190,7 +190,7 @@ uint8_t confidence_of(const BindPlan& plan, const Prepared& p, const Logits& log
 void write_extras(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit) {
   if (plan.symmetric_vertices != nullptr) {
     *plan.symmetric_vertices = 0;
-    for (uint32_t v = 0; v < p.mesh.vertex_count && edit.symmetry.symmetric; ++v)
+    for (uint32_t v = 0; kHasExtras && v < p.mesh.vertex_count && edit.symmetry.symmetric; ++v)
       *plan.symmetric_vertices += edit.symmetry.vertex[p.mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
   }
   if (plan.confidence == nullptr) return;

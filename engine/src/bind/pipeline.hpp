@@ -22,7 +22,7 @@ struct Prepared {
   Features features;  // candidates and features: not for kHeat
 
   // The mesh that the last three belong to.
-  const Mesh& surface() const { return reduction.active ? reduction.mesh : mesh; }
+  const Mesh& surface() const { return kHasExtras && reduction.active ? reduction.mesh : mesh; }
 };
 
 // How far to go: method heat needs neither candidates nor features. kNetworkAlone gives candidates and heat back, once

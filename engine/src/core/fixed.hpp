@@ -36,7 +36,7 @@ SINEW_ONCE inline int32_t clamp32(int64_t v, int32_t lo, int32_t hi) {
   return v < lo ? lo : v > hi ? hi : static_cast<int32_t>(v);
 }
 inline int16_t clamp16(int64_t v, int32_t lo, int32_t hi) { return static_cast<int16_t>(clamp32(v, lo, hi)); }
-inline int64_t abs64(int64_t v) { return v < 0 ? -v : v; }
+SINEW_ONCE inline int64_t abs64(int64_t v) { return v < 0 ? -v : v; }
 
 // Index of the highest set bit; 0 for 0.
 inline int top_bit(uint64_t v) {

@@ -47,7 +47,9 @@ struct HeatMatrix {
   // rhs -= M x for kLanes columns; x in Q24.
   void subtract_image(const int32_t* x, int64_t* rhs) const;
   // Off-diagonal entry of CSR edge e.
-  int64_t entry(uint32_t e) const { return -weight(e) * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits)); }
+  SINEW_ONCE int64_t entry(uint32_t e) const {
+    return -weight(e) * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits));
+  }
   int64_t weight(uint32_t e) const { return positive && edges->weight[e] < 0 ? 0 : edges->weight[e]; }
   // pull_q40 [rows]: A H of each row. Sets the diagonal and matrix_bits (24..50), so that the diagonal stays below
   // 2^diagonal_bits; to_matrix() brings other Q40 values to the same format.

@@ -72,6 +72,7 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
   const size_t entries = mesh.row_offsets[mesh.welded_count];
   memset(scratch.sums, 0, entries * sizeof(scratch.sums[0]));
   memset(scratch.faces, 0, entries * sizeof(scratch.faces[0]));
+  const bool reduced = kHasExtras && mesh.reduced;
   for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
     const uint32_t* corner = mesh.triangles + 3 * static_cast<size_t>(t);
     int32_t cotangents[3];
@@ -79,7 +80,7 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
       cotangents[k] = cotangent_q24(mesh.positions[corner[k]], mesh.positions[corner[(k + 1) % 3]],
                                     mesh.positions[corner[(k + 2) % 3]]);
     }
-    if (mesh.reduced) fit_obtuse_corner(cotangents);
+    if (reduced) fit_obtuse_corner(cotangents);
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t b = corner[(k + 1) % 3], c = corner[(k + 2) % 3];
       const uint32_t edges[2] = {edge_index(mesh, b, c), edge_index(mesh, c, b)};
@@ -91,14 +92,14 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
   }
   for (size_t e = 0; e < entries; ++e) {
     const int64_t count = scratch.faces[e];
-    if (count == 0) {  // an edge without a triangle, of a reduced mesh: about as an equilateral one's
+    if (reduced && count == 0) {  // an edge without a triangle, of a reduced mesh: about as an equilateral one's
       out->weight[e] = 1 << (kEdgeWeightBits - 1);
       continue;
     }
     // Two triangles an edge make a positive matrix whatever their angles; with more or fewer, no less than half of the
     // sum does. The mean may be less: a caller's mesh keeps it all the same (engine/src/heat/README.md).
     const int64_t half = round_shift(scratch.sums[e], 1);
-    if (mesh.reduced && count != 2 && half * count > scratch.sums[e]) {
+    if (reduced && count != 2 && half * count > scratch.sums[e]) {
       out->weight[e] = static_cast<int32_t>(half);
       continue;
     }

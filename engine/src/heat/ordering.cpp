@@ -42,17 +42,19 @@ class Dissection {
 
   // About the median of the coordinates along an axis, below the highest one, so that no side is empty.
   int32_t median(Piece piece, int axis, int32_t high) const {
-    int32_t samples[kMostSamples];
+    uint32_t
+        samples[kMostSamples];  // with the sign turned, in the same order: unsigned numbers are sorted elsewhere, too
+    constexpr uint32_t kSign = 0x80000000u;
     const uint32_t length = piece.end - piece.begin;
     // An eighth of the vertices, within these bounds: more would not balance the halves much better.
     const uint32_t wanted = length / 8 < kMostSamples ? length / 8 : kMostSamples;
     const uint32_t count = wanted > kLeastSamples ? wanted : length < kLeastSamples ? length : kLeastSamples;
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t at = piece.begin + static_cast<uint32_t>(static_cast<uint64_t>(i) * length / count);
-      samples[i] = coordinate(mesh_.positions[out_.order[at]], axis);
+      samples[i] = static_cast<uint32_t>(coordinate(mesh_.positions[out_.order[at]], axis)) ^ kSign;
     }
     sort_ascending(samples, count);
-    const int32_t middle = samples[(count - 1) / 2];
+    const int32_t middle = static_cast<int32_t>(samples[(count - 1) / 2] ^ kSign);
     return middle < high ? middle : high - 1;
   }
 
