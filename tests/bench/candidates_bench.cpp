@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Time of the mesh and the candidate stage on synthetic bodies. Counters: vertices, joints, workspace bytes and a hash
-// of the result.
+// of the result. Arguments: scene, candidates a vertex, cells along the longest side.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
+#include <new>
 
 #include "heat_scene.hpp"
 #include "mesh_scene.hpp"
@@ -21,12 +22,12 @@ sinew_test::MeshScene from(const sinew_test::HeatScene& scene) {
   return out;
 }
 
-uint32_t hash(const sinew_test::MeshRun& run) {
+uint32_t hash(const sinew::Candidates& candidates, uint32_t vertex_count) {
   uint32_t value = 2166136261u;
-  const size_t count = static_cast<size_t>(run.mesh.welded_count) * run.counts.candidates;
+  const size_t count = static_cast<size_t>(vertex_count) * candidates.k;
   for (size_t i = 0; i < count; ++i) {
-    value = (value ^ run.candidates.joints[i]) * 16777619u;
-    value = (value ^ run.candidates.distances[i]) * 16777619u;
+    value = (value ^ candidates.joints[i]) * 16777619u;
+    value = (value ^ candidates.distances[i]) * 16777619u;
   }
   return value;
 }
@@ -36,7 +37,7 @@ void report(benchmark::State& state, const sinew_test::MeshRun& run) {
   state.counters["vertices"] = run.mesh.welded_count;
   state.counters["joints"] = run.counts.joints;
   state.counters["bytes"] = static_cast<double>(run.used);
-  if (run.candidates.joints != nullptr) state.counters["hash"] = hash(run);
+  if (run.candidates.joints != nullptr) state.counters["hash"] = hash(run.candidates, run.mesh.welded_count);
 }
 
 // A body with six arms, 10,002 vertices and 97 joints; a fat capsule with 100 joints; a floating sleeve beside few
@@ -66,8 +67,35 @@ void mesh_and_candidates(benchmark::State& state) {
   }
 }
 
+// The stage alone; bytes are its result and scratch.
+void candidates_only(benchmark::State& state) {
+  sinew_test::MeshRun run(scene_of(state.range(0)), 0, static_cast<uint32_t>(state.range(1)),
+                          static_cast<uint32_t>(state.range(2)));
+  sinew::Arena measure;
+  sinew::Candidates().allocate(measure, run.counts);
+  sinew::measure_find_candidates(measure, run.counts);
+  const size_t bytes = measure.high_water();
+  void* const block = ::operator new (bytes, std::align_val_t{64});
+  sinew::Candidates candidates;
+  for (auto _ : state) {
+    sinew::Arena arena(block, bytes);
+    candidates.allocate(arena, run.counts);
+    run.status = sinew::find_candidates(run.mesh, run.skeleton, run.counts, {}, arena, &candidates);
+  }
+  report(state, run);
+  state.counters["bytes"] = static_cast<double>(bytes);
+  state.counters["hash"] = hash(candidates, run.mesh.welded_count);
+  ::operator delete (block, std::align_val_t{64});
+}
+
 BENCHMARK(mesh_only)->Arg(0)->Unit(benchmark::kMillisecond);
 BENCHMARK(mesh_and_candidates)
+    ->Args({0, 8, 64})
+    ->Args({1, 8, 64})
+    ->Args({2, 8, 64})
+    ->Args({0, 16, 128})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(candidates_only)
     ->Args({0, 8, 64})
     ->Args({1, 8, 64})
     ->Args({2, 8, 64})
