@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine as microcontrollers get it (SINEW_SMALL_CODE, engine/src/core/build.hpp): what was left out is refused with
-// the status that the header names, and threads and places of weights that it does without change nothing.
+// The engine as microcontrollers get it (SINEW_SMALL_CODE, engine/src/core/build.hpp): what was left out is refused
+// with the status that the header names, and threads and places of weights that it does without change nothing.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -19,10 +19,10 @@
 namespace {
 
 struct Free {
-  void operator()(uint8_t* p) const { ::operator delete(p, std::align_val_t{64}); }
+  void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
 };
 using Block = std::unique_ptr<uint8_t[], Free>;
-Block block_of(size_t bytes) { return Block(static_cast<uint8_t*>(::operator new(bytes, std::align_val_t{64}))); }
+Block block_of(size_t bytes) { return Block(static_cast<uint8_t*>(::operator new (bytes, std::align_val_t{64}))); }
 
 // A model file's bytes, aligned, and the model when it opens.
 struct Model {
@@ -58,8 +58,8 @@ Result bind(const Model& model, const sinew_options& options) {
   Result result;
   result.joints.assign(size_t{kVertices} * 4, 0);
   result.weights.assign(size_t{kVertices} * 4, 0);
-  result.asked = sinew_bind_workspace_size(&model.model, kVertices, kTriangles, 3 * kTriangles, kJoints, &options,
-                                           &result.bytes);
+  result.asked =
+      sinew_bind_workspace_size(&model.model, kVertices, kTriangles, 3 * kTriangles, kJoints, &options, &result.bytes);
   const size_t bytes = result.asked == SINEW_OK ? result.bytes : size_t{1} << 22;
   const Block block = block_of(bytes);
   result.bound = sinew_bind(&model.model, &mesh, &skeleton, &options, block.get(), bytes, result.joints.data(),

@@ -188,7 +188,8 @@ INSTANTIATE_TEST_SUITE_P(All, AggregateVariant,
                                          SINEW_KERNEL_SIMD128, SINEW_KERNEL_NEON),
                          [](const auto& tested) { return std::string(kernel_name(tested.param)); });
 
-// A Cortex-M's DSP instructions are used for the linear layer alone. Whoever adds aggregations for them adds them above.
+// A Cortex-M's DSP instructions are used for the linear layer alone. Whoever adds aggregations for them adds them
+// above.
 TEST(AggregateDsp, TakesTheReference) {
   Kernels reference, dsp;
   ASSERT_TRUE(select_kernels(SINEW_KERNEL_REF, &reference));

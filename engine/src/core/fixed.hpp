@@ -54,6 +54,14 @@ inline int top_bit(uint64_t v) {
   return bit;
 #endif
 }
+// Index of the lowest set bit; v != 0.
+inline int low_bit(uint32_t v) {
+#if defined(__GNUC__) && (defined(__x86_64__) || defined(__aarch64__) || defined(__wasm__) || defined(__thumb2__))
+  return __builtin_ctz(v);
+#else
+  return top_bit(v & (0u - v));
+#endif
+}
 
 // floor(sqrt(v)) bit by bit: for processors without a 64-bit division, and for constants.
 constexpr uint32_t isqrt64_bitwise(uint64_t v) {

@@ -3,6 +3,7 @@
 // only the first K joints that reach it. The cost is K times the cells visited, whatever the joint count.
 #include "features/candidates.hpp"
 
+#include "core/build.hpp"
 #include "core/sort.hpp"
 #include "features/propagation.hpp"
 #include "mesh/vector_math.hpp"
@@ -76,64 +77,84 @@ void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& g
   }
 }
 
-// The cells a vertex reads: its own and those of the 2 x 2 x 2 block around it that are not outside. Returns their
-// number.
-uint32_t cells_around(const VoxelGrid& grid, Vec3i p, uint32_t* cells) {
-  const uint32_t own = grid.cell_of(p);
-  const Vec3i offset = p - grid.centre(own);
-  const int32_t x = offset.x < 0 ? -1 : 1, y = offset.y < 0 ? -grid.size[0] : grid.size[0];
-  const int32_t z = (offset.z < 0 ? -1 : 1) * grid.size[0] * grid.size[1];
-  uint32_t count = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const int32_t step = ((corner & 1) != 0 ? x : 0) + ((corner & 2) != 0 ? y : 0) + ((corner & 4) != 0 ? z : 0);
-    const uint32_t cell = static_cast<uint32_t>(static_cast<int32_t>(own) + step);
-    if (grid.states[cell] <= kCellSurface) cells[count++] = cell;
-  }
-  return count;
-}
+// The cells a vertex reads, its own and those of the 2 x 2 x 2 block around it that are not outside, and its way from
+// their centres.
+struct Around {
+  uint32_t count;
+  uint32_t cells[8];  // numbers in the propagation
+  uint32_t ways[8];   // in the place of a label's distance
 
-void want_cells(const Mesh& mesh, Propagation* p) {
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    uint32_t cells[8];
-    const uint32_t count = cells_around(p->grid, mesh.positions[v], cells);
-    for (uint32_t i = 0; i < count; ++i) p->want(cells[i]);
-  }
-}
-
-// The `keep` nearest joints of a vertex over the cells it reads, the way from the cell's centre added. Ascending
-// labels; returns their number.
-uint32_t read_labels(const Propagation& p, Vec3i position, uint32_t keep, uint32_t* row) {
-  uint32_t cells[8];
-  const uint32_t cell_count = cells_around(p.grid, position, cells);
-  // Most labels name a joint that a nearer cell has named: its last label, kept by the joint's low bits, answers for
-  // them.
-  constexpr uint32_t kPlaces = 64;
-  uint32_t best[kPlaces];
-  for (uint32_t& label : best) label = UINT32_MAX;
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < cell_count; ++i) {
-    const uint32_t extra = cell_length(p.grid, position - p.grid.centre(cells[i])) << kJointBits;
-    const uint32_t* const labels = p.labels(cells[i]);
-    const uint32_t label_count = p.label_count(cells[i]);
-    for (uint32_t k = 0; k < label_count; ++k) {
-      const uint32_t label = labels[k] + extra;
-      if (count == keep && label >= row[count - 1]) break;  // the rest of the cell is farther still
-      uint32_t& known = best[label % kPlaces];
-      if (((known ^ label) & kJointMask) == 0 && known <= label) continue;
-      known = label;
-      uint32_t at = 0;
-      while (at < count && (row[at] & kJointMask) != (label & kJointMask)) ++at;
-      if (at < count) {
-        if (row[at] <= label) continue;
-      } else if (count < keep) {
-        ++count;
-      } else {
-        at = keep - 1;
-      }
-      for (; at > 0 && row[at - 1] > label; --at) row[at] = row[at - 1];
-      row[at] = label;
+  void find(const Propagation& p, Vec3i position) {
+    const VoxelGrid& grid = p.grid;
+    const int32_t value[3] = {position.x, position.y, position.z};
+    const int32_t low[3] = {grid.low.x, grid.low.y, grid.low.z};
+    const int32_t strides[3] = {1, grid.size[0], grid.size[0] * grid.size[1]};
+    int32_t own = 0, step[3];
+    uint64_t squares[3][2];  // of the way along an axis from the centres of the own and the other cell
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t at = grid.coordinate(axis, value[axis]);
+      const int64_t offset = value[axis] - (low[axis] + at * grid.cell_size + grid.cell_size / 2);
+      const int64_t other = offset < 0 ? offset + grid.cell_size : offset - grid.cell_size;
+      own += at * strides[axis];
+      step[axis] = offset < 0 ? -strides[axis] : strides[axis];
+      squares[axis][0] = static_cast<uint64_t>(offset * offset);
+      squares[axis][1] = static_cast<uint64_t>(other * other);
+    }
+    count = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+      const uint32_t cell = p.solid_cell(static_cast<uint32_t>(own + x * step[0] + y * step[1] + z * step[2]));
+      cells[count] = cell;
+      const uint32_t length = isqrt64(squares[0][x] + squares[1][y] + squares[2][z]);  // below 2^17
+      ways[count] = length * kCellLength / static_cast<uint32_t>(grid.cell_size) << kJointBits;
+      count += cell != 0;
     }
   }
+};
+
+// The `keep` nearest joints of a vertex over the cells it reads, in any order; returns their number.
+SINEW_ONCE uint32_t nearest_labels(const Propagation& p, Vec3i position, uint32_t keep, uint32_t* nearest) {
+  Around around;
+  around.find(p, position);
+  const uint32_t per_cell = p.capacity();
+  // No joint beyond the last one of any cell is among them.
+  uint32_t farthest = UINT32_MAX;
+  for (uint32_t i = 0; i < around.count; ++i) {
+    const uint32_t last = p.labels(around.cells[i])[per_cell - 1] + around.ways[i];
+    if (last < farthest) farthest = last;
+  }
+  // Most labels name a joint that another cell has named: places by a joint's low bits say where it is.
+  constexpr uint32_t kPlaces = 64;
+  constexpr uint8_t kNone = 0xFF;
+  uint8_t places[kPlaces];
+  for (uint8_t& place : places) place = kNone;
+  uint32_t labels[8 * SINEW_MAX_CANDIDATES];
+  static_assert(8 * SINEW_MAX_CANDIDATES < kNone, "places are too small");
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < around.count; ++i) {
+    const uint32_t* const row = p.labels(around.cells[i]);
+    for (uint32_t k = 0; k < per_cell; ++k) {
+      const uint32_t label = row[k] + around.ways[i];
+      if (label > farthest) break;
+      uint8_t& place = places[label % kPlaces];
+      uint32_t at = place;
+      if (at == kNone || ((labels[at] ^ label) & kJointMask) != 0) {
+        at = at == kNone ? count : 0;
+        while (at < count && ((labels[at] ^ label) & kJointMask) != 0) ++at;
+        place = static_cast<uint8_t>(at);
+        if (at == count) labels[count++] = UINT32_MAX;
+      }
+      if (label < labels[at]) labels[at] = label;
+    }
+  }
+  while (count > keep) {
+    uint32_t last = 0;
+    for (uint32_t i = 1; i < count; ++i) {
+      if (labels[i] > labels[last]) last = i;
+    }
+    labels[last] = labels[--count];
+  }
+  for (uint32_t i = 0; i < count; ++i) nearest[i] = labels[i];
   return count;
 }
 
@@ -165,9 +186,9 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
     scratch.counts[j] = 0;
   }
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    uint32_t row[SINEW_MAX_CANDIDATES];
-    read_labels(p, mesh.positions[v], 1, row);  // finds one: the vertex's own cell was wanted
-    const uint32_t joint = row[0] & kJointMask;
+    uint32_t nearest;
+    nearest_labels(p, mesh.positions[v], 1, &nearest);  // finds one: the vertex's own cell is solid
+    const uint32_t joint = nearest & kJointMask;
     const Vec3i way = mesh.positions[v] - skeleton.positions[joint];
     scratch.nearest[v] = static_cast<uint16_t>(joint);
     scratch.sums[joint].x += way.x;
@@ -176,17 +197,17 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
     ++scratch.counts[joint];
   }
   constexpr int kDirectionBits = 14;
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) out->tips[j] = unit_vector(scratch.sums[j], kDirectionBits);
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     const uint32_t joint = scratch.nearest[v];
-    const Vec3i direction = unit_vector(scratch.sums[joint], kDirectionBits);
-    const int64_t extent = dot(mesh.positions[v] - skeleton.positions[joint], direction) >> kDirectionBits;
+    const int64_t extent = dot(mesh.positions[v] - skeleton.positions[joint], out->tips[joint]) >> kDirectionBits;
     if (extent > scratch.extents[joint]) scratch.extents[joint] = extent;
   }
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
     out->territory[j] = static_cast<uint32_t>((static_cast<uint64_t>(scratch.counts[j]) << 16) / mesh.welded_count);
+    const Vec3i direction = out->tips[j];
     out->tips[j] = skeleton.bone_tail[j];
     if (skeleton.child_count[j] != 0 || scratch.counts[j] < kLeastTerritory || scratch.extents[j] == 0) continue;
-    const Vec3i direction = unit_vector(scratch.sums[j], kDirectionBits);
     const int64_t reach = scratch.extents[j] * static_cast<int64_t>(kTipExtentPercent) / 100;
     out->tips[j] =
         skeleton.positions[j] + Vec3i{static_cast<int32_t>(round_shift(direction.x * reach, kDirectionBits)),
@@ -201,7 +222,7 @@ void write_candidates(const Mesh& mesh, const Propagation& p, const uint32_t* st
                       Candidates* out) {
   for (uint32_t v = begin; v < end; ++v) {
     uint32_t row[SINEW_MAX_CANDIDATES];
-    const uint32_t count = read_labels(p, mesh.positions[v], out->k, row);
+    const uint32_t count = nearest_labels(p, mesh.positions[v], out->k, row);
     for (uint32_t k = 0; k < count; ++k) row[k] -= starts[row[k] & kJointMask] << kJointBits;
     sort_ascending(row, count);
     uint16_t* const joints = out->joints + static_cast<size_t>(v) * out->k;
@@ -235,7 +256,6 @@ sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const C
   if (!joints.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   voxelise(mesh, counts, propagation.queue(), &propagation.grid);
   propagation.survey();
-  want_cells(mesh, &propagation);
   if (!progress.report(200)) return SINEW_ERROR_CANCELLED;
 
   uint32_t usable = 0;

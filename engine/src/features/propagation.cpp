@@ -1,100 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Label propagation: a bucket queue whose entries are cells, and chamfer steps pruned where the terrain is uniform.
+// Label propagation: a bucket queue whose entries are cells, chamfer steps pruned by the terrain, and outside cells
+// entered only as far as a label can still come back in time.
 #include "features/propagation.hpp"
+
+#include <string.h>
 
 namespace sinew {
 namespace {
 
-constexpr uint32_t kBuckets = 512;  // a power of two above the longest wait, 4 * 72 for a step and 159 for a layer
-constexpr uint32_t kNever = 0xFFFFFFFFu;
-constexpr uint32_t kReportEvery = 1u << 16;  // settled labels between two progress reports
+constexpr uint32_t kReportEvery = 1u << 16;  // labels passed on between two progress reports
+
+// What no label of a solid cell exceeds.
+constexpr uint32_t kFarthest = make_label((1u << 17) - 1, kJointMask);
+
+// Bounds are distances in int16: those of a grid of 64 cells stay below 10,000. Where one does not fit, outside cells
+// are entered at any distance.
+constexpr int16_t kAnyDistance = INT16_MAX;
+constexpr int16_t kClosed = -30000;  // a step below it still fits
+constexpr int32_t kLargestBound = 29000;
 
 }  // namespace
-
-void Propagation::link(uint32_t cell, uint32_t ring) {
-  next_[cell] = next_[ring];
-  last_[cell] = ring;
-  last_[next_[ring]] = cell;
-  next_[ring] = cell;
-  ++waiting_;
-}
-
-void Propagation::unlink(uint32_t cell) {
-  next_[last_[cell]] = next_[cell];
-  last_[next_[cell]] = last_[cell];
-  --waiting_;
-}
-
-uint32_t Propagation::bucket_of(const Cell& cell, uint32_t label) const {
-  return grid.cell_count + (turn_of(cell, label) & (kBuckets - 1));
-}
-
-// Offers a label that the cell's limit allows: kept while it is among the cell's nearest joints.
-void Propagation::offer(uint32_t index, uint32_t label, uint8_t arrival) {
-  Cell& cell = cells_[index];
-  uint32_t* const row = labels_ + static_cast<size_t>(index) * capacity_;
-  uint8_t* const ways = arrivals_ + static_cast<size_t>(index) * capacity_;
-  const uint32_t joint = label & kJointMask;
-  uint32_t at = 0;
-  while (at < cell.found && (row[at] & kJointMask) != joint) ++at;
-  if (at < cell.found) {
-    if (row[at] <= label) return;
-  } else if (cell.found < capacity_) {
-    ++cell.found;
-  } else {
-    at = capacity_ - 1;  // takes the place of the farthest
-  }
-  for (; at > 0 && row[at - 1] > label; --at) {
-    row[at] = row[at - 1];
-    ways[at] = ways[at - 1];
-  }
-  row[at] = label;
-  ways[at] = arrival;
-  if (cell.found == capacity_) cell.limit = row[capacity_ - 1];
-  if (at != cell.settled) return;
-  if (next_[index] != index) unlink(index);
-  link(index, bucket_of(cell, label));
-}
-
-void Propagation::offer_step(uint32_t index, uint32_t label, uint8_t way, bool dear) {
-  const Step& step = steps_[way];
-  const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(index) + step.offset);
-  const Cell& cell = cells_[neighbour];
-  const uint32_t offered =
-      label + (dear || (cell.terrain & kDear) != 0 ? kOutsideFactor * step.label_step : step.label_step);
-  if (offered <= cell.limit) offer(neighbour, offered, way);
-}
-
-// From one solid cell to another that has outside cells around it.
-void Propagation::spread_along_surface(uint32_t index, uint32_t label, uint8_t arrival) {
-  const uint32_t solid = solid_[index];
-  const uint32_t* const near = beside(arrival, false);
-  const uint32_t* const far = beside(arrival, true);
-  for (uint8_t way = 0; way < kStepCount; ++way) {
-    const bool dear = (solid >> way & 1) == 0;
-    const uint32_t others = dear ? far[way] : near[way];
-    if (others != kAllSteps && (others & solid) == 0) offer_step(index, label, way, dear);
-  }
-}
-
-// Passes one settled label on to the neighbours.
-void Propagation::spread(uint32_t index, uint32_t label, uint8_t arrival) {
-  const uint8_t terrain = cells_[index].terrain;
-  const bool dear = (terrain & kDear) != 0;
-  if (arrival != kEverywhere) {
-    const Step& came = steps_[arrival];
-    if ((terrain & kUniform) != 0) {
-      for (uint8_t i = 0; i < came.next_count; ++i) offer_step(index, label, came.next[i], dear);
-      return;
-    }
-    const uint8_t back = static_cast<uint8_t>(kStepCount - 1 - arrival);
-    if ((solid_[index] >> back & 1) != 0) {
-      spread_along_surface(index, label, arrival);
-      return;
-    }
-  }
-  for (uint8_t way = 0; way < kStepCount; ++way) offer_step(index, label, way, dear);
-}
 
 void Propagation::lay_steps() {
   uint8_t count = 0;
@@ -113,50 +38,49 @@ void Propagation::lay_steps() {
     }
   }
   for (uint8_t came = 0; came < kStepCount; ++came) {
-    steps_[came].next_count = 0;
+    steps_[came].next = 0;
     for (uint8_t on = 0; on < kStepCount; ++on) {
       bool natural = true;  // `on` moves along no axis but those of `came`, and in the same sense
       for (int axis = 0; axis < 3; ++axis) {
         natural = natural && (along_[on][axis] == 0 || along_[on][axis] == along_[came][axis]);
       }
-      if (natural) steps_[came].next[steps_[came].next_count++] = on;
+      if (natural) steps_[came].next |= 1u << on;
     }
   }
 }
 
 // Everything is seen from c, which is solid, as is p.
 void Propagation::lay_ways_beside() {
-  struct Cells {
-    int32_t x, y, z;
-    // Length of the step in fortieths of a cell; 0 when it is none.
-    uint32_t length() const {
-      if (x < -1 || x > 1 || y < -1 || y > 1 || z < -1 || z > 1) return 0;
-      return kStepLengths[(x != 0) + (y != 0) + (z != 0)];
+  uint8_t lengths[kStepCount][kStepCount];  // of the step from where one step leads to where another does; 0 when none
+  for (uint8_t from = 0; from < kStepCount; ++from) {
+    for (uint8_t to = 0; to < kStepCount; ++to) {
+      int axes = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const int move = along_[to][axis] - along_[from][axis];
+        axes = move < -1 || move > 1 || axes == 4 ? 4 : axes + (move != 0);
+      }
+      lengths[from][to] = static_cast<uint8_t>(axes == 4 ? 0 : kStepLengths[axes]);
     }
-  };
-  const auto cell_at = [this](uint8_t step) { return Cells{along_[step][0], along_[step][1], along_[step][2]}; };
-  const auto between = [](Cells from, Cells to) { return Cells{to.x - from.x, to.y - from.y, to.z - from.z}; };
+  }
   for (uint8_t came = 0; came < kStepCount; ++came) {
-    const Cells p = cell_at(static_cast<uint8_t>(kStepCount - 1 - came));
-    const uint32_t to_c = cell_at(came).length();
+    const uint8_t p = static_cast<uint8_t>(kStepCount - 1 - came);
     for (uint32_t dear = 0; dear < 2; ++dear) {
       const uint32_t factor = dear != 0 ? kOutsideFactor : 1;
-      uint32_t* const row = beside_ + (2u * came + dear) * kStepCount;
-      for (uint8_t on = 0; on < kStepCount; ++on) {
-        const Cells n = cell_at(on);
-        const uint32_t last = factor * n.length(), whole = to_c + last;
+      uint32_t* const others = beside_ + (2u * came + dear) * kStepCount;
+      left_[came][dear] = 0;
+      for (uint8_t n = 0; n < kStepCount; ++n) {
+        const uint32_t last = factor * (steps_[n].label_step >> kJointBits);
+        const uint32_t whole = (steps_[came].label_step >> kJointBits) + last;
         const auto better = [whole, last](uint32_t other, uint32_t other_last) {
           return other < whole || (other == whole && other_last < last);
         };
-        const uint32_t straight = factor * between(p, n).length();
-        if (straight == 0 ? on == kStepCount - 1 - came : better(straight, straight)) {
-          row[on] = kAllSteps;
-          continue;
-        }
-        row[on] = 0;
-        for (uint8_t step = 0; step < kStepCount; ++step) {
-          const uint32_t first = between(p, cell_at(step)).length(), second = between(cell_at(step), n).length();
-          if (first != 0 && second != 0 && better(first + factor * second, factor * second)) row[on] |= 1u << step;
+        const uint32_t straight = factor * lengths[p][n];
+        if (straight == 0 ? n == p : better(straight, straight)) continue;
+        left_[came][dear] |= 1u << n;
+        others[n] = 0;
+        for (uint8_t q = 0; q < kStepCount; ++q) {
+          const uint32_t first = lengths[p][q], second = factor * lengths[q][n];
+          if (first != 0 && second != 0 && better(first + second, second)) others[n] |= 1u << q;
         }
       }
     }
@@ -164,122 +88,313 @@ void Propagation::lay_ways_beside() {
 }
 
 bool Propagation::allocate(Arena& arena, const Counts& counts) {
-  const size_t count = VoxelGrid::max_cells(counts);
+  const size_t count = VoxelGrid::max_cells(counts),
+               inner = static_cast<size_t>(counts.grid) * counts.grid * counts.grid;
+  row_size_ = counts.candidates;
+  cell_bytes_ = (static_cast<uint32_t>(sizeof(Cell)) + 5 * row_size_ + 3) & ~3u;
   grid.allocate(arena, counts);
-  cells_ = arena.alloc<Cell>(count);
-  solid_ = arena.alloc<uint32_t>(count);
+  numbers_ = arena.alloc<uint32_t>(count);
+  bounds_ = arena.alloc<int16_t>(count);
   beside_ = arena.alloc<uint32_t>(2 * kStepCount * kStepCount);
-  labels_ = arena.alloc<uint32_t>(count * counts.candidates);  // count_layers() needs three bytes a cell
-  arrivals_ = arena.alloc<uint8_t>(count * counts.candidates);
-  next_ = arena.alloc<uint32_t>(count + kBuckets + 1);
-  last_ = arena.alloc<uint32_t>(count + kBuckets + 1);
+  block_ = arena.alloc<uint8_t>((inner + 1) * cell_bytes_);
   return arena.ok();
 }
 
-// How many times the body must grow by a cell on all sides to reach a cell: bytes of 0 and 1, axis by axis.
-void Propagation::count_layers() {
-  const uint32_t count = grid.cell_count;
-  const uint32_t strides[3] = {1, static_cast<uint32_t>(grid.size[0]),
-                               static_cast<uint32_t>(grid.size[0] * grid.size[1])};
-  // All three free until begin().
-  uint8_t* reached = static_cast<uint8_t*>(static_cast<void*>(labels_));
-  uint8_t* grown = reached + count;
-  uint8_t* const layers = grown + count;
-  for (uint32_t index = 0; index < count; ++index) {
-    reached[index] = grid.states[index] <= kCellSurface;
-    layers[index] = 0;
-  }
-  for (uint32_t layer = 0; layer < kMostLayers; ++layer) {
-    for (uint32_t index = 0; index < count; ++index)
-      layers[index] = static_cast<uint8_t>(layers[index] + 1 - reached[index]);
-    for (const uint32_t stride : strides) {
-      // Rows run into each other at the border, where nothing is solid: a cell may seem nearer than it is, which only
-      // costs time.
-      for (uint32_t index = 0; index < stride; ++index) grown[index] = reached[index];
-      for (uint32_t index = stride; index < count - stride; ++index) {
-        grown[index] = reached[index] | reached[index - stride] | reached[index + stride];
-      }
-      for (uint32_t index = count - stride; index < count; ++index) grown[index] = reached[index];
-      uint8_t* const swapped = reached;
-      reached = grown;
-      grown = swapped;
-    }
-  }
-  for (uint32_t index = 0; index < count; ++index) cells_[index].layers = layers[index];
+uint32_t Propagation::add_cell(uint32_t place, uint8_t terrain) {
+  const uint32_t number = ++cell_count_;
+  Cell& cell = at(number);
+  cell.place = place;
+  cell.solid = 0;
+  cell.terrain = terrain;
+  cell.unused = 0;
+  empty(&cell);
+  numbers_[place] = number;
+  return number;
+}
+
+void Propagation::empty(Cell* cell) const {
+  cell->limit = kFarthest;
+  cell->last = 0;
+  cell->found = 0;
+  cell->settled = 0;
 }
 
 void Propagation::survey() {
   lay_steps();
   lay_ways_beside();
-  for (uint32_t index = 0; index < grid.cell_count; ++index) {
-    const uint8_t state = grid.states[index];
-    cells_[index].terrain = state == kCellOutside ? kDear | kUniform : 0;
-    if (state > kCellSurface) continue;
-    uint32_t solid = 0, outside = 0;
-    for (uint32_t way = 0; way < kStepCount; ++way) {
-      const uint8_t around = grid.states[static_cast<uint32_t>(static_cast<int32_t>(index) + steps_[way].offset)];
-      solid |= static_cast<uint32_t>(around <= kCellSurface) << way;
-      outside |= static_cast<uint32_t>(around == kCellOutside);
+  cell_count_ = 0;
+  memset(numbers_, 0, grid.cell_count * sizeof(uint32_t));
+  const int32_t nx = grid.size[0], ny = grid.size[1];
+  for (int32_t z = 1; z < grid.size[2] - 1; ++z) {
+    for (int32_t y = 1; y < ny - 1; ++y) {
+      for (uint32_t place = grid.index(1, y, z); place < grid.index(nx - 1, y, z); ++place) {
+        if (grid.states[place] > kCellSurface) continue;
+        uint32_t solid = 0, outside = 0;
+        for (uint32_t way = 0; way < kStepCount; ++way) {
+          const uint8_t around = grid.states[static_cast<uint32_t>(static_cast<int32_t>(place) + steps_[way].offset)];
+          solid |= static_cast<uint32_t>(around <= kCellSurface) << way;
+          outside |= around == kCellOutside;
+        }
+        at(add_cell(place, outside != 0 ? kSurface : 0)).solid = solid;
+      }
     }
-    solid_[index] = solid;
-    if (outside == 0) cells_[index].terrain = kUniform;
   }
-  count_layers();
+  solid_count_ = cell_count_;
 }
 
-void Propagation::begin(uint32_t joint_capacity) {
-  capacity_ = joint_capacity;
+void Propagation::begin(uint32_t capacity) {
+  capacity_ = capacity;
   waiting_ = 0;
-  for (uint32_t cell = 0; cell < grid.cell_count; ++cell) {
-    cells_[cell].limit = grid.states[cell] == kCellBorder ? 0 : kNever;
-    cells_[cell].found = 0;
-    cells_[cell].settled = 0;
+  passed_on_ = 0;
+  edge_ = kDear | kBeside;
+  for (; cell_count_ > solid_count_; --cell_count_) numbers_[at(cell_count_).place] = 0;
+  for (uint32_t place = 0; place < grid.cell_count; ++place) bounds_[place] = kClosed;
+  for (uint32_t number = 1; number <= solid_count_; ++number) {
+    Cell& cell = at(number);
+    empty(&cell);
+    cell.terrain &= kSurface;
+    bounds_[cell.place] = kAnyDistance;
   }
-  for (uint32_t ring = 0; ring < grid.cell_count + kBuckets + 1; ++ring) {  // a cell linked to itself waits nowhere
-    next_[ring] = ring;
-    last_[ring] = ring;
+  for (uint32_t& head : heads_) head = 0;
+}
+
+void Propagation::seed(uint32_t place, uint32_t label) {
+  if (numbers_[place] == 0) {  // outside
+    add_cell(place, kDear);
+    bounds_[place] = kAnyDistance;
+    for (const Step& step : steps_) {
+      const uint32_t around = numbers_[static_cast<uint32_t>(static_cast<int32_t>(place) + step.offset)];
+      if (around != 0) at(around).terrain |= kBeside;
+    }
+  }
+  if (label <= at(numbers_[place]).limit) offer(numbers_[place], label, kEverywhere);
+}
+
+void Propagation::link(uint32_t number, uint32_t bucket) {
+  Cell& cell = at(number);
+  cell.next = heads_[bucket];
+  cell.last = kHead | bucket;
+  if (cell.next != 0) at(cell.next).last = number;
+  heads_[bucket] = number;
+  ++waiting_;
+}
+
+void Propagation::unlink(Cell* cell) {
+  if ((cell->last & kHead) != 0) {
+    heads_[cell->last & ~kHead] = cell->next;
+  } else {
+    at(cell->last).next = cell->next;
+  }
+  if (cell->next != 0) at(cell->next).last = cell->last;
+  cell->last = 0;
+  --waiting_;
+}
+
+// Offers a label that the cell's limit allows: kept while it is among the cell's nearest joints.
+void Propagation::offer(uint32_t number, uint32_t label, uint8_t arrival) {
+  Cell& cell = at(number);
+  uint32_t* const labels = row(cell);
+  uint8_t* const ways = arrivals(cell);
+  const uint32_t joint = label & kJointMask;
+  uint32_t place = 0;
+  while (place < cell.found && (labels[place] & kJointMask) != joint) ++place;
+  if (place < cell.found) {
+    if (labels[place] <= label) return;
+  } else if (cell.found < capacity_) {
+    ++cell.found;
+  } else {
+    place = capacity_ - 1;  // takes the place of the farthest
+  }
+  for (; place > 0 && labels[place - 1] > label; --place) {
+    labels[place] = labels[place - 1];
+    ways[place] = ways[place - 1];
+  }
+  labels[place] = label;
+  ways[place] = arrival;
+  if (cell.found == capacity_ && labels[capacity_ - 1] < cell.limit) cell.limit = labels[capacity_ - 1];
+  if (place > cell.settled) return;
+  cell.settled = static_cast<uint8_t>(place);
+  if (cell.last != 0) unlink(&cell);
+  link(number, turn_of(label) & (kBuckets - 1));
+}
+
+// Whether a cell's bound allows a label.
+bool Propagation::enters(uint32_t place, uint32_t label) const {
+  const int16_t bound = bounds_[place];
+  return static_cast<int32_t>(label >> kJointBits) <= bound || bound == kAnyDistance;
+}
+
+// Offers a label to solid cells around a solid one.
+void Propagation::offer_solid(uint32_t place, uint32_t label, uint32_t ways) {
+  for (; ways != 0; ways &= ways - 1) {
+    const int way = low_bit(ways);
+    const uint32_t number = numbers_[static_cast<uint32_t>(static_cast<int32_t>(place) + steps_[way].offset)];
+    const uint32_t offered = label + steps_[way].label_step;
+    if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(way));
+  }
+}
+
+// Offers a label to cells around, where one of both is outside.
+void Propagation::offer_dear(uint32_t place, uint32_t label, uint32_t ways) {
+  for (; ways != 0; ways &= ways - 1) {
+    const int way = low_bit(ways);
+    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(place) + steps_[way].offset);
+    const uint32_t offered = label + kOutsideFactor * steps_[way].label_step;
+    if (!enters(neighbour, offered)) continue;
+    uint32_t number = numbers_[neighbour];
+    if (number == 0) number = add_cell(neighbour, kDear);
+    if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(way));
+  }
+}
+
+// Of the ways on from a solid cell with outside cells around, reached by `arrival` from another solid cell, those that
+// are left. dear: 1 when they lead outside.
+uint32_t Propagation::ways_beside(uint32_t ways, uint32_t solid, uint8_t arrival, uint32_t dear) const {
+  const uint32_t* const others = beside_ + (2u * arrival + dear) * kStepCount;
+  uint32_t kept = 0;
+  for (ways &= left_[arrival][dear]; ways != 0; ways &= ways - 1) {
+    const int way = low_bit(ways);
+    kept |= static_cast<uint32_t>((others[way] & solid) == 0) << way;
+  }
+  return kept;
+}
+
+// Passes a label on to the neighbours that the ways lead to: `solid` from one solid cell to others, `dear` where one of
+// both is outside.
+void Propagation::spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t dear) {
+  if (arrival != kEverywhere) {
+    if ((from.terrain & kSurface) == 0) {
+      solid &= steps_[arrival].next;
+      dear &= steps_[arrival].next;
+    } else if ((from.solid >> (kStepCount - 1 - arrival) & 1) != 0) {
+      solid = ways_beside(solid, from.solid, arrival, 0);
+      if (dear != 0) dear = ways_beside(dear, from.solid, arrival, 1);
+    }
+  }
+  offer_solid(from.place, label, solid);
+  offer_dear(from.place, label, dear);
+}
+
+// Passes labels on by distance until none is left.
+bool Propagation::settle(const Progress& progress, uint32_t permille) {
+  for (uint32_t turn = 0; waiting_ > 0; ++turn) {
+    const uint32_t bucket = turn & (kBuckets - 1);
+    if (heads_[bucket] == 0) continue;
+    // Moves the bucket aside: cells whose turn is a whole round away go back into it.
+    heads_[kBuckets] = heads_[bucket];
+    at(heads_[kBuckets]).last = kHead | kBuckets;
+    heads_[bucket] = 0;
+    while (heads_[kBuckets] != 0) {
+      const uint32_t number = heads_[kBuckets];
+      Cell& cell = at(number);
+      unlink(&cell);
+      const uint32_t* const labels = row(cell);
+      uint8_t* const ways = arrivals(cell);
+      while (cell.settled < cell.found && turn_of(labels[cell.settled]) == turn) {
+        const uint32_t label = labels[cell.settled];
+        const uint8_t arrival = ways[cell.settled];
+        ways[cell.settled++] |= kPassedOn;
+        while (cell.settled < cell.found && (ways[cell.settled] & kPassedOn) != 0) ++cell.settled;
+        spread(cell, label, arrival, cell.solid, (cell.terrain & edge_) != 0 ? kAllSteps & ~cell.solid : 0);
+        if (++passed_on_ % kReportEvery == 0 && !progress.report(permille)) return false;
+      }
+      if (cell.settled < cell.found) link(number, turn_of(labels[cell.settled]) & (kBuckets - 1));
+    }
+  }
+  return true;
+}
+
+// Makes every bound the largest of its own and the others less the way from there, outside throughout: a chamfer
+// distance transform in two passes (Borgefors 1986).
+void Propagation::spread_bounds() {
+  const int32_t nx = grid.size[0], ny = grid.size[1], nz = grid.size[2];
+  constexpr uint8_t kHalf = kStepCount / 2, kAlong = kHalf - 1;  // steps to cells before; the last one goes along x
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int32_t i = 0; i < (ny - 2) * (nz - 2); ++i) {
+      const int32_t at = pass == 0 ? i : (ny - 2) * (nz - 2) - 1 - i;
+      int16_t* const bounds = bounds_ + grid.index(0, at % (ny - 2) + 1, at / (ny - 2) + 1);
+      for (uint8_t s = 0; s < kAlong; ++s) {
+        const Step& step = steps_[pass == 0 ? s : kStepCount - 1 - s];
+        const int16_t* const others = bounds + step.offset;
+        const int32_t length = static_cast<int32_t>(kOutsideFactor * (step.label_step >> kJointBits));
+        for (int32_t x = 1; x < nx - 1; ++x) {
+          const int16_t other = static_cast<int16_t>(others[x] - length);
+          bounds[x] = other > bounds[x] ? other : bounds[x];
+        }
+      }
+      const int32_t sense = pass == 0 ? 1 : -1;
+      for (int32_t x = pass == 0 ? 1 : nx - 2; x > 0 && x < nx - 1; x += sense) {
+        const int32_t other = bounds[x - sense] - static_cast<int32_t>(kOutsideFactor * kStepLengths[1]);
+        if (other > bounds[x]) bounds[x] = static_cast<int16_t>(other);
+      }
+    }
+  }
+}
+
+// The distance beyond which no label of an outside cell can reach a solid cell in time to be among its nearest K. False
+// when none can.
+bool Propagation::bound_outside() {
+  const auto clear = [this](int16_t value) {
+    for (uint32_t place = 0; place < grid.cell_count; ++place) {
+      if (grid.states[place] == kCellOutside) bounds_[place] = value;
+    }
+  };
+  if (kSmallCode) {  // for small grids, which have few cells outside: 2 % more work in a bind, half a kilobyte less
+                     // code
+    clear(kAnyDistance);
+    return true;
+  }
+  clear(kClosed);
+  bool all_full = true;
+  for (uint32_t number = 1; number <= cell_count_; ++number) {
+    const Cell& cell = at(number);
+    const int32_t farthest = static_cast<int32_t>(cell.limit >> kJointBits);
+    const bool full = cell.found == capacity_ && farthest <= kLargestBound;
+    bounds_[cell.place] = full ? static_cast<int16_t>(-farthest) : kClosed;
+    all_full = all_full && (full || number > solid_count_);
+  }
+  // A cell has no label farther than those of a full cell that walk to it straight.
+  if (!all_full) spread_bounds();
+  clear(kClosed);
+  int16_t largest = 0;
+  for (uint32_t number = 1; number <= solid_count_; ++number) {
+    int16_t& bound = bounds_[at(number).place];
+    bound = static_cast<int16_t>(-bound);
+    if (bound > largest) largest = bound;
+  }
+  constexpr int32_t kOutAndBack = 2 * kOutsideFactor * kStepLengths[1];
+  if (largest < kOutAndBack) return false;
+  spread_bounds();
+  for (uint32_t number = 1; number <= solid_count_; ++number) bounds_[at(number).place] = kAnyDistance;
+  if (largest > kLargestBound) clear(kAnyDistance);
+  return true;
+}
+
+// Passes on a cell's labels to the outside cells around it, as settle() did not yet.
+void Propagation::leave(Cell* cell) {
+  const uint32_t* const labels = row(*cell);
+  const uint8_t* const ways = arrivals(*cell);
+  uint32_t open = 0;  // to its nearest label
+  for (uint32_t all = kAllSteps & ~cell->solid; all != 0; all &= all - 1) {
+    const int way = low_bit(all);
+    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(cell->place) + steps_[way].offset);
+    if (enters(neighbour, labels[0] + kOutsideFactor * steps_[way].label_step)) open |= 1u << way;
+  }
+  for (uint32_t k = 0; open != 0 && k < cell->found; ++k) {
+    if ((ways[k] & kPassedOn) != 0) spread(*cell, labels[k], ways[k] & static_cast<uint8_t>(~kPassedOn), 0, open);
   }
 }
 
 bool Propagation::run(const Progress& progress, uint32_t permille) {
-  uint32_t missing = 0;
-  for (uint32_t cell = 0; cell < grid.cell_count; ++cell) missing += (cells_[cell].terrain & kWanted) != 0 ? 1 : 0;
-  uint32_t labels_settled = 0;
-  const uint32_t ring = grid.cell_count + kBuckets;  // the bucket whose turn it is
-  for (uint32_t turn = 0; missing > 0 && waiting_ > 0; ++turn) {
-    const uint32_t bucket = grid.cell_count + (turn & (kBuckets - 1));
-    if (next_[bucket] == bucket) continue;
-    // Moves the bucket aside: cells whose turn is a whole round away go back into it.
-    next_[ring] = next_[bucket];
-    last_[ring] = last_[bucket];
-    next_[last_[ring]] = ring;
-    last_[next_[ring]] = ring;
-    next_[bucket] = bucket;
-    last_[bucket] = bucket;
-    while (next_[ring] != ring) {
-      const uint32_t index = next_[ring];
-      unlink(index);
-      Cell& cell = cells_[index];
-      const uint32_t* const row = labels_ + static_cast<size_t>(index) * capacity_;
-      if (turn_of(cell, row[cell.settled]) != turn) {
-        link(index, bucket);
-        continue;
-      }
-      next_[index] = index;
-      // Nothing can still arrive at this distance: every step costs more than it saves of the wait.
-      while (cell.settled < cell.found && turn_of(cell, row[cell.settled]) == turn) {
-        const uint32_t label = row[cell.settled];
-        spread(index, label, arrivals_[static_cast<size_t>(index) * capacity_ + cell.settled++]);
-        if (++labels_settled % kReportEvery == 0 && !progress.report(permille)) return false;
-      }
-      if (cell.settled == capacity_) {
-        missing -= (cell.terrain & kWanted) != 0 ? 1 : 0;
-      } else if (cell.settled < cell.found && next_[index] == index) {
-        link(index, bucket_of(cell, row[cell.settled]));
-      }
-    }
+  if (!settle(progress, permille)) return false;
+  if (!bound_outside()) return true;
+  edge_ = kDear | kSurface;
+  const uint32_t entered = cell_count_;
+  for (uint32_t number = 1; number <= entered; ++number) {
+    Cell& cell = at(number);
+    if (cell.found > 0 && (cell.terrain & edge_) != 0) leave(&cell);
   }
-  return true;
+  return settle(progress, permille);
 }
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #ifndef SINEW_FEATURES_PROPAGATION_HPP
 #define SINEW_FEATURES_PROPAGATION_HPP
 
+#include "core/build.hpp"
 #include "features/voxels.hpp"
 
 namespace sinew {
@@ -15,44 +16,48 @@ constexpr int32_t kCellLength = 40;
 constexpr uint32_t kStepLengths[4] = {0, 40, 56, 72};  // by the number of axes a step moves along
 constexpr uint32_t kOutsideFactor = 4;
 
-// A label is (distance << 12) | joint, so labels order by (distance, joint). 12 bits hold SINEW_MAX_JOINTS. 20 bits
-// hold any distance: joints lie within 2^22 of the origin, at most 887 cells of the box at the finest grid, or 35,480;
-// from there a straight walk of at most 128 outside steps adds 36,864, a late start 160, and a cell cannot need more
-// for its K-th label, because a cell that refuses a label on that walk is full of nearer ones that go on in its stead.
-// For the same reason every cell that waits long enough gets all its labels.
+// A label is (distance << 12) | joint, so labels order by (distance, joint). 12 bits hold SINEW_MAX_JOINTS. 17 bits
+// hold any distance that is needed: joints lie within 2^22 of the origin, at most 887 cells of the box at the finest
+// grid, or 35,480; from there a straight walk of at most 128 outside steps adds 36,864, a late start 160, and a cell
+// cannot need more for its K-th label, because a cell that refuses a label on that walk is full of nearer ones that go
+// on in its stead. Longer ways, through a winding body, are not followed.
 constexpr int kJointBits = 12;
 constexpr uint32_t kJointMask = (1u << kJointBits) - 1;
 static_assert(SINEW_MAX_JOINTS <= kJointMask + 1, "a label's joint field is too small");
-inline uint32_t make_label(uint32_t distance, uint32_t joint) { return (distance << kJointBits) | joint; }
+inline constexpr uint32_t make_label(uint32_t distance, uint32_t joint) { return (distance << kJointBits) | joint; }
 
-// A run: survey() once the grid is filled and mark what is wanted; then begin(), seed() and run() as often as needed.
-// Its result is a function of the grid and the seeds alone: labels come by (distance, joint), whatever order the queue
-// holds them in.
+// A run: survey() once the grid is filled; then begin(), seed() and run() as often as needed. Its result is a function
+// of the grid and the seeds alone: labels come by (distance, joint), whatever order the queue holds them in.
+//
+// run() goes in two steps, because few labels ever come back from outside, where most of the cells are. First the
+// labels walk through solid cells (inside and surface) and along the bones only. That gives every solid cell an upper
+// bound of its K-th distance, and so every outside cell the farthest distance with which a label can still matter:
+// bound_outside(). Then the labels step outside, within these bounds, and what comes back corrects the first result,
+// again nearest first: a label of the first step that is right stays and has been passed on to solid cells, one that is
+// not has its better before its turn comes. The pruning below holds in each step by itself: the cells q that excuse an
+// offer between solid cells are solid.
 class Propagation {
  public:
   VoxelGrid grid;
 
   bool allocate(Arena& arena, const Counts& counts);
-  // Scratch for voxelise(), free until begin(). [max_cells]
-  uint32_t* queue() { return next_; }
-  // Learns the grid's terrain. Nothing is wanted afterwards.
+  // Scratch for voxelise(), free until survey(). [max_cells]
+  uint32_t* queue() { return numbers_; }
+  // Learns the grid's terrain.
   void survey();
-  // Says that run() must not end before this cell is full.
-  void want(uint32_t cell) { cells_[cell].terrain |= kWanted; }
   // Empties all cells. capacity: labels a cell holds in this run, 1 .. K and at most the number of joints that are
   // seeded.
   void begin(uint32_t capacity);
   // Offers a label to an inner cell.
-  void seed(uint32_t cell, uint32_t label) {
-    if (label <= cells_[cell].limit) offer(cell, label, kEverywhere);
-  }
-  // Settles labels, a cell's own by rising distance, until every wanted cell is full. False when cancelled; progress is
-  // told `permille`.
+  void seed(uint32_t cell, uint32_t label);
+  // Finds the labels of every solid cell. False when cancelled; progress is told `permille`.
   bool run(const Progress& progress, uint32_t permille);
 
-  // A cell's final labels, ascending: all `capacity` for a wanted cell.
-  const uint32_t* labels(uint32_t cell) const { return labels_ + static_cast<size_t>(cell) * capacity_; }
-  uint32_t label_count(uint32_t cell) const { return cells_[cell].settled; }
+  // A solid cell's number, 0 for others.
+  uint32_t solid_cell(uint32_t place) const { return numbers_[place] <= solid_count_ ? numbers_[place] : 0; }
+  // Labels of the solid cell of that number after run(), ascending: capacity() of them.
+  const uint32_t* labels(uint32_t number) const { return row(at(number)); }
+  uint32_t capacity() const { return capacity_; }
 
  private:
   // The 26 steps to a cell's neighbours, x fastest. A label that came to a cell c by a step from p need not go on to a
@@ -71,57 +76,79 @@ class Propagation {
   struct Step {
     int32_t offset;
     uint32_t label_step;  // length, already in the place of a label's distance
-    uint8_t next_count;   // steps a label that came by this one goes on with
-    uint8_t next[7];
+    uint32_t next;        // bit s: a label that came by this step goes on with step s
   };
 
-  static constexpr uint8_t kDear = 1;
-  static constexpr uint8_t kUniform = 2;  // outside, or no cell around is: a label goes on with Step::next
-  static constexpr uint8_t kWanted = 4;   // some vertex reads this cell
-  // Labels far outside wait longer, by what the way back to the body costs at least: a body is full before most of them
-  // have their turn (Hart, Nilsson and Raphael 1968). One less than a step out, so that a label's turn comes after that
-  // of the label it came from.
-  static constexpr uint8_t kMostLayers = 3;
-  static constexpr uint32_t kLayerWait = kOutsideFactor * kStepLengths[1] - 1;
-
-  // What an offer looks at first, side by side: most offers are refused here.
+  static constexpr uint8_t kDear = 1;     // outside: steps to and from here are dear
+  static constexpr uint8_t kSurface = 2;  // solid, with outside cells around
+  static constexpr uint8_t kBeside = 4;   // solid, and a bone passes an outside cell around
+  // A cell that labels may enter; K labels and K arrivals follow it, so that for K = 8 it fills a line of the cache.
+  // Solid cells come first, in grid order; outside cells get theirs with their first label.
   struct Cell {
-    uint32_t limit;   // labels above this are refused: the last label of a full cell, 0 at the border, else kNever
-    uint8_t terrain;  // kDear: steps to and from here are dear; kUniform; kWanted
+    uint32_t limit;   // labels above this are refused: the last label of a full cell
+    uint32_t next;    // cells in the same bucket; next 0: the last one
+    uint32_t last;    // 0: waits nowhere; kHead | bucket: the first one
+    uint32_t place;   // index in the grid
+    uint32_t solid;   // bit s: step s leads to a solid cell (of solid cells only)
     uint8_t found;    // labels present
-    uint8_t settled;  // the first labels, final
-    uint8_t layers;   // steps to the next solid cell, up to kMostLayers
+    uint8_t settled;  // the first label that has not been passed on
+    uint8_t terrain;
+    uint8_t unused;
   };
+  static constexpr uint32_t kHead = 1u << 31;
+  static constexpr uint8_t kPassedOn = 0x80;  // a bit of an arrival: the label has been passed on
+  // Buckets by distance (Dial 1969), narrower than the shortest step, so that nothing can reach a bucket while it has
+  // its turn; a power of two of them beyond the longest step. A cell waits in the bucket of its first label that has
+  // not been passed on, so that memory is a function of the grid alone.
+  static constexpr int kBucketBits = 5;
+  static constexpr uint32_t kBuckets = 64;
 
-  void link(uint32_t cell, uint32_t ring);
-  void unlink(uint32_t cell);
-  // When a label has its turn.
-  static uint32_t turn_of(const Cell& cell, uint32_t label) { return (label >> kJointBits) + kLayerWait * cell.layers; }
-  uint32_t bucket_of(const Cell& cell, uint32_t label) const;
-  void offer(uint32_t index, uint32_t label, uint8_t arrival);
-  void offer_step(uint32_t index, uint32_t label, uint8_t way, bool dear);
-  void spread(uint32_t index, uint32_t label, uint8_t arrival);
-  void spread_along_surface(uint32_t index, uint32_t label, uint8_t arrival);
-  void count_layers();
+  Cell& at(uint32_t number) { return *static_cast<Cell*>(static_cast<void*>(block_ + number * cell_bytes_)); }
+  const Cell& at(uint32_t number) const {
+    return *static_cast<const Cell*>(static_cast<const void*>(block_ + number * cell_bytes_));
+  }
+  static uint32_t* row(Cell& cell) { return static_cast<uint32_t*>(static_cast<void*>(&cell + 1)); }
+  static const uint32_t* row(const Cell& cell) {
+    return static_cast<const uint32_t*>(static_cast<const void*>(&cell + 1));
+  }
+  // [K] step by which a label came, a seed has kEverywhere; and kPassedOn.
+  uint8_t* arrivals(Cell& cell) const { return static_cast<uint8_t*>(static_cast<void*>(row(cell) + row_size_)); }
+
   void lay_steps();
   void lay_ways_beside();
-  const uint32_t* beside(uint8_t came, bool dear) const { return beside_ + (2u * came + (dear ? 1 : 0)) * kStepCount; }
+  uint32_t add_cell(uint32_t place, uint8_t terrain);
+  void empty(Cell* cell) const;
+  void link(uint32_t number, uint32_t bucket);
+  void unlink(Cell* cell);
+  static uint32_t turn_of(uint32_t label) { return label >> (kJointBits + kBucketBits); }
+  void offer(uint32_t number, uint32_t label, uint8_t arrival);
+  bool enters(uint32_t place, uint32_t label) const;
+  void offer_solid(uint32_t place, uint32_t label, uint32_t ways);
+  void offer_dear(uint32_t place, uint32_t label, uint32_t ways);
+  SINEW_ONCE uint32_t ways_beside(uint32_t ways, uint32_t solid, uint8_t arrival, uint32_t dear) const;
+  void spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t dear);
+  bool settle(const Progress& progress, uint32_t permille);
+  bool bound_outside();
+  void spread_bounds();
+  void leave(Cell* cell);
 
-  Cell* cells_ = nullptr;      // [cells]
-  uint32_t* solid_ = nullptr;  // [cells] where a cell is solid and not uniform: bit s, step s leads to a solid cell
-  // [26 steps came by x 2 terrains of n x 26 steps on] steps to the solid cells q over which n is reached as well;
-  // kAllSteps where it is reached straight or is p.
+  uint32_t* numbers_ = nullptr;  // [cells] a cell's number in block_, from 1; 0: labels have not entered it
+  int16_t* bounds_ = nullptr;    // [cells] farthest distance with which a label enters an outside cell, or kAnyDistance
+  uint8_t* block_ = nullptr;     // [inner cells + 1] Cell
+  uint32_t cell_bytes_ = 0;
+  uint32_t row_size_ = 0;
+  // [26 steps came by x 2 terrains of n x 26 steps on] steps to the solid cells q over which n is reached as well.
   uint32_t* beside_ = nullptr;
-  uint32_t* labels_ = nullptr;   // [cells x K] ascending
-  uint8_t* arrivals_ = nullptr;  // [cells x K] step by which the label came; a seed has kEverywhere
-  // Buckets by distance (Dial 1969) as rings of cells; a cell waits in the bucket of its first unsettled label, so that
-  // memory is a function of the grid alone. A cell linked to itself waits nowhere.
-  uint32_t* next_ = nullptr;  // [cells + buckets + 1]
-  uint32_t* last_ = nullptr;  // [cells + buckets + 1]
   uint32_t capacity_ = 0;
-  uint32_t waiting_ = 0;  // cells in buckets
+  uint32_t solid_count_ = 0;
+  uint32_t cell_count_ = 0;  // of block_, without number 0
+  uint32_t waiting_ = 0;     // cells in buckets
+  uint32_t passed_on_ = 0;
+  uint8_t edge_ = 0;  // cells with one of these flags pass labels on to outside cells
+  uint32_t heads_[kBuckets + 1] = {};
   Step steps_[kStepCount] = {};
-  int8_t along_[kStepCount][3] = {};  // the steps as vectors
+  uint32_t left_[kStepCount][2] = {};  // [step came by][terrain of n] bits of n that are neither p nor reached straight
+  int8_t along_[kStepCount][3] = {};   // the steps as vectors
 };
 
 }  // namespace sinew
