@@ -59,6 +59,16 @@ int16_t weight_log_q13(uint32_t weight) {
 int16_t weight_root_q13(uint32_t weight) { return q13(isqrt64(static_cast<uint64_t>(weight) << 11)); }
 int16_t weight_q13(uint32_t weight) { return q13((weight + 2) >> 2); }
 
+// Channels of a Q15 weight; `relative` to the largest of its row unless that is 0. Most candidates have none.
+struct WeightChannels {
+  int16_t weight, root, log, relative;
+};
+WeightChannels weight_channels(uint32_t weight, uint32_t largest) {
+  if (weight == 0) return {0, 0, weight_log_q13(0), 0};
+  return {weight_q13(weight), weight_root_q13(weight), weight_log_q13(weight),
+          largest == 0 ? int16_t{0} : ratio_q13(weight, largest)};
+}
+
 struct Row {  // a finished heat row
   uint16_t joints[kHeatSlots];
   uint16_t weights[kHeatSlots];
@@ -390,9 +400,10 @@ class Builder {
       const Vec3i away = p - nearest;
       const uint32_t distance = isqrt64(static_cast<uint64_t>(dot(away, away)));
       if (distance < best.distance) {
-        best = {distance, static_cast<int32_t>(t >> 7), away, direction, isqrt64(static_cast<uint64_t>(length2))};
+        best = {distance, static_cast<int32_t>(t >> 7), away, direction, 0};
       }
     }
+    best.length = isqrt64(static_cast<uint64_t>(dot(best.direction, best.direction)));
     return best;
   }
 
@@ -463,17 +474,21 @@ class Builder {
       const int32_t parent = skeleton_.parents[j];
       int16_t* f = rows + static_cast<size_t>(i) * kPairFeatureCount;
       const uint32_t rule = rule_.at(j), parts = parts_.at(j), soft = soft_.at(j);
-      f[kP_rule] = weight_q13(rule);
-      f[kP_rule_root] = weight_root_q13(rule);
-      f[kP_rule_log] = weight_log_q13(rule);
-      f[kP_rule_relative] = ratio_q13(rule, rule_.weights[rule_top]);
-      f[kP_parts] = weight_q13(parts);
-      f[kP_parts_root] = weight_root_q13(parts);
-      f[kP_parts_log] = weight_log_q13(parts);
-      f[kP_parts_relative] = ratio_q13(parts, parts_.weights[parts_top]);
-      f[kP_soft] = weight_q13(soft);
-      f[kP_soft_root] = weight_root_q13(soft);
-      f[kP_soft_log] = weight_log_q13(soft);
+      const WeightChannels of_rule = weight_channels(rule, rule_.weights[rule_top]);
+      const bool alike = parts == rule && parts_.weights[parts_top] == rule_.weights[rule_top];  // as a rule
+      const WeightChannels of_parts = alike ? of_rule : weight_channels(parts, parts_.weights[parts_top]);
+      const WeightChannels of_soft = weight_channels(soft, 0);
+      f[kP_rule] = of_rule.weight;
+      f[kP_rule_root] = of_rule.root;
+      f[kP_rule_log] = of_rule.log;
+      f[kP_rule_relative] = of_rule.relative;
+      f[kP_parts] = of_parts.weight;
+      f[kP_parts_root] = of_parts.root;
+      f[kP_parts_log] = of_parts.log;
+      f[kP_parts_relative] = of_parts.relative;
+      f[kP_soft] = of_soft.weight;
+      f[kP_soft_root] = of_soft.root;
+      f[kP_soft_log] = of_soft.log;
       for (uint32_t n = 0; n < kHeatSlots; ++n) {
         const size_t slot = static_cast<size_t>(v) * kHeatSlots + n;
         if (raw.joints[slot] == j) f[kP_rule_raw_root] = weight_root_q13(raw.weights[slot]);
