@@ -191,6 +191,41 @@ TEST(Reduction, MorePartsThanVerticesAllowed) {
   EXPECT_GE(run.reduction.mesh.welded_count, 50u);
 }
 
+// A body among more hair cards than there may be vertices: the body stays a surface, cards stay whole and apart from
+// it.
+TEST(Reduction, ManySmallPartsLeaveRoomForTheLargeOne) {
+  HeatScene scene = sinew_test::capsule(30, 30, 3);
+  const uint32_t body = scene.vertex_count();
+  for (uint32_t card = 0; card < 400; ++card) {
+    const double x = 1 + card % 20, y = card / 20;
+    const uint32_t a = scene.add_vertex(x, y, 0);
+    scene.add_vertex(x + 0.1, y, 0);
+    scene.add_vertex(x, y + 0.1, 0.05);
+    scene.add_vertex(x + 0.1, y + 0.1, 0.05);
+    scene.add_triangle(a, a + 1, a + 3);
+    scene.add_triangle(a, a + 3, a + 2);
+  }
+  for (const uint32_t most : {1u, 2u, 3u, 16u, 240u, 500u, 540u}) {
+    SCOPED_TRACE(most);
+    const ReducedRun run(scene, most);
+    ASSERT_EQ(run.status, SINEW_OK);
+    EXPECT_LE(run.reduction.mesh.welded_count, most);
+    if (most < 240) continue;
+    std::set<uint32_t> of_body, of_cards;
+    for (uint32_t v = 0; v < run.mesh.vertex_count; ++v) {
+      const uint32_t reduced = run.reduction.vertex[run.mesh.vertex_to_welded[v]];
+      (v < body ? of_body : of_cards).insert(reduced);
+      if (v > body && (v - body) % 4 != 0) {
+        EXPECT_EQ(reduced, run.reduction.vertex[run.mesh.vertex_to_welded[v - 1]]) << "a card was cut";
+      }
+    }
+    EXPECT_GE(of_body.size(), most / 12);
+    EXPECT_GE(of_cards.size(), most >= 540 ? 400u : most / 3);
+    for (const uint32_t v : of_cards) EXPECT_EQ(of_body.count(v), 0u);
+    EXPECT_GT(run.reduction.mesh.triangle_count, most / 12);
+  }
+}
+
 // Every three of 40 vertices are a triangle: far more than the reduced mesh has room for.
 TEST(Reduction, ASurfaceThatMeetsItselfEverywhere) {
   HeatScene scene;

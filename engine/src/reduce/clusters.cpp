@@ -11,20 +11,13 @@ constexpr uint32_t kUnseen = 0xFFFFFFFFu;
 constexpr uint32_t kLloydRounds = 4;
 constexpr uint32_t kVertexPiece = 1024;  // vertices that a lane takes at a time
 
-// More components than clusters: runs of the Morton order, whatever they are connected to.
-void cut_order(const Mesh& mesh, uint32_t most, Clusters* clusters) {
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    clusters->labels[v] = static_cast<uint32_t>(uint64_t{v} * most / mesh.welded_count);
-  }
-  clusters->count = most;
-}
-
-void grow(const Mesh& mesh, uint32_t step, Clusters* clusters) {
+// Seeds at every step-th vertex of the first `components` components, and what is nearest to each by edges.
+void grow(const Mesh& mesh, uint32_t components, uint32_t step, Clusters* clusters) {
   uint32_t* const labels = clusters->labels;
   uint32_t* const queue = clusters->other;
   uint32_t tail = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) labels[v] = kUnseen;
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+  for (uint32_t c = 0; c < components; ++c) {
     for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; i += step) {
       labels[mesh.component_vertices[i]] = tail;
       queue[tail++] = mesh.component_vertices[i];
@@ -40,6 +33,23 @@ void grow(const Mesh& mesh, uint32_t step, Clusters* clusters) {
       queue[tail++] = neighbour;
     }
   }
+}
+
+// The components from `first` on, the smallest, whole: runs of them in Morton order share a cluster of `most` more.
+void join_components(const Mesh& mesh, uint32_t first, uint32_t most, Clusters* clusters) {
+  const uint64_t joined = mesh.component_count - first;
+  const uint64_t groups = joined < most ? joined : most;
+  uint32_t* const label_of = clusters->other;  // [components]
+  uint64_t seen = 0;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    const uint32_t c = mesh.component[v];
+    if (c < first) continue;
+    if (v == mesh.component_vertices[mesh.component_offsets[c]]) {
+      label_of[c] = clusters->count + static_cast<uint32_t>(seen++ * groups / joined);
+    }
+    clusters->labels[v] = label_of[c];
+  }
+  clusters->count += static_cast<uint32_t>(groups);
 }
 
 void find_centroids(const Mesh& mesh, Clusters* clusters) {
@@ -99,14 +109,15 @@ bool Clusters::allocate(Arena& arena, const Counts& counts, uint32_t most) {
 }
 
 void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clusters* clusters) {
-  if (mesh.component_count > most / 2) {
-    cut_order(mesh, most < mesh.welded_count ? most : mesh.welded_count, clusters);
-    find_centroids(mesh, clusters);
-    return;
-  }
-  // Every component may have one cluster more than its share.
-  const uint32_t shared = most - mesh.component_count;
-  grow(mesh, (mesh.welded_count + shared - 1) / shared, clusters);
+  // Every component may have one cluster more than its share. Where that would leave too little to share, the largest
+  // components (they come first) divide half of the clusters, and the others are not cut any more.
+  const uint32_t quarter = most / 4;
+  const bool crowded = mesh.component_count >= most - quarter;
+  const uint32_t cut = crowded && quarter < mesh.component_count ? quarter : mesh.component_count;
+  const uint32_t shared = crowded ? (quarter > 0 ? quarter : 1) : most - cut;
+  const uint32_t vertices = mesh.component_offsets[cut];
+  grow(mesh, cut, vertices == 0 ? 1 : (vertices + shared - 1) / shared, clusters);
+  if (crowded) join_components(mesh, cut, most - 2 * quarter, clusters);
   find_centroids(mesh, clusters);
   for (uint32_t round = 0; round < kLloydRounds; ++round) {
     threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {

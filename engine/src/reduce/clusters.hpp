@@ -20,7 +20,8 @@ struct Clusters {
 
 // At most `most` >= 1 clusters: seeds at equal steps through the Morton order of every component, grown breadth first,
 // then a few rounds of Lloyd's algorithm (1982) in which a vertex may go over to a neighbour's cluster whose centroid
-// is nearer. A function of the mesh alone, for any number of threads.
+// is nearer. Of more components than three quarters of `most` the smallest become a cluster each or, neighbours in
+// Morton order together, share one. A function of the mesh alone, for any number of threads.
 void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clusters* clusters);
 
 }  // namespace sinew
