@@ -102,9 +102,10 @@ void pack_bytes(GltfSource* source) {
   Json& views = source->document["bufferViews"];
   std::vector<std::array<size_t, 2>> spans;  // begin, end
   for (const Json& view : views) {
-    const size_t begin = view.value("byteOffset", size_t{0});
-    spans.push_back({begin, begin + view.at("byteLength").get<size_t>()});
-    if (spans.back()[1] > source->bytes.size()) return;  // a view outside of the buffer: leave a broken file as it is
+    const size_t begin = view.value("byteOffset", size_t{0}), length = view.at("byteLength").get<size_t>();
+    // A view outside of the buffer, or before it (a negative offset is a huge one here): leave a broken file as it is.
+    if (begin > source->bytes.size() || length > source->bytes.size() - begin) return;
+    spans.push_back({begin, begin + length});
   }
   std::sort(spans.begin(), spans.end());
   std::vector<std::array<size_t, 3>> moves;  // old begin, old end, new begin

@@ -260,6 +260,9 @@ Character read_obj(const std::string& path) {
   if (text.find('\0') != std::string::npos)
     throw Error(name + ": expected an OBJ text file, found binary data (a zero byte)");
   if (text.find('\\') != std::string::npos) text = join_continued_lines(text);
+  // They part words here; the loader takes them for letters.
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\f' || c == '\v'; }, ' ');
   const ObjCounts counts = check_lines(name, text);
 
   Character character;

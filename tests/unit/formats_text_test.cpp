@@ -120,6 +120,12 @@ TEST(Obj, AcceptsNumbersInEveryUsualForm) {
   EXPECT_EQ(c.vertices[1].z, 0);
 }
 
+TEST(Obj, FormFeedsAndVerticalTabsPartWords) {
+  const Character c = obj("v 0\f0 0\nv 1\v0 0\nv 0 1 0\nf 1\f2 \v3\n");
+  EXPECT_EQ(c.vertices[1].x, 1);
+  EXPECT_EQ(c.face_vertices, (std::vector<uint32_t>{0, 1, 2}));
+}
+
 TEST(Obj, ReadsHundredThousandVerticesFast) {
   std::string text;
   const int side = 320;
