@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -231,12 +232,12 @@ void append_number(std::string* out, float value) {
   *out += shortest_decimal(value);
 }
 
-// Numbers of distinct values, from 1, in the order of their first use.
+// Numbers of distinct values, from 1, in the order of their first use. Distinct by their bits: 0 and -0 are two.
 template <size_t N>
 class Numbering {
  public:
   size_t add(const std::array<float, N>& value, const char* keyword, std::string* out) {
-    const auto [at, is_new] = numbers_.emplace(value, numbers_.size() + 1);
+    const auto [at, is_new] = numbers_.emplace(std::bit_cast<std::array<uint32_t, N>>(value), numbers_.size() + 1);
     if (is_new) {
       *out += keyword;
       for (const float x : value) append_number(out, x);
@@ -246,7 +247,7 @@ class Numbering {
   }
 
  private:
-  std::map<std::array<float, N>, size_t> numbers_;
+  std::map<std::array<uint32_t, N>, size_t> numbers_;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 
 #include "expect_error.hpp"
@@ -118,6 +119,15 @@ TEST(Obj, AcceptsNumbersInEveryUsualForm) {
   EXPECT_EQ(c.vertices[4].z, 0);
   EXPECT_EQ(c.vertices[1].y, 100);
   EXPECT_EQ(c.vertices[1].z, 0);
+}
+
+TEST(Obj, WritesNormalsToTheSignOfTheirZeros) {
+  const TempFolder folder;
+  Character c = obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn -0 0 1\nf 1//1 2//2 3//1\n");
+  write_obj(folder.file("a.obj"), c);
+  const Character again = read_obj(folder.file("a.obj"));
+  EXPECT_FALSE(std::signbit(again.corner_normals[0].x));
+  EXPECT_TRUE(std::signbit(again.corner_normals[1].x));
 }
 
 TEST(Obj, FormFeedsAndVerticalTabsPartWords) {
