@@ -177,27 +177,18 @@ void finish_edited_row(const BindPlan& plan, const Edit& edit, uint32_t welded, 
   if (source != welded) mirror_influences(edit.symmetry, n, joints, row);
 }
 
-// How sure the prediction of a welded vertex is of its strongest joint, as in sinew_options::confidence.
-uint8_t confidence_of(const BindPlan& plan, const Prepared& p, const Logits& logits, uint32_t vertex) {
-  uint16_t joints[kRowSlots];
-  uint32_t weights[kRowSlots];
-  predicted_row(plan, p, logits, vertex, joints, weights);
+// How sure a predicted row [kRowSlots] is of its strongest joint, as in sinew_options::confidence.
+uint8_t confidence_of(const BindPlan& plan, const uint32_t* weights) {
   uint32_t largest = 0;
   for (uint32_t i = 0; i < kRowSlots; ++i) largest = weights[i] > largest ? weights[i] : largest;
   return calibrated_confidence(plan.purpose == PrepareFor::kNetwork ? &plan.model : nullptr, largest);
 }
 
-void write_extras(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit) {
-  if (plan.symmetric_vertices != nullptr) {
-    *plan.symmetric_vertices = 0;
-    for (uint32_t v = 0; kHasExtras && v < p.mesh.vertex_count && edit.symmetry.symmetric; ++v)
-      *plan.symmetric_vertices += edit.symmetry.vertex[p.mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
-  }
-  if (plan.confidence == nullptr) return;
-  plan.counts.threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-    for (uint32_t v = begin; v < end; ++v)
-      plan.confidence[v] = is_given(plan, v) ? 255 : confidence_of(plan, p, logits, p.mesh.vertex_to_welded[v]);
-  });
+void count_symmetric(const BindPlan& plan, const Prepared& p, const Edit& edit) {
+  if (plan.symmetric_vertices == nullptr) return;
+  *plan.symmetric_vertices = 0;
+  for (uint32_t v = 0; kHasExtras && v < p.mesh.vertex_count && edit.symmetry.symmetric; ++v)
+    *plan.symmetric_vertices += edit.symmetry.vertex[p.mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
 }
 
 void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit, uint32_t begin,
@@ -205,16 +196,21 @@ void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, c
   const uint32_t n = plan.influence_count;
   const uint32_t total = plan.weight_format == SINEW_WEIGHT_UNORM8 ? 255u : 65535u;
   for (uint32_t v = begin; v < end; ++v) {
-    if (is_given(plan, v)) continue;
+    if (is_given(plan, v)) {
+      if (plan.confidence != nullptr) plan.confidence[v] = 255;
+      continue;
+    }
     const size_t first = static_cast<size_t>(v) * n;
     const uint32_t welded = p.mesh.vertex_to_welded[v];
+    uint16_t predicted_joints[kRowSlots];
+    uint32_t predicted[kRowSlots];
+    if (!is_edited(plan) || plan.confidence != nullptr)
+      predicted_row(plan, p, logits, welded, predicted_joints, predicted);
+    if (plan.confidence != nullptr) plan.confidence[v] = confidence_of(plan, predicted);
     uint16_t row[SINEW_MAX_INFLUENCES];
     if (is_edited(plan)) {
       finish_edited_row(plan, edit, welded, total, joints + first, row);
     } else {
-      uint16_t predicted_joints[kRowSlots];
-      uint32_t predicted[kRowSlots];
-      predicted_row(plan, p, logits, welded, predicted_joints, predicted);
       keep_largest(predicted_joints, predicted, kRowSlots, n, total, joints + first, row);
     }
     for (uint32_t i = 0; i < n; ++i) {
@@ -325,7 +321,7 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   plan.counts.threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     write_rows(plan, p, logits, edit, begin, end, joints, weights);
   });
-  write_extras(plan, p, logits, edit);
+  count_symmetric(plan, p, edit);
   if (used_bytes != nullptr) *used_bytes = arena.high_water();
   return SINEW_OK;
 }

@@ -3,7 +3,6 @@
 // of the caller's numbering, so renumbered input gives the same mesh.
 #include "mesh/mesh.hpp"
 
-#include "core/sort.hpp"
 #include "mesh/morton.hpp"
 #include "mesh/quantize.hpp"
 #include "mesh/skeleton.hpp"
@@ -13,34 +12,14 @@
 namespace sinew {
 namespace {
 
-// Scratch of the three phases; they do not overlap in time, so each starts at the same mark.
-struct WeldScratch {
-  uint64_t* keys;
-  uint64_t* other_keys;
-  uint32_t* order;
-  uint32_t* other_order;
-  bool allocate(Arena& arena, const Counts& counts) {
-    keys = arena.alloc<uint64_t>(counts.vertices);
-    other_keys = arena.alloc<uint64_t>(counts.vertices);
-    order = arena.alloc<uint32_t>(counts.vertices);
-    other_order = arena.alloc<uint32_t>(counts.vertices);
-    return arena.ok();
-  }
-};
-void weld(const sinew_mesh& input, const Quantizer& quantizer, const WeldScratch& scratch, Mesh* mesh) {
+void weld(const sinew_mesh& input, const Quantizer& quantizer, const MortonScratch& scratch, Mesh* mesh) {
   const uint32_t count = input.vertex_count;
   for (uint32_t v = 0; v < count; ++v) {
     scratch.keys[v] = morton_key(quantize_point(quantizer, input.positions + 3 * static_cast<size_t>(v)));
     scratch.order[v] = v;
   }
-  radix_sort_pairs(scratch.keys, scratch.order, count, scratch.other_keys, scratch.other_order);
-  uint32_t welded = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    if (i == 0 || scratch.keys[i] != scratch.keys[i - 1]) mesh->positions[welded++] = position_of_key(scratch.keys[i]);
-    mesh->vertex_to_welded[scratch.order[i]] = welded - 1;
-  }
+  mesh->welded_count = weld_keys(scratch, count, mesh->positions, mesh->vertex_to_welded);
   mesh->vertex_count = count;
-  mesh->welded_count = welded;
 }
 
 sinew_status check_faces(const sinew_mesh& input) {
@@ -128,9 +107,10 @@ sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_
   if (status == SINEW_OK) status = build_skeleton(skeleton_input, quantizer, skeleton);
   if (status != SINEW_OK) return status;
 
+  // The scratch of the three phases does not overlap in time, so each starts at the same mark.
   const size_t mark = arena.mark();
-  WeldScratch weld_scratch;
-  if (!weld_scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  MortonScratch weld_scratch;
+  if (!weld_scratch.allocate(arena, counts.vertices)) return SINEW_ERROR_WORKSPACE;
   weld(input, quantizer, weld_scratch, mesh);
   arena.release(mark);
 
@@ -152,7 +132,7 @@ sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_
 
 void measure_build_mesh(Arena& arena, const Counts& counts) {
   const size_t mark = arena.mark();
-  WeldScratch().allocate(arena, counts);
+  MortonScratch().allocate(arena, counts.vertices);
   arena.release(mark);
   TriangleScratch().allocate(arena, counts);
   arena.release(mark);

@@ -3,6 +3,7 @@
 #ifndef SINEW_MESH_MORTON_HPP
 #define SINEW_MESH_MORTON_HPP
 
+#include "core/sort.hpp"
 #include "mesh/mesh.hpp"
 
 namespace sinew {
@@ -34,6 +35,32 @@ inline uint64_t morton_key(Vec3i p) {
 inline Vec3i position_of_key(uint64_t key) {
   return {static_cast<int32_t>(gather_bits(key)) - kSide / 2, static_cast<int32_t>(gather_bits(key >> 1)),
           static_cast<int32_t>(gather_bits(key >> 2)) - kSide / 2};
+}
+
+// Points on their way into Morton order: keys and, beside each, whose it is; the rest is scratch.
+struct MortonScratch {
+  uint64_t* keys;
+  uint64_t* other_keys;
+  uint32_t* order;
+  uint32_t* other_order;
+  bool allocate(Arena& arena, size_t count) {
+    keys = arena.alloc<uint64_t>(count);
+    other_keys = arena.alloc<uint64_t>(count);
+    order = arena.alloc<uint32_t>(count);
+    other_order = arena.alloc<uint32_t>(count);
+    return arena.ok();
+  }
+};
+
+// Sorts `count` keys; equal ones become one point. index_of[order[i]] is the point of key i. Returns their number.
+inline uint32_t weld_keys(const MortonScratch& scratch, uint32_t count, Vec3i* positions, uint32_t* index_of) {
+  radix_sort_pairs(scratch.keys, scratch.order, count, scratch.other_keys, scratch.other_order);
+  uint32_t welded = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    if (i == 0 || scratch.keys[i] != scratch.keys[i - 1]) positions[welded++] = position_of_key(scratch.keys[i]);
+    index_of[scratch.order[i]] = welded - 1;
+  }
+  return welded;
 }
 
 }  // namespace sinew

@@ -53,11 +53,7 @@ void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch&
   const size_t corners = 3 * static_cast<size_t>(mesh->triangle_count);
   for (size_t c = 0; c < corners; ++c) offsets[mesh->triangles[c]] += 2;
   for (uint32_t i = 0; i < 2 * loose_count; ++i) ++offsets[loose[i]];
-  uint32_t total = 0;
-  for (uint32_t v = 0; v <= count; ++v) {
-    total += offsets[v];
-    offsets[v] = total;
-  }
+  sum_up(offsets, count + 1);
   for (size_t c = 0; c < corners; ++c) {
     const size_t base = c - c % 3;
     const uint32_t v = mesh->triangles[c];

@@ -33,6 +33,15 @@ struct TopologyScratch {
   }
 };
 
+// Sizes of groups to the end of each: counted down to the begin while the groups are filled.
+inline void sum_up(uint32_t* sizes, uint32_t count) {
+  uint32_t total = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    total += sizes[i];
+    sizes[i] = total;
+  }
+}
+
 inline uint64_t pack_pair(uint32_t high, uint32_t low) { return (static_cast<uint64_t>(high) << 32) | low; }
 
 // Whether three points span an area.
@@ -55,11 +64,7 @@ void collect_triangles(const Walk& start, const TriangleScratch& scratch, Mesh* 
   for (uint32_t v = 0; v <= count; ++v) scratch.offsets[v] = 0;
   uint32_t t[3];
   for (Walk walk = start; walk.next(t);) ++scratch.offsets[t[0]];
-  uint32_t total = 0;
-  for (uint32_t v = 0; v <= count; ++v) {  // offsets[v] = end of group v, counted down to its begin while filling
-    total += scratch.offsets[v];
-    scratch.offsets[v] = total;
-  }
+  sum_up(scratch.offsets, count + 1);
   for (Walk walk = start; walk.next(t);) {
     // Sorted by vertex set first: (smaller, larger), the orientation in the lowest bit. Indices stay below 2^22.
     const bool swapped = t[1] > t[2];

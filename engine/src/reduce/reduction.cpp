@@ -2,7 +2,6 @@
 // From clusters to a mesh like any other, and from its triangles back to the full mesh's vertices.
 #include "reduce/reduction.hpp"
 
-#include "core/sort.hpp"
 #include "mesh/morton.hpp"
 #include "mesh/topology.hpp"
 #include "mesh/vector_math.hpp"
@@ -16,10 +15,7 @@ constexpr uint32_t kOne = 32768;  // of shares
 
 struct Scratch {
   Clusters clusters;
-  uint64_t* keys;
-  uint64_t* other_keys;
-  uint32_t* order;
-  uint32_t* other_order;
+  MortonScratch points;
   uint8_t* has_triangle;  // [n]
   uint32_t* near;         // [n x 2] nearest clusters beside one without triangles
   int64_t* distances;     // [n x 2] squared
@@ -31,10 +27,7 @@ struct Scratch {
     const Counts reduced = counts.surface();
     const size_t n = reduced.vertices;
     (void)clusters.allocate(arena, counts, reduced.vertices);
-    keys = arena.alloc<uint64_t>(n);
-    other_keys = arena.alloc<uint64_t>(n);
-    order = arena.alloc<uint32_t>(n);
-    other_order = arena.alloc<uint32_t>(n);
+    (void)points.allocate(arena, n);
     has_triangle = arena.alloc<uint8_t>(n);
     near = arena.alloc<uint32_t>(2 * n);
     distances = arena.alloc<int64_t>(2 * n);
@@ -50,21 +43,15 @@ void place_vertices(const Mesh& full, const Scratch& scratch, Reduction* out) {
   uint32_t used = 0;
   for (uint32_t c = 0; c < clusters.count; ++c) {
     if (clusters.sizes[c] == 0) continue;
-    scratch.keys[used] = morton_key(clusters.centroids[c]);
-    scratch.order[used++] = c;
+    scratch.points.keys[used] = morton_key(clusters.centroids[c]);
+    scratch.points.order[used++] = c;
   }
-  radix_sort_pairs(scratch.keys, scratch.order, used, scratch.other_keys, scratch.other_order);
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < used; ++i) {
-    if (i == 0 || scratch.keys[i] != scratch.keys[i - 1]) {
-      out->mesh.positions[count++] = position_of_key(scratch.keys[i]);
-    }
-    scratch.clusters.sizes[scratch.order[i]] = count - 1;  // no longer a size
-  }
+  uint32_t* const vertex_of = clusters.sizes;  // no longer sizes
+  const uint32_t count = weld_keys(scratch.points, used, out->mesh.positions, vertex_of);
   out->mesh.reduced = true;
   out->mesh.welded_count = count;
   out->mesh.vertex_count = count;
-  for (uint32_t v = 0; v < full.welded_count; ++v) out->vertex[v] = clusters.sizes[clusters.labels[v]];
+  for (uint32_t v = 0; v < full.welded_count; ++v) out->vertex[v] = vertex_of[clusters.labels[v]];
 }
 
 // Walks the full mesh's triangles whose corners lie at three reduced vertices.
@@ -165,11 +152,7 @@ void list_fans(Reduction* out) {
   for (uint32_t v = 0; v <= mesh.welded_count; ++v) offsets[v] = 0;
   const size_t corners = 3 * static_cast<size_t>(mesh.triangle_count);
   for (size_t i = 0; i < corners; ++i) ++offsets[mesh.triangles[i]];
-  uint32_t total = 0;
-  for (uint32_t v = 0; v <= mesh.welded_count; ++v) {
-    total += offsets[v];
-    offsets[v] = total;
-  }
+  sum_up(offsets, mesh.welded_count + 1);
   for (size_t i = corners; i-- > 0;) out->fans[--offsets[mesh.triangles[i]]] = static_cast<uint32_t>(i / 3);
 }
 
