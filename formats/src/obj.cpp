@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -237,7 +237,10 @@ template <size_t N>
 class Numbering {
  public:
   size_t add(const std::array<float, N>& value, const char* keyword, std::string* out) {
-    const auto [at, is_new] = numbers_.emplace(std::bit_cast<std::array<uint32_t, N>>(value), numbers_.size() + 1);
+    std::array<uint32_t, N> bits;
+    static_assert(sizeof bits == sizeof value);
+    std::memcpy(bits.data(), value.data(), sizeof bits);  // Debian 12's Emscripten has no std::bit_cast
+    const auto [at, is_new] = numbers_.emplace(bits, numbers_.size() + 1);
     if (is_new) {
       *out += keyword;
       for (const float x : value) append_number(out, x);
