@@ -14,8 +14,8 @@ if(SINEW_BUILD_QUANT)
     LABELS kernels)
 endif()
 
-sinew_test(front_variants_test
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/front_variants_test.cpp
+sinew_test(heat_variants_test
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/heat_variants_test.cpp
   LIBS sinew::engine_internals
   LABELS kernels)
 

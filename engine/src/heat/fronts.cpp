@@ -10,9 +10,8 @@
 namespace sinew {
 namespace {
 
-constexpr int32_t kSmallestPivot = 1 << 10;    // Q30
-constexpr int32_t kLargestSolution = 1 << 30;  // Q28: only where the matrix is not what it should be
-constexpr int kWidestRange = 24;               // of the rows' exponents
+constexpr int32_t kSmallestPivot = 1 << 10;  // Q30
+constexpr int kWidestRange = 24;             // of the rows' exponents
 
 // value / 2^shift rounded half up; a negative shift multiplies.
 int64_t shifted(int64_t value, int shift) {
@@ -253,12 +252,16 @@ bool FrontFactor::factorise(const HeatMatrix& matrix, const FrontKernels& kernel
 
 void FrontFactor::begin() { memset(active_, 0, front_count_); }
 
+void FrontFactor::clear(const Front& front) {
+  memset(x_ + static_cast<size_t>(front.first) * kFrontLanes, 0,
+         static_cast<size_t>(front.pivots) * kFrontLanes * sizeof(x_[0]));
+}
+
 // A front that gets a right-hand side passes it on to those on its way to the root, its border's among them.
 void FrontFactor::wake(uint32_t index) {
   for (; index != kNoFront && active_[index] == 0; index = fronts_[index].parent) {
     active_[index] = 1;
-    memset(x_ + static_cast<size_t>(fronts_[index].first) * kFrontLanes, 0,
-           static_cast<size_t>(fronts_[index].pivots) * kFrontLanes * sizeof(x_[0]));
+    clear(fronts_[index]);
   }
 }
 
@@ -271,6 +274,7 @@ void FrontFactor::add(uint32_t place, uint32_t lane, int64_t value_q40) {
 // v of the front's pivots, and what they take from its border.
 void FrontFactor::eliminate_front(const FrontKernels& kernels, uint32_t index) {
   const Front& front = fronts_[index];
+  const FrontRows rows = rows_of(front);
   const uint32_t height = front.pivots + border(index);
   const int32_t* const columns = factor_ + front.factor;
   int64_t sums[kFrontColumns * kFrontLanes];
@@ -278,39 +282,13 @@ void FrontFactor::eliminate_front(const FrontKernels& kernels, uint32_t index) {
     const uint32_t count = front.pivots - first < kFrontColumns ? front.pivots - first : kFrontColumns;
     // A column too many reads on into the border or the next column; its sums are not used.
     kernels.lanes(columns + first, 1, height, first, lanes_, sums);
-    for (uint32_t c = 0; c < count; ++c) {
-      const uint32_t k = first + c, place = front.first + k;
-      int64_t* const sum = sums + c * kFrontLanes;
-      const int32_t* const column = columns + k;
-      for (uint32_t q = first; q < k; ++q) {
-        const int64_t g = column[static_cast<size_t>(q) * height];
-        for (uint32_t lane = 0; lane < kFrontLanes; ++lane)
-          sum[lane] = wrapping_add(sum[lane], g * lanes_[q * kFrontLanes + lane]);
-      }
-      const int shift = shift_of(place, front), lift = front.exponent - exponent_[place];
-      const int64_t inverse = inverse_[place];
-      int32_t* const x = x_ + static_cast<size_t>(place) * kFrontLanes;
-      for (uint32_t lane = 0; lane < kFrontLanes; ++lane) {
-        const int64_t left = wrapping_subtract(x[lane], round_shift(sum[lane], shift));
-        const int64_t v =
-            wrapping_add(wrapping_multiply(left, inverse), static_cast<int64_t>(1) << (kFrontBits - 1)) >> kFrontBits;
-        x[lane] = clamp32(v, -0x7FFFFFFF, 0x7FFFFFFF);
-        lanes_[k * kFrontLanes + lane] = static_cast<int32_t>(round_shift(x[lane], lift));
-      }
-    }
+    kernels.solve(rows, columns + static_cast<size_t>(first) * height + first, height, front.first + first, count, true,
+                  sums, lanes_ + first * kFrontLanes);
   }
   for (uint32_t first = front.pivots; first < height; first += kFrontColumns) {
     const uint32_t count = height - first < kFrontColumns ? height - first : kFrontColumns;
     kernels.lanes(columns + first, 1, height, front.pivots, lanes_, sums);
-    for (uint32_t c = 0; c < count; ++c) {
-      const uint32_t place = rows_[front.rows + first - front.pivots + c];
-      const int shift = shift_of(place, front);
-      int32_t* const x = x_ + static_cast<size_t>(place) * kFrontLanes;
-      for (uint32_t lane = 0; lane < kFrontLanes; ++lane) {
-        x[lane] = clamp32(wrapping_subtract(x[lane], round_shift(sums[c * kFrontLanes + lane], shift)), -0x7FFFFFFF,
-                          0x7FFFFFFF);
-      }
-    }
+    kernels.subtract(rows, rows_ + front.rows + first - front.pivots, count, sums);
   }
 }
 
@@ -333,16 +311,11 @@ bool FrontFactor::border_is_negligible(uint32_t index) const {
 
 void FrontFactor::substitute_front(const FrontKernels& kernels, uint32_t index) {
   const Front& front = fronts_[index];
+  const FrontRows rows = rows_of(front);
   const uint32_t height = front.pivots + border(index);
   const int32_t* const columns = factor_ + front.factor;
-  for (uint32_t r = front.pivots; r < height; ++r) {
-    const uint32_t place = rows_[front.rows + r - front.pivots];
-    const int lift = front.exponent - exponent_[place];
-    for (uint32_t lane = 0; lane < kFrontLanes; ++lane) {
-      lanes_[r * kFrontLanes + lane] =
-          static_cast<int32_t>(round_shift(x_[static_cast<size_t>(place) * kFrontLanes + lane], lift));
-    }
-  }
+  if (active_[index] == 0) clear(front);
+  kernels.load(rows, rows_ + front.rows, height - front.pivots, lanes_ + front.pivots * kFrontLanes);
   int64_t sums[kFrontColumns * kFrontLanes];
   const uint32_t blocks = (front.pivots + kFrontColumns - 1) / kFrontColumns;
   for (uint32_t block = blocks; block-- > 0;) {
@@ -350,26 +323,8 @@ void FrontFactor::substitute_front(const FrontKernels& kernels, uint32_t index) 
     const uint32_t end = first + kFrontColumns < front.pivots ? first + kFrontColumns : front.pivots;
     kernels.lanes(columns + static_cast<size_t>(first) * height + end, height, 1, height - end,
                   lanes_ + end * kFrontLanes, sums);
-    for (uint32_t k = end; k-- > first;) {
-      const uint32_t place = front.first + k;
-      int64_t* const sum = sums + (k - first) * kFrontLanes;
-      for (uint32_t q = k + 1; q < end; ++q) {
-        const int64_t g = columns[static_cast<size_t>(k) * height + q];
-        for (uint32_t lane = 0; lane < kFrontLanes; ++lane)
-          sum[lane] = wrapping_add(sum[lane], g * lanes_[q * kFrontLanes + lane]);
-      }
-      const int shift = shift_of(place, front), lift = front.exponent - exponent_[place];
-      const int64_t inverse = inverse_[place];
-      int32_t* const x = x_ + static_cast<size_t>(place) * kFrontLanes;
-      for (uint32_t lane = 0; lane < kFrontLanes; ++lane) {
-        const int64_t v = active_[index] != 0 ? x[lane] : 0;
-        const int64_t left = wrapping_subtract(v, round_shift(sum[lane], shift));
-        const int64_t solution =
-            wrapping_add(wrapping_multiply(left, inverse), static_cast<int64_t>(1) << (kFrontBits - 1)) >> kFrontBits;
-        x[lane] = clamp32(solution, -kLargestSolution, kLargestSolution);
-        lanes_[k * kFrontLanes + lane] = static_cast<int32_t>(round_shift(x[lane], lift));
-      }
-    }
+    kernels.solve(rows, columns + static_cast<size_t>(first) * height + first, height, front.first + first, end - first,
+                  false, sums, lanes_ + first * kFrontLanes);
   }
 }
 

@@ -23,8 +23,6 @@
 
 namespace sinew {
 
-constexpr int kFrontSolutionBits = 28;
-
 class FrontFactor {
  public:
   bool allocate(Arena& arena, const Counts& counts);
@@ -64,17 +62,17 @@ class FrontFactor {
 
   uint32_t border(uint32_t front) const { return fronts_[front + 1].rows - fronts_[front].rows; }
   bool find_border(const HeatMatrix& matrix, uint32_t index, const uint32_t* children, uint32_t child_count);
+  void clear(const Front& front);
   void wake(uint32_t index);
   bool scale_rows(const HeatMatrix& matrix);
   void fill(const HeatMatrix& matrix, const Front& front, uint32_t height, int32_t* columns);
   void add_child(uint32_t child, const Front& front, uint32_t height, const int32_t* rest, int32_t* columns,
                  int32_t* corner);
   bool eliminate_pivots(const FrontKernels& kernels, const Front& front, uint32_t height, int32_t* columns);
-  void gather(const Front& front, uint32_t border, int32_t* lanes) const;
   void eliminate_front(const FrontKernels& kernels, uint32_t index);
   void substitute_front(const FrontKernels& kernels, uint32_t index);
   bool border_is_negligible(uint32_t index) const;
-  int shift_of(uint32_t place, const Front& front) const { return kFrontBits - front.exponent + exponent_[place]; }
+  FrontRows rows_of(const Front& front) const { return {front.exponent, exponent_, inverse_, x_}; }
 
   uint32_t front_count_ = 0;
   // Reserved: what characters of 100 to 8000 vertices, bodies of up to a million and tubes of regular rings need, and a

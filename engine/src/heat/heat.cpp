@@ -144,7 +144,8 @@ sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& count
   Scratch scratch;
   for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
-  sinew_status status = find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources);
+  sinew_status status =
+      find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources, kernels.boxes_met);
   if (status != SINEW_OK) return status;
   status = weigh_edges(mesh, counts, arena, &scratch.edges);
   if (status != SINEW_OK) return status;

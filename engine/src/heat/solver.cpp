@@ -203,13 +203,12 @@ void HeatSolver::keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_
                             const int32_t* x, HeatField* out) {
   constexpr int kToQ15 = kFrontSolutionBits - 15;
   constexpr int32_t kHalf = 1 << (kToQ15 - 1);
-  constexpr int32_t kFrontOne = 1 << kFrontSolutionBits;
-  constexpr uint32_t kAhead = 6;
+  int32_t range = 0;
   for (uint32_t k = first; k < first + count; ++k, x += kFrontLanes) {
-    if (k + kAhead < matrix_.rows) {  // waiting for rows was half of the time
-      const size_t later = static_cast<size_t>(ordering_.order[k + kAhead]) * kHeatSlots;
-      prefetch(out->weights + later);
-      prefetch(out->joints + later);
+    if (k < 2 * first) {  // waiting for rows was half of the time; those before the front come next
+      const size_t next = static_cast<size_t>(ordering_.order[2 * first - 1 - k]) * kHeatSlots;
+      prefetch(out->weights + next);
+      prefetch(out->joints + next);
     }
     const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
     uint16_t* const joints = out->joints + slots;
@@ -217,22 +216,14 @@ void HeatSolver::keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_
     // What rounds to less than the row's last weight is of no use; solutions are within +-4, so differences fit.
     const int32_t last = weights[kHeatSlots - 1] > kSmallestKept ? weights[kHeatSlots - 1] : kSmallestKept;
     const int32_t below = last * (1 << kToQ15) - kHalf - 1;
-    int64_t sum = 0;
-    int32_t useful = 0, out_of_range = 0;
-    for (uint32_t lane = 0; lane < kFrontLanes; ++lane) {
-      sum += x[lane];
-      useful |= (below - x[lane]) >> 31 & static_cast<int32_t>(1u << lane);
-      out_of_range |= (x[lane] + kFrontOne) | (2 * kFrontOne - x[lane]);
-    }
-    total_[k] += sum;
-    wild_ = wild_ || out_of_range < 0;
-    for (uint32_t rest = static_cast<uint32_t>(useful); rest != 0; rest &= rest - 1) {
-      const uint32_t lane = static_cast<uint32_t>(top_bit(rest & (~rest + 1)));
+    for (uint32_t rest = kernels_.above(x, below, &total_[k], &range); rest != 0; rest &= rest - 1) {
+      const uint32_t lane = static_cast<uint32_t>(low_bit(rest));
       if (lane >= lanes) break;
       const int64_t weight = round_shift(x[lane], kToQ15);
       insert(lane_joints[lane], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), joints, weights);
     }
   }
+  wild_ = wild_ || range < 0;
 }
 
 bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
@@ -261,7 +252,6 @@ bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatFiel
     });
   }
   // What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
-  constexpr int64_t kFrontOne = static_cast<int64_t>(1) << kFrontSolutionBits;
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     if (abs64(total_[k] - kFrontOne) > kFrontOne / 256) return false;
     total_[k] = round_shift(total_[k], kFrontSolutionBits - kSolutionBits);

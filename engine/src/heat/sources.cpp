@@ -341,7 +341,7 @@ bool HeatSources::allocate_beside(Arena& arena, const Counts& counts, const Heat
 }
 
 sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                          uint32_t permille_end, Arena& arena, HeatSources* sources) {
+                          uint32_t permille_end, Arena& arena, HeatSources* sources, BoxKernel boxes_met) {
   const size_t mark = arena.mark();
   FaceTree tree;
   BoneList list;
@@ -349,6 +349,7 @@ sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Coun
     arena.release(mark);
     return SINEW_ERROR_WORKSPACE;
   }
+  tree.boxes_met = boxes_met;
   tree.build(mesh);
   list.build(skeleton);
   // What a finder knows of the vertex before it changes its time, never its answer.

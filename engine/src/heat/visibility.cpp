@@ -33,21 +33,9 @@ SINEW_ONCE int64_t determinant(Vec3i a, Vec3i b, Vec3i c) { return dot64(cross(a
 
 int32_t abs32(int32_t v) { return v < 0 ? -v : v; }
 
-// Segment against box by separating axes, everything doubled to stay in integers: `middle` = start + target,
-// `half` = |target - start|, `along` = target - start.
-bool segment_meets_box(Vec3i middle, Vec3i along, Vec3i half, Vec3i low, Vec3i high) {
-  const Vec3i m = middle - (low + high);
-  const Vec3i e = high - low;
-  if (abs32(m.x) > e.x + half.x || abs32(m.y) > e.y + half.y || abs32(m.z) > e.z + half.z) return false;
-  const Vec3l c = cross(m, along);
-  return abs64(c.x) <= static_cast<int64_t>(e.y) * half.z + static_cast<int64_t>(e.z) * half.y &&
-         abs64(c.y) <= static_cast<int64_t>(e.z) * half.x + static_cast<int64_t>(e.x) * half.z &&
-         abs64(c.z) <= static_cast<int64_t>(e.x) * half.y + static_cast<int64_t>(e.y) * half.x;
-}
-
 constexpr int32_t kNowhere = 1 << 28;  // targets lie within 2^23
 
-void grow(FaceTree::Group* group, uint32_t slot, Vec3i low, Vec3i high) {
+void grow(BoxGroup* group, uint32_t slot, Vec3i low, Vec3i high) {
   const int32_t lows[3] = {low.x, low.y, low.z}, highs[3] = {high.x, high.y, high.z};
   for (int axis = 0; axis < 3; ++axis) {
     if (lows[axis] < group->low[axis][slot]) group->low[axis][slot] = lows[axis];
@@ -59,28 +47,11 @@ void grow(FaceTree::Group* group, uint32_t slot, Vec3i low, Vec3i high) {
 uint32_t group_count(uint32_t triangles) {
   uint32_t boxes = (triangles + FaceTree::kLeafFaces - 1) / FaceTree::kLeafFaces, groups = 0;
   do {
-    boxes = (boxes + FaceTree::kWidth - 1) / FaceTree::kWidth;
+    boxes = (boxes + kBoxesInGroup - 1) / kBoxesInGroup;
     groups += boxes;
   } while (boxes > 1);
   return groups;
 }
-
-// Bit i: the box around the segment meets box i. Without comparisons, so that compilers make vector code of it: a
-// difference is negative where the two are apart.
-uint32_t boxes_met(const FaceTree::Group& group, Vec3i low, Vec3i high) {
-  constexpr int32_t kBits[FaceTree::kWidth] = {1,   2,   4,    8,    16,   32,   64,    128,
-                                               256, 512, 1024, 2048, 4096, 8192, 16384, 32768};
-  int32_t apart[FaceTree::kWidth];
-  for (uint32_t i = 0; i < FaceTree::kWidth; ++i) {
-    apart[i] = (high.x - group.low[0][i]) | (group.high[0][i] - low.x) | (high.y - group.low[1][i]) |
-               (group.high[1][i] - low.y) | (high.z - group.low[2][i]) | (group.high[2][i] - low.z);
-  }
-  int32_t met = 0;
-  for (uint32_t i = 0; i < FaceTree::kWidth; ++i) met |= ~(apart[i] >> 31) & kBits[i];
-  return static_cast<uint32_t>(met);
-}
-
-uint32_t lowest_bit(uint32_t mask) { return static_cast<uint32_t>(top_bit(mask & (~mask + 1))); }
 
 }  // namespace
 
@@ -115,7 +86,7 @@ bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
 bool FaceTree::allocate(Arena& arena, const Counts& counts) {
   order = arena.alloc<uint32_t>(counts.triangles());
   component_first = arena.alloc<uint32_t>(static_cast<size_t>(counts.vertices) + 1);
-  groups = arena.alloc<Group>(group_count(counts.triangles()));
+  groups = arena.alloc<BoxGroup>(group_count(counts.triangles()));
   return arena.ok();
 }
 
@@ -132,20 +103,20 @@ void FaceTree::build(const Mesh& mesh) {
   if (mesh.triangle_count == 0) return;
   uint32_t boxes = (mesh.triangle_count + kLeafFaces - 1) / kLeafFaces, next = 0;
   do {
-    const uint32_t count = (boxes + kWidth - 1) / kWidth;
+    const uint32_t count = (boxes + kBoxesInGroup - 1) / kBoxesInGroup;
     level_first[levels] = next;
     for (uint32_t g = 0; g < count; ++g) {
-      Group& group = groups[next + g];
-      for (uint32_t i = 0; i < kWidth; ++i) {
+      BoxGroup& group = groups[next + g];
+      for (uint32_t i = 0; i < kBoxesInGroup; ++i) {
         for (int axis = 0; axis < 3; ++axis) {  // boxes that are not there meet nothing
           group.low[axis][i] = kNowhere;
           group.high[axis][i] = -kNowhere;
         }
-        const uint32_t box = g * kWidth + i;
+        const uint32_t box = g * kBoxesInGroup + i;
         if (box >= boxes) continue;
         if (levels > 0) {
-          const Group& below = groups[level_first[levels - 1] + box];
-          for (uint32_t k = 0; k < kWidth; ++k) {
+          const BoxGroup& below = groups[level_first[levels - 1] + box];
+          for (uint32_t k = 0; k < kBoxesInGroup; ++k) {
             grow(&group, i, {below.low[0][k], below.low[1][k], below.low[2][k]},
                  {below.high[0][k], below.high[1][k], below.high[2][k]});
           }
@@ -171,8 +142,9 @@ bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t 
   const Vec3i start = mesh.positions[vertex];
   const Vec3i along = target - start;
   if (levels == 0 || (along.x == 0 && along.y == 0 && along.z == 0)) return false;
-  const Vec3i half = {abs32(along.x), abs32(along.y), abs32(along.z)};
-  const Vec3i middle = start + target;
+  const BoxSegment segment = {{start.x + target.x, start.y + target.y, start.z + target.z},
+                              {along.x, along.y, along.z},
+                              {abs32(along.x), abs32(along.y), abs32(along.z)}};
 
   const auto hides = [&](uint32_t place) {
     if ((place >= first && place < last) == outside) return false;
@@ -182,30 +154,23 @@ bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t 
   };
   if (*hint != kNoFace && hides(*hint)) return true;
 
-  const Vec3i low = {along.x < 0 ? target.x : start.x, along.y < 0 ? target.y : start.y,
-                     along.z < 0 ? target.z : start.z};
-  const Vec3i high = {low.x + half.x, low.y + half.y, low.z + half.z};
   struct Entry {
     uint32_t level, group, span;  // span: places under one of the group's boxes
   };
-  Entry stack[kMostLevels * kWidth];
+  Entry stack[kMostLevels * kBoxesInGroup];
   uint32_t depth = 0;
   uint32_t top_span = kLeafFaces;  // below 8 times the triangles
-  for (uint32_t level = 1; level < levels; ++level) top_span *= kWidth;
+  for (uint32_t level = 1; level < levels; ++level) top_span *= kBoxesInGroup;
   stack[depth++] = {levels - 1, 0, top_span};
   while (depth > 0) {
     const Entry entry = stack[--depth];
-    const Group& group = groups[level_first[entry.level] + entry.group];
-    for (uint32_t met = boxes_met(group, low, high); met != 0; met &= met - 1) {
-      const uint32_t i = lowest_bit(met), box = entry.group * kWidth + i;
+    const BoxGroup& group = groups[level_first[entry.level] + entry.group];
+    for (uint32_t met = boxes_met(group, segment); met != 0; met &= met - 1) {
+      const uint32_t i = static_cast<uint32_t>(low_bit(met)), box = entry.group * kBoxesInGroup + i;
       const uint32_t place_begin = box * entry.span, place_end = place_begin + entry.span;
       if (outside ? (place_begin >= first && place_end <= last) : (place_end <= first || place_begin >= last)) continue;
-      if (!segment_meets_box(middle, along, half, {group.low[0][i], group.low[1][i], group.low[2][i]},
-                             {group.high[0][i], group.high[1][i], group.high[2][i]})) {
-        continue;
-      }
       if (entry.level > 0) {
-        stack[depth++] = {entry.level - 1, box, entry.span / kWidth};
+        stack[depth++] = {entry.level - 1, box, entry.span / kBoxesInGroup};
         continue;
       }
       for (uint32_t place = place_begin; place < place_end && place < mesh.triangle_count; ++place) {

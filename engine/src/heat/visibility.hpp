@@ -4,6 +4,7 @@
 #ifndef SINEW_HEAT_VISIBILITY_HPP
 #define SINEW_HEAT_VISIBILITY_HPP
 
+#include "kernels/boxes.hpp"
 #include "mesh/mesh.hpp"
 
 namespace sinew {
@@ -18,23 +19,18 @@ bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 
 // Triangles grouped by component, inside a component in the mesh's own order (Morton order of their first vertex), so
 // that consecutive triangles are near each other and a tree over runs of them needs no sorting: kLeafFaces triangles
-// share a box, kWidth boxes a group, and the box around a group is one of the next level.
+// share a box, kBoxesInGroup boxes a group, and the box around a group is one of the next level.
 struct FaceTree {
   static constexpr uint32_t kLeafFaces = 2;
-  static constexpr uint32_t kWidth = 16;
   static constexpr uint32_t kMostLevels = 11;  // 8^11 leaves are more than there can be
   static constexpr uint32_t kNoFace = 0xFFFFFFFFu;
 
-  // Boxes that are tested together.
-  struct Group {
-    int32_t low[3][kWidth], high[3][kWidth];
-  };
-
   uint32_t* order = nullptr;            // [T] triangle at each place
   uint32_t* component_first = nullptr;  // [component_count + 1] first place of each component
-  Group* groups = nullptr;              // level by level, leaves first
+  BoxGroup* groups = nullptr;           // level by level, leaves first
   uint32_t level_first[kMostLevels] = {};
   uint32_t levels = 0;  // the last one has one group; 0 without triangles
+  BoxKernel boxes_met = boxes_met_ref;
 
   bool allocate(Arena& arena, const Counts& counts);
   void build(const Mesh& mesh);

@@ -10,16 +10,6 @@
 namespace sinew {
 namespace {
 
-SINEW_INLINE uint32_t lowest_bit(uint32_t mask) {
-#if defined(_MSC_VER)
-  unsigned long bit;
-  _BitScanForward(&bit, mask);
-  return bit;
-#else
-  return static_cast<uint32_t>(__builtin_ctz(mask));
-#endif
-}
-
 struct LanesAvx2 {
   using Int16 = __m256i;
   struct Sums {

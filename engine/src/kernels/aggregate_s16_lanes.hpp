@@ -46,6 +46,17 @@ SINEW_INLINE uint32_t find_slot(const uint16_t* joints, uint32_t k, uint16_t joi
   return slot;
 }
 
+// mask != 0.
+SINEW_INLINE uint32_t lowest_bit(uint32_t mask) {
+#if defined(_MSC_VER)
+  unsigned long bit;
+  _BitScanForward(&bit, mask);
+  return bit;
+#else
+  return static_cast<uint32_t>(__builtin_ctz(mask));
+#endif
+}
+
 // The neighbours' rows one after another: Row(u) is a row's index, or kNone.
 constexpr size_t kNone = ~static_cast<size_t>(0);
 struct VertexRows {

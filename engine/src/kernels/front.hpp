@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two inner loops of the heat stage's sparse factorisation, on dense columns of int32: what they read is described
-// in heat/fronts.hpp. Sums are int64 and wrap, so that any order of addition gives the same bits.
+// The inner loops of the heat stage's sparse factorisation and of its solves, on dense columns of int32: what they read
+// is described in heat/fronts.hpp. Sums are int64 and wrap, so that any order of addition gives the same bits.
 #ifndef SINEW_KERNELS_FRONT_HPP
 #define SINEW_KERNELS_FRONT_HPP
 
@@ -12,6 +12,9 @@ namespace sinew {
 constexpr uint32_t kFrontColumns = 4;  // columns that a kernel works on together
 constexpr uint32_t kFrontLanes = 16;   // right-hand sides solved together
 constexpr int kFrontBits = 30;
+constexpr int kFrontSolutionBits = 28;
+constexpr int32_t kFrontOne = 1 << kFrontSolutionBits;
+constexpr int32_t kFrontLargest = 1 << 30;  // of solutions; reached only where the matrix is not what it should be
 
 // target[c][i] -= round(sum over k < pivots of g[k][i] * g[k][c] / 2^30) for c < columns <= kFrontColumns, i < rows.
 //   g       [pivots] columns, `stride` apart
@@ -23,9 +26,43 @@ void front_update_ref(const int32_t* g, size_t stride, uint32_t pivots, uint32_t
 //   lanes  [terms x kFrontLanes],  sums [kFrontColumns x kFrontLanes]
 void front_lanes_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes, int64_t* sums);
 
+// What the solves of one front read and write, all by place. A row of the front holds x / 2^(exponent -
+// exponents[place]).
+struct FrontRows {
+  int exponent;             // the largest of the front's places; at most 24 above the others
+  const int8_t* exponents;  // [places]
+  const int64_t* inverse;   // [places] 1 / the pivot, Q30
+  int32_t* x;               // [places x kFrontLanes]
+};
+
+// The triangle of `count` <= kFrontColumns pivots that stand at `place` and on: x = (x - sums - the others' share) /
+// pivot, and the same as a row of the front. forward: from the first to the last with the factor, limited to
+// +-(2^31 - 1); else back with its transpose, limited to +-kFrontLargest.
+//   g      the pivots' columns from the first one's diagonal on, `height` apart
+//   sums   [count x kFrontLanes] what the front's other rows bring, Q30 of rows; destroyed
+//   lanes  out [count x kFrontLanes]
+void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
+                     bool forward, int64_t* sums, int32_t* lanes);
+
+// x -= sums for the places [count].
+//   sums  [count x kFrontLanes] Q30 of rows
+void front_subtract_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums);
+
+// Rows of the places [count].
+//   lanes  out [count x kFrontLanes]
+void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* lanes);
+
+// Which of x [kFrontLanes], each within +-kFrontLargest, are above `below`, as bits. Adds all of them to *sum, and
+// makes *range negative where one is outside [-1, 2] (Q28).
+uint32_t front_above_ref(const int32_t* x, int32_t below, int64_t* sum, int32_t* range);
+
 struct FrontKernels {
   decltype(&front_update_ref) update = front_update_ref;
   decltype(&front_lanes_ref) lanes = front_lanes_ref;
+  decltype(&front_solve_ref) solve = front_solve_ref;
+  decltype(&front_subtract_ref) subtract = front_subtract_ref;
+  decltype(&front_load_ref) load = front_load_ref;
+  decltype(&front_above_ref) above = front_above_ref;
 };
 
 // False when the file was compiled without its instruction set.

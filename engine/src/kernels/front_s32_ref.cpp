@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The definition of the factorisation's inner loops (heat/fronts.cpp) in plain C++.
 #include "kernels/front.hpp"
+#include "kernels/front_s32_rows.hpp"
 
 namespace sinew {
 
@@ -35,6 +36,23 @@ void front_lanes_ref(const int32_t* g, size_t next, size_t step, uint32_t terms,
     }
     for (uint32_t lane = 0; lane < kFrontLanes; ++lane) sums[c * kFrontLanes + lane] = static_cast<int64_t>(sum[lane]);
   }
+}
+
+void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
+                     bool forward, int64_t* sums, int32_t* lanes) {
+  front_solve_rows(rows, g, height, place, count, forward, sums, lanes);
+}
+
+void front_subtract_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums) {
+  front_subtract_rows(rows, places, count, sums);
+}
+
+void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* lanes) {
+  front_load_rows(rows, places, count, lanes);
+}
+
+uint32_t front_above_ref(const int32_t* x, int32_t below, int64_t* sum, int32_t* range) {
+  return front_above_in_row(x, below, sum, range);
 }
 
 }  // namespace sinew

@@ -23,11 +23,19 @@ void fill_reference(Kernels* kernels) {
   kernels->global_mean = global_mean_s16_ref;
   kernels->global_max = global_max_s16_ref;
   kernels->front = FrontKernels();
+  kernels->boxes_met = boxes_met_ref;
 }
 
-// What the three x86-64 kernels share.
-bool add_x86_rest(Kernels* kernels) {
-  return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels);
+// What the kernels for avx2 and avxvnni share.
+bool add_avx2_rest(Kernels* kernels) {
+  return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels) &&
+         add_front_s32_avx2(&kernels->front) && add_boxes_s32_avx2(&kernels->boxes_met);
+}
+
+// What vnni has beside its linear layer.
+bool add_avx512_rest(Kernels* kernels) {
+  return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_vnni(kernels) &&
+         add_front_s32_vnni(&kernels->front) && add_boxes_s32_vnni(&kernels->boxes_met);
 }
 
 // Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has
@@ -36,18 +44,17 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
   bool added = false;
   switch (kernel) {
     case SINEW_KERNEL_AVX2:
-      added = cpu.avx2 && add_linear_s16_avx2(kernels) && add_x86_rest(kernels) && add_front_s32_avx2(&kernels->front);
+      added = cpu.avx2 && add_linear_s16_avx2(kernels) && add_avx2_rest(kernels);
       break;
     case SINEW_KERNEL_AVXVNNI:
-      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels) && add_x86_rest(kernels) &&
-              add_front_s32_avx2(&kernels->front);
+      added = cpu.avxvnni && add_linear_s16_avxvnni(kernels) && add_avx2_rest(kernels);
       break;
     case SINEW_KERNEL_VNNI:
-      added = cpu.vnni && add_linear_s16_vnni(kernels) && add_x86_rest(kernels) && add_front_s32_vnni(&kernels->front);
+      added = cpu.vnni && add_linear_s16_vnni(kernels) && add_avx512_rest(kernels);
       break;
     case SINEW_KERNEL_SIMD128:  // no question to a processor: a module with these instructions does not start without
       added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels) &&
-              add_front_s32_simd128(&kernels->front);
+              add_front_s32_simd128(&kernels->front) && add_boxes_s32_simd128(&kernels->boxes_met);
       break;
     case SINEW_KERNEL_NEON:  // every ARM64 processor
       added = add_linear_s16_neon(kernels) && add_aggregates_s16_neon(kernels);

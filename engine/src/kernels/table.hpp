@@ -3,6 +3,7 @@
 #ifndef SINEW_KERNELS_TABLE_HPP
 #define SINEW_KERNELS_TABLE_HPP
 
+#include "kernels/boxes.hpp"
 #include "kernels/front.hpp"
 #include "kernels/kernels.hpp"
 
@@ -30,7 +31,8 @@ struct Kernels {
   decltype(&part_mean_pair_s16_ref) part_mean_pair = nullptr;
   decltype(&global_mean_s16_ref) global_mean = nullptr;
   decltype(&global_max_s16_ref) global_max = nullptr;
-  FrontKernels front;  // of the heat stage
+  FrontKernels front;                   // of the heat stage
+  BoxKernel boxes_met = boxes_met_ref;  // of its visibility
 };
 
 }  // namespace sinew

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Aggregations over one-rings, candidates, parts and all rows with AVX-512, 16 channels at a time: their sums fill one
+// register.
+#include "kernels/variants.hpp"
+
+#if defined(__AVX512BW__) && defined(__AVX512VL__)
+#include <immintrin.h>
+
+#include "kernels/aggregate_s16_lanes.hpp"
+
+namespace sinew {
+namespace {
+
+struct LanesAvx512 {
+  using Int16 = __m256i;
+  using Sums = __m512i;
+  struct Divider {
+    __m512i multiplier, offset;
+    __m128i shift;
+  };
+  static constexpr int kLanes = 16, kMeanRegisters = 3;
+
+  static SINEW_INLINE __m256i load(const int16_t* from) {
+    return _mm256_loadu_si256(static_cast<const __m256i*>(static_cast<const void*>(from)));
+  }
+  static SINEW_INLINE void store(int16_t* to, __m256i value) {
+    _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
+  }
+  static SINEW_INLINE __m256i largest(__m256i a, __m256i b) { return _mm256_max_epi16(a, b); }
+
+  static SINEW_INLINE __m512i zero_sums() { return _mm512_setzero_si512(); }
+  static SINEW_INLINE __m512i add(__m512i sums, __m256i values) {
+    return _mm512_add_epi32(sums, _mm512_cvtepi16_epi32(values));
+  }
+  static SINEW_INLINE __m512i load_sums(const int32_t* from) { return _mm512_loadu_si512(from); }
+  static SINEW_INLINE void store_sums(int32_t* to, __m512i sums) { _mm512_storeu_si512(to, sums); }
+
+  static SINEW_INLINE Divider divider(MeanDivision division) {
+    return {_mm512_set1_epi32(static_cast<int32_t>(division.multiplier)),
+            _mm512_set1_epi32(static_cast<int32_t>(division.offset)),
+            _mm_cvtsi32_si128(static_cast<int32_t>(division.shift))};
+  }
+  static SINEW_INLINE __m256i means(const Divider& by, __m512i sums) {
+    const __m512i dividend = _mm512_add_epi32(_mm512_add_epi32(sums, sums), by.offset);
+    const __m512i even = _mm512_srl_epi64(_mm512_mul_epu32(dividend, by.multiplier), by.shift);
+    const __m512i odd = _mm512_srl_epi64(_mm512_mul_epu32(_mm512_srli_epi64(dividend, 32), by.multiplier), by.shift);
+    const __m512i quotients = _mm512_or_si512(even, _mm512_slli_epi64(odd, 32));
+    return _mm256_xor_si256(_mm512_cvtepi32_epi16(quotients), _mm256_set1_epi16(INT16_MIN));
+  }
+
+  static SINEW_INLINE uint32_t find_of_8(const uint16_t* joints, uint16_t joint) {
+    const __m128i row = _mm_loadu_si128(static_cast<const __m128i*>(static_cast<const void*>(joints)));
+    const uint32_t equal = _mm_cmpeq_epi16_mask(row, _mm_set1_epi16(static_cast<int16_t>(joint)));
+    return equal == 0 ? 8 : lowest_bit(equal);
+  }
+};
+
+}  // namespace
+
+bool add_aggregates_s16_vnni(Kernels* kernels) {
+  add_aggregates<LanesAvx512>(kernels);
+  return true;
+}
+
+}  // namespace sinew
+#else
+namespace sinew {
+bool add_aggregates_s16_vnni(Kernels*) { return false; }
+}  // namespace sinew
+#endif
