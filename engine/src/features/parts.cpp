@@ -68,13 +68,18 @@ void build_tree(const Mesh& mesh, uint32_t leaves, Box* nodes) {
   }
 }
 
-// Nearest vertex of a component with a smaller id than `component`.
-void find_host(const Mesh& mesh, const Box* nodes, uint32_t leaves, uint32_t vertex, uint32_t* host,
+// Nearest vertex of a component with a smaller id than `component`. `guess` is such a vertex, or kNoVertex; it changes
+// the time, never the answer.
+void find_host(const Mesh& mesh, const Box* nodes, uint32_t leaves, uint32_t vertex, uint32_t guess, uint32_t* host,
                uint32_t* distance) {
   const Vec3i p = mesh.positions[vertex];
   const uint32_t component = mesh.component[vertex];
   int64_t best = INT64_MAX;
-  uint32_t best_vertex = kNoVertex;
+  uint32_t best_vertex = guess;
+  if (guess != kNoVertex) {
+    const Vec3i d = mesh.positions[guess] - p;
+    best = dot(d, d);
+  }
   uint32_t stack[64];
   int top = 0;
   stack[top++] = 1;
@@ -143,8 +148,13 @@ sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& 
 
   const uint32_t leaves = leaf_count(vertices);
   build_tree(mesh, leaves, scratch.nodes);
-  for (uint32_t v = 0; v < vertices; ++v) {
-    find_host(mesh, scratch.nodes, leaves, v, &parts->host_vertex[v], &parts->host_distance[v]);
+  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+    uint32_t guess = kNoVertex;  // the host of the part's vertex before, which is near in Morton order
+    for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i) {
+      const uint32_t v = mesh.component_vertices[i];
+      find_host(mesh, scratch.nodes, leaves, v, guess, &parts->host_vertex[v], &parts->host_distance[v]);
+      guess = parts->host_vertex[v];
+    }
   }
   arena.release(mark);
   return SINEW_OK;

@@ -321,15 +321,20 @@ void global_max(RowsView values, uint32_t channels, const uint16_t* present, siz
 }
 
 template <class Isa>
-SINEW_INLINE void add_aggregates(Kernels* kernels) {
+SINEW_INLINE void add_means(Kernels* kernels) {
   kernels->ring_mean_vertex = ring_mean_vertex<Isa>;
-  kernels->ring_max_vertex = ring_max_vertex<Isa>;
   kernels->ring_mean_pair = ring_mean_pair<Isa>;
-  kernels->ring_max_pair = ring_max_pair<Isa>;
-  kernels->candidate_max = candidate_max<Isa>;
   kernels->part_mean_vertex = part_mean_vertex<Isa>;
   kernels->part_mean_pair = part_mean_pair<Isa>;
   kernels->global_mean = global_mean<Isa>;
+}
+
+template <class Isa>
+SINEW_INLINE void add_aggregates(Kernels* kernels) {
+  add_means<Isa>(kernels);
+  kernels->ring_max_vertex = ring_max_vertex<Isa>;
+  kernels->ring_max_pair = ring_max_pair<Isa>;
+  kernels->candidate_max = candidate_max<Isa>;
   kernels->global_max = global_max<Isa>;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Aggregations over one-rings, candidates, parts and all rows with AVX-512, 16 channels at a time: their sums fill one
-// register.
+// Means over one-rings, parts and all rows with AVX-512, 16 channels at a time: their sums fill one register. Maxima
+// gain nothing over AVX2.
 #include "kernels/variants.hpp"
 
 #if defined(__AVX512BW__) && defined(__AVX512VL__)
@@ -26,7 +26,6 @@ struct LanesAvx512 {
   static SINEW_INLINE void store(int16_t* to, __m256i value) {
     _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
   }
-  static SINEW_INLINE __m256i largest(__m256i a, __m256i b) { return _mm256_max_epi16(a, b); }
 
   static SINEW_INLINE __m512i zero_sums() { return _mm512_setzero_si512(); }
   static SINEW_INLINE __m512i add(__m512i sums, __m256i values) {
@@ -57,14 +56,14 @@ struct LanesAvx512 {
 
 }  // namespace
 
-bool add_aggregates_s16_vnni(Kernels* kernels) {
-  add_aggregates<LanesAvx512>(kernels);
+bool add_means_s16_vnni(Kernels* kernels) {
+  add_means<LanesAvx512>(kernels);
   return true;
 }
 
 }  // namespace sinew
 #else
 namespace sinew {
-bool add_aggregates_s16_vnni(Kernels*) { return false; }
+bool add_means_s16_vnni(Kernels*) { return false; }
 }  // namespace sinew
 #endif

@@ -34,8 +34,8 @@ SINEW_INLINE uint32_t boxes_met_in(const BoxGroup& group, const BoxSegment& segm
       const typename L::Int32 reach = L::add(e[axis], L::all(segment.half[axis]));
       boxes = L::either(boxes, L::either(L::subtract(reach, m[axis]), L::add(reach, m[axis])));
       const int j = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
-      const typename L::Int64 cross = L::subtract(L::products(m[j], L::all(segment.along[k])),
-                                                  L::products(m[k], L::all(segment.along[j])));
+      const typename L::Int64 cross =
+          L::subtract(L::products(m[j], L::all(segment.along[k])), L::products(m[k], L::all(segment.along[j])));
       const typename L::Int64 limit =
           L::add(L::products(e[j], L::all(segment.half[k])), L::products(e[k], L::all(segment.half[j])));
       edges = L::either(edges, L::either(L::subtract(limit, cross), L::add(limit, cross)));

@@ -30,8 +30,7 @@ bool meets_box(const BoxGroup& group, const BoxSegment& segment, uint32_t box) {
   }
   for (int axis = 0; axis < 3; ++axis) {
     const int j = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
-    const int64_t cross =
-        static_cast<int64_t>(m[j]) * segment.along[k] - static_cast<int64_t>(m[k]) * segment.along[j];
+    const int64_t cross = static_cast<int64_t>(m[j]) * segment.along[k] - static_cast<int64_t>(m[k]) * segment.along[j];
     if (abs64(cross) > static_cast<int64_t>(e[j]) * segment.half[k] + static_cast<int64_t>(e[k]) * segment.half[j])
       return false;
   }

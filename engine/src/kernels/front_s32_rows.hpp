@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the factorisation's solves do with rows of kFrontLanes numbers, in plain loops that a compiler turns into whatever
-// registers the including file is compiled for. Included by the reference and by every instruction set's file.
+// What the factorisation's solves do with rows of kFrontLanes numbers, in plain loops that a compiler turns into
+// whatever registers the including file is compiled for. Included by the reference and by every instruction set's file.
 #ifndef SINEW_KERNELS_FRONT_S32_ROWS_HPP
 #define SINEW_KERNELS_FRONT_S32_ROWS_HPP
 
@@ -42,7 +42,8 @@ SINEW_INLINE void front_solve_rows(const FrontRows& rows, const int32_t* g, size
       const int64_t factor = forward ? g[q * height + c] : g[c * height + q];
       const int32_t* const known = lanes + q * kFrontLanes;
       for (uint32_t lane = 0; lane < kFrontLanes; ++lane)
-        sum[lane] = static_cast<int64_t>(static_cast<uint64_t>(sum[lane]) + static_cast<uint64_t>(factor * known[lane]));
+        sum[lane] =
+            static_cast<int64_t>(static_cast<uint64_t>(sum[lane]) + static_cast<uint64_t>(factor * known[lane]));
     }
     const int lift = rows.exponent - rows.exponents[place + c];
     front_solve_row(sum, kFrontBits - lift, rows.inverse[place + c], lift, forward ? 0x7FFFFFFF : kFrontLargest,
@@ -66,7 +67,8 @@ SINEW_INLINE void front_load_rows(const FrontRows& rows, const uint32_t* places,
   for (uint32_t r = 0; r < count; ++r, lanes += kFrontLanes) {
     const int lift = rows.exponent - rows.exponents[places[r]];
     const int32_t* const x = rows.x + static_cast<size_t>(places[r]) * kFrontLanes;
-    for (uint32_t lane = 0; lane < kFrontLanes; ++lane) lanes[lane] = static_cast<int32_t>(front_rounded(x[lane], lift));
+    for (uint32_t lane = 0; lane < kFrontLanes; ++lane)
+      lanes[lane] = static_cast<int32_t>(front_rounded(x[lane], lift));
   }
 }
 

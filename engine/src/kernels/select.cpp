@@ -26,16 +26,20 @@ void fill_reference(Kernels* kernels) {
   kernels->boxes_met = boxes_met_ref;
 }
 
-// What the kernels for avx2 and avxvnni share.
+// What the three x86-64 kernels share.
+bool add_x86_rest(Kernels* kernels) {
+  return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels);
+}
+
+// What the kernels for avx2 and avxvnni share beyond that.
 bool add_avx2_rest(Kernels* kernels) {
-  return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_avx2(kernels) &&
-         add_front_s32_avx2(&kernels->front) && add_boxes_s32_avx2(&kernels->boxes_met);
+  return add_x86_rest(kernels) && add_front_s32_avx2(&kernels->front) && add_boxes_s32_avx2(&kernels->boxes_met);
 }
 
 // What vnni has beside its linear layer.
 bool add_avx512_rest(Kernels* kernels) {
-  return add_linear_in_place_s16_avx2(kernels) && add_aggregates_s16_vnni(kernels) &&
-         add_front_s32_vnni(&kernels->front) && add_boxes_s32_vnni(&kernels->boxes_met);
+  return add_x86_rest(kernels) && add_means_s16_vnni(kernels) && add_front_s32_vnni(&kernels->front) &&
+         add_boxes_s32_vnni(&kernels->boxes_met);
 }
 
 // Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has
