@@ -103,6 +103,7 @@ struct alignas(64) PartTables {
   uint8_t* deepest = nullptr;  // [J] subtree holds 90 % of the part, no child's does
   int16_t* pair = nullptr;     // [J x kPartChannels] channels of a pair that all vertices of the part share
   uint8_t* paired = nullptr;   // [J] whether it was written
+  int16_t* vertex = nullptr;   // [kVertexFeatureCount] channels of a vertex that all of the part share, the others 0
   int64_t host_total = 0;
   uint16_t own_top = kNoJoint, host_top = kNoJoint, box_top = kNoJoint;
   Vec3i centre = {0, 0, 0};
@@ -120,6 +121,7 @@ struct alignas(64) PartTables {
     deepest = arena.alloc<uint8_t>(joints);
     pair = arena.alloc<int16_t>(static_cast<size_t>(joints) * kPartChannels);
     paired = arena.alloc<uint8_t>(joints);
+    vertex = arena.alloc<int16_t>(kVertexFeatureCount);
     return arena.ok();
   }
 };
@@ -262,6 +264,7 @@ class Builder {
       if (t.topmost[j] == 0 || skeleton_.usable[j] == 0) continue;
       if (t.box_top == kNoJoint || t.subtree[j] > t.subtree[t.box_top]) t.box_top = static_cast<uint16_t>(j);
     }
+    write_part_row(c);
     memset(t.paired, 0, joints);
     for (uint32_t j = 0; j < joints && size >= kSmallPart; ++j) (void)part_channels(j, c);
   }
@@ -339,32 +342,39 @@ class Builder {
     joints_[count_++] = joint;
   }
 
-  void write_vertex(uint32_t v, uint32_t c) {
-    const PartTables& t = tables_;
+  // The channels that all vertices of a part share; the others 0.
+  void write_part_row(uint32_t c) {
+    PartTables& t = tables_;
     const uint32_t size = mesh_.component_sizes[c];
-    int16_t* f = out_->vertex + static_cast<size_t>(v) * out_->vertex_channels;
-    f[kV_mean_curvature] = q13(mesh_.mean_curvature[v]);
-    f[kV_gauss_curvature] = q13(mesh_.gauss_curvature[v]);
-    f[kV_edge_length_log] = log_q13(static_cast<uint64_t>(mesh_.edge_length[v]) + 64, 14 << 16, 2);
+    int16_t* const f = t.vertex;
+    memset(f, 0, kVertexFeatureCount * sizeof(int16_t));
     f[kV_part_share_log] = q13((log2_q16(size) - log2_q16(mesh_.welded_count)) >> 6);
     f[kV_part_source_share] = ratio_q13(s_.parts.source_count[c], size);
     f[kV_part_count_log] = log_q13(mesh_.component_count, 0, 3);
     f[kV_joint_count_log] = log_q13(skeleton_.joint_count, 0, 3);
     f[kV_vertex_count_log] = log_q13(mesh_.welded_count, 8 << 16, 3);
     f[kV_part_boundary_share] = ratio_q13(s_.parts.boundary_count[c], size);
-    f[kV_host_gap] = c == 0 ? int16_t{0} : log_q13(s_.parts.host_distance[v] + uint64_t{kSoftLength}, 12 << 16, 2);
     f[kV_is_largest_part] = c == 0 ? kOne : 0;
     f[kV_part_extent] = ratio_q13(t.extent, kSide);
     f[kV_part_flatness] = ratio_q13(t.thickness, t.extent);
     f[kV_part_purity] = t.own_top == kNoJoint ? int16_t{0} : share_q13(t.own[t.own_top], size);
     f[kV_rule_is_parts] = heat_.component_rule[c] == 1 ? kOne : 0;
     f[kV_rule_is_open] = heat_.component_rule[c] == 2 ? kOne : 0;
-    f[kV_has_source] = heat_.field[kFieldRule].has_source[v] != 0 ? kOne : 0;
-    f[kV_has_source_parts] = heat_.field[kFieldParts].has_source[v] != 0 ? kOne : 0;
     f[kV_host_purity] = t.host_top == kNoJoint ? int16_t{0} : ratio_q13(t.host[t.host_top], t.host_total);
     f[kV_loose_share] = ratio_q13(mesh_.welded_count - mesh_.component_sizes[0], mesh_.welded_count);
-    f[kV_normal_up] = q13(mesh_.normals[v].y >> (kNormalBits - kFeatureBits));
     f[kV_part_contact] = c == 0 ? int16_t{0} : log_q13(t.contact + uint64_t{kSoftLength}, 12 << 16, 2);
+  }
+
+  void write_vertex(uint32_t v, uint32_t c) {
+    int16_t* f = out_->vertex + static_cast<size_t>(v) * out_->vertex_channels;
+    memcpy(f, tables_.vertex, kVertexFeatureCount * sizeof(int16_t));
+    f[kV_mean_curvature] = q13(mesh_.mean_curvature[v]);
+    f[kV_gauss_curvature] = q13(mesh_.gauss_curvature[v]);
+    f[kV_edge_length_log] = log_q13(static_cast<uint64_t>(mesh_.edge_length[v]) + 64, 14 << 16, 2);
+    if (c != 0) f[kV_host_gap] = log_q13(s_.parts.host_distance[v] + uint64_t{kSoftLength}, 12 << 16, 2);
+    f[kV_has_source] = heat_.field[kFieldRule].has_source[v] != 0 ? kOne : 0;
+    f[kV_has_source_parts] = heat_.field[kFieldParts].has_source[v] != 0 ? kOne : 0;
+    f[kV_normal_up] = q13(mesh_.normals[v].y >> (kNormalBits - kFeatureBits));
   }
 
   // A sum of Q15 weights over `size` vertices as their mean, Q13.
