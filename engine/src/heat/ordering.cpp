@@ -11,6 +11,7 @@ namespace {
 
 constexpr uint32_t kLeastSamples = 23;
 constexpr uint32_t kMostSamples = 255;  // of a piece, for its median
+constexpr uint32_t kSideBits = 3;       // of a region's mark: the low side of the cut along each axis
 
 int32_t coordinate(Vec3i p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
@@ -58,27 +59,36 @@ class Dissection {
     return middle < high ? middle : high - 1;
   }
 
-  void count_borders(Piece piece, uint32_t region, Cut* cut) const {
-    cut->low_count = cut->low_border = cut->high_border = 0;
+  // Marks the piece's vertices as of `region`, with the side of each cut, and counts for all cuts at once.
+  void count_borders(Piece piece, uint32_t region, Cut (&cuts)[3]) const {
     for (uint32_t i = piece.begin; i < piece.end; ++i) {
       const uint32_t v = out_.order[i];
-      const bool low = on_low_side(v, *cut);
-      cut->low_count += low ? 1 : 0;
-      if (!touches_other_side(v, region, *cut, low)) continue;
-      ++(low ? cut->low_border : cut->high_border);
+      uint32_t sides = 0;
+      for (int axis = 0; axis < 3; ++axis)
+        sides |= static_cast<uint32_t>(coordinate(mesh_.positions[v], axis) <= cuts[axis].value) << axis;
+      out_.region[v] = region << kSideBits | sides;
+    }
+    for (uint32_t i = piece.begin; i < piece.end; ++i) {
+      const uint32_t v = out_.order[i], touched = touched_sides(v);
+      for (uint32_t axis = 0; axis < 3; ++axis) {
+        const uint32_t low = out_.region[v] >> axis & 1, border = touched >> axis & 1;
+        cuts[axis].low_count += low;
+        cuts[axis].low_border += low & border;
+        cuts[axis].high_border += (low ^ 1) & border;
+      }
     }
   }
 
   // Reorders the piece as low side, high side, separator. Returns the lengths of the first two through the pointers.
-  void split(Piece piece, uint32_t region, const Cut& cut, uint32_t* low_length, uint32_t* high_length) const {
+  void split(Piece piece, const Cut& cut, uint32_t* low_length, uint32_t* high_length) const {
     const bool low_separates = cut.low_border <= cut.high_border;
     uint32_t low = 0, high = 0, separator = 0;
     const uint32_t length = piece.end - piece.begin;
     // Low side grows from the front of the scratch, the separator from its back, the high side is written in place.
     for (uint32_t i = piece.begin; i < piece.end; ++i) {
       const uint32_t v = out_.order[i];
-      const bool on_low = on_low_side(v, cut);
-      if (on_low == low_separates && touches_other_side(v, region, cut, on_low)) {
+      const bool on_low = (out_.region[v] >> cut.axis & 1) != 0;
+      if (on_low == low_separates && (touched_sides(v) >> cut.axis & 1) != 0) {
         out_.scratch[length - ++separator] = v;
       } else if (on_low) {
         out_.scratch[low++] = v;
@@ -94,15 +104,15 @@ class Dissection {
   }
 
  private:
-  bool on_low_side(uint32_t vertex, const Cut& cut) const {
-    return coordinate(mesh_.positions[vertex], cut.axis) <= cut.value;
-  }
-  bool touches_other_side(uint32_t vertex, uint32_t region, const Cut& cut, bool low) const {
+  // Bit i: a neighbour in the vertex's region is on the other side of cut i.
+  uint32_t touched_sides(uint32_t vertex) const {
+    const uint32_t own = out_.region[vertex];
+    uint32_t touched = 0;
     for (uint32_t e = mesh_.row_offsets[vertex]; e < mesh_.row_offsets[vertex + 1]; ++e) {
-      const uint32_t neighbour = mesh_.col_indices[e];
-      if (out_.region[neighbour] == region && on_low_side(neighbour, cut) != low) return true;
+      const uint32_t differs = out_.region[mesh_.col_indices[e]] ^ own;
+      touched |= differs >> kSideBits == 0 ? differs : 0;
     }
-    return false;
+    return touched;
   }
 
   const Mesh& mesh_;
@@ -144,7 +154,6 @@ void Ordering::dissect(const Mesh& mesh, uint32_t component, uint32_t smallest) 
     const Piece piece = stack[--depth];
     const uint32_t mine = next_region++;
     const uint32_t length = piece.end - piece.begin;
-    for (uint32_t i = piece.begin; i < piece.end; ++i) region[order[i]] = mine;
     if (length <= smallest) {
       piece_size[piece.begin] = length;
       piece_begin[piece.begin] = piece.begin;
@@ -154,31 +163,31 @@ void Ordering::dissect(const Mesh& mesh, uint32_t component, uint32_t smallest) 
     // All three axes are tried: the shortest separator for the balance it gives.
     Vec3i lowest, highest;
     dissection.find_box(piece, &lowest, &highest);
+    Cut cuts[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const int32_t high = coordinate(highest, axis);
+      cuts[axis].axis = axis;
+      cuts[axis].value = coordinate(lowest, axis) == high ? high : dissection.median(piece, axis, high);
+    }
+    dissection.count_borders(piece, mine, cuts);
+    const auto smaller_side = [length](const Cut& c) {
+      return static_cast<uint64_t>(c.low_count < length - c.low_count ? c.low_count : length - c.low_count);
+    };
     Cut best;
     bool found = false;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (coordinate(lowest, axis) == coordinate(highest, axis)) continue;
-      Cut cut;
-      cut.axis = axis;
-      cut.value = dissection.median(piece, axis, coordinate(highest, axis));
-      dissection.count_borders(piece, mine, &cut);
-      const auto smaller_side = [length](const Cut& c) {
-        return static_cast<uint64_t>(c.low_count < length - c.low_count ? c.low_count : length - c.low_count);
-      };
+    for (const Cut& cut : cuts) {
+      if (coordinate(lowest, cut.axis) == coordinate(highest, cut.axis)) continue;
       if (!found || cut.separator() * smaller_side(best) < best.separator() * smaller_side(cut)) best = cut;
       found = true;
     }
     uint32_t low = 0, high = 0;
-    dissection.split(piece, mine, best, &low, &high);
+    dissection.split(piece, best, &low, &high);
     const Piece low_piece = {piece.begin, piece.begin + low};
     const Piece high_piece = {piece.begin + low, piece.begin + low + high};
     if (high_piece.end < piece.end) {
       piece_size[high_piece.end] = piece.end - high_piece.end;
       piece_begin[high_piece.end] = piece.begin;
     }
-    // The separator leaves the region, so that the halves do not see it.
-    for (uint32_t i = high_piece.end; i < piece.end; ++i) region[order[i]] = next_region;
-    ++next_region;
     const bool low_first = low <= high;
     const Piece later = low_first ? high_piece : low_piece;
     const Piece sooner = low_first ? low_piece : high_piece;

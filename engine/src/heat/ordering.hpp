@@ -14,7 +14,7 @@ constexpr uint32_t kSmallestFront = 24;  // for one of dense fronts
 struct Ordering {
   uint32_t* order = nullptr;    // [U] vertex at each place of the elimination, for the component ordered last
   uint32_t* place = nullptr;    // [U] and back; only the vertices of that component are valid
-  uint32_t* region = nullptr;   // [U] scratch: which piece a vertex is in
+  uint32_t* region = nullptr;   // [U] scratch: the last piece a vertex was cut in, and on which side of its cuts
   uint32_t* scratch = nullptr;  // [U]
   // Separators and pieces that were not cut further: at the place of each one's first vertex its length and the place
   // where its subtree begins; length 0 elsewhere.
