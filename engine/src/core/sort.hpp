@@ -35,10 +35,11 @@ void heap_sort(T* data, size_t count, Less less) {
   }
 }
 
-// Sorts numbers ascending. Insertion for the short rows that most calls see (a vertex's neighbours).
+// Sorts numbers ascending. Insertion up to where a heap is faster: most rows are short (a vertex's neighbours, a
+// border).
 template <class T>
 void sort_ascending(T* values, size_t count) {
-  if (kSmallCode || count > 24) {
+  if (kSmallCode || count > 128) {
     heap_sort(values, count, [](T a, T b) { return a < b; });
     return;
   }
