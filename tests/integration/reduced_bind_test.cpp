@@ -5,21 +5,15 @@
 #include <cmath>
 #include <vector>
 
-#include "heat_scene.hpp"
+#include "bound_scene.hpp"
 #include "lent_threads.hpp"
-#include "open_bundled_model.hpp"
-#include "sinew/sinew.hpp"
 
 namespace {
 
 using sinew_test::HeatScene;
 
-struct Bound {
-  sinew_status status = SINEW_OK;
-  size_t bytes = 0, used = 0;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint8_t> confidence;
-};
+using Bound = sinew_test::BoundScene;
+using sinew_test::bind_scene;
 
 sinew_options with_surface(uint32_t vertices, uint32_t method = SINEW_METHOD_MODEL) {
   sinew_options options = {};
@@ -27,28 +21,6 @@ sinew_options with_surface(uint32_t vertices, uint32_t method = SINEW_METHOD_MOD
   options.method = method;
   options.surface_vertices = vertices;
   return options;
-}
-
-Bound bind_scene(const HeatScene& scene, sinew_options options) {
-  Bound bound;
-  const sinew_mesh mesh = scene.mesh_view();
-  const sinew_skeleton skeleton = scene.skeleton_view();
-  bound.joints.assign(size_t{mesh.vertex_count} * 4, 0);
-  bound.weights.assign(size_t{mesh.vertex_count} * 4, 0);
-  bound.confidence.assign(mesh.vertex_count, 0);
-  options.confidence = bound.confidence.data();
-  for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
-    if (options.hints == nullptr || options.hints[v] == 0) continue;
-    bound.joints[size_t{v} * 4] = 1;
-    bound.weights[size_t{v} * 4] = 65535;
-  }
-  bound.status = sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
-                                           skeleton.joint_count, &options, &bound.bytes);
-  if (bound.status != SINEW_OK) return bound;
-  const sinew::Workspace block(bound.bytes);
-  bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block.data(), bound.bytes, bound.joints.data(),
-                            bound.weights.data(), &bound.used);
-  return bound;
 }
 
 // Mean over vertices of the sum of absolute differences, weights from 0 to 1.
@@ -98,7 +70,7 @@ TEST(ReducedBindOptions, HintsPartsAndSymmetryActOnTheWholeMesh) {
   const Bound hinted = bind_scene(scene, options);
   ASSERT_EQ(hinted.status, SINEW_OK);
   for (size_t v = 0; v < hints.size(); v += 50) {
-    EXPECT_EQ(hinted.joints[4 * v], 1);
+    EXPECT_EQ(hinted.joints[4 * v], sinew_test::hinted_joint(scene, static_cast<uint32_t>(v)));
     EXPECT_EQ(hinted.weights[4 * v], 65535);
     EXPECT_EQ(hinted.confidence[v], 255);
   }

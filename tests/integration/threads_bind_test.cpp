@@ -7,20 +7,14 @@
 #include <thread>
 #include <vector>
 
-#include "heat_scene.hpp"
+#include "bound_scene.hpp"
 #include "lent_threads.hpp"
-#include "open_bundled_model.hpp"
-#include "sinew/sinew.hpp"
 
 namespace {
 
 using sinew_test::LoopLog;
 
-struct Bound {
-  sinew_status status = SINEW_OK;
-  size_t bytes = 0, used = 0;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint8_t> confidence;
+struct Bound : sinew_test::BoundScene {
   LoopLog log;
 };
 
@@ -35,35 +29,20 @@ struct Extras {
 Bound bind_scene(const sinew_test::HeatScene& scene, uint32_t threads, sinew_parallel_for parallel_for,
                  const Extras& extras) {
   Bound bound;
-  const sinew_mesh mesh = scene.mesh_view();
-  const sinew_skeleton skeleton = scene.skeleton_view();
-  std::vector<uint8_t> hints(mesh.vertex_count, 0);
-  bound.joints.assign(size_t{mesh.vertex_count} * 4, 0);
-  bound.weights.assign(size_t{mesh.vertex_count} * 4, 0);
-  bound.confidence.assign(mesh.vertex_count, 0);
-  for (uint32_t v = 0; v < mesh.vertex_count; v += 97) {
-    hints[v] = 1;
-    bound.joints[size_t{v} * 4] = static_cast<uint16_t>(v % skeleton.joint_count);
-    bound.weights[size_t{v} * 4] = 65535;
-  }
+  std::vector<uint8_t> hints(scene.vertex_count(), 0);
+  for (size_t v = 0; v < hints.size(); v += 97) hints[v] = 1;
   sinew_options options = {};
   options.grid_size = 32;
   options.method = extras.method;
   options.rigid_parts = extras.rigid_parts;
   options.symmetric = extras.symmetric;
   options.hints = extras.hints ? hints.data() : nullptr;
-  options.confidence = bound.confidence.data();
   options.progress = extras.progress;
   options.progress_user = extras.progress_user;
   options.parallel_for = parallel_for;
   options.parallel_user = &bound.log;
   options.thread_count = threads;
-  bound.status = sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
-                                           skeleton.joint_count, &options, &bound.bytes);
-  if (bound.status != SINEW_OK) return bound;
-  const sinew::Workspace block(bound.bytes);
-  bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block.data(), bound.bytes, bound.joints.data(),
-                            bound.weights.data(), &bound.used);
+  static_cast<sinew_test::BoundScene&>(bound) = sinew_test::bind_scene(scene, options);
   return bound;
 }
 
