@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include "gltf_source.hpp"
 #include "sinew_formats/error.hpp"
@@ -206,8 +207,8 @@ GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model) {
     const int parent = nodes.parents[i];
     nodes.worlds[i] = parent < 0 ? local : multiply(nodes.worlds[static_cast<size_t>(parent)], local);
     for (const double value : nodes.worlds[i])
-      if (!std::isfinite(value))
-        throw Error(path + ": " + name(i) + ": expected a finite transform, found one that is not");
+      if (!(std::abs(value) <= double{std::numeric_limits<float>::max()}))
+        throw Error(path + ": " + name(i) + ": expected a transform in the range of floats, found one beyond it");
   }
 
   if (model.scenes.empty()) {

@@ -517,6 +517,12 @@ TEST(GltfRead, ErrorsNameFileAndElement) {
   builder = two_joint_strip();
   attributes(&builder)["WEIGHTS_0"] = builder.accessor(std::vector<float>(40, std::nanf("")), "VEC4");
   EXPECT_ERROR(read(builder), "WEIGHTS_0", "finite", "element 0");
+  for (const double far : {1e59, 1e308}) {  // finite for double, whose product with the parent's is not in the end
+    builder = two_joint_strip();
+    builder.document["nodes"][1]["translation"] = {0, far, 0};
+    builder.document["nodes"][1]["scale"] = {1, far, 1};
+    EXPECT_ERROR(read(builder), "node 1 'knee'", "range of floats");
+  }
   builder = two_joint_strip();
   builder.document["meshes"][0]["primitives"][0]["indices"] =
       builder.accessor(std::vector<uint16_t>{0, 1, 10}, "SCALAR");
