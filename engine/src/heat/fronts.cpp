@@ -167,7 +167,8 @@ void FrontFactor::fill(const HeatMatrix& matrix, const Front& front, uint32_t he
       const uint32_t other = ordering.place[mesh.col_indices[e]];
       if (other < place) continue;
       const int64_t entry = shifted(matrix.weight(e), kEdgeWeightBits + exponent + exponent_[other] - kFrontBits);
-      column[mark_[other]] -= static_cast<int32_t>(entry);
+      int32_t& target = column[mark_[other]];  // of a definite matrix below 1; of another it wraps
+      target = static_cast<int32_t>(static_cast<uint32_t>(target) - static_cast<uint32_t>(entry));
     }
   }
 }
