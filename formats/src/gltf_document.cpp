@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <set>
 
 #include "gltf_source.hpp"
 #include "sinew_formats/error.hpp"
@@ -117,6 +118,48 @@ void gather_buffers(GltfSource* source) {
   }
 }
 
+// glTF's counts, sizes and numbers of elements. The loader takes a fraction under such a name for a field that is not
+// there, and what reads the document later would take it for another number.
+bool is_whole_number_field(const std::string& key) {
+  static const std::set<std::string> fields = {"buffer",
+                                               "bufferView",
+                                               "byteLength",
+                                               "byteOffset",
+                                               "byteStride",
+                                               "camera",
+                                               "children",
+                                               "count",
+                                               "indices",
+                                               "input",
+                                               "inverseBindMatrices",
+                                               "joints",
+                                               "mesh",
+                                               "node",
+                                               "material",
+                                               "mode",
+                                               "nodes",
+                                               "output",
+                                               "sampler",
+                                               "scene",
+                                               "skeleton",
+                                               "skin",
+                                               "source",
+                                               "componentType"};
+  return fields.count(key) != 0;
+}
+
+void refuse_fractions(const std::string& path, const Json& value, const std::string& key, bool whole) {
+  if (whole && value.is_number() && !value.is_number_integer())
+    throw Error(path + ": expected a whole number for '" + key + "', found " + value.dump());
+  if (value.is_array())
+    for (const Json& element : value) refuse_fractions(path, element, key, whole);
+  if (!value.is_object()) return;
+  const bool numbers = key == "attributes" || key == "targets";  // whose fields have names of their own
+  for (const auto& field : value.items())
+    if (field.key() != "extras" && field.key() != "extensions")
+      refuse_fractions(path, field.value(), numbers ? key : field.key(), numbers || is_whole_number_field(field.key()));
+}
+
 }  // namespace
 
 GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) {
@@ -154,6 +197,7 @@ GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) 
   }
   if (!ok) throw Error(path + ": expected a glTF 2.0 file, found one that does not parse: " + one_line(problem));
   refuse_compressed(path, source.model);
+  refuse_fractions(path, source.document, "", false);
   try {
     gather_buffers(&source);
   } catch (const std::exception& error) {

@@ -517,6 +517,15 @@ TEST(GltfRead, ErrorsNameFileAndElement) {
   builder = two_joint_strip();
   attributes(&builder)["WEIGHTS_0"] = builder.accessor(std::vector<float>(40, std::nanf("")), "VEC4");
   EXPECT_ERROR(read(builder), "WEIGHTS_0", "finite", "element 0");
+  builder = two_joint_strip();
+  builder.document["nodes"].back()["skin"] = 7.5;
+  EXPECT_ERROR(read(builder), "whole number for 'skin'", "found 7.5");
+  builder = two_joint_strip();
+  attributes(&builder)["_CURVATURE"] = 1e80;
+  EXPECT_ERROR(read(builder), "whole number for 'attributes'", "1e+80");
+  builder = two_joint_strip();
+  builder.document["nodes"][1]["extras"] = {{"count", 1.5}};
+  EXPECT_NO_THROW((void)read(builder));
   for (const double far : {1e59, 1e308}) {  // finite for double, whose product with the parent's is not in the end
     builder = two_joint_strip();
     builder.document["nodes"][1]["translation"] = {0, far, 0};
