@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The linear layer alone with one kernel, without any package, so that it runs under WebAssembly too: CSV on standard
-// output. sinew_bench_linear compares with other libraries.
+// The linear layer and softmax alone with one kernel, without any package, so that it runs under WebAssembly too: CSV
+// on standard output. sinew_bench_linear compares with other libraries.
 //   sinew_bench_layer [--kernel NAME] [--repeats N]
 #include <cstdio>
 #include <cstdlib>
@@ -73,6 +73,27 @@ void measure(const Shape& shape, const Kernels& kernels, int repeats) {
   std::fflush(stdout);
 }
 
+// Logits as a network has them, an eighth of the slots absent; a call per row, as a bind does.
+void measure_softmax(uint32_t count, const Kernels& kernels, int repeats) {
+  constexpr uint32_t kRows = 32768;
+  std::mt19937 random(1);
+  std::vector<int16_t> logits(size_t{kRows} * count);
+  std::vector<uint16_t> joints(logits.size());
+  std::vector<uint32_t> out(logits.size());
+  for (int16_t& x : logits) x = static_cast<int16_t>(static_cast<int32_t>(random() % 16384) - 8192);
+  for (uint16_t& joint : joints) joint = random() % 8 == 0 ? kNoJoint : uint16_t{5};
+  std::vector<double> seconds;
+  for (int i = 0; i < repeats; ++i) {
+    const double start = sinew_bench::thread_seconds();
+    for (size_t row = 0; row < out.size(); row += count)
+      kernels.softmax(logits.data() + row, joints.data() + row, count, 655, out.data() + row);
+    seconds.push_back(sinew_bench::thread_seconds() - start);
+  }
+  const uint64_t hash = sinew_bench::fnv1a(sinew_bench::kHashStart, out.data(), out.size() * 4);
+  std::printf("%s,%s,softmax %ux%u,%.4f,,%016llx\n", sinew_bench::row_start().c_str(), kernel_name(kernels.id), kRows,
+              count, sinew_bench::median(seconds) * 1e3, static_cast<unsigned long long>(hash));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -92,5 +113,6 @@ int main(int argc, char** argv) {
   }
   std::printf("machine,compiler,commit,kernel,shape,median_ms,gmac_per_s,hash\n");
   for (const Shape& shape : kShapes) measure(shape, kernels, repeats);
+  for (const uint32_t count : {8u, 16u}) measure_softmax(count, kernels, repeats);
   return 0;
 }

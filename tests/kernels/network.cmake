@@ -19,6 +19,11 @@ sinew_test(heat_variants_test
   LIBS sinew::engine_internals
   LABELS kernels)
 
+sinew_test(softmax_variants_test
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/softmax_variants_test.cpp
+  LIBS sinew::engine_internals
+  LABELS kernels)
+
 # Optimised x86-64 code alone is worth looking at.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND CMAKE_BUILD_TYPE MATCHES "^Rel" AND NOT SINEW_SANITIZE
    AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")

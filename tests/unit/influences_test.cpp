@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// softmax_q16 against double, keep_largest against its definition: exact sums, order, ties, nothing lost.
+// keep_largest against its definition: exact sums, order, ties, nothing lost.
 #include "weights/influences.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -24,67 +23,6 @@ class Random {
  private:
   std::mt19937 engine_;
 };
-
-std::vector<double> exact_softmax(const std::vector<int16_t>& logits, const std::vector<uint16_t>& joints) {
-  std::vector<double> p(logits.size());
-  double sum = 0;
-  for (size_t i = 0; i < p.size(); ++i) sum += p[i] = joints[i] == kNoJoint ? 0 : std::exp2(logits[i] / 1024.0);
-  for (double& value : p) value /= sum;
-  return p;
-}
-
-TEST(Softmax, IsCloseToDouble) {
-  Random random(1);
-  double worst = 0;
-  for (int row = 0; row < 20000; ++row) {
-    const uint32_t count = 1 + random.below(16);
-    const int range = row % 3 == 0 ? 500 : row % 3 == 1 ? 8000 : 32767;
-    std::vector<int16_t> logits;
-    std::vector<uint16_t> joints;
-    for (uint32_t i = 0; i < count; ++i) {
-      logits.push_back(
-          static_cast<int16_t>(static_cast<int>(random.below(static_cast<uint32_t>(2 * range + 1))) - range));
-      joints.push_back(i > 0 && random.below(4) == 0 ? kNoJoint : static_cast<uint16_t>(i));
-    }
-    std::vector<uint32_t> q16(count);
-    softmax_q16(logits.data(), joints.data(), count, q16.data());
-    const std::vector<double> exact = exact_softmax(logits, joints);
-    for (uint32_t i = 0; i < count; ++i) {
-      worst = std::max(worst, std::abs(q16[i] / 65536.0 - exact[i]));
-      if (joints[i] == kNoJoint) {
-        ASSERT_EQ(q16[i], 0u);
-      }
-    }
-  }
-  EXPECT_LE(worst, 3e-5);  // the promise to the network is 2e-4
-}
-
-TEST(Softmax, ExtremesStayInRange) {
-  const uint16_t joints[3] = {4, 5, 6};
-  uint32_t p[3];
-  const int16_t far[3] = {32767, -32767, 32766};
-  softmax_q16(far, joints, 3, p);
-  EXPECT_EQ(p[1], 0u);
-  EXPECT_GT(p[0], p[2]);
-  const int16_t lowest[1] = {INT16_MIN};
-  softmax_q16(lowest, joints, 1, p);
-  EXPECT_EQ(p[0], 65536u);
-  const uint16_t none[2] = {kNoJoint, kNoJoint};
-  softmax_q16(far, none, 2, p);
-  EXPECT_EQ(p[0] + p[1], 0u);
-}
-
-TEST(Softmax, HigherLogitNeverGetsLess) {
-  const uint16_t joints[2] = {0, 1};
-  uint32_t before = 0;
-  for (int logit = -20000; logit <= 20000; ++logit) {
-    const int16_t logits[2] = {static_cast<int16_t>(logit), 0};
-    uint32_t p[2];
-    softmax_q16(logits, joints, 2, p);
-    ASSERT_GE(p[0], before) << logit;
-    before = p[0];
-  }
-}
 
 struct Row {
   std::vector<uint16_t> joints, weights;

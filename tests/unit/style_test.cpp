@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "weights/influences.hpp"
+#include "kernels/softmax.hpp"
 
 namespace sinew {
 namespace {
@@ -100,8 +100,8 @@ TEST(Softness, DividesDifferencesAndKeepsTheOrder) {
   EXPECT_EQ(out[1], INT16_MIN);  // clamped
   uint32_t soft[4], plain[4];
   soften_logits(logits, joints, 4, 400, out);
-  softmax_q16(out, joints, 4, soft);
-  softmax_q16(logits, joints, 4, plain);
+  softmax_s16_ref(out, joints, 4, 0, soft);
+  softmax_s16_ref(logits, joints, 4, 0, plain);
   EXPECT_LT(soft[1], plain[1]);
   EXPECT_GT(soft[1], soft[0]);
   EXPECT_EQ(soft[3], 0u);

@@ -5,8 +5,8 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) build=$1
 . "$here/emscripten.sh"
-"$here/build.sh" "$build" linear_variants_test aggregate_variants_test heat_variants_test
-for program in linear_variants_test aggregate_variants_test heat_variants_test; do
+"$here/build.sh" "$build" linear_variants_test aggregate_variants_test softmax_variants_test heat_variants_test
+for program in linear_variants_test aggregate_variants_test softmax_variants_test heat_variants_test; do
   if ! node_wasm "$build/$program.js" --gtest_color=no >"$build/$program.txt" 2>&1; then
     grep -v SKIPPED "$build/$program.txt" >&2
     exit 1

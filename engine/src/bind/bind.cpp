@@ -22,6 +22,7 @@ uint32_t or_default(uint32_t value, uint32_t fallback) { return value != 0 ? val
 
 struct Logits {
   int16_t* values = nullptr;  // [U x K] log2 units, Q10
+  SoftmaxKernel softmax = softmax_s16_ref;
 
   bool allocate(Arena& arena, const Counts& counts) {
     values = arena.alloc<int16_t>(static_cast<size_t>(counts.vertices) * counts.candidates);
@@ -46,13 +47,12 @@ void surface_row(const BindPlan& plan, const Prepared& p, const Logits& logits, 
   for (uint32_t i = 0; i < k; ++i) joints[i] = p.features.joints[static_cast<size_t>(vertex) * k + i];
   const int16_t* const own = logits.values + static_cast<size_t>(vertex) * k;
   if (plan.softness_percent == 100) {
-    softmax_q16(own, joints, k, weights);
+    logits.softmax(own, joints, k, kSmallestKept, weights);
   } else {
     int16_t softened[SINEW_MAX_CANDIDATES];
     soften_logits(own, joints, k, plan.softness_percent, softened);
-    softmax_q16(softened, joints, k, weights);
+    logits.softmax(softened, joints, k, kSmallestKept, weights);
   }
-  prune_q16(weights, k);
 }
 
 // The row of a welded vertex of the full mesh, from those that row(surface vertex, joints, weights) gives.
@@ -304,6 +304,7 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   if (status != SINEW_OK) return status;
 
   Logits logits;
+  logits.softmax = kernels.softmax;
   if (plan.purpose == PrepareFor::kNetwork) {
     if (!logits.allocate(arena, plan.counts.surface())) return SINEW_ERROR_WORKSPACE;
     const NetworkInput input = network_input(p, plan.counts);

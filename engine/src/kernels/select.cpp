@@ -22,6 +22,7 @@ void fill_reference(Kernels* kernels) {
   kernels->part_mean_pair = part_mean_pair_s16_ref;
   kernels->global_mean = global_mean_s16_ref;
   kernels->global_max = global_max_s16_ref;
+  kernels->softmax = softmax_s16_ref;
   kernels->front = FrontKernels();
   kernels->boxes_met = boxes_met_ref;
 }
@@ -33,13 +34,14 @@ bool add_x86_rest(Kernels* kernels) {
 
 // What the kernels for avx2 and avxvnni share beyond that.
 bool add_avx2_rest(Kernels* kernels) {
-  return add_x86_rest(kernels) && add_front_s32_avx2(&kernels->front) && add_boxes_s32_avx2(&kernels->boxes_met);
+  return add_x86_rest(kernels) && add_front_s32_avx2(&kernels->front) && add_boxes_s32_avx2(&kernels->boxes_met) &&
+         add_softmax_s16_avx2(&kernels->softmax);
 }
 
 // What vnni has beside its linear layer.
 bool add_avx512_rest(Kernels* kernels) {
   return add_x86_rest(kernels) && add_means_s16_vnni(kernels) && add_front_s32_vnni(&kernels->front) &&
-         add_boxes_s32_vnni(&kernels->boxes_met);
+         add_boxes_s32_vnni(&kernels->boxes_met) && add_softmax_s16_vnni(&kernels->softmax);
 }
 
 // Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has
@@ -58,10 +60,12 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
       break;
     case SINEW_KERNEL_SIMD128:  // no question to a processor: a module with these instructions does not start without
       added = add_linear_s16_simd128(kernels) && add_aggregates_s16_simd128(kernels) &&
-              add_front_s32_simd128(&kernels->front) && add_boxes_s32_simd128(&kernels->boxes_met);
+              add_front_s32_simd128(&kernels->front) && add_boxes_s32_simd128(&kernels->boxes_met) &&
+              add_softmax_s16_simd128(&kernels->softmax);
       break;
     case SINEW_KERNEL_NEON:  // every ARM64 processor
-      added = add_linear_s16_neon(kernels) && add_aggregates_s16_neon(kernels);
+      added =
+          add_linear_s16_neon(kernels) && add_aggregates_s16_neon(kernels) && add_softmax_s16_neon(&kernels->softmax);
       break;
     case SINEW_KERNEL_DSP:  // code for a core with these instructions is for such cores alone
       added = add_linear_s16_dsp(kernels);

@@ -6,6 +6,7 @@
 #include "kernels/boxes.hpp"
 #include "kernels/front.hpp"
 #include "kernels/kernels.hpp"
+#include "kernels/softmax.hpp"
 
 namespace sinew {
 
@@ -31,6 +32,7 @@ struct Kernels {
   decltype(&part_mean_pair_s16_ref) part_mean_pair = nullptr;
   decltype(&global_mean_s16_ref) global_mean = nullptr;
   decltype(&global_max_s16_ref) global_max = nullptr;
+  SoftmaxKernel softmax = softmax_s16_ref;
   FrontKernels front;                   // of the heat stage
   BoxKernel boxes_met = boxes_met_ref;  // of its visibility
 };

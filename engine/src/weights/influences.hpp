@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 9 of a bind: logits or heat rows become influences with exact integer sums.
+// Stage 9 of a bind: probabilities (kernels/softmax.hpp) or heat rows become influences with exact integer sums.
 #ifndef SINEW_WEIGHTS_INFLUENCES_HPP
 #define SINEW_WEIGHTS_INFLUENCES_HPP
 
@@ -7,13 +7,11 @@
 
 namespace sinew {
 
-// Fixed-point softmax over the present candidates. logits in log2 units, Q10. joints[k] == kNoJoint is absent.
-//   out [count] Q16 probabilities (65536 = 1), absent = 0. 2^x by a constant table with linear interpolation.
-void softmax_q16(const int16_t* logits, const uint16_t* joints, uint32_t count, uint32_t* out);
-
-// Zeroes probabilities under 1 % (Q16), which a softmax leaves on every candidate and no artist paints. Measured on
-// val: precision of influences 53 % without, 81 % with it, L1 a little lower. At least one of up to 99 entries always
-// stays.
+// Probabilities under 1 % (Q16) become 0: a softmax leaves them on every candidate and no artist paints them. Measured
+// on val: precision of influences 53 % without, 81 % with it, L1 a little lower. At least one of up to 99 entries
+// always stays.
+constexpr uint32_t kSmallestKept = 655;
+// For probabilities that no softmax kernel has made.
 void prune_q16(uint32_t* probabilities, uint32_t count);
 
 // Keeps the `keep` largest of `count` (joint, weight) entries (weights any non-negative integer scale up to 2^20, at
