@@ -3,15 +3,12 @@
 #include "kernels/variants.hpp"
 
 #if defined(__AVX2__)
-#include <immintrin.h>
-
-#include "kernels/aggregate_s16_lanes.hpp"
+#include "kernels/aggregate_s16_256.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx2 {
-  using Int16 = __m256i;
+struct LanesAvx2 : Channels256 {
   struct Sums {
     __m256i low, high;
   };
@@ -19,14 +16,7 @@ struct LanesAvx2 {
     __m256i multiplier, offset;
     __m128i shift;
   };
-  static constexpr int kLanes = 16, kMeanRegisters = 3;
 
-  static SINEW_INLINE __m256i load(const int16_t* from) {
-    return _mm256_loadu_si256(static_cast<const __m256i*>(static_cast<const void*>(from)));
-  }
-  static SINEW_INLINE void store(int16_t* to, __m256i value) {
-    _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
-  }
   static SINEW_INLINE __m256i largest(__m256i a, __m256i b) { return _mm256_max_epi16(a, b); }
 
   static SINEW_INLINE Sums zero_sums() { return {_mm256_setzero_si256(), _mm256_setzero_si256()}; }

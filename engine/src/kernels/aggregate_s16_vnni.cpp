@@ -4,28 +4,17 @@
 #include "kernels/variants.hpp"
 
 #if defined(__AVX512BW__) && defined(__AVX512VL__)
-#include <immintrin.h>
-
-#include "kernels/aggregate_s16_lanes.hpp"
+#include "kernels/aggregate_s16_256.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx512 {
-  using Int16 = __m256i;
+struct LanesAvx512 : Channels256 {
   using Sums = __m512i;
   struct Divider {
     __m512i multiplier, offset;
     __m128i shift;
   };
-  static constexpr int kLanes = 16, kMeanRegisters = 3;
-
-  static SINEW_INLINE __m256i load(const int16_t* from) {
-    return _mm256_loadu_si256(static_cast<const __m256i*>(static_cast<const void*>(from)));
-  }
-  static SINEW_INLINE void store(int16_t* to, __m256i value) {
-    _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
-  }
 
   static SINEW_INLINE __m512i zero_sums() { return _mm512_setzero_si512(); }
   static SINEW_INLINE __m512i add(__m512i sums, __m256i values) {

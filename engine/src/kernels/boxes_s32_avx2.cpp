@@ -42,14 +42,10 @@ struct LanesAvx2 {
   }
 };
 
-uint32_t boxes_met_avx2(const BoxGroup& group, const BoxSegment& segment) {
-  return boxes_met_in<LanesAvx2>(group, segment);
-}
-
 }  // namespace
 
 bool add_boxes_s32_avx2(BoxKernel* kernel) {
-  *kernel = boxes_met_avx2;
+  *kernel = boxes_met_in<LanesAvx2>;
   return true;
 }
 

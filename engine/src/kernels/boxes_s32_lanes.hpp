@@ -17,7 +17,7 @@ namespace {
 
 // Without comparisons: |a| > b where b - a or b + a is negative.
 template <class L>
-SINEW_INLINE uint32_t boxes_met_in(const BoxGroup& group, const BoxSegment& segment) {
+uint32_t boxes_met_in(const BoxGroup& group, const BoxSegment& segment) {
   uint32_t apart = 0;
   for (uint32_t first = 0; first < kBoxesInGroup; first += L::kLanes) {
     typename L::Int32 m[3], e[3];

@@ -39,14 +39,10 @@ struct LanesSimd128 {
   }
 };
 
-uint32_t boxes_met_simd128(const BoxGroup& group, const BoxSegment& segment) {
-  return boxes_met_in<LanesSimd128>(group, segment);
-}
-
 }  // namespace
 
 bool add_boxes_s32_simd128(BoxKernel* kernel) {
-  *kernel = boxes_met_simd128;
+  *kernel = boxes_met_in<LanesSimd128>;
   return true;
 }
 

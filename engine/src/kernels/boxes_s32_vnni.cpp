@@ -40,14 +40,10 @@ struct LanesAvx512 {
   }
 };
 
-uint32_t boxes_met_vnni(const BoxGroup& group, const BoxSegment& segment) {
-  return boxes_met_in<LanesAvx512>(group, segment);
-}
-
 }  // namespace
 
 bool add_boxes_s32_vnni(BoxKernel* kernel) {
-  *kernel = boxes_met_vnni;
+  *kernel = boxes_met_in<LanesAvx512>;
   return true;
 }
 

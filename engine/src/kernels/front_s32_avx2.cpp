@@ -6,7 +6,6 @@
 #include <immintrin.h>
 
 #include "kernels/front_s32_lanes.hpp"
-#include "kernels/front_s32_rows.hpp"
 
 namespace sinew {
 namespace {
@@ -51,41 +50,10 @@ struct LanesAvx2 {
   }
 };
 
-void front_update_avx2(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows,
-                       int32_t* target, size_t target_stride) {
-  front_update<LanesAvx2>(g, stride, pivots, columns, rows, target, target_stride);
-}
-
-void front_lanes_avx2(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes, int64_t* sums) {
-  front_lanes<LanesAvx2>(g, next, step, terms, lanes, sums);
-}
-
-void front_solve_avx2(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
-                      bool forward, int64_t* sums, int32_t* lanes) {
-  front_solve_rows(rows, g, height, place, count, forward, sums, lanes);
-}
-
-void front_subtract_avx2(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums) {
-  front_subtract_rows(rows, places, count, sums);
-}
-
-void front_load_avx2(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* lanes) {
-  front_load_rows(rows, places, count, lanes);
-}
-
-uint32_t front_above_avx2(const int32_t* x, int32_t below, int64_t* sum, int32_t* range) {
-  return front_above_in_row(x, below, sum, range);
-}
-
 }  // namespace
 
 bool add_front_s32_avx2(FrontKernels* kernels) {
-  kernels->update = front_update_avx2;
-  kernels->lanes = front_lanes_avx2;
-  kernels->solve = front_solve_avx2;
-  kernels->subtract = front_subtract_avx2;
-  kernels->load = front_load_avx2;
-  kernels->above = front_above_avx2;
+  add_fronts<LanesAvx2>(kernels);
   return true;
 }
 

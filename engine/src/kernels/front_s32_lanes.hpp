@@ -12,6 +12,7 @@
 #define SINEW_KERNELS_FRONT_S32_LANES_HPP
 
 #include "kernels/front.hpp"
+#include "kernels/front_s32_rows.hpp"
 #include "kernels/isolated.hpp"
 
 namespace sinew {
@@ -60,8 +61,8 @@ SINEW_INLINE void front_update_columns(const int32_t* g, size_t stride, uint32_t
 }
 
 template <class L>
-SINEW_INLINE void front_update(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows,
-                               int32_t* target, size_t target_stride) {
+void front_update(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows, int32_t* target,
+                  size_t target_stride) {
   switch (columns) {
     case 4:
       return front_update_columns<L, 4>(g, stride, pivots, rows, target, target_stride);
@@ -76,8 +77,7 @@ SINEW_INLINE void front_update(const int32_t* g, size_t stride, uint32_t pivots,
 
 // A register of lanes at a time: sums of more would not stay in registers.
 template <class L>
-SINEW_INLINE void front_lanes(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes,
-                              int64_t* sums) {
+void front_lanes(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes, int64_t* sums) {
   for (uint32_t lane = 0; lane < kFrontLanes; lane += L::kLanes) {
     FrontSums<L, kFrontColumns> part;
     const int32_t* factors = g;
@@ -86,6 +86,17 @@ SINEW_INLINE void front_lanes(const int32_t* g, size_t next, size_t step, uint32
     SINEW_UNROLL
     for (uint32_t c = 0; c < kFrontColumns; ++c) L::store_sums(sums + c * kFrontLanes + lane, part.column[c]);
   }
+}
+
+// With front_s32_rows.hpp as the including file's flags make of it.
+template <class L>
+SINEW_INLINE void add_fronts(FrontKernels* kernels) {
+  kernels->update = front_update<L>;
+  kernels->lanes = front_lanes<L>;
+  kernels->solve = front_solve_rows;
+  kernels->subtract = front_subtract_rows;
+  kernels->load = front_load_rows;
+  kernels->above = front_above_in_row;
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ SINEW_INLINE void front_solve_row(const int64_t* sums, int shift, int64_t invers
   }
 }
 
-SINEW_INLINE void front_solve_rows(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place,
-                                   uint32_t count, bool forward, int64_t* sums, int32_t* lanes) {
+void front_solve_rows(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
+                      bool forward, int64_t* sums, int32_t* lanes) {
   for (uint32_t step = 0; step < count; ++step) {
     const uint32_t c = forward ? step : count - 1 - step;
     int64_t* const sum = sums + c * kFrontLanes;
@@ -51,8 +51,7 @@ SINEW_INLINE void front_solve_rows(const FrontRows& rows, const int32_t* g, size
   }
 }
 
-SINEW_INLINE void front_subtract_rows(const FrontRows& rows, const uint32_t* places, uint32_t count,
-                                      const int64_t* sums) {
+void front_subtract_rows(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums) {
   for (uint32_t c = 0; c < count; ++c, sums += kFrontLanes) {
     const int shift = kFrontBits - (rows.exponent - rows.exponents[places[c]]);
     int32_t* const x = rows.x + static_cast<size_t>(places[c]) * kFrontLanes;
@@ -63,7 +62,7 @@ SINEW_INLINE void front_subtract_rows(const FrontRows& rows, const uint32_t* pla
   }
 }
 
-SINEW_INLINE void front_load_rows(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* lanes) {
+void front_load_rows(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* lanes) {
   for (uint32_t r = 0; r < count; ++r, lanes += kFrontLanes) {
     const int lift = rows.exponent - rows.exponents[places[r]];
     const int32_t* const x = rows.x + static_cast<size_t>(places[r]) * kFrontLanes;
@@ -72,7 +71,7 @@ SINEW_INLINE void front_load_rows(const FrontRows& rows, const uint32_t* places,
   }
 }
 
-SINEW_INLINE uint32_t front_above_in_row(const int32_t* x, int32_t below, int64_t* sum, int32_t* range) {
+uint32_t front_above_in_row(const int32_t* x, int32_t below, int64_t* sum, int32_t* range) {
   int64_t total = 0;
   uint32_t above = 0;
   int32_t outside = 0;
