@@ -35,7 +35,8 @@ std::vector<Variant> variants() {
   add("avx2", cpu.avx2, add_front_s32_avx2, add_boxes_s32_avx2);
   add("vnni", cpu.vnni, add_front_s32_vnni, add_boxes_s32_vnni);
   add("simd128", true, add_front_s32_simd128, add_boxes_s32_simd128);
-#if defined(__wasm_simd128__)
+  add("neon", true, add_front_s32_neon, add_boxes_s32_neon);
+#if defined(__wasm_simd128__) || (defined(__aarch64__) && !defined(__ARM_BIG_ENDIAN))
   EXPECT_EQ(out.size(), 1u);
 #elif defined(__x86_64__)
   EXPECT_EQ(out.size(), size_t{cpu.avx2} + size_t{cpu.vnni});

@@ -28,6 +28,7 @@ using BoxKernel = decltype(&boxes_met_ref);
 // False when the file was compiled without its instruction set.
 bool add_boxes_s32_avx2(BoxKernel* kernel);
 bool add_boxes_s32_simd128(BoxKernel* kernel);
+bool add_boxes_s32_neon(BoxKernel* kernel);
 bool add_boxes_s32_vnni(BoxKernel* kernel);  // AVX-512 F and DQ
 
 }  // namespace sinew

@@ -68,6 +68,7 @@ struct FrontKernels {
 // False when the file was compiled without its instruction set.
 bool add_front_s32_avx2(FrontKernels* kernels);
 bool add_front_s32_simd128(FrontKernels* kernels);
+bool add_front_s32_neon(FrontKernels* kernels);
 bool add_front_s32_vnni(FrontKernels* kernels);  // AVX-512 F; named after the set of kernels that it belongs to
 
 }  // namespace sinew

@@ -64,8 +64,8 @@ bool add_variants(uint32_t kernel, const Cpu& cpu, Kernels* kernels) {
               add_softmax_s16_simd128(&kernels->softmax);
       break;
     case SINEW_KERNEL_NEON:  // every ARM64 processor
-      added =
-          add_linear_s16_neon(kernels) && add_aggregates_s16_neon(kernels) && add_softmax_s16_neon(&kernels->softmax);
+      added = add_linear_s16_neon(kernels) && add_aggregates_s16_neon(kernels) && add_front_s32_neon(&kernels->front) &&
+              add_boxes_s32_neon(&kernels->boxes_met) && add_softmax_s16_neon(&kernels->softmax);
       break;
     case SINEW_KERNEL_DSP:  // code for a core with these instructions is for such cores alone
       added = add_linear_s16_dsp(kernels);
