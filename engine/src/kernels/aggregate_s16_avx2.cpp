@@ -14,7 +14,6 @@ struct LanesAvx2 : Channels256 {
   };
   struct Divider {
     __m256i multiplier, offset;
-    __m128i shift;
   };
 
   static SINEW_INLINE __m256i largest(__m256i a, __m256i b) { return _mm256_max_epi16(a, b); }
@@ -36,14 +35,13 @@ struct LanesAvx2 : Channels256 {
 
   static SINEW_INLINE Divider divider(MeanDivision division) {
     return {_mm256_set1_epi32(static_cast<int32_t>(division.multiplier)),
-            _mm256_set1_epi32(static_cast<int32_t>(division.offset)),
-            _mm_cvtsi32_si128(static_cast<int32_t>(division.shift))};
+            _mm256_set1_epi32(static_cast<int32_t>(division.offset))};
   }
   static SINEW_INLINE __m256i divide(const Divider& by, __m256i sums) {
     const __m256i dividend = _mm256_add_epi32(_mm256_add_epi32(sums, sums), by.offset);
-    const __m256i even = _mm256_srl_epi64(_mm256_mul_epu32(dividend, by.multiplier), by.shift);
-    const __m256i odd = _mm256_srl_epi64(_mm256_mul_epu32(_mm256_srli_epi64(dividend, 32), by.multiplier), by.shift);
-    return _mm256_or_si256(even, _mm256_slli_epi64(odd, 32));
+    const __m256i even = _mm256_srli_epi64(_mm256_mul_epu32(dividend, by.multiplier), 32);
+    const __m256i odd = _mm256_mul_epu32(_mm256_srli_epi64(dividend, 32), by.multiplier);
+    return _mm256_blend_epi32(even, odd, 0xAA);
   }
   static SINEW_INLINE __m256i means(const Divider& by, Sums sums) {
     const __m256i packed = _mm256_packus_epi32(divide(by, sums.low), divide(by, sums.high));

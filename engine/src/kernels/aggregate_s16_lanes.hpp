@@ -15,7 +15,7 @@ namespace {
 //   load(int16*), store(int16*, Int16), largest(Int16, Int16)
 //   Sums                          kLanes int32
 //   zero_sums(), add(Sums, Int16), load_sums(int32*), store_sums(int32*, Sums)
-//   Divider                       multiplier, offset and shift of MeanDivision in registers
+//   Divider                       multiplier and offset of MeanDivision in registers
 //   divider(MeanDivision), means(Divider, Sums)     round_mean() of each sum
 //   kMeanRegisters                registers of channels that a mean sums up at once
 //   find_of_8(uint16*, uint16)    the one of 8 joints that is this one, 8 when none is
@@ -23,19 +23,14 @@ namespace {
 // Rows of a usual one-ring, found once for all channels. A longer ring goes to the reference.
 constexpr uint32_t kMostListed = 64;
 
-// round_mean() of int32 sums. floor(D / 2n) with D = 2 (sum + 32768 n) + n <= 131073 n is (D m) >> k for
-// m = floor(2^k / 2n) + 1: the error D (m 2n - 2^k) / (2n 2^k) stays below 1 / 2n while D 2n < 2^k (Granlund and
-// Montgomery 1994). With n <= 2^b, k = 19 + 2b does it; m < 2^(20 + b) and D < 2^(17 + b) fit 32 bits for n <=
-// kMostListed. The result is in 0..65535: the mean plus 32768.
+// round_mean() of int32 sums. floor(D / 2n) with D = 2 (sum + 32768 n) + n <= 131073 n is (D m) >> 32 for
+// m = floor(2^32 / 2n) + 1: the error D (m 2n - 2^32) / (2n 2^32) stays below 1 / 2n while D 2n < 2^32 (Granlund and
+// Montgomery 1994), which holds for n < 128. The result is in 0..65535: the mean plus 32768.
 struct MeanDivision {
-  uint32_t multiplier, offset, shift;
+  uint32_t multiplier, offset;
 };
-SINEW_INLINE MeanDivision mean_division(uint32_t n) {
-  uint32_t bits = 0;
-  while ((1u << bits) < n) ++bits;
-  const uint32_t shift = 19 + 2 * bits;
-  return {static_cast<uint32_t>((static_cast<uint64_t>(1) << shift) / (2 * n) + 1), 65537 * n, shift};
-}
+static_assert(131073ull * kMostListed * 2 * kMostListed < 1ull << 32, "a mean would be wrong");
+SINEW_INLINE MeanDivision mean_division(uint32_t n) { return {0x80000000u / n + 1, 65537 * n}; }
 
 // Candidate slot of `joint` at a vertex, or k when it is none of its candidates. A joint stands in one slot at most.
 template <class Isa>

@@ -17,7 +17,6 @@ struct LanesNeon {
   };
   struct Divider {
     uint32x4_t multiplier, offset;
-    int64x2_t shift;  // negative: to the right
   };
   static constexpr int kLanes = 8, kMeanRegisters = 3;
 
@@ -36,14 +35,13 @@ struct LanesNeon {
   }
 
   static SINEW_INLINE Divider divider(MeanDivision division) {
-    return {vdupq_n_u32(division.multiplier), vdupq_n_u32(division.offset),
-            vdupq_n_s64(-static_cast<int64_t>(division.shift))};
+    return {vdupq_n_u32(division.multiplier), vdupq_n_u32(division.offset)};
   }
   static SINEW_INLINE uint16x4_t divide(const Divider& by, int32x4_t sums) {
     const uint32x4_t dividend = vaddq_u32(vreinterpretq_u32_s32(vaddq_s32(sums, sums)), by.offset);
-    const uint64x2_t a = vshlq_u64(vmull_u32(vget_low_u32(dividend), vget_low_u32(by.multiplier)), by.shift);
-    const uint64x2_t b = vshlq_u64(vmull_high_u32(dividend, by.multiplier), by.shift);
-    return vmovn_u32(vcombine_u32(vmovn_u64(a), vmovn_u64(b)));
+    const uint64x2_t a = vmull_u32(vget_low_u32(dividend), vget_low_u32(by.multiplier));
+    const uint64x2_t b = vmull_high_u32(dividend, by.multiplier);
+    return vmovn_u32(vuzp2q_u32(vreinterpretq_u32_u64(a), vreinterpretq_u32_u64(b)));
   }
   static SINEW_INLINE int16x8_t means(const Divider& by, Sums sums) {
     const uint16x8_t packed = vcombine_u16(divide(by, sums.low), divide(by, sums.high));

@@ -17,7 +17,6 @@ struct LanesSimd128 {
   };
   struct Divider {
     v128_t multiplier, offset;
-    uint32_t shift;
   };
   static constexpr int kLanes = 8, kMeanRegisters = 3;
 
@@ -37,13 +36,13 @@ struct LanesSimd128 {
   }
 
   static SINEW_INLINE Divider divider(MeanDivision division) {
-    return {wasm_u32x4_splat(division.multiplier), wasm_u32x4_splat(division.offset), division.shift};
+    return {wasm_u32x4_splat(division.multiplier), wasm_u32x4_splat(division.offset)};
   }
   static SINEW_INLINE v128_t divide(const Divider& by, v128_t sums) {
     const v128_t dividend = wasm_i32x4_add(wasm_i32x4_add(sums, sums), by.offset);
-    const v128_t a = wasm_u64x2_shr(wasm_u64x2_extmul_low_u32x4(dividend, by.multiplier), by.shift);
-    const v128_t b = wasm_u64x2_shr(wasm_u64x2_extmul_high_u32x4(dividend, by.multiplier), by.shift);
-    return wasm_i32x4_shuffle(a, b, 0, 2, 4, 6);
+    const v128_t a = wasm_u64x2_extmul_low_u32x4(dividend, by.multiplier);
+    const v128_t b = wasm_u64x2_extmul_high_u32x4(dividend, by.multiplier);
+    return wasm_i32x4_shuffle(a, b, 1, 3, 5, 7);
   }
   static SINEW_INLINE v128_t means(const Divider& by, Sums sums) {
     const v128_t packed = wasm_u16x8_narrow_i32x4(divide(by, sums.low), divide(by, sums.high));

@@ -13,7 +13,6 @@ struct LanesAvx512 : Channels256 {
   using Sums = __m512i;
   struct Divider {
     __m512i multiplier, offset;
-    __m128i shift;
   };
 
   static SINEW_INLINE __m512i zero_sums() { return _mm512_setzero_si512(); }
@@ -25,14 +24,13 @@ struct LanesAvx512 : Channels256 {
 
   static SINEW_INLINE Divider divider(MeanDivision division) {
     return {_mm512_set1_epi32(static_cast<int32_t>(division.multiplier)),
-            _mm512_set1_epi32(static_cast<int32_t>(division.offset)),
-            _mm_cvtsi32_si128(static_cast<int32_t>(division.shift))};
+            _mm512_set1_epi32(static_cast<int32_t>(division.offset))};
   }
   static SINEW_INLINE __m256i means(const Divider& by, __m512i sums) {
     const __m512i dividend = _mm512_add_epi32(_mm512_add_epi32(sums, sums), by.offset);
-    const __m512i even = _mm512_srl_epi64(_mm512_mul_epu32(dividend, by.multiplier), by.shift);
-    const __m512i odd = _mm512_srl_epi64(_mm512_mul_epu32(_mm512_srli_epi64(dividend, 32), by.multiplier), by.shift);
-    const __m512i quotients = _mm512_or_si512(even, _mm512_slli_epi64(odd, 32));
+    const __m512i even = _mm512_srli_epi64(_mm512_mul_epu32(dividend, by.multiplier), 32);
+    const __m512i odd = _mm512_mul_epu32(_mm512_srli_epi64(dividend, 32), by.multiplier);
+    const __m512i quotients = _mm512_mask_mov_epi32(even, 0xAAAA, odd);
     return _mm256_xor_si256(_mm512_cvtepi32_epi16(quotients), _mm256_set1_epi16(INT16_MIN));
   }
 
