@@ -3,6 +3,7 @@
 // extremes, absent rows, both accumulator classes. A variant that was built for this processor must have run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -194,21 +195,30 @@ TEST_P(LinearVariant, LargestPairDoesNotSaturate) {
   }
 }
 
-// Rows that share columns: the shared part once per group of rows, the rest row by row, is the whole layer.
+// Rows that share columns: what groups of rows share once per group, what rows of a joint share once per joint, the
+// rest row by row, is the whole layer.
 TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
   if (kernels_.linear_packed == nullptr) GTEST_SKIP() << "reads the model's bytes, whole rows at a time";
   Random random(31);
   for (uint32_t round = 0; round < 300; ++round) {
     const uint32_t per_start = 1 + random.below(9), groups = 1 + random.below(12), rows = per_start * groups;
     const uint32_t out = 1 + random.below(round % 3 == 0 ? 100 : 50);
-    // Pieces of even width, the last one of any, that alternately are the rows' own and shared.
+    // Pieces of even width, the last one of any: alternately the rows' own and shared, in some rounds one by joint.
     std::vector<ColumnRange> own, shared;
+    ColumnRange by_joint;
+    constexpr uint32_t kJoints = 5;
+    const uint32_t joint_piece = random.below(12);
     uint32_t in = 0;
     const uint32_t pieces = 1 + random.below(8);
     for (uint32_t i = 0; i < pieces; ++i) {
       const uint32_t count = 2 * (1 + random.below(20)) - (i + 1 == pieces ? random.below(2) : 0);
-      ((i + round) % 2 == 0 ? own : shared).push_back({static_cast<uint16_t>(in), static_cast<uint16_t>(count)});
+      const ColumnRange piece = {static_cast<uint16_t>(in), static_cast<uint16_t>(count)};
       in += count;
+      if (i == joint_piece) {
+        by_joint = piece;
+      } else {
+        ((i + round) % 2 == 0 ? own : shared).push_back(piece);
+      }
     }
     std::vector<int16_t> weights(size_t{in} * out), values(size_t{rows} * in);
     std::vector<uint8_t> bias(8 * size_t{out}), shifts(out, 9);
@@ -223,6 +233,13 @@ TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
                     &values[size_t{r / per_start * per_start} * in + range.first], range.count * sizeof(int16_t));
       }
     }
+    std::vector<uint16_t> joints(rows);
+    for (uint16_t& joint : joints) joint = static_cast<uint16_t>(random.below(kJoints));
+    for (uint32_t r = 0; r < rows; ++r) {  // a joint's columns are those of its first row
+      const size_t first = static_cast<size_t>(std::find(joints.begin(), joints.end(), joints[r]) - joints.begin());
+      std::memcpy(&values[size_t{r} * in + by_joint.first], &values[first * in + by_joint.first],
+                  by_joint.count * sizeof(int16_t));
+    }
     LinearView view;
     view.weights = weights.data();
     view.bias = bias.data();
@@ -236,18 +253,35 @@ TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
     pack_linear(view, packed.get());
     view.packed = packed_view(view, packed.get());
     std::vector<int16_t> want(size_t{rows} * out), got(want.size());
-    linear_s16_ref(view, {values.data(), in}, {}, nullptr, rows, want.data(), out);
+    std::vector<uint16_t> present = joints;
+    for (uint16_t& joint : present) joint = random.below(6) == 0 ? kNoJoint : joint;
+    linear_s16_ref(view, {values.data(), in}, {}, present.data(), rows, want.data(), out);
 
-    std::vector<int32_t> starts(size_t{groups} * padded_outputs(out));
-    if (shared.empty()) continue;
-    view.packed.range_count = static_cast<uint32_t>(shared.size());
-    std::copy(shared.begin(), shared.end(), view.packed.ranges);
-    kernels_.linear_sums(view, {values.data(), in * per_start}, groups, starts.data());
-    view.packed.starts = starts.data();
+    std::vector<int32_t> starts(size_t{groups} * padded_outputs(out)),
+        joint_starts(size_t{kJoints} * padded_outputs(out));
+    if (shared.empty() && by_joint.count == 0) continue;
+    const int32_t* const layer_bias = view.packed.bias;
+    if (!shared.empty()) {
+      view.packed.range_count = static_cast<uint32_t>(shared.size());
+      std::copy(shared.begin(), shared.end(), view.packed.ranges);
+      kernels_.linear_sums(view, {values.data(), in * per_start}, groups, starts.data());
+    }
+    if (by_joint.count != 0) {  // without the bias
+      view.packed.bias = nullptr;
+      view.packed.range_count = 1;
+      view.packed.ranges[0] = by_joint;
+      for (uint32_t r = 0; r < rows; ++r) {
+        kernels_.linear_sums(view, {&values[size_t{r} * in], in}, 1,
+                             &joint_starts[size_t{joints[r]} * padded_outputs(out)]);
+      }
+      view.packed.bias = layer_bias;
+      view.packed.joint_starts = joint_starts.data();
+    }
+    if (!shared.empty()) view.packed.starts = starts.data();
     view.packed.rows_per_start = per_start;
     view.packed.range_count = static_cast<uint32_t>(own.size());
     std::copy(own.begin(), own.end(), view.packed.ranges);
-    kernels_.linear_packed(view, {values.data(), in}, {}, nullptr, rows, got.data(), out);
+    kernels_.linear_packed(view, {values.data(), in}, {}, present.data(), rows, got.data(), out);
     ASSERT_EQ(got, want) << "in " << in << " out " << out << " rows " << rows << " per start " << per_start;
   }
 }

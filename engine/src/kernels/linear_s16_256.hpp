@@ -26,6 +26,7 @@ struct Registers256 : Dot {
   static SINEW_INLINE void store(int32_t* to, Int32 value) {
     _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
   }
+  static SINEW_INLINE Int32 add(Int32 a, Int32 b) { return _mm256_add_epi32(a, b); }
   static SINEW_INLINE Pairs broadcast(int32_t pair) { return _mm256_set1_epi32(pair); }
   static SINEW_INLINE Pairs load_pairs(const int16_t* from) {
     return _mm256_load_si256(static_cast<const __m256i*>(static_cast<const void*>(from)));

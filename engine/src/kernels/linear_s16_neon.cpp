@@ -25,6 +25,9 @@ struct RegistersNeon {
     vst1q_s32(to, value.low);
     vst1q_s32(to + 4, value.high);
   }
+  static SINEW_INLINE Int32 add(const Int32& a, const Int32& b) {
+    return {vaddq_s32(a.low, b.low), vaddq_s32(a.high, b.high)};
+  }
   static SINEW_INLINE int16x4_t broadcast(int32_t pair) { return vreinterpret_s16_s32(vdup_n_s32(pair)); }
   static SINEW_INLINE Pairs load_pairs(const int16_t* from) { return vld2q_s16(from); }
   static SINEW_INLINE Int32 dot(Int32 sum, const Pairs& weights, int16x4_t input) {

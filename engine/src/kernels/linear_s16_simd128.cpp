@@ -19,6 +19,7 @@ struct RegistersSimd128 {
   static SINEW_INLINE Int32 zero() { return wasm_i32x4_const_splat(0); }
   static SINEW_INLINE Int32 load(const int32_t* from) { return wasm_v128_load(from); }
   static SINEW_INLINE void store(int32_t* to, Int32 value) { wasm_v128_store(to, value); }
+  static SINEW_INLINE Int32 add(Int32 a, Int32 b) { return wasm_i32x4_add(a, b); }
   static SINEW_INLINE Pairs broadcast(int32_t pair) { return wasm_i32x4_splat(pair); }
   static SINEW_INLINE Pairs load_pairs(const int16_t* from) { return wasm_v128_load(from); }
   static SINEW_INLINE Int32 dot(Int32 sum, Pairs weights, Pairs input) {

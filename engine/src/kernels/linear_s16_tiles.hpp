@@ -16,7 +16,7 @@ namespace {
 //   Int32                      a register of kLanes int32 sums; kLanes divides kPackOutputs
 //   kRows[c]                   rows of the widest tile for c groups of outputs (c = 1 .. kGroups), chosen so that sums,
 //                              weights and one input fit the registers
-//   zero(), load(int32*), store(int32*, Int32)
+//   zero(), load(int32*), store(int32*, Int32), add(Int32, Int32)
 //   broadcast(int32)           the same pair of int16 in every lane, of whatever type dot() takes
 //   load_pairs(int16*)         kLanes pairs of weights
 //   dot(sum, weights, input)   sum + w[0] x[0] + w[1] x[1] per lane; wraps
@@ -74,6 +74,8 @@ struct TileRows {
   uint32_t first_row;  // of the tile, counted from the layer's first row
 };
 
+SINEW_INLINE bool absent(const TileRows& rows, int r) { return rows.present != nullptr && rows.present[r] == kNoJoint; }
+
 // R rows x G groups of outputs, class N: int32 sums all the way.
 template <class Isa, int R, int G>
 SINEW_INLINE void narrow_sums(const LinearView& linear, const TileRows& rows, uint32_t group,
@@ -84,20 +86,28 @@ SINEW_INLINE void narrow_sums(const LinearView& linear, const TileRows& rows, ui
     const size_t g = group + static_cast<size_t>(v / kPerGroup);
     weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kLanes * 2;
   }
+  const size_t outputs = (linear.out + kPackOutputs - 1) / kPackOutputs * kPackOutputs;
   if (linear.packed.starts == nullptr) {
+    const int32_t* const bias_at = linear.packed.bias;
     SINEW_UNROLL for (int v = 0; v < V; ++v) {
-      const typename Isa::Int32 bias = Isa::load(linear.packed.bias + group * kPackOutputs + v * Isa::kLanes);
+      const typename Isa::Int32 bias =
+          bias_at == nullptr ? Isa::zero() : Isa::load(bias_at + group * kPackOutputs + v * Isa::kLanes);
       SINEW_UNROLL for (int r = 0; r < R; ++r) sums[r][v] = bias;
     }
   } else {
-    const size_t outputs = (linear.out + kPackOutputs - 1) / kPackOutputs * kPackOutputs;
     SINEW_UNROLL for (int r = 0; r < R; ++r) {
       const uint32_t row = (rows.first_row + static_cast<uint32_t>(r)) / linear.packed.rows_per_start;
       const int32_t* const start = linear.packed.starts + row * outputs + group * kPackOutputs;
       SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::load(start + v * Isa::kLanes);
     }
   }
-  const bool all = linear.packed.range_count == 0 && linear.packed.starts == nullptr;
+  const bool by_joint = linear.packed.joint_starts != nullptr;
+  SINEW_UNROLL for (int r = 0; r < R; ++r) {
+    if (!by_joint || absent(rows, r)) continue;
+    const int32_t* const start = linear.packed.joint_starts + rows.present[r] * outputs + group * kPackOutputs;
+    SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::add(sums[r][v], Isa::load(start + v * Isa::kLanes));
+  }
+  const bool all = linear.packed.range_count == 0 && linear.packed.starts == nullptr && !by_joint;
   const uint32_t ranges = all ? 1 : linear.packed.range_count;
   for (uint32_t i = 0; i < ranges; ++i) {
     const uint32_t first = all ? 0 : linear.packed.ranges[i].first;
@@ -107,8 +117,6 @@ SINEW_INLINE void narrow_sums(const LinearView& linear, const TileRows& rows, ui
     add_block<Isa, R, V>(rows.in + first, rows.in_stride, count, from, sums);
   }
 }
-
-SINEW_INLINE bool absent(const TileRows& rows, int r) { return rows.present != nullptr && rows.present[r] == kNoJoint; }
 
 SINEW_INLINE void clear(int16_t* out, uint32_t count) {
   for (uint32_t n = 0; n < count; ++n) out[n] = 0;

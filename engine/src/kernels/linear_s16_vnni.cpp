@@ -21,6 +21,7 @@ struct Vnni {
   static SINEW_INLINE Int32 zero() { return _mm512_setzero_si512(); }
   static SINEW_INLINE Int32 load(const int32_t* from) { return _mm512_loadu_si512(from); }
   static SINEW_INLINE void store(int32_t* to, Int32 value) { _mm512_storeu_si512(to, value); }
+  static SINEW_INLINE Int32 add(Int32 a, Int32 b) { return _mm512_add_epi32(a, b); }
   static SINEW_INLINE Pairs broadcast(int32_t pair) { return _mm512_set1_epi32(pair); }
   static SINEW_INLINE Pairs load_pairs(const int16_t* from) { return _mm512_load_si512(from); }
   static SINEW_INLINE Int32 dot(Int32 sum, Pairs weights, Pairs input) {

@@ -26,15 +26,16 @@ constexpr uint32_t kMaxRanges = 4;
 
 struct PackedLinear {
   const int16_t* weights = nullptr;    // 64-byte aligned; null = not packed, the kernels read the model's bytes
-  const int32_t* bias = nullptr;       // [outputs] class N
+  const int32_t* bias = nullptr;       // [outputs] class N; for LinearSumsKernel null = 0
   const int64_t* wide_bias = nullptr;  // [outputs] class W
   const int32_t* residual = nullptr;   // [outputs] factors, 0 without a residual
   const int32_t* shifts = nullptr;     // [outputs]
   uint32_t pairs = 0;                  // of all blocks
   // Class N may be computed in two steps. Columns that several rows share are multiplied once (LinearSumsKernel); the
   // rows then start from those sums and add the columns of `ranges` alone. The sums are the same: int32 wraps, so
-  // order is free. Without `starts` every row starts from the bias and adds all columns.
-  const int32_t* starts = nullptr;  // [rows / rows_per_start][padded outputs]
+  // order is free. Without `starts` rows start from the bias, without both kinds of sums they add all columns.
+  const int32_t* starts = nullptr;        // [rows / rows_per_start][padded outputs] bias included
+  const int32_t* joint_starts = nullptr;  // [joints][padded outputs] added to the rows of each joint in `present`
   uint32_t rows_per_start = 1;
   ColumnRange ranges[kMaxRanges];
   uint32_t range_count = 0;

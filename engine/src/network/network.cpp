@@ -24,9 +24,10 @@ struct StageScratch {
   int16_t* tile[kMaxBuffers];  // [lanes x tile x slots x channels] rows of each buffer the stage touches, else null
   bool load[kMaxLayers];       // outputs of earlier stages that this stage reads row by row
   bool load_input[2];
-  int16_t* table[kMaxLayers];  // part and global layers: [lanes x joints x channels] or [lanes x channels]
-  int64_t* sums;               // [lanes x table_sums] for the table being made
-  uint64_t table_sums;
+  int16_t* table[kMaxLayers];     // part and global layers: [lanes x joints x channels] or [lanes x channels]
+  int64_t* sums;                  // [lanes x lane_sums] for the table being made, then:
+  size_t joint_sums[kMaxLayers];  // linear layers with columns by joint: where in a lane's sums, as int32, theirs are
+  uint64_t lane_sums;
   uint32_t* vertices;  // [lanes x tile] vertex of each tile row
   uint16_t* joints;    // [lanes x tile x K] their candidates
 };
@@ -69,10 +70,14 @@ bool wants_packed(const NetworkOptions& options) {
   return kHasPackedWeights && !options.weights_in_place && options.kernel != SINEW_KERNEL_REF;
 }
 
-// A pair layer whose columns are partly the same in all slots of a vertex: those are multiplied once per vertex.
+// A pair layer whose columns are partly the same in all slots of a vertex, or in all pairs of a joint in the part:
+// those are multiplied once per vertex and once per joint and part.
 struct SharedColumns {
-  ColumnRange own[kMaxRanges], shared[kMaxRanges];
-  uint16_t own_count = 0, shared_count = 0;  // shared 0 = all columns are the row's own
+  ColumnRange own[kMaxRanges], shared[kMaxRanges - 1];
+  ColumnRange by_joint;                     // a part mean's
+  uint8_t own_count = 0, shared_count = 0;  // with by_joint.count all 0: the layer is computed row by row
+  uint16_t part_mean = 0;                   // layer
+  bool any() const { return shared_count + by_joint.count > 0; }
 };
 
 // True when every present slot of a vertex has the same values there.
@@ -83,8 +88,18 @@ bool same_in_all_slots(const NetworkPlan& plan, const Segment& segment) {
          kind == LayerKind::kGlobalMax;
 }
 
+// True for rows of the stage's own table of part means: of one writer, the whole table's width.
+bool same_in_joint(const NetworkPlan& plan, uint32_t reader, const Segment& segment) {
+  if (segment.producer < 0) return false;
+  const Layer& layer = plan.layers[segment.producer];
+  return layer.kind == LayerKind::kPartMean && plan.stage[segment.producer] == plan.stage[reader] &&
+         segment.count == layer.out.channels &&
+         segment_at(plan.layers, static_cast<uint32_t>(segment.producer), layer.in, layer.in.offset).count ==
+             segment.count;
+}
+
 // Adds columns [first, first + count) behind the last range, or to it. False when there is no room.
-bool add_range(uint32_t first, uint32_t count, ColumnRange* ranges, uint16_t* range_count) {
+bool add_range(uint32_t first, uint32_t count, uint32_t most, ColumnRange* ranges, uint8_t* range_count) {
   if (*range_count > 0) {
     ColumnRange& last = ranges[*range_count - 1];
     if (last.first + last.count == first) {
@@ -92,7 +107,7 @@ bool add_range(uint32_t first, uint32_t count, ColumnRange* ranges, uint16_t* ra
       return true;
     }
   }
-  if (*range_count == kMaxRanges) return false;
+  if (*range_count == most) return false;
   ranges[*range_count].first = static_cast<uint16_t>(first);
   ranges[*range_count].count = static_cast<uint16_t>(count);
   ++*range_count;
@@ -111,8 +126,11 @@ SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const
     const bool shared = same_in_all_slots(plan, segment);
     // Ranges start at whole pairs of columns, and so must what follows them.
     if (first % 2 != 0) return SharedColumns();
-    if (!add_range(first, segment.count, shared ? columns.shared : columns.own,
-                   shared ? &columns.shared_count : &columns.own_count)) {
+    if (columns.by_joint.count == 0 && same_in_joint(plan, index, segment)) {
+      columns.by_joint = {static_cast<uint16_t>(first), static_cast<uint16_t>(segment.count)};
+      columns.part_mean = static_cast<uint16_t>(segment.producer);
+    } else if (!add_range(first, segment.count, shared ? kMaxRanges - 1 : kMaxRanges,
+                          shared ? columns.shared : columns.own, shared ? &columns.shared_count : &columns.own_count)) {
       return SharedColumns();
     }
     channel += segment.count;
@@ -125,7 +143,7 @@ struct PackedLayers {
   uint8_t* memory[kMaxLayers];
   bool has_shared = false;           // some layer has shared columns
   SharedColumns* columns = nullptr;  // [layers]
-  int32_t* starts = nullptr;         // [lanes x tile x outputs] sums of shared columns
+  int32_t* starts = nullptr;         // [lanes x tile x outputs] sums of columns that a vertex' slots share
   uint32_t outputs = 0;              // of the widest layer that has them
 
   bool allocate(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, uint32_t lanes,
@@ -135,13 +153,12 @@ struct PackedLayers {
       if (plan.layers[i].kind != LayerKind::kLinear || !wants_packed(options)) continue;
       const LinearRecord record = tables.linear(plan.layers[i].parameters);
       memory[i] = arena.alloc<uint8_t>(checked(packed_linear_bytes(record.in, record.out, record.block)));
-      if (find_shared_columns(plan, i, record).shared_count > 0 && padded_outputs(record.out) > outputs) {
-        outputs = padded_outputs(record.out);
-      }
+      const SharedColumns shared = find_shared_columns(plan, i, record);
+      has_shared = has_shared || shared.any();
+      if (shared.shared_count > 0 && padded_outputs(record.out) > outputs) outputs = padded_outputs(record.out);
     }
-    columns = arena.alloc<SharedColumns>(outputs > 0 ? plan.layer_count : 0);
+    columns = arena.alloc<SharedColumns>(has_shared ? plan.layer_count : 0);
     starts = arena.alloc<int32_t>(checked(static_cast<uint64_t>(options.tile_vertices) * lanes * outputs));
-    has_shared = outputs > 0;
     return arena.ok();
   }
   // Leaves the memory unused where no kernel wants it.
@@ -171,11 +188,12 @@ void mark_loads(const NetworkPlan& plan, uint32_t stage, uint32_t reader, const 
 }
 
 // All allocations of one stage, measured and real alike; also notes what to load. Returns arena.ok().
-bool allocate_stage(const NetworkPlan& plan, uint32_t stage, const Sizes& sizes, Arena& arena, StageScratch* scratch) {
+bool allocate_stage(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, uint32_t stage,
+                    const Sizes& sizes, Arena& arena, StageScratch* scratch) {
   bool touched[kMaxBuffers] = {};
   for (uint32_t i = 0; i < kMaxLayers; ++i) scratch->load[i] = false;
   scratch->load_input[0] = scratch->load_input[1] = false;
-  uint64_t sums = 0;
+  uint64_t sums = 0, joint_sums = 0;
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
     scratch->table[i] = nullptr;
     if (plan.stage[i] != stage) continue;
@@ -188,9 +206,17 @@ bool allocate_stage(const NetworkPlan& plan, uint32_t stage, const Sizes& sizes,
       scratch->table[i] = arena.alloc<int16_t>(checked(values * sizes.lanes));
       if (values > sums) sums = values;
     }
+    if (layer.kind == LayerKind::kLinear && wants_packed(options)) {
+      const LinearRecord record = tables.linear(layer.parameters);
+      scratch->joint_sums[i] = checked(joint_sums);
+      if (find_shared_columns(plan, i, record).by_joint.count > 0) {
+        joint_sums += static_cast<uint64_t>(sizes.joints) * padded_outputs(record.out);
+      }
+    }
   }
+  if (joint_sums / 2 > sums) sums = joint_sums / 2;  // padded_outputs() is even
   scratch->sums = arena.alloc<int64_t>(checked(sums * sizes.lanes));
-  scratch->table_sums = sums;
+  scratch->lane_sums = sums;
   for (uint32_t b = 0; b < plan.buffer_count; ++b) {
     scratch->tile[b] = nullptr;
     if (!touched[b]) continue;
@@ -232,6 +258,13 @@ int16_t* table_of(const Run& run, uint32_t index, uint32_t lane) {
          static_cast<size_t>(table_values(run.plan, run.plan.layers[index], run.sizes)) * lane;
 }
 
+int64_t* sums_of(const Run& run, uint32_t lane) {
+  return run.scratch.sums + static_cast<size_t>(run.scratch.lane_sums) * lane;
+}
+int32_t* joint_sums_of(const Run& run, uint32_t index, uint32_t lane) {
+  return static_cast<int32_t*>(static_cast<void*>(sums_of(run, lane))) + run.scratch.joint_sums[index];
+}
+
 // Rows of a stored output, or of an input, for the whole mesh; `channel` is the buffer's.
 RowsView whole_mesh(const Run& run, uint16_t buffer, int producer, uint32_t channel) {
   if (producer == kFromInput) {
@@ -263,7 +296,7 @@ void copy_values(int16_t* to, const int16_t* from, uint32_t count) {
 // Tables of the stage's global layers, or of its part layers for one part (vertices, count), in a lane's memory.
 void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* vertices, uint32_t count, uint32_t lane) {
   const uint32_t k = run.plan.candidates;
-  int64_t* const sums = run.scratch.sums + static_cast<size_t>(run.scratch.table_sums) * lane;
+  int64_t* const sums = sums_of(run, lane);
   for (uint32_t i = 0; i < run.plan.layer_count; ++i) {
     const Layer& layer = run.plan.layers[i];
     if (run.plan.stage[i] != stage || !uses_table(layer.kind) || (layer.kind != LayerKind::kPartMean) != global)
@@ -293,6 +326,39 @@ void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* ve
   }
 }
 
+// Multiplies the part's means with the columns that read them, for every joint of the part, in place of the tables'
+// scratch.
+void multiply_part_means(const Run& run, uint32_t stage, const uint32_t* vertices, uint32_t count, uint32_t lane) {
+  if (!run.packed.has_shared) return;
+  const uint32_t k = run.plan.candidates, words = (run.sizes.joints + 31) / 32;
+  uint32_t met[SINEW_MAX_JOINTS / 32];
+  for (uint32_t word = 0; word < words; ++word) met[word] = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint16_t* const joints = run.input.joints + static_cast<size_t>(vertices[i]) * k;
+    for (uint32_t slot = 0; slot < k; ++slot) {
+      if (joints[slot] != kNoJoint) met[joints[slot] / 32] |= 1u << joints[slot] % 32;
+    }
+  }
+  for (uint32_t i = 0; i < run.plan.layer_count; ++i) {
+    if (run.plan.stage[i] != stage || run.packed.memory[i] == nullptr || run.packed.columns[i].by_joint.count == 0)
+      continue;
+    const SharedColumns& columns = run.packed.columns[i];
+    LinearView linear = make_linear_view(run.tables, run.plan.layers[i]);
+    linear.packed = packed_view(linear, run.packed.memory[i]);
+    linear.packed.bias = nullptr;
+    linear.packed.weights += static_cast<size_t>(columns.by_joint.first) * kPackOutputs;
+    linear.packed.ranges[0] = {0, columns.by_joint.count};
+    linear.packed.range_count = 1;
+    const int16_t* const table = table_of(run, columns.part_mean, lane);
+    int32_t* const sums = joint_sums_of(run, i, lane);
+    for (uint32_t joint = 0; joint < run.sizes.joints; ++joint) {
+      if ((met[joint / 32] >> joint % 32 & 1) == 0) continue;
+      run.kernels.linear_sums(linear, {table + static_cast<size_t>(joint) * columns.by_joint.count, 0}, 1,
+                              sums + static_cast<size_t>(joint) * padded_outputs(linear.out));
+    }
+  }
+}
+
 // Present slots of a vertex stand before absent ones, wherever candidates come from the engine; a tile where they do
 // not is computed row by row.
 bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32_t k) {
@@ -305,20 +371,24 @@ bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32
   return true;
 }
 
-// Multiplies what a vertex' slots share once, from its first slot's row, and lets the rows start from it.
+// Multiplies what a vertex' slots share once, from its first slot's row, and lets the rows start from it and from
+// their joints' sums.
 void add_shared_columns(const Tile& tile, uint32_t index, LinearView* linear) {
   const Run& run = tile.run;
   const SharedColumns& columns = run.packed.columns[index];
   const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates;
-  if (columns.shared_count == 0 || !first_slot_speaks_for_all(tile.joints(), tile.count, k)) return;
-  int32_t* const starts = run.packed.starts + tile.first() * run.packed.outputs;
-  linear->packed.range_count = columns.shared_count;
-  memcpy(linear->packed.ranges, columns.shared, sizeof(columns.shared));
-  const RowsView first_slots = {tile_row(tile, layer.in, 0), run.plan.buffers[layer.in.buffer].channels * k};
-  run.kernels.linear_sums(*linear, first_slots, tile.count, starts);
-  linear->packed.starts = starts;
-  linear->packed.rows_per_start = k;
+  if (!columns.any() || !first_slot_speaks_for_all(tile.joints(), tile.count, k)) return;
+  if (columns.shared_count > 0) {
+    int32_t* const starts = run.packed.starts + tile.first() * run.packed.outputs;
+    linear->packed.range_count = columns.shared_count;
+    memcpy(linear->packed.ranges, columns.shared, sizeof(columns.shared));
+    const RowsView first_slots = {tile_row(tile, layer.in, 0), run.plan.buffers[layer.in.buffer].channels * k};
+    run.kernels.linear_sums(*linear, first_slots, tile.count, starts);
+    linear->packed.starts = starts;
+    linear->packed.rows_per_start = k;
+  }
+  if (columns.by_joint.count > 0) linear->packed.joint_starts = joint_sums_of(run, index, tile.table_lane);
   linear->packed.range_count = columns.own_count;
   memcpy(linear->packed.ranges, columns.own, sizeof(columns.own));
 }
@@ -534,8 +604,7 @@ class StageWalk {
         ++end;
       }
       if (end == part) {
-        make_tables(run_, stage_, false, run_.input.component_vertices + offsets[part],
-                    offsets[part + 1] - offsets[part], 0);
+        make_part_tables(part, 0);
         if (!run_range(offsets[part], offsets[part + 1])) return false;
         ++part;
       } else {
@@ -566,6 +635,14 @@ class StageWalk {
     }
   }
 
+  void make_part_tables(uint32_t part, uint32_t lane) const {
+    const uint32_t begin = run_.input.component_offsets[part], end = run_.input.component_offsets[part + 1];
+    make_tables(run_, stage_, false, run_.input.component_vertices + begin, end - begin, lane);
+    if (kHasPackedWeights) {
+      multiply_part_means(run_, stage_, run_.input.component_vertices + begin, end - begin, lane);
+    }
+  }
+
   void run_tiles(uint32_t first, uint32_t end, uint32_t lane, uint32_t table_lane) const {
     for (; first < end; first += run_.sizes.tile) {
       const Tile tile = {run_, lane, table_lane, end - first < run_.sizes.tile ? end - first : run_.sizes.tile};
@@ -592,10 +669,10 @@ class StageWalk {
     const uint32_t* offsets = run_.input.component_offsets;
     if (!report(offsets[end] - offsets[first])) return false;
     run_.input.threads.each(end - first, [&](uint32_t index, uint32_t lane) {
-      const uint32_t part = first + index, begin = offsets[part], count = offsets[part + 1] - begin;
-      if (count == 0) return;
-      make_tables(run_, stage_, false, run_.input.component_vertices + begin, count, lane);
-      run_tiles(begin, begin + count, lane, lane);
+      const uint32_t part = first + index;
+      if (offsets[part] == offsets[part + 1]) return;
+      make_part_tables(part, lane);
+      run_tiles(offsets[part], offsets[part + 1], lane, lane);
     });
     return true;
   }
@@ -628,7 +705,7 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
   if (kHasPackedWeights && status == SINEW_OK) packed.fill(plan, tables, kernels.linear_packed != nullptr);
   for (uint32_t stage = 0; stage < plan.stage_count && status == SINEW_OK; ++stage) {
     const size_t stage_start = arena.mark();
-    if (!allocate_stage(plan, stage, run.sizes, arena, &run.scratch)) {
+    if (!allocate_stage(plan, tables, options, stage, run.sizes, arena, &run.scratch)) {
       status = SINEW_ERROR_WORKSPACE;
     } else if (!StageWalk(run, stage, progress).run()) {
       status = SINEW_ERROR_CANCELLED;
@@ -650,7 +727,7 @@ void measure_run_network(Arena& arena, const sinew_model& model, const Counts& c
   for (uint32_t stage = 0; stage < plan.stage_count; ++stage) {
     StageScratch scratch;
     const size_t stage_start = arena.mark();
-    allocate_stage(plan, stage, sizes, arena, &scratch);
+    allocate_stage(plan, ModelTables(model.bytes), options, stage, sizes, arena, &scratch);
     arena.release(stage_start);
   }
   arena.release(start);
