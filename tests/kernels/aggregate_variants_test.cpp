@@ -110,13 +110,18 @@ TEST_P(AggregateVariant, CandidateMaxEqualsReference) {
     const uint32_t stride = channels + random.below(3), out_stride = channels + random.below(3);
     std::vector<uint16_t> joints(k);
     const uint32_t absent = random.below(4);
-    for (uint16_t& joint : joints)
-      joint = absent == 3 || (absent != 0 && random.below(3) < absent) ? kNoJoint : uint16_t{5};
-    std::vector<int16_t> values(size_t{k - 1} * stride + channels), want(size_t{k - 1} * out_stride + channels, kGuard),
-        got = want;
+    const bool by_joint = round % 4 == 1;
+    const uint32_t rows = by_joint ? 20 : k, out_slots = round % 2 == 0 ? k : 1 + random.below(k);
+    for (uint16_t& joint : joints) {
+      joint =
+          absent == 3 || (absent != 0 && random.below(3) < absent) ? kNoJoint : static_cast<uint16_t>(random.below(20));
+    }
+    std::vector<int16_t> values(size_t{rows - 1} * stride + channels),
+        want(size_t{k - 1} * out_stride + channels, kGuard), got = want;
     for (int16_t& value : values) value = any_value(&random, round % 5 == 0);
-    reference_.candidate_max({values.data(), stride}, channels, joints.data(), k, want.data(), out_stride);
-    variant_.candidate_max({values.data(), stride}, channels, joints.data(), k, got.data(), out_stride);
+    const RowsView view = {values.data(), stride};
+    reference_.candidate_max(view, by_joint, channels, joints.data(), k, want.data(), out_stride, out_slots);
+    variant_.candidate_max(view, by_joint, channels, joints.data(), k, got.data(), out_stride, out_slots);
     ASSERT_EQ(got, want) << "k " << k << " channels " << channels << " round " << round;
   }
 }

@@ -144,8 +144,16 @@ TEST(CandidateMax, SkipsAbsentSlotsWhereverTheyAre) {
   const std::vector<int16_t> values = {0, -7, -4, 0};
   const uint16_t joints[4] = {kNoJoint, 3, 1, kNoJoint};
   std::vector<int16_t> out(8, kGuard);
-  candidate_max_s16_ref({values.data(), 1}, 1, joints, 4, out.data(), 2);
+  candidate_max_s16_ref({values.data(), 1}, false, 1, joints, 4, out.data(), 2, 4);
   EXPECT_EQ(out, (std::vector<int16_t>{0, kGuard, -4, kGuard, -4, kGuard, 0, kGuard}));
+}
+
+TEST(CandidateMax, ReadsRowsByJointAndWritesTheSlotsAskedFor) {
+  const std::vector<int16_t> by_joint = {9, -4, 9, -7};
+  const uint16_t joints[4] = {kNoJoint, 3, 1, kNoJoint};
+  std::vector<int16_t> out(4, kGuard);
+  candidate_max_s16_ref({by_joint.data(), 1}, true, 1, joints, 4, out.data(), 1, 2);
+  EXPECT_EQ(out, (std::vector<int16_t>{0, -4, kGuard, kGuard}));
 }
 
 TEST(PartMean, DividesByThePartsVerticesAndTouchesItsJointsOnly) {

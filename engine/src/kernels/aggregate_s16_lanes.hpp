@@ -178,14 +178,15 @@ void ring_max_pair(RowsView values, uint32_t channels, const uint16_t* joints, u
 }
 
 template <class Isa>
-void candidate_max(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, int16_t* out,
-                   uint32_t out_stride) {
+void candidate_max(RowsView values, bool by_joint, uint32_t channels, const uint16_t* joints, uint32_t k, int16_t* out,
+                   uint32_t out_stride, uint32_t out_slots) {
   const int16_t* list[SINEW_MAX_CANDIDATES];
   uint32_t n = 0;
   for (uint32_t slot = 0; slot < k; ++slot) {
-    if (joints[slot] != kNoJoint) list[n++] = values.data + static_cast<size_t>(slot) * values.stride;
+    const uint32_t row = by_joint ? joints[slot] : slot;
+    if (joints[slot] != kNoJoint) list[n++] = values.data + static_cast<size_t>(row) * values.stride;
   }
-  for (uint32_t slot = 0; n < k && slot < k; ++slot) {
+  for (uint32_t slot = 0; n < k && slot < out_slots; ++slot) {
     if (joints[slot] == kNoJoint) zero(out + static_cast<size_t>(slot) * out_stride, channels);
   }
   if (n == 0) return;
@@ -194,14 +195,14 @@ void candidate_max(RowsView values, uint32_t channels, const uint16_t* joints, u
   for (; c + kLanes <= channels; c += kLanes) {
     typename Isa::Int16 largest = Isa::load(list[0] + c);
     for (uint32_t r = 1; r < n; ++r) largest = Isa::largest(largest, Isa::load(list[r] + c));
-    for (uint32_t slot = 0; slot < k; ++slot) {
+    for (uint32_t slot = 0; slot < out_slots; ++slot) {
       if (joints[slot] != kNoJoint) Isa::store(out + static_cast<size_t>(slot) * out_stride + c, largest);
     }
   }
   for (; c < channels; ++c) {
     int16_t largest = list[0][c];
     for (uint32_t r = 1; r < n; ++r) largest = list[r][c] > largest ? list[r][c] : largest;
-    for (uint32_t slot = 0; slot < k; ++slot) {
+    for (uint32_t slot = 0; slot < out_slots; ++slot) {
       if (joints[slot] != kNoJoint) out[static_cast<size_t>(slot) * out_stride + c] = largest;
     }
   }

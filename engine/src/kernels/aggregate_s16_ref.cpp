@@ -91,24 +91,21 @@ void ring_max_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* j
       channels, neighbours, count, [&](uint32_t u) { return pair_row(values, joints, k, joint, u); }, out);
 }
 
-void candidate_max_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, int16_t* out,
-                           uint32_t out_stride) {
-  int16_t* collected = nullptr;  // the first present slot's output row collects the maximum, then the others copy it
-  for (uint32_t slot = 0; slot < k; ++slot) {
-    if (joints[slot] == kNoJoint) continue;
-    const int16_t* row = row_at(values, slot);
-    if (collected == nullptr) {
-      collected = out + static_cast<size_t>(slot) * out_stride;
-      for (uint32_t c = 0; c < channels; ++c) collected[c] = row[c];
-    } else {
-      for (uint32_t c = 0; c < channels; ++c) collected[c] = row[c] > collected[c] ? row[c] : collected[c];
+void candidate_max_s16_ref(RowsView values, bool by_joint, uint32_t channels, const uint16_t* joints, uint32_t k,
+                           int16_t* out, uint32_t out_stride, uint32_t out_slots) {
+  const int16_t* collected = nullptr;  // the first present slot's output row collects the maximum, the others copy it
+  for (uint32_t slot = 0; slot < out_slots; ++slot) {
+    int16_t* const to = out + static_cast<size_t>(slot) * out_stride;
+    if (joints[slot] == kNoJoint || collected != nullptr) {
+      for (uint32_t c = 0; c < channels; ++c) to[c] = joints[slot] == kNoJoint ? static_cast<int16_t>(0) : collected[c];
+      continue;
     }
-  }
-  for (uint32_t slot = 0; slot < k; ++slot) {
-    int16_t* row = out + static_cast<size_t>(slot) * out_stride;
-    if (row == collected) continue;
-    const bool present = joints[slot] != kNoJoint;
-    for (uint32_t c = 0; c < channels; ++c) row[c] = present ? collected[c] : static_cast<int16_t>(0);
+    collected = to;
+    for (uint32_t other = slot; other < k; ++other) {  // those before it are absent
+      if (joints[other] == kNoJoint) continue;
+      const int16_t* const row = row_at(values, by_joint ? joints[other] : other);
+      for (uint32_t c = 0; c < channels; ++c) to[c] = other == slot || row[c] > to[c] ? row[c] : to[c];
+    }
   }
 }
 

@@ -60,10 +60,10 @@ void ring_mean_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* 
 void ring_max_pair_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, uint16_t joint,
                            const uint32_t* neighbours, uint32_t count, int16_t* out);
 
-// Largest value over the present slots of one vertex, handed to each of them; absent slots become 0. values, out: k
-// rows.
-void candidate_max_s16_ref(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, int16_t* out,
-                           uint32_t out_stride);
+// Largest value over the present slots of one vertex, handed to each of the first out_slots; absent ones become 0.
+//   values  k rows; with `by_joint` a row per joint,  out  out_slots <= k rows
+void candidate_max_s16_ref(RowsView values, bool by_joint, uint32_t channels, const uint16_t* joints, uint32_t k,
+                           int16_t* out, uint32_t out_stride, uint32_t out_slots);
 
 // Mean over a part's vertices. sums [channels] scratch, out [channels]. count >= 1.
 void part_mean_vertex_s16_ref(RowsView values, uint32_t channels, const uint32_t* vertices, uint32_t count,

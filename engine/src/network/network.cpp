@@ -81,9 +81,7 @@ struct SharedColumns {
 };
 
 // True when every present slot of a vertex has the same values there.
-bool same_in_all_slots(const NetworkPlan& plan, const Segment& segment) {
-  if (segment.producer < 0) return false;
-  const LayerKind kind = plan.layers[segment.producer].kind;
+bool same_in_all_slots(LayerKind kind) {
   return kind == LayerKind::kCandidateMax || kind == LayerKind::kVertexToPair || kind == LayerKind::kGlobalMean ||
          kind == LayerKind::kGlobalMax;
 }
@@ -97,6 +95,17 @@ bool same_in_joint(const NetworkPlan& plan, uint32_t reader, const Segment& segm
          segment_at(plan.layers, static_cast<uint32_t>(segment.producer), layer.in, layer.in.offset).count ==
              segment.count;
 }
+
+// Layer index of the part means that a candidate maximum may read by joint, from their table; -1: it reads the tile.
+int table_of_maximum(const NetworkPlan& plan, uint32_t index) {
+  const Layer& layer = plan.layers[index];
+  if (!kHasPackedWeights || layer.kind != LayerKind::kCandidateMax) return -1;
+  const Segment segment = segment_at(plan.layers, index, layer.in, layer.in.offset);
+  return segment.count == layer.in.channels && same_in_joint(plan, index, segment) ? segment.producer : -1;
+}
+
+// Which rows of a layer's output anyone reads in a tile whose shared columns are multiplied once.
+enum class RowsRead : uint8_t { kAll, kFirstOfVertex, kNone };
 
 // Adds columns [first, first + count) behind the last range, or to it. False when there is no room.
 bool add_range(uint32_t first, uint32_t count, uint32_t most, ColumnRange* ranges, uint8_t* range_count) {
@@ -123,7 +132,7 @@ SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
     const Segment segment = segment_at(plan.layers, index, layer.in, channel);
     const uint32_t first = channel - layer.in.offset;
-    const bool shared = same_in_all_slots(plan, segment);
+    const bool shared = segment.producer >= 0 && same_in_all_slots(plan.layers[segment.producer].kind);
     // Ranges start at whole pairs of columns, and so must what follows them.
     if (first % 2 != 0) return SharedColumns();
     if (columns.by_joint.count == 0 && same_in_joint(plan, index, segment)) {
@@ -145,6 +154,7 @@ struct PackedLayers {
   SharedColumns* columns = nullptr;  // [layers]
   int32_t* starts = nullptr;         // [lanes x tile x outputs] sums of columns that a vertex' slots share
   uint32_t outputs = 0;              // of the widest layer that has them
+  RowsRead rows_read[kMaxLayers];
 
   bool allocate(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, uint32_t lanes,
                 Arena& arena) {
@@ -169,6 +179,24 @@ struct PackedLayers {
       pack_linear(make_linear_view(tables, plan.layers[i]), memory[i]);
       if (has_shared) columns[i] = find_shared_columns(plan, i, tables.linear(plan.layers[i].parameters));
     }
+    for (uint32_t i = 0; i < plan.layer_count; ++i) rows_read[i] = find_rows_read(plan, i);
+  }
+  RowsRead find_rows_read(const NetworkPlan& plan, uint32_t index) const {
+    const Layer& layer = plan.layers[index];
+    if (plan.stored[index] || plan.buffers[layer.out.buffer].domain != Domain::kPair) return RowsRead::kAll;
+    RowsRead rows = RowsRead::kNone;
+    for (uint32_t i = index + 1; i < plan.layer_count; ++i) {
+      const Layer& reader = plan.layers[i];
+      if ((reader.flags & kLayerResidual) != 0 && regions_overlap(reader.residual, layer.out)) return RowsRead::kAll;
+      if (!regions_overlap(reader.in, layer.out) || table_of_maximum(plan, i) == static_cast<int>(index)) continue;
+      if (reader.kind != LayerKind::kLinear || memory[i] == nullptr || !has_shared || !columns[i].any()) {
+        return RowsRead::kAll;
+      }
+      if (columns[i].by_joint.count > 0 && columns[i].part_mean == index) continue;
+      if (!same_in_all_slots(layer.kind)) return RowsRead::kAll;
+      rows = RowsRead::kFirstOfVertex;
+    }
+    return index + 1 == plan.layer_count ? RowsRead::kAll : rows;
   }
 };
 
@@ -247,6 +275,7 @@ struct Tile {
   uint32_t lane;        // whose scratch they use
   uint32_t table_lane;  // whose tables they read
   uint32_t count;       // vertices
+  bool shared;          // its shared columns are multiplied once
   const uint32_t* vertices() const { return run.scratch.vertices + first(); }
   const uint16_t* joints() const { return run.scratch.joints + first() * run.plan.candidates; }
   size_t first() const { return static_cast<size_t>(lane) * run.sizes.tile; }  // vertex of the scratch
@@ -359,6 +388,10 @@ void multiply_part_means(const Run& run, uint32_t stage, const uint32_t* vertice
   }
 }
 
+RowsRead rows_read(const Tile& tile, uint32_t index) {
+  return tile.shared ? tile.run.packed.rows_read[index] : RowsRead::kAll;
+}
+
 // Present slots of a vertex stand before absent ones, wherever candidates come from the engine; a tile where they do
 // not is computed row by row.
 bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32_t k) {
@@ -378,7 +411,6 @@ void add_shared_columns(const Tile& tile, uint32_t index, LinearView* linear) {
   const SharedColumns& columns = run.packed.columns[index];
   const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates;
-  if (!columns.any() || !first_slot_speaks_for_all(tile.joints(), tile.count, k)) return;
   if (columns.shared_count > 0) {
     int32_t* const starts = run.packed.starts + tile.first() * run.packed.outputs;
     linear->packed.range_count = columns.shared_count;
@@ -401,7 +433,7 @@ void run_linear(const Tile& tile, uint32_t index) {
   LinearView linear = make_linear_view(run.tables, layer);
   if (kHasPackedWeights && run.packed.memory[index] != nullptr) {
     linear.packed = packed_view(linear, run.packed.memory[index]);
-    if (run.packed.has_shared) add_shared_columns(tile, index, &linear);
+    if (tile.shared && run.packed.columns[index].any()) add_shared_columns(tile, index, &linear);
   }
   run.kernels.linear(linear, tile_rows(tile, layer.in), residual, pair ? tile.joints() : nullptr,
                      tile.count * slots_of(run, layer.out), tile_row(tile, layer.out, 0),
@@ -450,9 +482,11 @@ void run_table(const Tile& tile, uint32_t index) {
   const bool by_joint = pair && layer.kind == LayerKind::kPartMean;
   const uint32_t rows = tile.count * slots_of(run, layer.out);
   const int16_t* table = table_of(run, index, tile.table_lane);
+  const RowsRead read = rows_read(tile, index);
+  if (read == RowsRead::kNone) return;
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
     const Segment segment = segment_at(run.plan.layers, index, layer.in, channel);
-    for (uint32_t row = 0; row < rows; ++row) {
+    for (uint32_t row = 0; row < rows; row += read == RowsRead::kFirstOfVertex ? run.plan.candidates : 1) {
       int16_t* out = tile_row(tile, layer.out, row) + (channel - layer.in.offset);
       const uint16_t joint = pair ? tile.joints()[row] : static_cast<uint16_t>(0);
       if (joint == kNoJoint) {
@@ -473,19 +507,27 @@ void run_local(const Tile& tile, uint32_t index) {
   const uint16_t* joints = tile.joints();
   const uint32_t count = tile.count;
   const uint32_t out_stride = run.plan.buffers[layer.out.buffer].channels;
+  const RowsRead read = rows_read(tile, index);
   switch (layer.kind) {
     case LayerKind::kLinear:
       run_linear(tile, index);
       break;
-    case LayerKind::kCandidateMax:
+    case LayerKind::kCandidateMax: {
+      const int part_mean = table_of_maximum(run.plan, index);
+      const uint32_t out_slots = read == RowsRead::kAll ? k : 1;
       for (uint32_t i = 0; i < count; ++i) {
         const size_t row = static_cast<size_t>(i) * k;
-        run.kernels.candidate_max({tile_row(tile, layer.in, row), run.plan.buffers[layer.in.buffer].channels},
-                                  layer.in.channels, joints + row, k, tile_row(tile, layer.out, row), out_stride);
+        RowsView values = {tile_row(tile, layer.in, row), run.plan.buffers[layer.in.buffer].channels};
+        if (part_mean >= 0) {
+          values = {table_of(run, static_cast<uint32_t>(part_mean), tile.table_lane), layer.in.channels};
+        }
+        run.kernels.candidate_max(values, part_mean >= 0, layer.in.channels, joints + row, k,
+                                  tile_row(tile, layer.out, row), out_stride, out_slots);
       }
       break;
+    }
     case LayerKind::kVertexToPair:
-      for (uint32_t row = 0; row < count * k; ++row) {
+      for (uint32_t row = 0; row < count * k; row += read == RowsRead::kAll ? 1 : k) {
         int16_t* out = tile_row(tile, layer.out, row);
         if (joints[row] == kNoJoint) {
           memset(out, 0, layer.out.channels * sizeof(int16_t));
@@ -539,13 +581,14 @@ void store_rows(const Tile& tile, const Region& region, int16_t* to) {
 }
 
 // The tile's vertices go through all layers of the stage.
-void run_tile(const Tile& tile, uint32_t stage) {
+void run_tile(Tile tile, uint32_t stage) {
   const Run& run = tile.run;
   const uint32_t k = run.plan.candidates;
   for (uint32_t i = 0; i < tile.count; ++i) {
     memcpy(run.scratch.joints + (tile.first() + i) * k, run.input.joints + static_cast<size_t>(tile.vertices()[i]) * k,
            k * sizeof(uint16_t));
   }
+  tile.shared = run.packed.has_shared && first_slot_speaks_for_all(tile.joints(), tile.count, k);
   for (uint16_t b = 0; b < 2; ++b) {
     if (!run.scratch.load_input[b]) continue;
     load_rows(tile, {b, 0, run.plan.buffers[b].channels}, whole_mesh(run, b, kFromInput, 0));
@@ -645,7 +688,7 @@ class StageWalk {
 
   void run_tiles(uint32_t first, uint32_t end, uint32_t lane, uint32_t table_lane) const {
     for (; first < end; first += run_.sizes.tile) {
-      const Tile tile = {run_, lane, table_lane, end - first < run_.sizes.tile ? end - first : run_.sizes.tile};
+      const Tile tile = {run_, lane, table_lane, end - first < run_.sizes.tile ? end - first : run_.sizes.tile, false};
       for (uint32_t i = 0; i < tile.count; ++i) {
         run_.scratch.vertices[tile.first() + i] = by_part_ ? run_.input.component_vertices[first + i] : first + i;
       }
