@@ -15,6 +15,9 @@ void expect_root(uint64_t v) {
   ASSERT_LE(r * r, v);
   ASSERT_TRUE(r == 0xFFFFFFFFu || (r + 1) * (r + 1) > v) << v << " root " << r;
   ASSERT_EQ(r, isqrt64_bitwise(v)) << v;
+  if (v >> 63 != 0) return;
+  ASSERT_NEAR(static_cast<double>(root_by_table(v)), r, 4) << v;
+  ASSERT_NEAR(static_cast<double>(near_root(v)), r, 1) << v;
 }
 
 TEST(Isqrt64, IsExactAroundEverySquareOfAnySize) {
@@ -39,12 +42,14 @@ TEST(TopBit, IsTheHighestOne) {
   }
 }
 
-TEST(Log2, IsWithinItsBound) {
+TEST(Log2, IsWithinItsBoundExactForPowersAndNeverFalls) {
   std::mt19937_64 random(6);
   for (int i = 0; i < 100000; ++i) {
     const uint64_t v = (random() >> (random() % 64)) | 1;
     ASSERT_NEAR(log2_q16(v) / 65536.0, std::log2(static_cast<double>(v)), 1.0 / 32768) << v;
   }
+  for (int bit = 0; bit < 64; ++bit) EXPECT_EQ(log2_q16(uint64_t{1} << bit), bit << 16);
+  for (uint64_t v = 1; v < 200000; ++v) ASSERT_LE(log2_q16(v), log2_q16(v + 1)) << v;
 }
 
 }  // namespace
