@@ -46,6 +46,8 @@ int16_t ratio_q13(int64_t value, int64_t whole) {
   const int64_t q = twice / (2 * whole);
   return q13(q * 2 * whole > twice ? q - 1 : q);
 }
+// The same of the mesh's longest side.
+int16_t side_ratio_q13(int64_t value) { return q13(round_shift(value * kOne, kGridBits)); }
 // log2(value) / 2^shift in Q13, for value >= 1; `minus` is subtracted first, both Q16.
 int16_t log_q13(uint64_t value, int32_t minus_q16, int shift) {
   return q13(round_shift(static_cast<int64_t>(log2_q16(value)) - minus_q16, 3 + shift));
@@ -75,12 +77,6 @@ struct Row {  // a finished heat row
   uint32_t count = 0;
 
   void load(const HeatField& field, uint32_t vertex) { count = finish_heat_row(field, vertex, joints, weights); }
-  uint32_t at(uint32_t joint) const {
-    for (uint32_t i = 0; i < count; ++i) {
-      if (joints[i] == joint) return weights[i];
-    }
-    return 0;
-  }
   uint32_t top() const {  // slot of the largest weight, ties to the lower joint
     uint32_t best = 0;
     for (uint32_t i = 1; i < count; ++i) {
@@ -88,6 +84,15 @@ struct Row {  // a finished heat row
     }
     return best;
   }
+};
+
+// What the vertex at work knows of a joint.
+struct JointEntry {
+  uint32_t vertex;                       // 1 + the vertex that it is of; the rest is 0 for any other
+  uint32_t distance;                     // 1 + the voxel candidate's, 0 where it is none
+  uint32_t children_rule;                // weights of the joint's children in the rule field, Q15
+  uint16_t rule, parts, soft, rule_raw;  // Q15
+  uint16_t chosen;
 };
 
 // What one part thinks of each joint, refilled part by part. One per lane lies in the workspace, whose size must not
@@ -130,13 +135,23 @@ static_assert(sizeof(PartTables) == 128, "the workspace would have another size 
 
 constexpr uint32_t kSmallPart = 256;  // vertices: parts below it are a lane's work each, larger ones all lanes'
 
+// A segment from a joint. The same size on every host.
+struct alignas(8) Bone {
+  int64_t length2;
+  Vec3i direction;  // from the joint to the end
+  uint32_t length;
+  int16_t up, length_share;  // Q13: the direction's, and of a quarter of the mesh's longest side
+  int32_t unused;
+};
+
 struct Scratch {
   Parts parts;
-  PartTables* tables = nullptr;    // [lanes]
-  uint64_t* keys = nullptr;        // [V] (host distance, vertex) of one part, lane 0
-  uint64_t* small_keys = nullptr;  // [lanes - 1 x kSmallPart] of the other lanes, which never take a large part alone
-  uint32_t* child_offsets = nullptr;  // [J + 1]
-  uint32_t* children = nullptr;       // [J]
+  PartTables* tables = nullptr;      // [lanes]
+  uint64_t* keys = nullptr;          // [V] (host distance, vertex) of one part, lane 0
+  uint64_t* small_keys = nullptr;    // [lanes - 1 x kSmallPart] of the other lanes, which never take a large part alone
+  JointEntry* entries = nullptr;     // [lanes x J]
+  uint32_t* bone_offsets = nullptr;  // [J + 1]
+  Bone* bones = nullptr;             // [2 J] of each joint: one to every child, a leaf's to its tip
 
   bool allocate(Arena& arena, const Counts& counts) {
     const uint32_t lanes = counts.threads.lane_count();
@@ -149,20 +164,33 @@ struct Scratch {
     }
     keys = arena.alloc<uint64_t>(counts.vertices);
     small_keys = arena.alloc<uint64_t>(static_cast<size_t>(lanes - 1) * kSmallPart);
-    child_offsets = arena.alloc<uint32_t>(static_cast<size_t>(counts.joints) + 1);
-    children = arena.alloc<uint32_t>(counts.joints);
+    entries = arena.alloc<JointEntry>(static_cast<size_t>(lanes) * counts.joints);
+    bone_offsets = arena.alloc<uint32_t>(static_cast<size_t>(counts.joints) + 1);
+    bones = arena.alloc<Bone>(static_cast<size_t>(2) * counts.joints);
     return arena.ok();
   }
 };
 
-void list_children(const Skeleton& skeleton, uint32_t* offsets, uint32_t* children) {
-  uint32_t total = 0;
-  for (uint32_t j = 0; j < skeleton.joint_count; ++j) total += skeleton.child_count[j];
+Bone make_bone(Vec3i head, Vec3i tail) {
+  Bone bone;
+  bone.direction = tail - head;
+  bone.length2 = dot(bone.direction, bone.direction);
+  bone.length = isqrt64(static_cast<uint64_t>(bone.length2));
+  bone.up = bone.length == 0 ? int16_t{0} : ratio_q13(bone.direction.y, bone.length);
+  bone.length_share = side_ratio_q13(4 * static_cast<int64_t>(bone.length));
+  return bone;
+}
+
+void list_bones(const Skeleton& skeleton, const Vec3i* tips, uint32_t* offsets, Bone* bones) {
+  const uint32_t joints = skeleton.joint_count;
   // offsets[j] starts at the end of row j and goes down to its start while the row is filled from behind.
-  offsets[skeleton.joint_count] = total;
-  for (uint32_t j = 0, end = 0; j < skeleton.joint_count; ++j) offsets[j] = end += skeleton.child_count[j];
-  for (uint32_t j = skeleton.joint_count; j-- > 0;) {
-    if (skeleton.parents[j] >= 0) children[--offsets[skeleton.parents[j]]] = j;
+  uint32_t end = 0;
+  for (uint32_t j = 0; j < joints; ++j) offsets[j] = end += skeleton.child_count[j] != 0 ? skeleton.child_count[j] : 1;
+  offsets[joints] = end;
+  for (uint32_t j = joints; j-- > 0;) {
+    if (skeleton.child_count[j] == 0) bones[--offsets[j]] = make_bone(skeleton.positions[j], tips[j]);
+    const int32_t parent = skeleton.parents[j];
+    if (parent >= 0) bones[--offsets[parent]] = make_bone(skeleton.positions[parent], skeleton.positions[j]);
   }
 }
 
@@ -180,7 +208,7 @@ struct Sources {
 class Builder {
  public:
   // `tables` are filled by fill_tables() or were, by another lane's.
-  Builder(const Sources& sources, PartTables& tables, uint64_t* keys)
+  Builder(const Sources& sources, PartTables& tables, uint64_t* keys, JointEntry* entries)
       : mesh_(sources.mesh),
         skeleton_(sources.skeleton),
         candidates_(sources.candidates),
@@ -189,15 +217,14 @@ class Builder {
         out_(sources.out),
         k_(sources.candidates.k),
         tables_(tables),
-        keys_(keys) {}
+        keys_(keys),
+        entries_(entries) {}
 
   // Vertices [first, end) of the list of components, all of component c.
   void write(uint32_t c, uint32_t first, uint32_t end) {
     for (uint32_t i = first; i < end; ++i) {
       const uint32_t v = mesh_.component_vertices[i];
-      rule_.load(heat_.field[kFieldRule], v);
-      parts_.load(heat_.field[kFieldParts], v);
-      soft_.load(heat_.field[kFieldSoft], v);
+      load_rows(v);
       choose_candidates(v);
       write_vertex(v, c);
       write_pairs(v, c);
@@ -292,6 +319,41 @@ class Builder {
     }
   }
 
+  JointEntry& entry(uint32_t joint) {
+    JointEntry& e = entries_[joint];
+    if (e.vertex != stamp_) {
+      e = JointEntry();
+      e.vertex = stamp_;
+    }
+    return e;
+  }
+
+  void load_rows(uint32_t v) {
+    stamp_ = v + 1;
+    const HeatField &rule = heat_.field[kFieldRule], &parts = heat_.field[kFieldParts];
+    const size_t first = static_cast<size_t>(v) * kHeatSlots;
+    rule_.load(rule, v);
+    if (memcmp(rule.joints + first, parts.joints + first, kHeatSlots * sizeof(uint16_t)) == 0 &&
+        memcmp(rule.weights + first, parts.weights + first, kHeatSlots * sizeof(uint16_t)) == 0) {
+      parts_ = rule_;  // as a rule
+    } else {
+      parts_.load(parts, v);
+    }
+    soft_.load(heat_.field[kFieldSoft], v);
+    for (uint32_t i = 0; i < kHeatSlots && rule.joints[first + i] != kNoJoint; ++i) {
+      entry(rule.joints[first + i]).rule_raw = rule.weights[first + i];
+    }
+    for (uint32_t i = 0; i < rule_.count; ++i) {
+      const uint32_t joint = rule_.joints[i];
+      entry(joint).rule = rule_.weights[i];
+      if (skeleton_.parents[joint] >= 0) {
+        entry(static_cast<uint32_t>(skeleton_.parents[joint])).children_rule += rule_.weights[i];
+      }
+    }
+    for (uint32_t i = 0; i < parts_.count; ++i) entry(parts_.joints[i]).parts = parts_.weights[i];
+    for (uint32_t i = 0; i < soft_.count; ++i) entry(soft_.joints[i]).soft = soft_.weights[i];
+  }
+
   // Heat's joints and the part's favourites first, then the voxel candidates by distance until K are there. What the
   // rigid answer for a whole part could be must be open to each of its vertices.
   void choose_candidates(uint32_t v) {
@@ -312,12 +374,13 @@ class Builder {
     for (uint32_t i = 0; i < parts_.count; ++i) add(parts_.joints[i]);
 
     uint32_t farthest = 0;
-    for (uint32_t i = 0; i < k_ && voxel[i] != kNoJoint; ++i) farthest = voxel_distance[i];
+    for (uint32_t i = 0; i < k_ && voxel[i] != kNoJoint; ++i) {
+      farthest = voxel_distance[i];
+      entry(voxel[i]).distance = farthest + 1;
+    }
     for (uint32_t i = 0; i < count_; ++i) {
-      distances_[i] = farthest + 1;  // joints the search did not bring come after those it did
-      for (uint32_t n = 0; n < k_; ++n) {
-        if (voxel[n] == joints_[i]) distances_[i] = voxel_distance[n];
-      }
+      const uint32_t distance = entries_[joints_[i]].distance;
+      distances_[i] = distance != 0 ? distance - 1 : farthest + 1;  // those the search did not bring come last
     }
     for (uint32_t i = 1; i < count_; ++i) {  // insertion sort by (distance, joint)
       const uint32_t d = distances_[i];
@@ -336,9 +399,9 @@ class Builder {
 
   void add(uint16_t joint) {
     if (joint == kNoJoint || count_ >= k_ || skeleton_.usable[joint] == 0) return;
-    for (uint32_t i = 0; i < count_; ++i) {
-      if (joints_[i] == joint) return;
-    }
+    JointEntry& e = entry(joint);
+    if (e.chosen != 0) return;
+    e.chosen = 1;
     joints_[count_++] = joint;
   }
 
@@ -355,7 +418,7 @@ class Builder {
     f[kV_vertex_count_log] = log_q13(mesh_.welded_count, 8 << 16, 3);
     f[kV_part_boundary_share] = ratio_q13(s_.parts.boundary_count[c], size);
     f[kV_is_largest_part] = c == 0 ? kOne : 0;
-    f[kV_part_extent] = ratio_q13(t.extent, kSide);
+    f[kV_part_extent] = side_ratio_q13(t.extent);
     f[kV_part_flatness] = ratio_q13(t.thickness, t.extent);
     f[kV_part_purity] = t.own_top == kNoJoint ? int16_t{0} : share_q13(t.own[t.own_top], size);
     f[kV_rule_is_parts] = heat_.component_rule[c] == 1 ? kOne : 0;
@@ -384,36 +447,28 @@ class Builder {
     uint32_t distance;
     int32_t along_q13;  // 0 at the head, 8192 at the tail
     Vec3i away;         // from the nearest point to the vertex
-    Vec3i direction;    // head to tail
-    uint32_t length;
+    const Bone* bone;
   };
 
-  // The nearest of a joint's bones: segments to its children, a leaf's to its tip.
+  // The nearest of a joint's bones.
   BoneFit fit_bone(Vec3i p, uint32_t joint) const {
-    const Vec3i head = skeleton_.positions[joint];
-    BoneFit best{0xFFFFFFFFu, 0, {0, 0, 0}, {0, 0, 0}, 0};
-    const uint32_t first = s_.child_offsets[joint], end = s_.child_offsets[joint + 1];
-    for (uint32_t i = first; i < end || i == first; ++i) {
-      const Vec3i tail = first == end ? candidates_.tips[joint] : skeleton_.positions[s_.children[i]];
-      const Vec3i direction = tail - head, to = p - head;
-      const int64_t length2 = dot(direction, direction);
+    const Vec3i to = p - skeleton_.positions[joint];
+    BoneFit best{0xFFFFFFFFu, 0, {0, 0, 0}, nullptr};
+    for (uint32_t i = s_.bone_offsets[joint]; i < s_.bone_offsets[joint + 1]; ++i) {
+      const Bone& bone = s_.bones[i];
       int64_t t = 0;  // Q20
-      if (length2 > 0) {
-        const int shift = length2 >> 42 != 0 ? 10 : 0;  // coordinates are below 2^23, so length2 < 2^50
-        int64_t along = dot(to, direction);
-        along = along < 0 ? 0 : along > length2 ? length2 : along;
-        t = ((along >> shift) << 20) / (length2 >> shift);
+      if (bone.length2 > 0) {
+        const int shift = bone.length2 >> 42 != 0 ? 10 : 0;  // coordinates are below 2^23, so length2 < 2^50
+        int64_t along = dot(to, bone.direction);
+        along = along < 0 ? 0 : along > bone.length2 ? bone.length2 : along;
+        t = ((along >> shift) << 20) / (bone.length2 >> shift);
       }
-      const Vec3i nearest = {head.x + static_cast<int32_t>(round_shift(direction.x * t, 20)),
-                             head.y + static_cast<int32_t>(round_shift(direction.y * t, 20)),
-                             head.z + static_cast<int32_t>(round_shift(direction.z * t, 20))};
-      const Vec3i away = p - nearest;
+      const Vec3i away = {to.x - static_cast<int32_t>(round_shift(bone.direction.x * t, 20)),
+                          to.y - static_cast<int32_t>(round_shift(bone.direction.y * t, 20)),
+                          to.z - static_cast<int32_t>(round_shift(bone.direction.z * t, 20))};
       const uint32_t distance = isqrt64(static_cast<uint64_t>(dot(away, away)));
-      if (distance < best.distance) {
-        best = {distance, static_cast<int32_t>(t >> 7), away, direction, 0};
-      }
+      if (distance < best.distance) best = {distance, static_cast<int32_t>(t >> 7), away, &bone};
     }
-    best.length = isqrt64(static_cast<uint64_t>(dot(best.direction, best.direction)));
     return best;
   }
 
@@ -455,7 +510,7 @@ class Builder {
     f[kP_deepest_of_part] = t.deepest[j] != 0 ? kOne : 0;
     const Vec3i to_centre = t.centre - skeleton_.positions[j];
     const uint32_t centre_distance = isqrt64(static_cast<uint64_t>(dot(to_centre, to_centre)));
-    f[kP_centre_distance] = ratio_q13(2 * static_cast<int64_t>(centre_distance), kSide);
+    f[kP_centre_distance] = side_ratio_q13(2 * static_cast<int64_t>(centre_distance));
     f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
                                  log2_q16(static_cast<uint64_t>(t.extent) + kSoftLength), 2);
     f[kP_territory] = log_q13(candidates_.territory[j] + uint64_t{16}, 16 << 16, 3);
@@ -483,11 +538,11 @@ class Builder {
       const uint32_t j = joints_[i];
       const int32_t parent = skeleton_.parents[j];
       int16_t* f = rows + static_cast<size_t>(i) * kPairFeatureCount;
-      const uint32_t rule = rule_.at(j), parts = parts_.at(j), soft = soft_.at(j);
-      const WeightChannels of_rule = weight_channels(rule, rule_.weights[rule_top]);
-      const bool alike = parts == rule && parts_.weights[parts_top] == rule_.weights[rule_top];  // as a rule
-      const WeightChannels of_parts = alike ? of_rule : weight_channels(parts, parts_.weights[parts_top]);
-      const WeightChannels of_soft = weight_channels(soft, 0);
+      const JointEntry& e = entries_[j];
+      const WeightChannels of_rule = weight_channels(e.rule, rule_.weights[rule_top]);
+      const bool alike = e.parts == e.rule && parts_.weights[parts_top] == rule_.weights[rule_top];  // as a rule
+      const WeightChannels of_parts = alike ? of_rule : weight_channels(e.parts, parts_.weights[parts_top]);
+      const WeightChannels of_soft = weight_channels(e.soft, 0);
       f[kP_rule] = of_rule.weight;
       f[kP_rule_root] = of_rule.root;
       f[kP_rule_log] = of_rule.log;
@@ -499,20 +554,17 @@ class Builder {
       f[kP_soft] = of_soft.weight;
       f[kP_soft_root] = of_soft.root;
       f[kP_soft_log] = of_soft.log;
-      for (uint32_t n = 0; n < kHeatSlots; ++n) {
-        const size_t slot = static_cast<size_t>(v) * kHeatSlots + n;
-        if (raw.joints[slot] == j) f[kP_rule_raw_root] = weight_root_q13(raw.weights[slot]);
-      }
-      f[kP_voxel_distance] = ratio_q13(2 * static_cast<int64_t>(distances_[i]), kSide);
+      f[kP_rule_raw_root] = weight_root_q13(e.rule_raw);
+      f[kP_voxel_distance] = side_ratio_q13(2 * static_cast<int64_t>(distances_[i]));
       f[kP_voxel_ratio] = log_q13(distances_[i] + uint64_t{kSoftLength}, nearest_voxel_log, 2);
-      const BoneFit& bone = fits[i];
-      f[kP_bone_distance] = ratio_q13(2 * static_cast<int64_t>(bone.distance), kSide);
-      f[kP_bone_ratio] = log_q13(bone.distance + uint64_t{kSoftLength}, nearest_bone_log, 2);
-      f[kP_bone_position] = q13(bone.along_q13);
-      f[kP_bone_cosine] = cosine_q13(bone.away, bone.distance, mesh_.normals[v]);
-      f[kP_bone_normal] = cosine_q13(bone.direction, bone.length, mesh_.normals[v]);
-      f[kP_bone_up] = bone.length == 0 ? int16_t{0} : ratio_q13(bone.direction.y, bone.length);
-      f[kP_bone_length] = ratio_q13(4 * static_cast<int64_t>(bone.length), kSide);
+      const BoneFit& fit = fits[i];
+      f[kP_bone_distance] = side_ratio_q13(2 * static_cast<int64_t>(fit.distance));
+      f[kP_bone_ratio] = log_q13(fit.distance + uint64_t{kSoftLength}, nearest_bone_log, 2);
+      f[kP_bone_position] = q13(fit.along_q13);
+      f[kP_bone_cosine] = cosine_q13(fit.away, fit.distance, mesh_.normals[v]);
+      f[kP_bone_normal] = cosine_q13(fit.bone->direction, fit.bone->length, mesh_.normals[v]);
+      f[kP_bone_up] = fit.bone->up;
+      f[kP_bone_length] = fit.bone->length_share;
       f[kP_is_leaf] = skeleton_.child_count[j] == 0 ? kOne : 0;
       f[kP_children] = q13(skeleton_.child_count[j] * (kOne / 4));
       f[kP_tree_distance] = q13(tree_distance(j, top_joint) * (kOne / 8));
@@ -521,12 +573,8 @@ class Builder {
       f[kP_is_top] = j == top_joint ? kOne : 0;
       f[kP_rule_nearest] = raw.nearest[v] == j ? kOne : 0;
       f[kP_soft_nearest] = heat_.field[kFieldSoft].nearest[v] == j ? kOne : 0;
-      f[kP_parent_rule] = parent < 0 ? int16_t{0} : weight_q13(rule_.at(static_cast<uint32_t>(parent)));
-      uint32_t below = 0;
-      for (uint32_t n = 0; n < rule_.count; ++n) {
-        if (skeleton_.parents[rule_.joints[n]] == static_cast<int32_t>(j)) below += rule_.weights[n];
-      }
-      f[kP_children_rule] = weight_q13(below);
+      f[kP_parent_rule] = parent < 0 ? int16_t{0} : weight_q13(entry(static_cast<uint32_t>(parent)).rule);
+      f[kP_children_rule] = weight_q13(e.children_rule);
       memcpy(f + kFirstPartChannel, part_channels(j, c), kPartChannels * sizeof(int16_t));
     }
   }
@@ -545,8 +593,10 @@ class Builder {
   const uint32_t k_;
   PartTables& tables_;
   uint64_t* keys_;
+  JointEntry* entries_;
   // Of the vertex at work:
   Row rule_, parts_, soft_;
+  uint32_t stamp_ = 0;
   uint16_t joints_[SINEW_MAX_CANDIDATES] = {};
   uint32_t distances_[SINEW_MAX_CANDIDATES] = {};
   uint32_t count_ = 0;
@@ -559,21 +609,24 @@ void build(const Sources& sources, const Threads& threads) {
   const auto keys_of = [&](uint32_t lane) {
     return lane == 0 ? scratch.keys : scratch.small_keys + static_cast<size_t>(lane - 1) * kSmallPart;
   };
+  const size_t joints = sources.skeleton.joint_count;
+  memset(scratch.entries, 0, threads.lane_count() * joints * sizeof(JointEntry));
+  const auto entries_of = [&](uint32_t lane) { return scratch.entries + lane * joints; };
   for (uint32_t c = 0; c < mesh.component_count;) {
     uint32_t end = c;
     while (end < mesh.component_count && mesh.component_sizes[end] < kSmallPart) ++end;
     if (end == c) {
       PartTables& tables = scratch.tables[0];
-      Builder(sources, tables, keys_of(0)).fill_tables(c);
+      Builder(sources, tables, keys_of(0), entries_of(0)).fill_tables(c);
       const uint32_t first = mesh.component_offsets[c];
       threads.ranges(mesh.component_sizes[c], kSmallPart / 4, [&](uint32_t from, uint32_t to, uint32_t lane) {
-        Builder(sources, tables, keys_of(lane)).write(c, first + from, first + to);
+        Builder(sources, tables, keys_of(lane), entries_of(lane)).write(c, first + from, first + to);
       });
       ++c;
       continue;
     }
     threads.each(end - c, [&](uint32_t index, uint32_t lane) {
-      Builder builder(sources, scratch.tables[lane], keys_of(lane));
+      Builder builder(sources, scratch.tables[lane], keys_of(lane), entries_of(lane));
       builder.fill_tables(c + index);
       builder.write(c + index, mesh.component_offsets[c + index], mesh.component_offsets[c + index + 1]);
     });
@@ -615,7 +668,7 @@ sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Ca
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   const sinew_status status = find_parts(mesh, heat, counts, arena, &scratch.parts);
   if (status != SINEW_OK) return status;
-  list_children(skeleton, scratch.child_offsets, scratch.children);
+  list_bones(skeleton, candidates.tips, scratch.bone_offsets, scratch.bones);
   build({mesh, skeleton, candidates, heat, scratch, features}, counts.threads);
   arena.release(mark);
   return SINEW_OK;
