@@ -69,6 +69,21 @@ sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model*
   return sinew::open_model(bytes, size_bytes, model);
 }
 
+size_t sinew_model_rearranged_size(const sinew_model* model) {
+  return model == nullptr || model->bytes == nullptr ? 0 : sinew::rearranged_bytes(*model);
+}
+
+sinew_status sinew_model_rearrange(sinew_model* model, void* memory, size_t memory_bytes) {
+  if (model == nullptr || model->bytes == nullptr || memory == nullptr) return SINEW_ERROR_ARGUMENT;
+  const size_t bytes = sinew::rearranged_bytes(*model);
+  if (memory_bytes < bytes || reinterpret_cast<uintptr_t>(memory) % SINEW_WORKSPACE_ALIGNMENT != 0)
+    return SINEW_ERROR_WORKSPACE;
+  if (bytes == 0) return SINEW_OK;
+  sinew::rearrange_model(*model, static_cast<uint8_t*>(memory));
+  model->rearranged = memory;
+  return SINEW_OK;
+}
+
 sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
                                        uint32_t corner_count, uint32_t joint_count, const sinew_options* options,
                                        size_t* size_bytes) {

@@ -85,6 +85,16 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
   return character;
 }
 
+namespace {
+
+// Once for all characters that it will bind.
+void rearrange(LoadedModel* loaded) {
+  const size_t bytes = sinew_model_rearranged_size(&loaded->model);
+  if (loaded->rearranged.reserve(bytes)) (void)sinew_model_rearrange(&loaded->model, loaded->rearranged.data(), bytes);
+}
+
+}  // namespace
+
 std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what) {
   auto loaded = std::make_unique<LoadedModel>();
   loaded->storage.resize(bytes.size() / 8 + 1);
@@ -93,6 +103,7 @@ std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes,
   const char* cure = status == SINEW_ERROR_MODEL_MAGIC ? "; make one from a checkpoint with: sinew quantize" : "";
   if (bytes.empty()) throw Error(what + ": the file is empty, expected a model (.sinew)");
   if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status) + cure);
+  rearrange(loaded.get());
   return loaded;
 }
 
@@ -104,6 +115,7 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path) {
   auto loaded = std::make_unique<LoadedModel>();
   const sinew_status status = sinew_model_open(kBundledModel, kBundledModelSize, &loaded->model);
   if (status != SINEW_OK) throw Error(std::string("the bundled model: ") + sinew_status_text(status));
+  rearrange(loaded.get());
   return loaded;
 }
 

@@ -3,11 +3,13 @@
 // processor, clear refusals.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <new>
 #include <vector>
 
 #include "heat_scene.hpp"
 #include "open_bundled_model.hpp"
+#include "sinew/sinew.hpp"
 
 namespace {
 
@@ -17,7 +19,7 @@ struct Bound {
   std::vector<uint16_t> joints, weights;
 };
 
-Bound bind_star(uint32_t kernel, uint32_t weights_in_place) {
+Bound bind_star(uint32_t kernel, uint32_t weights_in_place, const sinew_model* model = bundled_model()) {
   const sinew_test::HeatScene scene = sinew_test::star(11, 12, 3);
   sinew_options options = {};
   options.kernel = kernel;
@@ -25,16 +27,28 @@ Bound bind_star(uint32_t kernel, uint32_t weights_in_place) {
   const sinew_mesh mesh = scene.mesh_view();
   const sinew_skeleton skeleton = scene.skeleton_view();
   Bound bound;
-  bound.status = sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
+  bound.status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
                                            skeleton.joint_count, &options, &bound.bytes);
   if (bound.status != SINEW_OK) return bound;
   void* block = ::operator new (bound.bytes, std::align_val_t{64});
   bound.joints.resize(size_t{mesh.vertex_count} * 4);
   bound.weights.resize(size_t{mesh.vertex_count} * 4);
-  bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block, bound.bytes, bound.joints.data(),
+  bound.status = sinew_bind(model, &mesh, &skeleton, &options, block, bound.bytes, bound.joints.data(),
                             bound.weights.data(), &bound.used);
   ::operator delete (block, std::align_val_t{64});
   return bound;
+}
+
+// The bundled model with its weights rearranged once.
+const sinew_model* rearranged_model() {
+  static sinew::Workspace memory(sinew_model_rearranged_size(bundled_model()));
+  static const sinew_model rearranged = [] {
+    sinew_model model = *bundled_model();
+    EXPECT_EQ(sinew_model_rearrange(&model, memory.data(), memory.size()), SINEW_OK);
+    EXPECT_EQ(model.rearranged, memory.data());
+    return model;
+  }();
+  return &rearranged;
 }
 
 TEST(KernelOption, EveryKernelGivesTheSameBytesInPlaceOrNot) {
@@ -45,12 +59,14 @@ TEST(KernelOption, EveryKernelGivesTheSameBytesInPlaceOrNot) {
       EXPECT_EQ(bind_star(kernel, 0).status, SINEW_ERROR_KERNEL);
       continue;
     }
-    for (const uint32_t in_place : {0u, 1u}) {
-      const Bound bound = bind_star(kernel, in_place);
-      ASSERT_EQ(bound.status, SINEW_OK) << sinew_kernel_name(kernel);
-      EXPECT_EQ(bound.joints, reference.joints) << sinew_kernel_name(kernel);
-      EXPECT_EQ(bound.weights, reference.weights) << sinew_kernel_name(kernel);
-      EXPECT_LE(bound.used, bound.bytes);
+    for (const sinew_model* const model : {bundled_model(), rearranged_model()}) {
+      for (const uint32_t in_place : {0u, 1u}) {
+        const Bound bound = bind_star(kernel, in_place, model);
+        ASSERT_EQ(bound.status, SINEW_OK) << sinew_kernel_name(kernel);
+        EXPECT_EQ(bound.joints, reference.joints) << sinew_kernel_name(kernel);
+        EXPECT_EQ(bound.weights, reference.weights) << sinew_kernel_name(kernel);
+        EXPECT_LE(bound.used, bound.bytes);
+      }
     }
   }
 }
@@ -62,6 +78,47 @@ TEST(KernelOption, WorkspaceDependsOnWhatIsAskedNotOnTheProcessor) {
   EXPECT_EQ(bind_star(SINEW_KERNEL_REF, 0).bytes, in_place);
   EXPECT_LE(in_place, automatic);
   EXPECT_LE(automatic - in_place, size_t{2} * 93808) << "about the size of the model";
+}
+
+// Of a character whose network is what needs most.
+size_t bytes_of_many(const sinew_model* model) {
+  size_t bytes = 0;
+  EXPECT_EQ(sinew_bind_workspace_size(model, 10000, 20000, 60000, 60, nullptr, &bytes), SINEW_OK);
+  return bytes;
+}
+
+TEST(KernelOption, ARearrangedModelNeedsAsMuchLessAsReadingInPlace) {
+  EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(rearranged_model()),
+            sinew_model_rearranged_size(bundled_model()));
+  const Bound bound = bind_star(SINEW_KERNEL_AUTO, 0, rearranged_model());
+  EXPECT_EQ(bound.used, bound.bytes);
+  // What is asked for is what is written, and binds read it alone.
+  const size_t bytes = sinew_model_rearranged_size(bundled_model());
+  EXPECT_GT(bytes, size_t{2} * bundled_model()->parameter_count);
+  EXPECT_LE(bytes, size_t{2} * 93808);
+  sinew::Workspace memory(bytes + 64);
+  uint8_t* const first = static_cast<uint8_t*>(memory.data());
+  std::fill_n(first, bytes + 64, uint8_t{0xA5});
+  sinew_model model = *bundled_model();
+  ASSERT_EQ(sinew_model_rearrange(&model, first, bytes), SINEW_OK);
+  EXPECT_TRUE(std::all_of(first + bytes, first + bytes + 64, [](uint8_t b) { return b == 0xA5; }));
+  const std::vector<uint8_t> before(first, first + bytes);
+  EXPECT_EQ(bind_star(SINEW_KERNEL_AUTO, 0, &model).weights, bound.weights);
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), first));
+}
+
+TEST(KernelOption, RearrangingRefusesWhatDoesNotFit) {
+  const size_t bytes = sinew_model_rearranged_size(bundled_model());
+  sinew::Workspace memory(bytes + 64);
+  sinew_model model = *bundled_model(), empty = {};
+  EXPECT_EQ(sinew_model_rearrange(&model, memory.data(), bytes - 1), SINEW_ERROR_WORKSPACE);
+  EXPECT_EQ(sinew_model_rearrange(&model, static_cast<uint8_t*>(memory.data()) + 8, bytes), SINEW_ERROR_WORKSPACE);
+  EXPECT_EQ(sinew_model_rearrange(&model, nullptr, bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_model_rearrange(nullptr, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_model_rearrange(&empty, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(model.rearranged, nullptr);
+  EXPECT_EQ(sinew_model_rearranged_size(&empty), size_t{0});
+  EXPECT_EQ(sinew_model_rearranged_size(nullptr), size_t{0});
 }
 
 TEST(KernelOption, UnknownValuesAreRefused) {

@@ -89,7 +89,8 @@ Fit fit(const Prepared& p, Vec3i at, uint32_t joint) {
     const double length2 = static_cast<double>(dot(d, d));
     const double t = length2 == 0 ? 0 : std::fmin(1, std::fmax(0, static_cast<double>(dot(to, d)) / length2));
     const double distance = std::hypot(to.x - t * d.x, to.y - t * d.y, to.z - t * d.z);
-    if (distance < best.distance) best = {distance, t, 0, std::sqrt(length2), length2 == 0 ? 0 : d.y / std::sqrt(length2)};
+    if (distance < best.distance)
+      best = {distance, t, 0, std::sqrt(length2), length2 == 0 ? 0 : d.y / std::sqrt(length2)};
   }
   return best;
 }
@@ -107,7 +108,8 @@ TEST(Features, PairsKnowTheirBones) {
       }
     }
     ASSERT_NEAR(f[kPair_bone_distance] * kStep, q13(2 * own.distance / kSide), 2 * kStep);
-    ASSERT_NEAR(f[kPair_bone_ratio] * kStep, q13(std::log2((own.distance + kSofter) / (nearest + kSofter)) / 4), 2 * kStep);
+    ASSERT_NEAR(f[kPair_bone_ratio] * kStep, q13(std::log2((own.distance + kSofter) / (nearest + kSofter)) / 4),
+                2 * kStep);
     ASSERT_NEAR(f[kPair_bone_length] * kStep, q13(4 * own.length / kSide), kStep);
     ASSERT_NEAR(f[kPair_bone_position] * kStep, own.along, 2 * kStep);
     ASSERT_NEAR(f[kPair_bone_up] * kStep, own.up, kStep);

@@ -3,7 +3,8 @@
  * This C99 header is the whole public interface of the engine. Every function is reentrant: there are no globals.
  *
  * Way of a call:
- *   1. sinew_model_open()           checks every byte of a model file in place (skip it for SINEW_METHOD_HEAT)
+ *   1. sinew_model_open()           checks every byte of a model file in place (skip it for SINEW_METHOD_HEAT);
+ *      sinew_model_rearrange()      on demand, makes its weights ready for this kind of processor once for many binds
  *   2. sinew_bind_workspace_size()  says how many bytes sinew_bind() needs
  *   3. sinew_bind()                 predicts; rows of weights sum exactly
  *   4. sinew_skin_linear() / sinew_skin_dual_quaternion() pose the mesh with the result
@@ -74,12 +75,22 @@ typedef struct sinew_model {
   uint32_t checksum;
   uint32_t confidence_offset; /* of its confidence table in bytes; 0 = it has none */
   uint32_t confidence_count;  /* entries of the table */
+  const void* rearranged;     /* its weights as vector kernels read them, by sinew_model_rearrange(); null = nowhere */
 } sinew_model;
 
 /* Checks magic, version, checksum, sizes, shapes, shifts and accumulator proofs, then fills *model.
  *   bytes   in   the whole file, 8-byte aligned; read-only memory is fine; used in place, never copied
  * Returns SINEW_OK or one of SINEW_ERROR_MODEL_*; *model is untouched on failure. */
 sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
+
+/* On demand: rearranges an opened model's weights for vector kernels, once. Otherwise every bind does it anew, in its
+ * workspace, which is smaller by as much with a rearranged model.
+ *   memory        out, 64-byte aligned; belongs to the caller, who keeps it for as long as the model is used. Binds
+ * only read it, on as many threads as they like memory_bytes  at least sinew_model_rearranged_size(): about the model's
+ * size; 0 in builds whose kernels all read the model's own bytes (SINEW_SMALL_CODE), where this does nothing Returns
+ * SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_WORKSPACE; nothing is written on failure. */
+size_t sinew_model_rearranged_size(const sinew_model* model);
+sinew_status sinew_model_rearrange(sinew_model* model, void* memory, size_t memory_bytes);
 
 /* A polygon mesh, borrowed. Any topology is legal. face_count may be 0. */
 typedef struct sinew_mesh {
@@ -181,8 +192,8 @@ typedef struct sinew_options {
    * found and symmetric did nothing. Or null. */
   uint32_t* symmetric_vertices;
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
-  uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being rearranged in the
-                              * workspace. Saves about the model's size, for small devices; slower where kernels want
+  uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being rearranged.
+                              * Saves about the model's size, for small devices; slower where kernels want
                               * them rearranged. Given to sinew_bind_workspace_size() too */
   /* How the caller lends its threads, or null: everything runs on the calling thread. The progress callback is called
    * there in any case, between two calls of parallel_for. The result does not depend on either. */
@@ -198,7 +209,7 @@ typedef struct sinew_options {
 
 /* Bytes sinew_bind() needs for meshes of at most these counts that have no more than corner_count - 2 face_count
  * triangles once polygons are cut. A pure function of its arguments: the same on every host.
- *   model  may be null for SINEW_METHOD_HEAT
+ *   model  may be null for SINEW_METHOD_HEAT; less is needed with a rearranged one
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT; *size_bytes is 0 on failure. */
 sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
                                        uint32_t corner_count, uint32_t joint_count, const sinew_options* options,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A linear layer's parameters as the vector kernels read them: made once per network run from the model's bytes, in
-// the caller's workspace. The same bytes for every instruction set, so that the workspace is the same on every host.
+// A linear layer's parameters as the vector kernels read them: made from the model's bytes, in memory that the caller
+// gave for the model or, per network run, in the workspace. The same bytes for every instruction set, so that the
+// workspace is the same on every host.
 #ifndef SINEW_KERNELS_PACKED_HPP
 #define SINEW_KERNELS_PACKED_HPP
 

@@ -279,6 +279,7 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   model->checksum = load_u32(bytes + kHeaderChecksum);
   model->confidence_offset = has_confidence ? static_cast<uint32_t>(offset + kConfidenceHeader) : 0;
   model->confidence_count = has_confidence ? load_u32(bytes + offset + 8) : 0;
+  model->rearranged = nullptr;
   return SINEW_OK;
 }
 

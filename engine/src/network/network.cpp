@@ -147,22 +147,45 @@ SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const
   return columns;
 }
 
-// Where each linear layer's rearranged parameters are; null = nowhere.
+// Where each linear layer's rearranged parameters lie behind the first one's. Returns the bytes of all.
+uint64_t rearranged_offsets(const NetworkPlan& plan, const ModelTables& tables, size_t* offsets) {
+  uint64_t bytes = 0;
+  for (uint32_t i = 0; i < plan.layer_count; ++i) {
+    offsets[i] = checked(bytes);
+    if (plan.layers[i].kind != LayerKind::kLinear) continue;
+    const LinearRecord record = tables.linear(plan.layers[i].parameters);
+    bytes += packed_linear_bytes(record.in, record.out, record.block);
+  }
+  return bytes;
+}
+
+void rearrange_layers(const NetworkPlan& plan, const ModelTables& tables, const size_t* offsets, uint8_t* memory) {
+  for (uint32_t i = 0; i < plan.layer_count; ++i) {
+    if (plan.layers[i].kind == LayerKind::kLinear)
+      pack_linear(make_linear_view(tables, plan.layers[i]), memory + offsets[i]);
+  }
+}
+
+// The linear layers' rearranged parameters: the model's, or made in the workspace.
 struct PackedLayers {
-  uint8_t* memory[kMaxLayers];
+  const uint8_t* memory = nullptr;  // null = nowhere
+  size_t offsets[kMaxLayers];
+  uint8_t* own = nullptr;            // `memory` where it is still to be filled
   bool has_shared = false;           // some layer has shared columns
   SharedColumns* columns = nullptr;  // [layers]
   int32_t* starts = nullptr;         // [lanes x tile x outputs] sums of columns that a vertex' slots share
   uint32_t outputs = 0;              // of the widest layer that has them
   RowsRead rows_read[kMaxLayers];
 
-  bool allocate(const NetworkPlan& plan, const ModelTables& tables, const NetworkOptions& options, uint32_t lanes,
-                Arena& arena) {
+  bool allocate(const sinew_model& model, const NetworkPlan& plan, const ModelTables& tables,
+                const NetworkOptions& options, uint32_t lanes, Arena& arena) {
+    if (!wants_packed(options)) return true;
+    const uint64_t bytes = rearranged_offsets(plan, tables, offsets);
+    memory = static_cast<const uint8_t*>(model.rearranged);
+    if (memory == nullptr) memory = own = arena.alloc<uint8_t>(checked(bytes));
     for (uint32_t i = 0; i < plan.layer_count; ++i) {
-      memory[i] = nullptr;
-      if (plan.layers[i].kind != LayerKind::kLinear || !wants_packed(options)) continue;
+      if (plan.layers[i].kind != LayerKind::kLinear) continue;
       const LinearRecord record = tables.linear(plan.layers[i].parameters);
-      memory[i] = arena.alloc<uint8_t>(checked(packed_linear_bytes(record.in, record.out, record.block)));
       const SharedColumns shared = find_shared_columns(plan, i, record);
       has_shared = has_shared || shared.any();
       if (shared.shared_count > 0 && padded_outputs(record.out) > outputs) outputs = padded_outputs(record.out);
@@ -173,14 +196,21 @@ struct PackedLayers {
   }
   // Leaves the memory unused where no kernel wants it.
   void fill(const NetworkPlan& plan, const ModelTables& tables, bool wanted) {
-    for (uint32_t i = 0; i < plan.layer_count; ++i) {
-      if (!wanted) memory[i] = nullptr;
-      if (memory[i] == nullptr) continue;
-      pack_linear(make_linear_view(tables, plan.layers[i]), memory[i]);
-      if (has_shared) columns[i] = find_shared_columns(plan, i, tables.linear(plan.layers[i].parameters));
+    if (!wanted) memory = nullptr;
+    has_shared = has_shared && wanted;
+    if (memory == nullptr) return;
+    if (own != nullptr) rearrange_layers(plan, tables, offsets, own);
+    for (uint32_t i = 0; i < plan.layer_count && has_shared; ++i) {
+      if (plan.layers[i].kind == LayerKind::kLinear)
+        columns[i] = find_shared_columns(plan, i, tables.linear(plan.layers[i].parameters));
     }
     for (uint32_t i = 0; i < plan.layer_count; ++i) rows_read[i] = find_rows_read(plan, i);
   }
+  PackedLinear view(const LinearView& linear, uint32_t index) const {
+    return packed_view(linear, memory + offsets[index]);
+  }
+
+ private:
   RowsRead find_rows_read(const NetworkPlan& plan, uint32_t index) const {
     const Layer& layer = plan.layers[index];
     if (plan.stored[index] || plan.buffers[layer.out.buffer].domain != Domain::kPair) return RowsRead::kAll;
@@ -189,9 +219,7 @@ struct PackedLayers {
       const Layer& reader = plan.layers[i];
       if ((reader.flags & kLayerResidual) != 0 && regions_overlap(reader.residual, layer.out)) return RowsRead::kAll;
       if (!regions_overlap(reader.in, layer.out) || table_of_maximum(plan, i) == static_cast<int>(index)) continue;
-      if (reader.kind != LayerKind::kLinear || memory[i] == nullptr || !has_shared || !columns[i].any()) {
-        return RowsRead::kAll;
-      }
+      if (reader.kind != LayerKind::kLinear || !has_shared || !columns[i].any()) return RowsRead::kAll;
       if (columns[i].by_joint.count > 0 && columns[i].part_mean == index) continue;
       if (!same_in_all_slots(layer.kind)) return RowsRead::kAll;
       rows = RowsRead::kFirstOfVertex;
@@ -369,11 +397,12 @@ void multiply_part_means(const Run& run, uint32_t stage, const uint32_t* vertice
     }
   }
   for (uint32_t i = 0; i < run.plan.layer_count; ++i) {
-    if (run.plan.stage[i] != stage || run.packed.memory[i] == nullptr || run.packed.columns[i].by_joint.count == 0)
+    if (run.plan.stage[i] != stage || run.plan.layers[i].kind != LayerKind::kLinear ||
+        run.packed.columns[i].by_joint.count == 0)
       continue;
     const SharedColumns& columns = run.packed.columns[i];
     LinearView linear = make_linear_view(run.tables, run.plan.layers[i]);
-    linear.packed = packed_view(linear, run.packed.memory[i]);
+    linear.packed = run.packed.view(linear, i);
     linear.packed.bias = nullptr;
     linear.packed.weights += static_cast<size_t>(columns.by_joint.first) * kPackOutputs;
     linear.packed.ranges[0] = {0, columns.by_joint.count};
@@ -431,8 +460,8 @@ void run_linear(const Tile& tile, uint32_t index) {
   const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
   const RowsView residual = (layer.flags & kLayerResidual) != 0 ? tile_rows(tile, layer.residual) : RowsView();
   LinearView linear = make_linear_view(run.tables, layer);
-  if (kHasPackedWeights && run.packed.memory[index] != nullptr) {
-    linear.packed = packed_view(linear, run.packed.memory[index]);
+  if (kHasPackedWeights && run.packed.memory != nullptr) {
+    linear.packed = run.packed.view(linear, index);
     if (tile.shared && run.packed.columns[index].any()) add_shared_columns(tile, index, &linear);
   }
   run.kernels.linear(linear, tile_rows(tile, layer.in), residual, pair ? tile.joints() : nullptr,
@@ -730,6 +759,24 @@ class StageWalk {
 
 }  // namespace
 
+size_t rearranged_bytes(const sinew_model& model) {
+  if (!kHasPackedWeights) return 0;
+  NetworkPlan plan;
+  make_plan(model, model.candidate_count, &plan);
+  size_t offsets[kMaxLayers];
+  return checked(rearranged_offsets(plan, ModelTables(model.bytes), offsets));
+}
+
+void rearrange_model(const sinew_model& model, uint8_t* memory) {
+  if (!kHasPackedWeights) return;
+  NetworkPlan plan;
+  make_plan(model, model.candidate_count, &plan);
+  const ModelTables tables(model.bytes);
+  size_t offsets[kMaxLayers];
+  (void)rearranged_offsets(plan, tables, offsets);
+  rearrange_layers(plan, tables, offsets, memory);
+}
+
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
                          int16_t* logits, const NetworkOptions& options) {
   Kernels kernels;
@@ -741,7 +788,7 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
   const size_t start = arena.mark();
   PackedLayers packed;
   const Sizes sizes = {input.vertex_count, input.joint_count, options.tile_vertices, input.threads.lane_count()};
-  if (kHasPackedWeights) (void)packed.allocate(plan, tables, options, sizes.lanes, arena);
+  if (kHasPackedWeights) (void)packed.allocate(model, plan, tables, options, sizes.lanes, arena);
   Run run = {plan, input, tables, kernels, packed, sizes, nullptr, logits, {}};
   run.storage = allocate_storage(plan, run.sizes, arena);
   sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;
@@ -765,7 +812,7 @@ void measure_run_network(Arena& arena, const sinew_model& model, const Counts& c
   const Sizes sizes = {counts.vertices, counts.joints, options.tile_vertices, counts.threads.lane_count()};
   const size_t start = arena.mark();
   PackedLayers packed;
-  if (kHasPackedWeights) (void)packed.allocate(plan, ModelTables(model.bytes), options, sizes.lanes, arena);
+  if (kHasPackedWeights) (void)packed.allocate(model, plan, ModelTables(model.bytes), options, sizes.lanes, arena);
   allocate_storage(plan, sizes, arena);
   for (uint32_t stage = 0; stage < plan.stage_count; ++stage) {
     StageScratch scratch;
