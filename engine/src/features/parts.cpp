@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Component boxes, boundaries and hosts. Hosts are found with an implicit box tree over the Morton-ordered vertices
-// that skips subtrees holding no larger component.
+// Component boxes, boundaries and hosts. Hosts are found with an implicit box tree over the vertices in the order of
+// components, Morton order inside each: what may be a host of a part comes before it.
 #include "features/parts.hpp"
 
 #include <string.h>
@@ -8,12 +8,19 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kLeafVertices = 8;
-constexpr int32_t kFar = 1 << 24;  // beyond every clamped coordinate
+constexpr uint32_t kLeafVertices = 16;
+constexpr uint32_t kGroupVertices = 8;  // of a part, that look for their hosts together
+constexpr int32_t kFar = 1 << 24;       // beyond every clamped coordinate
+constexpr int kVertexBits = 22;
+static_assert(SINEW_MAX_VERTICES <= 1u << kVertexBits, "below the 42 bits of a squared distance on the grid");
 
 struct Box {
   Vec3i lo, hi;
-  uint32_t first_component;  // smallest component id inside
+};
+constexpr Box kNothing = {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+
+struct Leaf {
+  int32_t x[kLeafVertices], y[kLeafVertices], z[kLeafVertices];
 };
 
 uint32_t leaf_count(uint32_t vertices) {
@@ -23,11 +30,13 @@ uint32_t leaf_count(uint32_t vertices) {
 }
 
 struct Scratch {
-  Box* nodes = nullptr;              // [2 x leaves] heap order, root = 1
+  Box* nodes = nullptr;              // [2 x leaf_count] heap order, root = 1
+  Leaf* leaves = nullptr;            // [U / kLeafVertices, rounded up]
   uint32_t* triangles_at = nullptr;  // [U] triangles around a vertex
 
   bool allocate(Arena& arena, const Counts& counts) {
     nodes = arena.alloc<Box>(static_cast<size_t>(2) * leaf_count(counts.vertices));
+    leaves = arena.alloc<Leaf>(counts.vertices / kLeafVertices + 1);
     triangles_at = arena.alloc<uint32_t>(counts.vertices);
     return arena.ok();
   }
@@ -42,70 +51,133 @@ void grow(Vec3i p, Vec3i* lo, Vec3i* hi) {
   hi->z = p.z > hi->z ? p.z : hi->z;
 }
 
-int64_t gap(int32_t p, int32_t lo, int32_t hi) { return p < lo ? lo - p : p > hi ? p - hi : 0; }
-
-int64_t squared_distance(Vec3i p, const Box& box) {
-  const int64_t x = gap(p.x, box.lo.x, box.hi.x), y = gap(p.y, box.lo.y, box.hi.y), z = gap(p.z, box.lo.z, box.hi.z);
-  return x * x + y * y + z * z;
+uint64_t gap(int32_t lo, int32_t hi, int32_t other_lo, int32_t other_hi) {
+  const int32_t under = lo - other_hi, over = other_lo - hi;
+  const int32_t larger = under > over ? under : over;
+  return larger > 0 ? static_cast<uint32_t>(larger) : 0;
 }
 
-void build_tree(const Mesh& mesh, uint32_t leaves, Box* nodes) {
-  for (uint32_t leaf = 0; leaf < leaves; ++leaf) {
-    Box box{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}, kNoVertex};
-    for (uint32_t v = leaf * kLeafVertices; v < (leaf + 1) * kLeafVertices && v < mesh.welded_count; ++v) {
-      grow(mesh.positions[v], &box.lo, &box.hi);
-      if (mesh.component[v] < box.first_component) box.first_component = mesh.component[v];
-    }
-    nodes[leaves + leaf] = box;
-  }
-  for (uint32_t n = leaves - 1; n >= 1; --n) {
-    const Box &a = nodes[2 * n], &b = nodes[2 * n + 1];
-    Box box = a;
-    grow(b.lo, &box.lo, &box.hi);
-    grow(b.hi, &box.lo, &box.hi);
-    if (b.first_component < box.first_component) box.first_component = b.first_component;
-    nodes[n] = box;
-  }
+uint64_t squared_difference(int32_t a, int32_t b) {
+  const uint64_t d = static_cast<uint32_t>(a > b ? a - b : b - a);
+  return d * d;
 }
 
-// Nearest vertex of a component with a smaller id than `component`. `guess` is such a vertex, or kNoVertex; it changes
-// the time, never the answer.
-void find_host(const Mesh& mesh, const Box* nodes, uint32_t leaves, uint32_t vertex, uint32_t guess, uint32_t* host,
-               uint32_t* distance) {
-  const Vec3i p = mesh.positions[vertex];
-  const uint32_t component = mesh.component[vertex];
-  int64_t best = INT64_MAX;
-  uint32_t best_vertex = guess;
-  if (guess != kNoVertex) {
-    const Vec3i d = mesh.positions[guess] - p;
-    best = dot(d, d);
-  }
-  uint32_t stack[64];
-  int top = 0;
-  stack[top++] = 1;
-  while (top > 0) {
-    const uint32_t n = stack[--top];
-    if (nodes[n].first_component >= component || squared_distance(p, nodes[n]) > best) continue;
-    if (n < leaves) {
-      const bool left_first = squared_distance(p, nodes[2 * n]) <= squared_distance(p, nodes[2 * n + 1]);
-      stack[top++] = left_first ? 2 * n + 1 : 2 * n;
-      stack[top++] = left_first ? 2 * n : 2 * n + 1;
-      continue;
+// Finds hosts by keys, squared distance << kVertexBits | vertex: the smallest is the nearest, ties the lower index.
+class HostFinder {
+ public:
+  HostFinder(const Mesh& mesh, const Scratch& scratch) : mesh_(mesh), nodes_(scratch.nodes), leaves_(scratch.leaves) {}
+
+  // The tree over the first `count` vertices in the order of components.
+  void build(uint32_t count) {
+    first_leaf_ = leaf_count(count);
+    for (uint32_t leaf = 0; leaf < first_leaf_; ++leaf) {
+      Box& box = nodes_[first_leaf_ + leaf];
+      box = kNothing;
+      const uint32_t first = leaf * kLeafVertices;
+      for (uint32_t i = 0; i < kLeafVertices && first < count; ++i) {
+        const uint32_t at =
+            first + i < count ? first + i : count - 1;  // the last leaf is filled up with the last vertex
+        const Vec3i p = mesh_.positions[mesh_.component_vertices[at]];
+        grow(p, &box.lo, &box.hi);
+        leaves_[leaf].x[i] = p.x;
+        leaves_[leaf].y[i] = p.y;
+        leaves_[leaf].z[i] = p.z;
+      }
     }
-    const uint32_t first = (n - leaves) * kLeafVertices;
-    for (uint32_t v = first; v < first + kLeafVertices && v < mesh.welded_count; ++v) {
-      if (mesh.component[v] >= component) continue;
-      const Vec3i d = mesh.positions[v] - p;
-      const int64_t d2 = dot(d, d);
-      if (d2 < best || (d2 == best && v < best_vertex)) {
-        best = d2;
-        best_vertex = v;
+    for (uint32_t n = first_leaf_ - 1; n >= 1; --n) {
+      nodes_[n] = nodes_[2 * n];
+      grow(nodes_[2 * n + 1].lo, &nodes_[n].lo, &nodes_[n].hi);
+      grow(nodes_[2 * n + 1].hi, &nodes_[n].lo, &nodes_[n].hi);
+    }
+  }
+
+  // Hosts of `count` vertices among the first `limit` in the order of components. `guess` is one of those; it changes
+  // the time, never the answer.
+  void find(const uint32_t* vertices, uint32_t count, uint32_t limit, uint32_t guess, Parts* parts) {
+    Box around = kNothing;
+    for (uint32_t m = 0; m < count; ++m) {
+      at_[m] = mesh_.positions[vertices[m]];
+      grow(at_[m], &around.lo, &around.hi);
+      const Vec3i d = at_[m] - mesh_.positions[guess];
+      best_[m] = static_cast<uint64_t>(dot(d, d)) << kVertexBits | guess;
+    }
+    struct Entry {
+      uint64_t apart;
+      uint32_t node;
+    };
+    Entry stack[24];  // at most one for each of 19 levels and one more
+    uint32_t depth = 0;
+    uint64_t worst = worst_of(count);
+    stack[depth++] = {0, 1};
+    while (depth > 0) {
+      const Entry entry = stack[--depth];
+      if (entry.apart > worst) continue;
+      if (entry.node >= first_leaf_) {
+        look_into(entry.node - first_leaf_, count, limit);
+        worst = worst_of(count);
+        continue;
+      }
+      Entry sooner = {apart(nodes_[2 * entry.node], around), 2 * entry.node};
+      if (first_vertex(2 * entry.node + 1) < limit) {
+        Entry later = {apart(nodes_[2 * entry.node + 1], around), 2 * entry.node + 1};
+        if (later.apart < sooner.apart) {
+          const Entry t = sooner;
+          sooner = later;
+          later = t;
+        }
+        if (later.apart <= worst) stack[depth++] = later;
+      }
+      stack[depth++] = sooner;
+    }
+    for (uint32_t m = 0; m < count; ++m) {
+      parts->host_vertex[vertices[m]] = static_cast<uint32_t>(best_[m] & ((1u << kVertexBits) - 1));
+      parts->host_distance[vertices[m]] = isqrt64(best_[m] >> kVertexBits);
+    }
+  }
+
+ private:
+  // No key of a vertex in one box for a vertex in the other is smaller. Not for empty boxes.
+  static uint64_t apart(const Box& a, const Box& b) {
+    const uint64_t x = gap(a.lo.x, a.hi.x, b.lo.x, b.hi.x), y = gap(a.lo.y, a.hi.y, b.lo.y, b.hi.y),
+                   z = gap(a.lo.z, a.hi.z, b.lo.z, b.hi.z);
+    return (x * x + y * y + z * z) << kVertexBits;
+  }
+  // The first of the vertices under a node, in the order of components.
+  uint32_t first_vertex(uint32_t node) const {
+    return ((node << (top_bit(first_leaf_) - top_bit(node))) - first_leaf_) * kLeafVertices;
+  }
+  uint64_t worst_of(uint32_t count) const {
+    uint64_t worst = 0;
+    for (uint32_t m = 0; m < count; ++m) worst = best_[m] > worst ? best_[m] : worst;
+    return worst;
+  }
+
+  void look_into(uint32_t index, uint32_t count, uint32_t limit) {
+    const Leaf& leaf = leaves_[index];
+    const uint32_t* const vertices = mesh_.component_vertices + static_cast<size_t>(index) * kLeafVertices;
+    const uint32_t rest = limit - index * kLeafVertices, used = rest < kLeafVertices ? rest : kLeafVertices;
+    for (uint32_t m = 0; m < count; ++m) {
+      const Vec3i p = at_[m];
+      if (apart(nodes_[first_leaf_ + index], {p, p}) > best_[m]) continue;
+      uint64_t distance2[kLeafVertices];
+      for (uint32_t i = 0; i < kLeafVertices; ++i) {
+        distance2[i] = squared_difference(p.x, leaf.x[i]) + squared_difference(p.y, leaf.y[i]) +
+                       squared_difference(p.z, leaf.z[i]);
+      }
+      for (uint32_t i = 0; i < used; ++i) {
+        const uint64_t key = distance2[i] << kVertexBits | vertices[i];
+        best_[m] = key < best_[m] ? key : best_[m];
       }
     }
   }
-  *host = best_vertex;
-  *distance = best_vertex == kNoVertex ? 0 : isqrt64(static_cast<uint64_t>(best));
-}
+
+  const Mesh& mesh_;
+  Box* const nodes_;
+  Leaf* const leaves_;
+  uint32_t first_leaf_ = 1;
+  Vec3i at_[kGroupVertices];       // the group's vertices
+  uint64_t best_[kGroupVertices];  // and their keys
+};
 
 }  // namespace
 
@@ -146,14 +218,19 @@ sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& 
     parts->boundary_count[c] += scratch.triangles_at[v] != mesh.row_offsets[v + 1] - mesh.row_offsets[v];
   }
 
-  const uint32_t leaves = leaf_count(vertices);
-  build_tree(mesh, leaves, scratch.nodes);
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
-    uint32_t guess = kNoVertex;  // the host of the part's vertex before, which is near in Morton order
-    for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i) {
-      const uint32_t v = mesh.component_vertices[i];
-      find_host(mesh, scratch.nodes, leaves, v, guess, &parts->host_vertex[v], &parts->host_distance[v]);
-      guess = parts->host_vertex[v];
+  const uint32_t *const order = mesh.component_vertices, *const offsets = mesh.component_offsets;
+  for (uint32_t i = 0; i < offsets[1]; ++i) {
+    parts->host_vertex[order[i]] = kNoVertex;
+    parts->host_distance[order[i]] = 0;
+  }
+  HostFinder finder(mesh, scratch);
+  if (mesh.component_count > 1) finder.build(offsets[mesh.component_count - 1]);
+  for (uint32_t c = 1; c < mesh.component_count; ++c) {
+    uint32_t guess = order[0];
+    for (uint32_t i = offsets[c]; i < offsets[c + 1]; i += kGroupVertices) {
+      const uint32_t rest = offsets[c + 1] - i, count = rest < kGroupVertices ? rest : kGroupVertices;
+      finder.find(order + i, count, offsets[c], guess, parts);
+      guess = parts->host_vertex[order[i + count - 1]];  // near the next group, which is near in Morton order
     }
   }
   arena.release(mark);
