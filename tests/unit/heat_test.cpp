@@ -124,7 +124,15 @@ TEST(Visibility, FarTargetsUseTheWideWay) {
 }
 
 TEST(Visibility, TreeEqualsBruteForce) {
-  const HeatScene scene = sinew_test::tangle(300, 900, 3, 11);
+  HeatScene scene = sinew_test::tangle(300, 900, 3, 11);
+  for (const uint32_t part : {40u, 70u}) {  // two parts more, in the same place
+    const HeatScene other = sinew_test::tangle(part, 2 * part, 1, part);
+    const uint32_t base = scene.vertex_count();
+    for (size_t i = 0; i < other.positions.size(); i += 3)
+      scene.add_vertex(other.positions[i], other.positions[i + 1], other.positions[i + 2]);
+    for (size_t i = 0; i < other.triangles.size(); i += 3)
+      scene.add_triangle(base + other.triangles[i], base + other.triangles[i + 1], base + other.triangles[i + 2]);
+  }
   const HeatRun run(scene, false);
   ASSERT_EQ(run.status, SINEW_OK);
   Arena measure;
@@ -134,7 +142,8 @@ TEST(Visibility, TreeEqualsBruteForce) {
   tree.allocate(block.arena, run.counts);
   tree.build(run.mesh);
   std::mt19937 random(3);
-  int hidden = 0;
+  int hidden[2] = {};
+  uint32_t kept[2] = {FaceTree::kNoGroup, FaceTree::kNoGroup};  // hints, from one vertex to the next
   for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
     const Vec3i target = run.mesh.positions[random() % run.mesh.welded_count];
     const uint32_t first = tree.component_first[run.mesh.component[v]],
@@ -148,13 +157,16 @@ TEST(Visibility, TreeEqualsBruteForce) {
         brute = brute || crosses_front(run.mesh.positions[v], target, run.mesh.positions[c[0]],
                                        run.mesh.positions[c[1]], run.mesh.positions[c[2]]);
       }
-      uint32_t hint = FaceTree::kNoFace;
+      uint32_t hint = FaceTree::kNoGroup;
       ASSERT_EQ(tree.hidden(run.mesh, v, target, first, last, outside, &hint), brute) << v;
       ASSERT_EQ(tree.hidden(run.mesh, v, target, first, last, outside, &hint), brute) << v;  // with the hint
-      hidden += brute;
+      ASSERT_EQ(tree.hidden(run.mesh, v, target, first, last, outside, &kept[outside]), brute) << v;
+      hidden[outside] += brute;
     }
   }
-  EXPECT_GT(hidden, 20);
+  EXPECT_GT(hidden[0], 20);
+  EXPECT_GT(hidden[1], 20);
+  EXPECT_LT(hidden[1], static_cast<int>(run.mesh.welded_count));
 }
 
 TEST(Laplacian, KnownAngles) {

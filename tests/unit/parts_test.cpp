@@ -28,7 +28,8 @@ void add_sheet(MeshScene* scene, const int* at, int columns, int rows, int acros
   }
   const auto corner = [&](int i, int j) { return first + static_cast<uint32_t>(i * (rows + 1) + j); };
   for (int i = 0; i < columns; ++i) {
-    for (int j = 0; j < rows; ++j) scene->add_face({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+    for (int j = 0; j < rows; ++j)
+      scene->add_face({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
   }
 }
 
@@ -106,7 +107,8 @@ TEST(Parts, ManySmallOnesOnALargeOne) {
   for (int i = 0; i < 300; ++i) {
     const auto real = [&] { return static_cast<float>(random() % 4096) / 100; };
     const float x = real(), y = real(), z = real() / 8 + 0.1f;
-    const uint32_t a = scene.add_vertex(x, y, z), b = scene.add_vertex(x + 0.3f, y, z), c = scene.add_vertex(x, y, z + 1);
+    const uint32_t a = scene.add_vertex(x, y, z), b = scene.add_vertex(x + 0.3f, y, z),
+                   c = scene.add_vertex(x, y, z + 1);
     scene.add_face({a, b, c});
   }
   scene.add_joint(0, 0, 0, -1);

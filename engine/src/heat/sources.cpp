@@ -121,7 +121,7 @@ class SourceFinder {
     const uint32_t component = mesh_.component[vertex];
     first_ = tree_.component_first[component];
     last_ = tree_.component_first[component + 1];
-    own_hint_ = FaceTree::kNoFace;
+    own_hint_ = FaceTree::kNoGroup;
     bound_distances();
     with_cosine();
     soft();
@@ -267,7 +267,7 @@ class SourceFinder {
   uint32_t vertex_ = 0;
   Vec3i position_ = {0, 0, 0};
   uint32_t first_ = 0, last_ = 0;
-  uint32_t own_hint_ = FaceTree::kNoFace, other_hint_ = FaceTree::kNoFace;
+  uint32_t own_hint_ = FaceTree::kNoGroup, other_hint_ = FaceTree::kNoGroup;
   uint32_t last_best_ = 0;
   uint32_t tie_count_ = 0;
   uint32_t tie_bones_[kMaxTies] = {};

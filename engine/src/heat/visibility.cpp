@@ -45,7 +45,7 @@ void grow(BoxGroup* group, uint32_t slot, Vec3i low, Vec3i high) {
 
 // Groups of all levels over this many triangles.
 uint32_t group_count(uint32_t triangles) {
-  uint32_t boxes = (triangles + FaceTree::kLeafFaces - 1) / FaceTree::kLeafFaces, groups = 0;
+  uint32_t boxes = triangles, groups = 0;
   do {
     boxes = (boxes + kBoxesInGroup - 1) / kBoxesInGroup;
     groups += boxes;
@@ -101,7 +101,7 @@ void FaceTree::build(const Mesh& mesh) {
 
   levels = 0;
   if (mesh.triangle_count == 0) return;
-  uint32_t boxes = (mesh.triangle_count + kLeafFaces - 1) / kLeafFaces, next = 0;
+  uint32_t boxes = mesh.triangle_count, next = 0;
   do {
     const uint32_t count = (boxes + kBoxesInGroup - 1) / kBoxesInGroup;
     level_first[levels] = next;
@@ -122,12 +122,9 @@ void FaceTree::build(const Mesh& mesh) {
           }
           continue;
         }
-        for (uint32_t place = box * kLeafFaces; place < mesh.triangle_count && place < (box + 1) * kLeafFaces;
-             ++place) {
-          for (uint32_t k = 0; k < 3; ++k) {
-            const Vec3i p = mesh.positions[mesh.triangles[3 * order[place] + k]];
-            grow(&group, i, p, p);
-          }
+        for (uint32_t k = 0; k < 3; ++k) {
+          const Vec3i p = mesh.positions[mesh.triangles[3 * order[box] + k]];
+          grow(&group, i, p, p);
         }
       }
     }
@@ -142,6 +139,7 @@ bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t 
   const Vec3i start = mesh.positions[vertex];
   const Vec3i along = target - start;
   if (levels == 0 || (along.x == 0 && along.y == 0 && along.z == 0)) return false;
+  if (outside && last - first == mesh.triangle_count) return false;
   const BoxSegment segment = {{start.x + target.x, start.y + target.y, start.z + target.z},
                               {along.x, along.y, along.z},
                               {abs32(along.x), abs32(along.y), abs32(along.z)}};
@@ -152,33 +150,37 @@ bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t 
     if (t[0] == vertex || t[1] == vertex || t[2] == vertex) return false;
     return crosses_front(start, target, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
   };
-  if (*hint != kNoFace && hides(*hint)) return true;
+  const auto group_hides = [&](uint32_t group) {
+    for (uint32_t met = boxes_met(groups[group], segment); met != 0; met &= met - 1) {
+      if (!hides(group * kBoxesInGroup + static_cast<uint32_t>(low_bit(met)))) continue;
+      *hint = group;
+      return true;
+    }
+    return false;
+  };
+  const uint32_t looked_at = *hint;
+  if (looked_at != kNoGroup && group_hides(looked_at)) return true;
 
   struct Entry {
     uint32_t level, group, span;  // span: places under one of the group's boxes
   };
   Entry stack[kMostLevels * kBoxesInGroup];
   uint32_t depth = 0;
-  uint32_t top_span = kLeafFaces;  // below 8 times the triangles
+  uint32_t top_span = 1;  // below 16 times the triangles
   for (uint32_t level = 1; level < levels; ++level) top_span *= kBoxesInGroup;
   stack[depth++] = {levels - 1, 0, top_span};
   while (depth > 0) {
     const Entry entry = stack[--depth];
+    if (entry.level == 0) {
+      if (entry.group != looked_at && group_hides(entry.group)) return true;
+      continue;
+    }
     const BoxGroup& group = groups[level_first[entry.level] + entry.group];
     for (uint32_t met = boxes_met(group, segment); met != 0; met &= met - 1) {
-      const uint32_t i = static_cast<uint32_t>(low_bit(met)), box = entry.group * kBoxesInGroup + i;
-      const uint32_t place_begin = box * entry.span, place_end = place_begin + entry.span;
-      if (outside ? (place_begin >= first && place_end <= last) : (place_end <= first || place_begin >= last)) continue;
-      if (entry.level > 0) {
-        stack[depth++] = {entry.level - 1, box, entry.span / kBoxesInGroup};
-        continue;
-      }
-      for (uint32_t place = place_begin; place < place_end && place < mesh.triangle_count; ++place) {
-        if (hides(place)) {
-          *hint = place;
-          return true;
-        }
-      }
+      const uint32_t box = entry.group * kBoxesInGroup + static_cast<uint32_t>(low_bit(met));
+      const uint32_t begin = box * entry.span, end = begin + entry.span;
+      if (outside ? begin >= first && end <= last : end <= first || begin >= last) continue;
+      stack[depth++] = {entry.level - 1, box, entry.span / kBoxesInGroup};
     }
   }
   return false;

@@ -18,12 +18,12 @@ bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 
 // Triangles grouped by component, inside a component in the mesh's own order (Morton order of their first vertex), so
-// that consecutive triangles are near each other and a tree over runs of them needs no sorting: kLeafFaces triangles
-// share a box, kBoxesInGroup boxes a group, and the box around a group is one of the next level.
+// that consecutive triangles are near each other and a tree over runs of them needs no sorting: a triangle has a box
+// (two in one made fewer groups to look at, but five times the triangles), kBoxesInGroup boxes make a group, and the
+// box around a group is one of the next level.
 struct FaceTree {
-  static constexpr uint32_t kLeafFaces = 2;
-  static constexpr uint32_t kMostLevels = 11;  // 8^11 leaves are more than there can be
-  static constexpr uint32_t kNoFace = 0xFFFFFFFFu;
+  static constexpr uint32_t kMostLevels = 8;  // 16^8 triangles are more than there can be
+  static constexpr uint32_t kNoGroup = 0xFFFFFFFFu;
 
   uint32_t* order = nullptr;            // [T] triangle at each place
   uint32_t* component_first = nullptr;  // [component_count + 1] first place of each component
@@ -35,8 +35,8 @@ struct FaceTree {
   bool allocate(Arena& arena, const Counts& counts);
   void build(const Mesh& mesh);
   // True when a face at a place in [first, last) (outside = false) or at any other place (outside = true), not incident
-  // to `vertex`, is crossed from its front on the way to `target`. *hint is a place to try first and receives the place
-  // of the face that hides (kNoFace to start with); it changes the time, never the answer.
+  // to `vertex`, is crossed from its front on the way to `target`. *hint is a group to try first and receives that of
+  // the face that hides (kNoGroup to start with); it changes the time, never the answer.
   bool hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t first, uint32_t last, bool outside,
               uint32_t* hint) const;
 };
