@@ -268,6 +268,49 @@ TEST(Sources, BonesThatShareTheNearestPointShareTheVertex) {
   EXPECT_EQ(shared, 12);
 }
 
+TEST(Sources, NearestAndNearestVisibleOfManyBones) {
+  const HeatRun run(sinew_test::tangle(400, 220, 60, 5), false);
+  ASSERT_EQ(run.status, SINEW_OK);
+  const Sources sources(run);
+  size_t visible = 0, second = 0, seen_otherwise = 0;
+  for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
+    const Vec3i at = run.mesh.positions[v], normal = run.mesh.normals[v];
+    double smallest = 1e30, cosine = 1e30, seen = 1e30;
+    for (uint32_t j = 0; j < run.counts.joints; ++j) {
+      if (run.skeleton.source[j] == 0) continue;
+      const Vec3i head = run.skeleton.positions[j], along = run.skeleton.bone_tail[j] - head, from = at - head;
+      const double t = static_cast<double>(dot(from, along)) / std::max(1.0, static_cast<double>(dot(along, along)));
+      const double share = std::min(1.0, std::max(0.0, t));
+      const double x = from.x - share * along.x, y = from.y - share * along.y, z = from.z - share * along.z;
+      const double euclid = std::sqrt(x * x + y * y + z * z);
+      const double cos = (x * normal.x + y * normal.y + z * normal.z) / (16384 * std::max(euclid, 1e-3));
+      smallest = std::min(smallest, euclid);
+      cosine = std::min(cosine, euclid / (0.5 * (cos + 1.001)));
+      if (euclid >= seen) continue;
+      const Vec3i target = {at.x - static_cast<int32_t>(std::lround(x)), at.y - static_cast<int32_t>(std::lround(y)),
+                            at.z - static_cast<int32_t>(std::lround(z))};
+      bool hidden = false;
+      for (uint32_t i = 0; i < run.mesh.triangle_count && !hidden; ++i) {
+        const uint32_t* c = run.mesh.triangles + 3 * i;
+        hidden =
+            run.mesh.component[c[0]] == run.mesh.component[v] && c[0] != v && c[1] != v && c[2] != v &&
+            crosses_front(at, target, run.mesh.positions[c[0]], run.mesh.positions[c[1]], run.mesh.positions[c[2]]);
+      }
+      if (!hidden) seen = euclid;
+    }
+    EXPECT_NEAR(static_cast<double>(sources.found.distance[0][v]) / 64, cosine, 2 + cosine / 1000) << v;
+    const double soft = static_cast<double>(sources.found.distance[1][v]) / 64;
+    EXPECT_GT(soft, smallest - 2) << v;
+    if (seen == 1e30) continue;
+    ++visible;
+    second += seen > 1.1 * smallest;
+    seen_otherwise += std::abs(soft - seen) > 2;  // rays along the edge of a triangle
+  }
+  EXPECT_GT(visible, 200u);
+  EXPECT_GT(second, 50u);
+  EXPECT_LT(seen_otherwise, 4u);
+}
+
 TEST(Sources, StrengthFallsWithTheSquareOfTheDistance) {
   const int64_t near = source_pull_q40(1000000, 100000 << kDistanceBits, kFieldRule);
   EXPECT_NEAR(static_cast<double>(near), 4 * 1e6 / 1e10 * std::pow(2.0, 40), 2);

@@ -11,6 +11,8 @@ constexpr int kCosineBits = 26;
 constexpr int64_t kCosineOffset = 67175973;  // 1.001 in Q26
 constexpr int64_t kCosineFloor = 67109;      // 0.001 in Q26: reached when the normal points straight at the bone
 constexpr uint64_t kTried = ~static_cast<uint64_t>(0);
+constexpr uint64_t kAnywhere = kTried - 1;
+constexpr uint32_t kNoBone = 0xFFFFFFFFu;
 
 struct Bone {
   Vec3i head, tail, along;
@@ -26,6 +28,7 @@ struct BoneList {
   // Of the vertex at hand, [J] for every lane: Euclid^2 in Q12, or a lower bound of it until `known` is 1.
   uint64_t* euclid2 = nullptr;
   uint8_t* known = nullptr;
+  uint16_t* near = nullptr;  // [J] for every lane: those that may matter to the vertex, ascending
   uint32_t count = 0;
 
   bool allocate(Arena& arena, const Counts& counts) {
@@ -36,6 +39,7 @@ struct BoneList {
     }
     euclid2 = arena.alloc<uint64_t>(static_cast<size_t>(counts.joints) * counts.threads.lane_count());
     known = arena.alloc<uint8_t>(static_cast<size_t>(counts.joints) * counts.threads.lane_count());
+    near = arena.alloc<uint16_t>(static_cast<size_t>(counts.joints) * counts.threads.lane_count());
     return arena.ok();
   }
   void build(const Skeleton& skeleton) {
@@ -113,6 +117,7 @@ class SourceFinder {
         list_(list),
         euclid2_(list.euclid2 + static_cast<size_t>(list.count) * lane),
         known_(list.known + static_cast<size_t>(list.count) * lane),
+        near_(list.near + static_cast<size_t>(list.count) * lane),
         out_(out) {}
 
   void run(uint32_t vertex) {
@@ -128,20 +133,34 @@ class SourceFinder {
   }
 
  private:
-  static uint32_t gap(int32_t low, int32_t value, int32_t high) {
+  // At most one of both is positive. By masks, which compilers make vector code of.
+  static uint64_t squared_gap(int32_t low, int32_t value, int32_t high) {
     const int32_t under = low - value, over = value - high;
-    const int32_t larger = under > over ? under : over;
-    return larger > 0 ? static_cast<uint32_t>(larger) : 0;
+    const uint32_t gap = static_cast<uint32_t>((under & ~(under >> 31)) | (over & ~(over >> 31)));
+    return uint64_t{gap} * gap;
   }
   // Most bones are so far away that their boxes say enough.
   void bound_distances() {
-    memset(known_, 0, list_.count);
-    for (uint32_t b = 0; b < list_.count; ++b) {
-      const uint64_t x = gap(list_.low[0][b], position_.x, list_.high[0][b]);
-      const uint64_t y = gap(list_.low[1][b], position_.y, list_.high[1][b]);
-      const uint64_t z = gap(list_.low[2][b], position_.z, list_.high[2][b]);
-      euclid2_[b] = (x * x + y * y + z * z) << (2 * kDistanceBits);
+    const Vec3i p = position_;
+    const int32_t *const low_x = list_.low[0], *const low_y = list_.low[1], *const low_z = list_.low[2];
+    const int32_t *const high_x = list_.high[0], *const high_y = list_.high[1], *const high_z = list_.high[2];
+    uint64_t* const euclid2 = euclid2_;
+    for (uint32_t b = 0, count = list_.count; b < count; ++b) {
+      euclid2[b] = (squared_gap(low_x[b], p.x, high_x[b]) + squared_gap(low_y[b], p.y, high_y[b]) +
+                    squared_gap(low_z[b], p.z, high_z[b]))
+                   << (2 * kDistanceBits);
     }
+    memset(known_, 0, list_.count);
+  }
+  // Leaves only those to be looked at that may be within `limit`.
+  void gather(uint64_t limit) {
+    uint32_t count = 0;
+    for (uint32_t b = 0; b < list_.count; ++b) {
+      near_[count] = static_cast<uint16_t>(b);
+      count += euclid2_[b] <= limit;
+    }
+    near_count_ = count;
+    near_limit_ = limit;
   }
   uint64_t euclid2(uint32_t bone) {
     if (known_[bone] == 0) {
@@ -176,7 +195,9 @@ class SourceFinder {
         last_best_ < list_.count ? last_best_ : 0;  // the neighbour's bone prunes most of the others at once
     int64_t smallest = distance_of(best);
     uint64_t limit = reach2(smallest);
-    for (uint32_t b = 0; b < list_.count; ++b) {
+    gather(limit);
+    for (uint32_t i = 0; i < near_count_; ++i) {
+      const uint32_t b = near_[i];
       if (b == best || beyond(b, limit)) continue;
       const int64_t distance = distance_of(b);
       if (distance < smallest || (distance == smallest && b < best)) {
@@ -189,7 +210,8 @@ class SourceFinder {
     uint16_t* ties = out_.ties[0] + static_cast<size_t>(vertex_) * kMaxTies;
     uint8_t parts = 0, merged = 0;
     tie_count_ = 0;
-    for (uint32_t b = 0; b < list_.count && tie_count_ < kMaxTies; ++b) {
+    for (uint32_t i = 0; i < near_count_ && tie_count_ < kMaxTies; ++i) {
+      const uint32_t b = near_[i];
       if (beyond(b, limit) || (b != best && !tied(distance_of(b), smallest))) continue;
       tie_bones_[tie_count_] = b;
       ties[tie_count_] = list_.bones[b].joint;
@@ -213,11 +235,20 @@ class SourceFinder {
     return !hidden_by_own(bone);
   }
 
+  // kNoBone when all were tried.
   uint32_t nearest_untried() {
     for (;;) {
-      uint32_t best = 0;
-      for (uint32_t b = 1; b < list_.count; ++b) {
-        if (euclid2_[b] < euclid2_[best]) best = b;
+      uint64_t least = kTried;
+      uint32_t best = kNoBone;
+      for (uint32_t i = 0; i < near_count_; ++i) {
+        const uint32_t b = near_[i];
+        best = euclid2_[b] < least ? b : best;
+        least = euclid2_[b] < least ? euclid2_[b] : least;
+      }
+      if (least > near_limit_) {
+        if (near_limit_ == kAnywhere) return kNoBone;
+        gather(kAnywhere);
+        continue;
       }
       if (known_[best] != 0) return best;
       (void)euclid2(best);  // a bound was the smallest: it may not stay so
@@ -233,19 +264,23 @@ class SourceFinder {
     int64_t smallest = euclid_q6(euclid2_[nearest]);
     out_.nearest[1][vertex_] = list_.bones[nearest].joint;
     // Without a visible bone the tied nearest ones stay, masked out, for components that see nothing at all.
-    for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
+    if (reach2(smallest) > near_limit_) gather(kAnywhere);
+    for (uint32_t i = 0; i < near_count_ && count < kMaxTies; ++i) {
+      const uint32_t b = near_[i];
       if (!beyond(b, reach2(smallest)) && tied(euclid_q6(euclid2_[b]), smallest)) ties[count++] = list_.bones[b].joint;
     }
     for (;;) {
       const uint32_t bone = nearest_untried();
-      if (euclid2_[bone] == kTried) break;
+      if (bone == kNoBone) break;
       if (!seen_past_own(bone)) {
         euclid2_[bone] = kTried;
         continue;
       }
       smallest = euclid_q6(euclid2_[bone]);
       count = 0;
-      for (uint32_t b = 0; b < list_.count && count < kMaxTies; ++b) {
+      if (reach2(smallest) > near_limit_) gather(kAnywhere);
+      for (uint32_t i = 0; i < near_count_ && count < kMaxTies; ++i) {
+        const uint32_t b = near_[i];
         if (beyond(b, reach2(smallest)) || !tied(euclid_q6(euclid2_[b]), smallest)) continue;
         if (b != bone && !seen_past_own(b)) continue;
         mask = static_cast<uint8_t>(mask | 1u << count);
@@ -262,7 +297,10 @@ class SourceFinder {
   const FaceTree& tree_;
   const BoneList& list_;
   uint64_t* const euclid2_;
-  uint8_t* const known_;  // [list_.count] the lane's
+  uint8_t* const known_;
+  uint16_t* const near_;  // [list_.count] the lane's
+  uint32_t near_count_ = 0;
+  uint64_t near_limit_ = 0;  // Euclid^2 of every bone that is not among them is larger, or was tried
   HeatSources& out_;
   uint32_t vertex_ = 0;
   Vec3i position_ = {0, 0, 0};
