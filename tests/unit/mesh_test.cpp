@@ -210,11 +210,20 @@ TEST(Mesh, AnglesAgreeWithAtan2) {
     const double angle = M_PI * i / 720;
     for (const double size : {1e3, 1e9, 1e17}) {
       const int64_t y = std::llround(size * std::sin(angle)), x = std::llround(size * std::cos(angle));
-      const double expected = std::atan2(static_cast<double>(y), static_cast<double>(x)) / M_PI;
-      EXPECT_NEAR(sinew::angle_q30(y, x) / 1073741824.0, expected, 6e-8);
+      const int64_t xs[3] = {x, -x, x / 7};
+      int32_t angles[3];
+      sinew::angles_q30(y, xs, angles);
+      for (int k = 0; k < 3; ++k) {
+        const double expected = std::atan2(static_cast<double>(y), static_cast<double>(xs[k])) / M_PI;
+        EXPECT_NEAR(angles[k] / 1073741824.0, expected, 6e-8);
+      }
     }
   }
-  EXPECT_EQ(sinew::angle_q30(0, 0), 0);
+  int32_t angles[3];
+  sinew::angles_q30(0, {0, 1, -1}, angles);
+  EXPECT_EQ(angles[0], 0);
+  EXPECT_NEAR(angles[1], 0, 64);
+  EXPECT_NEAR(angles[2], 1 << 30, 64);
 }
 
 TEST(Mesh, UnitVectorsAreUnitAtEverySize) {

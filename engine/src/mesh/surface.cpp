@@ -13,7 +13,7 @@ constexpr int32_t kAngles[kAngleSteps] = {268435456, 158466703, 83729454, 425023
                                           2670123,   1335082,   667543,   333772,   166886,   83443,    41722,
                                           20861,     10430,     5215,     2608,     1304,     652,      326,
                                           163,       81,        41,       20,       10,       5,        3};
-constexpr int64_t kHalfTurn = 1 << 30;  // pi in the format of angle_q30
+constexpr int64_t kHalfTurn = 1 << 30;  // pi in the format of angles_q30
 
 constexpr uint64_t kAreaCap = static_cast<uint64_t>(1) << 62;
 constexpr int kCurvatureBits = 13;
@@ -43,15 +43,20 @@ void add_triangles(const SurfaceScratch& scratch, Mesh* mesh) {
     const Vec3l normal = corner_cross(*mesh, t);
     const int64_t twice_area = static_cast<int64_t>(length(normal));
     const Vec3i fine = unit_vector(normal, 24);
+    int64_t cosines[3];
+    int32_t angles[3];
+    for (int corner = 0; corner < 3; ++corner) {
+      const Vec3i at = mesh->positions[t[corner]];
+      cosines[corner] = dot(mesh->positions[t[(corner + 1) % 3]] - at, mesh->positions[t[(corner + 2) % 3]] - at);
+    }
+    angles_q30(twice_area, cosines, angles);
     for (int corner = 0; corner < 3; ++corner) {
       const uint32_t v = t[corner];
-      const Vec3i to_next = mesh->positions[t[(corner + 1) % 3]] - mesh->positions[v];
-      const Vec3i to_last = mesh->positions[t[(corner + 2) % 3]] - mesh->positions[v];
       // 2^40.8 at most each: only a vertex of two million side-wide triangles can reach the cap.
       const uint64_t area = mesh->areas[v] + static_cast<uint64_t>(twice_area);
       mesh->areas[v] = area < kAreaCap ? area : kAreaCap;
       scratch.normal_sums[v] += Vec3l{fine.x, fine.y, fine.z};
-      scratch.angle_sums[v] += angle_q30(twice_area, dot(to_next, to_last));
+      scratch.angle_sums[v] += angles[corner];
     }
   }
 }
@@ -97,31 +102,37 @@ void finish_vertex(const SurfaceScratch& scratch, uint32_t v, Mesh* mesh) {
 
 }  // namespace
 
-int32_t angle_q30(int64_t y, int64_t x) {
-  if (x == 0 && y == 0) return 0;
-  // Brings the vector to 60 bits, so that small triangles are measured as finely as large ones.
-  const int lift = 59 - top_bit(static_cast<uint64_t>(y) | static_cast<uint64_t>(abs64(x)));
-  if (lift > 0) {
-    x *= static_cast<int64_t>(1) << lift;
-    y *= static_cast<int64_t>(1) << lift;
-  }
-  int64_t angle = 0;
-  if (x < 0) {  // a quarter turn back brings the vector to the right half plane
-    const int64_t t = x;
-    x = y;
-    y = -t;
-    angle = kHalfTurn / 2;
+void angles_q30(int64_t given_y, const int64_t (&given_x)[3], int32_t (&angles)[3]) {
+  int64_t x[3], y[3], angle[3];
+  for (int k = 0; k < 3; ++k) {
+    // Brings the vector to 60 bits, so that small triangles are measured as finely as large ones.
+    const int lift = 59 - top_bit(static_cast<uint64_t>(given_y) | static_cast<uint64_t>(abs64(given_x[k])));
+    const int64_t factor = static_cast<int64_t>(1) << (lift > 0 ? lift : 0);
+    x[k] = given_x[k] * factor;
+    y[k] = given_y * factor;
+    angle[k] = 0;
+    if (x[k] < 0) {  // a quarter turn back brings the vector to the right half plane
+      const int64_t t = x[k];
+      x[k] = y[k];
+      y[k] = -t;
+      angle[k] = kHalfTurn / 2;
+    }
   }
   // CORDIC in vectoring mode (Volder 1959): turns the vector onto the x axis, its length grows by at most 1.65.
   for (int i = 0; i < kAngleSteps; ++i) {
-    // The sense of the turn is as likely as not: no branch.
-    const int64_t back = y > 0 ? 0 : -1;  // v ^ back - back is v or -v
-    const int64_t shifted_x = x >> i, shifted_y = y >> i;
-    x += (shifted_y ^ back) - back;
-    y -= (shifted_x ^ back) - back;
-    angle += (kAngles[i] ^ back) - back;
+    for (int k = 0; k < 3; ++k) {
+      // The sense of the turn is as likely as not: no branch.
+      const int64_t back = y[k] > 0 ? 0 : -1;  // v ^ back - back is v or -v
+      const int64_t shifted_x = x[k] >> i, shifted_y = y[k] >> i;
+      x[k] += (shifted_y ^ back) - back;
+      y[k] -= (shifted_x ^ back) - back;
+      angle[k] += (kAngles[i] ^ back) - back;
+    }
   }
-  return clamp32(angle, 0, static_cast<int32_t>(kHalfTurn));
+  for (int k = 0; k < 3; ++k) {
+    const bool zero = given_y == 0 && given_x[k] == 0;
+    angles[k] = zero ? 0 : clamp32(angle[k], 0, static_cast<int32_t>(kHalfTurn));
+  }
 }
 
 void measure_surface(const SurfaceScratch& scratch, const Threads& threads, Mesh* mesh) {

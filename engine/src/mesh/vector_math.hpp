@@ -44,8 +44,9 @@ inline Vec3i unit_vector(Vec3l v, int bits) {
           static_cast<int32_t>(round_div(z * one, norm))};
 }
 
-// atan2(y, x) / pi in Q30 for y >= 0, x of any sign, both below 2^60 in size; 0 for (0, 0). Error below 2^-24.
-int32_t angle_q30(int64_t y, int64_t x);
+// atan2(y, x) / pi in Q30 of three x, for y >= 0, x of any sign, both below 2^60 in size; 0 for (0, 0). Error below
+// 2^-24. Three, because each step waits for the one before and leaves the processor room for others.
+void angles_q30(int64_t y, const int64_t (&x)[3], int32_t (&angles)[3]);
 
 }  // namespace sinew
 #endif
