@@ -4,6 +4,7 @@
 #include "deform/skinning.hpp"
 #include "kernels/select.hpp"
 #include "model/reader.hpp"
+#include "network/packed_layers.hpp"
 #include "sinew/sinew.h"
 
 #define SINEW_STRING_(x) #x

@@ -9,6 +9,9 @@
 
 namespace sinew {
 
+// A count that does not fit size_t becomes SIZE_MAX, which no arena grants.
+inline size_t checked(uint64_t count) { return count > SIZE_MAX ? SIZE_MAX : static_cast<size_t>(count); }
+
 class Arena {
  public:
   // A measuring arena: alloc() returns null and counts bytes; used() and high_water() tell the need.

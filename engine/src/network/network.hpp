@@ -37,11 +37,6 @@ struct NetworkOptions {
   uint32_t tile_vertices = kTileVertices;  // >= 1; changes scratch and speed, never the result
 };
 
-// Bytes of the model's weights as vector kernels read them (a multiple of 64; 0 in builds without such kernels), and
-// the weights themselves, for sinew_model::rearranged.
-size_t rearranged_bytes(const sinew_model& model);
-void rearrange_model(const sinew_model& model, uint8_t* memory);
-
 // Runs all layers of an opened model. input.candidate_count may be any K in 1..16, unless the model says
 // fixed_candidates: then it is the model's. logits out [U x K] int16, log2 units Q10,
 // clamped to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. Returns SINEW_OK,
