@@ -153,22 +153,21 @@ inline int64_t mul_shift(int64_t a, int64_t b, int shift) {
 #endif
 }
 
-// log2(1 + i / 128) in Q24, digit by digit, made by the compiler.
+// log2(1 + x) - x for x = i / 128 in Q19, digit by digit, made by the compiler.
 struct LogTable {
-  uint32_t q24[129];
-  constexpr LogTable() : q24() {
+  uint16_t q19[129];
+  constexpr LogTable() : q19() {
     for (uint32_t i = 0; i < 128; ++i) {
       uint64_t m = (static_cast<uint64_t>(128) + i) << 24;  // Q31 in [1, 2)
       uint32_t digits = 0;
-      for (int bit = 0; bit < 25; ++bit) {
+      for (int bit = 0; bit < 20; ++bit) {
         m = (m * m) >> 31;
         const uint32_t one = static_cast<uint32_t>(m >> 32);
         digits = 2 * digits + one;
         m >>= one;
       }
-      q24[i] = (digits + 1) / 2;
+      q19[i] = static_cast<uint16_t>((digits + 1) / 2 - (i << 12));
     }
-    q24[128] = 1u << 24;
   }
 };
 
@@ -177,10 +176,11 @@ struct LogTable {
 inline int32_t log2_q16(uint64_t v) {
   static constexpr LogTable kLogs;
   const int msb = top_bit(v);
-  const uint32_t m = static_cast<uint32_t>(msb > 31 ? v >> (msb - 31) : v << (31 - msb));  // Q31 in [1, 2)
-  const uint32_t piece = (m >> 24) & 127u, along = (m & 0xFFFFFFu) >> 10;                  // along: Q14
-  const uint32_t low = kLogs.q24[piece], rise = kLogs.q24[piece + 1] - low;                // rise: below 2^18
-  return (msb << 16) + static_cast<int32_t>((low + ((rise * along) >> 14) + 128) >> 8);
+  const uint32_t x = static_cast<uint32_t>(msb > 31 ? v >> (msb - 31) : v << (31 - msb)) & 0x7FFFFFFFu;  // Q31
+  const uint16_t* const piece = kLogs.q19 + (x >> 24);
+  const int32_t along = static_cast<int32_t>(x & 0xFFFFFFu) >> 10;  // Q14
+  const int32_t above = piece[0] + (((piece[1] - piece[0]) * along) >> 14);
+  return (msb << 16) + ((static_cast<int32_t>(x >> 12) + above + 4) >> 3);
 }
 
 }  // namespace sinew

@@ -333,8 +333,12 @@ class Builder {
     const HeatField &rule = heat_.field[kFieldRule], &parts = heat_.field[kFieldParts];
     const size_t first = static_cast<size_t>(v) * kHeatSlots;
     rule_.load(rule, v);
-    if (memcmp(rule.joints + first, parts.joints + first, kHeatSlots * sizeof(uint16_t)) == 0 &&
-        memcmp(rule.weights + first, parts.weights + first, kHeatSlots * sizeof(uint16_t)) == 0) {
+    uint32_t other = 0;
+    for (size_t i = first; i < first + kHeatSlots; ++i) {
+      other |= static_cast<uint32_t>(rule.joints[i] ^ parts.joints[i]) |
+               static_cast<uint32_t>(rule.weights[i] ^ parts.weights[i]);
+    }
+    if (other == 0) {
       parts_ = rule_;  // as a rule
     } else {
       parts_.load(parts, v);

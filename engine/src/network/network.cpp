@@ -80,7 +80,7 @@ bool allocate_stage(const NetworkPlan& plan, const ModelTables& tables, const Ne
       scratch->table[i] = arena.alloc<int16_t>(checked(values * sizes.lanes));
       if (values > sums) sums = values;
     }
-    if (layer.kind == LayerKind::kLinear && wants_packed(options)) {
+    if (kHasPackedWeights && layer.kind == LayerKind::kLinear && wants_packed(options)) {
       const LinearRecord record = tables.linear(layer.parameters);
       scratch->joint_sums[i] = checked(joint_sums);
       if (find_shared_columns(plan, i, record).by_joint.count > 0) {
@@ -204,7 +204,7 @@ void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* ve
 // Multiplies the part's means with the columns that read them, for every joint of the part, in place of the tables'
 // scratch.
 void multiply_part_means(const Run& run, uint32_t stage, const uint32_t* vertices, uint32_t count, uint32_t lane) {
-  if (!run.packed.has_shared) return;
+  if (!kHasPackedWeights || !run.packed.has_shared) return;
   const uint32_t k = run.plan.candidates, words = (run.sizes.joints + 31) / 32;
   uint32_t met[SINEW_MAX_JOINTS / 32];
   for (uint32_t word = 0; word < words; ++word) met[word] = 0;
@@ -236,7 +236,7 @@ void multiply_part_means(const Run& run, uint32_t stage, const uint32_t* vertice
 }
 
 RowsRead rows_read(const Tile& tile, uint32_t index) {
-  return tile.shared ? tile.run.packed.rows_read[index] : RowsRead::kAll;
+  return kHasPackedWeights && tile.shared ? tile.run.packed.rows_read[index] : RowsRead::kAll;
 }
 
 // Present slots of a vertex stand before absent ones, wherever candidates come from the engine; a tile where they do
@@ -435,7 +435,7 @@ void run_tile(Tile tile, uint32_t stage) {
     memcpy(run.scratch.joints + (tile.first() + i) * k, run.input.joints + static_cast<size_t>(tile.vertices()[i]) * k,
            k * sizeof(uint16_t));
   }
-  tile.shared = run.packed.has_shared && first_slot_speaks_for_all(tile.joints(), tile.count, k);
+  tile.shared = kHasPackedWeights && run.packed.has_shared && first_slot_speaks_for_all(tile.joints(), tile.count, k);
   for (uint16_t b = 0; b < 2; ++b) {
     if (!run.scratch.load_input[b]) continue;
     load_rows(tile, {b, 0, run.plan.buffers[b].channels}, whole_mesh(run, b, kFromInput, 0));
