@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/build.hpp"
+
 namespace sinew {
 
 // A count that does not fit size_t becomes SIZE_MAX, which no arena grants.
@@ -28,11 +30,7 @@ class Arena {
   // Room for count objects of T, 64-byte aligned, uninitialised. Null when measuring or full: check ok() after a group.
   template <class T>
   T* alloc(size_t count) {
-    if (count > (SIZE_MAX / 4) / sizeof(T)) {
-      ok_ = false;
-      return nullptr;
-    }
-    return static_cast<T*>(static_cast<void*>(take(count * sizeof(T))));
+    return static_cast<T*>(take(count, sizeof(T)));
   }
 
   // Stack discipline: everything allocated after mark() is given back by release().
@@ -40,9 +38,10 @@ class Arena {
   void release(size_t mark) { used_ = mark; }
 
  private:
-  uint8_t* take(size_t bytes) {
-    const size_t rounded = (bytes + 63u) & ~static_cast<size_t>(63u);
-    if (rounded < bytes || used_ + rounded < used_ || (base_ != nullptr && used_ + rounded > size_)) {
+  SINEW_ONCE void* take(size_t count, size_t size) {
+    const bool fits = count <= (SIZE_MAX / 4) / size;
+    const size_t rounded = fits ? (count * size + 63u) & ~static_cast<size_t>(63u) : 0;
+    if (!fits || used_ + rounded < used_ || (base_ != nullptr && used_ + rounded > size_)) {
       ok_ = false;
       return nullptr;
     }

@@ -47,7 +47,7 @@ inline int16_t clamp16(int64_t v, int32_t lo, int32_t hi) { return static_cast<i
 SINEW_ONCE inline int64_t abs64(int64_t v) { return v < 0 ? -v : v; }
 
 // Index of the highest set bit; 0 for 0.
-inline int top_bit(uint64_t v) {
+SINEW_ONCE inline int top_bit(uint64_t v) {
 #if defined(__GNUC__) && \
     (defined(__x86_64__) || defined(__aarch64__) || defined(__wasm__) || defined(__ARM_FEATURE_CLZ))
   return 63 - __builtin_clzll(v | 1);
