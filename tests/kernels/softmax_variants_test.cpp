@@ -56,7 +56,7 @@ class SoftmaxVariant : public testing::TestWithParam<uint32_t> {
     ASSERT_NE(variant_, softmax_s16_ref) << "the variant was not built";
   }
   void compare(const SoftmaxRow& row) {
-    for (const uint32_t smallest : {0u, kOnePercent, 65536u}) {
+    for (const uint32_t smallest : {uint32_t{0}, kOnePercent, uint32_t{65536}}) {
       ASSERT_EQ(row.run(variant_, smallest), row.run(softmax_s16_ref, smallest))
           << "smallest " << smallest << " logits " << testing::PrintToString(row.logits) << " joints "
           << testing::PrintToString(row.joints);
