@@ -10,7 +10,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "sinew_formats/image.hpp"
+#include "sinew_datasets/image.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/binder.hpp"
 #include "style_options.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew dataset: the subcommands together; convert, decimate and synthesize characters.
-#include "sinew_formats/dataset.hpp"
+#include "sinew_datasets/dataset.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -10,8 +10,8 @@
 
 #include "commands.hpp"
 #include "dataset.hpp"
+#include "sinew_datasets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/synthesize.hpp"
 #include "support.hpp"
 
 namespace fs = std::filesystem;

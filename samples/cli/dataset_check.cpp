@@ -11,8 +11,8 @@
 #include <string>
 
 #include "dataset.hpp"
-#include "sinew_formats/dataset.hpp"
-#include "sinew_formats/image.hpp"
+#include "sinew_datasets/dataset.hpp"
+#include "sinew_datasets/image.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

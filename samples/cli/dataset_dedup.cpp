@@ -10,9 +10,9 @@
 #include <string>
 
 #include "dataset.hpp"
-#include "sinew_formats/dedup.hpp"
+#include "sinew_datasets/dedup.hpp"
+#include "sinew_datasets/split.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/split.hpp"
 #include "sinew_trainer/crossval.hpp"
 #include "support.hpp"
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "dataset.hpp"
-#include "sinew_formats/dataset_page.hpp"
-#include "sinew_formats/image.hpp"
+#include "sinew_datasets/dataset_page.hpp"
+#include "sinew_datasets/image.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/recall.hpp"
 #include "support.hpp"

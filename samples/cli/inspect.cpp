@@ -11,8 +11,8 @@
 #include "commands.hpp"
 #include "features/features.hpp"
 #include "model/layers.hpp"
+#include "sinew_datasets/dataset.hpp"
 #include "sinew_formats/checkpoint.hpp"
-#include "sinew_formats/dataset.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

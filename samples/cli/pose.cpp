@@ -9,7 +9,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "sinew_formats/image.hpp"
+#include "sinew_datasets/image.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 

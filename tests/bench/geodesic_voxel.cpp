@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "features/voxels.hpp"
 #include "mesh/mesh.hpp"
 #include "sinew/sinew.hpp"
+#include "voxels/voxels.hpp"
 
 namespace sinew_bench {
 namespace {

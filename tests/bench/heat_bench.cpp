@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "bench_report.hpp"
-#include "heat/laplacian.hpp"
 #include "heat/solver.hpp"
 #include "heat_scene.hpp"
 #include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
+#include "solve/laplacian.hpp"
 
 namespace {
 

@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "expect_error.hpp"
-#include "sinew_formats/dataset.hpp"
+#include "sinew_datasets/dataset.hpp"
+#include "sinew_datasets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/synthesize.hpp"
 #include "sinew_trainer/crossval.hpp"
 #include "temp_folder.hpp"
 

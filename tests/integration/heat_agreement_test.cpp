@@ -15,10 +15,10 @@
 #include <sstream>
 #include <string>
 
-#include "heat/laplacian.hpp"
 #include "heat/sources.hpp"
 #include "heat_scene.hpp"
 #include "shared_data.hpp"
+#include "solve/laplacian.hpp"
 
 namespace {
 

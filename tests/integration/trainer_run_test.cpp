@@ -11,13 +11,13 @@
 #include <fstream>
 #include <map>
 
-#include "augment.hpp"
-#include "loss.hpp"
-#include "sample_cache.hpp"
-#include "sinew_formats/dataset.hpp"
+#include "data/augment.hpp"
+#include "data/sample_cache.hpp"
+#include "run/loss.hpp"
+#include "sinew_datasets/dataset.hpp"
+#include "sinew_datasets/synthesize.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/synthesize.hpp"
 #include "sinew_trainer/train.hpp"
 
 namespace sinew {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "open_bundled_model.hpp"
-#include "sinew_formats/synthesize.hpp"
+#include "sinew_datasets/synthesize.hpp"
 #include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/confidence.hpp"
 

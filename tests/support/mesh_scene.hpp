@@ -11,7 +11,7 @@
 #include <new>
 #include <vector>
 
-#include "features/candidates.hpp"
+#include "candidates/candidates.hpp"
 #include "mesh/mesh.hpp"
 
 namespace sinew_test {

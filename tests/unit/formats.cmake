@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
+# One folder of formats/src, one program.
 if(SINEW_BUILD_FORMATS)
   find_package(nlohmann_json REQUIRED)
-  sinew_test(formats_text_test SOURCES unit/formats_text_test.cpp unit/decimal_test.cpp LIBS sinew::formats LABELS unit)
-  sinew_test(formats_gltf_test SOURCES unit/formats_gltf_test.cpp LIBS sinew::formats nlohmann_json::nlohmann_json LABELS unit)
-  sinew_test(formats_dataset_test SOURCES unit/formats_dataset_test.cpp unit/formats_checkpoint_test.cpp LIBS sinew::formats LABELS unit)
-  sinew_test(label_check_test SOURCES unit/label_check_test.cpp LIBS sinew::formats LABELS unit)
-  sinew_test(dataset_tools_test SOURCES unit/dataset_tools_test.cpp LIBS sinew::formats LABELS unit)
+  foreach(room text gltf pose network)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/formats/${room}/*_test.cpp)
+    sinew_test(unit_formats_${room} SOURCES ${sources} LIBS sinew::formats nlohmann_json::nlohmann_json LABELS unit)
+    target_include_directories(unit_formats_${room} PRIVATE ${CMAKE_SOURCE_DIR}/formats/src)
+  endforeach()
 endif()

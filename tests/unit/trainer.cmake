@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
+# One folder of trainer/src, one program.
 if(TARGET sinew_trainer)
-  foreach(part network loss optimizer)
-    sinew_test(trainer_${part}_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/trainer_${part}_test.cpp LIBS sinew::trainer LABELS unit)
-    target_include_directories(trainer_${part}_test PRIVATE ${CMAKE_SOURCE_DIR}/trainer/src)
+  foreach(room core network run score)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/trainer/${room}/*_test.cpp)
+    sinew_test(unit_trainer_${room} SOURCES ${sources} LIBS sinew::trainer nlohmann_json::nlohmann_json LABELS unit)
+    target_include_directories(unit_trainer_${room} PRIVATE ${CMAKE_SOURCE_DIR}/trainer/src)
   endforeach()
-  sinew_test(team_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/team_test.cpp LIBS sinew::trainer LABELS unit)
-  target_include_directories(team_test PRIVATE ${CMAKE_SOURCE_DIR}/trainer/src)
-  sinew_test(crossval_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/crossval_test.cpp LIBS sinew::trainer LABELS unit)
 endif()

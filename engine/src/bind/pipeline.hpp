@@ -3,7 +3,7 @@
 #ifndef SINEW_BIND_PIPELINE_HPP
 #define SINEW_BIND_PIPELINE_HPP
 
-#include "features/candidates.hpp"
+#include "candidates/candidates.hpp"
 #include "features/features.hpp"
 #include "heat/heat.hpp"
 #include "mesh/mesh.hpp"

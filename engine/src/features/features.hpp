@@ -4,8 +4,8 @@
 #ifndef SINEW_FEATURES_FEATURES_HPP
 #define SINEW_FEATURES_FEATURES_HPP
 
+#include "candidates/candidates.hpp"
 #include "core/build.hpp"
-#include "features/candidates.hpp"
 #include "heat/heat.hpp"
 #include "mesh/mesh.hpp"
 

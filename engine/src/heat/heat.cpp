@@ -2,10 +2,10 @@
 // The heat stage from sources to three sparse fields, and the finishing of a row (stage 4).
 #include "heat/heat.hpp"
 
-#include "heat/laplacian.hpp"
 #include "heat/solver.hpp"
 #include "heat/sources.hpp"
 #include "kernels/select.hpp"
+#include "solve/laplacian.hpp"
 
 namespace sinew {
 namespace {

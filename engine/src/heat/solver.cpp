@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "heat/iterative.hpp"
+#include "solve/iterative.hpp"
 
 namespace sinew {
 namespace {

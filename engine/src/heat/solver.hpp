@@ -3,10 +3,10 @@
 #ifndef SINEW_HEAT_SOLVER_HPP
 #define SINEW_HEAT_SOLVER_HPP
 
-#include "heat/factor.hpp"
-#include "heat/fronts.hpp"
 #include "heat/heat.hpp"
 #include "heat/sources.hpp"
+#include "solve/factor.hpp"
+#include "solve/fronts.hpp"
 
 namespace sinew {
 

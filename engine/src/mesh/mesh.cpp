@@ -3,11 +3,11 @@
 // of the caller's numbering, so renumbered input gives the same mesh.
 #include "mesh/mesh.hpp"
 
+#include "grid/grid_quantizer.hpp"
 #include "mesh/morton.hpp"
-#include "mesh/quantize.hpp"
-#include "mesh/skeleton.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/topology.hpp"
+#include "skeleton/skeleton.hpp"
 
 namespace sinew {
 namespace {

@@ -2,7 +2,7 @@
 // Normals, areas and curvatures of the welded mesh.
 #include "mesh/surface.hpp"
 
-#include "mesh/vector_math.hpp"
+#include "core/vector_math.hpp"
 
 namespace sinew {
 namespace {

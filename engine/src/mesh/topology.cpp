@@ -3,7 +3,7 @@
 // numbering.
 #include "mesh/topology.hpp"
 
-#include "mesh/vector_math.hpp"
+#include "core/vector_math.hpp"
 
 namespace sinew {
 namespace {

@@ -2,7 +2,7 @@
 // Seeds, breadth-first growth and Lloyd rounds over the one-ring.
 #include "reduce/clusters.hpp"
 
-#include "mesh/vector_math.hpp"
+#include "core/vector_math.hpp"
 
 namespace sinew {
 namespace {

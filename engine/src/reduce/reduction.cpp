@@ -2,9 +2,9 @@
 // From clusters to a mesh like any other, and from its triangles back to the full mesh's vertices.
 #include "reduce/reduction.hpp"
 
+#include "core/vector_math.hpp"
 #include "mesh/morton.hpp"
 #include "mesh/topology.hpp"
-#include "mesh/vector_math.hpp"
 #include "reduce/clusters.hpp"
 
 namespace sinew {

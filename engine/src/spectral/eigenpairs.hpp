@@ -4,8 +4,8 @@
 #ifndef SINEW_SPECTRAL_EIGENPAIRS_HPP
 #define SINEW_SPECTRAL_EIGENPAIRS_HPP
 
-#include "heat/factor.hpp"
-#include "heat/ordering.hpp"
+#include "solve/factor.hpp"
+#include "solve/ordering.hpp"
 #include "spectral/operator.hpp"
 #include "spectral/symmetric.hpp"
 

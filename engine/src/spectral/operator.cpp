@@ -4,8 +4,8 @@
 
 #include <string.h>
 
-#include "heat/factor.hpp"
 #include "mesh/edge_index.hpp"
+#include "solve/factor.hpp"
 
 namespace sinew {
 namespace {

@@ -3,8 +3,8 @@
 #ifndef SINEW_SPECTRAL_OPERATOR_HPP
 #define SINEW_SPECTRAL_OPERATOR_HPP
 
-#include "heat/laplacian.hpp"
 #include "mesh/mesh.hpp"
+#include "solve/laplacian.hpp"
 
 namespace sinew {
 

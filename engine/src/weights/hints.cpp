@@ -4,9 +4,9 @@
 
 #include <string.h>
 
-#include "heat/factor.hpp"
-#include "heat/iterative.hpp"
-#include "heat/laplacian.hpp"
+#include "solve/factor.hpp"
+#include "solve/iterative.hpp"
+#include "solve/laplacian.hpp"
 
 namespace sinew {
 namespace {

@@ -26,7 +26,7 @@ struct Influence {
   float weight = 0;
 };
 
-struct GltfSource;  // the parsed input document and the map back to its vertices (formats/src/gltf_source.hpp)
+struct GltfSource;  // the parsed input document and the map back to its vertices (formats/src/gltf/gltf_source.hpp)
 
 // Vertices are what the file calls vertices for OBJ; for glTF they are welded across seams (same position, and same
 // weights where there are any), and `gltf` keeps the map to the file's own.

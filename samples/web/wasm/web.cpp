@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "sinew/sinew.h"
+#include "sinew_datasets/image.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/image.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
 #include "surface.hpp"
@@ -247,11 +247,11 @@ void pose(Session& s, const float* turns, bool dual_quaternion) {
     const float* const turn = turns + 3 * j;
     if (turn[0] != 0 || turn[1] != 0 || turn[2] != 0) list.push_back({j, turn[0], turn[1], turn[2]});
   }
-  const std::vector<Mat34> palette = pose_palette(s.character, list);
+  const std::vector<Affine> palette = pose_palette(s.character, list);
   std::vector<float> matrices;
   s.joint_positions.clear();
   for (size_t j = 0; j < palette.size(); ++j) {
-    const Mat34& m = palette[j];
+    const Affine& m = palette[j];
     const Vec3& p = s.character.joints[j].position;
     for (const double x : m) matrices.push_back(static_cast<float>(x));
     for (size_t row = 0; row < 12; row += 4)

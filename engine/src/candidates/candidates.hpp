@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Stage 3 of a bind: which K joints may influence a vertex. Multi-source label propagation over a voxel grid.
+#ifndef SINEW_CANDIDATES_CANDIDATES_HPP
+#define SINEW_CANDIDATES_CANDIDATES_HPP
+
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+// Result, allocated by the caller before find_candidates(). Distances are chamfer distances (Borgefors 1986, steps
+// 5/7/9) in grid units (2^20 = longest side), so that they do not depend on the grid size.
+struct Candidates {
+  uint32_t k = 0;
+  uint16_t* joints = nullptr;     // [U x K] sorted by (distance, joint); kNoJoint = slot unused (always at the end,
+                                  // distance 0; only where fewer than K joints are usable)
+  uint32_t* distances = nullptr;  // [U x K]
+  // [J] where the joint's bones end for the network's features: bone_tail, but for a leaf with vertices of its own the
+  // found tip: along the mean direction from the joint to the vertices nearest to it, at 85 % of their extent.
+  Vec3i* tips = nullptr;
+  // [J] Q16 share of the surface vertices nearest to the joint (first propagation, K = 1).
+  uint32_t* territory = nullptr;
+
+  bool allocate(Arena& arena, const Counts& counts);
+};
+
+// Runs both propagations. Only usable joints are labels. Cells outside the body are walked too, at four times the cost,
+// so every vertex gets min(K, usable joints) candidates, whether or not its part touches the body. Returns SINEW_OK,
+// SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
+sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
+                             Arena& arena, Candidates* candidates);
+void measure_find_candidates(Arena& arena, const Counts& counts);
+
+}  // namespace sinew
+#endif

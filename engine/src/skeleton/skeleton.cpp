@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Checks the joint hierarchy, orders it and lays the bones of the heat stage.
+#include "skeleton/skeleton.hpp"
+
+#include "core/vector_math.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint16_t kNoDepth = 0xFFFF;
+constexpr int64_t kFloorPercent = 3;  // a root this low stands on the floor
+constexpr uint16_t kFloorRootChildren = 4;
+
+// False when the parents form a cycle. Every joint is walked up to the first joint of known depth, then once more to
+// write.
+bool find_depths(Skeleton* skeleton) {
+  const uint32_t count = skeleton->joint_count;
+  for (uint32_t j = 0; j < count; ++j) skeleton->depth[j] = kNoDepth;
+  for (uint32_t j = 0; j < count; ++j) {
+    uint32_t steps = 0;
+    int32_t at = static_cast<int32_t>(j);
+    while (at >= 0 && skeleton->depth[at] == kNoDepth) {
+      if (++steps > count) return false;
+      at = skeleton->parents[at];
+    }
+    uint32_t depth = (at >= 0 ? skeleton->depth[at] + 1u : 0u) + steps;  // one more than the depth of j
+    for (at = static_cast<int32_t>(j); at >= 0 && skeleton->depth[at] == kNoDepth; at = skeleton->parents[at]) {
+      skeleton->depth[at] = static_cast<uint16_t>(--depth);
+    }
+  }
+  return true;
+}
+
+// Parents before children: by depth, then by index. Counting sort over depths, one pass per depth that occurs.
+void order_joints(Skeleton* skeleton) {
+  uint32_t used = 0;
+  for (uint32_t depth = 0; used < skeleton->joint_count; ++depth) {
+    for (uint32_t j = 0; j < skeleton->joint_count; ++j) {
+      if (skeleton->depth[j] == depth) skeleton->order[used++] = j;
+    }
+  }
+}
+
+bool find_usable(const uint8_t* flags, Skeleton* skeleton) {
+  const uint32_t count = skeleton->joint_count;
+  skeleton->deform_known = false;
+  for (uint32_t j = 0; j < count && flags != nullptr; ++j) {
+    if ((flags[j] & SINEW_JOINT_DEFORMS) != 0) skeleton->deform_known = true;
+  }
+  bool any = false;
+  for (uint32_t j = 0; j < count; ++j) {
+    const uint32_t flag = flags != nullptr ? flags[j] : 0;
+    const bool never = (flag & SINEW_JOINT_NEVER) != 0 || (skeleton->deform_known && (flag & SINEW_JOINT_DEFORMS) == 0);
+    skeleton->usable[j] = never ? 0 : 1;
+    any = any || !never;
+  }
+  return any;
+}
+
+// Longest side of the joints' box.
+int64_t skeleton_size(const Skeleton& skeleton) {
+  Vec3i low = skeleton.positions[0], high = low;
+  for (uint32_t j = 1; j < skeleton.joint_count; ++j) {
+    const Vec3i p = skeleton.positions[j];
+    low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+    high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
+  }
+  const Vec3i side = high - low;
+  return side.x > side.y ? (side.x > side.z ? side.x : side.z) : (side.y > side.z ? side.y : side.z);
+}
+
+// A leaf's bone: half its parent bone on in the same direction, at most a tenth of the skeleton's size.
+Vec3i leaf_tail(const Skeleton& skeleton, uint32_t leaf, int64_t size) {
+  const Vec3i head = skeleton.positions[leaf];
+  if (skeleton.parents[leaf] < 0) return head;
+  const Vec3i along = head - skeleton.positions[skeleton.parents[leaf]];
+  const int64_t bone = static_cast<int64_t>(length(along));
+  if (bone == 0) return head;
+  // The stub is min(bone / 2, size / 10) long; both are compared in twentieths to stay exact.
+  const bool limited = 5 * bone > size;
+  const int64_t numerator = limited ? size : 1;
+  const int64_t denominator = limited ? 10 * bone : 2;
+  return {head.x + static_cast<int32_t>(round_div(along.x * numerator, denominator)),
+          head.y + static_cast<int32_t>(round_div(along.y * numerator, denominator)),
+          head.z + static_cast<int32_t>(round_div(along.z * numerator, denominator))};
+}
+
+// 4095 children of 2^22 units pass 32 bits, so the sum is 64-bit and local. The search stops at the last child; even
+// 4096 joints cost only a few million comparisons.
+Vec3i mean_of_children(const Skeleton& skeleton, uint32_t joint) {
+  Vec3l sum = {0, 0, 0};
+  uint32_t left = skeleton.child_count[joint];
+  for (uint32_t j = 0; left > 0; ++j) {
+    if (skeleton.parents[j] != static_cast<int32_t>(joint)) continue;
+    sum.x += skeleton.positions[j].x;
+    sum.y += skeleton.positions[j].y;
+    sum.z += skeleton.positions[j].z;
+    --left;
+  }
+  const int64_t count = skeleton.child_count[joint];
+  return {static_cast<int32_t>(round_div(sum.x, count)), static_cast<int32_t>(round_div(sum.y, count)),
+          static_cast<int32_t>(round_div(sum.z, count))};
+}
+
+void lay_bones(Skeleton* skeleton) {
+  const uint32_t count = skeleton->joint_count;
+  for (uint32_t j = 0; j < count; ++j) skeleton->child_count[j] = 0;
+  for (uint32_t j = 0; j < count; ++j) {
+    if (skeleton->parents[j] >= 0) ++skeleton->child_count[skeleton->parents[j]];
+  }
+  const int64_t size = skeleton_size(*skeleton);
+  for (uint32_t j = 0; j < count; ++j) {
+    skeleton->bone_tail[j] =
+        skeleton->child_count[j] > 0 ? mean_of_children(*skeleton, j) : leaf_tail(*skeleton, j, size);
+  }
+}
+
+}  // namespace
+
+bool Skeleton::allocate(Arena& arena, const Counts& counts) {
+  const size_t count = counts.joints;
+  positions = arena.alloc<Vec3i>(count);
+  parents = arena.alloc<int32_t>(count);
+  order = arena.alloc<uint32_t>(count);
+  child_count = arena.alloc<uint16_t>(count);
+  depth = arena.alloc<uint16_t>(count);
+  usable = arena.alloc<uint8_t>(count);
+  bone_tail = arena.alloc<Vec3i>(count);
+  source = arena.alloc<uint8_t>(count);
+  return arena.ok();
+}
+
+sinew_status build_skeleton(const sinew_skeleton& input, const Quantizer& quantizer, Skeleton* skeleton) {
+  const uint32_t count = input.joint_count;
+  skeleton->joint_count = count;
+  for (uint32_t j = 0; j < count; ++j) {
+    if (!is_finite_point(input.positions + 3 * static_cast<size_t>(j))) return SINEW_ERROR_NOT_FINITE;
+    skeleton->positions[j] = quantize_point(quantizer, input.positions + 3 * static_cast<size_t>(j));
+  }
+  for (uint32_t j = 0; j < count; ++j) {
+    if (input.parents[j] < -1 || input.parents[j] >= static_cast<int32_t>(count)) return SINEW_ERROR_INDEX;
+    skeleton->parents[j] = input.parents[j];
+  }
+  if (!find_depths(skeleton)) return SINEW_ERROR_HIERARCHY;
+  if (!find_usable(input.flags, skeleton)) return SINEW_ERROR_NO_JOINT;
+  order_joints(skeleton);
+  lay_bones(skeleton);
+  return SINEW_OK;
+}
+
+void find_sources(const Mesh& mesh, Skeleton* skeleton) {
+  int64_t height = 0;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    if (mesh.positions[v].y > height) height = mesh.positions[v].y;
+  }
+  bool any = false;
+  for (uint32_t j = 0; j < skeleton->joint_count; ++j) {
+    const bool floor_root = !skeleton->deform_known && skeleton->parents[j] < 0 && skeleton->child_count[j] >= 1 &&
+                            skeleton->child_count[j] <= kFloorRootChildren &&
+                            100 * static_cast<int64_t>(skeleton->positions[j].y) <= kFloorPercent * height;
+    skeleton->source[j] = skeleton->usable[j] != 0 && !floor_root ? 1 : 0;
+    any = any || skeleton->source[j] != 0;
+  }
+  // Heat must come from somewhere: when only such a root may be used, it is a source after all.
+  for (uint32_t j = 0; j < skeleton->joint_count && !any; ++j) skeleton->source[j] = skeleton->usable[j];
+}
+
+}  // namespace sinew

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Multifrontal Cholesky factorisation of one component's heat matrix in int32 (stage 4; Duff and Reid 1983 for the
+// method): fast where the matrix is definite and not too badly conditioned, and it says when it is not. Solves sixteen
+// joints at a time and only where they matter.
+//
+// A front is a dense symmetric matrix over the vertices of one piece of the nested dissection (a separator, or a small
+// piece as a whole) and those later ones that the piece's subtree touches, its border. Fronts come in elimination
+// order, which is a postorder of the dissection's tree: what a front leaves of its border waits on a stack for its
+// parent.
+//
+// Numbers. Row i of the matrix M is scaled by 2^-e[i], so that its diagonal is in [1/4, 1).
+//   G, the Cholesky factor of the scaled matrix: int32 Q30. The squares of a row sum to the diagonal, so entries are
+//     below 1 and sums of products below 2^60. Every entry of a front is rounded once for all of its pivots.
+//   solution x: int32 Q28, clamped to +-4. A definite matrix gives 0 .. 1, negative edge weights a little more.
+//   right-hand sides, and what is eliminated of them, as 4^-e times their value, v = G^-1 of it as 2^-e: both at most
+//     the diagonal times x, so int32 Q28, too.
+// A matrix that is not definite makes all of this wrap, in a defined way, and shows in the pivots or in the rows' sums.
+#ifndef SINEW_SOLVE_FRONTS_HPP
+#define SINEW_SOLVE_FRONTS_HPP
+
+#include "kernels/front.hpp"
+#include "solve/factor.hpp"
+
+namespace sinew {
+
+class FrontFactor {
+ public:
+  bool allocate(Arena& arena, const Counts& counts);
+  // Fronts of the component that the matrix's ordering was made for. False when they would not fit.
+  bool analyse(const HeatMatrix& matrix);
+  // False when a pivot is too small. The matrix must have been assembled.
+  bool factorise(const HeatMatrix& matrix, const FrontKernels& kernels);
+
+  // One batch: begin(), add() for every entry of the right-hand sides, eliminate(), then substitute() front by front.
+  void begin();
+  void add(uint32_t place, uint32_t lane, int64_t value_q40);
+  void eliminate(const FrontKernels& kernels);
+  // Calls take(first, count, x) with the solution x [count x kFrontLanes] of the vertices at places [first, first +
+  // count), for every front where it may be larger than 2^-18. Without negative edge weights it never is elsewhere
+  // (maximum principle: none of these joints has a source there, and it is smaller on the border).
+  template <class Take>
+  void substitute(const FrontKernels& kernels, Take take);
+
+  // For tests: pretends that no more than this fits.
+  void limit(size_t entries) {
+    if (entries < factor_capacity_) factor_capacity_ = entries;
+  }
+  uint64_t factor_entries() const { return front_count_ == 0 ? 0 : fronts_[front_count_].factor; }
+
+ private:
+  static constexpr uint32_t kNoFront = 0xFFFFFFFFu;
+  static constexpr int32_t kNegligible = 1 << (kFrontSolutionBits - 18);
+
+  struct Front {
+    uint32_t first, pivots;  // its own vertices, at places [first, first + pivots)
+    uint32_t rows;           // where its border is in rows_; ends where the next front's begins
+    uint32_t subtree;        // the subtree is the fronts [subtree, this one]
+    uint32_t parent;         // kNoFront at the root
+    uint64_t factor;         // where its columns are in factor_
+    int8_t exponent;         // largest exponent of its vertices and border
+  };
+
+  uint32_t border(uint32_t front) const { return fronts_[front + 1].rows - fronts_[front].rows; }
+  bool find_border(const HeatMatrix& matrix, uint32_t index, const uint32_t* children, uint32_t child_count);
+  void clear(const Front& front);
+  void wake(uint32_t index);
+  bool scale_rows(const HeatMatrix& matrix);
+  void fill(const HeatMatrix& matrix, const Front& front, uint32_t height, int32_t* columns);
+  void add_child(uint32_t child, const Front& front, uint32_t height, const int32_t* rest, int32_t* columns,
+                 int32_t* corner);
+  bool eliminate_pivots(const FrontKernels& kernels, const Front& front, uint32_t height, int32_t* columns);
+  void eliminate_front(const FrontKernels& kernels, uint32_t index);
+  void substitute_front(const FrontKernels& kernels, uint32_t index);
+  bool border_is_negligible(uint32_t index) const;
+  FrontRows rows_of(const Front& front) const { return {front.exponent, exponent_, inverse_, x_}; }
+
+  uint32_t front_count_ = 0;
+  // Reserved: what characters of 100 to 8000 vertices, bodies of up to a million and tubes of regular rings need, and a
+  // ninth more at least. What needs more is no case for fronts.
+  uint32_t front_capacity_ = 0;
+  size_t row_capacity_ = 0, factor_capacity_ = 0, stack_capacity_ = 0, height_capacity_ = 0;
+  Front* fronts_ = nullptr;       // [front_capacity_ + 1]
+  uint32_t* rows_ = nullptr;      // [row_capacity_] places on the fronts' borders, ascending
+  uint32_t* waiting_ = nullptr;   // [front_capacity_] fronts whose parent is still to come
+  uint32_t* mark_ = nullptr;      // [U] by place
+  uint32_t* front_of_ = nullptr;  // [U] by place
+  int8_t* exponent_ = nullptr;    // [U] by place
+  int64_t* inverse_ = nullptr;    // [U] by place: 1 / the factor's diagonal, Q30
+  int32_t* factor_ = nullptr;     // [factor_capacity_] of each front: its pivots' columns over all of its rows, G
+  int32_t* stack_ = nullptr;      // [stack_capacity_] lower triangles by columns, and the corner of the front at hand
+  int32_t* lanes_ = nullptr;      // [height_capacity_ x kFrontLanes] right-hand sides of a front's rows
+  int32_t* x_ = nullptr;          // [U x kFrontLanes] right-hand sides, then v, then the solution
+  uint8_t* active_ = nullptr;     // [front_capacity_] some right-hand side of the batch is not 0 in its subtree
+};
+
+template <class Take>
+void FrontFactor::substitute(const FrontKernels& kernels, Take take) {
+  for (uint32_t index = front_count_; index-- > 0;) {
+    const Front& front = fronts_[index];
+    if (active_[index] == 0 && border_is_negligible(index)) {
+      index = front.subtree;
+      continue;
+    }
+    substitute_front(kernels, index);
+    take(front.first, front.pivots, x_ + static_cast<size_t>(front.first) * kFrontLanes);
+  }
+}
+
+}  // namespace sinew
+#endif

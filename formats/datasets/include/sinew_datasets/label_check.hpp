@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Weights that look like an artist's or an exporter's mistake: what a training set should not teach.
+#ifndef SINEW_DATASETS_LABEL_CHECK_HPP
+#define SINEW_DATASETS_LABEL_CHECK_HPP
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// One kind of suspicion about one joint. `joint` holds the weight, `better` is the joint that it was expected on.
+//   far-weight    vertices with weight for a joint far away, on another branch of the skeleton, while another is near
+//   island        a patch of the mesh bound across the body, apart from everything else of its joint
+//   odd-vertex    vertices whose neighbours all agree on something else
+//   left-right    vertices bound to the mirror twin of the joint they lie at
+//   idle-twin     a joint without weight whose mirror twin has some
+struct LabelFinding {
+  std::string code;
+  uint32_t joint = 0, better = 0;
+  std::vector<uint32_t> vertices;  // ascending; empty for idle-twin
+  std::string text;                // one line
+};
+
+// Compares weights with positions: distances to bones are relative to the longest side of the mesh. A character without
+// weights, or with rows, joints or faces that check_character() calls errors, has no findings.
+std::vector<LabelFinding> check_labels(const Character& character);
+
+// Mirror twin of each joint ([J], own index when there is none): by the words left and right or l and r in the names,
+// else by position about the YZ plane through the middle of all joints.
+std::vector<uint32_t> mirror_twins(const Character& character);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Whole files in and out, and the folders of a data set. Everything that any reader or writer touches on disk goes
+// through here.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "files/file_names.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sinew {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string system_error() { return std::strerror(errno); }
+
+void write_all(const std::string& path, std::FILE* file, const void* bytes, size_t size) {
+  if ((size != 0 && std::fwrite(bytes, 1, size, file) != size) || std::fflush(file) != 0)
+    throw Error(path + ": cannot write " + std::to_string(size) + " bytes: " + system_error());
+}
+
+void write_bytes(const std::string& path, const void* bytes, size_t size) {
+  if (path == "-") return write_all("standard output", stdout, bytes, size);
+  std::error_code ignored;
+  fs::path target = path;
+  if (fs::is_symlink(target, ignored)) {  // the link stays, what it points to is replaced
+    const fs::path pointed = fs::weakly_canonical(target, ignored);
+    if (!pointed.empty()) target = pointed;
+  }
+  const fs::file_status status = fs::status(target, ignored);
+  if (fs::is_directory(status)) throw Error(path + ": cannot write, it is a directory; give a file name");
+  if (fs::exists(status) && !fs::is_regular_file(status)) {  // a pipe or a device cannot be renamed over
+    const File file(std::fopen(target.c_str(), "wb"));
+    if (!file) throw Error(path + ": cannot write: " + system_error());
+    return write_all(path, file.get(), bytes, size);
+  }
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, ignored))
+    throw Error(path + ": cannot write, the folder " + folder.string() + " does not exist; create it first");
+
+  static std::atomic<unsigned> counter{0};  // several threads may write files of one folder
+  const fs::path temporary = target.string() + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(counter++);
+  try {
+    {
+      File file(std::fopen(temporary.c_str(), "wbx"));
+      if (!file) throw Error(path + ": cannot write in " + folder.string() + ": " + system_error());
+      write_all(path, file.get(), bytes, size);
+      if (std::fclose(file.release()) != 0) throw Error(path + ": cannot write: " + system_error());
+    }
+    if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
+    if (std::rename(temporary.c_str(), target.c_str()) != 0) throw Error(path + ": cannot replace: " + system_error());
+  } catch (...) {
+    std::remove(temporary.c_str());
+    throw;
+  }
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+}  // namespace
+
+bool has_extension(const std::string& path, const char* extension) {
+  const std::string text = lower(path), end = extension;
+  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string stem_of(const std::string& path) {
+  if (path == "-") return "stdin";
+  std::string name = fs::path(path).filename().string();
+  for (const char* extension : {".rig.txt", ".obj", ".gltf", ".glb", ".vrm", ".txt"})
+    if (has_extension(name, extension)) return name.substr(0, name.size() - std::strlen(extension));
+  return fs::path(name).stem().string();
+}
+
+std::vector<uint8_t> read_file(const std::string& path) {
+  const bool standard_input = path == "-";
+  const std::string name = standard_input ? "standard input" : path;
+  File opened;
+  std::FILE* file = stdin;
+  if (!standard_input) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (status.type() == fs::file_type::not_found) throw Error(path + ": no such file");
+    if (fs::is_directory(status)) throw Error(path + ": expected a file, found a directory");
+    opened.reset(std::fopen(path.c_str(), "rb"));
+    if (!opened) throw Error(path + ": cannot read: " + system_error());
+    file = opened.get();
+  }
+  std::vector<uint8_t> bytes;
+  size_t filled = 0;
+  for (;;) {
+    bytes.resize(std::max<size_t>(size_t{1} << 16, filled * 2));
+    const size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, file);
+    filled += got;
+    if (got == 0) break;
+  }
+  if (std::ferror(file)) throw Error(name + ": cannot read: " + system_error());
+  bytes.resize(filled);
+  return bytes;
+}
+
+void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
+  write_bytes(path, bytes.data(), bytes.size());
+}
+
+void write_text_file(const std::string& path, const std::string& text) { write_bytes(path, text.data(), text.size()); }
+
+std::vector<std::string> list_characters(const std::string& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) throw Error(folder + ": expected a folder of characters, found no such folder");
+  std::vector<std::pair<std::string, std::string>> found;  // name, path
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string path = entry.path().string();
+    if (!entry.is_regular_file(error)) continue;
+    const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), error);
+    if (pair || has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm"))
+      found.emplace_back(stem_of(path), path);
+  }
+  if (error) throw Error(folder + ": cannot read the folder: " + error.message());
+  std::sort(found.begin(), found.end());
+  std::vector<std::string> paths;
+  for (auto& [name, path] : found) paths.push_back(std::move(path));
+  return paths;
+}
+
+std::string family_of(const std::string& character_name) {
+  const size_t at = character_name.find("__");
+  return at == std::string::npos || at == 0 ? "all" : character_name.substr(0, at);
+}
+
+std::string rig_path_beside(const std::string& obj_path) {
+  const fs::path path = obj_path;
+  return (path.parent_path() / (stem_of(obj_path) + ".rig.txt")).string();
+}
+
+}  // namespace sinew

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The ways in by file name: which reader, and which skeleton belongs to which mesh.
+#include <filesystem>
+
+#include "files/file_names.hpp"
+#include "gltf/gltf_read.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "text/rig.hpp"
+
+namespace sinew {
+namespace {
+
+bool is_gltf(const std::string& path) {
+  return has_extension(path, ".gltf") || has_extension(path, ".glb") || has_extension(path, ".vrm");
+}
+
+}  // namespace
+
+Character read_mesh(const std::string& path) {
+  if (path == "-" || has_extension(path, ".obj")) return read_obj(path);
+  if (is_gltf(path)) return read_gltf(path);
+  throw Error(
+      path + ": expected a mesh (.obj, .gltf, .glb, .vrm, or - for an OBJ on standard input), found another extension");
+}
+
+void read_skeleton(const std::string& path, bool with_skin, Character* character) {
+  if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
+  if (!is_gltf(path))
+    throw Error(path + ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm), found another extension");
+  Character other = read_gltf_character(path, with_skin);
+  if (other.joints.empty()) throw Error(path + ": expected a skeleton, found a file without a skin");
+  if (with_skin && other.vertices.size() != character->vertices.size())
+    throw Error(path + ": expected weights for " + std::to_string(character->vertices.size()) + " vertices, found " +
+                std::to_string(other.vertices.size()));
+  character->joints = std::move(other.joints);
+  character->influences = with_skin ? std::move(other.influences) : std::vector<std::vector<Influence>>();
+}
+
+Character read_character(const std::string& path) {
+  if (is_gltf(path)) {
+    Character character = read_gltf(path);
+    if (character.joints.empty()) throw Error(path + ": expected a rigged character, found a mesh without a skin");
+    return character;
+  }
+  std::string obj = path;
+  if (has_extension(path, ".rig.txt"))
+    obj = (std::filesystem::path(path).parent_path() / (stem_of(path) + ".obj")).string();
+  else if (!has_extension(path, ".obj"))
+    throw Error(path +
+                ": expected a character (.obj or .rig.txt of a pair, .gltf, .glb, .vrm), found another extension");
+  Character character = read_obj(obj);
+  read_rig(rig_path_beside(obj), true, &character);
+  return character;
+}
+
+}  // namespace sinew

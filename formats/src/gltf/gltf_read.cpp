@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+// glTF 2.0 / GLB / VRM to Character: all mesh nodes of the scene in world space, as they stand with the nodes' present
+// transforms.
+#include "gltf/gltf_read.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "files/file_names.hpp"
+#include "gltf/gltf_source.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "text/joint_names.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+using Row = std::vector<Influence>;
+
+// What makes two vertices of a mesh node one: the same position in the file and the same influences. UVs, normals and
+// colours may differ (seams); so may morph targets, which move both sides of a seam alike.
+std::string weld_key(const float* position, const Row& row) {
+  float xyz[3];
+  for (size_t c = 0; c < 3; ++c) xyz[c] = position[c] + 0.0f;  // -0 becomes 0
+  std::string key(reinterpret_cast<const char*>(xyz), sizeof xyz);
+  for (const Influence& influence : row) {
+    key.append(reinterpret_cast<const char*>(&influence.joint), sizeof influence.joint);
+    key.append(reinterpret_cast<const char*>(&influence.weight), sizeof influence.weight);
+  }
+  return key;
+}
+
+class GltfReader {
+ public:
+  GltfReader(std::string path, bool need_mesh) : path_(std::move(path)), need_mesh_(need_mesh) {}
+
+  Character read() {
+    source_ = std::make_shared<GltfSource>(load_gltf(path_, read_file(path_)));
+    nodes_ = gltf_nodes(path_, model());
+    character_.name = stem_of(path_);
+    for (size_t node = 0; node < model().nodes.size(); ++node) check_references(node);
+    read_joints();
+    bool has_mesh = false;
+    for (size_t node = 0; node < model().nodes.size(); ++node) {
+      if (nodes_.in_scene[node] == 0 || model().nodes[node].mesh < 0) continue;
+      read_mesh_node(node);
+      has_mesh = true;
+    }
+    if (need_mesh_ && (!has_mesh || character_.vertices.empty()))
+      throw Error(path_ + ": expected a scene with a mesh, found none in " + std::to_string(model().nodes.size()) +
+                  " nodes");
+    finish_names();
+    source_->joints = character_.joints;
+    source_->vertex_count = character_.vertices.size();
+    character_.gltf = source_;
+    return std::move(character_);
+  }
+
+ private:
+  const tinygltf::Model& model() const { return source_->model; }
+
+  void check_references(size_t node_index) const {
+    const tinygltf::Node& node = model().nodes[node_index];
+    const auto check = [&](int index, size_t count, const char* what) {
+      if (index >= 0 && static_cast<size_t>(index) >= count)
+        throw Error(path_ + ": node " + std::to_string(node_index) + " " + in_quotes(node.name) + ": expected a " +
+                    what + " below " + std::to_string(count) + ", found " + std::to_string(index));
+    };
+    check(node.mesh, model().meshes.size(), "mesh");
+    check(node.skin, model().skins.size(), "skin");
+  }
+
+  std::string skin_name(size_t skin) const {
+    return path_ + ": skin " + std::to_string(skin) + " " + in_quotes(model().skins[skin].name);
+  }
+
+  // The joints of all skins that meshes of the scene use (of all skins when none does), in the skins' order.
+  void read_joints() {
+    const size_t skin_count = model().skins.size();
+    std::vector<char> used(skin_count, 0);
+    for (size_t node = 0; node < model().nodes.size(); ++node)
+      if (nodes_.in_scene[node] != 0 && model().nodes[node].mesh >= 0 && model().nodes[node].skin >= 0)
+        used[static_cast<size_t>(model().nodes[node].skin)] = 1;
+    if (std::find(used.begin(), used.end(), 1) == used.end()) std::fill(used.begin(), used.end(), char{1});
+    joint_of_node_.assign(model().nodes.size(), -1);
+    for (size_t s = 0; s < skin_count; ++s) {
+      if (used[s] == 0) continue;
+      for (const int node : model().skins[s].joints) {
+        if (node < 0 || static_cast<size_t>(node) >= model().nodes.size())
+          throw Error(skin_name(s) + ": expected joints below " + std::to_string(model().nodes.size()) + ", found " +
+                      std::to_string(node));
+        int& joint = joint_of_node_[static_cast<size_t>(node)];
+        if (joint >= 0) continue;
+        joint = static_cast<int>(character_.joints.size());
+        const Affine& world = nodes_.worlds[static_cast<size_t>(node)];
+        character_.joints.push_back(
+            {model().nodes[static_cast<size_t>(node)].name,
+             {static_cast<float>(world[3]), static_cast<float>(world[7]), static_cast<float>(world[11])},
+             -1});
+        source_->joint_nodes.push_back(node);
+      }
+    }
+    for (size_t j = 0; j < character_.joints.size(); ++j)
+      character_.joints[j].parent = joint_at_or_above(nodes_.parents[static_cast<size_t>(source_->joint_nodes[j])]);
+    std::vector<std::string> names;
+    for (const Joint& joint : character_.joints) names.push_back(joint.name);
+    make_names_unique(&names);
+    for (size_t j = 0; j < names.size(); ++j) character_.joints[j].name = std::move(names[j]);
+  }
+
+  int joint_at_or_above(int node) const {
+    while (node >= 0 && joint_of_node_[static_cast<size_t>(node)] < 0) node = nodes_.parents[static_cast<size_t>(node)];
+    return node < 0 ? -1 : joint_of_node_[static_cast<size_t>(node)];
+  }
+
+  // A skin may list a node twice: its weights are one joint's.
+  static void add_influence(uint32_t joint, float weight, Row* row) {
+    for (Influence& other : *row) {
+      if (other.joint == joint) {
+        other.weight += weight;
+        return;
+      }
+    }
+    row->push_back({joint, weight});
+  }
+
+  void read_mesh_node(size_t node_index) {
+    const tinygltf::Node& node = model().nodes[node_index];
+    const size_t mesh = static_cast<size_t>(node.mesh);
+    std::unordered_map<std::string, uint32_t> welded;
+    character_.group_names.push_back(!node.name.empty() ? node.name : model().meshes[mesh].name);
+    // Skin matrices of the node's joints; a mesh without a skin moves with its node.
+    std::vector<Affine> palette;
+    if (node.skin >= 0) {
+      const size_t skin = static_cast<size_t>(node.skin);
+      palette = inverse_bind_matrices(skin_name(skin), model(), model().skins[skin]);
+      for (size_t j = 0; j < palette.size(); ++j)
+        palette[j] = multiply(nodes_.worlds[static_cast<size_t>(model().skins[skin].joints[j])], palette[j]);
+    }
+    for (size_t p = 0; p < model().meshes[mesh].primitives.size(); ++p) {
+      const std::string where = path_ + ": mesh " + std::to_string(mesh) + " " + in_quotes(model().meshes[mesh].name) +
+                                ", primitive " + std::to_string(p);
+      read_primitive(where, node_index, p, palette, &welded);
+    }
+  }
+
+  // Influences by skin joint number (they index the palette), merged and sorted by joint; empty rows are unbound.
+  std::vector<Row> read_rows(const std::string& where, const tinygltf::Primitive& primitive, size_t vertex_count,
+                             size_t joint_count) const {
+    std::vector<Row> rows(vertex_count);
+    for (int set = 0;; ++set) {
+      const auto joints_at = primitive.attributes.find("JOINTS_" + std::to_string(set));
+      const auto weights_at = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
+      if (joints_at == primitive.attributes.end() || weights_at == primitive.attributes.end()) break;
+      const std::vector<uint32_t> joints =
+          accessor_integers(where + ", " + joints_at->first, model(), joints_at->second, 4);
+      const std::vector<float> weights =
+          accessor_floats(where + ", " + weights_at->first, model(), weights_at->second, 4);
+      if (joints.size() != vertex_count * 4 || weights.size() != vertex_count * 4)
+        throw Error(where + ": expected joints and weights for " + std::to_string(vertex_count) + " vertices, found " +
+                    std::to_string(joints.size() / 4) + " and " + std::to_string(weights.size() / 4));
+      for (size_t i = 0; i < joints.size(); ++i) {
+        const std::string vertex = where + ", vertex " + std::to_string(i / 4);
+        if (weights[i] < 0)
+          throw Error(vertex + ": expected weights of 0 or more, found " + std::to_string(weights[i]));
+        if (weights[i] == 0) continue;
+        if (joints[i] >= joint_count)
+          throw Error(vertex + ": expected joints below " + std::to_string(joint_count) + ", found " +
+                      std::to_string(joints[i]));
+        Row& row = rows[i / 4];
+        const auto same =
+            std::find_if(row.begin(), row.end(), [&](const Influence& at) { return at.joint == joints[i]; });
+        if (same != row.end())
+          same->weight += weights[i];
+        else
+          row.push_back({joints[i], weights[i]});
+      }
+    }
+    for (Row& row : rows)
+      std::sort(row.begin(), row.end(), [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+    return rows;
+  }
+
+  static Affine blend(const std::vector<Affine>& palette, const Row& row) {
+    if (row.empty()) return palette.front();  // unbound: stays beside the rest of its mesh
+    Affine sum{};
+    double total = 0;
+    for (const Influence& influence : row) {
+      for (size_t i = 0; i < 12; ++i) sum[i] += static_cast<double>(influence.weight) * palette[influence.joint][i];
+      total += static_cast<double>(influence.weight);
+    }
+    for (double& value : sum) value /= total;
+    return sum;
+  }
+
+  void read_primitive(const std::string& where, size_t node_index, size_t primitive_index,
+                      const std::vector<Affine>& palette, std::unordered_map<std::string, uint32_t>* welded) {
+    const tinygltf::Node& node = model().nodes[node_index];
+    const tinygltf::Primitive& primitive = model().meshes[static_cast<size_t>(node.mesh)].primitives[primitive_index];
+    const auto position_at = primitive.attributes.find("POSITION");
+    if (primitive.extensions.count("KHR_draco_mesh_compression") != 0 && position_at != primitive.attributes.end() &&
+        position_at->second >= 0 && static_cast<size_t>(position_at->second) < model().accessors.size() &&
+        model().accessors[static_cast<size_t>(position_at->second)].bufferView < 0)
+      throw Error(where + ": expected uncompressed geometry, found KHR_draco_mesh_compression; decode it first");
+    if (position_at == primitive.attributes.end()) return;  // the specification: nothing to draw
+    if (primitive.mode == TINYGLTF_MODE_POINTS || primitive.mode == TINYGLTF_MODE_LINE ||
+        primitive.mode == TINYGLTF_MODE_LINE_LOOP || primitive.mode == TINYGLTF_MODE_LINE_STRIP)
+      throw Error(where + ": expected triangles, strips or fans, found points or lines (mode " +
+                  std::to_string(primitive.mode) + "); remove them");
+
+    const std::vector<float> positions = accessor_floats(where + ", POSITION", model(), position_at->second, 3);
+    const size_t vertex_count = positions.size() / 3;
+    const bool skinned = !palette.empty();
+    std::vector<Row> rows =
+        skinned ? read_rows(where, primitive, vertex_count, palette.size()) : std::vector<Row>(vertex_count);
+    const int carrier = skinned ? -1 : joint_at_or_above(static_cast<int>(node_index));
+    const std::vector<float> normals = optional_attribute(where, primitive, "NORMAL", 3, vertex_count);
+    const std::vector<float> uvs = optional_attribute(where, primitive, "TEXCOORD_0", 2, vertex_count);
+
+    GltfPart part{static_cast<int>(node_index), static_cast<int>(primitive_index), std::vector<uint32_t>(vertex_count)};
+    std::vector<Vec3> world_normals(normals.empty() ? 0 : vertex_count);
+    for (size_t v = 0; v < vertex_count; ++v) {
+      const float* p = &positions[v * 3];
+      const Affine matrix = skinned ? blend(palette, rows[v]) : nodes_.worlds[node_index];
+      if (!normals.empty())
+        world_normals[v] =
+            unit(transform_normal(matrix, static_cast<double>(normals[v * 3]), static_cast<double>(normals[v * 3 + 1]),
+                                  static_cast<double>(normals[v * 3 + 2])));
+      const auto [at, is_new] =
+          welded->emplace(weld_key(p, rows[v]), static_cast<uint32_t>(character_.vertices.size()));
+      part.vertex_of[v] = at->second;
+      if (!is_new) continue;
+      const std::array<double, 3> world =
+          transform_point(matrix, static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2]));
+      const Vec3 vertex{static_cast<float>(world[0]), static_cast<float>(world[1]), static_cast<float>(world[2])};
+      if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z))
+        throw Error(where + ", vertex " + std::to_string(v) +
+                    ": expected a finite position, found one beyond the range of floats");
+      character_.vertices.push_back(vertex);
+      if (character_.joints.empty()) continue;
+      Row row;
+      if (carrier >= 0) row.push_back({static_cast<uint32_t>(carrier), 1.0f});
+      for (const Influence& influence : rows[v]) {
+        const int joint_node = model().skins[static_cast<size_t>(node.skin)].joints[influence.joint];
+        add_influence(static_cast<uint32_t>(joint_of_node_[static_cast<size_t>(joint_node)]), influence.weight, &row);
+      }
+      character_.influences.push_back(std::move(row));
+    }
+    read_faces(where, primitive, part, world_normals, uvs);
+    source_->parts.push_back(std::move(part));
+  }
+
+  std::vector<float> optional_attribute(const std::string& where, const tinygltf::Primitive& primitive,
+                                        const char* name, int components, size_t vertex_count) const {
+    const auto at = primitive.attributes.find(name);
+    if (at == primitive.attributes.end()) return {};
+    std::vector<float> values = accessor_floats(where + ", " + name, model(), at->second, components);
+    if (values.size() != vertex_count * static_cast<size_t>(components))
+      throw Error(where + ": expected " + std::to_string(vertex_count) + " values of " + name + ", found " +
+                  std::to_string(values.size() / static_cast<size_t>(components)));
+    return values;
+  }
+
+  void read_faces(const std::string& where, const tinygltf::Primitive& primitive, const GltfPart& part,
+                  const std::vector<Vec3>& normals, const std::vector<float>& uvs) {
+    const size_t vertex_count = part.vertex_of.size();
+    std::vector<uint32_t> indices;
+    if (primitive.indices >= 0) {
+      indices = accessor_integers(where + ", indices", model(), primitive.indices, 1);
+      for (const uint32_t index : indices)
+        if (index >= vertex_count)
+          throw Error(where + ": expected indices below " + std::to_string(vertex_count) + ", found " +
+                      std::to_string(index));
+    } else {
+      for (size_t v = 0; v < vertex_count; ++v) indices.push_back(static_cast<uint32_t>(v));
+    }
+    const bool list = primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP && primitive.mode != TINYGLTF_MODE_TRIANGLE_FAN;
+    if (list && indices.size() % 3 != 0)
+      throw Error(where + ": expected indices in threes, found " + std::to_string(indices.size()));
+    for (size_t i = 2; i < indices.size(); i += list ? 3 : 1) {
+      std::array<uint32_t, 3> corners = {indices[i - 2], indices[i - 1], indices[i]};
+      if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1) std::swap(corners[1], corners[2]);
+      if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) corners[0] = indices[0];
+      for (const uint32_t corner : corners) {
+        character_.face_vertices.push_back(part.vertex_of[corner]);
+        has_normals_ |= !normals.empty();
+        has_uvs_ |= !uvs.empty();
+        character_.corner_normals.push_back(normals.empty() ? Vec3{} : normals[corner]);
+        // OBJ convention in a Character: v runs up, in glTF down.
+        character_.corner_uvs.push_back(uvs.empty() ? std::array<float, 2>{0, 0}
+                                                    : std::array<float, 2>{uvs[corner * 2], 1 - uvs[corner * 2 + 1]});
+      }
+      character_.face_offsets.push_back(static_cast<uint32_t>(character_.face_vertices.size()));
+      character_.face_groups.push_back(static_cast<int>(character_.group_names.size()) - 1);
+      const bool has_material =
+          primitive.material >= 0 && static_cast<size_t>(primitive.material) < model().materials.size();
+      character_.face_materials.push_back(has_material ? primitive.material : -1);
+    }
+  }
+
+  static Vec3 unit(const std::array<double, 3>& n) {
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if (!(length > 0) || !std::isfinite(length)) return {};
+    return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
+  }
+
+  void finish_names() {
+    if (!has_normals_) character_.corner_normals.clear();
+    if (!has_uvs_) character_.corner_uvs.clear();
+    for (size_t m = 0; m < model().materials.size(); ++m)
+      character_.material_names.push_back(model().materials[m].name.empty() ? "material_" + std::to_string(m)
+                                                                            : model().materials[m].name);
+    if (character_.material_names.empty()) character_.face_materials.clear();
+    for (size_t g = 0; g < character_.group_names.size(); ++g)
+      if (character_.group_names[g].empty()) character_.group_names[g] = std::string("mesh_").append(std::to_string(g));
+  }
+
+  std::string path_;
+  bool need_mesh_;
+  std::shared_ptr<GltfSource> source_;
+  GltfNodes nodes_;
+  Character character_;
+  std::vector<int> joint_of_node_;  // [N], -1 = no joint
+  bool has_normals_ = false, has_uvs_ = false;
+};
+
+}  // namespace
+
+Character read_gltf_character(const std::string& path, bool need_mesh) { return GltfReader(path, need_mesh).read(); }
+
+Character read_gltf(const std::string& path) { return read_gltf_character(path, true); }
+
+}  // namespace sinew

@@ -1,0 +1,551 @@
+// SPDX-License-Identifier: MIT
+// Puts a Character's skin into a glTF document: joints, inverse bind matrices, weights. Everything else of the document
+// stays.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "gltf/gltf_source.hpp"
+#include "sinew_formats/error.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+struct FixedInfluence {
+  uint32_t joint = 0;
+  uint32_t weight = 0;
+};
+using FixedRow = std::vector<FixedInfluence>;
+
+// Weights as integers that sum to exactly `one`, sorted falling, ties to the lower joint; the remainder goes to the
+// largest. Flooring keeps the remainder positive, so the order holds; the 0.01 lets weights that were k/one in float
+// stay k.
+FixedRow to_fixed(const std::vector<Influence>& row, uint32_t one) {
+  std::map<uint32_t, double> merged;
+  double total = 0;
+  for (const Influence& influence : row)
+    if (influence.weight > 0) {
+      merged[influence.joint] += static_cast<double>(influence.weight);
+      total += static_cast<double>(influence.weight);
+    }
+  FixedRow fixed;
+  uint32_t sum = 0;
+  for (const auto& [joint, weight] : merged) {
+    const uint32_t value = static_cast<uint32_t>(weight / total * one + 0.01);
+    fixed.push_back({joint, value});
+    sum += value;
+  }
+  std::stable_sort(fixed.begin(), fixed.end(),
+                   [](const FixedInfluence& a, const FixedInfluence& b) { return a.weight > b.weight; });
+  if (!fixed.empty()) fixed.front().weight += one - sum;
+  while (!fixed.empty() && fixed.back().weight == 0) fixed.pop_back();
+  return fixed;
+}
+
+bool same_joints(const std::vector<Joint>& a, const std::vector<Joint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Joint& x, const Joint& y) {
+    return x.name == y.name && x.parent == y.parent && x.position.x == y.position.x && x.position.y == y.position.y &&
+           x.position.z == y.position.z;
+  });
+}
+
+class SkinWriter {
+ public:
+  SkinWriter(const std::string& path, const Character& character, bool unorm8, GltfSource* source)
+      : path_(path),
+        character_(character),
+        unorm8_(unorm8),
+        source_(*source),
+        document_(source->document),
+        nodes_(gltf_nodes(path, source->model)) {}
+
+  void write() {
+    keeps_joints_ = !source_.joint_nodes.empty() && same_joints(character_.joints, source_.joints);
+    joint_nodes_ = keeps_joints_ ? source_.joint_nodes : add_joint_nodes(path_, character_.joints, &document_);
+    for (size_t j = 0; j < joint_nodes_.size(); ++j) {
+      const Vec3& p = character_.joints[j].position;
+      joint_worlds_.push_back(keeps_joints_ ? nodes_.worlds[static_cast<size_t>(joint_nodes_[j])]
+                                            : Affine{1, 0, 0, static_cast<double>(p.x), 0, 1, 0,
+                                                     static_cast<double>(p.y), 0, 0, 1, static_cast<double>(p.z)});
+      if (character_.joints[j].parent < 0 && fallback_joint_ == SIZE_MAX) fallback_joint_ = j;
+    }
+    fix_weights();
+    for (const tinygltf::Node& node : source_.model.nodes)
+      if (node.mesh >= 0) ++mesh_users_[node.mesh];
+    for (size_t first = 0; first < source_.parts.size();) {
+      size_t last = first;
+      while (last < source_.parts.size() && source_.parts[last].node == source_.parts[first].node) ++last;
+      write_node(first, last);
+      first = last;
+    }
+    for (auto& [skin, joints] : skin_joints_) write_skin(skin, joints);
+    drop_unused_skins();
+    join_skeletons();
+    drop_unused_accessors(orphans_, &source_);
+  }
+
+ private:
+  void fix_weights() {
+    const uint32_t one = unorm8_ ? 255 : 65535;
+    for (size_t v = 0; v < character_.influences.size(); ++v) {
+      for (const Influence& influence : character_.influences[v]) {
+        if (influence.joint >= character_.joints.size())
+          throw Error(path_ + ": cannot write, vertex " + std::to_string(v) + " names joint " +
+                      std::to_string(influence.joint) + " of " + std::to_string(character_.joints.size()));
+        if (!std::isfinite(influence.weight) || influence.weight < 0)
+          throw Error(path_ + ": cannot write, vertex " + std::to_string(v) +
+                      " has a weight that is negative or not finite");
+      }
+      rows_.push_back(to_fixed(character_.influences[v], one));
+    }
+  }
+
+  int joint_at_or_above(int node) const {
+    for (; node >= 0; node = nodes_.parents[static_cast<size_t>(node)]) {
+      const auto at = std::find(joint_nodes_.begin(), joint_nodes_.end(), node);
+      if (at != joint_nodes_.end()) return static_cast<int>(at - joint_nodes_.begin());
+    }
+    return -1;
+  }
+
+  // A rigid part that hangs on its joint needs no skin; neither does what nothing is bound to.
+  bool stays(size_t first, size_t last, int node) const {
+    const bool skinned = source_.model.nodes[static_cast<size_t>(node)].skin >= 0;
+    const int carrier = skinned || !keeps_joints_ ? -1 : joint_at_or_above(node);
+    bool unbound = true, rigid = carrier >= 0;
+    for (size_t p = first; p < last; ++p)
+      for (const uint32_t vertex : source_.parts[p].vertex_of) {
+        const FixedRow& row = rows_[vertex];
+        unbound = unbound && row.empty();
+        rigid = rigid && row.size() == 1 && static_cast<int>(row[0].joint) == carrier;
+      }
+    return unbound || rigid;
+  }
+
+  void write_node(size_t first, size_t last) {
+    const int node = source_.parts[first].node;
+    if (stays(first, last, node)) return;
+    const tinygltf::Node& old = source_.model.nodes[static_cast<size_t>(node)];
+    Json& json = document_["nodes"][static_cast<size_t>(node)];
+
+    int mesh = old.mesh;
+    if (mesh_users_[mesh] > 1) {  // other nodes show the same mesh with other weights
+      --mesh_users_[mesh];
+      document_["meshes"].push_back(Json(document_["meshes"][static_cast<size_t>(mesh)]));
+      mesh = static_cast<int>(document_["meshes"].size()) - 1;
+      json["mesh"] = mesh;
+    }
+    int skin = old.skin;
+    if (skin < 0) {
+      skin = skin_for(nodes_.worlds[static_cast<size_t>(node)]);
+      move_to_scene(node);
+    } else if (!keeps_joints_) {
+      const std::optional<Affine> common = common_bind(skin);
+      if (!common)
+        for (size_t p = first; p < last; ++p) bake_pose(source_.parts[p], mesh);
+      skin = skin_for(common ? *common : kIdentity);
+    }
+    json["skin"] = skin;
+    write_weights(first, last, mesh, skin);
+  }
+
+  // The number of `joint` in a skin, which is extended when it is new there. Skins of the document keep the joints they
+  // have.
+  uint32_t joint_in_skin(int skin, uint32_t joint) {
+    auto [at, is_new] = skin_joints_.try_emplace(skin);
+    std::vector<int>& joints = at->second;
+    if (is_new && static_cast<size_t>(skin) < source_.model.skins.size())
+      joints = source_.model.skins[static_cast<size_t>(skin)].joints;
+    const auto found = std::find(joints.begin(), joints.end(), joint_nodes_[joint]);
+    if (found != joints.end()) return static_cast<uint32_t>(found - joints.begin());
+    joints.push_back(joint_nodes_[joint]);
+    return static_cast<uint32_t>(joints.size() - 1);
+  }
+
+  void write_weights(size_t first, size_t last, int mesh, int skin) {
+    std::map<uint32_t, uint32_t> number_in_skin;
+    size_t longest = 1;
+    const FixedRow fallback = {{static_cast<uint32_t>(fallback_joint_), unorm8_ ? 255u : 65535u}};
+    const auto row_of = [&](uint32_t vertex) -> const FixedRow& {
+      return rows_[vertex].empty() ? fallback : rows_[vertex];
+    };
+    for (size_t p = first; p < last; ++p)
+      for (const uint32_t vertex : source_.parts[p].vertex_of) {
+        longest = std::max(longest, row_of(vertex).size());
+        for (const FixedInfluence& influence : row_of(vertex))
+          if (number_in_skin.count(influence.joint) == 0)
+            number_in_skin[influence.joint] = joint_in_skin(skin, influence.joint);
+      }
+    const bool wide =
+        std::any_of(number_in_skin.begin(), number_in_skin.end(), [](const auto& at) { return at.second > 255; });
+    const size_t set_count = (longest + 3) / 4;
+
+    std::map<std::vector<uint32_t>, std::vector<std::array<int, 2>>> written;  // primitives often share their vertices
+    for (size_t p = first; p < last; ++p) {
+      const GltfPart& part = source_.parts[p];
+      Json& attributes = document_["meshes"][static_cast<size_t>(mesh)]["primitives"]
+                                  [static_cast<size_t>(part.primitive)]["attributes"];
+      for (auto at = attributes.begin(); at != attributes.end();) {
+        const bool old =
+            at.key().rfind("JOINTS_", 0) == 0 || at.key().rfind("WEIGHTS_", 0) == 0 || at.key() == "_CONFIDENCE";
+        if (old) orphans_.push_back(at.value().get<int>());
+        if (old)
+          at = attributes.erase(at);
+        else
+          ++at;
+      }
+      std::vector<std::array<int, 2>>& sets = written[part.vertex_of];
+      for (size_t set = sets.size(); set < set_count; ++set) {
+        const size_t count = part.vertex_of.size();
+        std::vector<uint16_t> joints(count * 4, 0), weights(count * 4, 0);
+        for (size_t v = 0; v < count; ++v) {
+          const FixedRow& row = row_of(part.vertex_of[v]);
+          for (size_t k = 0; k < 4 && set * 4 + k < row.size(); ++k) {
+            joints[v * 4 + k] = static_cast<uint16_t>(number_in_skin[row[set * 4 + k].joint]);
+            weights[v * 4 + k] = static_cast<uint16_t>(row[set * 4 + k].weight);
+          }
+        }
+        sets.push_back({add_small(joints, wide, false), add_small(weights, !unorm8_, true)});
+      }
+      if (!character_.confidence.empty()) attributes["_CONFIDENCE"] = confidence_accessor(part.vertex_of);
+      for (size_t set = 0; set < set_count; ++set) {
+        attributes["JOINTS_" + std::to_string(set)] = sets[set][0];
+        attributes["WEIGHTS_" + std::to_string(set)] = sets[set][1];
+      }
+    }
+  }
+
+  // Custom attributes of any form are legal; floats 0..1 are what viewers and node editors take.
+  int confidence_accessor(const std::vector<uint32_t>& vertex_of) {
+    const auto [at, is_new] = confidences_.try_emplace(vertex_of, -1);
+    if (!is_new) return at->second;
+    std::vector<float> values;
+    for (const uint32_t v : vertex_of) values.push_back(static_cast<float>(character_.confidence[v]) / 255.0f);
+    at->second = add_accessor(&source_, values.data(), values.size() * 4, "SCALAR", TINYGLTF_COMPONENT_TYPE_FLOAT,
+                              values.size(), true, false);
+    return at->second;
+  }
+
+  int add_small(const std::vector<uint16_t>& values, bool wide, bool normalized) {
+    if (wide)
+      return add_accessor(&source_, values.data(), values.size() * 2, "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                          values.size() / 4, true, normalized);
+    const std::vector<uint8_t> bytes(values.begin(), values.end());
+    return add_accessor(&source_, bytes.data(), bytes.size(), "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+                        bytes.size() / 4, true, normalized);
+  }
+
+  // The new skin whose meshes stand at `mesh_world` times their vertices; inverse bind matrices follow in write_skin.
+  int skin_for(const Affine& mesh_world) {
+    for (const auto& [skin, world] : mesh_worlds_)
+      if (world == mesh_world) return skin;
+    document_["skins"].push_back({{"joints", Json::array()}});
+    const int skin = static_cast<int>(document_["skins"].size()) - 1;
+    mesh_worlds_[skin] = mesh_world;
+    skin_joints_[skin] = joint_nodes_;
+    return skin;
+  }
+
+  // What all joints of a skin do to its vertices while nobody has moved them, if that is one and the same transform.
+  std::optional<Affine> common_bind(int skin) const {
+    const std::vector<Affine> palette = palette_of(skin);
+    double size = 1e-12;
+    for (const Vec3& p : character_.vertices)
+      size = std::max({size, std::fabs(static_cast<double>(p.x)), std::fabs(static_cast<double>(p.y)),
+                       std::fabs(static_cast<double>(p.z))});
+    for (const Affine& matrix : palette)
+      for (size_t i = 0; i < 12; ++i)
+        if (std::fabs(matrix[i] - palette[0][i]) > 1e-5 * (i % 4 == 3 ? size : 1)) return std::nullopt;
+    return palette[0];
+  }
+
+  std::vector<Affine> palette_of(int skin) const {
+    const tinygltf::Skin& old = source_.model.skins[static_cast<size_t>(skin)];
+    std::vector<Affine> palette = inverse_bind_matrices(path_ + ": skin " + std::to_string(skin), source_.model, old);
+    for (size_t j = 0; j < palette.size(); ++j)
+      palette[j] = multiply(nodes_.worlds[static_cast<size_t>(old.joints[j])], palette[j]);
+    return palette;
+  }
+
+  // A mesh that its old joints hold in another pose than it was bound in: the vertices are moved to where they stand,
+  // because the new joints know that pose only.
+  void bake_pose(const GltfPart& part, int mesh) {
+    const std::string where =
+        path_ + ": mesh " + std::to_string(mesh) + ", primitive " + std::to_string(part.primitive);
+    const tinygltf::Node& node = source_.model.nodes[static_cast<size_t>(part.node)];
+    const tinygltf::Primitive& primitive =
+        source_.model.meshes[static_cast<size_t>(node.mesh)].primitives[static_cast<size_t>(part.primitive)];
+    const std::vector<Affine> palette = palette_of(node.skin);
+    const size_t count = part.vertex_of.size();
+    std::vector<Affine> matrices(count, Affine{});
+    std::vector<double> totals(count, 0);
+    for (int set = 0; primitive.attributes.count("JOINTS_" + std::to_string(set)) != 0 &&
+                      primitive.attributes.count("WEIGHTS_" + std::to_string(set)) != 0;
+         ++set) {
+      const std::vector<uint32_t> joints =
+          accessor_integers(where, source_.model, primitive.attributes.at("JOINTS_" + std::to_string(set)), 4);
+      const std::vector<float> weights =
+          accessor_floats(where, source_.model, primitive.attributes.at("WEIGHTS_" + std::to_string(set)), 4);
+      for (size_t i = 0; i < count * 4; ++i) {
+        if (!(weights[i] > 0)) continue;
+        for (size_t m = 0; m < 12; ++m) matrices[i / 4][m] += static_cast<double>(weights[i]) * palette[joints[i]][m];
+        totals[i / 4] += static_cast<double>(weights[i]);
+      }
+    }
+    for (size_t v = 0; v < count; ++v) {
+      if (totals[v] == 0)
+        matrices[v] = palette[0];
+      else
+        for (double& value : matrices[v]) value /= totals[v];
+    }
+
+    Json& json = document_["meshes"][static_cast<size_t>(mesh)]["primitives"][static_cast<size_t>(part.primitive)];
+    std::vector<double> normal_lengths(count, 1), tangent_lengths(count, 1);
+    // Moves one attribute; morph targets are differences, scaled as the normal or tangent they are added to was.
+    const auto move = [&](Json* attributes, const char* name, const std::map<std::string, int>& from, bool difference) {
+      const auto at = from.find(name);
+      if (at == from.end()) return;
+      const bool is_position = at->first == "POSITION", is_normal = at->first == "NORMAL";
+      const size_t width = at->first == "TANGENT" && !difference ? 4 : 3;
+      std::vector<float> values = accessor_floats(where, source_.model, at->second, static_cast<int>(width));
+      std::vector<double>& lengths = is_normal ? normal_lengths : tangent_lengths;
+      std::array<float, 3> low{}, high{};
+      for (size_t v = 0; v < count; ++v) {
+        Affine m = matrices[v];
+        if (!is_position || difference) m[3] = m[7] = m[11] = 0;
+        const double x = static_cast<double>(values[v * width]), y = static_cast<double>(values[v * width + 1]),
+                     z = static_cast<double>(values[v * width + 2]);
+        std::array<double, 3> moved = is_normal ? transform_normal(m, x, y, z) : transform_point(m, x, y, z);
+        if (!is_position) {
+          const double length = std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
+          if (!difference) lengths[v] = length > 0 ? length : 1;
+          for (double& value : moved) value /= lengths[v];
+        }
+        for (size_t c = 0; c < 3; ++c) {
+          const float value = static_cast<float>(moved[c]);
+          values[v * width + c] = value;
+          low[c] = v == 0 ? value : std::min(low[c], value);
+          high[c] = v == 0 ? value : std::max(high[c], value);
+        }
+      }
+      const int accessor = add_accessor(&source_, values.data(), values.size() * 4, width == 4 ? "VEC4" : "VEC3",
+                                        TINYGLTF_COMPONENT_TYPE_FLOAT, count, true, false);
+      if (is_position) {
+        document_["accessors"][static_cast<size_t>(accessor)]["min"] = low;
+        document_["accessors"][static_cast<size_t>(accessor)]["max"] = high;
+      }
+      orphans_.push_back(at->second);
+      (*attributes)[name] = accessor;
+    };
+    for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
+      move(&json["attributes"], name, primitive.attributes, false);
+    for (size_t t = 0; t < primitive.targets.size(); ++t)
+      for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
+        move(&json["targets"][t], name, primitive.targets[t], true);
+  }
+
+  // Joints and inverse bind matrices of a new or extended skin: joint world x inverse bind = where the mesh stands.
+  void write_skin(int skin, const std::vector<int>& joints) {
+    const bool is_old = static_cast<size_t>(skin) < source_.model.skins.size();
+    Json& json = document_["skins"][static_cast<size_t>(skin)];
+    std::vector<Affine> binds;
+    Affine mesh_world = kIdentity;
+    if (is_old) {
+      const tinygltf::Skin& old = source_.model.skins[static_cast<size_t>(skin)];
+      if (old.joints.size() == joints.size()) return;
+      binds = inverse_bind_matrices(path_ + ": skin " + std::to_string(skin), source_.model, old);
+      mesh_world = palette_of(skin)[0];
+      if (old.inverseBindMatrices >= 0) orphans_.push_back(old.inverseBindMatrices);
+      json.erase("skeleton");  // need not be above the new joints
+    } else {
+      mesh_world = mesh_worlds_.at(skin);
+    }
+    for (size_t j = binds.size(); j < joints.size(); ++j) {
+      const size_t joint =
+          static_cast<size_t>(std::find(joint_nodes_.begin(), joint_nodes_.end(), joints[j]) - joint_nodes_.begin());
+      const std::optional<Affine> back = inverse(joint_worlds_[joint]);
+      if (!back)
+        throw Error(path_ + ": cannot write a skin, joint " + in_quotes(character_.joints[joint].name) +
+                    " is scaled to nothing and has no inverse bind matrix");
+      binds.push_back(multiply(*back, mesh_world));
+    }
+    std::vector<float> values;
+    for (const Affine& bind : binds)
+      for (size_t c = 0; c < 4; ++c)
+        for (size_t r = 0; r < 4; ++r)
+          values.push_back(r < 3 ? static_cast<float>(bind[r * 4 + c]) : (c == 3 ? 1.0f : 0.0f));
+    json["joints"] = joints;
+    json["inverseBindMatrices"] = add_accessor(&source_, values.data(), values.size() * 4, "MAT4",
+                                               TINYGLTF_COMPONENT_TYPE_FLOAT, binds.size(), false, false);
+  }
+
+  // The transforms above a skinned mesh have no effect, and validators warn about them: a node without other duties
+  // goes to the top of its scenes.
+  void move_to_scene(int node) {
+    const size_t index = static_cast<size_t>(node);
+    Json& json = document_["nodes"][index];
+    if (!source_.model.nodes[index].children.empty() ||
+        std::find(joint_nodes_.begin(), joint_nodes_.end(), node) != joint_nodes_.end())
+      return;
+    for (const tinygltf::Animation& animation : source_.model.animations)
+      for (const tinygltf::AnimationChannel& channel : animation.channels)
+        if (channel.target_node == node && channel.target_path != "weights") return;
+    for (const char* key : {"matrix", "translation", "rotation", "scale"}) json.erase(key);
+    const int parent = nodes_.parents[index];
+    if (parent < 0) return;
+    int top = parent;
+    while (nodes_.parents[static_cast<size_t>(top)] >= 0) top = nodes_.parents[static_cast<size_t>(top)];
+    Json& siblings = document_["nodes"][static_cast<size_t>(parent)]["children"];
+    siblings.erase(std::find(siblings.begin(), siblings.end(), node));
+    if (siblings.empty()) document_["nodes"][static_cast<size_t>(parent)].erase("children");
+    if (!document_.contains("scenes")) return;
+    for (Json& scene : document_["scenes"])
+      if (scene.contains("nodes") &&
+          std::find(scene["nodes"].begin(), scene["nodes"].end(), top) != scene["nodes"].end())
+        scene["nodes"].push_back(node);
+  }
+
+  void drop_unused_skins() {
+    Json& skins = document_["skins"];
+    std::vector<char> used(skins.size(), 0);
+    for (const Json& node : document_["nodes"])
+      if (node.contains("skin")) used[node["skin"].get<size_t>()] = 1;
+    for (size_t s = 0; s < source_.model.skins.size(); ++s) {
+      bool was_used = false;  // one that nobody used before is none of ours
+      for (const tinygltf::Node& node : source_.model.nodes) was_used = was_used || node.skin == static_cast<int>(s);
+      if (!was_used) used[s] = 1;
+      if (used[s] == 0 && source_.model.skins[s].inverseBindMatrices >= 0)
+        orphans_.push_back(source_.model.skins[s].inverseBindMatrices);
+    }
+    std::vector<int> new_number(used.size(), -1);
+    Json kept = Json::array();
+    for (size_t s = 0; s < used.size(); ++s)
+      if (used[s] != 0) {
+        new_number[s] = static_cast<int>(kept.size());
+        kept.push_back(std::move(skins[s]));
+      }
+    for (Json& node : document_["nodes"])
+      if (node.contains("skin")) node["skin"] = new_number[node["skin"].get<size_t>()];
+    skins = std::move(kept);
+    if (skins.empty()) document_.erase("skins");
+  }
+
+  // glTF wants the joints of a skin below one node. Trees that a skin has come to join get a common parent.
+  void join_skeletons() {
+    if (!document_.contains("skins")) return;
+    std::vector<int> parents(document_["nodes"].size(), -1);
+    for (size_t i = 0; i < parents.size(); ++i)
+      if (document_["nodes"][i].contains("children"))
+        for (const Json& child : document_["nodes"][i]["children"]) parents[child.get<size_t>()] = static_cast<int>(i);
+    std::set<int> apart;
+    for (const Json& skin : document_["skins"]) {
+      std::set<int> tops;
+      for (const Json& joint : skin["joints"]) {
+        int top = joint.get<int>();
+        while (parents[static_cast<size_t>(top)] >= 0) top = parents[static_cast<size_t>(top)];
+        tops.insert(top);
+      }
+      if (tops.size() > 1) apart.insert(tops.begin(), tops.end());
+    }
+    if (apart.empty()) return;
+    const size_t common = document_["nodes"].size();
+    document_["nodes"].push_back({{"name", "skeleton"}, {"children", apart}});
+    if (!document_.contains("scenes")) return;
+    for (Json& scene : document_["scenes"]) {
+      if (!scene.contains("nodes")) continue;
+      Json kept = Json::array();
+      for (const Json& node : scene["nodes"])
+        if (apart.count(node.get<int>()) == 0) kept.push_back(node);
+      if (kept.size() == scene["nodes"].size()) continue;
+      kept.push_back(common);
+      scene["nodes"] = std::move(kept);
+    }
+  }
+
+  const std::string& path_;
+  const Character& character_;
+  const bool unorm8_;
+  GltfSource& source_;
+  Json& document_;
+  const GltfNodes nodes_;
+  bool keeps_joints_ = false;
+  std::vector<int> joint_nodes_;                 // [J]
+  std::vector<Affine> joint_worlds_;             // [J]
+  size_t fallback_joint_ = SIZE_MAX;             // takes the vertices of a skinned mesh that have no influence
+  std::vector<FixedRow> rows_;                   // [V]
+  std::map<int, int> mesh_users_;                // mesh -> nodes
+  std::map<int, std::vector<int>> skin_joints_;  // skins that meshes use now -> their joints' nodes
+  std::map<int, Affine> mesh_worlds_;            // new skins
+  std::map<std::vector<uint32_t>, int> confidences_;
+  std::vector<int> orphans_;  // accessors that lost a user
+};
+
+}  // namespace
+
+std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Joint>& joints, Json* document) {
+  Json& nodes = (*document)["nodes"];
+  if (nodes.is_null()) nodes = Json::array();
+  const size_t base = nodes.size();
+  std::vector<int> numbers;
+  std::vector<size_t> roots;
+  for (size_t j = 0; j < joints.size(); ++j) {
+    const Joint& joint = joints[j];
+    if (joint.parent >= static_cast<int>(joints.size()))
+      throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " has a parent that does not exist");
+    size_t steps = 0;
+    for (int up = joint.parent; up >= 0; up = joints[static_cast<size_t>(up)].parent)
+      if (++steps > joints.size())
+        throw Error(path + ": cannot write, joint " + in_quotes(joint.name) + " is in a cycle");
+    const Vec3 from = joint.parent < 0 ? Vec3{} : joints[static_cast<size_t>(joint.parent)].position;
+    const auto difference = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
+    nodes.push_back({{"name", joint.name},
+                     {"translation",
+                      {difference(joint.position.x, from.x), difference(joint.position.y, from.y),
+                       difference(joint.position.z, from.z)}}});
+    numbers.push_back(static_cast<int>(base + j));
+    if (joint.parent < 0) roots.push_back(base + j);
+  }
+  for (size_t j = 0; j < joints.size(); ++j)
+    if (joints[j].parent >= 0) nodes[base + static_cast<size_t>(joints[j].parent)]["children"].push_back(base + j);
+  size_t top = roots.empty() ? 0 : roots[0];
+  if (roots.size() > 1) {
+    top = nodes.size();
+    nodes.push_back({{"name", "skeleton"}, {"children", roots}});
+  }
+  if (document->contains("scenes") && !(*document)["scenes"].empty() && !roots.empty()) {
+    const size_t scene = document->value("scene", size_t{0});
+    (*document)["scenes"].at(scene)["nodes"].push_back(top);
+  }
+  return numbers;
+}
+
+int add_accessor(GltfSource* source, const void* values, size_t size_bytes, const char* type, int component_type,
+                 size_t count, bool vertex_attribute, bool normalized) {
+  Json& document = source->document;
+  source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
+  Json view = {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", size_bytes}};
+  if (vertex_attribute) view["target"] = TINYGLTF_TARGET_ARRAY_BUFFER;
+  const uint8_t* bytes = static_cast<const uint8_t*>(values);
+  source->bytes.insert(source->bytes.end(), bytes, bytes + size_bytes);
+  document["bufferViews"].push_back(std::move(view));
+  Json accessor = {{"bufferView", document["bufferViews"].size() - 1},
+                   {"componentType", component_type},
+                   {"count", count},
+                   {"type", type}};
+  if (normalized) accessor["normalized"] = true;
+  document["accessors"].push_back(std::move(accessor));
+  if (!document.contains("buffers")) document["buffers"] = Json::array({Json::object()});
+  return static_cast<int>(document["accessors"].size()) - 1;
+}
+
+void write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source) {
+  try {
+    SkinWriter(path, character, unorm8, source).write();
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(path + ": cannot write, the input document has an unexpected form: " + one_line(error.what()));
+  }
+}
+
+}  // namespace sinew

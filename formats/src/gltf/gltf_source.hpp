@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// A glTF document in memory with the map from its vertices to a Character's: what the reader keeps and the writer
+// writes back.
+#ifndef SINEW_FORMATS_GLTF_GLTF_SOURCE_HPP
+#define SINEW_FORMATS_GLTF_GLTF_SOURCE_HPP
+
+#include <tiny_gltf.h>
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+using Json = nlohmann::json;  // not ordered_json, whose elements move when a key is added
+
+// One primitive of one mesh node. A mesh that several nodes use has parts for each of them.
+struct GltfPart {
+  int node = -1;
+  int primitive = -1;               // within the node's mesh
+  std::vector<uint32_t> vertex_of;  // [vertices of the primitive] -> vertex of the Character
+};
+
+// tinygltf's own writer forgets what it does not know (empty arrays and objects inside extensions, extras of skins,
+// names of samplers), which breaks VRM files. So the document is kept as JSON beside the parsed model, and the writer
+// changes the JSON.
+struct GltfSource {
+  tinygltf::Model model;  // as read
+  Json document;          // the same; all buffer views lie in buffer 0, images that could be loaded are buffer views
+  std::vector<uint8_t> bytes;  // buffer 0
+  std::vector<GltfPart> parts;
+  std::vector<int> joint_nodes;  // [J] node of each joint
+  size_t vertex_count = 0;       // of the Character
+  std::vector<Joint> joints;     // as read: a Character whose joints differ has its skeleton from elsewhere
+};
+
+// Parses a .gltf, .glb or .vrm file (or the bytes of one) with its buffers; pictures stay undecoded. Parts and joints
+// are left empty.
+GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file);
+
+// The node tree. Throws Error when it is none.
+struct GltfNodes {
+  std::vector<int> parents;    // [N], -1 = none
+  std::vector<Affine> worlds;  // [N]
+  std::vector<char> in_scene;  // [N] in the default scene (else the first; without scenes, every node)
+};
+GltfNodes gltf_nodes(const std::string& path, const tinygltf::Model& model);
+
+// Values of an accessor [count x components], sparse ones and normalised integers resolved. Throws Error naming `where`
+// when it is not of that many components, reaches outside of its buffer or holds a value that is not finite.
+std::vector<float> accessor_floats(const std::string& where, const tinygltf::Model& model, int accessor,
+                                   int components);
+std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf::Model& model, int accessor,
+                                        int components);
+// [joints of the skin]
+std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
+                                          const tinygltf::Skin& skin);
+
+// Gives the document's mesh nodes the skin that `character` describes (its influences are not empty). Nodes whose
+// vertices are all unbound, or which hang on a joint and belong to it alone, stay as they are.
+void write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source);
+// Adds the character's joints as nodes and returns their numbers [J].
+std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Joint>& joints, Json* document);
+// A document with one mesh node from a Character that has none of its own (an OBJ).
+GltfSource gltf_from_mesh(const std::string& path, const Character& character);
+// Appends bytes as a buffer view and an accessor on it; returns the accessor's number.
+int add_accessor(GltfSource* source, const void* values, size_t size_bytes, const char* type, int component_type,
+                 size_t count, bool vertex_attribute, bool normalized);
+// Removes the accessors of `candidates` and their buffer views and bytes where nothing else refers to them.
+void drop_unused_accessors(std::vector<int> candidates, GltfSource* source);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: MIT
+# One folder of engine/src, one program.
+foreach(room core grid mesh skeleton reduce voxels candidates heat spectral features weights deform)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/engine/${room}/*_test.cpp)
+  sinew_test(unit_engine_${room} SOURCES ${sources} LIBS sinew::engine_internals LABELS unit)
+endforeach()
+sinew_test(unit_engine_cpp_wrapper SOURCES ${CMAKE_CURRENT_LIST_DIR}/engine/cpp_wrapper_test.cpp LIBS sinew::engine_internals LABELS unit)
+if(SINEW_BUILD_QUANT)  # writes the models that it opens
+  sinew_test(unit_engine_model SOURCES ${CMAKE_CURRENT_LIST_DIR}/engine/model/reader_test.cpp LIBS sinew::quant LABELS unit)
+endif()

@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: MIT
-sinew_test(sinew_features_test SOURCES unit/features_test.cpp LIBS sinew::engine_internals LABELS unit)

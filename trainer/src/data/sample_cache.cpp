@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: MIT
+// Loads training samples through a cache of one file per sample, filled by several threads.
+#include "data/sample_cache.hpp"
+
+#include <atomic>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/vector.hpp>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <sstream>
+
+#include "core/parallel.hpp"
+#include "core/random.hpp"
+#include "data/augment.hpp"
+#include "features/features.hpp"
+#include "sinew_datasets/dataset.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace sinew {
+
+template <class Archive>
+void serialize(Archive& archive, Sample& s) {
+  archive(s.name, s.family, s.vertices, s.candidates, s.vertex_features, s.pair_features, s.components, s.joints,
+          s.vertex, s.pair, s.candidate, s.row_offsets, s.col_indices, s.component, s.component_offsets,
+          s.component_vertices, s.target, s.fold, s.missing, s.importance, s.heat, s.vertex_to_welded, s.positions,
+          s.joint_positions, s.parents);
+}
+
+namespace {
+
+constexpr uint64_t kCacheVersion = 3;  // grows whenever the file's layout or, in its last bits, a feature changes
+constexpr char kMagic[8] = {'S', 'N', 'W', 'S', 'M', 'P', 'L', '1'};
+
+uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {
+  uint64_t hash = mix_seeds(seed, size);
+  for (size_t i = 0; i + 8 <= size; i += 8) {
+    uint64_t word;
+    std::memcpy(&word, data + i, 8);
+    hash = mix64(hash ^ word) + 0x9E3779B97F4A7C15ull;
+  }
+  uint64_t tail = 0;
+  if (size % 8 != 0) std::memcpy(&tail, data + size - size % 8, size % 8);
+  return mix64(hash ^ tail);
+}
+
+std::string rig_beside(const std::string& mesh_path) {
+  return std::filesystem::path(mesh_path).replace_extension(".rig.txt").string();
+}
+
+// What a request is made of. The files of a character are read in any case, since they are the key of the cache.
+struct Ingredients {
+  std::string stem;              // of the cache file
+  std::vector<uint8_t> content;  // that the sample depends on, beside the settings
+  std::optional<Character> character;
+};
+
+Ingredients gather(const SampleRequest& request) {
+  Ingredients out;
+  if (!request.mesh_path.empty()) {
+    out.stem = std::filesystem::path(request.mesh_path).stem().string();
+    out.content = read_file(request.mesh_path);
+    if (std::filesystem::exists(rig_beside(request.mesh_path))) {
+      const std::vector<uint8_t> rig = read_file(rig_beside(request.mesh_path));
+      out.content.insert(out.content.end(), rig.begin(), rig.end());
+    }
+    return out;
+  }
+  SynthesizeOptions options;
+  options.plan = request.plan;
+  options.seed = request.synthetic_seed;
+  out.character = synthesize(options);
+  out.stem = out.character->name =
+      "synthetic_" + std::string(body_plan_name(request.plan)) + "__" + std::to_string(request.synthetic_seed);
+  const auto add = [&](const void* data, size_t size) {
+    const auto* bytes = static_cast<const uint8_t*>(data);
+    out.content.insert(out.content.end(), bytes, bytes + size);
+  };
+  for (const Vec3& p : out.character->vertices) add(&p, sizeof p);
+  for (const Joint& joint : out.character->joints) {
+    add(&joint.position, sizeof joint.position);
+    add(&joint.parent, sizeof joint.parent);
+  }
+  add(out.character->face_vertices.data(), out.character->face_vertices.size() * sizeof(uint32_t));
+  for (const auto& row : out.character->influences) {
+    for (const Influence& i : row) {
+      add(&i.joint, sizeof i.joint);
+      add(&i.weight, sizeof i.weight);
+    }
+  }
+  return out;
+}
+
+// 128 bits of everything that the sample depends on.
+std::string cache_key(const std::vector<uint8_t>& content, const SampleRequest& request, const SampleSource& source) {
+  uint64_t settings =
+      mix_seeds(kCacheVersion, kFeatureSet | source.feature_flags, (uint64_t{kVertexFeatures} << 32) | kPairFeatures);
+  settings = mix_seeds(settings, source.candidates, source.grid);
+  if (source.vertex_limit != 0) settings = mix_seeds(settings, 0x6C696D6974, source.vertex_limit);
+  if (request.variant != 0) settings = mix_seeds(settings, mix_seeds(kAugmentVersion, source.seed), request.variant);
+  char text[40];
+  std::snprintf(text, sizeof text, "%016llx%016llx",
+                static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), settings)),
+                static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), ~settings)));
+  return text;
+}
+
+// Magic, hash of the payload, payload. Nothing is parsed before the hash fits, so a damaged length cannot do harm.
+constexpr size_t kHeader = sizeof kMagic + sizeof(uint64_t);
+
+// Empty when the file is missing or damaged.
+std::vector<uint8_t> read_sound(const std::string& path) {
+  if (!std::filesystem::exists(path)) return {};
+  std::vector<uint8_t> bytes = read_file(path);
+  if (bytes.size() < kHeader || std::memcmp(bytes.data(), kMagic, sizeof kMagic) != 0) return {};
+  uint64_t expected;
+  std::memcpy(&expected, bytes.data() + sizeof kMagic, sizeof expected);
+  if (hash_bytes(bytes.data() + kHeader, bytes.size() - kHeader, kCacheVersion) != expected) return {};
+  return bytes;
+}
+
+std::optional<Sample> read_cached(const std::string& path) {
+  const std::vector<uint8_t> bytes = read_sound(path);
+  if (bytes.empty()) return std::nullopt;
+  std::istringstream stream(std::string(bytes.begin() + kHeader, bytes.end()), std::ios::binary);
+  Sample sample;
+  cereal::BinaryInputArchive archive(stream);
+  archive(sample);
+  return sample;
+}
+
+void write_cached(const std::string& path, Sample& sample) {
+  std::ostringstream stream(std::ios::binary);
+  cereal::BinaryOutputArchive{stream}(sample);
+  const std::string payload = stream.str();
+  const uint64_t hash = hash_bytes(reinterpret_cast<const uint8_t*>(payload.data()), payload.size(), kCacheVersion);
+  std::vector<uint8_t> bytes(sizeof kMagic + sizeof hash + payload.size());
+  std::memcpy(bytes.data(), kMagic, sizeof kMagic);
+  std::memcpy(bytes.data() + sizeof kMagic, &hash, sizeof hash);
+  std::memcpy(bytes.data() + sizeof kMagic + sizeof hash, payload.data(), payload.size());
+  write_file(path, bytes);
+}
+
+}  // namespace
+
+namespace {
+
+std::string cache_path(const Ingredients& from, const SampleRequest& request, const SampleSource& source) {
+  return (std::filesystem::path(source.cache_dir) /
+          (from.stem + "-" + cache_key(from.content, request, source) + ".sample"))
+      .string();
+}
+
+Sample make_cached(Ingredients&& from, const SampleRequest& request, const SampleSource& source,
+                   const std::string& path) {
+  Character character = from.character ? std::move(*from.character) : read_character(request.mesh_path);
+  const size_t limit = source.vertex_limit, vertices = character.vertices.size();
+  if (limit != 0 && vertices > limit && character.face_count() > 0) {
+    character = decimate(character, static_cast<double>(limit) / static_cast<double>(vertices));
+  }
+  if (request.variant != 0) {
+    const uint64_t name = hash_bytes(reinterpret_cast<const uint8_t*>(character.name.data()), character.name.size(), 0);
+    character = augment(character, mix_seeds(source.seed, request.variant, name));
+  }
+  Sample sample = make_sample(character, source.candidates, source.grid, source.feature_flags);
+  write_cached(path, sample);
+  return sample;
+}
+
+void make_cache_folder(const SampleSource& source) {
+  std::error_code failure;
+  std::filesystem::create_directories(source.cache_dir, failure);
+  if (failure) throw Error(source.cache_dir + ": cannot make the cache folder: " + failure.message());
+}
+
+}  // namespace
+
+size_t fill_cache(const std::vector<SampleRequest>& requests, const SampleSource& source, uint32_t part,
+                  uint32_t parts) {
+  make_cache_folder(source);
+  // Own part in rising order; what others have left in falling order, so that it meets them where they are not yet.
+  std::vector<size_t> order;
+  for (size_t i = 0; i < requests.size(); ++i) {
+    if (i % parts == part) order.push_back(i);
+  }
+  for (size_t i = requests.size(); i-- > 0;) {
+    if (i % parts != part) order.push_back(i);
+  }
+  std::atomic<size_t> done{0}, made{0}, failed{0};
+  std::mutex print;
+  parallel_for(order.size(), source.threads, [&](size_t item, unsigned) {
+    const SampleRequest& request = requests[order[item]];
+    try {
+      Ingredients from = gather(request);
+      const std::string path = cache_path(from, request, source);
+      if (read_sound(path).empty()) {
+        make_cached(std::move(from), request, source, path);
+        ++made;
+      }
+    } catch (const Error& error) {
+      ++failed;
+      const std::lock_guard<std::mutex> lock(print);
+      if (!source.silent) std::fprintf(stderr, "left out: %s\n", error.what());
+    }
+    const size_t count = ++done;
+    if (!source.quiet && (count % 25 == 0 || count == requests.size())) {
+      const std::lock_guard<std::mutex> lock(print);
+      std::fprintf(stderr, "features: %zu of %zu samples, %zu made by this process\n", count, requests.size(),
+                   made.load());
+    }
+  });
+  if (failed == requests.size() && !requests.empty()) {
+    throw Error(requests[0].mesh_path + ": neither this nor any other of the " + std::to_string(requests.size()) +
+                " characters could be used; see the lines above");
+  }
+  return made;
+}
+
+std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, const SampleSource& source) {
+  make_cache_folder(source);
+  std::vector<std::optional<Sample>> loaded(requests.size());
+  std::atomic<size_t> done{0}, made{0};
+  std::mutex print;
+  parallel_for(requests.size(), source.threads, [&](size_t item, unsigned) {
+    const SampleRequest& request = requests[item];
+    try {
+      Ingredients from = gather(request);
+      const std::string path = cache_path(from, request, source);
+      loaded[item] = read_cached(path);
+      if (!loaded[item]) {
+        loaded[item] = make_cached(std::move(from), request, source, path);
+        ++made;
+      }
+    } catch (const Error& error) {
+      const std::lock_guard<std::mutex> lock(print);
+      if (!source.silent) std::fprintf(stderr, "left out: %s\n", error.what());
+    }
+    const size_t count = ++done;
+    if (!source.quiet && (count % 25 == 0 || count == requests.size())) {
+      const std::lock_guard<std::mutex> lock(print);
+      std::fprintf(stderr, "features: %zu of %zu samples, %zu made anew\n", count, requests.size(), made.load());
+    }
+  });
+  std::vector<Sample> samples;
+  for (std::optional<Sample>& sample : loaded) {
+    if (sample) samples.push_back(std::move(*sample));
+  }
+  if (samples.empty() && !requests.empty()) {
+    throw Error(requests[0].mesh_path + ": neither this nor any other of the " + std::to_string(requests.size()) +
+                " characters could be used; see the lines above");
+  }
+  return samples;
+}
+
+std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid,
+                                 const std::string& cache_dir, uint32_t threads, bool quiet, uint32_t feature_flags) {
+  std::vector<SampleRequest> requests;
+  for (const std::string& path : list_characters(folder)) requests.push_back({path, 0});
+  if (requests.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
+  SampleSource source;
+  source.candidates = candidates;
+  source.grid = grid;
+  source.cache_dir = cache_dir;
+  source.threads = threads;
+  source.quiet = quiet;
+  source.feature_flags = feature_flags;
+  return load_requests(requests, source);
+}
+
+}  // namespace sinew

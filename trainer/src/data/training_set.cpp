@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// The samples that a run draws from: characters and their augmented variants, through the cache.
+#include "data/training_set.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/ranks.hpp"
+
+namespace sinew {
+
+void drop_unlabelled(std::vector<Sample>* samples, bool silent) {
+  const auto unlabelled = [silent](const Sample& sample) {
+    const bool labelled =
+        std::any_of(sample.importance.begin(), sample.importance.end(), [](float i) { return i > 0; });
+    if (!labelled && !silent)
+      std::fprintf(stderr, "left out: %s: no vertex has reference weights\n", sample.name.c_str());
+    return !labelled;
+  };
+  samples->erase(std::remove_if(samples->begin(), samples->end(), unlabelled), samples->end());
+}
+
+SampleSource sample_source(const TrainConfig& config, const TrainOptions& options) {
+  SampleSource source;
+  source.candidates = config.field.candidates;
+  source.grid = config.field.grid;
+  source.feature_flags = feature_flags(config);
+  source.seed = config.seed;
+  source.cache_dir = options.cache_dir.empty() ? options.output + ".cache" : options.cache_dir;
+  source.threads = std::max(options.threads, 1u);
+  source.silent = options.ranks != nullptr && options.ranks->rank() > 0;
+  source.quiet = options.quiet || source.silent;
+  return source;
+}
+
+namespace {
+
+std::vector<SampleRequest> training_requests(const TrainConfig& config, const std::string& folder) {
+  const std::vector<std::string> paths = list_characters(folder);
+  if (paths.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
+  // Variants are optional extras: one that fails (say, because decimation leaves nothing) is only left out.
+  std::vector<SampleRequest> requests;
+  for (uint32_t variant = 0; variant <= (config.variant_share > 0 ? config.variants : 0); ++variant) {
+    for (const std::string& path : paths) requests.push_back({path, variant});
+  }
+  for (const BodyPlan plan :
+       {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged}) {
+    // Far from the small seeds that people look at and test with.
+    for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", 0, plan, 1000 + i});
+  }
+  return requests;
+}
+
+// Characters are made smaller for training only.
+SampleSource training_source(const TrainConfig& config, const TrainOptions& options) {
+  SampleSource source = sample_source(config, options);
+  source.vertex_limit = config.vertex_limit;
+  return source;
+}
+
+}  // namespace
+
+size_t fill_feature_cache(const TrainConfig& config, const TrainOptions& options, uint32_t part, uint32_t parts) {
+  size_t made = fill_cache(training_requests(config, options.data_dir), training_source(config, options), part, parts);
+  if (options.val_dir.empty()) return made;
+  std::vector<SampleRequest> requests;
+  for (const std::string& path : list_characters(options.val_dir)) requests.push_back({path, 0});
+  return made + fill_cache(requests, sample_source(config, options), part, parts);
+}
+
+TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& options) {
+  const std::vector<SampleRequest> requests = training_requests(config, options.data_dir);
+  const SampleSource source = training_source(config, options);
+  std::vector<Sample> samples = load_requests(requests, source);
+  drop_unlabelled(&samples, source.silent);
+  TrainingSet set;
+  std::map<std::string, size_t> by_name;
+  for (Sample& sample : samples) {
+    const auto [at, fresh] = by_name.try_emplace(sample.name, set.characters.size());
+    if (fresh) {
+      set.characters.emplace_back();
+      set.families.push_back(sample.family);
+    }
+    set.characters[at->second].push_back(std::move(sample));
+  }
+  if (set.characters.empty()) throw Error(options.data_dir + ": no character has reference weights");
+  return set;
+}
+
+}  // namespace sinew

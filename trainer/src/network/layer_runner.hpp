@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The layer list of engine/src/model/layers.hpp, forward and backward, in float (training) or double (gradient tests).
+#ifndef SINEW_TRAINER_NETWORK_LAYER_RUNNER_HPP
+#define SINEW_TRAINER_NETWORK_LAYER_RUNNER_HPP
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sinew_formats/checkpoint.hpp"
+#include "sinew_trainer/binder.hpp"
+
+namespace sinew {
+
+class Team;
+
+template <class Scalar>
+struct LinearBlock {
+  std::vector<Scalar> weights;  // [out x in] row-major
+  std::vector<Scalar> bias;     // [out]
+};
+// Zeros in the shapes of a network's parameters.
+template <class Scalar>
+std::vector<LinearBlock<Scalar>> zero_blocks(const FloatNetwork& network);
+template <class Scalar>
+std::vector<LinearBlock<Scalar>> copy_blocks(const FloatNetwork& network);
+
+struct DropoutOptions {
+  float activations = 0;                     // share of the outputs of ReLU layers set to 0, the others scaled up
+  float features = 0;                        // probability of an input channel to be 0 for the whole sample
+  std::vector<uint32_t> kept_pair_features;  // never dropped: the heat prior
+  std::vector<uint32_t> absent_vertex_features, absent_pair_features;  // always 0
+  uint64_t seed = 0;
+};
+
+// Throws Error unless buffers, layers and parameters fit together and the last layer writes one pair channel.
+void check_network(const FloatNetwork& network);
+
+// One instance per thread; its memory is reused from call to call. The same input gives the same bytes on one machine.
+template <class Scalar>
+class LayerRunner {
+ public:
+  LayerRunner();
+  ~LayerRunner();
+  LayerRunner(const LayerRunner&) = delete;
+  LayerRunner& operator=(const LayerRunner&) = delete;
+
+  // Threads that take rows of large layers while they are idle; null = none. Changes no number.
+  void set_team(Team* team);
+
+  // `shape` gives buffers and layers; its parameters are not read. Returns logits [U x K], absent slots 0.
+  const std::vector<Scalar>& forward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
+                                     const Sample& sample, const DropoutOptions& dropout);
+  // After forward() with the same arguments. d_logits [U x K]; adds into gradients.
+  void backward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
+                const std::vector<Scalar>& d_logits, std::vector<LinearBlock<Scalar>>* gradients);
+  // Copies a buffer after forward(): [U x channels] or [U x K x channels], absent rows 0.
+  void copy_buffer(const FloatNetwork& shape, uint16_t index, std::vector<Scalar>* out) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+extern template class LayerRunner<float>;
+extern template class LayerRunner<double>;
+
+}  // namespace sinew
+#endif

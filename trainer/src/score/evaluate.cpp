@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+// The yardstick for one character: predicted against reference weights, and how far the skins come apart in random
+// poses.
+#include "sinew_trainer/evaluate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "sinew_datasets/bone_distance.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/pose.hpp"
+#include "sinew_trainer/random_poses.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kThreshold = 1e-4;  // above it a weight counts as an influence
+constexpr double kLogFloor = 1e-4;   // both sides of the KL divergence
+
+using Rows = std::vector<std::vector<double>>;
+
+// Files hold round decimals, so errors of exactly 0.5 and weights of exactly 1e-4 are common, and the last bit decides
+// on which side of a threshold they fall. To fall where the yardstick's do, weights go back to the decimal that the
+// float was read from, and rows are added in numpy's order. (Without this `bad` was off by up to 6e-4 on single
+// characters.)
+double decimal_value(float weight) {
+  std::array<char, 32> text;
+  const auto printed = std::to_chars(text.data(), text.data() + text.size(), weight);
+  double value = 0;
+  std::from_chars(text.data(), printed.ptr, value);
+  return value;
+}
+
+// numpy's pairwise sum: eight running sums for up to 128 values, halves (of a multiple of 8) above that.
+double numpy_sum(const double* values, size_t count) {
+  double sum = 0;
+  if (count < 8) {
+    for (size_t i = 0; i < count; ++i) sum += values[i];
+    return sum;
+  }
+  if (count > 128) {
+    const size_t half = count / 2 - count / 2 % 8;
+    return numpy_sum(values, half) + numpy_sum(values + half, count - half);
+  }
+  std::array<double, 8> lanes;
+  std::copy_n(values, 8, lanes.begin());
+  size_t i = 8;
+  for (; i + 8 <= count; i += 8)
+    for (size_t k = 0; k < 8; ++k) lanes[k] += values[i + k];
+  sum = ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
+  for (; i < count; ++i) sum += values[i];
+  return sum;
+}
+
+// Dense rows [V][J] with sum 1, or all zero. Weights that are not positive do not count; a joint named twice is added
+// up.
+Rows normalised_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
+                     const std::string& name) {
+  Rows rows(influences.size(), std::vector<double>(joint_count, 0.0));
+  for (size_t v = 0; v < rows.size(); ++v) {
+    for (const Influence& influence : influences[v]) {
+      if (influence.joint >= joint_count) {
+        throw Error(name + ": vertex " + std::to_string(v) + " has weight for joint " +
+                    std::to_string(influence.joint) + ", but there are " + std::to_string(joint_count) + " joints");
+      }
+      if (!(influence.weight > 0)) continue;
+      rows[v][influence.joint] += decimal_value(influence.weight);
+    }
+    const double sum = numpy_sum(rows[v].data(), joint_count);
+    for (double& w : rows[v]) w = sum > 1e-12 ? w / sum : 0;
+  }
+  return rows;
+}
+
+std::vector<uint32_t> fold_targets(const Character& reference, const Rows& rows) {
+  const size_t joint_count = reference.joints.size();
+  std::vector<uint8_t> bound(joint_count, 0), folded(joint_count, 0);
+  for (const std::vector<double>& row : rows)
+    for (size_t j = 0; j < joint_count; ++j)
+      if (row[j] > kThreshold) bound[j] = 1;
+  std::vector<size_t> child_count(joint_count, 0);
+  for (const Joint& joint : reference.joints) {
+    if (joint.parent >= static_cast<int>(joint_count)) {
+      throw Error(reference.name + ": joint '" + joint.name + "' names a parent that does not exist");
+    }
+    if (joint.parent >= 0) ++child_count[static_cast<size_t>(joint.parent)];
+  }
+  const auto is_end = [&](size_t j) { return child_count[j] == 0 && !bound[j] && reference.joints[j].parent >= 0; };
+  // Children are folded before their parents, so a target is found by walking up through what is folded.
+  std::vector<size_t> todo;
+  for (size_t j = 0; j < joint_count; ++j)
+    if (is_end(j)) todo.push_back(j);
+  while (!todo.empty()) {
+    const size_t j = todo.back();
+    todo.pop_back();
+    folded[j] = 1;
+    const auto parent = static_cast<size_t>(reference.joints[j].parent);
+    --child_count[parent];
+    if (is_end(parent)) todo.push_back(parent);
+  }
+  std::vector<uint32_t> targets(joint_count);
+  for (size_t j = 0; j < joint_count; ++j) {
+    size_t target = j;
+    while (folded[target]) target = static_cast<size_t>(reference.joints[target].parent);
+    targets[j] = static_cast<uint32_t>(target);
+  }
+  return targets;
+}
+
+using Point = std::array<double, 3>;
+
+Point scaled(const Vec3& p, double scale) {
+  return {static_cast<double>(p.x) * scale, static_cast<double>(p.y) * scale, static_cast<double>(p.z) * scale};
+}
+
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double length(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
+
+double longest_side(const std::vector<Vec3>& vertices) {
+  Vec3 low = vertices.front(), high = low;
+  for (const Vec3& p : vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return std::max({static_cast<double>(high.x) - static_cast<double>(low.x),
+                   static_cast<double>(high.y) - static_cast<double>(low.y),
+                   static_cast<double>(high.z) - static_cast<double>(low.z)});
+}
+
+// A third of every adjacent triangle; polygons are fans.
+std::vector<double> vertex_areas(const Character& c) {
+  std::vector<double> areas(c.vertices.size(), 0.0);
+  for (size_t f = 0; f < c.face_count(); ++f) {
+    for (uint32_t k = c.face_offsets[f] + 1; k + 1 < c.face_offsets[f + 1]; ++k) {
+      const std::array<uint32_t, 3> corners = {c.face_vertices[c.face_offsets[f]], c.face_vertices[k],
+                                               c.face_vertices[k + 1]};
+      const Point a = scaled(c.vertices[corners[0]], 1);
+      Point ab = scaled(c.vertices[corners[1]], 1), ac = scaled(c.vertices[corners[2]], 1);
+      for (size_t i = 0; i < 3; ++i) {
+        ab[i] -= a[i];
+        ac[i] -= a[i];
+      }
+      for (uint32_t v : corners) areas[v] += length(cross(ab, ac)) / 6;
+    }
+  }
+  return areas;
+}
+
+// Linear blend skinning; what a row lacks to sum 1 stays at rest.
+Point skin_point(const std::vector<std::pair<size_t, double>>& row, const std::vector<Affine>& palette,
+                 const Point& p) {
+  Point out{};
+  double lack = 1;
+  for (const auto& [joint, weight] : row) {
+    const Affine& m = palette[joint];
+    for (size_t i = 0; i < 3; ++i)
+      out[i] += weight * (m[4 * i] * p[0] + m[4 * i + 1] * p[1] + m[4 * i + 2] * p[2] + m[4 * i + 3]);
+    lack -= weight;
+  }
+  for (size_t i = 0; i < 3; ++i) out[i] += lack * p[i];
+  return out;
+}
+
+std::vector<std::pair<size_t, double>> nonzero(const std::vector<double>& row) {
+  std::vector<std::pair<size_t, double>> out;
+  for (size_t j = 0; j < row.size(); ++j)
+    if (row[j] > 0) out.emplace_back(j, row[j]);
+  return out;
+}
+
+// Sums over the bound vertices, in the order of the file.
+struct WeightSums {
+  size_t vertices = 0, reference_pairs = 0, predicted_pairs = 0, common_pairs = 0;
+  size_t argmax_hits = 0, bad = 0, unweighted = 0;
+  double l1 = 0, kl = 0, area = 0, l1_area = 0;
+};
+
+double add_vertex(const std::vector<double>& r, const std::vector<double>& p, double area, WeightSums* sums) {
+  double kl = 0, predicted_sum = 0, largest_reference = 0;
+  std::vector<double> differences(r.size());
+  size_t top = 0;
+  for (size_t j = 0; j < r.size(); ++j) {
+    const bool in_reference = r[j] > kThreshold, in_prediction = p[j] > kThreshold;
+    sums->reference_pairs += in_reference;
+    sums->predicted_pairs += in_prediction;
+    sums->common_pairs += in_reference && in_prediction;
+    differences[j] = std::abs(r[j] - p[j]);
+    if (r[j] > 0) kl += r[j] * std::log(std::max(r[j], kLogFloor) / std::max(p[j], kLogFloor));
+    predicted_sum += p[j];
+    largest_reference = std::max(largest_reference, r[j]);
+    if (p[j] > p[top]) top = j;
+  }
+  const double l1 = numpy_sum(differences.data(), differences.size());
+  // A tie of the reference counts for either joint.
+  if (r[top] >= largest_reference - 1e-6 && predicted_sum > 0.5) ++sums->argmax_hits;
+  if (l1 > 0.5) ++sums->bad;
+  if (predicted_sum < 0.5) ++sums->unweighted;
+  ++sums->vertices;
+  sums->l1 += l1;
+  sums->kl += std::max(kl, 0.0);
+  sums->area += area;
+  sums->l1_area += l1 * area;
+  return l1;
+}
+
+}  // namespace
+
+std::vector<uint32_t> fold_targets(const Character& reference) {
+  return fold_targets(reference, normalised_rows(reference.influences, reference.joints.size(), reference.name));
+}
+
+Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
+                const std::string& name, int poses, std::vector<float>* vertex_l1, std::vector<double>* pose_distance) {
+  const size_t vertex_count = reference.vertices.size(), joint_count = reference.joints.size();
+  if (reference.influences.size() != vertex_count) {
+    throw Error(name + ": the reference has no weights to compare with (expected " + std::to_string(vertex_count) +
+                " rows, found " + std::to_string(reference.influences.size()) + ")");
+  }
+  if (predicted.size() != vertex_count) {
+    throw Error(name + ": the prediction has " + std::to_string(predicted.size()) + " rows, expected " +
+                std::to_string(vertex_count) + ", one per vertex");
+  }
+  const Rows r = normalised_rows(reference.influences, joint_count, name);
+  Rows p = normalised_rows(predicted, joint_count, name);
+  const std::vector<uint32_t> targets = fold_targets(reference, r);
+  for (std::vector<double>& row : p) {
+    for (size_t j = 0; j < joint_count; ++j) {
+      if (targets[j] == j || row[j] == 0) continue;
+      row[targets[j]] += row[j];
+      row[j] = 0;
+    }
+  }
+
+  std::vector<size_t> kept;
+  for (size_t v = 0; v < vertex_count; ++v)
+    if (!nonzero(r[v]).empty()) kept.push_back(v);
+  if (kept.empty()) throw Error(name + ": no vertex has reference weights, there is nothing to compare with");
+
+  WeightSums sums;
+  const std::vector<double> areas = vertex_areas(reference);
+  if (vertex_l1) vertex_l1->assign(vertex_count, 0.0f);
+  for (size_t v : kept) {
+    const double l1 = add_vertex(r[v], p[v], areas[v], &sums);
+    if (vertex_l1) (*vertex_l1)[v] = static_cast<float>(l1);
+  }
+
+  Metrics m;
+  const auto n = static_cast<double>(sums.vertices);
+  m.precision = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.predicted_pairs));
+  m.recall = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.reference_pairs));
+  m.l1 = sums.l1 / n;
+  m.argmax = static_cast<double>(sums.argmax_hits) / n;
+  m.kl = sums.kl / n;
+  m.bad = static_cast<double>(sums.bad) / n;
+  m.l1_area = sums.area > 0 ? sums.l1_area / sums.area : m.l1;
+  m.influences = static_cast<double>(sums.predicted_pairs) / n;
+  m.unweighted = static_cast<double>(sums.unweighted) / n;
+  m.vertices = vertex_count;
+  m.unbound = vertex_count - sums.vertices;
+  m.joints = joint_count;
+
+  const double side = longest_side(reference.vertices);
+  const double scale = side > 0 ? 1 / side : 1;
+  std::vector<Point> joint_positions;
+  for (const Joint& joint : reference.joints) joint_positions.push_back(scaled(joint.position, scale));
+  const std::vector<std::vector<Affine>> palettes = random_poses(reference, name, joint_positions, poses);
+  std::vector<double> largest(palettes.size(), 0.0);
+  std::vector<double> sum_of_pose(palettes.size(), 0.0);
+  double total = 0;
+  for (size_t v : kept) {
+    if (r[v] == p[v]) continue;  // the same skin, distance 0
+    const auto reference_row = nonzero(r[v]), predicted_row = nonzero(p[v]);
+    const Point rest = scaled(reference.vertices[v], scale);
+    for (size_t k = 0; k < palettes.size(); ++k) {
+      Point difference = skin_point(reference_row, palettes[k], rest);
+      const Point other = skin_point(predicted_row, palettes[k], rest);
+      for (size_t i = 0; i < 3; ++i) difference[i] -= other[i];
+      const double distance = length(difference);
+      total += distance;
+      sum_of_pose[k] += distance;
+      largest[k] = std::max(largest[k], distance);
+    }
+  }
+  for (double d : largest) {
+    m.max_dist += d / static_cast<double>(largest.size());
+    m.max_dist_all = std::max(m.max_dist_all, d);
+  }
+  if (!palettes.empty()) m.avg_dist = total / (n * static_cast<double>(palettes.size()));
+  if (pose_distance) {
+    pose_distance->clear();
+    for (const double sum : sum_of_pose) pose_distance->push_back(sum / n);
+  }
+  return m;
+}
+
+namespace {
+
+// Distances to bones of which a leaf's goes on along its parent bone: half as long, at most a tenth of the skeleton.
+BoneDistance with_stubs(const Character& character) {
+  BoneDistance distance(character);
+  std::vector<Point> joints;
+  for (const Joint& joint : character.joints)
+    joints.push_back({static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
+                      static_cast<double>(joint.position.z)});
+  double size = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const auto less = [i](const Point& a, const Point& b) { return a[i] < b[i]; };
+    const auto [low, high] = std::minmax_element(joints.begin(), joints.end(), less);
+    size = std::max(size, (*high)[i] - (*low)[i]);
+  }
+  for (size_t j = 0; j < joints.size(); ++j) {
+    if (character.joints[j].parent < 0) continue;
+    const Point& from = joints[static_cast<size_t>(character.joints[j].parent)];
+    Point end = joints[j];
+    const double length = std::hypot(end[0] - from[0], end[1] - from[1], end[2] - from[2]);
+    if (length == 0) continue;
+    const double share = std::min(0.5, 0.1 * size / length);
+    for (size_t i = 0; i < 3; ++i) end[i] += share * (end[i] - from[i]);
+    distance.set_leaf_end(j, end);
+  }
+  return distance;
+}
+
+}  // namespace
+
+std::vector<std::vector<Influence>> nearest_bone(const Character& character, const std::vector<uint8_t>& deforms) {
+  const std::vector<Joint>& joints = character.joints;
+  if (!deforms.empty() && deforms.size() != joints.size())
+    throw Error(character.name + ": expected " + std::to_string(joints.size()) + " flags, one per joint; found " +
+                std::to_string(deforms.size()));
+  std::vector<uint32_t> candidates;
+  for (uint32_t j = 0; j < joints.size(); ++j)
+    if (deforms.empty() || deforms[j] != 0) candidates.push_back(j);
+  if (candidates.empty()) throw Error(character.name + ": there is no joint to bind to");
+  const BoneDistance distance = with_stubs(character);
+  std::vector<uint32_t> depth(joints.size(), 0);
+  for (size_t j = 0; j < joints.size(); ++j)
+    for (int up = joints[j].parent; up >= 0 && depth[j] < joints.size(); up = joints[static_cast<size_t>(up)].parent)
+      ++depth[j];
+  std::vector<std::vector<Influence>> rows;
+  rows.reserve(character.vertices.size());
+  for (const Vec3& vertex : character.vertices) {
+    uint32_t best = candidates[0];
+    double least = INFINITY;
+    for (const uint32_t j : candidates) {
+      const double d = distance(vertex, j);
+      if (d < least || (d == least && depth[j] > depth[best])) {
+        least = d;
+        best = j;
+      }
+    }
+    rows.push_back({{best, 1.0f}});
+  }
+  return rows;
+}
+
+}  // namespace sinew
