@@ -148,8 +148,10 @@ Character apply_pose(const Character& character, const std::vector<Affine>& pale
   Character posed = character;
   for (size_t v = 0; v < vertex_count; ++v)
     if (bound[v]) posed.vertices[v] = {moved[3 * v], moved[3 * v + 1], moved[3 * v + 2]};
-  for (size_t j = 0; j < joint_count; ++j)
-    posed.joints[j].position = to_vec3(transform_point(palette[j], rest_position(character.joints[j])));
+  for (size_t j = 0; j < joint_count; ++j) {
+    const auto [x, y, z] = rest_position(character.joints[j]);
+    posed.joints[j].position = to_vec3(transform_point(palette[j], x, y, z));
+  }
   // Both belong to the rest pose: normals would shade wrongly, and the glTF source holds the rest positions.
   posed.corner_normals.clear();
   posed.gltf.reset();
