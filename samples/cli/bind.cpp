@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew bind: one mesh, one skeleton, weights out.
+#include "sinew_formats/bind.hpp"
+
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -12,7 +14,6 @@
 #include "commands.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/binder.hpp"
 #include "style_options.hpp"
 #include "support.hpp"
 #include "thread_pool.hpp"

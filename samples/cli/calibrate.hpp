@@ -8,7 +8,7 @@
 
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_quant/quantize.hpp"
-#include "sinew_trainer/binder.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "eval_studies.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/binder.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "eval_studies.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "support.hpp"
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 
 #include "eval_studies.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/robustness.hpp"
 #include "support.hpp"
 

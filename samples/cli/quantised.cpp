@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sinew/sinew.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/network_input.hpp"
 

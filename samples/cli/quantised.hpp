@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sinew/sinew.h"
-#include "sinew_trainer/binder.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "sinew_trainer/binder.hpp"
+#include "sinew_formats/bind.hpp"
 
 namespace sinew::cli {
 

@@ -9,7 +9,7 @@
 
 #include "open_bundled_model.hpp"
 #include "sinew_datasets/synthesize.hpp"
-#include "sinew_trainer/binder.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_trainer/confidence.hpp"
 
 namespace sinew {

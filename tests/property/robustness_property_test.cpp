@@ -6,9 +6,9 @@
 #include <string>
 
 #include "open_bundled_model.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/robustness.hpp"
 
 namespace sinew {

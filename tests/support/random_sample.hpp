@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "sinew_trainer/binder.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew::testing {
 

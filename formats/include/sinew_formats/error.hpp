@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The one exception of the tools: a job cannot go on. Its text is one line: what, where, what was expected, what to do.
+// The exception of the tools: a job cannot go on. Its text is one line: what, where, what was expected, what to do.
 #ifndef SINEW_FORMATS_ERROR_HPP
 #define SINEW_FORMATS_ERROR_HPP
 
@@ -11,6 +11,12 @@ namespace sinew {
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& line) : std::runtime_error(line) {}
+};
+
+// There is no memory for what the job needs in one piece; the text says how much that is.
+class OutOfMemory : public Error {
+ public:
+  using Error::Error;
 };
 
 }  // namespace sinew

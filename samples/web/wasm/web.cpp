@@ -4,11 +4,9 @@
 // says they lie.
 #include <emscripten.h>
 
-#include <algorithm>
-#include <chrono>
+#include <array>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,6 +14,7 @@
 
 #include "sinew/sinew.h"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
@@ -55,24 +54,6 @@ Session& session() {
   return only;
 }
 
-class Block {
- public:
-  explicit Block(size_t bytes)
-      : data_(::operator new (std::max<size_t>(bytes, 1), std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}, std::nothrow)) {
-    if (data_ == nullptr) {
-      throw Error("binding this mesh needs " + std::to_string(bytes / 1000000) +
-                  " MB in one piece, more than this browser gives a page; try the sinew command");
-    }
-  }
-  ~Block() { ::operator delete (data_, std::align_val_t{SINEW_WORKSPACE_ALIGNMENT}); }
-  Block(const Block&) = delete;
-  Block& operator=(const Block&) = delete;
-  void* data() const { return data_; }
-
- private:
-  void* data_;
-};
-
 // Runs a call; what it throws becomes its reply.
 template <class Call>
 const char* answer(Call call) {
@@ -81,6 +62,8 @@ const char* answer(Call call) {
     reply = call();
   } catch (const std::bad_alloc&) {
     reply = {{"error", "out of memory: the file is too large for this browser; try the sinew command"}};
+  } catch (const OutOfMemory& error) {
+    reply = {{"error", std::string(error.what()) + ", more than this browser gives a page; try the sinew command"}};
   } catch (const std::exception& error) {
     reply = {{"error", error.what()}};
   }
@@ -121,71 +104,38 @@ int progress(void*, uint32_t permille) {
 }
 
 Json bind(Session& s, uint32_t method, uint32_t up_axis) {
-  std::vector<float> joint_positions;
-  std::vector<int32_t> parents;
-  for (const Joint& joint : s.character.joints) {
-    joint_positions.insert(joint_positions.end(), {joint.position.x, joint.position.y, joint.position.z});
-    parents.push_back(joint.parent);
+  BindOptions options;
+  options.method = static_cast<sinew_method>(method);
+  if (options.method == SINEW_METHOD_MODEL) {
+    if (s.model.bytes == nullptr) throw Error("no model is loaded");
+    options.model = &s.model;
   }
-  sinew_mesh mesh = {};
-  mesh.positions = s.rest.data();
-  mesh.vertex_count = static_cast<uint32_t>(s.character.vertices.size());
-  mesh.face_offsets = s.character.face_offsets.data();
-  mesh.face_vertices = s.character.face_vertices.data();
-  mesh.face_count = static_cast<uint32_t>(s.character.face_count());
-  mesh.corner_count = static_cast<uint32_t>(s.character.face_vertices.size());
-  sinew_skeleton skeleton = {};
-  skeleton.positions = joint_positions.data();
-  skeleton.parents = parents.data();
-  skeleton.joint_count = static_cast<uint32_t>(parents.size());
-  std::vector<uint8_t> confidence(mesh.vertex_count);
-  sinew_options options = {};
-  options.method = method;
   options.influence_count = kInfluences;
   options.up_axis = up_axis;
-  options.confidence = confidence.data();
   options.progress = progress;
-  const sinew_model* const model = method == SINEW_METHOD_MODEL ? &s.model : nullptr;
-  if (model != nullptr && model->bytes == nullptr) throw Error("no model is loaded");
-  size_t bytes = 0, used = 0;
-  check(s.character.name, sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
-                                                    skeleton.joint_count, &options, &bytes));
-  std::vector<uint16_t> joints(size_t{mesh.vertex_count} * kInfluences), weights(joints.size());
-  double seconds = 0;
-  {
-    const Block workspace(bytes);
-    const auto start = std::chrono::steady_clock::now();
-    check(s.character.name,
-          sinew_bind(model, &mesh, &skeleton, &options, workspace.data(), bytes, joints.data(), weights.data(), &used));
-    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-  s.joints = std::move(joints);
-  s.weights = std::move(weights);
-  s.confidence = std::move(confidence);
-  s.character.influences.assign(s.character.vertices.size(), {});
-  std::vector<double> sums(parents.size(), 0);
+  BindResult result = sinew::bind(s.character, options);
+  s.joints = std::move(result.joints);
+  s.weights = std::move(result.weights);
+  s.confidence = std::move(result.confidence);
+  s.character.influences = std::move(result.influences);
+  std::vector<double> sums(s.character.joints.size(), 0);
   size_t pairs = 0;
-  for (size_t v = 0; v < s.character.vertices.size(); ++v) {
-    for (size_t i = v * kInfluences; i < (v + 1) * kInfluences; ++i) {
-      if (s.weights[i] == 0) continue;
-      const float weight = static_cast<float>(s.weights[i]) / 65535.0f;
-      s.character.influences[v].push_back({s.joints[i], weight});
-      sums[s.joints[i]] += weight;
-      ++pairs;
-    }
+  for (const std::vector<Influence>& row : s.character.influences) {
+    for (const Influence& influence : row) sums[influence.joint] += influence.weight;
+    pairs += row.size();
   }
   s.strongest.resize(s.surface.vertex_of.size());
   for (size_t i = 0; i < s.strongest.size(); ++i)
     s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * kInfluences];
   size_t unsure = 0;
   for (const uint8_t c : s.confidence) unsure += c < 128 ? 1 : 0;
-  return {{"seconds", seconds},
-          {"workspaceBytes", bytes},
-          {"usedBytes", used},
+  return {{"seconds", result.seconds},
+          {"workspaceBytes", result.workspace_bytes},
+          {"usedBytes", result.used_bytes},
           {"hash", result_hash(s)},
           {"jointWeights", sums},
           {"unsureVertices", unsure},
-          {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(mesh.vertex_count)}};
+          {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(s.character.vertices.size())}};
 }
 
 Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
@@ -251,11 +201,10 @@ void pose(Session& s, const float* turns, bool dual_quaternion) {
   std::vector<float> matrices;
   s.joint_positions.clear();
   for (size_t j = 0; j < palette.size(); ++j) {
-    const Affine& m = palette[j];
-    const Vec3& p = s.character.joints[j].position;
-    for (const double x : m) matrices.push_back(static_cast<float>(x));
-    for (size_t row = 0; row < 12; row += 4)
-      s.joint_positions.push_back(static_cast<float>(m[row] * p.x + m[row + 1] * p.y + m[row + 2] * p.z + m[row + 3]));
+    const Vec3& rest = s.character.joints[j].position;
+    for (const double x : palette[j]) matrices.push_back(static_cast<float>(x));
+    for (const double x : transform_point(palette[j], rest.x, rest.y, rest.z))
+      s.joint_positions.push_back(static_cast<float>(x));
   }
   const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
   check(s.character.name,

@@ -4,7 +4,7 @@
 #define SINEW_TRAINER_NETWORK_INPUT_HPP
 
 #include "network/network.hpp"
-#include "sinew_trainer/binder.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "sinew_formats/checkpoint.hpp"
-#include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Training samples: the engine's own features of a character beside the truth.
+#include "sinew_trainer/sample.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "bind/pipeline.hpp"
-#include "engine_views.hpp"
 #include "sinew/sinew.hpp"
+#include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/binder.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "weights/influences.hpp"
 
@@ -151,25 +152,6 @@ std::vector<std::vector<Influence>> sample_influences(const Sample& sample, cons
   rows.reserve(sample.vertex_to_welded.size());
   for (uint32_t u : sample.vertex_to_welded) rows.push_back(welded[u]);
   return rows;
-}
-
-std::vector<Influence> round_influences(const std::vector<Influence>& row, uint32_t keep) {
-  double sum = 0;
-  for (const Influence& i : row) sum += i.weight;
-  std::vector<uint16_t> joints;
-  std::vector<uint32_t> weights;
-  for (const Influence& i : row) {
-    joints.push_back(static_cast<uint16_t>(i.joint));
-    weights.push_back(sum > 0 ? static_cast<uint32_t>(std::lround(i.weight / sum * 65536.0)) : 0);
-  }
-  std::vector<Influence> out;
-  if (sum <= 0) return out;
-  uint16_t kept_joints[SINEW_MAX_INFLUENCES], kept[SINEW_MAX_INFLUENCES];
-  keep_largest(joints.data(), weights.data(), static_cast<uint32_t>(joints.size()), keep, 65535, kept_joints, kept);
-  for (uint32_t i = 0; i < keep; ++i) {
-    if (kept[i] > 0) out.push_back({kept_joints[i], static_cast<float>(kept[i]) / 65535.0f});
-  }
-  return out;
 }
 
 }  // namespace sinew

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sinew_formats/checkpoint.hpp"
-#include "sinew_trainer/binder.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

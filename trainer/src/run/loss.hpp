@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sinew_trainer/binder.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -4,10 +4,10 @@
 
 #include "bind/pipeline.hpp"
 #include "candidates/candidates.hpp"
-#include "engine_views.hpp"
 #include "features/features.hpp"
 #include "mesh/mesh.hpp"
 #include "sinew/sinew.hpp"
+#include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/evaluate.hpp"
 

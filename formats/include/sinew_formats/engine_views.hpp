@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A Character as the engine's borrowed views, with the arrays they point into.
-#ifndef SINEW_TRAINER_ENGINE_VIEWS_HPP
-#define SINEW_TRAINER_ENGINE_VIEWS_HPP
+#ifndef SINEW_FORMATS_ENGINE_VIEWS_HPP
+#define SINEW_FORMATS_ENGINE_VIEWS_HPP
 
 #include <cstdint>
 #include <vector>

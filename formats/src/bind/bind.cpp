@@ -1,60 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Binds a Character through the C API alone.
-#include "sinew_trainer/binder.hpp"
+// A bind of a Character through sinew.h alone: options in, one workspace, rows out.
+#include "sinew_formats/bind.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 
-#include "engine_views.hpp"
 #include "sinew/sinew.hpp"
+#include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
 
-EngineViews::EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags) : flags(joint_flags) {
-  positions.reserve(character.vertices.size() * 3);
-  for (const Vec3& p : character.vertices) positions.insert(positions.end(), {p.x, p.y, p.z});
-  for (const Joint& joint : character.joints) {
-    joint_positions.insert(joint_positions.end(), {joint.position.x, joint.position.y, joint.position.z});
-    parents.push_back(joint.parent);
-  }
-  mesh.positions = positions.data();
-  mesh.vertex_count = static_cast<uint32_t>(character.vertices.size());
-  mesh.face_offsets = character.face_offsets.data();
-  mesh.face_vertices = character.face_vertices.data();
-  mesh.face_count = static_cast<uint32_t>(character.face_count());
-  mesh.corner_count = static_cast<uint32_t>(character.face_vertices.size());
-  skeleton.positions = joint_positions.data();
-  skeleton.parents = parents.data();
-  skeleton.flags = flags.empty() ? nullptr : flags.data();
-  skeleton.joint_count = static_cast<uint32_t>(character.joints.size());
-}
-
-void check_bindable(const Character& character) {
-  if (character.vertices.empty()) throw Error(character.name + ": the mesh has no vertices");
-  if (character.joints.empty()) {
-    throw Error(character.name + ": there is no skeleton; give one with --skeleton or use a file that has a skin");
-  }
-  if (character.joints.size() > SINEW_MAX_JOINTS) {
-    throw Error(character.name + ": " + std::to_string(character.joints.size()) + " joints, at most " +
-                std::to_string(SINEW_MAX_JOINTS) + " are supported");
-  }
-  if (character.vertices.size() > SINEW_MAX_VERTICES) {
-    throw Error(character.name + ": " + std::to_string(character.vertices.size()) + " vertices, at most " +
-                std::to_string(SINEW_MAX_VERTICES) + " are supported");
-  }
-}
-
-void throw_status(const Character& character, sinew_status status) {
-  if (status != SINEW_OK) throw Error(character.name + ": " + sinew_status_text(status));
-}
-
 namespace {
 
 // The caller's rows for locked vertices and hints, rounded as the engine rounds.
-void fill_given(const Character& character, const BindOptions& options, std::vector<uint16_t>* joints,
-                std::vector<uint16_t>* weights) {
+//   joints, weights  out [V x N], rows that are not given stay as they are
+void fill_given(const Character& character, const BindOptions& options, uint16_t* joints, uint16_t* weights) {
   if (character.influences.size() != character.vertices.size()) {
     throw Error(character.name + ": vertices are locked or hints, but the mesh has no weights of its own to keep");
   }
@@ -65,8 +28,8 @@ void fill_given(const Character& character, const BindOptions& options, std::vec
     if (!locked && !hint) continue;
     const std::vector<Influence> row = round_influences(character.influences[v], options.influence_count);
     for (size_t i = 0; i < row.size(); ++i) {
-      (*joints)[v * n + i] = static_cast<uint16_t>(row[i].joint);
-      (*weights)[v * n + i] = static_cast<uint16_t>(std::lround(row[i].weight * 65535.0f));
+      joints[v * n + i] = static_cast<uint16_t>(row[i].joint);
+      weights[v * n + i] = static_cast<uint16_t>(std::lround(row[i].weight * 65535.0f));
     }
   }
 }
@@ -116,20 +79,26 @@ BindResult bind(const Character& character, const BindOptions& options) {
                                                     &engine_options, &result.workspace_bytes));
   const Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes) {
-    throw Error(character.name + ": no memory for a workspace of " + std::to_string(result.workspace_bytes) + " bytes");
+    throw OutOfMemory(character.name + ": no memory for a workspace of " +
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
   }
   const size_t n = options.influence_count;
-  std::vector<uint16_t> joints(character.vertices.size() * n), weights(character.vertices.size() * n);
-  if (!options.locked.empty() || !options.hints.empty()) fill_given(character, options, &joints, &weights);
+  result.joints.resize(character.vertices.size() * n);
+  result.weights.resize(result.joints.size());
+  if (!options.locked.empty() || !options.hints.empty()) {
+    fill_given(character, options, result.joints.data(), result.weights.data());
+  }
   const auto start = std::chrono::steady_clock::now();
-  throw_status(character, sinew_bind(options.model, &views.mesh, &views.skeleton, &engine_options, workspace.data(),
-                                     workspace.size(), joints.data(), weights.data(), &result.used_bytes));
+  throw_status(character,
+               sinew_bind(options.model, &views.mesh, &views.skeleton, &engine_options, workspace.data(),
+                          workspace.size(), result.joints.data(), result.weights.data(), &result.used_bytes));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   result.influences.resize(character.vertices.size());
   for (size_t v = 0; v < character.vertices.size(); ++v) {
     for (size_t i = v * n; i < (v + 1) * n; ++i) {
-      if (weights[i] > 0) result.influences[v].push_back({joints[i], static_cast<float>(weights[i]) / 65535.0f});
+      if (result.weights[i] == 0) continue;
+      result.influences[v].push_back({result.joints[i], static_cast<float>(result.weights[i]) / 65535.0f});
     }
   }
   return result;

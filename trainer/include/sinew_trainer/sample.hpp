@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Samples: what the network sees of a character, with the weights it shall learn.
+#ifndef SINEW_TRAINER_SAMPLE_HPP
+#define SINEW_TRAINER_SAMPLE_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// What the network sees of one character, plus the truth: one training sample. Copies, all sizes known.
+// A joint that is no candidate, but whose end marker is (fold[end] == joint), has its reference weight on the first such
+// end marker. The yardstick counts `importance`.
+struct Sample {
+  std::string name, family;
+  uint32_t vertices = 0;    // U welded
+  uint32_t candidates = 0;  // K
+  uint32_t vertex_features = 0, pair_features = 0;
+  uint32_t components = 0, joints = 0;
+  std::vector<int16_t> vertex;                     // [U x C0] Q13
+  std::vector<int16_t> pair;                       // [U x K x C1] Q13
+  std::vector<uint16_t> candidate;                 // [U x K], 0xFFFF absent
+  std::vector<uint32_t> row_offsets, col_indices;  // one-ring CSR
+  std::vector<uint32_t> component, component_offsets, component_vertices;
+  std::vector<float> target;               // [U x K] reference weight of each candidate, see above
+  std::vector<uint32_t> fold;              // [J] fold_targets of the character
+  std::vector<float> missing;              // [U] reference weight no candidate has
+  std::vector<float> importance;           // [U] the caller's vertices in this one that have weights; 0: unbound
+  std::vector<float> heat;                 // [U x K] the finished rule field at the candidates (sums to <= 1)
+  std::vector<uint32_t> vertex_to_welded;  // [V]
+  std::vector<float> positions;            // [U x 3] in sides of the grid, 0..1
+  std::vector<float> joint_positions;      // [J x 3] likewise
+  std::vector<int32_t> parents;            // [J] -1 for roots
+};
+
+// Runs the engine's stages 1 to 7 on a character. feature_flags: of a network's feature set (other bits are ignored).
+// Throws Error.
+Sample make_sample(const Character& character, uint32_t candidates, uint32_t grid, uint32_t feature_flags = 0);
+
+// A network's probabilities [U x K] as rows of influences [V], the `keep` largest, rounded as the engine rounds.
+std::vector<std::vector<Influence>> sample_influences(const Sample& sample, const std::vector<float>& probabilities,
+                                                      uint32_t keep);
+
+}  // namespace sinew
+#endif
