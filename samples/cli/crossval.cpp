@@ -11,11 +11,11 @@
 #include <string>
 #include <thread>
 
-#include "calibrate.hpp"
 #include "commands.hpp"
-#include "quantised.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
+#include "sinew_trainer/calibrate.hpp"
+#include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/ranks.hpp"
 #include "support.hpp"
 

@@ -19,12 +19,14 @@
 #include <string>
 #include <thread>
 
-#include "calibrate.hpp"
 #include "commands.hpp"
 #include "eval_studies.hpp"
 #include "model/layout.hpp"
-#include "quantised.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_quant/quantize.hpp"
+#include "sinew_trainer/calibrate.hpp"
+#include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/reliability_plot.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew quantize: a float checkpoint in, an int16 model out.
+#include "sinew_quant/quantize.hpp"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -7,10 +9,10 @@
 #include <string>
 #include <thread>
 
-#include "calibrate.hpp"
 #include "commands.hpp"
 #include "eval_studies.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/calibrate.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "calibrate.hpp"
 #include "features/features.hpp"
-#include "quantised.hpp"
+#include "sinew_formats/bind.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
+#include "sinew_trainer/calibrate.hpp"
+#include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/train.hpp"

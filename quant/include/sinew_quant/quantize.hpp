@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Float checkpoint to int16 model: calibrated ranges, per-channel shifts, accumulator proofs, model writer.
-// quant does not depend on trainer: calibration data comes in as plain arrays.
 #ifndef SINEW_QUANT_QUANTIZE_HPP
 #define SINEW_QUANT_QUANTIZE_HPP
 
@@ -8,20 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "sinew_formats/calibration.hpp"
 #include "sinew_formats/checkpoint.hpp"
 
 namespace sinew {
 
-// Largest absolute value seen in each layer's output region over the calibration set: [layers].
-struct Calibration {
-  std::vector<float> layer_max;
-};
-
 struct QuantizeOptions {
-  double margin = 1.5;   // ranges are calibrated maximum times margin
-  int weight_bits = 16;  // 16, 12, 10 or 8: weights are rounded to so many bits
-  int activation_bits =
-      14;  // 14, or fewer to study the error (values are then rounded to a coarser grid of the same format)
+  double margin = 1.5;       // a layer's range is its calibrated maximum times this
+  int weight_bits = 16;      // 16, 12, 10 or 8: weights are rounded to so many bits
+  int activation_bits = 14;  // fewer, to study the error: values are rounded to a coarser grid of the same format
 };
 
 struct QuantizeLayerReport {

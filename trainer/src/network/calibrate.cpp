@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Calibration of a float network on samples.
-#include "calibrate.hpp"
+#include "sinew_trainer/calibrate.hpp"
 
 #include <algorithm>
 #include <cmath>

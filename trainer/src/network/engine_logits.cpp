@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The engine's integer network on a sample, and its noise against the float network.
-#include "quantised.hpp"
+#include "sinew_trainer/engine_logits.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Logits of a quantised network on a training sample, for comparing them with the float network's.
-#ifndef SINEW_CLI_QUANTISED_HPP
-#define SINEW_CLI_QUANTISED_HPP
+// Logits of a quantised network on a sample, and their noise beside the float network's.
+#ifndef SINEW_TRAINER_ENGINE_LOGITS_HPP
+#define SINEW_TRAINER_ENGINE_LOGITS_HPP
 
 #include <vector>
 

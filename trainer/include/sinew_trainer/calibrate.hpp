@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Runs a float network over samples and takes the largest value of every layer: what the quantizer needs to know.
-#ifndef SINEW_CLI_CALIBRATE_HPP
-#define SINEW_CLI_CALIBRATE_HPP
+#ifndef SINEW_TRAINER_CALIBRATE_HPP
+#define SINEW_TRAINER_CALIBRATE_HPP
 
 #include <string>
 #include <vector>
 
+#include "sinew_formats/calibration.hpp"
 #include "sinew_formats/checkpoint.hpp"
-#include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/sample.hpp"
 
 namespace sinew {
