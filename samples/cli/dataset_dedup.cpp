@@ -13,7 +13,7 @@
 #include "sinew_datasets/dedup.hpp"
 #include "sinew_datasets/split.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/crossval.hpp"
+#include "sinew_trainer/family_groups.hpp"
 #include "support.hpp"
 
 namespace fs = std::filesystem;

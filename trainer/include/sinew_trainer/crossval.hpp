@@ -6,30 +6,14 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "sinew_trainer/family_groups.hpp"
 #include "sinew_trainer/train.hpp"
 
 namespace sinew {
-
-// Which families look alike and are therefore left out together. A family that the file does not name follows the rule:
-// mh_* is "mh", every other is named by itself without the digits at its end (q_men19 -> q_men).
-struct FamilyGroups {
-  std::map<std::string, std::string> group_of;  // family -> group
-  std::set<std::string> apart = {"mh"};         // groups that the second mean leaves out
-  std::string group(const std::string& family) const;
-};
-// {"groups": {"GROUP": ["FAMILY", ...], ...}, "apart": ["GROUP", ...]}, both optional. Throws Error naming the place.
-FamilyGroups read_family_groups(const std::string& path);
-
-// Families of every fold, sorted; folds hold about as many families. The largest group goes first to the fold with the
-// fewest families (then the fewest characters, then the lowest number), so the same input gives the same folds.
-// families: name -> number of characters. Throws Error when there are fewer groups than folds.
-std::vector<std::vector<std::string>> make_folds(const std::map<std::string, size_t>& families,
-                                                 const FamilyGroups& groups, uint32_t fold_count);
 
 // Figures of the network and of heat on the same characters.
 struct CrossvalFigures {

@@ -38,9 +38,6 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
                 const std::string& name, int poses = 10, std::vector<float>* vertex_l1 = nullptr,
                 std::vector<double>* pose_distance = nullptr);
 
-// Parent every end joint's weight folds to ([J], itself when it is none): a leaf that no reference vertex is bound to.
-std::vector<uint32_t> fold_targets(const Character& reference);
-
 // The baseline nearest bone: every vertex rigid to the joint whose bone is nearest. A joint's bones are the segments to
 // its children; a leaf's is a stub along its parent's bone, half as long and at most a tenth of the longest side of the
 // joints' box. Where a bone ends, the joint there is as near as the one that moves the bone: it goes to the deeper

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Groups of families that look alike, and how they are dealt to folds.
+#include "sinew_trainer/family_groups.hpp"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/crossval.hpp"
 
 namespace sinew {
 

@@ -9,7 +9,7 @@
 #include "sinew/sinew.hpp"
 #include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/fold_targets.hpp"
 #include "weights/influences.hpp"
 
 namespace sinew {

@@ -256,19 +256,4 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
   return samples;
 }
 
-std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid,
-                                 const std::string& cache_dir, uint32_t threads, bool quiet, uint32_t feature_flags) {
-  std::vector<SampleRequest> requests;
-  for (const std::string& path : list_characters(folder)) requests.push_back({path, 0});
-  if (requests.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
-  SampleSource source;
-  source.candidates = candidates;
-  source.grid = grid;
-  source.cache_dir = cache_dir;
-  source.threads = threads;
-  source.quiet = quiet;
-  source.feature_flags = feature_flags;
-  return load_requests(requests, source);
-}
-
 }  // namespace sinew

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sinew_datasets/synthesize.hpp"
-#include "sinew_trainer/train.hpp"
+#include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 

@@ -16,12 +16,12 @@
 #include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "data/family_queue.hpp"
-#include "data/training_set.hpp"
 #include "features/features.hpp"
 #include "network/absent_channels.hpp"
 #include "network/networks.hpp"
 #include "run/batch_gradient.hpp"
 #include "run/optimizer.hpp"
+#include "run/training_set.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/fold_targets.hpp"
 #include "weights/confidence.hpp"
 
 namespace sinew {

@@ -8,106 +8,17 @@
 #include <charconv>
 #include <cmath>
 
+#include "data/dense_rows.hpp"
 #include "sinew_datasets/bone_distance.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/pose.hpp"
+#include "sinew_trainer/fold_targets.hpp"
 #include "sinew_trainer/random_poses.hpp"
 
 namespace sinew {
 namespace {
 
-constexpr double kThreshold = 1e-4;  // above it a weight counts as an influence
-constexpr double kLogFloor = 1e-4;   // both sides of the KL divergence
-
-using Rows = std::vector<std::vector<double>>;
-
-// Files hold round decimals, so errors of exactly 0.5 and weights of exactly 1e-4 are common, and the last bit decides
-// on which side of a threshold they fall. To fall where the yardstick's do, weights go back to the decimal that the
-// float was read from, and rows are added in numpy's order. (Without this `bad` was off by up to 6e-4 on single
-// characters.)
-double decimal_value(float weight) {
-  std::array<char, 32> text;
-  const auto printed = std::to_chars(text.data(), text.data() + text.size(), weight);
-  double value = 0;
-  std::from_chars(text.data(), printed.ptr, value);
-  return value;
-}
-
-// numpy's pairwise sum: eight running sums for up to 128 values, halves (of a multiple of 8) above that.
-double numpy_sum(const double* values, size_t count) {
-  double sum = 0;
-  if (count < 8) {
-    for (size_t i = 0; i < count; ++i) sum += values[i];
-    return sum;
-  }
-  if (count > 128) {
-    const size_t half = count / 2 - count / 2 % 8;
-    return numpy_sum(values, half) + numpy_sum(values + half, count - half);
-  }
-  std::array<double, 8> lanes;
-  std::copy_n(values, 8, lanes.begin());
-  size_t i = 8;
-  for (; i + 8 <= count; i += 8)
-    for (size_t k = 0; k < 8; ++k) lanes[k] += values[i + k];
-  sum = ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]));
-  for (; i < count; ++i) sum += values[i];
-  return sum;
-}
-
-// Dense rows [V][J] with sum 1, or all zero. Weights that are not positive do not count; a joint named twice is added
-// up.
-Rows normalised_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
-                     const std::string& name) {
-  Rows rows(influences.size(), std::vector<double>(joint_count, 0.0));
-  for (size_t v = 0; v < rows.size(); ++v) {
-    for (const Influence& influence : influences[v]) {
-      if (influence.joint >= joint_count) {
-        throw Error(name + ": vertex " + std::to_string(v) + " has weight for joint " +
-                    std::to_string(influence.joint) + ", but there are " + std::to_string(joint_count) + " joints");
-      }
-      if (!(influence.weight > 0)) continue;
-      rows[v][influence.joint] += decimal_value(influence.weight);
-    }
-    const double sum = numpy_sum(rows[v].data(), joint_count);
-    for (double& w : rows[v]) w = sum > 1e-12 ? w / sum : 0;
-  }
-  return rows;
-}
-
-std::vector<uint32_t> fold_targets(const Character& reference, const Rows& rows) {
-  const size_t joint_count = reference.joints.size();
-  std::vector<uint8_t> bound(joint_count, 0), folded(joint_count, 0);
-  for (const std::vector<double>& row : rows)
-    for (size_t j = 0; j < joint_count; ++j)
-      if (row[j] > kThreshold) bound[j] = 1;
-  std::vector<size_t> child_count(joint_count, 0);
-  for (const Joint& joint : reference.joints) {
-    if (joint.parent >= static_cast<int>(joint_count)) {
-      throw Error(reference.name + ": joint '" + joint.name + "' names a parent that does not exist");
-    }
-    if (joint.parent >= 0) ++child_count[static_cast<size_t>(joint.parent)];
-  }
-  const auto is_end = [&](size_t j) { return child_count[j] == 0 && !bound[j] && reference.joints[j].parent >= 0; };
-  // Children are folded before their parents, so a target is found by walking up through what is folded.
-  std::vector<size_t> todo;
-  for (size_t j = 0; j < joint_count; ++j)
-    if (is_end(j)) todo.push_back(j);
-  while (!todo.empty()) {
-    const size_t j = todo.back();
-    todo.pop_back();
-    folded[j] = 1;
-    const auto parent = static_cast<size_t>(reference.joints[j].parent);
-    --child_count[parent];
-    if (is_end(parent)) todo.push_back(parent);
-  }
-  std::vector<uint32_t> targets(joint_count);
-  for (size_t j = 0; j < joint_count; ++j) {
-    size_t target = j;
-    while (folded[target]) target = static_cast<size_t>(reference.joints[target].parent);
-    targets[j] = static_cast<uint32_t>(target);
-  }
-  return targets;
-}
+constexpr double kLogFloor = 1e-4;  // both sides of the KL divergence
 
 using Point = std::array<double, 3>;
 
@@ -185,7 +96,7 @@ double add_vertex(const std::vector<double>& r, const std::vector<double>& p, do
   std::vector<double> differences(r.size());
   size_t top = 0;
   for (size_t j = 0; j < r.size(); ++j) {
-    const bool in_reference = r[j] > kThreshold, in_prediction = p[j] > kThreshold;
+    const bool in_reference = r[j] > kInfluenceThreshold, in_prediction = p[j] > kInfluenceThreshold;
     sums->reference_pairs += in_reference;
     sums->predicted_pairs += in_prediction;
     sums->common_pairs += in_reference && in_prediction;
@@ -210,10 +121,6 @@ double add_vertex(const std::vector<double>& r, const std::vector<double>& p, do
 
 }  // namespace
 
-std::vector<uint32_t> fold_targets(const Character& reference) {
-  return fold_targets(reference, normalised_rows(reference.influences, reference.joints.size(), reference.name));
-}
-
 Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
                 const std::string& name, int poses, std::vector<float>* vertex_l1, std::vector<double>* pose_distance) {
   const size_t vertex_count = reference.vertices.size(), joint_count = reference.joints.size();
@@ -225,8 +132,8 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
     throw Error(name + ": the prediction has " + std::to_string(predicted.size()) + " rows, expected " +
                 std::to_string(vertex_count) + ", one per vertex");
   }
-  const Rows r = normalised_rows(reference.influences, joint_count, name);
-  Rows p = normalised_rows(predicted, joint_count, name);
+  const DenseRows r = normalised_rows(reference.influences, joint_count, name);
+  DenseRows p = normalised_rows(predicted, joint_count, name);
   const std::vector<uint32_t> targets = fold_targets(reference, r);
   for (std::vector<double>& row : p) {
     for (size_t j = 0; j < joint_count; ++j) {

@@ -9,7 +9,7 @@
 #include "sinew/sinew.hpp"
 #include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/fold_targets.hpp"
 
 namespace sinew {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/pose.hpp"
+#include "sinew_trainer/fold_targets.hpp"
 #include "sinew_trainer/random_poses.hpp"
 
 namespace sinew {
@@ -76,16 +77,6 @@ TEST(Measure, ABoundLeafIsNoEnd) {
   c.influences[2] = {{1, 0.9f}, {2, 0.1f}};
   EXPECT_EQ(fold_targets(c), (std::vector<uint32_t>{0, 1, 2}));
   EXPECT_NEAR(measure(c, off(), c.name).l1, (0 + 1 + 0.3) / 3, 1e-6);
-}
-
-TEST(FoldTargets, ChainsOfEndsFoldUpToABoundOrBranchingJoint) {
-  Character c = strip();
-  c.joints = {{"a", {}, -1},   {"b", {}, 0}, {"e1", {}, 1}, {"e2", {}, 2},
-              {"fork", {}, 0}, {"l", {}, 4}, {"r", {}, 4},  {"lone", {}, -1}};
-  // e2 -> e1 -> b; l and r -> fork -> a, since nothing under the fork is bound; a lone root is no end.
-  EXPECT_EQ(fold_targets(c), (std::vector<uint32_t>{0, 1, 1, 1, 0, 0, 0, 7}));
-  c.influences[0] = {{5, 1.0f}};
-  EXPECT_EQ(fold_targets(c), (std::vector<uint32_t>{0, 1, 1, 1, 4, 5, 4, 7}));
 }
 
 TEST(Measure, AnEmptyRowCountsOneAndStays) {

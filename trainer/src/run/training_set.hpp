@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where a run's samples come from and which of them can be used.
-#ifndef SINEW_TRAINER_DATA_TRAINING_SET_HPP
-#define SINEW_TRAINER_DATA_TRAINING_SET_HPP
+#ifndef SINEW_TRAINER_RUN_TRAINING_SET_HPP
+#define SINEW_TRAINER_RUN_TRAINING_SET_HPP
 
 #include <vector>
 
