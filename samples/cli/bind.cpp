@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "style_options.hpp"
 #include "support.hpp"
@@ -128,7 +129,7 @@ void draw_confidence(const Settings& settings, const Character& character, const
 
 void run(Settings settings) {
   const bool to_stream = settings.output == "-";
-  if (settings.output.empty()) settings.output = stem(settings.mesh) + ".bound.glb";
+  if (settings.output.empty()) settings.output = stem_of(settings.mesh) + ".bound.glb";
   check_output(settings.output, {".glb", ".rig.txt"}, true);
   if (!settings.png.empty()) check_output(settings.png, {".png"});
   if (!settings.png_confidence.empty()) check_output(settings.png_confidence, {".png"});

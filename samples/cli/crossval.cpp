@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/calibrate.hpp"
@@ -60,7 +61,7 @@ void run(Settings s) {
     config = parse_train_config(std::string(bytes.begin(), bytes.end()), s.config);
   }
   if (s.steps > 0) config.steps = s.steps;
-  const std::string name = s.config.empty() ? "defaults" : stem(s.config);
+  const std::string name = s.config.empty() ? "defaults" : stem_of(s.config);
   if (s.options.folder.empty()) s.options.folder = "crossval-" + name;
   if (s.options.label.empty()) s.options.label = name;
   if (!s.groups.empty()) s.options.groups = read_family_groups(s.groups);

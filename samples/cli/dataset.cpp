@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "dataset.hpp"
 #include "sinew_datasets/synthesize.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 
@@ -26,12 +27,12 @@ struct ConvertSettings {
 
 void convert(const ConvertSettings& s) {
   check_output(s.output, character_outputs(), true);
-  if (ends_with(s.input, ".obj") && ends_with(s.skeleton, ".obj"))
+  if (has_extension(s.input, ".obj") && has_extension(s.skeleton, ".obj"))
     throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton");
   Character character = read_any(s.input);
   if (!s.skeleton.empty()) read_skeleton(s.skeleton, true, &character);
   if (s.ratio > 0) character = decimate(character, s.ratio);
-  if (!ends_with(s.output, ".obj") && character.joints.empty()) {
+  if (!has_extension(s.output, ".obj") && character.joints.empty()) {
     throw Error(s.input + ": has no skeleton, but " + (s.output == "-" ? std::string("a rig") : s.output) +
                 " needs one; give --skeleton FILE");
   }
@@ -57,7 +58,7 @@ void synthesize_all(const SynthesizeSettings& s) {
   for (BodyPlan plan : plans) {
     if (s.plan == "all" || s.plan == body_plan_name(plan)) chosen.push_back(plan);
   }
-  const bool one_file = ends_with(s.output, ".obj") || ends_with(s.output, ".glb");
+  const bool one_file = has_extension(s.output, ".obj") || has_extension(s.output, ".glb");
   if (one_file) {
     if (chosen.size() * s.count != 1)
       throw UsageError("one output file holds one character: give --plan and no --count, or a folder as output");
@@ -74,7 +75,7 @@ void synthesize_all(const SynthesizeSettings& s) {
       options.clothing = !s.no_clothing;
       Character character = synthesize(options);
       const std::string path = one_file ? s.output : (fs::path(s.output) / (character.name + ".obj")).string();
-      character.name = stem(path);
+      character.name = stem_of(path);
       write_character(path, character);
       std::printf("%s: %s, seed %llu, %zu vertices, %zu joints\n", path.c_str(), body_plan_name(plan),
                   static_cast<unsigned long long>(options.seed), character.vertices.size(), character.joints.size());
@@ -151,8 +152,7 @@ std::vector<std::string> expand(const std::vector<std::string>& inputs) {
 
 Character read_any(const std::string& path) {
   std::error_code ignored;
-  if (ends_with(path, ".obj") && !fs::exists(path.substr(0, path.size() - 4) + ".rig.txt", ignored))
-    return read_mesh(path);
+  if (has_extension(path, ".obj") && !fs::exists(rig_path_beside(path), ignored)) return read_mesh(path);
   return path == "-" ? read_mesh(path) : read_character(path);
 }
 

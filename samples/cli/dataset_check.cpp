@@ -13,7 +13,9 @@
 #include "dataset.hpp"
 #include "sinew_datasets/dataset.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/box.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "support.hpp"
 
 namespace fs = std::filesystem;
@@ -63,13 +65,10 @@ Json as_json(const std::string& path, const CheckReport& report, const std::stri
 }
 
 Vec3 middle_of(const Character& character, const std::vector<uint32_t>& vertices, float* radius) {
-  Vec3 low = character.vertices[vertices[0]], high = low;
-  for (const uint32_t v : vertices) {
-    const Vec3& p = character.vertices[v];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  *radius = std::max({high.x - low.x, high.y - low.y, high.z - low.z}) / 2;
+  Box box = {character.vertices[vertices[0]], character.vertices[vertices[0]]};
+  for (const uint32_t v : vertices) box.add(character.vertices[v]);
+  *radius = box.longest_side() / 2;
+  const auto& [low, high] = box;
   return {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2};
 }
 

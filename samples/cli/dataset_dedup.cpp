@@ -12,7 +12,9 @@
 #include "dataset.hpp"
 #include "sinew_datasets/dedup.hpp"
 #include "sinew_datasets/split.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "sinew_trainer/family_groups.hpp"
 #include "support.hpp"
 
@@ -93,8 +95,8 @@ void split(const SplitSettings& s) {
   const std::vector<std::string> paths = expand({s.folder});
   std::vector<std::string> keys;
   for (const std::string& path : paths) {
-    const std::string family = family_of(stem(path));
-    keys.push_back(s.by == "character" ? stem(path) : groups ? groups->group(family) : family);
+    const std::string family = family_of(stem_of(path));
+    keys.push_back(s.by == "character" ? stem_of(path) : groups ? groups->group(family) : family);
   }
   const std::vector<SplitUnit> units = split_units(keys);
   const std::vector<bool> chosen = choose_validation(units, s.share, s.seed);

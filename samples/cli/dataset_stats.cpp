@@ -11,6 +11,8 @@
 #include "sinew_datasets/dataset_page.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/recall.hpp"
 #include "support.hpp"
 
@@ -34,7 +36,7 @@ void stats(const Settings& s) {
   if (!s.no_recall) all.candidate_counts = {6, 8, 12, 16};
   std::vector<std::optional<CharacterStats>> found(paths.size());
   std::vector<std::string> failures(paths.size());
-  parallel_for(paths.size(), s.jobs, [&](size_t i) {
+  parallel_for(paths.size(), s.jobs, [&](size_t i, unsigned) {
     try {
       const Character character = read_character(paths[i]);
       CharacterStats one = character_stats(character);

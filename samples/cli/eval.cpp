@@ -23,12 +23,15 @@
 #include "eval_studies.hpp"
 #include "model/layout.hpp"
 #include "sinew_formats/bind.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/reliability_plot.hpp"
 #include "sinew_trainer/report.hpp"
 #include "sinew_trainer/weight_difference.hpp"
@@ -264,8 +267,8 @@ class Evaluation {
     if (!s_.predictions.empty()) std::filesystem::create_directories(s_.predictions);
     std::atomic<size_t> done{0};
     const bool show = isatty(STDERR_FILENO) != 0;
-    parallel_for(paths_.size(), s_.jobs, [&](size_t i) {
-      const std::string name = stem(paths_[i]);
+    parallel_for(paths_.size(), s_.jobs, [&](size_t i, unsigned) {
+      const std::string name = stem_of(paths_[i]);
       try {
         one(paths_[i], name);
       } catch (const Error& error) {

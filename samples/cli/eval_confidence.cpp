@@ -5,6 +5,7 @@
 #include "eval_studies.hpp"
 #include "sinew_formats/bind.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/parallel.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -16,7 +17,7 @@ std::vector<JudgedConfidence> judge_folder(const Study& study) {
   if (study.model != nullptr) model = *study.model;
   model.confidence_count = 0;  // the share itself
   std::vector<JudgedConfidence> judged(paths.size());
-  parallel_for(paths.size(), study.jobs, [&](size_t i) {
+  parallel_for(paths.size(), study.jobs, [&](size_t i, unsigned) {
     const Character c = read_character(paths[i]);
     if (c.influences.empty()) throw Error(paths[i] + ": has no reference weights to compare with");
     BindOptions options;

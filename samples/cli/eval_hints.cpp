@@ -8,8 +8,10 @@
 
 #include "eval_studies.hpp"
 #include "sinew_formats/bind.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/parallel.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -120,7 +122,7 @@ void study_hints(const Study& study, const std::string& kind, double share) {
   const std::vector<std::string> paths = list_characters(study.folder);
   if (paths.empty()) throw Error(study.folder + ": no characters; expected NAME.obj with NAME.rig.txt, or .glb files");
   std::vector<Gain> gains(paths.size());
-  parallel_for(paths.size(), study.jobs, [&](size_t i) {
+  parallel_for(paths.size(), study.jobs, [&](size_t i, unsigned) {
     const Character c = read_character(paths[i]);
     if (c.influences.empty()) throw Error(paths[i] + ": has no reference weights to take hints from");
     gains[i] = gain_of(study, c, kind, share);
@@ -128,7 +130,7 @@ void study_hints(const Study& study, const std::string& kind, double share) {
   std::map<std::string, Gain> families;
   Gain all, family_mean;
   for (size_t i = 0; i < paths.size(); ++i) {
-    families[family_of(stem(paths[i]))].add(gains[i]);
+    families[family_of(stem_of(paths[i]))].add(gains[i]);
     all.add(gains[i]);
   }
   std::printf(

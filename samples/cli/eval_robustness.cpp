@@ -5,7 +5,9 @@
 
 #include "eval_studies.hpp"
 #include "sinew_formats/bind.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/robustness.hpp"
 #include "support.hpp"
 
@@ -24,7 +26,7 @@ void study_robustness(const Study& study) {
   options.model = study.model;
   options.influence_count = study.influences;
   std::vector<std::vector<RobustnessFigure>> figures(paths.size());
-  parallel_for(paths.size(), study.jobs, [&](size_t i) {
+  parallel_for(paths.size(), study.jobs, [&](size_t i, unsigned) {
     figures[i] =
         measure_robustness(read_character(paths[i]), [&](const Character& c) { return bind(c, options).influences; });
   });
@@ -44,7 +46,7 @@ void study_robustness(const Study& study) {
     }
     const double most = figures[worst][k].mean;
     std::printf("| %s | %.5f | %zu | %.5f | %s | %.5f |\n", figures[0][k].change.c_str(),
-                sum / static_cast<double>(paths.size()), above, most, most > 0 ? stem(paths[worst]).c_str() : "",
+                sum / static_cast<double>(paths.size()), above, most, most > 0 ? stem_of(paths[worst]).c_str() : "",
                 largest);
   }
 }

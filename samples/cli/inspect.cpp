@@ -12,7 +12,9 @@
 #include "features/features.hpp"
 #include "model/layers.hpp"
 #include "sinew_datasets/dataset.hpp"
+#include "sinew_formats/box.hpp"
 #include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 
@@ -117,13 +119,12 @@ void print_joints(const Character& character) {
 void inspect_character(const std::string& path) {
   // A mesh alone is fine here; a rig beside an OBJ belongs to it.
   Character character;
-  const bool is_rig = ends_with(path, ".rig.txt");
+  const bool is_rig = has_extension(path, ".rig.txt");
   std::error_code ignored;
-  const bool has_rig =
-      ends_with(path, ".obj") && std::filesystem::exists(path.substr(0, path.size() - 4) + ".rig.txt", ignored);
+  const bool has_rig = has_extension(path, ".obj") && std::filesystem::exists(rig_path_beside(path), ignored);
   if (is_rig && !std::filesystem::exists(path.substr(0, path.size() - 8) + ".obj", ignored)) {
     read_skeleton(path, false, &character);
-    character.name = stem(path);
+    character.name = stem_of(path);
   } else {
     character = is_rig || has_rig ? read_character(path) : read_mesh(path);
   }
@@ -133,11 +134,7 @@ void inspect_character(const std::string& path) {
               : character.influences.empty() ? "mesh and skeleton"
                                              : "character");
   if (!character.vertices.empty()) {
-    Vec3 low = character.vertices[0], high = low;
-    for (const Vec3& v : character.vertices) {
-      low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-      high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-    }
+    const auto [low, high] = box_of(character.vertices);
     const CheckReport report = check_character(character);
     std::map<size_t, size_t> corners;
     for (size_t f = 0; f < character.face_count(); ++f)
@@ -166,11 +163,11 @@ void inspect_character(const std::string& path) {
 
 void run(const std::string& path) {
   if (path == "bundled") return inspect_model("");
-  if (ends_with(path, ".obj") || ends_with(path, ".txt") || ends_with(path, ".glb") || ends_with(path, ".gltf") ||
-      ends_with(path, ".vrm") || path == "-") {
+  if (has_extension(path, ".obj") || has_extension(path, ".txt") || has_extension(path, ".glb") ||
+      has_extension(path, ".gltf") || has_extension(path, ".vrm") || path == "-") {
     return inspect_character(path);
   }
-  if (ends_with(path, ".sinew")) return inspect_model(path);
+  if (has_extension(path, ".sinew")) return inspect_model(path);
   read_file(path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(path)) return inspect_checkpoint(path);
   throw Error(path + ": neither a mesh (.obj, .gltf, .glb, .vrm), a rig (.rig.txt), a checkpoint nor a model (.sinew)");

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
 
@@ -76,7 +77,7 @@ void run(const Settings& s) {
     for (const std::string& text : s.turns) turns.push_back(parse_turn(text, character));
   }
   const Character posed = apply_pose(character, pose_palette(character, turns), s.dual_quaternion);
-  if (ends_with(s.output, ".png")) {
+  if (has_extension(s.output, ".png")) {
     RenderOptions view;
     view.up_z = s.up == "z";
     write_file(s.output, encode_png(render(posed, weight_colours(posed), view)));

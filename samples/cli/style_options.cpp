@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "sinew_formats/print.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

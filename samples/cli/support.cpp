@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Outputs, models, lists and threads of the sinew command.
+// Outputs, models and lists of the sinew command.
 #include "support.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <cctype>
-#include <cstdarg>
-#include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <sstream>
-#include <thread>
 
 #include "bundled_model.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace fs = std::filesystem;
 
 namespace sinew::cli {
-
-bool ends_with(const std::string& text, const std::string& ending) {
-  if (text.size() < ending.size()) return false;
-  return std::equal(ending.begin(), ending.end(), text.end() - static_cast<std::ptrdiff_t>(ending.size()),
-                    [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
-}
 
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed) {
   if (path == "-") {
@@ -35,7 +22,7 @@ void check_output(const std::string& path, const std::vector<std::string>& exten
   }
   std::string known;
   for (const std::string& extension : extensions) {
-    if (ends_with(path, extension)) {
+    if (has_extension(path, extension.c_str())) {
       std::error_code ignored;
       if (fs::is_directory(path, ignored)) throw Error(path + ": cannot write, it is a directory; give a file name");
       const fs::path folder = fs::path(path).parent_path();
@@ -52,22 +39,22 @@ void check_output(const std::string& path, const std::vector<std::string>& exten
 std::vector<std::string> character_outputs() { return {".glb", ".obj", ".rig.txt"}; }
 
 void write_character(const std::string& path, const Character& character) {
-  if (path == "-" || ends_with(path, ".rig.txt")) {
+  if (path == "-" || has_extension(path, ".rig.txt")) {
     write_rig(path, character);
-  } else if (ends_with(path, ".glb")) {
+  } else if (has_extension(path, ".glb")) {
     write_glb(path, character);
   } else {
     write_obj(path, character);
-    if (!character.joints.empty()) write_rig(path.substr(0, path.size() - 4) + ".rig.txt", character);
+    if (!character.joints.empty()) write_rig(rig_path_beside(path), character);
   }
 }
 
 Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin) {
-  if (ends_with(mesh, ".txt")) {
+  if (has_extension(mesh, ".txt")) {
     throw UsageError(
         mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
   }
-  if (ends_with(skeleton, ".obj")) {
+  if (has_extension(skeleton, ".obj")) {
     throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb or .vrm");
   }
   Character character = read_mesh(mesh);
@@ -75,8 +62,8 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
     read_skeleton(skeleton, with_skin, &character);
   } else if (character.joints.empty()) {
     std::string hint;
-    if (ends_with(mesh, ".obj")) {
-      const std::string beside = mesh.substr(0, mesh.size() - 4) + ".rig.txt";
+    if (has_extension(mesh, ".obj")) {
+      const std::string beside = rig_path_beside(mesh);
       std::error_code ignored;
       if (fs::exists(beside, ignored)) hint = " (" + beside + " lies beside it)";
     }
@@ -174,44 +161,6 @@ std::vector<size_t> read_vertex_list(const std::string& path, const Character& c
   return vertices;
 }
 
-void parallel_for(size_t count, unsigned threads, const std::function<void(size_t)>& job) {
-  std::atomic<size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_lock;
-  const auto work = [&] {
-    for (size_t i = next++; i < count; i = next++) {
-      try {
-        job(i);
-      } catch (...) {
-        const std::lock_guard<std::mutex> guard(failure_lock);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  std::vector<std::thread> others;
-  for (unsigned t = 1; t < threads && t < count; ++t) others.emplace_back(work);
-  work();
-  for (std::thread& thread : others) thread.join();
-  if (failure) std::rethrow_exception(failure);
-}
-
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
-
-std::string stem(const std::string& path) {
-  if (path == "-") return "stdin";
-  const std::string name = file_name(path);
-  if (ends_with(name, ".rig.txt")) return name.substr(0, name.size() - 8);
-  return fs::path(name).stem().string();
-}
-
-std::string print(const char* format, ...) {
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
 
 }  // namespace sinew::cli

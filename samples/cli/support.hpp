@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names,
-// threads.
+// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names.
 #ifndef SINEW_CLI_SUPPORT_HPP
 #define SINEW_CLI_SUPPORT_HPP
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,7 +20,6 @@ class UsageError : public Error {
   using Error::Error;
 };
 
-bool ends_with(const std::string& text, const std::string& ending);  // letters' case does not matter
 // Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is
 // missing or it is a folder itself. Called before any work.
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed = false);
@@ -49,16 +46,7 @@ bool has_bundled_model();
 std::vector<size_t> read_joint_list(const std::string& path, const Character& character);
 std::vector<size_t> read_vertex_list(const std::string& path, const Character& character);
 
-// Runs job(0..count-1) on `threads` threads; the first exception is thrown again in the caller.
-void parallel_for(size_t count, unsigned threads, const std::function<void(size_t)>& job);
-
 std::string file_name(const std::string& path);  // without its folders
-std::string stem(const std::string& path);       // folder/NAME.rig.txt -> NAME
-std::string print(const char* format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 1, 2)))
-#endif
-    ;
 
 }  // namespace sinew::cli
 #endif

@@ -12,8 +12,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "files/file_names.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace fs = std::filesystem;
@@ -146,9 +146,9 @@ std::string family_of(const std::string& character_name) {
   return at == std::string::npos || at == 0 ? "all" : character_name.substr(0, at);
 }
 
-std::string rig_path_beside(const std::string& obj_path) {
-  const fs::path path = obj_path;
-  return (path.parent_path() / (stem_of(obj_path) + ".rig.txt")).string();
+std::string rig_path_beside(const std::string& mesh_path) {
+  const fs::path path = mesh_path;
+  return (path.parent_path() / (stem_of(mesh_path) + ".rig.txt")).string();
 }
 
 }  // namespace sinew

@@ -2,9 +2,9 @@
 // The ways in by file name: which reader, and which skeleton belongs to which mesh.
 #include <filesystem>
 
-#include "files/file_names.hpp"
 #include "gltf/gltf_read.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/rig.hpp"
 

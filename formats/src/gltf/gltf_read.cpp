@@ -7,9 +7,9 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "files/file_names.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"

@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "sinew_formats/print.hpp"
+
 namespace sinew {
 
 // Without the standard's functions. They need the C locale, which a program has that does not ask for another.
@@ -53,11 +55,7 @@ inline std::string shortest(float value) {
   }
 }
 
-inline std::string fixed(double value, int digits) {
-  char text[400];  // the largest double has 309 digits before the point
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
+inline std::string fixed(double value, int digits) { return print("%.*f", digits, value); }
 
 }  // namespace plain
 

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "files/file_names.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/decimal.hpp"
 #include "text/text_lines.hpp"

@@ -5,8 +5,8 @@
 #include <set>
 #include <unordered_map>
 
-#include "files/file_names.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/decimal.hpp"
 #include "text/joint_names.hpp"

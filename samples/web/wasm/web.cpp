@@ -5,7 +5,6 @@
 #include <emscripten.h>
 
 #include <array>
-#include <cstdio>
 #include <cstring>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -18,6 +17,7 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
+#include "sinew_formats/print.hpp"
 #include "surface.hpp"
 
 using Json = nlohmann::ordered_json;
@@ -85,9 +85,7 @@ std::string result_hash(const Session& s) {
   };
   add(s.joints);
   add(s.weights);
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
+  return print("%016llx", static_cast<unsigned long long>(hash));
 }
 
 void show(Session& s) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A loop over independent items on several threads, for loading samples, training steps and validation.
-#include "core/parallel.hpp"
+#include "sinew_trainer/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/parallel.hpp"
+#include "sinew_trainer/parallel.hpp"
 
 namespace sinew {
 

@@ -10,6 +10,7 @@
 
 #include "core/random.hpp"
 #include "sinew_datasets/dataset.hpp"
+#include "sinew_formats/box.hpp"
 #include "sinew_formats/pose.hpp"
 
 namespace sinew {
@@ -28,15 +29,6 @@ Vec3 jittered(const Vec3& p, double amount, uint64_t seed) {
   Random random(position_seed(p, seed));
   return {static_cast<float>(p.x + amount * random.normal()), static_cast<float>(p.y + amount * random.normal()),
           static_cast<float>(p.z + amount * random.normal())};
-}
-
-double longest_side(const Character& character) {
-  Vec3 low = character.vertices[0], high = low;
-  for (const Vec3& p : character.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
 }
 
 // Sum of reference weights per joint.
@@ -189,7 +181,7 @@ Character augment(const Character& character, uint64_t seed) {
 
   if (random.uniform() < 0.5) thin_skeleton(&out, &random);
   if (random.uniform() < 0.4) change_rest_pose(&out, &random);
-  const double side = longest_side(out);
+  const double side = box_of(out.vertices).longest_side();
   if (random.uniform() < 0.5) add_controls(&out, side, &random);
   const double c = std::cos(angle), s = std::sin(angle);
   const auto moved = [&](Vec3 p, double jitter, uint64_t jitter_seed) {

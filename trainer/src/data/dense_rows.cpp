@@ -46,7 +46,7 @@ double numpy_sum(const double* values, size_t count) {
 }
 
 DenseRows normalised_rows(const std::vector<std::vector<Influence>>& influences, size_t joint_count,
-                     const std::string& name) {
+                          const std::string& name) {
   DenseRows rows(influences.size(), std::vector<double>(joint_count, 0.0));
   for (size_t v = 0; v < rows.size(); ++v) {
     for (const Influence& influence : influences[v]) {

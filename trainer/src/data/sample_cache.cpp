@@ -13,13 +13,15 @@
 #include <optional>
 #include <sstream>
 
-#include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "data/augment.hpp"
 #include "features/features.hpp"
 #include "sinew_datasets/dataset.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "sinew_trainer/parallel.hpp"
 
 namespace sinew {
 
@@ -48,10 +50,6 @@ uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {
   return mix64(hash ^ tail);
 }
 
-std::string rig_beside(const std::string& mesh_path) {
-  return std::filesystem::path(mesh_path).replace_extension(".rig.txt").string();
-}
-
 // What a request is made of. The files of a character are read in any case, since they are the key of the cache.
 struct Ingredients {
   std::string stem;              // of the cache file
@@ -62,10 +60,10 @@ struct Ingredients {
 Ingredients gather(const SampleRequest& request) {
   Ingredients out;
   if (!request.mesh_path.empty()) {
-    out.stem = std::filesystem::path(request.mesh_path).stem().string();
+    out.stem = stem_of(request.mesh_path);
     out.content = read_file(request.mesh_path);
-    if (std::filesystem::exists(rig_beside(request.mesh_path))) {
-      const std::vector<uint8_t> rig = read_file(rig_beside(request.mesh_path));
+    if (std::filesystem::exists(rig_path_beside(request.mesh_path))) {
+      const std::vector<uint8_t> rig = read_file(rig_path_beside(request.mesh_path));
       out.content.insert(out.content.end(), rig.begin(), rig.end());
     }
     return out;
@@ -102,11 +100,8 @@ std::string cache_key(const std::vector<uint8_t>& content, const SampleRequest& 
   settings = mix_seeds(settings, source.candidates, source.grid);
   if (source.vertex_limit != 0) settings = mix_seeds(settings, 0x6C696D6974, source.vertex_limit);
   if (request.variant != 0) settings = mix_seeds(settings, mix_seeds(kAugmentVersion, source.seed), request.variant);
-  char text[40];
-  std::snprintf(text, sizeof text, "%016llx%016llx",
-                static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), settings)),
-                static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), ~settings)));
-  return text;
+  return print("%016llx%016llx", static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), settings)),
+               static_cast<unsigned long long>(hash_bytes(content.data(), content.size(), ~settings)));
 }
 
 // Magic, hash of the payload, payload. Nothing is parsed before the hash fits, so a damaged length cannot do harm.

@@ -12,9 +12,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/parallel.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/parallel.hpp"
 
 namespace sinew {
 namespace {
@@ -42,7 +43,7 @@ std::string path_in(const CrossvalOptions& options, const std::string& name) {
 
 std::map<std::string, std::string> paths_by_name(const std::string& folder) {
   std::map<std::string, std::string> paths;
-  for (const std::string& path : list_characters(folder)) paths[fs::path(path).stem().string()] = path;
+  for (const std::string& path : list_characters(folder)) paths[stem_of(path)] = path;
   return paths;
 }
 
@@ -117,11 +118,8 @@ class Crossval {
     out.quiet = options_.quiet;
     out.stop = options_.stop;
     if (job.fold > 0) out.leave_out = folds_[job.fold - 1];
-    char label[64];
-    std::snprintf(label, sizeof label,
-                  job.fold > 0 ? "seed %llu fold %u: " : "seed %llu val: ", static_cast<unsigned long long>(job.seed),
-                  job.fold);
-    out.label = label;
+    out.label =
+        "seed " + std::to_string(job.seed) + (job.fold > 0 ? " fold " + std::to_string(job.fold) : " val") + ": ";
     out.resume = fs::exists(out.output);
     return out;
   }

@@ -2,14 +2,14 @@
 // Means, tables and files of a cross-family validation.
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/markdown.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "sinew_trainer/crossval.hpp"
 
 namespace sinew {
@@ -58,21 +58,6 @@ std::vector<CrossvalFamily> over_seeds(const std::vector<CrossvalSeed>& seeds,
 }
 
 double below_heat(const CrossvalFigures& f) { return f.heat_l1 > 0 ? 100 * (1 - f.l1 / f.heat_l1) : 0; }
-
-std::string print(const char* format, ...) __attribute__((format(printf, 1, 2)));
-std::string print(const char* format, ...) {
-  char text[600];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
-
-std::string cell(std::string text) {  // a table cell of Markdown
-  for (size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2)) text.insert(at, 1, '\\');
-  return text;
-}
 
 std::string figure_cells(const CrossvalFigures& f) {
   return print(" | %.3f | %.3f | %+.3f | %.1f | %.1f | %.4f | %.4f |\n", f.l1, f.heat_l1, f.l1 - f.heat_l1,
@@ -151,7 +136,7 @@ std::string crossval_markdown(const CrossvalReport& report) {
   out += head;
   size_t characters = 0, outside = 0;
   for (const CrossvalFamily& family : families) {
-    out += "| " + cell(family.family) + print(" | %u | %zu", family.fold, family.characters) +
+    out += "| " + markdown_cell(family.family) + print(" | %u | %zu", family.fold, family.characters) +
            figure_cells(family.figures);
     characters += family.characters;
     if (report.apart.count(family.group) == 0) outside += family.characters;
@@ -160,7 +145,8 @@ std::string crossval_markdown(const CrossvalReport& report) {
   if (means.outside_families != means.families && means.outside_families > 0) {
     std::string apart;
     for (const std::string& group : report.apart) apart += (apart.empty() ? "" : ", ") + group;
-    out += print("| **mean of the %zu outside %s** | | %zu", means.outside_families, cell(apart).c_str(), outside) +
+    out += print("| **mean of the %zu outside %s** | | %zu", means.outside_families, markdown_cell(apart).c_str(),
+                 outside) +
            figure_cells(means.outside);
   }
   if (means.val_characters > 0) {
@@ -253,7 +239,7 @@ std::string crossval_comparison(const std::vector<CrossvalReport>& reports) {
   };
   const auto row = [](const std::string& label, const std::string& seeds, const CrossvalMeans& m, double spread,
                       bool heat) {
-    std::string text = "| " + cell(label) + " | " + seeds + print(" | %.4f", m.all.l1);
+    std::string text = "| " + markdown_cell(label) + " | " + seeds + print(" | %.4f", m.all.l1);
     if (spread > 0) text += print(" ± %.4f", spread / 2);
     text += heat ? " | " : print(" | %.1f %%", below_heat(m.all));
     text += print(" | %.1f | %.4f | %.4f", 100 * m.all.argmax, m.all.distance, m.outside.l1);

@@ -13,7 +13,6 @@
 #include <memory>
 #include <numeric>
 
-#include "core/parallel.hpp"
 #include "core/random.hpp"
 #include "data/family_queue.hpp"
 #include "features/features.hpp"
@@ -24,6 +23,7 @@
 #include "run/training_set.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_trainer/parallel.hpp"
 
 namespace sinew {
 namespace {

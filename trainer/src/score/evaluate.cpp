@@ -10,6 +10,7 @@
 
 #include "data/dense_rows.hpp"
 #include "sinew_datasets/bone_distance.hpp"
+#include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/pose.hpp"
 #include "sinew_trainer/fold_targets.hpp"
@@ -32,12 +33,9 @@ Point cross(const Point& a, const Point& b) {
 
 double length(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
+// Differences in double, as the yardstick's script has them.
 double longest_side(const std::vector<Vec3>& vertices) {
-  Vec3 low = vertices.front(), high = low;
-  for (const Vec3& p : vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
+  const auto [low, high] = box_of(vertices);
   return std::max({static_cast<double>(high.x) - static_cast<double>(low.x),
                    static_cast<double>(high.y) - static_cast<double>(low.y),
                    static_cast<double>(high.z) - static_cast<double>(low.z)});

@@ -5,6 +5,7 @@
 
 #include "sinew_datasets/html.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/box.hpp"
 #include "sinew_formats/pose.hpp"
 #include "sinew_trainer/random_poses.hpp"
 #include "sinew_trainer/report.hpp"
@@ -13,15 +14,6 @@ namespace sinew {
 namespace {
 
 constexpr float kFarApart = 0.05f;  // of the longest side: red in the picture of distances
-
-float longest_side(const std::vector<Vec3>& vertices) {
-  Vec3 low = vertices.front(), high = low;
-  for (const Vec3& p : vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-}
 
 }  // namespace
 
@@ -50,7 +42,7 @@ ReportPicture report_picture(const Character& reference, const std::vector<std::
   }
   const std::vector<Affine> pose = random_poses(reference, reference.name, positions).front();
   const Character posed_reference = apply_pose(reference, pose), posed = apply_pose(bound, pose);
-  const float size = longest_side(reference.vertices);
+  const float size = box_of(reference.vertices).longest_side();
   std::vector<float> distances;
   for (size_t v = 0; v < posed.vertices.size(); ++v) {
     const Vec3 &a = posed.vertices[v], &b = posed_reference.vertices[v];

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "sinew_datasets/dataset.hpp"
+#include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -43,16 +44,6 @@ Changed with_points(const Character& c, const std::function<Vec3(const Vec3&)>& 
   for (Vec3& p : changed.character.vertices) p = place(p);
   for (Joint& j : changed.character.joints) j.position = place(j.position);
   return changed;
-}
-
-// Longest side of the box.
-float size_of(const Character& c) {
-  Vec3 low = c.vertices[0], high = low;
-  for (const Vec3& p : c.vertices) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return std::max({high.x - low.x, high.y - low.y, high.z - low.z});
 }
 
 Changed moved(const Character& c, float step) {
@@ -222,7 +213,7 @@ Changed decimated(const Character& c) {
 // Mesh and joints on a lattice of powers of two, 2^18 to 2^19 steps a side, so that floats hold them exactly wherever
 // they are moved to.
 Character on_lattice(const Character& c) {
-  const float size = size_of(c);
+  const float size = box_of(c.vertices).longest_side();
   const double step = std::ldexp(1.0, std::ilogb(size > 0 ? size : 1.0f) - 18);
   const auto snap = [&](float x) { return static_cast<float>(std::round(static_cast<double>(x) / step) * step); };
   return with_points(c, [&](const Vec3& p) { return Vec3{snap(p.x), snap(p.y), snap(p.z)}; }).character;
@@ -236,11 +227,12 @@ struct Change {
 
 constexpr Change kChanges[] = {
     {"moved, nothing rounded", Demand::kEqual,
-     [](const Character& c) { return moved(c, std::ldexp(1.0f, std::ilogb(size_of(c)))); }},
+     [](const Character& c) { return moved(c, std::ldexp(1.0f, std::ilogb(box_of(c.vertices).longest_side()))); }},
     {"scaled by a half, nothing rounded", Demand::kEqual, [](const Character& c) { return scaled(c, 0.5f); }},
     {"vertices and faces renumbered", Demand::kEqual, renumbered},
     {"unwelded", Demand::kEqual, unwelded},
-    {"moved, coordinates rounded", Demand::kRounding, [](const Character& c) { return moved(c, 1.3f * size_of(c)); }},
+    {"moved, coordinates rounded", Demand::kRounding,
+     [](const Character& c) { return moved(c, 1.3f * box_of(c.vertices).longest_side()); }},
     {"scaled by 0.37, coordinates rounded", Demand::kRounding, [](const Character& c) { return scaled(c, 0.37f); }},
     {"joints renumbered", Demand::kClose, joints_renumbered},
     {"faces split", Demand::kClose, split},

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/markdown.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "sinew_trainer/evaluate.hpp"
 
 namespace sinew {
@@ -86,19 +88,16 @@ constexpr const char* kColumns =
 
 std::string seconds_text(double seconds) {
   if (seconds <= 0) return "-";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", seconds);
-  return text;
+  return print("%.2f", seconds);
 }
 
 std::string table_row(std::string label, const Metrics& m, const std::vector<Named>& characters, size_t failures) {
-  for (size_t at = label.find('|'); at != std::string::npos; at = label.find('|', at + 2)) label.insert(at, 1, '\\');
+  label = markdown_cell(std::move(label));
   if (characters.empty())
     return "| " + label + " | 0 | - | - | - | - | - | - | - | - | " + std::to_string(failures) + " | - | - |\n";
-  char text[256];
-  std::snprintf(text, sizeof text, " | %zu | %.1f | %.1f | %.3f | %.4f | %.3f | %.1f | %.2f | %.1f | %zu | ",
-                characters.size(), 100 * m.precision, 100 * m.recall, m.l1, m.avg_dist, m.max_dist, 100 * m.argmax,
-                m.kl, 100 * m.bad, failures);
+  const std::string text = print(" | %zu | %.1f | %.1f | %.3f | %.4f | %.3f | %.1f | %.2f | %.1f | %zu | ",
+                                 characters.size(), 100 * m.precision, 100 * m.recall, m.l1, m.avg_dist, m.max_dist,
+                                 100 * m.argmax, m.kl, 100 * m.bad, failures);
   return "| " + label + text + seconds_text(m.seconds) + " | " + seconds_text(median_seconds_per_1000(characters)) +
          " |\n";
 }

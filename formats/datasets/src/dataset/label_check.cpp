@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "sinew_datasets/bone_distance.hpp"
+#include "sinew_formats/print.hpp"
 
 namespace sinew {
 namespace {
@@ -302,11 +303,7 @@ class Labels {
         own += distance_(c_.vertices[v], f.joint) / static_cast<double>(f.vertices.size());
         near += nearest_distance_[v] / static_cast<double>(f.vertices.size());
       }
-      char lengths[96];
-      std::snprintf(lengths, sizeof lengths, " %.2f of the mesh's size away, ", own);
-      text = count + lengths + better;
-      std::snprintf(lengths, sizeof lengths, " at %.2f", near);
-      text += lengths;
+      text = count + print(" %.2f of the mesh's size away, ", own) + better + print(" at %.2f", near);
     }
     for (size_t i = 0; i < f.vertices.size() && i < 5; ++i)
       text += (i == 0 ? ": " : ", ") + std::to_string(f.vertices[i]);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sinew_formats/print.hpp"
+
 namespace sinew::html {
 namespace {
 
@@ -104,11 +106,7 @@ std::string escape(const std::string& text) {
   return out;
 }
 
-std::string number(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
+std::string number(double value, int digits) { return print("%.*f", digits, value); }
 
 std::string count(size_t value) {
   std::string digits = std::to_string(value);

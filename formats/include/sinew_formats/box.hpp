@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The box around points, along the axes.
+#ifndef SINEW_FORMATS_BOX_HPP
+#define SINEW_FORMATS_BOX_HPP
+
+#include <algorithm>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+struct Box {
+  Vec3 low, high;
+  void add(const Vec3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  float longest_side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
+};
+
+// At least one point is needed.
+inline Box box_of(const std::vector<Vec3>& points) {
+  Box box = {points.front(), points.front()};
+  for (const Vec3& p : points) box.add(p);
+  return box;
+}
+
+}  // namespace sinew
+#endif
