@@ -264,8 +264,9 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->hints = o.hints;
   plan->symmetric = o.symmetric != 0;
   plan->network = NetworkOptions();
-  plan->network.kernel = o.kernel;
-  plan->network.weights_in_place = o.weights_in_place != 0;
+  // The size query must not ask the processor: packed weights have room unless the caller rules them out.
+  plan->kernel = o.kernel;
+  plan->network.weights_in_place = o.weights_in_place != 0 || o.kernel == SINEW_KERNEL_REF;
   plan->rigid_parts = o.rigid_parts;
   plan->softness_percent = or_default(o.softness_percent, 100);
   plan->confidence = o.confidence;
@@ -294,13 +295,12 @@ void measure_bind(Arena& arena, const BindPlan& plan) {
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes) {
   Kernels kernels;
-  if (!select_kernels(plan.network.kernel, &kernels)) return SINEW_ERROR_KERNEL;
+  if (!select_kernels(plan.kernel, &kernels)) return SINEW_ERROR_KERNEL;
   sinew_status status = check_given(plan, joints, weights, skeleton.joint_count);
   if (status != SINEW_OK) return status;
   Arena arena(workspace, workspace_bytes);
   Prepared p;
-  status = prepare(mesh, skeleton, plan.up_axis, plan.counts, stages_of(plan), plan.progress, arena, &p,
-                   plan.network.kernel);
+  status = prepare(mesh, skeleton, plan.up_axis, plan.counts, stages_of(plan), kernels, plan.progress, arena, &p);
   if (status != SINEW_OK) return status;
 
   Logits logits;
@@ -308,8 +308,8 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   if (plan.purpose == PrepareFor::kNetwork) {
     if (!logits.allocate(arena, plan.counts.surface())) return SINEW_ERROR_WORKSPACE;
     const NetworkInput input = network_input(p, plan.counts);
-    status = run_network(plan.model, input, plan.progress.part(650, is_edited(plan) ? 960 : 990), arena, logits.values,
-                         plan.network);
+    status = run_network(plan.model, input, kernels, plan.progress.part(650, is_edited(plan) ? 960 : 990), arena,
+                         logits.values, plan.network);
     if (status != SINEW_OK) return status;
   }
   Edit edit;

@@ -19,6 +19,7 @@ struct BindPlan {
   const uint8_t* locked;
   const uint8_t* hints;
   bool symmetric;
+  uint32_t kernel;
   NetworkOptions network;
   uint32_t rigid_parts;
   uint32_t softness_percent;

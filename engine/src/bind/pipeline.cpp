@@ -78,7 +78,8 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out, uint32_t kernel) {
+                     PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena,
+                     Prepared* out) {
   if (!out->mesh.allocate(arena, counts) || !out->skeleton.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = build_mesh(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
   if (status != SINEW_OK) return status;
@@ -103,7 +104,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
 
   if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
   const Progress heat_progress = network ? progress.part(200, 600) : progress.part(100, 950);
-  status = solve_heat(mesh_of_stages, out->skeleton, surface, heat_progress, arena, &out->heat, kernel);
+  status = solve_heat(mesh_of_stages, out->skeleton, surface, kernels, heat_progress, arena, &out->heat);
   if (status != SINEW_OK || !network) return status;
 
   if (!out->features.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;

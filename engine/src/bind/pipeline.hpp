@@ -31,10 +31,9 @@ enum class PrepareFor { kHeat, kNetwork, kNetworkAlone };
 
 // Runs stages 1 to 7, from the heat on over a reduced mesh if the mesh exceeds counts.surface() (and the spectral stage
 // where counts.feature_flags ask for it) in the arena (for kHeat stages 1, 2 and 4). Reports 0..650 permille (kHeat:
-// 0..950). `kernel` as in solve_heat().
+// 0..950).
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out,
-                     uint32_t kernel = SINEW_KERNEL_AUTO);
+                     PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena, Prepared* out);
 // Bytes prepare() needs, for a measuring arena. Leaves the arena at the mark where the network would start.
 void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose);
 // What the network reads of them; the arrays stay where they are.

@@ -5,6 +5,7 @@
 
 #include "bind/pipeline.hpp"
 #include "engine_views.hpp"
+#include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/binder.hpp"
@@ -83,7 +84,8 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
   Prepared p;
-  throw_status(character, prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));
+  throw_status(character,
+               prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, fastest_kernels(), {}, arena, &p));
 
   Sample s;
   s.name = character.name;
