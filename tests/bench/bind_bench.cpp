@@ -68,7 +68,7 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   Kernels kernels;
   if (!select_kernels(kernel, &kernels)) check(SINEW_ERROR_KERNEL, "kernels");
   Arena measuring;  // more than a bind's: nothing is given back before the network here
-  measure_prepare(measuring, full, plan.purpose);
+  measure_prepare(measuring, full, plan.purpose());
   measure_run_network(measuring, model, counts, plan.network);
   const size_t bytes = measuring.high_water();
   const Workspace block = touched(bytes);

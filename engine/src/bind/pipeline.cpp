@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order of the stages before the network, once for the run and once for the size query.
+// Runs the stages in front of the network, and lists their memory in the same order.
 #include "bind/pipeline.hpp"
 
 #include <string.h>
