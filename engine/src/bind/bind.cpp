@@ -2,6 +2,7 @@
 // Runs the stages of a bind: those before the network (pipeline.cpp), the network, and the rows (weights/finish.cpp).
 #include "bind/bind.hpp"
 
+#include "bind/progress.hpp"
 #include "kernels/select.hpp"
 
 namespace sinew {
@@ -40,8 +41,9 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
     logits = allocate_logits(arena, plan.counts.surface());
     if (logits == nullptr) return SINEW_ERROR_WORKSPACE;
     const NetworkInput input = network_input(p, plan.counts);
-    status = run_network(plan.model, input, kernels, plan.progress.part(650, plan.rows.edits_rows() ? 960 : 990), arena,
-                         logits, plan.network);
+    const uint32_t end = plan.rows.edits_rows() ? ends_at::kNetworkBeforeEdits : ends_at::kNetwork;
+    const Progress network_progress = plan.progress.part(ends_at::kSpectral, end);
+    status = run_network(plan.model, input, kernels, network_progress, arena, logits, plan.network);
     if (status != SINEW_OK) return status;
   }
   const Prediction prediction = {p.mesh,
@@ -57,11 +59,11 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   EditedRows edited;
   if (plan.rows.edits_rows()) {
     if (!edited.allocate(arena, plan.counts, plan.rows)) return SINEW_ERROR_WORKSPACE;
-    status =
-        edit_rows(prediction, plan.rows, plan.counts, joints, weights, plan.progress.part(960, 990), arena, &edited);
+    const Progress edit_progress = plan.progress.part(ends_at::kNetworkBeforeEdits, ends_at::kEdits);
+    status = edit_rows(prediction, plan.rows, plan.counts, joints, weights, edit_progress, arena, &edited);
     if (status != SINEW_OK) return status;
   }
-  if (!plan.progress.report(1000)) return SINEW_ERROR_CANCELLED;
+  if (!plan.progress.report(ends_at::kRows)) return SINEW_ERROR_CANCELLED;
   write_rows(prediction, plan.rows, edited, plan.counts.threads, joints, weights);
   if (used_bytes != nullptr) *used_bytes = arena.high_water();
   return SINEW_OK;

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "bind/progress.hpp"
 #include "spectral/spectral.hpp"
 
 namespace sinew {
@@ -83,11 +84,11 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   if (!out->mesh.allocate(arena, counts) || !out->skeleton.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = build_mesh(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
   if (status != SINEW_OK) return status;
-  if (!progress.report(50)) return SINEW_ERROR_CANCELLED;
+  if (!progress.report(ends_at::kMesh)) return SINEW_ERROR_CANCELLED;
 
   if (counts.may_reduce()) {
     if (!out->reduction.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-    status = reduce_mesh(out->mesh, counts, progress.part(50, 100), arena, &out->reduction);
+    status = reduce_mesh(out->mesh, counts, progress.part(ends_at::kMesh, ends_at::kReduction), arena, &out->reduction);
     if (status != SINEW_OK) return status;
   }
   const Counts surface = counts.surface();
@@ -98,12 +99,14 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const size_t mark = arena.mark();
   if (network) {
     if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-    status = find_candidates(mesh_of_stages, out->skeleton, surface, progress.part(100, 200), arena, &out->candidates);
+    status = find_candidates(mesh_of_stages, out->skeleton, surface,
+                             progress.part(ends_at::kReduction, ends_at::kCandidates), arena, &out->candidates);
     if (status != SINEW_OK) return status;
   }
 
   if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-  const Progress heat_progress = network ? progress.part(200, 600) : progress.part(100, 950);
+  const Progress heat_progress = network ? progress.part(ends_at::kCandidates, ends_at::kHeat)
+                                         : progress.part(ends_at::kReduction, ends_at::kHeatAlone);
   status = solve_heat(mesh_of_stages, out->skeleton, surface, kernels, heat_progress, arena, &out->heat);
   if (status != SINEW_OK || !network) return status;
 
@@ -111,7 +114,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   status = build_features(mesh_of_stages, out->skeleton, out->candidates, out->heat, surface, arena, &out->features);
   if (status != SINEW_OK) return status;
   if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) {
-    status = compute_spectral(mesh_of_stages, surface, progress.part(620, 650), arena,
+    status = compute_spectral(mesh_of_stages, surface, progress.part(ends_at::kFeatures, ends_at::kSpectral), arena,
                               out->features.vertex + kVertexFeatures, out->features.vertex_channels);
     if (status != SINEW_OK) return status;
   }
@@ -121,7 +124,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
     out->candidates = Candidates();
     out->heat = HeatFields();
   }
-  return progress.report(650) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+  return progress.report(ends_at::kSpectral) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }
 
 }  // namespace sinew

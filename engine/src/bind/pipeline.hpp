@@ -37,7 +37,7 @@ enum class PrepareFor {
 // counts.surface() bounds. Features include the spectral ones if counts.feature_flags ask for them.
 //   mesh, skeleton  the caller's
 //   up_axis         as in sinew_options
-//   progress        reported up to 650 permille, or 950 for kHeat
+//   progress        reported up to ends_at::kSpectral, for kHeat up to ends_at::kHeatAlone
 //   arena           holds what `out` points to; scratch is released
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE, SINEW_ERROR_CANCELLED, or what build_mesh() refuses.
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,

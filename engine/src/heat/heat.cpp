@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kSourcesPermille = 300;
+constexpr uint32_t kSourcesEnd = 300;  // permille of this stage's progress
 
 struct Scratch {
   HeatSources sources;
@@ -87,8 +87,8 @@ class ComponentWalk {
   }
   bool report(uint64_t field_vertices) {
     done_ += field_vertices;
-    const uint64_t share = done_ * (1000 - kSourcesPermille) / (uint64_t{mesh_.welded_count} * kFieldCount);
-    return progress_.report(kSourcesPermille + static_cast<uint32_t>(share));
+    const uint64_t share = done_ * (Progress::kWhole - kSourcesEnd) / (uint64_t{mesh_.welded_count} * kFieldCount);
+    return progress_.report(kSourcesEnd + static_cast<uint32_t>(share));
   }
   void copy_rule(uint32_t component) const {
     copy_component(mesh_, component, fields_->field[kFieldRule], &fields_->field[kFieldParts]);
@@ -142,7 +142,7 @@ sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& count
   for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
   sinew_status status =
-      find_sources(mesh, skeleton, counts, kernels.boxes_met, progress, kSourcesPermille, arena, &scratch.sources);
+      find_sources(mesh, skeleton, counts, kernels.boxes_met, progress, kSourcesEnd, arena, &scratch.sources);
   if (status != SINEW_OK) return status;
   status = weigh_edges(mesh, counts, arena, &scratch.edges);
   if (status != SINEW_OK) return status;
