@@ -15,6 +15,7 @@
 #include "bench_report.hpp"
 #include "bind/bind.hpp"
 #include "heat_scene.hpp"
+#include "kernels/select.hpp"
 #include "network/network.hpp"
 #include "sinew/sinew.hpp"
 #if !defined(__EMSCRIPTEN__)
@@ -64,8 +65,10 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
                   &options, &plan),
         "plan");
   const Counts &full = plan.counts, counts = full.surface();
+  Kernels kernels;
+  if (!select_kernels(kernel, &kernels)) check(SINEW_ERROR_KERNEL, "kernels");
   Arena measuring;  // more than a bind's: nothing is given back before the network here
-  measure_prepare(measuring, full, plan.purpose);
+  measure_prepare(measuring, full, plan.purpose());
   measure_run_network(measuring, model, counts, plan.network);
   const size_t bytes = measuring.high_water();
   const Workspace block = touched(bytes);
@@ -85,12 +88,12 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   p.candidates.allocate(arena, counts);
   timed(2, [&] { return find_candidates(mesh, p.skeleton, counts, {}, arena, &p.candidates); });
   p.heat.allocate(arena, counts);
-  timed(3, [&] { return solve_heat(mesh, p.skeleton, counts, {}, arena, &p.heat, kernel); });
+  timed(3, [&] { return solve_heat(mesh, p.skeleton, counts, kernels, {}, arena, &p.heat); });
   p.features.allocate(arena, counts);
   timed(4, [&] { return build_features(mesh, p.skeleton, p.candidates, p.heat, counts, arena, &p.features); });
   const NetworkInput input = network_input(p, counts);
   std::vector<int16_t> logits(size_t{mesh.welded_count} * counts.candidates);
-  timed(5, [&] { return run_network(model, input, {}, arena, logits.data(), plan.network); });
+  timed(5, [&] { return run_network(model, input, kernels, {}, arena, logits.data(), plan.network); });
 }
 
 // What threads would make of a bind, from processor time alone, so that it can be told on a busy machine too: pieces

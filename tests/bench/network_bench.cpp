@@ -16,6 +16,7 @@
 #include "bench_report.hpp"
 #include "features/features.hpp"
 #include "heat_scene.hpp"
+#include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -67,14 +68,15 @@ struct Contestant {
 struct Int16 : Contestant {
   const sinew_model& model;
   NetworkInput input;
+  Kernels kernels;
   NetworkOptions options;
   std::vector<int16_t> result;
   std::unique_ptr<Workspace> block;
 
   Int16(const sinew_model& m, const Sample& s, uint32_t kernel, bool in_place) : model(m), input(network_input(s)) {
     name = std::string("int16 ") + sinew_kernel_name(kernel) + (in_place ? " in place" : "");
-    options.kernel = kernel;
-    options.weights_in_place = in_place;
+    if (!select_kernels(kernel, &kernels)) throw Error(name + ": does not run here");
+    options.weights_in_place = in_place || kernel == SINEW_KERNEL_REF;
     block = std::make_unique<Workspace>(network_workspace(model, s, options));
     bytes = block->size();
     result.resize(size_t{s.vertices} * s.candidates);
@@ -82,7 +84,8 @@ struct Int16 : Contestant {
   double pass() override {
     Arena arena(block->data(), block->size());
     const double start = sinew_bench::thread_seconds();
-    if (run_network(model, input, {}, arena, result.data(), options) != SINEW_OK) throw Error(name + ": does not run");
+    if (run_network(model, input, kernels, {}, arena, result.data(), options) != SINEW_OK)
+      throw Error(name + ": does not run");
     const double seconds = sinew_bench::thread_seconds() - start;
     hash = sinew_bench::fnv1a(sinew_bench::kHashStart, result.data(), result.size() * 2);
     return seconds;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bind/bind.hpp"
+#include "kernels/select.hpp"
 #include "network/network.hpp"
 #include "spectral/spectral.hpp"
 #include "weights/influences.hpp"
@@ -219,12 +220,14 @@ void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_
   Counts counts;
   check(make_counts(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count, candidates,
                     grid, &counts));
+  Kernels kernels;
+  check(select_kernels(kernel, &kernels) ? SINEW_OK : SINEW_ERROR_KERNEL);
   Arena measuring;
   measure_prepare(measuring, counts, PrepareFor::kNetwork);
   Block block(measuring.high_water());
   Arena arena(block.data, measuring.high_water());
   Prepared p;
-  check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p, kernel));
+  check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, kernels, {}, arena, &p));
   hash_prepared(name, p, candidates);
   hash_spectral(name, p.mesh, counts);
 }

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 
+#include "kernels/select.hpp"
 #include "lent_threads.hpp"
 #include "model/reader.hpp"
 #include "network/plan.hpp"
@@ -41,7 +42,7 @@ Outcome run(const std::vector<uint8_t>& bytes, const Graph& g, uint32_t tile, si
   AlignedBytes workspace(outcome.measured - less);
   Arena arena(workspace.data(), workspace.size());
   outcome.logits.assign(size_t{g.vertices} * g.k, 12345);
-  outcome.status = run_network(model, input, progress, arena, outcome.logits.data(), options);
+  outcome.status = run_network(model, input, fastest_kernels(), progress, arena, outcome.logits.data(), options);
   outcome.high_water = arena.high_water();
   EXPECT_EQ(arena.used(), 0u) << "scratch is given back";
   return outcome;

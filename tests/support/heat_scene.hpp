@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "heat/heat.hpp"
+#include "kernels/select.hpp"
 
 namespace sinew_test {
 
@@ -193,7 +194,8 @@ class HeatRun {
     allocate(arena);
 
     status = sinew::build_mesh(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
-    if (status == SINEW_OK && solve) status = sinew::solve_heat(mesh, skeleton, counts, {}, arena, &fields);
+    if (status == SINEW_OK && solve)
+      status = sinew::solve_heat(mesh, skeleton, counts, sinew::fastest_kernels(), {}, arena, &fields);
   }
 
   // Weight of a joint in a raw row, 0..1.

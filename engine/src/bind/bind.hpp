@@ -1,41 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A whole bind: options to a plan, the plan to bytes of workspace, and the run.
+// A whole bind: the stages one after the other, from the caller's mesh to the caller's rows.
 #ifndef SINEW_BIND_BIND_HPP
 #define SINEW_BIND_BIND_HPP
 
-#include "bind/pipeline.hpp"
-#include "network/network.hpp"
+#include "bind/plan.hpp"
 
 namespace sinew {
 
-// Checked options with their defaults filled in.
-struct BindPlan {
-  Counts counts;
-  sinew_model model;  // valid for PrepareFor::kNetwork
-  PrepareFor purpose;
-  uint32_t influence_count;
-  uint32_t up_axis;
-  uint32_t weight_format;
-  const uint8_t* locked;
-  const uint8_t* hints;
-  bool symmetric;
-  NetworkOptions network;
-  uint32_t rigid_parts;
-  uint32_t softness_percent;
-  uint8_t* confidence;
-  uint32_t* symmetric_vertices;
-  Progress progress;
-};
-
-// Vertices above which a mesh is reduced unless the caller says otherwise.
-constexpr uint32_t kSurfaceVertices = 32768;
-
-// Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT.
-sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
-                       const sinew_options* options, BindPlan* plan);
-void measure_bind(Arena& arena, const BindPlan& plan);
+// Runs the stages of a plan in the workspace and writes the rows. Arguments as in sinew_bind(), checked but for what
+// the arrays hold. Nothing is written to joints and weights before nothing can fail any more.
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes);
+// What run_bind() takes of its workspace, for a measuring arena.
+void measure_bind(Arena& arena, const BindPlan& plan);
 
 }  // namespace sinew
 #endif

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The order of the stages before the network, once for the run and once for the size query.
+// Runs the stages in front of the network, and lists their memory in the same order.
 #include "bind/pipeline.hpp"
 
 #include <string.h>
 
+#include "bind/progress.hpp"
 #include "spectral/spectral.hpp"
 
 namespace sinew {
@@ -78,15 +79,16 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
 }
 
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out, uint32_t kernel) {
+                     PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena,
+                     Prepared* out) {
   if (!out->mesh.allocate(arena, counts) || !out->skeleton.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = build_mesh(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
   if (status != SINEW_OK) return status;
-  if (!progress.report(50)) return SINEW_ERROR_CANCELLED;
+  if (!progress.report(ends_at::kMesh)) return SINEW_ERROR_CANCELLED;
 
   if (counts.may_reduce()) {
     if (!out->reduction.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-    status = reduce_mesh(out->mesh, counts, progress.part(50, 100), arena, &out->reduction);
+    status = reduce_mesh(out->mesh, counts, progress.part(ends_at::kMesh, ends_at::kReduction), arena, &out->reduction);
     if (status != SINEW_OK) return status;
   }
   const Counts surface = counts.surface();
@@ -97,20 +99,22 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const size_t mark = arena.mark();
   if (network) {
     if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-    status = find_candidates(mesh_of_stages, out->skeleton, surface, progress.part(100, 200), arena, &out->candidates);
+    status = find_candidates(mesh_of_stages, out->skeleton, surface,
+                             progress.part(ends_at::kReduction, ends_at::kCandidates), arena, &out->candidates);
     if (status != SINEW_OK) return status;
   }
 
   if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-  const Progress heat_progress = network ? progress.part(200, 600) : progress.part(100, 950);
-  status = solve_heat(mesh_of_stages, out->skeleton, surface, heat_progress, arena, &out->heat, kernel);
+  const Progress heat_progress = network ? progress.part(ends_at::kCandidates, ends_at::kHeat)
+                                         : progress.part(ends_at::kReduction, ends_at::kHeatAlone);
+  status = solve_heat(mesh_of_stages, out->skeleton, surface, kernels, heat_progress, arena, &out->heat);
   if (status != SINEW_OK || !network) return status;
 
   if (!out->features.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
   status = build_features(mesh_of_stages, out->skeleton, out->candidates, out->heat, surface, arena, &out->features);
   if (status != SINEW_OK) return status;
   if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) {
-    status = compute_spectral(mesh_of_stages, surface, progress.part(620, 650), arena,
+    status = compute_spectral(mesh_of_stages, surface, progress.part(ends_at::kFeatures, ends_at::kSpectral), arena,
                               out->features.vertex + kVertexFeatures, out->features.vertex_channels);
     if (status != SINEW_OK) return status;
   }
@@ -120,7 +124,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
     out->candidates = Candidates();
     out->heat = HeatFields();
   }
-  return progress.report(650) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+  return progress.report(ends_at::kSpectral) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }
 
 }  // namespace sinew

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All stages in order. sinew_bind() runs them to the end; the trainer stops after the features.
+// The stages of a bind in front of the network: from the caller's mesh to candidates, heat fields and features.
+// run_bind() goes on from there to the caller's rows. The trainer stops there and learns from the features.
 #ifndef SINEW_BIND_PIPELINE_HPP
 #define SINEW_BIND_PIPELINE_HPP
 
@@ -12,34 +13,43 @@
 
 namespace sinew {
 
-// Everything the stages before the network leave in the workspace.
+// What the stages leave in the workspace, in their order.
 struct Prepared {
   Mesh mesh;
   Skeleton skeleton;
   Reduction reduction;
   Candidates candidates;
   HeatFields heat;
-  Features features;  // candidates and features: not for kHeat
+  Features features;
 
-  // The mesh that the last three belong to.
+  // The mesh that candidates, heat and features have rows for: the reduced one if the mesh was reduced.
   const Mesh& surface() const { return kHasExtras && reduction.active ? reduction.mesh : mesh; }
 };
 
-// How far to go: method heat needs neither candidates nor features. kNetworkAlone gives candidates and heat back, once
-// the features are there, and puts those in their place.
-enum class PrepareFor { kHeat, kNetwork, kNetworkAlone };
+// What prepare() is to make ready for.
+enum class PrepareFor {
+  kHeat,          // rows from the heat field: there are neither candidates nor features
+  kNetwork,       // the network and readers of candidates and heat: everything is there
+  kNetworkAlone,  // the network and nobody else: candidates and heat are given back, and features lie in their place
+};
 
-// Runs stages 1 to 7, from the heat on over a reduced mesh if the mesh exceeds counts.surface() (and the spectral stage
-// where counts.feature_flags ask for it) in the arena (for kHeat stages 1, 2 and 4). Reports 0..650 permille (kHeat:
-// 0..950). `kernel` as in solve_heat().
+// Runs the stages that the purpose needs. They run on the reduced mesh from the candidates on if the mesh exceeds what
+// counts.surface() bounds. Features include the spectral ones if counts.feature_flags ask for them.
+//   mesh, skeleton  the caller's
+//   up_axis         as in sinew_options
+//   progress        reported up to ends_at::kSpectral, for kHeat up to ends_at::kHeatAlone
+//   arena           holds what `out` points to; scratch is released
+// Returns SINEW_OK, SINEW_ERROR_WORKSPACE, SINEW_ERROR_CANCELLED, or what build_mesh() refuses.
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
-                     PrepareFor purpose, const Progress& progress, Arena& arena, Prepared* out,
-                     uint32_t kernel = SINEW_KERNEL_AUTO);
-// Bytes prepare() needs, for a measuring arena. Leaves the arena at the mark where the network would start.
+                     PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena, Prepared* out);
+// What prepare() takes, for a measuring arena. Leaves the arena where prepare() leaves it.
 void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose);
-// What the network reads of them; the arrays stay where they are.
+
+// Views of what the network reads. The arrays stay where they are.
 NetworkInput network_input(const Prepared& prepared, const Counts& counts);
-// Checks the caller's counts against the limits and fills Counts. SINEW_ERROR_COUNT, SINEW_ERROR_ARGUMENT.
+
+// Checks the caller's counts against the limits of sinew.h and fills Counts with them. SINEW_ERROR_COUNT,
+// SINEW_ERROR_ARGUMENT.
 sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints, uint32_t candidates,
                          uint32_t grid, Counts* counts);
 

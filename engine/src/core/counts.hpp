@@ -42,16 +42,17 @@ struct Counts {
   }
 };
 
-// Progress of one stage: 0..1000 of the stage is mapped to [from, to] of the whole. report() returns false when the
-// caller wants to stop.
+// Progress of one stage, in permille. What the stage reports, 0..1000, is mapped to [from, to] of the whole bind.
+// report() returns false when the caller wants to stop.
 struct Progress {
+  static constexpr uint32_t kWhole = 1000;
   sinew_progress callback = nullptr;
   void* user = nullptr;
   uint32_t from = 0;
-  uint32_t to = 1000;
+  uint32_t to = kWhole;
 
   bool report(uint32_t permille) const {
-    return callback == nullptr || callback(user, from + permille * (to - from) / 1000) == 0;
+    return callback == nullptr || callback(user, from + permille * (to - from) / kWhole) == 0;
   }
   Progress part(uint32_t part_from, uint32_t part_to) const { return {callback, user, part_from, part_to}; }
 };

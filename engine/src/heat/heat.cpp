@@ -4,13 +4,12 @@
 
 #include "heat/solver.hpp"
 #include "heat/sources.hpp"
-#include "kernels/select.hpp"
 #include "solve/laplacian.hpp"
 
 namespace sinew {
 namespace {
 
-constexpr uint32_t kSourcesPermille = 300;
+constexpr uint32_t kSourcesEnd = 300;  // permille of this stage's progress
 
 struct Scratch {
   HeatSources sources;
@@ -88,8 +87,8 @@ class ComponentWalk {
   }
   bool report(uint64_t field_vertices) {
     done_ += field_vertices;
-    const uint64_t share = done_ * (1000 - kSourcesPermille) / (uint64_t{mesh_.welded_count} * kFieldCount);
-    return progress_.report(kSourcesPermille + static_cast<uint32_t>(share));
+    const uint64_t share = done_ * (Progress::kWhole - kSourcesEnd) / (uint64_t{mesh_.welded_count} * kFieldCount);
+    return progress_.report(kSourcesEnd + static_cast<uint32_t>(share));
   }
   void copy_rule(uint32_t component) const {
     copy_component(mesh_, component, fields_->field[kFieldRule], &fields_->field[kFieldParts]);
@@ -137,15 +136,13 @@ bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                 Arena& arena, uint32_t kernel, HeatFields* fields) {
-  Kernels kernels;
-  (void)select_kernels(kernel, &kernels);
+sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Kernels& kernels,
+                 const Progress& progress, Arena& arena, HeatFields* fields) {
   Scratch scratch;
   for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
   sinew_status status =
-      find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources, kernels.boxes_met);
+      find_sources(mesh, skeleton, counts, kernels.boxes_met, progress, kSourcesEnd, arena, &scratch.sources);
   if (status != SINEW_OK) return status;
   status = weigh_edges(mesh, counts, arena, &scratch.edges);
   if (status != SINEW_OK) return status;
@@ -174,10 +171,10 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                        Arena& arena, HeatFields* fields, uint32_t kernel) {
+sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Kernels& kernels,
+                        const Progress& progress, Arena& arena, HeatFields* fields) {
   const size_t mark = arena.mark();
-  const sinew_status status = run(mesh, skeleton, counts, progress, arena, kernel, fields);
+  const sinew_status status = run(mesh, skeleton, counts, kernels, progress, arena, fields);
   arena.release(mark);
   return status;
 }

@@ -5,6 +5,7 @@
 #ifndef SINEW_HEAT_HEAT_HPP
 #define SINEW_HEAT_HEAT_HPP
 
+#include "kernels/table.hpp"
 #include "mesh/mesh.hpp"
 
 namespace sinew {
@@ -33,15 +34,13 @@ struct HeatFields {
 //   fields    in/out allocated by the caller with the same counts; its content is undefined unless SINEW_OK
 //   progress  reported from 0 to 1000 of this stage
 //   arena     scratch, all of it released; measure_solve_heat() says how much
-//   kernel    sinew_kernel: which inner loops the factorisation uses. The same bytes with all of them; one that does
-//   not
-//             run here is the reference
+//   kernels   inner loops of the factorisation and of visibility. The fields are the same bytes with all of them
 // Every row has at least one joint and sums to 1 up to slots that were too small to keep. has_source follows the
 // visibility that the field used in the end: all 1 where it is open. kFieldParts and kFieldSoft are open in components
 // that see no bone at all. Agrees with a float64 solution to 2e-5 (tests/integration/heat_agreement_test.cpp); the same
 // bytes on every platform. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
-sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                        Arena& arena, HeatFields* fields, uint32_t kernel = SINEW_KERNEL_AUTO);
+sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Kernels& kernels,
+                        const Progress& progress, Arena& arena, HeatFields* fields);
 void measure_solve_heat(Arena& arena, const Counts& counts);
 
 // Finishes a row as the method heat does: weights under 0.025 are cut, up to 0.05 ramped linearly from 0 to themselves,

@@ -378,8 +378,8 @@ bool HeatSources::allocate_beside(Arena& arena, const Counts& counts, const Heat
   return arena.ok();
 }
 
-sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                          uint32_t permille_end, Arena& arena, HeatSources* sources, BoxKernel boxes_met) {
+sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, BoxKernel boxes_met,
+                          const Progress& progress, uint32_t permille_end, Arena& arena, HeatSources* sources) {
   const size_t mark = arena.mark();
   FaceTree tree;
   BoneList list;

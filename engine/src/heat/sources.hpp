@@ -32,9 +32,8 @@ struct HeatSources {
 // Fills everything. For the soft field `ties` are the nearest visible bones where there is one.
 // The same bytes with every `boxes_met`. Progress is reported from 0 to `permille_end`. Returns SINEW_OK,
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
-sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                          uint32_t permille_end, Arena& arena, HeatSources* sources,
-                          BoxKernel boxes_met = boxes_met_ref);
+sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, BoxKernel boxes_met,
+                          const Progress& progress, uint32_t permille_end, Arena& arena, HeatSources* sources);
 void measure_find_sources(Arena& arena, const Counts& counts);
 
 // A p H of one source bone: factor * area / d^2 with d at least kMinDistance; the factor is 4, or 0.7 for the soft

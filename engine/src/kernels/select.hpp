@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels that one run uses, chosen once for the processor at hand.
+// Chooses the kernels for the processor at hand. sinew_bind() does so once a call and hands them down to its stages.
 #ifndef SINEW_KERNELS_SELECT_HPP
 #define SINEW_KERNELS_SELECT_HPP
 
@@ -10,6 +10,13 @@ namespace sinew {
 // Fills *kernels for a sinew_kernel. False when this library was built without it or this processor lacks it, or for a
 // number that is none; *kernels is undefined then. AUTO and REF always succeed.
 bool select_kernels(uint32_t wanted, Kernels* kernels);
+
+// What SINEW_KERNEL_AUTO chooses.
+inline Kernels fastest_kernels() {
+  Kernels kernels;
+  (void)select_kernels(SINEW_KERNEL_AUTO, &kernels);
+  return kernels;
+}
 
 // See sinew_kernel_name().
 const char* kernel_name(uint32_t kernel);

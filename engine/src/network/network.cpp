@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Executes a model's layer list stage by stage, tile by tile, with the kernels that this processor runs best.
+// Executes a model's layer list stage by stage, tile by tile, with the kernels that the caller chose.
 #include "network/network.hpp"
 
 #include <string.h>
 
 #include "core/build.hpp"
-#include "kernels/select.hpp"
 #include "model/regions.hpp"
 #include "network/packed_layers.hpp"
 #include "network/plan.hpp"
@@ -108,6 +107,7 @@ struct Run {
   const NetworkInput& input;
   const ModelTables tables;
   const Kernels& kernels;
+  LinearKernel linear;  // of `kernels`: the one for packed weights or the one for the model's bytes
   const PackedLayers& packed;
   Sizes sizes;
   int16_t* storage = nullptr;
@@ -282,9 +282,9 @@ void run_linear(const Tile& tile, uint32_t index) {
     linear.packed = run.packed.view(linear, index);
     if (tile.shared && run.packed.columns[index].any()) add_shared_columns(tile, index, &linear);
   }
-  run.kernels.linear(linear, tile_rows(tile, layer.in), residual, pair ? tile.joints() : nullptr,
-                     tile.count * slots_of(run, layer.out), tile_row(tile, layer.out, 0),
-                     run.plan.buffers[layer.out.buffer].channels);
+  run.linear(linear, tile_rows(tile, layer.in), residual, pair ? tile.joints() : nullptr,
+             tile.count * slots_of(run, layer.out), tile_row(tile, layer.out, 0),
+             run.plan.buffers[layer.out.buffer].channels);
 }
 
 // One-ring layers: rows of neighbours come from storage, whatever tile they belong to.
@@ -577,11 +577,8 @@ class StageWalk {
 
 }  // namespace
 
-sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
-                         int16_t* logits, const NetworkOptions& options) {
-  Kernels kernels;
-  if (!select_kernels(options.kernel, &kernels)) return SINEW_ERROR_KERNEL;
-  if (wants_packed(options) && kernels.linear_packed != nullptr) kernels.linear = kernels.linear_packed;
+sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Kernels& kernels,
+                         const Progress& progress, Arena& arena, int16_t* logits, const NetworkOptions& options) {
   NetworkPlan plan;
   make_plan(model, input.candidate_count, &plan);
   const ModelTables tables(model.bytes);
@@ -589,7 +586,9 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
   PackedLayers packed;
   const Sizes sizes = {input.vertex_count, input.joint_count, options.tile_vertices, input.threads.lane_count()};
   if (kHasPackedWeights) (void)packed.allocate(model, plan, tables, options, sizes.lanes, arena);
-  Run run = {plan, input, tables, kernels, packed, sizes, nullptr, logits, {}};
+  const bool reads_packed = wants_packed(options) && kernels.linear_packed != nullptr;
+  const LinearKernel linear = reads_packed ? kernels.linear_packed : kernels.linear;
+  Run run = {plan, input, tables, kernels, linear, packed, sizes, nullptr, logits, {}};
   run.storage = allocate_storage(plan, run.sizes, arena);
   sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;
   if (kHasPackedWeights && status == SINEW_OK) packed.fill(plan, tables, kernels.linear_packed != nullptr);

@@ -6,6 +6,7 @@
 
 #include "core/arena.hpp"
 #include "core/counts.hpp"
+#include "kernels/table.hpp"
 #include "model/layers.hpp"
 #include "sinew/sinew.h"
 
@@ -32,18 +33,16 @@ struct NetworkInput {
 constexpr uint32_t kTileVertices = 16;
 
 struct NetworkOptions {
-  uint32_t kernel = SINEW_KERNEL_AUTO;
-  bool weights_in_place = false;           // see sinew_options
+  bool weights_in_place = false;           // linear layers read the model's bytes, see sinew_options
   uint32_t tile_vertices = kTileVertices;  // >= 1; changes scratch and speed, never the result
 };
 
 // Runs all layers of an opened model. input.candidate_count may be any K in 1..16, unless the model says
 // fixed_candidates: then it is the model's. logits out [U x K] int16, log2 units Q10,
 // clamped to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. Returns SINEW_OK,
-// SINEW_ERROR_KERNEL, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on
-// failure.
-sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Progress& progress, Arena& arena,
-                         int16_t* logits, const NetworkOptions& options = {});
+// SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
+sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Kernels& kernels,
+                         const Progress& progress, Arena& arena, int16_t* logits, const NetworkOptions& options = {});
 // Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J,
 // counts.candidates is K, counts.threads.lanes those of the input. Asks neither for the processor nor for what the
 // library was built with: the same everywhere.

@@ -94,9 +94,7 @@ LinearView make_linear_view(const ModelTables& tables, const Layer& layer) {
   return view;
 }
 
-bool wants_packed(const NetworkOptions& options) {
-  return kHasPackedWeights && !options.weights_in_place && options.kernel != SINEW_KERNEL_REF;
-}
+bool wants_packed(const NetworkOptions& options) { return kHasPackedWeights && !options.weights_in_place; }
 
 SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const LinearRecord& record) {
   const Layer& layer = plan.layers[index];

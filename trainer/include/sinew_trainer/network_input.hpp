@@ -27,7 +27,7 @@ inline NetworkInput network_input(const Sample& sample) {
 }
 
 // Bytes that run_network() needs for the sample.
-inline size_t network_workspace(const sinew_model& model, const Sample& sample, const NetworkOptions& options) {
+inline size_t network_workspace(const sinew_model& model, const Sample& sample, const NetworkOptions& options = {}) {
   Counts counts;
   counts.vertices = sample.vertices;
   counts.joints = sample.joints;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bind/pipeline.hpp"
+#include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/io.hpp"
@@ -84,7 +85,8 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
   Prepared p;
-  throw_status(character, prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, Progress{}, arena, &p));
+  throw_status(character,
+               prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, fastest_kernels(), {}, arena, &p));
 
   Sample s;
   s.name = character.name;

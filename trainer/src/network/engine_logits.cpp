@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/bind.hpp"
 #include "sinew_formats/error.hpp"
@@ -12,12 +13,12 @@
 namespace sinew {
 
 std::vector<float> engine_logits(const sinew_model& model, const Sample& sample) {
-  NetworkOptions options;
-  options.kernel = kernel_from_environment();
-  const Workspace block(network_workspace(model, sample, options));
+  Kernels kernels;
+  if (!select_kernels(kernel_from_environment(), &kernels)) throw Error(sinew_status_text(SINEW_ERROR_KERNEL));
+  const Workspace block(network_workspace(model, sample));
   Arena arena(block.data(), block.size());
   std::vector<int16_t> logits(static_cast<size_t>(sample.vertices) * sample.candidates);
-  const sinew_status status = run_network(model, network_input(sample), Progress{}, arena, logits.data(), options);
+  const sinew_status status = run_network(model, network_input(sample), kernels, {}, arena, logits.data());
   if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
 
   constexpr float kLn2 = 0.69314718056f;

@@ -5,6 +5,7 @@
 #include "bind/pipeline.hpp"
 #include "candidates/candidates.hpp"
 #include "features/features.hpp"
+#include "kernels/select.hpp"
 #include "mesh/mesh.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/engine_views.hpp"
@@ -57,7 +58,8 @@ std::vector<double> candidate_recall(const Character& character, const std::vect
   const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
   Prepared p;
-  throw_status(character, prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kHeat, Progress{}, arena, &p));
+  throw_status(character,
+               prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kHeat, fastest_kernels(), {}, arena, &p));
   std::vector<double> recall;
   for (const uint32_t k : ks) {
     count(k);

@@ -10,6 +10,7 @@
 #include "bind/pipeline.hpp"
 #include "features/channels.hpp"
 #include "heat_scene.hpp"
+#include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
 
 namespace sinew {
@@ -41,7 +42,8 @@ struct Featured {
     measure_prepare(measuring, counts, PrepareFor::kNetwork);
     block = Workspace(measuring.high_water());
     Arena arena(block.data(), measuring.high_water());
-    EXPECT_EQ(prepare(scene.mesh_view(), scene.skeleton_view(), 0, counts, PrepareFor::kNetwork, {}, arena, &p),
+    EXPECT_EQ(prepare(scene.mesh_view(), scene.skeleton_view(), 0, counts, PrepareFor::kNetwork, fastest_kernels(), {},
+                      arena, &p),
               SINEW_OK);
   }
   const int16_t* pair(uint32_t v, uint32_t slot) const {

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Checks the caller's options and fills in their defaults.
+#include "bind/plan.hpp"
+
+#include "core/build.hpp"
+#include "kernels/select.hpp"
+
+namespace sinew {
+namespace {
+
+uint32_t or_default(uint32_t value, uint32_t fallback) { return value != 0 ? value : fallback; }
+
+// 0 stands for the default wherever an option has one.
+bool is_default_or_in(uint32_t value, uint32_t least, uint32_t most) {
+  return value == 0 || (value >= least && value <= most);
+}
+
+// What can be said of the options without the model and the counts.
+sinew_status check_options(const sinew_options& o) {
+  if (o.version != 0 || o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
+      o.up_axis > 1 || o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS ||
+      kernel_name(o.kernel) == nullptr || o.weight_format > SINEW_WEIGHT_FLOAT ||
+      o.rigid_parts > SINEW_RIGID_PARTS_NEVER || !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) ||
+      !is_default_or_in(o.softness_percent, 25, 400)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  if (!kHasExtras &&
+      (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO || o.surface_vertices != 0)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  return SINEW_OK;
+}
+
+RowOptions row_options(const sinew_options& o) {
+  RowOptions rows;
+  rows.influence_count = or_default(o.influence_count, 4);
+  rows.weight_format = o.weight_format;
+  rows.rigid_parts = o.rigid_parts;
+  rows.softness_percent = or_default(o.softness_percent, 100);
+  rows.symmetric = o.symmetric != 0;
+  rows.locked = o.locked;
+  rows.hints = o.hints;
+  rows.confidence = o.confidence;
+  rows.symmetric_vertices = o.symmetric_vertices;
+  return rows;
+}
+
+}  // namespace
+
+sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
+                       const sinew_options* options, BindPlan* plan) {
+  const sinew_options defaults = {};
+  const sinew_options& o = options != nullptr ? *options : defaults;
+  sinew_status status = check_options(o);
+  if (status != SINEW_OK) return status;
+  plan->with_network = o.method != SINEW_METHOD_HEAT;
+  uint32_t candidates = or_default(o.candidate_count, 8), grid = or_default(o.grid_size, 64), feature_flags = 0;
+  if (plan->with_network) {
+    if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+    plan->model = *model;
+    candidates = or_default(o.candidate_count, model->candidate_count);
+    grid = or_default(o.grid_size, model->grid_size);
+    feature_flags = model->feature_set & kFeatureFlags;
+    if (model->fixed_candidates != 0 && candidates != model->candidate_count) return SINEW_ERROR_ARGUMENT;
+  }
+  status = make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
+  plan->counts.feature_flags = feature_flags;
+  plan->counts.surface_vertices = or_default(o.surface_vertices, kSurfaceVertices);
+  plan->counts.threads = Threads{or_default(o.thread_count, 1), o.parallel_for, o.parallel_user};
+  plan->network = NetworkOptions();
+  // The size query does not ask the processor: packed weights have room wherever the caller does not rule them out.
+  plan->network.weights_in_place = o.weights_in_place != 0 || o.kernel == SINEW_KERNEL_REF;
+  plan->kernel = o.kernel;
+  plan->up_axis = o.up_axis;
+  plan->rows = row_options(o);
+  plan->progress = Progress{o.progress, o.progress_user};
+  return status;
+}
+
+}  // namespace sinew

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The caller's options, checked and with their defaults filled in. The plan holds all that the size query needs: the
+// size of the workspace is a function of the plan alone.
+#ifndef SINEW_BIND_PLAN_HPP
+#define SINEW_BIND_PLAN_HPP
+
+#include "bind/pipeline.hpp"
+#include "network/network.hpp"
+#include "weights/finish.hpp"
+
+namespace sinew {
+
+// Vertices above which a mesh is reduced unless the caller says otherwise.
+constexpr uint32_t kSurfaceVertices = 32768;
+
+struct BindPlan {
+  Counts counts;
+  bool with_network;  // rows come from the network, else from the heat field
+  sinew_model model;  // valid with_network
+  NetworkOptions network;
+  uint32_t kernel;  // sinew_kernel that the caller wants
+  uint32_t up_axis;
+  RowOptions rows;
+  Progress progress;
+
+  // make_parts_soft() is all that reads candidates or heat fields after the features.
+  PrepareFor purpose() const {
+    if (!with_network) return PrepareFor::kHeat;
+    return rows.reads_heat() ? PrepareFor::kNetwork : PrepareFor::kNetworkAlone;
+  }
+};
+
+// Makes the plan for a mesh of `vertices`, `faces` and `corners` and a skeleton of `joints`.
+//   options  may be null: all defaults
+// Returns SINEW_OK; SINEW_ERROR_ARGUMENT where an option is out of its range, is not in this build or contradicts the
+// model, or the model is missing; SINEW_ERROR_COUNT where a count is out of its range.
+sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
+                       const sinew_options* options, BindPlan* plan);
+
+}  // namespace sinew
+#endif

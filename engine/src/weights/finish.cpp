@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+// Predicted rows to edited rows to finished rows. A row is written once nothing can fail any more.
+#include "weights/finish.hpp"
+
+#include <string.h>
+
+#include "weights/blend.hpp"
+#include "weights/confidence.hpp"
+#include "weights/given.hpp"
+#include "weights/hints.hpp"
+#include "weights/influences.hpp"
+#include "weights/style.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
+
+// What the network or the heat field says of a vertex of the surface, in kRowSlots slots.
+void surface_row(const Prediction& p, const RowOptions& options, uint32_t vertex, uint16_t* joints, uint32_t* weights) {
+  for (uint32_t i = 0; i < kRowSlots; ++i) {
+    joints[i] = kNoJoint;
+    weights[i] = 0;
+  }
+  if (p.logits == nullptr) {
+    uint16_t row_weights[kHeatSlots];
+    const uint32_t count = finish_heat_row(p.heat, vertex, joints, row_weights);
+    for (uint32_t i = 0; i < count; ++i) weights[i] = 2u * row_weights[i];
+    return;
+  }
+  const uint32_t k = p.candidates;
+  for (uint32_t i = 0; i < k; ++i) joints[i] = p.joints[static_cast<size_t>(vertex) * k + i];
+  const int16_t* const own = p.logits + static_cast<size_t>(vertex) * k;
+  if (options.softness_percent == 100) {
+    p.softmax(own, joints, k, kSmallestKept, weights);
+  } else {
+    int16_t softened[SINEW_MAX_CANDIDATES];
+    soften_logits(own, joints, k, options.softness_percent, softened);
+    p.softmax(softened, joints, k, kSmallestKept, weights);
+  }
+}
+
+// The row of a welded vertex of the full mesh, from those that row(surface vertex, joints, weights) gives.
+template <class Row>
+void full_row(const Prediction& p, uint32_t vertex, const Row& row, uint16_t* joints, uint32_t* weights) {
+  if (!kHasExtras || !p.reduction.active) return row(vertex, joints, weights);
+  const Place place = p.reduction.place(p.mesh, vertex);
+  RowBlend blend;
+  for (int i = 0; i < 3; ++i) {
+    if (place.shares[i] == 0) continue;
+    row(place.vertices[i], joints, weights);
+    blend.add(joints, weights, place.shares[i]);
+  }
+  blend.take(joints, weights);
+}
+
+// The same from the prediction.
+void predicted_row(const Prediction& p, const RowOptions& options, uint32_t vertex, uint16_t* joints,
+                   uint32_t* weights) {
+  full_row(
+      p, vertex,
+      [&](uint32_t v, uint16_t* row_joints, uint32_t* row_weights) {
+        surface_row(p, options, v, row_joints, row_weights);
+      },
+      joints, weights);
+}
+
+// A finished row of a welded vertex. Of two partners the lower one's is finished and the other's is its mirror image,
+// so that rounding and ties fall alike.
+void finish_edited_row(const EditedRows& edited, uint32_t welded, uint32_t influence_count, uint32_t total,
+                       uint16_t* joints, uint16_t* row) {
+  const uint32_t partner = edited.symmetry.symmetric ? edited.symmetry.vertex[welded] : kNoPartner;
+  const uint32_t source = partner < welded ? partner : welded;
+  keep_largest(edited.rows.joints_of(source), edited.rows.weights_of(source), kRowSlots, influence_count, total, joints,
+               row);
+  if (source != welded) mirror_influences(edited.symmetry, influence_count, joints, row);
+}
+
+// How sure a predicted row [kRowSlots] is of its strongest joint, as in sinew_options::confidence.
+uint8_t confidence_of(const Prediction& p, const uint32_t* weights) {
+  uint32_t largest = 0;
+  for (uint32_t i = 0; i < kRowSlots; ++i) largest = weights[i] > largest ? weights[i] : largest;
+  return calibrated_confidence(p.model, largest);
+}
+
+// A finished row as the caller's weights from index `first` on.
+void store_weights(const uint16_t* row, uint32_t count, uint32_t format, size_t first, void* weights) {
+  for (uint32_t i = 0; i < count; ++i) {
+    switch (format) {
+      case SINEW_WEIGHT_UNORM8:
+        static_cast<uint8_t*>(weights)[first + i] = static_cast<uint8_t>(row[i]);
+        break;
+      case SINEW_WEIGHT_UNORM16:
+        static_cast<uint16_t*>(weights)[first + i] = row[i];
+        break;
+      // One correctly rounded IEEE division: the same on every target.
+      default:
+        static_cast<float*>(weights)[first + i] = static_cast<float>(row[i]) / 65535.0f;
+        break;
+    }
+  }
+}
+
+void write_range(const Prediction& p, const RowOptions& options, const EditedRows& edited, uint32_t begin, uint32_t end,
+                 uint16_t* joints, void* weights) {
+  const uint32_t n = options.influence_count;
+  const uint32_t total = options.weight_format == SINEW_WEIGHT_UNORM8 ? 255u : 65535u;
+  for (uint32_t v = begin; v < end; ++v) {
+    if (options.is_given(v)) {
+      if (options.confidence != nullptr) options.confidence[v] = 255;
+      continue;
+    }
+    const size_t first = static_cast<size_t>(v) * n;
+    const uint32_t welded = p.mesh.vertex_to_welded[v];
+    uint16_t predicted_joints[kRowSlots];
+    uint32_t predicted[kRowSlots];
+    if (!options.edits_rows() || options.confidence != nullptr)
+      predicted_row(p, options, welded, predicted_joints, predicted);
+    if (options.confidence != nullptr) options.confidence[v] = confidence_of(p, predicted);
+    uint16_t row[SINEW_MAX_INFLUENCES];
+    if (options.edits_rows()) {
+      finish_edited_row(edited, welded, n, total, joints + first, row);
+    } else {
+      keep_largest(predicted_joints, predicted, kRowSlots, n, total, joints + first, row);
+    }
+    store_weights(row, n, options.weight_format, first, weights);
+  }
+}
+
+uint32_t count_symmetric(const Mesh& mesh, const Symmetry& symmetry) {
+  uint32_t count = 0;
+  for (uint32_t v = 0; kHasExtras && v < mesh.vertex_count && symmetry.symmetric; ++v)
+    count += symmetry.vertex[mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+bool EditedRows::allocate(Arena& arena, const Counts& counts, const RowOptions& options) {
+  (void)rows.allocate(arena, counts);
+  surface = rows;
+  if (counts.may_reduce()) (void)surface.allocate(arena, counts.surface());
+  (void)given.allocate(arena, counts);
+  if (options.symmetric) (void)symmetry.allocate(arena, counts);
+  return arena.ok();
+}
+
+sinew_status check_given_rows(const RowOptions& options, uint32_t vertices, uint32_t joint_count,
+                              const uint16_t* joints, const void* weights) {
+  if (options.locked == nullptr && options.hints == nullptr) return SINEW_OK;
+  for (uint32_t v = 0; v < vertices; ++v) {
+    if (!options.is_given(v)) continue;
+    const size_t first = static_cast<size_t>(v) * options.influence_count;
+    for (uint32_t i = 0; i < options.influence_count; ++i) {
+      if (joints[first + i] >= joint_count) return SINEW_ERROR_RANGE;
+    }
+    if (options.hints == nullptr || options.hints[v] == 0) continue;
+    uint32_t row[SINEW_MAX_INFLUENCES];
+    if (!read_row(weights, options.weight_format, first, options.influence_count, row)) return SINEW_ERROR_RANGE;
+  }
+  return SINEW_OK;
+}
+
+sinew_status edit_rows(const Prediction& p, const RowOptions& options, const Counts& counts, const uint16_t* joints,
+                       const void* weights, const Progress& progress, Arena& arena, EditedRows* edited) {
+  Rows& surface = edited->surface;
+  counts.threads.ranges(p.surface.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) surface_row(p, options, v, surface.joints_of(v), surface.weights_of(v));
+  });
+  if (options.rigid_parts != SINEW_RIGID_PARTS_AUTO) {
+    const sinew_status status = options.rigid_parts == SINEW_RIGID_PARTS_ALWAYS
+                                    ? make_parts_rigid(p.surface, counts, arena, &surface)
+                                    : make_parts_soft(p.surface, p.heat, counts, arena, &surface);
+    if (status != SINEW_OK) return status;
+  }
+  if (surface.joints != edited->rows.joints) {
+    const auto row = [&](uint32_t v, uint16_t* row_joints, uint32_t* row_weights) {
+      memcpy(row_joints, surface.joints_of(v), kRowSlots * sizeof(uint16_t));
+      memcpy(row_weights, surface.weights_of(v), kRowSlots * sizeof(uint32_t));
+    };
+    counts.threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+      for (uint32_t v = begin; v < end; ++v) full_row(p, v, row, edited->rows.joints_of(v), edited->rows.weights_of(v));
+    });
+  }
+  gather_given_rows(p.mesh, options.locked, options.hints, joints, weights, options.weight_format,
+                    options.influence_count, &edited->given);
+  if (options.symmetric) {
+    const sinew_status status = find_symmetry(p.mesh, p.skeleton, counts, arena, &edited->symmetry);
+    if (status != SINEW_OK) return status;
+    if (edited->symmetry.symmetric) mirror_given_rows(p.mesh, edited->symmetry, &edited->given);
+  }
+  if (options.hints != nullptr) {
+    const sinew_status status = steer_rows(p.mesh, p.skeleton, edited->given, counts, progress, arena, &edited->rows);
+    if (status != SINEW_OK) return status;
+  }
+  if (edited->symmetry.symmetric)
+    mirror_rows(p.mesh, edited->given, options.influence_count, &edited->rows, &edited->symmetry);
+  return SINEW_OK;
+}
+
+void measure_edit_rows(Arena& arena, const Counts& counts, const RowOptions& options) {
+  if (options.rigid_parts != SINEW_RIGID_PARTS_AUTO) measure_part_style(arena, counts);
+  if (options.symmetric) measure_find_symmetry(arena, counts);
+  if (options.hints != nullptr) measure_steer_rows(arena, counts);
+}
+
+void write_rows(const Prediction& p, const RowOptions& options, const EditedRows& edited, const Threads& threads,
+                uint16_t* joints, void* weights) {
+  threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    write_range(p, options, edited, begin, end, joints, weights);
+  });
+  if (options.symmetric_vertices != nullptr) *options.symmetric_vertices = count_symmetric(p.mesh, edited.symmetry);
+}
+
+}  // namespace sinew
