@@ -55,7 +55,8 @@ void run_steps(const sinew::Kernels& kernels, sinew::Arena& arena, sinew_test::H
   (void)sources.allocate(arena, run->counts);
   (void)weights.allocate(arena, run->counts);
   out->time(kSources, [&] {
-    return sinew::find_sources(run->mesh, run->skeleton, run->counts, {}, 1000, arena, &sources, kernels.boxes_met);
+    return sinew::find_sources(run->mesh, run->skeleton, run->source_joints.data(), run->counts, {}, 1000, arena,
+                               &sources, kernels.boxes_met);
   });
   out->time(kEdges, [&] { return sinew::weigh_edges(run->mesh, run->counts, arena, &weights); });
   if (!solver.allocate(arena, run->counts)) out->fail("the block is too small");
@@ -78,7 +79,10 @@ void measure(const char* name, const sinew_test::HeatScene& scene, int repeats) 
   sinew_test::HeatRun run(scene, false);
   if (run.status != SINEW_OK) out.fail("the mesh stage failed");
   for (int i = 0; i < repeats; ++i) {
-    out.time(kWhole, [&] { return sinew::solve_heat(run.mesh, run.skeleton, run.counts, {}, run.arena, &run.fields); });
+    out.time(kWhole, [&] {
+      return sinew::solve_heat(run.mesh, run.skeleton, run.source_joints.data(), run.counts, {}, run.arena,
+                               &run.fields);
+    });
   }
   const uint64_t hash = hash_fields(run);
   if (run.mesh.component_count == 1) {

@@ -9,6 +9,7 @@
 #include "mesh/mesh.hpp"
 #include "network/network.hpp"
 #include "reduce/reduction.hpp"
+#include "skeleton/skeleton.hpp"
 
 namespace sinew {
 
@@ -16,6 +17,7 @@ namespace sinew {
 struct Prepared {
   Mesh mesh;
   Skeleton skeleton;
+  uint8_t* source_joints = nullptr;  // [J] of the heat stage
   Reduction reduction;
   Candidates candidates;
   HeatFields heat;
@@ -28,6 +30,12 @@ struct Prepared {
 // How far to go: method heat needs neither candidates nor features. kNetworkAlone gives candidates and heat back, once
 // the features are there, and puts those in their place.
 enum class PrepareFor { kHeat, kNetwork, kNetworkAlone };
+
+// Stages 1 and 2, and the skeleton on the same grid. Both are allocated; scratch is taken from the arena and released.
+// Returns what make_grid_quantizer(), build_mesh() and build_skeleton() return, in this order.
+sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_skeleton& skeleton_input,
+                                     uint32_t up_axis, const Counts& counts, Arena& arena, Mesh* mesh,
+                                     Skeleton* skeleton);
 
 // Runs stages 1 to 7, from the heat on over a reduced mesh if the mesh exceeds counts.surface() (and the spectral stage
 // where counts.feature_flags ask for it) in the arena (for kHeat stages 1, 2 and 4). Reports 0..650 permille (kHeat:

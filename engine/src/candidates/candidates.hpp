@@ -4,6 +4,7 @@
 #define SINEW_CANDIDATES_CANDIDATES_HPP
 
 #include "mesh/mesh.hpp"
+#include "skeleton/skeleton.hpp"
 
 namespace sinew {
 

@@ -518,7 +518,7 @@ class Builder {
     f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
                                  log2_q16(static_cast<uint64_t>(t.extent) + kSoftLength), 2);
     f[kP_territory] = log_q13(candidates_.territory[j] + uint64_t{16}, 16 << 16, 3);
-    f[kP_is_source] = skeleton_.source[j] != 0 ? kOne : 0;
+    f[kP_is_source] = heat_.source_joints[j] != 0 ? kOne : 0;
     f[kP_is_root] = parent < 0 ? kOne : 0;
     memcpy(row, f + kFirstPartChannel, kPartChannels * sizeof(int16_t));
     return row;

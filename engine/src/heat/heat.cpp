@@ -137,15 +137,15 @@ bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                 Arena& arena, uint32_t kernel, HeatFields* fields) {
+sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
+                 const Progress& progress, Arena& arena, uint32_t kernel, HeatFields* fields) {
   Kernels kernels;
   (void)select_kernels(kernel, &kernels);
   Scratch scratch;
   for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
-  sinew_status status =
-      find_sources(mesh, skeleton, counts, progress, kSourcesPermille, arena, &scratch.sources, kernels.boxes_met);
+  sinew_status status = find_sources(mesh, skeleton, source_joints, counts, progress, kSourcesPermille, arena,
+                                     &scratch.sources, kernels.boxes_met);
   if (status != SINEW_OK) return status;
   status = weigh_edges(mesh, counts, arena, &scratch.edges);
   if (status != SINEW_OK) return status;
@@ -174,10 +174,11 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                        Arena& arena, HeatFields* fields, uint32_t kernel) {
+sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
+                        const Progress& progress, Arena& arena, HeatFields* fields, uint32_t kernel) {
   const size_t mark = arena.mark();
-  const sinew_status status = run(mesh, skeleton, counts, progress, arena, kernel, fields);
+  fields->source_joints = source_joints;
+  const sinew_status status = run(mesh, skeleton, source_joints, counts, progress, arena, kernel, fields);
   arena.release(mark);
   return status;
 }

@@ -5,6 +5,7 @@
 #define SINEW_WEIGHTS_HINTS_HPP
 
 #include "mesh/mesh.hpp"
+#include "skeleton/skeleton.hpp"
 #include "weights/rows.hpp"
 
 namespace sinew {

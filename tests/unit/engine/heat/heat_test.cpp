@@ -35,7 +35,8 @@ struct Block {
 struct Sources {
   explicit Sources(const HeatRun& run) : block(size(run.counts)) {
     found.allocate(block.arena, run.counts);
-    EXPECT_EQ(find_sources(run.mesh, run.skeleton, run.counts, {}, 1000, block.arena, &found), SINEW_OK);
+    EXPECT_EQ(find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, {}, 1000, block.arena, &found),
+              SINEW_OK);
   }
   static size_t size(const Counts& counts) {
     Arena measure;
@@ -277,7 +278,7 @@ TEST(Sources, NearestAndNearestVisibleOfManyBones) {
     const Vec3i at = run.mesh.positions[v], normal = run.mesh.normals[v];
     double smallest = 1e30, cosine = 1e30, seen = 1e30;
     for (uint32_t j = 0; j < run.counts.joints; ++j) {
-      if (run.skeleton.source[j] == 0) continue;
+      if (run.source_joints[j] == 0) continue;
       const Vec3i head = run.skeleton.positions[j], along = run.skeleton.bone_tail[j] - head, from = at - head;
       const double t = static_cast<double>(dot(from, along)) / std::max(1.0, static_cast<double>(dot(along, along)));
       const double share = std::min(1.0, std::max(0.0, t));
@@ -889,12 +890,14 @@ TEST(Heat, MeasureEqualsTheRun) {
     ASSERT_EQ(run.status, SINEW_OK);
     const size_t held = run.arena.used();
     Block exact(run.heat_scratch_bytes);
-    EXPECT_EQ(solve_heat(run.mesh, run.skeleton, run.counts, {}, exact.arena, &run.fields), SINEW_OK);
+    EXPECT_EQ(solve_heat(run.mesh, run.skeleton, run.source_joints.data(), run.counts, {}, exact.arena, &run.fields),
+              SINEW_OK);
     EXPECT_EQ(exact.arena.high_water(), run.heat_scratch_bytes);
     EXPECT_EQ(exact.arena.used(), 0u);
     EXPECT_EQ(run.arena.used(), held);
     Block small(run.heat_scratch_bytes - 64);
-    EXPECT_EQ(solve_heat(run.mesh, run.skeleton, run.counts, {}, small.arena, &run.fields), SINEW_ERROR_WORKSPACE);
+    EXPECT_EQ(solve_heat(run.mesh, run.skeleton, run.source_joints.data(), run.counts, {}, small.arena, &run.fields),
+              SINEW_ERROR_WORKSPACE);
   }
 }
 
@@ -926,7 +929,8 @@ TEST(Heat, ReportsProgressInOrderAndStopsWhenAsked) {
     ++s->calls;
     return permille >= s->stop_at ? 1 : 0;
   };
-  EXPECT_EQ(solve_heat(run.mesh, run.skeleton, run.counts, progress, run.arena, &run.fields), SINEW_OK);
+  EXPECT_EQ(solve_heat(run.mesh, run.skeleton, run.source_joints.data(), run.counts, progress, run.arena, &run.fields),
+            SINEW_OK);
   EXPECT_FALSE(state.falls);
   EXPECT_EQ(state.last, 1000u);
   EXPECT_GT(state.calls, 4u);
@@ -934,7 +938,9 @@ TEST(Heat, ReportsProgressInOrderAndStopsWhenAsked) {
     state = State();
     state.stop_at = stop;
     const size_t used = run.arena.used();
-    EXPECT_EQ(solve_heat(run.mesh, run.skeleton, run.counts, progress, run.arena, &run.fields), SINEW_ERROR_CANCELLED);
+    EXPECT_EQ(
+        solve_heat(run.mesh, run.skeleton, run.source_joints.data(), run.counts, progress, run.arena, &run.fields),
+        SINEW_ERROR_CANCELLED);
     EXPECT_EQ(run.arena.used(), used);
   }
 }
