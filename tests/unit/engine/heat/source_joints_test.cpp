@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which joints may be heat sources: every usable one but a root on the floor.
+#include "heat/source_joints.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "heat/source_joints.hpp"
 #include "mesh_scene.hpp"
 
 namespace {
