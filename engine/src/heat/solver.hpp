@@ -55,7 +55,7 @@ class HeatSolver {
   void divide_by_totals(HeatField* out);
 
   const Mesh* mesh_ = nullptr;
-  HeatMatrix matrix_;
+  SparseMatrix matrix_;
   Ordering ordering_;
   FrontKernels kernels_;
   // These two share their memory: the second is for what the first cannot do. The ordering's scratch lies there, too.

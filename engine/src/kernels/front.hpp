@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of the heat stage's sparse factorisation and of its solves, on dense columns of int32: what they read
-// is described in heat/fronts.hpp. Sums are int64 and wrap, so that any order of addition gives the same bits.
+// The inner loops of the sparse factorisation by fronts and of its solves, on dense columns of int32: what they read is
+// described in solve/fronts.hpp. Sums are int64 and wrap, so that any order of addition gives the same bits.
 #ifndef SINEW_KERNELS_FRONT_HPP
 #define SINEW_KERNELS_FRONT_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The definition of the factorisation's inner loops (heat/fronts.cpp) in plain C++.
+// The definition of the factorisation's inner loops (solve/fronts.cpp) in plain C++.
 #include "kernels/front.hpp"
 #include "kernels/front_s32_rows.hpp"
 

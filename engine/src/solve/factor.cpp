@@ -25,7 +25,7 @@ Reciprocal reciprocal(int64_t d) {
   return {d < 0 ? -r : r, magnitude, exponent};
 }
 
-void HeatMatrix::assemble(const int64_t* pull_q40, int diagonal_bits) {
+void SparseMatrix::assemble(const int64_t* pull_q40, int diagonal_bits) {
   int64_t largest = 1;
   for (uint32_t k = 0; k < rows; ++k) {
     const uint32_t v = ordering->order[k];
@@ -43,13 +43,13 @@ void HeatMatrix::assemble(const int64_t* pull_q40, int diagonal_bits) {
   }
 }
 
-int64_t HeatMatrix::to_matrix(int64_t value_q40) const {
+int64_t SparseMatrix::to_matrix(int64_t value_q40) const {
   if (matrix_bits >= 40) return value_q40 * (static_cast<int64_t>(1) << (matrix_bits - 40));
   const int64_t value = round_shift(value_q40, 40 - matrix_bits);
   return value == 0 && value_q40 != 0 ? 1 : value;
 }
 
-void HeatMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
+void SparseMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
   for (uint32_t k = 0; k < rows; ++k) {
     const uint32_t v = ordering->order[k];
     int64_t* r = rhs + static_cast<size_t>(k) * kLanes;
@@ -92,7 +92,7 @@ bool Factor::allocate(Arena& arena, const Counts& counts, size_t* solve_mark) {
   return arena.ok();
 }
 
-bool Factor::analyse(const HeatMatrix& matrix) {
+bool Factor::analyse(const SparseMatrix& matrix) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
   uint64_t total = 0;
@@ -117,7 +117,7 @@ bool Factor::analyse(const HeatMatrix& matrix) {
   return true;
 }
 
-void Factor::factorise(const HeatMatrix& matrix) {
+void Factor::factorise(const SparseMatrix& matrix) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
   const uint32_t rows = matrix.rows;
@@ -183,7 +183,7 @@ void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
     int32_t* x = out + static_cast<size_t>(k) * kLanes;
     int64_t any = 0;
     for (uint32_t lane = 0; lane < kLanes; ++lane) any |= z[lane];
-    if (any == 0) {  // most columns below the top separators see none of these joints
+    if (any == 0) {  // most columns below the top separators see none of these right-hand sides
       for (uint32_t lane = 0; lane < kLanes; ++lane) x[lane] = 0;
       continue;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fronts of the nested dissection: their borders, the numeric factorisation, and solves that skip what no joint of a
-// batch reaches.
+// Fronts of the nested dissection: their borders, the numeric factorisation, and solves that skip what no right-hand
+// side of a batch reaches.
 #include "solve/fronts.hpp"
 
 #include <string.h>
@@ -58,7 +58,7 @@ bool FrontFactor::allocate(Arena& arena, const Counts& counts) {
 }
 
 // False when it does not fit.
-bool FrontFactor::find_border(const HeatMatrix& matrix, uint32_t index, const uint32_t* children,
+bool FrontFactor::find_border(const SparseMatrix& matrix, uint32_t index, const uint32_t* children,
                               uint32_t child_count) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
@@ -89,7 +89,7 @@ bool FrontFactor::find_border(const HeatMatrix& matrix, uint32_t index, const ui
   return true;
 }
 
-bool FrontFactor::analyse(const HeatMatrix& matrix) {
+bool FrontFactor::analyse(const SparseMatrix& matrix) {
   const Ordering& ordering = *matrix.ordering;
   front_count_ = 0;
   memset(mark_, 0, matrix.rows * sizeof(mark_[0]));
@@ -130,7 +130,7 @@ bool FrontFactor::analyse(const HeatMatrix& matrix) {
   return true;
 }
 
-bool FrontFactor::scale_rows(const HeatMatrix& matrix) {
+bool FrontFactor::scale_rows(const SparseMatrix& matrix) {
   int lowest = 127, highest = -127;
   for (uint32_t k = 0; k < matrix.rows; ++k) {
     if (matrix.diagonal[k] <= 0) return false;
@@ -153,7 +153,7 @@ bool FrontFactor::scale_rows(const HeatMatrix& matrix) {
 }
 
 // The front's part of the matrix, into the columns of its pivots. mark_ holds the local number of every row.
-void FrontFactor::fill(const HeatMatrix& matrix, const Front& front, uint32_t height, int32_t* columns) {
+void FrontFactor::fill(const SparseMatrix& matrix, const Front& front, uint32_t height, int32_t* columns) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
   memset(columns, 0, static_cast<size_t>(front.pivots) * height * sizeof(columns[0]));
@@ -215,7 +215,7 @@ bool FrontFactor::eliminate_pivots(const FrontKernels& kernels, const Front& fro
   return true;
 }
 
-bool FrontFactor::factorise(const HeatMatrix& matrix, const FrontKernels& kernels) {
+bool FrontFactor::factorise(const SparseMatrix& matrix, const FrontKernels& kernels) {
   if (!scale_rows(matrix)) return false;
   uint32_t waiting = 0;
   size_t stacked = 0;

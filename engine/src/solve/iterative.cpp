@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refined, Jacobi-preconditioned conjugate gradients on integers: the bounded-memory way out for tangled meshes (stage
-// 4).
+// Refined, Jacobi-preconditioned conjugate gradients on integers: the bounded-memory way out for tangled meshes.
 #include "solve/iterative.hpp"
 
 namespace sinew {
@@ -30,7 +29,7 @@ int64_t times(int64_t v, Ratio r) { return r.shift < 0 || r.shift > 63 ? 0 : mul
 
 class LaneSolver {
  public:
-  LaneSolver(const HeatMatrix& matrix, int64_t* scratch, const Reciprocal* inverse)
+  LaneSolver(const SparseMatrix& matrix, int64_t* scratch, const Reciprocal* inverse)
       : matrix_(matrix),
         inverse_(inverse),
         x_(scratch),
@@ -128,7 +127,7 @@ class LaneSolver {
     }
   }
 
-  const HeatMatrix& matrix_;
+  const SparseMatrix& matrix_;
   const Reciprocal* inverse_;
   int64_t* x_;
   int64_t* residual_;
@@ -139,7 +138,7 @@ class LaneSolver {
 
 }  // namespace
 
-void solve_iteratively(const HeatMatrix& matrix, const int64_t* rhs, int64_t* scratch, Reciprocal* inverse,
+void solve_iteratively(const SparseMatrix& matrix, const int64_t* rhs, int64_t* scratch, Reciprocal* inverse,
                        int32_t* out) {
   for (uint32_t k = 0; k < matrix.rows; ++k) inverse[k] = reciprocal(matrix.diagonal[k]);
   LaneSolver solver(matrix, scratch, inverse);

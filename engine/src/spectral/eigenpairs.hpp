@@ -51,7 +51,7 @@ class EigenSolver {
   void project(uint32_t batch);
   void finish(Eigenpairs* out);
 
-  HeatMatrix matrix_;
+  SparseMatrix matrix_;
   Ordering ordering_;
   Factor factor_;
   uint32_t columns_ = 0, batches_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spreads the differences at hinted vertices with the sparse factorisation of the heat stage, eight joints at a time.
+// Spreads the differences at hinted vertices by sparse systems (solve/), eight joints at a time.
 #include "weights/hints.hpp"
 
 #include <string.h>
@@ -231,7 +231,7 @@ class Spreader {
   Rows* rows_ = nullptr;
   Rows predicted_;
   EdgeWeights edges_;
-  HeatMatrix matrix_;
+  SparseMatrix matrix_;
   Ordering ordering_;
   Factor factor_;
   int64_t* pull_ = nullptr;

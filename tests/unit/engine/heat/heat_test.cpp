@@ -421,7 +421,7 @@ TEST(Ordering, IsAPermutationAndKeepsFillSmall) {
   std::set<uint32_t> seen(ordering.order, ordering.order + run.mesh.welded_count);
   EXPECT_EQ(seen.size(), run.mesh.welded_count);
   for (uint32_t k = 0; k < run.mesh.welded_count; ++k) EXPECT_EQ(ordering.place[ordering.order[k]], k);
-  HeatMatrix matrix;
+  SparseMatrix matrix;
   matrix.mesh = &run.mesh;
   matrix.ordering = &ordering;
   matrix.rows = run.mesh.welded_count;
@@ -458,7 +458,7 @@ struct OneComponent {
   EdgeWeights edges;
   Ordering ordering;
   FrontFactor fronts;
-  HeatMatrix matrix;
+  SparseMatrix matrix;
 };
 
 TEST(Fronts, SolveForAKnownSolution) {
