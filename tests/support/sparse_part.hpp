@@ -66,11 +66,11 @@ struct SparsePart {
     }
     return out;
   }
-  // Largest error of column `member` of a batch of solutions [rows x sinew::kLanes], Q24.
+  // Largest error of column `member` of a batch of solutions [rows x sinew::kBatch], Q24.
   double worst_error(const std::vector<int32_t>& x, uint32_t member) const {
     double worst = 0;
     for (uint32_t k = 0; k < matrix.rows; ++k) {
-      const double found = x[size_t{k} * sinew::kLanes + member] * std::pow(2.0, -sinew::kSolutionBits);
+      const double found = x[size_t{k} * sinew::kBatch + member] * std::pow(2.0, -sinew::kSolutionBits);
       worst = std::max(worst, std::abs(found - wanted(k)));
     }
     return worst;

@@ -52,16 +52,16 @@ int64_t SparseMatrix::to_matrix(int64_t value_q40) const {
 void SparseMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
   for (uint32_t k = 0; k < rows; ++k) {
     const uint32_t v = ordering->order[k];
-    int64_t* r = rhs + static_cast<size_t>(k) * kLanes;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      r[lane] =
-          wrapping_subtract(r[lane], mul_shift(diagonal[k], x[static_cast<size_t>(k) * kLanes + lane], kSolutionBits));
+    int64_t* r = rhs + static_cast<size_t>(k) * kBatch;
+    for (uint32_t member = 0; member < kBatch; ++member) {
+      r[member] = wrapping_subtract(r[member],
+                                    mul_shift(diagonal[k], x[static_cast<size_t>(k) * kBatch + member], kSolutionBits));
     }
     for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
-      const int32_t* neighbour = x + static_cast<size_t>(ordering->place[mesh->col_indices[e]]) * kLanes;
+      const int32_t* neighbour = x + static_cast<size_t>(ordering->place[mesh->col_indices[e]]) * kBatch;
       const int64_t m = entry(e);
-      for (uint32_t lane = 0; lane < kLanes; ++lane)
-        r[lane] = wrapping_subtract(r[lane], mul_shift(m, neighbour[lane], kSolutionBits));
+      for (uint32_t member = 0; member < kBatch; ++member)
+        r[member] = wrapping_subtract(r[member], mul_shift(m, neighbour[member], kSolutionBits));
     }
   }
 }
@@ -179,35 +179,36 @@ void Factor::factorise(const SparseMatrix& matrix) {
 
 void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
   for (uint32_t k = 0; k < rows; ++k) {
-    int64_t* z = rhs + static_cast<size_t>(k) * kLanes;
-    int32_t* x = out + static_cast<size_t>(k) * kLanes;
+    int64_t* z = rhs + static_cast<size_t>(k) * kBatch;
+    int32_t* x = out + static_cast<size_t>(k) * kBatch;
     int64_t any = 0;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) any |= z[lane];
+    for (uint32_t member = 0; member < kBatch; ++member) any |= z[member];
     if (any == 0) {  // most columns below the top separators see none of these right-hand sides
-      for (uint32_t lane = 0; lane < kLanes; ++lane) x[lane] = 0;
+      for (uint32_t member = 0; member < kBatch; ++member) x[member] = 0;
       continue;
     }
     const int bits = short_bits[k];
     for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
-      int64_t* target = rhs + static_cast<size_t>(row[p]) * kLanes;
+      int64_t* target = rhs + static_cast<size_t>(row[p]) * kBatch;
       const int64_t l = short_value(p);
-      for (uint32_t lane = 0; lane < kLanes; ++lane)
-        target[lane] = wrapping_subtract(target[lane], mul_shift(z[lane], l, bits));
+      for (uint32_t member = 0; member < kBatch; ++member)
+        target[member] = wrapping_subtract(target[member], mul_shift(z[member], l, bits));
     }
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      x[lane] = clamp32(divide(z[lane], inverse[k], kSolutionBits, 7), -0x7FFFFFFF, 0x7FFFFFFF);
+    for (uint32_t member = 0; member < kBatch; ++member) {
+      x[member] = clamp32(divide(z[member], inverse[k], kSolutionBits, 7), -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
   for (uint32_t k = rows; k-- > 0;) {
-    uint64_t sum[kLanes] = {};  // two's complement; below 2^62 in magnitude, see the header
+    uint64_t sum[kBatch] = {};  // two's complement; below 2^62 in magnitude, see the header
     for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
-      const int32_t* x = out + static_cast<size_t>(row[p]) * kLanes;
+      const int32_t* x = out + static_cast<size_t>(row[p]) * kBatch;
       const int64_t l = short_value(p);
-      for (uint32_t lane = 0; lane < kLanes; ++lane) sum[lane] += static_cast<uint64_t>(l * x[lane]);
+      for (uint32_t member = 0; member < kBatch; ++member) sum[member] += static_cast<uint64_t>(l * x[member]);
     }
-    int32_t* x = out + static_cast<size_t>(k) * kLanes;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      x[lane] = clamp32(x[lane] - round_shift(static_cast<int64_t>(sum[lane]), short_bits[k]), -0x7FFFFFFF, 0x7FFFFFFF);
+    int32_t* x = out + static_cast<size_t>(k) * kBatch;
+    for (uint32_t member = 0; member < kBatch; ++member) {
+      x[member] =
+          clamp32(x[member] - round_shift(static_cast<int64_t>(sum[member]), short_bits[k]), -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
 }

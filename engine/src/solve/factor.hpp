@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sparse L D L^T of a symmetric matrix in fixed point: one symbolic analysis, one numeric factorisation for each set of
-// values, then triangular solves for kLanes right-hand sides at a time.
+// values, then triangular solves for kBatch right-hand sides at a time.
 //
 // The matrix is M = L + D over the vertices of one part: the Laplacian L of its edges and a diagonal D >= 0, the pulls.
 // Its row sums are the pulls. It need not be positive definite: the Laplacian counts a boundary edge in full and limits
@@ -27,7 +27,7 @@
 
 namespace sinew {
 
-constexpr uint32_t kLanes = 8;  // right-hand sides solved together: the factor is read once for all of them
+constexpr uint32_t kBatch = 8;  // right-hand sides solved together: the factor is read once for all of them
 constexpr int kSolutionBits = 24;
 constexpr int kFactorDiagonalBits = 56;  // bound of the diagonal, as a power of two
 
@@ -49,7 +49,7 @@ struct SparseMatrix {
   int64_t* diagonal = nullptr;  // [U] Q matrix_bits
   bool positive = false;        // negative edge weights count as 0: M is definite then, whatever the triangles are
 
-  // rhs -= M x for kLanes columns; x in Q24.
+  // rhs -= M x for kBatch columns; x in Q24.
   void subtract_image(const int32_t* x, int64_t* rhs) const;
   // Off-diagonal entry of CSR edge e.
   SINEW_ONCE int64_t entry(uint32_t e) const {
@@ -110,7 +110,7 @@ struct Factor {
     memcpy(&out, reinterpret_cast<const uint8_t*>(value) + size_t{p} * sizeof(out), sizeof(out));
     return out;
   }
-  // Solves for kLanes right-hand sides. rhs [rows x kLanes] Q matrix_bits, destroyed; out [rows x kLanes] Q24.
+  // Solves for kBatch right-hand sides. rhs [rows x kBatch] Q matrix_bits, destroyed; out [rows x kBatch] Q24.
   void solve(uint32_t rows, int64_t* rhs, int32_t* out) const;
 };
 

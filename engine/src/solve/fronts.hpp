@@ -36,9 +36,9 @@ class FrontFactor {
 
   // One batch: begin(), add() for every entry of the right-hand sides, eliminate(), then substitute() front by front.
   void begin();
-  void add(uint32_t place, uint32_t lane, int64_t value_q40);
+  void add(uint32_t place, uint32_t member, int64_t value_q40);
   void eliminate(const FrontKernels& kernels);
-  // Calls take(first, count, x) with the solution x [count x kFrontLanes] of the vertices at places [first, first +
+  // Calls take(first, count, x) with the solution x [count x kFrontBatch] of the vertices at places [first, first +
   // count), for every front where it may be larger than 2^-18. Without negative edge weights it never is elsewhere
   // (maximum principle: the right-hand sides are 0 there, and the solution is smaller on the border).
   template <class Take>
@@ -82,18 +82,18 @@ class FrontFactor {
   // ninth more at least. What needs more is no case for fronts.
   uint32_t front_capacity_ = 0;
   size_t row_capacity_ = 0, factor_capacity_ = 0, stack_capacity_ = 0, height_capacity_ = 0;
-  Front* fronts_ = nullptr;       // [front_capacity_ + 1]
-  uint32_t* rows_ = nullptr;      // [row_capacity_] places on the fronts' borders, ascending
-  uint32_t* waiting_ = nullptr;   // [front_capacity_] fronts whose parent is still to come
-  uint32_t* mark_ = nullptr;      // [U] by place
-  uint32_t* front_of_ = nullptr;  // [U] by place
-  int8_t* exponent_ = nullptr;    // [U] by place
-  int64_t* inverse_ = nullptr;    // [U] by place: 1 / the factor's diagonal, Q30
-  int32_t* factor_ = nullptr;     // [factor_capacity_] of each front: its pivots' columns over all of its rows, G
-  int32_t* stack_ = nullptr;      // [stack_capacity_] lower triangles by columns, and the corner of the front at hand
-  int32_t* lanes_ = nullptr;      // [height_capacity_ x kFrontLanes] right-hand sides of a front's rows
-  int32_t* x_ = nullptr;          // [U x kFrontLanes] right-hand sides, then v, then the solution
-  uint8_t* active_ = nullptr;     // [front_capacity_] some right-hand side of the batch is not 0 in its subtree
+  Front* fronts_ = nullptr;        // [front_capacity_ + 1]
+  uint32_t* rows_ = nullptr;       // [row_capacity_] places on the fronts' borders, ascending
+  uint32_t* waiting_ = nullptr;    // [front_capacity_] fronts whose parent is still to come
+  uint32_t* mark_ = nullptr;       // [U] by place
+  uint32_t* front_of_ = nullptr;   // [U] by place
+  int8_t* exponent_ = nullptr;     // [U] by place
+  int64_t* inverse_ = nullptr;     // [U] by place: 1 / the factor's diagonal, Q30
+  int32_t* factor_ = nullptr;      // [factor_capacity_] of each front: its pivots' columns over all of its rows, G
+  int32_t* stack_ = nullptr;       // [stack_capacity_] lower triangles by columns, and the corner of the front at hand
+  int32_t* front_rows_ = nullptr;  // [height_capacity_ x kFrontBatch] right-hand sides of a front's rows
+  int32_t* x_ = nullptr;           // [U x kFrontBatch] right-hand sides, then v, then the solution
+  uint8_t* active_ = nullptr;      // [front_capacity_] some right-hand side of the batch is not 0 in its subtree
 };
 
 template <class Take>
@@ -105,7 +105,7 @@ void FrontFactor::substitute(const FrontKernels& kernels, Take take) {
       continue;
     }
     substitute_front(kernels, index);
-    take(front.first, front.pivots, x_ + static_cast<size_t>(front.first) * kFrontLanes);
+    take(front.first, front.pivots, x_ + static_cast<size_t>(front.first) * kFrontBatch);
   }
 }
 

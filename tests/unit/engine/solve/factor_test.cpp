@@ -42,15 +42,15 @@ TEST(Factor, SolvesForAKnownSolution) {
   ASSERT_TRUE(factor.analyse(c.matrix));
   c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
   factor.factorise(c.matrix);
-  const size_t entries = size_t{c.matrix.rows} * kLanes;
+  const size_t entries = size_t{c.matrix.rows} * kBatch;
   std::vector<int64_t> batch(entries, 0);
-  for (uint32_t k = 0; k < c.matrix.rows; ++k) batch[size_t{k} * kLanes + 5] = c.matrix.to_matrix(rhs[k]);
+  for (uint32_t k = 0; k < c.matrix.rows; ++k) batch[size_t{k} * kBatch + 5] = c.matrix.to_matrix(rhs[k]);
   std::vector<int32_t> x(entries, 1), change(entries);
   factor.solve(c.matrix.rows, batch.data(), x.data());
   EXPECT_LT(c.worst_error(x, 5), 1e-5);
-  for (size_t i = 0; i < entries; ++i) ASSERT_TRUE(i % kLanes == 5 || x[i] == 0);
+  for (size_t i = 0; i < entries; ++i) ASSERT_TRUE(i % kBatch == 5 || x[i] == 0);
   // What is left of the right-hand sides asks for next to nothing more.
-  for (size_t i = 0; i < entries; ++i) batch[i] = i % kLanes == 5 ? c.matrix.to_matrix(rhs[i / kLanes]) : 0;
+  for (size_t i = 0; i < entries; ++i) batch[i] = i % kBatch == 5 ? c.matrix.to_matrix(rhs[i / kBatch]) : 0;
   c.matrix.subtract_image(x.data(), batch.data());
   factor.solve(c.matrix.rows, batch.data(), change.data());
   for (size_t i = 0; i < entries; ++i) ASSERT_LT(std::abs(change[i]), 1 << (kSolutionBits - 16));

@@ -28,9 +28,9 @@ TEST(Fronts, SolveForAKnownSolution) {
   double worst = 0;
   c.fronts.substitute(FrontKernels(), [&](uint32_t first, uint32_t count, const int32_t* x) {
     for (uint32_t i = 0; i < count; ++i, ++seen) {
-      const double found = x[i * kFrontLanes + 3] * std::pow(2.0, -kFrontSolutionBits);
+      const double found = x[i * kFrontBatch + 3] * std::pow(2.0, -kFrontSolutionBits);
       worst = std::max(worst, std::abs(found - c.wanted(first + i)));
-      for (uint32_t m = 0; m < kFrontLanes; ++m) EXPECT_TRUE(m == 3 || x[i * kFrontLanes + m] == 0);
+      for (uint32_t m = 0; m < kFrontBatch; ++m) EXPECT_TRUE(m == 3 || x[i * kFrontBatch + m] == 0);
     }
   });
   EXPECT_EQ(seen, c.matrix.rows);
@@ -51,7 +51,7 @@ TEST(Fronts, SkipWhatARightHandSideDoesNotReach) {
   int32_t largest = 0;
   c.fronts.substitute(FrontKernels(), [&](uint32_t, uint32_t count, const int32_t* x) {
     seen += count;
-    for (uint32_t i = 0; i < count; ++i) largest = std::max(largest, x[i * kFrontLanes]);
+    for (uint32_t i = 0; i < count; ++i) largest = std::max(largest, x[i * kFrontBatch]);
   });
   EXPECT_GT(largest, 1 << (kFrontSolutionBits - 4));
   EXPECT_GT(seen, 20u);
