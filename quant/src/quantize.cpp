@@ -102,9 +102,9 @@ void coarsen(std::vector<double>* weights, int bits) {
   for (double& w : *weights) w = std::floor(w / step + 0.5) * step;
 }
 
-class Quantizer {
+class ModelQuantizer {
  public:
-  Quantizer(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options)
+  ModelQuantizer(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options)
       : network_(network), calibration_(calibration), options_(options) {
     check_arguments();
     for (const Buffer& buffer : network.buffers) scales_.emplace_back(buffer.channels, 0.0);
@@ -373,7 +373,7 @@ sinew_model reopen(const std::vector<uint8_t>& bytes) {
 }  // namespace
 
 QuantizedModel quantize(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options) {
-  QuantizedModel result = Quantizer(network, calibration, options).run();
+  QuantizedModel result = ModelQuantizer(network, calibration, options).run();
   (void)reopen(result.bytes);
   return result;
 }

@@ -14,6 +14,7 @@
 
 #include "bench_report.hpp"
 #include "bind/bind.hpp"
+#include "heat/source_joints.hpp"
 #include "heat_scene.hpp"
 #include "kernels/select.hpp"
 #include "network/network.hpp"
@@ -81,14 +82,19 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   };
   p.mesh.allocate(arena, full);
   p.skeleton.allocate(arena, full);
-  timed(0, [&] { return build_mesh(in.mesh, in.skeleton, 0, full, arena, &p.mesh, &p.skeleton); });
+  p.source_joints = arena.alloc<uint8_t>(full.joints);
+  timed(0, [&] {
+    const sinew_status status = build_mesh_and_skeleton(in.mesh, in.skeleton, 0, full, arena, &p.mesh, &p.skeleton);
+    if (status == SINEW_OK) choose_source_joints(p.mesh, p.skeleton, p.source_joints);
+    return status;
+  });
   if (full.may_reduce()) p.reduction.allocate(arena, full);
   timed(1, [&] { return full.may_reduce() ? reduce_mesh(p.mesh, full, {}, arena, &p.reduction) : SINEW_OK; });
   const Mesh& mesh = p.surface();
   p.candidates.allocate(arena, counts);
   timed(2, [&] { return find_candidates(mesh, p.skeleton, counts, {}, arena, &p.candidates); });
   p.heat.allocate(arena, counts);
-  timed(3, [&] { return solve_heat(mesh, p.skeleton, counts, kernels, {}, arena, &p.heat); });
+  timed(3, [&] { return solve_heat(mesh, p.skeleton, p.source_joints, counts, kernels, {}, arena, &p.heat); });
   p.features.allocate(arena, counts);
   timed(4, [&] { return build_features(mesh, p.skeleton, p.candidates, p.heat, counts, arena, &p.features); });
   const NetworkInput input = network_input(p, counts);

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "mesh/mesh.hpp"
+#include "bind/pipeline.hpp"
 #include "sinew/sinew.hpp"
 #include "voxels/voxels.hpp"
 
@@ -113,7 +113,8 @@ GeodesicVoxelWeights bind_geodesic_voxel(const sinew_mesh& input, const sinew_sk
   Arena arena(block.data(), block.size());
   mesh.allocate(arena, counts);
   skeleton.allocate(arena, counts);
-  if (!arena.ok() || build_mesh(input, skeleton_input, 0, counts, arena, &mesh, &skeleton) != SINEW_OK) return {};
+  if (!arena.ok() || build_mesh_and_skeleton(input, skeleton_input, 0, counts, arena, &mesh, &skeleton) != SINEW_OK)
+    return {};
   grid.allocate(arena, counts);
   uint32_t* const queue = arena.alloc<uint32_t>(VoxelGrid::max_cells(counts));
   if (!arena.ok()) return {};

@@ -55,7 +55,8 @@ void run_steps(const sinew::Kernels& kernels, sinew::Arena& arena, sinew_test::H
   (void)sources.allocate(arena, run->counts);
   (void)weights.allocate(arena, run->counts);
   out->time(kSources, [&] {
-    return sinew::find_sources(run->mesh, run->skeleton, run->counts, kernels.boxes_met, {}, 1000, arena, &sources);
+    return sinew::find_sources(run->mesh, run->skeleton, run->source_joints.data(), run->counts, kernels.boxes_met, {},
+                               1000, arena, &sources);
   });
   out->time(kEdges, [&] { return sinew::weigh_edges(run->mesh, run->counts, arena, &weights); });
   if (!solver.allocate(arena, run->counts)) out->fail("the block is too small");
@@ -80,7 +81,8 @@ void measure(const char* name, const sinew_test::HeatScene& scene, int repeats) 
   const sinew::Kernels kernels = sinew::fastest_kernels();
   for (int i = 0; i < repeats; ++i) {
     out.time(kWhole, [&] {
-      return sinew::solve_heat(run.mesh, run.skeleton, run.counts, kernels, {}, run.arena, &run.fields);
+      return sinew::solve_heat(run.mesh, run.skeleton, run.source_joints.data(), run.counts, kernels, {}, run.arena,
+                               &run.fields);
     });
   }
   const uint64_t hash = hash_fields(run);

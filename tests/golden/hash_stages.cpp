@@ -148,7 +148,7 @@ void hash_prepared(const char* name, const Prepared& p, uint32_t k) {
   mesh.add(p.mesh.component, u);
   skeleton.add(p.skeleton.positions, p.skeleton.joint_count);
   skeleton.add(p.skeleton.bone_tail, p.skeleton.joint_count);
-  skeleton.add(p.skeleton.source, p.skeleton.joint_count);
+  skeleton.add(p.source_joints, p.skeleton.joint_count);
   for (const HeatField& field : p.heat.field) {
     heat.add(field.joints, u * kHeatSlots);
     heat.add(field.weights, u * kHeatSlots);

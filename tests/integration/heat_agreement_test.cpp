@@ -142,7 +142,7 @@ struct Reference {
   std::vector<Source> sources(uint32_t field) {
     bones.clear();
     for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
-      if (skeleton.source[j]) bones.push_back(j);
+      if (run.source_joints[j]) bones.push_back(j);
     }
     std::vector<Source> merged(mesh.welded_count), parts(mesh.welded_count), open(mesh.welded_count);
     const bool soft = field == kFieldSoft;
@@ -294,7 +294,9 @@ size_t expect_agreement(const char* name, const HeatScene& scene, bool positive 
   std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(64, measure.high_water()), std::free);
   Arena arena(block.get(), measure.high_water());
   sources.allocate(arena, run.counts);
-  EXPECT_EQ(find_sources(run.mesh, run.skeleton, run.counts, boxes_met_ref, {}, 1000, arena, &sources), SINEW_OK);
+  EXPECT_EQ(find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, boxes_met_ref, {}, 1000, arena,
+                         &sources),
+            SINEW_OK);
   Reference reference{run, run.mesh, run.skeleton, sources, std::vector<bool>(run.mesh.component_count, positive),
                       {},  0};
   size_t all_unsure = 0;

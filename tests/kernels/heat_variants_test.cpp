@@ -33,7 +33,7 @@ std::vector<Variant> variants() {
     if (add_front(&kernels) && add_boxes(&boxes_met) && runs_here) out.push_back({name, kernels, boxes_met});
   };
   add("avx2", cpu.avx2, add_front_s32_avx2, add_boxes_s32_avx2);
-  add("vnni", cpu.vnni, add_front_s32_vnni, add_boxes_s32_vnni);
+  add("vnni", cpu.vnni, add_front_s32_avx512, add_boxes_s32_avx512);
   add("simd128", true, add_front_s32_simd128, add_boxes_s32_simd128);
   add("neon", true, add_front_s32_neon, add_boxes_s32_neon);
 #if defined(__wasm_simd128__) || (defined(__aarch64__) && !defined(__ARM_BIG_ENDIAN))
@@ -81,7 +81,7 @@ TEST(FrontVariants, UpdateEqualsTheReference) {
   }
 }
 
-TEST(FrontVariants, LanesEqualTheReference) {
+TEST(FrontVariants, ProductsEqualTheReference) {
   Values values;
   for (const Variant& variant : variants()) {
     for (int kind = 0; kind < 3; ++kind) {
@@ -89,10 +89,10 @@ TEST(FrontVariants, LanesEqualTheReference) {
         for (const bool along : {false, true}) {
           const size_t next = along ? terms + 5 : 1, step = along ? 1 : kFrontColumns + 2;
           const std::vector<int32_t> g = values.take(kFrontColumns * next + (terms + 1) * step, kind);
-          const std::vector<int32_t> lanes = values.take((terms + 1) * size_t{kFrontLanes}, kind);
-          std::vector<int64_t> expected(kFrontColumns * kFrontLanes, 1), out(expected.size(), 2);
-          front_lanes_ref(g.data(), next, step, terms, lanes.data(), expected.data());
-          variant.kernels.lanes(g.data(), next, step, terms, lanes.data(), out.data());
+          const std::vector<int32_t> scaled = values.take((terms + 1) * size_t{kFrontBatch}, kind);
+          std::vector<int64_t> expected(kFrontColumns * kFrontBatch, 1), out(expected.size(), 2);
+          front_multiply_ref(g.data(), next, step, terms, scaled.data(), expected.data());
+          variant.kernels.multiply(g.data(), next, step, terms, scaled.data(), out.data());
           ASSERT_EQ(out, expected) << variant.name << " terms " << terms;
         }
       }
@@ -107,7 +107,7 @@ struct SolveCase {
   std::vector<int64_t> inverse;
   std::vector<int32_t> x;
 
-  SolveCase(Values* values, int kind) : x(values->take(kPlaces * size_t{kFrontLanes}, kind)) {
+  SolveCase(Values* values, int kind) : x(values->take(kPlaces * size_t{kFrontBatch}, kind)) {
     for (uint32_t i = 0; i < kPlaces; ++i) {
       exponents.push_back(static_cast<int8_t>(-5 + static_cast<int>((i * 7) % 25)));  // up to 24 below the front's 19
       inverse.push_back(static_cast<int64_t>(static_cast<uint32_t>(values->next(1))) << (kind == 0 ? 0 : 8));
@@ -128,15 +128,15 @@ TEST(FrontVariants, SolveEqualsTheReference) {
             const size_t height = kFrontColumns + place;
             const std::vector<int32_t> g = values.take(kFrontColumns * height, kind);
             std::vector<int64_t> sums;
-            for (uint32_t i = 0; i < count * kFrontLanes; ++i)
+            for (uint32_t i = 0; i < count * kFrontBatch; ++i)
               sums.push_back(static_cast<int64_t>(values.next(kind)) * values.next(kind));
             std::vector<int64_t> sums_too = sums;
-            std::vector<int32_t> expected_lanes(count * kFrontLanes, 1), lanes(expected_lanes.size(), 2);
+            std::vector<int32_t> expected_scaled(count * kFrontBatch, 1), scaled(expected_scaled.size(), 2);
             front_solve_ref(expected.rows(), g.data(), height, place, count, forward, sums.data(),
-                            expected_lanes.data());
-            variant.kernels.solve(out.rows(), g.data(), height, place, count, forward, sums_too.data(), lanes.data());
+                            expected_scaled.data());
+            variant.kernels.solve(out.rows(), g.data(), height, place, count, forward, sums_too.data(), scaled.data());
             ASSERT_EQ(out.x, expected.x) << variant.name << " place " << place << " count " << count;
-            ASSERT_EQ(lanes, expected_lanes) << variant.name << " place " << place << " count " << count;
+            ASSERT_EQ(scaled, expected_scaled) << variant.name << " place " << place << " count " << count;
           }
         }
       }
@@ -155,21 +155,21 @@ TEST(FrontVariants, RowsEqualTheReference) {
       for (uint32_t count = 0; count <= places.size(); ++count) {
         SolveCase expected(&values, kind), out = expected;
         std::vector<int64_t> sums;
-        for (uint32_t i = 0; i < count * kFrontLanes; ++i)
+        for (uint32_t i = 0; i < count * kFrontBatch; ++i)
           sums.push_back(static_cast<int64_t>(values.next(kind)) * values.next(kind));
-        std::vector<int32_t> expected_lanes((count + 1) * kFrontLanes, 1), lanes = expected_lanes;
-        front_load_ref(expected.rows(), places.data(), count, expected_lanes.data());
-        variant.kernels.load(out.rows(), places.data(), count, lanes.data());
-        ASSERT_EQ(lanes, expected_lanes) << variant.name << " count " << count;
+        std::vector<int32_t> expected_scaled((count + 1) * kFrontBatch, 1), scaled = expected_scaled;
+        front_load_ref(expected.rows(), places.data(), count, expected_scaled.data());
+        variant.kernels.load(out.rows(), places.data(), count, scaled.data());
+        ASSERT_EQ(scaled, expected_scaled) << variant.name << " count " << count;
         front_subtract_ref(expected.rows(), places.data(), count, sums.data());
         variant.kernels.subtract(out.rows(), places.data(), count, sums.data());
         ASSERT_EQ(out.x, expected.x) << variant.name << " count " << count;
       }
       for (int round = 0; round < 200; ++round) {
-        std::vector<int32_t> x = values.take(kFrontLanes, kind == 2 ? 1 : kind);
+        std::vector<int32_t> x = values.take(kFrontBatch, kind == 2 ? 1 : kind);
         for (int32_t& value : x) value = std::min(std::max(value, -kFrontLargest), kFrontLargest);
-        if (round % 2 == 0) x[static_cast<size_t>(round) % kFrontLanes] = kind == 0 ? kFrontOne : -kFrontOne - 1;
-        const int32_t below = x[static_cast<size_t>(round / 2) % kFrontLanes];  // one of them is not above
+        if (round % 2 == 0) x[static_cast<size_t>(round) % kFrontBatch] = kind == 0 ? kFrontOne : -kFrontOne - 1;
+        const int32_t below = x[static_cast<size_t>(round / 2) % kFrontBatch];  // one of them is not above
         int64_t expected_sum = 5, sum = 5;
         int32_t expected_range = 0, range = 0;
         const uint32_t above = front_above_ref(x.data(), below, &expected_sum, &expected_range);
@@ -186,24 +186,24 @@ TEST(FrontVariants, TheReferenceSolvesATriangle) {
   const int8_t exponents[2] = {0, -1};
   const int64_t inverse[2] = {int64_t{2} << kFrontBits, int64_t{2} << kFrontBits};
   const int32_t g[4] = {1 << 29, 1 << 28, 0, 1 << 29};  // columns
-  std::vector<int32_t> x(2 * kFrontLanes, 100), lanes(2 * kFrontLanes);
-  std::vector<int64_t> sums(2 * kFrontLanes, 0);
+  std::vector<int32_t> x(2 * kFrontBatch, 100), scaled(2 * kFrontBatch);
+  std::vector<int64_t> sums(2 * kFrontBatch, 0);
   const FrontRows rows = {0, exponents, inverse, x.data()};
-  front_solve_ref(rows, g, 2, 0, 2, true, sums.data(), lanes.data());
+  front_solve_ref(rows, g, 2, 0, 2, true, sums.data(), scaled.data());
   EXPECT_EQ(x[0], 200);          // 100 / 0.5
-  EXPECT_EQ(x[kFrontLanes], 0);  // (100 - 2 * 200 / 4) / 0.5: the share counts twice at exponent -1
-  EXPECT_EQ(lanes[0], 200);
-  EXPECT_EQ(lanes[kFrontLanes], 0);
+  EXPECT_EQ(x[kFrontBatch], 0);  // (100 - 2 * 200 / 4) / 0.5: the share counts twice at exponent -1
+  EXPECT_EQ(scaled[0], 200);
+  EXPECT_EQ(scaled[kFrontBatch], 0);
   x.assign(x.size(), 100);
   sums.assign(sums.size(), 0);
-  front_solve_ref(rows, g, 2, 0, 2, false, sums.data(), lanes.data());
-  EXPECT_EQ(x[kFrontLanes], 200);
-  EXPECT_EQ(lanes[kFrontLanes], 100);  // 200 / 2
-  EXPECT_EQ(x[0], 150);                // (100 - 100 / 4) / 0.5
+  front_solve_ref(rows, g, 2, 0, 2, false, sums.data(), scaled.data());
+  EXPECT_EQ(x[kFrontBatch], 200);
+  EXPECT_EQ(scaled[kFrontBatch], 100);  // 200 / 2
+  EXPECT_EQ(x[0], 150);                 // (100 - 100 / 4) / 0.5
 }
 
 TEST(FrontVariants, TheReferenceSaysWhatIsAboveAndOutside) {
-  std::vector<int32_t> x(kFrontLanes, 0);
+  std::vector<int32_t> x(kFrontBatch, 0);
   x[3] = 8;
   x[15] = 7;
   int64_t sum = 1;

@@ -11,7 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "heat/heat.hpp"
+#include "bind/pipeline.hpp"
+#include "heat/source_joints.hpp"
 #include "kernels/select.hpp"
 
 namespace sinew_test {
@@ -193,9 +194,14 @@ class HeatRun {
     arena = sinew::Arena(block_.get(), bytes);
     allocate(arena);
 
-    status = sinew::build_mesh(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
-    if (status == SINEW_OK && solve)
-      status = sinew::solve_heat(mesh, skeleton, counts, sinew::fastest_kernels(), {}, arena, &fields);
+    status =
+        sinew::build_mesh_and_skeleton(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
+    if (status != SINEW_OK) return;
+    source_joints.resize(counts.joints);
+    sinew::choose_source_joints(mesh, skeleton, source_joints.data());
+    if (solve)
+      status =
+          sinew::solve_heat(mesh, skeleton, source_joints.data(), counts, sinew::fastest_kernels(), {}, arena, &fields);
   }
 
   // Weight of a joint in a raw row, 0..1.
@@ -212,6 +218,7 @@ class HeatRun {
   sinew::Arena arena;
   sinew::Mesh mesh;
   sinew::Skeleton skeleton;
+  std::vector<uint8_t> source_joints;
   sinew::HeatFields fields;
   sinew_status status = SINEW_OK;
 

@@ -11,8 +11,7 @@
 #include <new>
 #include <vector>
 
-#include "candidates/candidates.hpp"
-#include "mesh/mesh.hpp"
+#include "bind/pipeline.hpp"
 
 namespace sinew_test {
 
@@ -124,7 +123,7 @@ class MeshRun {
     sinew::Arena arena(block_.get(), measured - missing_bytes);
     mesh.allocate(arena, counts);
     skeleton.allocate(arena, counts);
-    status = sinew::build_mesh(mesh_input, skeleton_input, up_axis, counts, arena, &mesh, &skeleton);
+    status = sinew::build_mesh_and_skeleton(mesh_input, skeleton_input, up_axis, counts, arena, &mesh, &skeleton);
     if (status == SINEW_OK && candidates_too) {
       candidates.allocate(arena, counts);
       status = sinew::find_candidates(mesh, skeleton, counts, progress, arena, &candidates);

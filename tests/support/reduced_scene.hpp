@@ -26,7 +26,8 @@ class ReducedRun {
     std::memset(block_.data(), 0xA5, bytes);
     sinew::Arena arena(block_.data(), bytes);
     (void)take(arena);
-    status = sinew::build_mesh(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
+    status =
+        sinew::build_mesh_and_skeleton(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
     if (status == SINEW_OK && counts.may_reduce()) status = sinew::reduce_mesh(mesh, counts, {}, arena, &reduction);
   }
 

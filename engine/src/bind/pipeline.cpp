@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bind/progress.hpp"
+#include "heat/source_joints.hpp"
 #include "spectral/spectral.hpp"
 
 namespace sinew {
@@ -56,6 +57,7 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
   Prepared p;
   p.mesh.allocate(arena, counts);
   p.skeleton.allocate(arena, counts);
+  p.source_joints = arena.alloc<uint8_t>(counts.joints);
   measure_build_mesh(arena, counts);
   if (counts.may_reduce()) {
     p.reduction.allocate(arena, counts);
@@ -78,12 +80,26 @@ void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
   p.features.allocate(arena, surface);
 }
 
+sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_skeleton& skeleton_input,
+                                     uint32_t up_axis, const Counts& counts, Arena& arena, Mesh* mesh,
+                                     Skeleton* skeleton) {
+  GridQuantizer quantizer;
+  sinew_status status = make_grid_quantizer(mesh_input.positions, mesh_input.vertex_count, up_axis, &quantizer);
+  if (status == SINEW_OK) status = build_mesh(mesh_input, quantizer, counts, arena, mesh);
+  if (status == SINEW_OK) status = build_skeleton(skeleton_input, quantizer, skeleton);
+  return status;
+}
+
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
                      PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena,
                      Prepared* out) {
-  if (!out->mesh.allocate(arena, counts) || !out->skeleton.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  sinew_status status = build_mesh(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
+  (void)out->mesh.allocate(arena, counts);
+  (void)out->skeleton.allocate(arena, counts);
+  out->source_joints = arena.alloc<uint8_t>(counts.joints);
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  sinew_status status = build_mesh_and_skeleton(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
   if (status != SINEW_OK) return status;
+  choose_source_joints(out->mesh, out->skeleton, out->source_joints);
   if (!progress.report(ends_at::kMesh)) return SINEW_ERROR_CANCELLED;
 
   if (counts.may_reduce()) {
@@ -107,7 +123,8 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
   const Progress heat_progress = network ? progress.part(ends_at::kCandidates, ends_at::kHeat)
                                          : progress.part(ends_at::kReduction, ends_at::kHeatAlone);
-  status = solve_heat(mesh_of_stages, out->skeleton, surface, kernels, heat_progress, arena, &out->heat);
+  status =
+      solve_heat(mesh_of_stages, out->skeleton, out->source_joints, surface, kernels, heat_progress, arena, &out->heat);
   if (status != SINEW_OK || !network) return status;
 
   if (!out->features.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;

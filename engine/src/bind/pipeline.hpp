@@ -10,6 +10,7 @@
 #include "mesh/mesh.hpp"
 #include "network/network.hpp"
 #include "reduce/reduction.hpp"
+#include "skeleton/skeleton.hpp"
 
 namespace sinew {
 
@@ -17,6 +18,7 @@ namespace sinew {
 struct Prepared {
   Mesh mesh;
   Skeleton skeleton;
+  uint8_t* source_joints = nullptr;  // [J] of the heat stage
   Reduction reduction;
   Candidates candidates;
   HeatFields heat;
@@ -33,13 +35,19 @@ enum class PrepareFor {
   kNetworkAlone,  // the network and nobody else: candidates and heat are given back, and features lie in their place
 };
 
+// Stages 1 and 2, and the skeleton on the same grid. Both are allocated; scratch is taken from the arena and released.
+// Returns what make_grid_quantizer(), build_mesh() and build_skeleton() return, in this order.
+sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_skeleton& skeleton_input,
+                                     uint32_t up_axis, const Counts& counts, Arena& arena, Mesh* mesh,
+                                     Skeleton* skeleton);
+
 // Runs the stages that the purpose needs. They run on the reduced mesh from the candidates on if the mesh exceeds what
 // counts.surface() bounds. Features include the spectral ones if counts.feature_flags ask for them.
 //   mesh, skeleton  the caller's
 //   up_axis         as in sinew_options
 //   progress        reported up to ends_at::kSpectral, for kHeat up to ends_at::kHeatAlone
 //   arena           holds what `out` points to; scratch is released
-// Returns SINEW_OK, SINEW_ERROR_WORKSPACE, SINEW_ERROR_CANCELLED, or what build_mesh() refuses.
+// Returns SINEW_OK, SINEW_ERROR_WORKSPACE, SINEW_ERROR_CANCELLED, or what build_mesh_and_skeleton() refuses.
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
                      PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena, Prepared* out);
 // What prepare() takes, for a measuring arena. Leaves the arena where prepare() leaves it.

@@ -7,6 +7,7 @@
 #include "core/build.hpp"
 #include "core/sort.hpp"
 #include "core/vector_math.hpp"
+#include "skeleton/bones.hpp"
 
 namespace sinew {
 namespace {
@@ -40,16 +41,11 @@ void seed_segment(Vec3i a, Vec3i b, uint32_t joint, uint32_t start, Propagation*
   }
 }
 
-// Bones: joint to each of its children; a leaf's goes to its tip. starts [J] in fortieths of a cell.
+// Offers every usable joint along its bones. starts [J] in fortieths of a cell.
 void seed_bones(const Skeleton& skeleton, const Vec3i* tips, const uint32_t* starts, Propagation* p) {
-  for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
-    const int32_t parent = skeleton.parents[j];
-    if (parent >= 0 && skeleton.usable[parent] != 0) {
-      seed_segment(skeleton.positions[parent], skeleton.positions[j], static_cast<uint32_t>(parent), starts[parent], p);
-    }
-    if (skeleton.child_count[j] == 0 && skeleton.usable[j] != 0)
-      seed_segment(skeleton.positions[j], tips[j], j, starts[j], p);
-  }
+  each_bone(skeleton, tips, [&](uint32_t joint, Vec3i head, Vec3i tail) {
+    if (skeleton.usable[joint] != 0) seed_segment(head, tail, joint, starts[joint], p);
+  });
 }
 
 // Late starts: without them the many small bones of a face or foot fill all K slots, and the head, which moves the
@@ -62,15 +58,11 @@ constexpr int64_t kLongestDelay = kSide / 32;
 // starts [J] out; lengths [J] scratch.
 void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& grid, int64_t* lengths,
                  uint32_t* starts) {
-  for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
-    lengths[j] = skeleton.child_count[j] == 0 ? static_cast<int64_t>(length(tips[j] - skeleton.positions[j])) : 0;
-  }
-  for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
-    const int32_t parent = skeleton.parents[j];
-    if (parent < 0) continue;
-    const int64_t bone = static_cast<int64_t>(length(skeleton.positions[j] - skeleton.positions[parent]));
-    if (bone > lengths[parent]) lengths[parent] = bone;
-  }
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) lengths[j] = 0;
+  each_bone(skeleton, tips, [&](uint32_t joint, Vec3i head, Vec3i tail) {
+    const int64_t bone = static_cast<int64_t>(length(tail - head));
+    if (bone > lengths[joint]) lengths[joint] = bone;
+  });
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
     const int64_t missing = lengths[j] < kShortBone ? kShortBone - lengths[j] : 0;
     starts[j] = static_cast<uint32_t>(kLongestDelay * missing / kShortBone * kCellLength / grid.cell_size);

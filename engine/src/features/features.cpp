@@ -9,6 +9,7 @@
 #include "core/sort.hpp"
 #include "features/channels.hpp"
 #include "features/parts.hpp"
+#include "skeleton/bones.hpp"
 #include "spectral/spectral.hpp"
 
 namespace sinew {
@@ -183,15 +184,15 @@ Bone make_bone(Vec3i head, Vec3i tail) {
 
 void list_bones(const Skeleton& skeleton, const Vec3i* tips, uint32_t* offsets, Bone* bones) {
   const uint32_t joints = skeleton.joint_count;
-  // offsets[j] starts at the end of row j and goes down to its start while the row is filled from behind.
-  uint32_t end = 0;
-  for (uint32_t j = 0; j < joints; ++j) offsets[j] = end += skeleton.child_count[j] != 0 ? skeleton.child_count[j] : 1;
-  offsets[joints] = end;
-  for (uint32_t j = joints; j-- > 0;) {
-    if (skeleton.child_count[j] == 0) bones[--offsets[j]] = make_bone(skeleton.positions[j], tips[j]);
-    const int32_t parent = skeleton.parents[j];
-    if (parent >= 0) bones[--offsets[parent]] = make_bone(skeleton.positions[parent], skeleton.positions[j]);
+  // offsets[j + 1] starts at the begin of row j and moves to its end while the row is filled.
+  uint32_t begin = 0;
+  offsets[0] = 0;
+  for (uint32_t j = 0; j < joints; ++j) {
+    offsets[j + 1] = begin;
+    begin += bone_count(skeleton, j);
   }
+  each_bone(skeleton, tips,
+            [&](uint32_t joint, Vec3i head, Vec3i tail) { bones[offsets[joint + 1]++] = make_bone(head, tail); });
 }
 
 // What all lanes read, and the rows that they write.
@@ -518,7 +519,7 @@ class Builder {
     f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
                                  log2_q16(static_cast<uint64_t>(t.extent) + kSoftLength), 2);
     f[kP_territory] = log_q13(candidates_.territory[j] + uint64_t{16}, 16 << 16, 3);
-    f[kP_is_source] = skeleton_.source[j] != 0 ? kOne : 0;
+    f[kP_is_source] = heat_.source_joints[j] != 0 ? kOne : 0;
     f[kP_is_root] = parent < 0 ? kOne : 0;
     memcpy(row, f + kFirstPartChannel, kPartChannels * sizeof(int16_t));
     return row;

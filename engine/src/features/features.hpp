@@ -8,6 +8,7 @@
 #include "core/build.hpp"
 #include "heat/heat.hpp"
 #include "mesh/mesh.hpp"
+#include "skeleton/skeleton.hpp"
 
 namespace sinew {
 

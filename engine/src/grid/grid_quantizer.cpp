@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "core/vector_math.hpp"
-#include "mesh/mesh.hpp"
 
 namespace sinew {
 namespace {
@@ -124,7 +123,7 @@ bool short_of(uint32_t word, int unit, int64_t* out, bool* exact) {
 }
 
 // The definition, in 320 bits: restoring division, one quotient bit a step.
-int32_t quantize_long(const Quantizer& quantizer, uint32_t word, int axis) {
+int32_t quantize_long(const GridQuantizer& quantizer, uint32_t word, int axis) {
   const WideInt twice_value = shift_left(wide_of(word), 1);
   const WideInt centred = shift_left(subtract(twice_value, quantizer.sum[axis]), kGridBits);
   // + side is the half of the rounding; + 2^22 * (2 side) makes every value inside the clamp non-negative.
@@ -143,7 +142,7 @@ int32_t quantize_long(const Quantizer& quantizer, uint32_t word, int axis) {
   return quotient - (1 << kClampBits);
 }
 
-int32_t quantize_value(const Quantizer& quantizer, uint32_t word, int axis) {
+int32_t quantize_value(const GridQuantizer& quantizer, uint32_t word, int axis) {
   int64_t value = 0;
   bool exact = quantizer.short_exact[axis];
   if (quantizer.short_ok[axis] && short_of(word, quantizer.unit, &value, &exact)) {
@@ -184,7 +183,7 @@ bool is_finite_point(const float* position) {
   return true;
 }
 
-sinew_status make_quantizer(const float* positions, size_t count, uint32_t up_axis, Quantizer* quantizer) {
+sinew_status make_grid_quantizer(const float* positions, size_t count, uint32_t up_axis, GridQuantizer* quantizer) {
   int32_t low[3] = {INT32_MAX, INT32_MAX, INT32_MAX};
   int32_t high[3] = {INT32_MIN, INT32_MIN, INT32_MIN};
   for (size_t i = 0; i < count; ++i) {
@@ -197,7 +196,7 @@ sinew_status make_quantizer(const float* positions, size_t count, uint32_t up_ax
       if (key > high[axis]) high[axis] = key;
     }
   }
-  Quantizer& q = *quantizer;
+  GridQuantizer& q = *quantizer;
   q.up_axis = up_axis;
   q.side = wide_zero();
   for (int axis = 0; axis < 3; ++axis) {
@@ -232,7 +231,7 @@ sinew_status make_quantizer(const float* positions, size_t count, uint32_t up_ax
   return SINEW_OK;
 }
 
-Vec3i quantize_point(const Quantizer& quantizer, const float* position) {
+Vec3i quantize_point(const GridQuantizer& quantizer, const float* position) {
   uint32_t words[3];
   turn_up(position, quantizer.up_axis, words);
   return {quantize_value(quantizer, words[0], 0), quantize_value(quantizer, words[1], 1),

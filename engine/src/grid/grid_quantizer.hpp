@@ -12,6 +12,12 @@
 
 namespace sinew {
 
+// The grid. Vertices and joints have integer coordinates; the longest side of the mesh's box is 2^20 units long. The up
+// axis is turned to y. y is 0 at the lowest vertex, x and z are 0 in the middle of the box. Joints may lie outside the
+// box: their coordinates are clamped to +-2^22.
+constexpr int kGridBits = 20;
+constexpr int32_t kSide = 1 << kGridBits;  // longest side of the mesh, in units
+
 // 320-bit two's complement integer. Every finite float is an integer below 2^277 in units of 2^-149; sums, twenty more
 // bits for the grid and three for the clamp need 303.
 struct WideInt {
@@ -21,7 +27,7 @@ struct WideInt {
 // Maps floats to the grid: round_half_up((2 value - sum) * 2^20 / (2 side)) per axis, where sum is low + high of the
 // mesh's box for x and z (centred) and twice the low for y (floor at 0); clamped to +-2^22. Exact for every finite
 // input.
-struct Quantizer {
+struct GridQuantizer {
   uint32_t up_axis;
   WideInt side;  // longest side of the box in units of 2^-149; 1.0 for a box without extent
   WideInt sum[3];
@@ -34,9 +40,9 @@ struct Quantizer {
 };
 
 // Takes the box of all vertices. positions [count x 3]. Returns SINEW_OK or SINEW_ERROR_NOT_FINITE.
-sinew_status make_quantizer(const float* positions, size_t count, uint32_t up_axis, Quantizer* quantizer);
+sinew_status make_grid_quantizer(const float* positions, size_t count, uint32_t up_axis, GridQuantizer* quantizer);
 // Grid position of one point [3]; the point must be finite. up_axis 1 turns (x, y, z) to (x, z, -y).
-Vec3i quantize_point(const Quantizer& quantizer, const float* position);
+Vec3i quantize_point(const GridQuantizer& quantizer, const float* position);
 // Whether all three coordinates are finite.
 bool is_finite_point(const float* position);
 

@@ -136,13 +136,13 @@ bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Kernels& kernels,
-                 const Progress& progress, Arena& arena, HeatFields* fields) {
+sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
+                 const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields) {
   Scratch scratch;
   for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
   if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
-  sinew_status status =
-      find_sources(mesh, skeleton, counts, kernels.boxes_met, progress, kSourcesEnd, arena, &scratch.sources);
+  sinew_status status = find_sources(mesh, skeleton, source_joints, counts, kernels.boxes_met, progress, kSourcesEnd,
+                                     arena, &scratch.sources);
   if (status != SINEW_OK) return status;
   status = weigh_edges(mesh, counts, arena, &scratch.edges);
   if (status != SINEW_OK) return status;
@@ -171,10 +171,11 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Kernels& kernels,
-                        const Progress& progress, Arena& arena, HeatFields* fields) {
+sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
+                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields) {
   const size_t mark = arena.mark();
-  const sinew_status status = run(mesh, skeleton, counts, kernels, progress, arena, fields);
+  fields->source_joints = source_joints;
+  const sinew_status status = run(mesh, skeleton, source_joints, counts, kernels, progress, arena, fields);
   arena.release(mark);
   return status;
 }

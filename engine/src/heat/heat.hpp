@@ -7,6 +7,7 @@
 
 #include "kernels/table.hpp"
 #include "mesh/mesh.hpp"
+#include "skeleton/skeleton.hpp"
 
 namespace sinew {
 
@@ -26,11 +27,13 @@ struct HeatField {
 struct HeatFields {
   HeatField field[kFieldCount];
   uint8_t* component_rule = nullptr;  // [components <= U] which visibility the rule chose: 0 merged, 1 parts, 2 open
+  const uint8_t* source_joints = nullptr;  // [J] those that solve_heat() was given
 
   bool allocate(Arena& arena, const Counts& counts);
 };
 
 // Solves the three fields. Sources and visibility by exact integer geometry (BVH over the triangles).
+//   source_joints  [J] from choose_source_joints()
 //   fields    in/out allocated by the caller with the same counts; its content is undefined unless SINEW_OK
 //   progress  reported from 0 to 1000 of this stage
 //   arena     scratch, all of it released; measure_solve_heat() says how much
@@ -39,8 +42,8 @@ struct HeatFields {
 // visibility that the field used in the end: all 1 where it is open. kFieldParts and kFieldSoft are open in components
 // that see no bone at all. Agrees with a float64 solution to 2e-5 (tests/integration/heat_agreement_test.cpp); the same
 // bytes on every platform. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
-sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Kernels& kernels,
-                        const Progress& progress, Arena& arena, HeatFields* fields);
+sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
+                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields);
 void measure_solve_heat(Arena& arena, const Counts& counts);
 
 // Finishes a row as the method heat does: weights under 0.025 are cut, up to 0.05 ramped linearly from 0 to themselves,

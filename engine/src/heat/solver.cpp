@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint8_t kNoLane = 0xFF;
+constexpr uint8_t kNoMember = 0xFF;
 constexpr uint8_t kListed = 0xFE;
 constexpr int kWellConditionedBits = 28;       // of Factor::smallest_bits; each bit less costs the solution one
 constexpr uint32_t kRefinements = 3;           // each wins about 20 bits back
@@ -44,13 +44,13 @@ void insert(uint16_t joint, uint16_t weight, uint16_t* joints, uint16_t* weights
 }  // namespace
 
 bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
-  const size_t lanes = static_cast<size_t>(counts.vertices) * kLanes;
+  const size_t entries = static_cast<size_t>(counts.vertices) * kBatch;
   (void)ordering_.allocate_result(arena, counts);
   matrix_.diagonal = arena.alloc<int64_t>(counts.vertices);
   pull_ = arena.alloc<int64_t>(counts.vertices);
   total_ = arena.alloc<int64_t>(counts.vertices);
   joints_ = arena.alloc<uint16_t>(counts.joints);
-  lane_of_ = arena.alloc<uint8_t>(counts.joints);
+  member_of_ = arena.alloc<uint8_t>(counts.joints);
   joint_count_ = counts.joints;
 
   const size_t shared = arena.mark();
@@ -64,9 +64,9 @@ bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
   (void)factor_.allocate(arena, counts, &solve_mark);
   if (arena.used() > end) end = arena.used();
   arena.release(solve_mark);
-  rhs_ = arena.alloc<int64_t>(lanes);
-  solution_ = arena.alloc<int32_t>(lanes);
-  refinement_ = arena.alloc<int32_t>(lanes);
+  rhs_ = arena.alloc<int64_t>(entries);
+  solution_ = arena.alloc<int32_t>(entries);
+  refinement_ = arena.alloc<int32_t>(entries);
   if (arena.used() < end) (void)arena.alloc<uint8_t>(end - arena.used());
   return arena.ok();
 }
@@ -92,46 +92,46 @@ void HeatSolver::leave_fronts() {
 // Joints in order of their first source in the elimination order, so that the joints of a batch lie near each other and
 // share the zero part of the forward solve.
 uint32_t HeatSolver::list_joints(const HeatSources& sources, uint32_t field) {
-  memset(lane_of_, kNoLane, joint_count_);
+  memset(member_of_, kNoMember, joint_count_);
   uint32_t count = 0;
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const uint32_t v = ordering_.order[k];
     const uint16_t* ties = sources.ties[HeatSources::measure_of(field)] + static_cast<size_t>(v) * kMaxTies;
     for (uint32_t t = 0; t < kMaxTies; ++t) {
-      if ((sources.mask[field][v] >> t & 1) == 0 || lane_of_[ties[t]] == kListed) continue;
-      lane_of_[ties[t]] = kListed;
+      if ((sources.mask[field][v] >> t & 1) == 0 || member_of_[ties[t]] == kListed) continue;
+      member_of_[ties[t]] = kListed;
       joints_[count++] = ties[t];
     }
   }
-  memset(lane_of_, kNoLane, joint_count_);
+  memset(member_of_, kNoMember, joint_count_);
   return count;
 }
 
-void HeatSolver::fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints,
-                                       uint32_t lanes) {
-  for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = static_cast<uint8_t>(lane);
-  memset(rhs_, 0, static_cast<size_t>(matrix_.rows) * kLanes * sizeof(rhs_[0]));
+void HeatSolver::fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* batch,
+                                       uint32_t members) {
+  for (uint32_t member = 0; member < members; ++member) member_of_[batch[member]] = static_cast<uint8_t>(member);
+  memset(rhs_, 0, static_cast<size_t>(matrix_.rows) * kBatch * sizeof(rhs_[0]));
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const uint32_t v = ordering_.order[k];
     const uint16_t* ties = sources.ties[HeatSources::measure_of(field)] + static_cast<size_t>(v) * kMaxTies;
     for (uint32_t mask = sources.mask[field][v], t = 0; mask != 0; mask >>= 1, ++t) {
-      if ((mask & 1) == 0 || lane_of_[ties[t]] == kNoLane) continue;
-      rhs_[static_cast<size_t>(k) * kLanes + lane_of_[ties[t]]] = matrix_.to_matrix(pull_[k]);
+      if ((mask & 1) == 0 || member_of_[ties[t]] == kNoMember) continue;
+      rhs_[static_cast<size_t>(k) * kBatch + member_of_[ties[t]]] = matrix_.to_matrix(pull_[k]);
     }
   }
-  for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = kNoLane;
+  for (uint32_t member = 0; member < members; ++member) member_of_[batch[member]] = kNoMember;
 }
 
-void HeatSolver::keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* out) {
+void HeatSolver::keep(const uint16_t* batch, uint32_t members, HeatField* out) {
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
-    const int32_t* x = solution_ + static_cast<size_t>(k) * kLanes;
+    const int32_t* x = solution_ + static_cast<size_t>(k) * kBatch;
     const size_t slots = static_cast<size_t>(ordering_.order[k]) * kHeatSlots;
-    for (uint32_t lane = 0; lane < lanes; ++lane) {
-      total_[k] += x[lane];
-      wild_ = wild_ || x[lane] < -kWild || x[lane] > kOne + kWild;
-      const int64_t weight = round_shift(x[lane], kSolutionBits - 15);
+    for (uint32_t member = 0; member < members; ++member) {
+      total_[k] += x[member];
+      wild_ = wild_ || x[member] < -kWild || x[member] > kOne + kWild;
+      const int64_t weight = round_shift(x[member], kSolutionBits - 15);
       if (weight < kSmallestKept) continue;
-      insert(lane_joints[lane], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), out->joints + slots,
+      insert(batch[member], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), out->joints + slots,
              out->weights + slots);
     }
   }
@@ -170,18 +170,18 @@ void HeatSolver::divide_by_totals(HeatField* out) {
   }
 }
 
-void HeatSolver::solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes) {
-  fill_right_hand_sides(sources, field, lane_joints, lanes);
+void HeatSolver::solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* batch, uint32_t members) {
+  fill_right_hand_sides(sources, field, batch, members);
   if (iterative_) {
     solve_iteratively(matrix_, rhs_, factor_.value, factor_.inverse, solution_);
     return;
   }
   factor_.solve(matrix_.rows, rhs_, solution_);
   for (uint32_t step = 0; step < refinements_; ++step) {
-    fill_right_hand_sides(sources, field, lane_joints, lanes);
+    fill_right_hand_sides(sources, field, batch, members);
     matrix_.subtract_image(solution_, rhs_);
     factor_.solve(matrix_.rows, rhs_, refinement_);
-    for (size_t i = 0; i < static_cast<size_t>(matrix_.rows) * kLanes; ++i) {
+    for (size_t i = 0; i < static_cast<size_t>(matrix_.rows) * kBatch; ++i) {
       solution_[i] = clamp32(static_cast<int64_t>(solution_[i]) + refinement_[i], -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
@@ -199,12 +199,12 @@ void HeatSolver::clear_rows(HeatField* out) {
   wild_ = false;
 }
 
-void HeatSolver::keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_t first, uint32_t count,
-                            const int32_t* x, HeatField* out) {
+void HeatSolver::keep_front(const uint16_t* batch, uint32_t members, uint32_t first, uint32_t count, const int32_t* x,
+                            HeatField* out) {
   constexpr int kToQ15 = kFrontSolutionBits - 15;
   constexpr int32_t kHalf = 1 << (kToQ15 - 1);
   int32_t range = 0;
-  for (uint32_t k = first; k < first + count; ++k, x += kFrontLanes) {
+  for (uint32_t k = first; k < first + count; ++k, x += kFrontBatch) {
     if (k < 2 * first) {  // waiting for rows was half of the time; those before the front come next
       const size_t next = static_cast<size_t>(ordering_.order[2 * first - 1 - k]) * kHeatSlots;
       prefetch(out->weights + next);
@@ -217,10 +217,10 @@ void HeatSolver::keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_
     const int32_t last = weights[kHeatSlots - 1] > kSmallestKept ? weights[kHeatSlots - 1] : kSmallestKept;
     const int32_t below = last * (1 << kToQ15) - kHalf - 1;
     for (uint32_t rest = kernels_.above(x, below, &total_[k], &range); rest != 0; rest &= rest - 1) {
-      const uint32_t lane = static_cast<uint32_t>(low_bit(rest));
-      if (lane >= lanes) break;
-      const int64_t weight = round_shift(x[lane], kToQ15);
-      insert(lane_joints[lane], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), joints, weights);
+      const uint32_t member = static_cast<uint32_t>(low_bit(rest));
+      if (member >= members) break;
+      const int64_t weight = round_shift(x[member], kToQ15);
+      insert(batch[member], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), joints, weights);
     }
   }
   wild_ = wild_ || range < 0;
@@ -233,22 +233,22 @@ bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatFiel
   if (!fronts_.factorise(matrix_, kernels_)) return false;
   const uint32_t count = list_joints(sources, field);
   const uint16_t* const ties = sources.ties[HeatSources::measure_of(field)];
-  for (uint32_t first = 0; first < count; first += kFrontLanes) {
-    const uint32_t lanes = count - first < kFrontLanes ? count - first : kFrontLanes;
-    const uint16_t* const lane_joints = joints_ + first;
-    for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = static_cast<uint8_t>(lane);
+  for (uint32_t first = 0; first < count; first += kFrontBatch) {
+    const uint32_t members = count - first < kFrontBatch ? count - first : kFrontBatch;
+    const uint16_t* const batch = joints_ + first;
+    for (uint32_t member = 0; member < members; ++member) member_of_[batch[member]] = static_cast<uint8_t>(member);
     fronts_.begin();
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t v = ordering_.order[k];
       for (uint32_t mask = sources.mask[field][v], t = 0; mask != 0; mask >>= 1, ++t) {
-        const uint8_t lane = lane_of_[ties[static_cast<size_t>(v) * kMaxTies + t]];
-        if ((mask & 1) != 0 && lane != kNoLane) fronts_.add(k, lane, pull_[k]);
+        const uint8_t member = member_of_[ties[static_cast<size_t>(v) * kMaxTies + t]];
+        if ((mask & 1) != 0 && member != kNoMember) fronts_.add(k, member, pull_[k]);
       }
     }
-    for (uint32_t lane = 0; lane < lanes; ++lane) lane_of_[lane_joints[lane]] = kNoLane;
+    for (uint32_t member = 0; member < members; ++member) member_of_[batch[member]] = kNoMember;
     fronts_.eliminate(kernels_);
     fronts_.substitute(kernels_, [&](uint32_t place, uint32_t vertices, const int32_t* x) {
-      keep_front(lane_joints, lanes, place, vertices, x, out);
+      keep_front(batch, members, place, vertices, x, out);
     });
   }
   // What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
@@ -268,10 +268,10 @@ bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField
     if (factor_.smallest_bits < kWellConditionedBits) refinements_ = kRefinements;
   }
   const uint32_t count = list_joints(sources, field);
-  for (uint32_t first = 0; first < count; first += kLanes) {
-    const uint32_t lanes = count - first < kLanes ? count - first : kLanes;
-    solve_batch(sources, field, joints_ + first, lanes);
-    keep(joints_ + first, lanes, out);
+  for (uint32_t first = 0; first < count; first += kBatch) {
+    const uint32_t members = count - first < kBatch ? count - first : kBatch;
+    solve_batch(sources, field, joints_ + first, members);
+    keep(joints_ + first, members, out);
   }
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     if (abs64(total_[k] - kOne) > kOne / 4096) return false;

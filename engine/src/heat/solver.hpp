@@ -43,19 +43,19 @@ class HeatSolver {
   // The fast way. False when the matrix is not for it.
   bool try_fronts(const HeatSources& sources, uint32_t field, HeatField* out);
   void clear_rows(HeatField* out);
-  void keep_front(const uint16_t* lane_joints, uint32_t lanes, uint32_t first, uint32_t count, const int32_t* x,
+  void keep_front(const uint16_t* batch, uint32_t members, uint32_t first, uint32_t count, const int32_t* x,
                   HeatField* out);
   // One pass over all joints. True when every row's total came out as 1 within 2^-12.
   bool try_field(const HeatSources& sources, uint32_t field, HeatField* out);
   uint32_t list_joints(const HeatSources& sources, uint32_t field);
-  void fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
-  void solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* lane_joints, uint32_t lanes);
-  void keep(const uint16_t* lane_joints, uint32_t lanes, HeatField* out);
+  void fill_right_hand_sides(const HeatSources& sources, uint32_t field, const uint16_t* batch, uint32_t members);
+  void solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* batch, uint32_t members);
+  void keep(const uint16_t* batch, uint32_t members, HeatField* out);
   void strengthen_pulls();
   void divide_by_totals(HeatField* out);
 
   const Mesh* mesh_ = nullptr;
-  HeatMatrix matrix_;
+  SparseMatrix matrix_;
   Ordering ordering_;
   FrontKernels kernels_;
   // These two share their memory: the second is for what the first cannot do. The ordering's scratch lies there, too.
@@ -66,13 +66,13 @@ class HeatSolver {
   uint32_t refinements_ = 0;
   bool wild_ = false;
   int64_t* pull_ = nullptr;        // [U] Q40 of one tied bone, by elimination place
-  int64_t* rhs_ = nullptr;         // [U x kLanes]
-  int32_t* solution_ = nullptr;    // [U x kLanes] Q24
-  int32_t* refinement_ = nullptr;  // [U x kLanes] Q24
-  int64_t* total_ = nullptr;    // [U] Q40 pulls of all tied bones; then the sum of the solutions over all joints, Q24
-  uint16_t* joints_ = nullptr;  // [J] joints with a source in this component and field
-  uint8_t* lane_of_ = nullptr;  // [J] kNoLane or the joint's lane in the batch at hand
-  uint32_t joint_count_ = 0;    // J
+  int64_t* rhs_ = nullptr;         // [U x kBatch]
+  int32_t* solution_ = nullptr;    // [U x kBatch] Q24
+  int32_t* refinement_ = nullptr;  // [U x kBatch] Q24
+  int64_t* total_ = nullptr;      // [U] Q40 pulls of all tied bones; then the sum of the solutions over all joints, Q24
+  uint16_t* joints_ = nullptr;    // [J] joints with a source in this component and field
+  uint8_t* member_of_ = nullptr;  // [J] kNoMember or the joint's member in the batch at hand
+  uint32_t joint_count_ = 0;      // J
 };
 
 }  // namespace sinew

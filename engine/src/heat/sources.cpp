@@ -42,14 +42,10 @@ struct BoneList {
     near = arena.alloc<uint16_t>(static_cast<size_t>(counts.joints) * counts.threads.lane_count());
     return arena.ok();
   }
-  void build(const Skeleton& skeleton) {
-    // When the floor rule leaves nothing (a lone usable root), every usable joint is a source.
-    bool any = false;
-    for (uint32_t j = 0; j < skeleton.joint_count; ++j) any = any || skeleton.source[j] != 0;
-    const uint8_t* chosen = any ? skeleton.source : skeleton.usable;
+  void build(const Skeleton& skeleton, const uint8_t* source_joints) {
     count = 0;
     for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
-      if (chosen[j] == 0) continue;
+      if (source_joints[j] == 0) continue;
       const int32_t ends[2][3] = {{skeleton.positions[j].x, skeleton.positions[j].y, skeleton.positions[j].z},
                                   {skeleton.bone_tail[j].x, skeleton.bone_tail[j].y, skeleton.bone_tail[j].z}};
       for (int axis = 0; axis < 3; ++axis) {
@@ -378,8 +374,9 @@ bool HeatSources::allocate_beside(Arena& arena, const Counts& counts, const Heat
   return arena.ok();
 }
 
-sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, BoxKernel boxes_met,
-                          const Progress& progress, uint32_t permille_end, Arena& arena, HeatSources* sources) {
+sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints,
+                          const Counts& counts, BoxKernel boxes_met, const Progress& progress, uint32_t permille_end,
+                          Arena& arena, HeatSources* sources) {
   const size_t mark = arena.mark();
   FaceTree tree;
   BoneList list;
@@ -389,7 +386,7 @@ sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Coun
   }
   tree.boxes_met = boxes_met;
   tree.build(mesh);
-  list.build(skeleton);
+  list.build(skeleton, source_joints);
   // What a finder knows of the vertex before it changes its time, never its answer.
   constexpr uint32_t kVertexPiece = 128;
   const uint32_t round = 1024 * counts.threads.lane_count();  // vertices between two reports

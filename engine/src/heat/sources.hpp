@@ -29,11 +29,12 @@ struct HeatSources {
   static int measure_of(uint32_t field) { return field == kFieldSoft ? 1 : 0; }
 };
 
-// Fills everything. For the soft field `ties` are the nearest visible bones where there is one.
+// Fills everything from the bones of source_joints [J]. For the soft field `ties` are the nearest visible bones where there is one.
 // The same bytes with every `boxes_met`. Progress is reported from 0 to `permille_end`. Returns SINEW_OK,
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
-sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, BoxKernel boxes_met,
-                          const Progress& progress, uint32_t permille_end, Arena& arena, HeatSources* sources);
+sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints,
+                          const Counts& counts, BoxKernel boxes_met, const Progress& progress, uint32_t permille_end,
+                          Arena& arena, HeatSources* sources);
 void measure_find_sources(Arena& arena, const Counts& counts);
 
 // A p H of one source bone: factor * area / d^2 with d at least kMinDistance; the factor is 4, or 0.7 for the soft

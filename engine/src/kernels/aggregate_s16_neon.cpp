@@ -5,12 +5,12 @@
 #if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN)
 #include <arm_neon.h>
 
-#include "kernels/aggregate_s16_lanes.hpp"
+#include "kernels/aggregate_s16_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesNeon {
+struct RegistersNeon {
   using Int16 = int16x8_t;
   struct Sums {
     int32x4_t low, high;
@@ -18,7 +18,7 @@ struct LanesNeon {
   struct Divider {
     uint32x4_t multiplier, offset;
   };
-  static constexpr int kLanes = 8, kMeanRegisters = 3;
+  static constexpr int kWidth = 8, kMeanRegisters = 3;
 
   static SINEW_INLINE int16x8_t load(const int16_t* from) { return vld1q_s16(from); }
   static SINEW_INLINE void store(int16_t* to, int16x8_t value) { vst1q_s16(to, value); }
@@ -58,7 +58,7 @@ struct LanesNeon {
 }  // namespace
 
 bool add_aggregates_s16_neon(Kernels* kernels) {
-  add_aggregates<LanesNeon>(kernels);
+  add_aggregates<RegistersNeon>(kernels);
   return true;
 }
 

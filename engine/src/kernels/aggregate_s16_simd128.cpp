@@ -5,12 +5,12 @@
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 
-#include "kernels/aggregate_s16_lanes.hpp"
+#include "kernels/aggregate_s16_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesSimd128 {
+struct RegistersSimd128 {
   using Int16 = v128_t;
   struct Sums {
     v128_t low, high;
@@ -18,7 +18,7 @@ struct LanesSimd128 {
   struct Divider {
     v128_t multiplier, offset;
   };
-  static constexpr int kLanes = 8, kMeanRegisters = 3;
+  static constexpr int kWidth = 8, kMeanRegisters = 3;
 
   static SINEW_INLINE v128_t load(const int16_t* from) { return wasm_v128_load(from); }
   static SINEW_INLINE void store(int16_t* to, v128_t value) { wasm_v128_store(to, value); }
@@ -58,7 +58,7 @@ struct LanesSimd128 {
 }  // namespace
 
 bool add_aggregates_s16_simd128(Kernels* kernels) {
-  add_aggregates<LanesSimd128>(kernels);
+  add_aggregates<RegistersSimd128>(kernels);
   return true;
 }
 

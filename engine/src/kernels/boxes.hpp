@@ -29,7 +29,7 @@ using BoxKernel = decltype(&boxes_met_ref);
 bool add_boxes_s32_avx2(BoxKernel* kernel);
 bool add_boxes_s32_simd128(BoxKernel* kernel);
 bool add_boxes_s32_neon(BoxKernel* kernel);
-bool add_boxes_s32_vnni(BoxKernel* kernel);  // AVX-512 F and DQ
+bool add_boxes_s32_avx512(BoxKernel* kernel);  // AVX-512 F and DQ
 
 }  // namespace sinew
 #endif

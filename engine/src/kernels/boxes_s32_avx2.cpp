@@ -5,17 +5,17 @@
 #if defined(__AVX2__)
 #include <immintrin.h>
 
-#include "kernels/boxes_s32_lanes.hpp"
+#include "kernels/boxes_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx2 {
+struct RegistersAvx2 {
   using Int32 = __m256i;
   struct Int64 {
     __m256i even, odd;
   };
-  static constexpr uint32_t kLanes = 8;
+  static constexpr uint32_t kWidth = 8;
 
   static SINEW_INLINE __m256i load(const int32_t* from) {
     return _mm256_loadu_si256(static_cast<const __m256i*>(static_cast<const void*>(from)));
@@ -45,7 +45,7 @@ struct LanesAvx2 {
 }  // namespace
 
 bool add_boxes_s32_avx2(BoxKernel* kernel) {
-  *kernel = boxes_met_in<LanesAvx2>;
+  *kernel = boxes_met_in<RegistersAvx2>;
   return true;
 }
 

@@ -5,17 +5,17 @@
 #if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN)
 #include <arm_neon.h>
 
-#include "kernels/boxes_s32_lanes.hpp"
+#include "kernels/boxes_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesNeon {
+struct RegistersNeon {
   using Int32 = int32x4_t;
   struct Int64 {
     int64x2_t low, high;
   };
-  static constexpr uint32_t kLanes = 4;
+  static constexpr uint32_t kWidth = 4;
 
   static SINEW_INLINE int32x4_t load(const int32_t* from) { return vld1q_s32(from); }
   static SINEW_INLINE int32x4_t all(int32_t value) { return vdupq_n_s32(value); }
@@ -41,7 +41,7 @@ struct LanesNeon {
 }  // namespace
 
 bool add_boxes_s32_neon(BoxKernel* kernel) {
-  *kernel = boxes_met_in<LanesNeon>;
+  *kernel = boxes_met_in<RegistersNeon>;
   return true;
 }
 

@@ -5,17 +5,17 @@
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 
-#include "kernels/boxes_s32_lanes.hpp"
+#include "kernels/boxes_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesSimd128 {
+struct RegistersSimd128 {
   using Int32 = v128_t;
   struct Int64 {
     v128_t low, high;
   };
-  static constexpr uint32_t kLanes = 4;
+  static constexpr uint32_t kWidth = 4;
 
   static SINEW_INLINE v128_t load(const int32_t* from) { return wasm_v128_load(from); }
   static SINEW_INLINE v128_t all(int32_t value) { return wasm_i32x4_splat(value); }
@@ -42,7 +42,7 @@ struct LanesSimd128 {
 }  // namespace
 
 bool add_boxes_s32_simd128(BoxKernel* kernel) {
-  *kernel = boxes_met_in<LanesSimd128>;
+  *kernel = boxes_met_in<RegistersSimd128>;
   return true;
 }
 

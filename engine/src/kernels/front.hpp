@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of the heat stage's sparse factorisation and of its solves, on dense columns of int32: what they read
-// is described in heat/fronts.hpp. Sums are int64 and wrap, so that any order of addition gives the same bits.
+// The inner loops of the sparse factorisation by fronts and of its solves, on dense columns of int32: what they read is
+// described in solve/fronts.hpp. Sums are int64 and wrap, so that any order of addition gives the same bits.
 #ifndef SINEW_KERNELS_FRONT_HPP
 #define SINEW_KERNELS_FRONT_HPP
 
@@ -10,7 +10,7 @@
 namespace sinew {
 
 constexpr uint32_t kFrontColumns = 4;  // columns that a kernel works on together
-constexpr uint32_t kFrontLanes = 16;   // right-hand sides solved together
+constexpr uint32_t kFrontBatch = 16;   // right-hand sides solved together
 constexpr int kFrontBits = 30;
 constexpr int kFrontSolutionBits = 28;
 constexpr int32_t kFrontOne = 1 << kFrontSolutionBits;
@@ -22,43 +22,44 @@ constexpr int32_t kFrontLargest = 1 << 30;  // of solutions; reached only where 
 void front_update_ref(const int32_t* g, size_t stride, uint32_t pivots, uint32_t columns, uint32_t rows,
                       int32_t* target, size_t target_stride);
 
-// sums[c][lane] = sum over t < terms of g[c * next + t * step] * lanes[t][lane] for c < kFrontColumns.
-//   lanes  [terms x kFrontLanes],  sums [kFrontColumns x kFrontLanes]
-void front_lanes_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes, int64_t* sums);
+// sums[c][member] = sum over t < terms of g[c * next + t * step] * scaled[t][member] for c < kFrontColumns.
+//   scaled  [terms x kFrontBatch],  sums [kFrontColumns x kFrontBatch]
+void front_multiply_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* scaled,
+                        int64_t* sums);
 
-// What the solves of one front read and write, all by place. A row of the front holds x / 2^(exponent -
-// exponents[place]).
+// What the solves of one front read and write, all by place. A row of the front holds x scaled, by
+// 2^(exponents[place] - exponent).
 struct FrontRows {
   int exponent;             // the largest of the front's places; at most 24 above the others
   const int8_t* exponents;  // [places]
   const int64_t* inverse;   // [places] 1 / the pivot, Q30
-  int32_t* x;               // [places x kFrontLanes]
+  int32_t* x;               // [places x kFrontBatch]
 };
 
 // The triangle of `count` <= kFrontColumns pivots that stand at `place` and on: x = (x - sums - the others' share) /
-// pivot, and the same as a row of the front. forward: from the first to the last with the factor, limited to
+// pivot, and the same, scaled, as a row of the front. forward: from the first to the last with the factor, limited to
 // +-(2^31 - 1); else back with its transpose, limited to +-kFrontLargest.
 //   g      the pivots' columns from the first one's diagonal on, `height` apart
-//   sums   [count x kFrontLanes] what the front's other rows bring, Q30 of rows; destroyed
-//   lanes  out [count x kFrontLanes]
+//   sums   [count x kFrontBatch] what the front's other rows bring, Q30 of rows; destroyed
+//   scaled  out [count x kFrontBatch]
 void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
-                     bool forward, int64_t* sums, int32_t* lanes);
+                     bool forward, int64_t* sums, int32_t* scaled);
 
 // x -= sums for the places [count].
-//   sums  [count x kFrontLanes] Q30 of rows
+//   sums  [count x kFrontBatch] Q30 of rows
 void front_subtract_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums);
 
-// Rows of the places [count].
-//   lanes  out [count x kFrontLanes]
-void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* lanes);
+// Rows of the front for the places [count].
+//   scaled  out [count x kFrontBatch]
+void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* scaled);
 
-// Which of x [kFrontLanes], each within +-kFrontLargest, are above `below`, as bits. Adds all of them to *sum, and
+// Which of x [kFrontBatch], each within +-kFrontLargest, are above `below`, as bits. Adds all of them to *sum, and
 // makes *range negative where one is outside [-1, 2] (Q28).
 uint32_t front_above_ref(const int32_t* x, int32_t below, int64_t* sum, int32_t* range);
 
 struct FrontKernels {
   decltype(&front_update_ref) update = front_update_ref;
-  decltype(&front_lanes_ref) lanes = front_lanes_ref;
+  decltype(&front_multiply_ref) multiply = front_multiply_ref;
   decltype(&front_solve_ref) solve = front_solve_ref;
   decltype(&front_subtract_ref) subtract = front_subtract_ref;
   decltype(&front_load_ref) load = front_load_ref;
@@ -69,7 +70,7 @@ struct FrontKernels {
 bool add_front_s32_avx2(FrontKernels* kernels);
 bool add_front_s32_simd128(FrontKernels* kernels);
 bool add_front_s32_neon(FrontKernels* kernels);
-bool add_front_s32_vnni(FrontKernels* kernels);  // AVX-512 F; named after the set of kernels that it belongs to
+bool add_front_s32_avx512(FrontKernels* kernels);
 
 }  // namespace sinew
 #endif

@@ -5,19 +5,19 @@
 #if defined(__AVX2__)
 #include <immintrin.h>
 
-#include "kernels/front_s32_lanes.hpp"
+#include "kernels/front_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx2 {
+struct RegistersAvx2 {
   using Int32 = __m256i;
   using Mask = __m256i;
   struct Values {
     __m256i even, odd;
   };
   using Sums = Values;
-  static constexpr uint32_t kLanes = 8;
+  static constexpr uint32_t kWidth = 8;
 
   static SINEW_INLINE Mask first(uint32_t n) {
     return _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int32_t>(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
@@ -53,7 +53,7 @@ struct LanesAvx2 {
 }  // namespace
 
 bool add_front_s32_avx2(FrontKernels* kernels) {
-  add_fronts<LanesAvx2>(kernels);
+  add_fronts<RegistersAvx2>(kernels);
   return true;
 }
 

@@ -5,30 +5,30 @@
 #if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN)
 #include <arm_neon.h>
 
-#include "kernels/front_s32_lanes.hpp"
+#include "kernels/front_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesNeon {
+struct RegistersNeon {
   using Int32 = int32x4_t;
   using Mask = uint32_t;  // how many; there are no masked loads, and a tail comes once per column of a front
   using Values = int32x4_t;
   struct Sums {
     int64x2_t low, high;
   };
-  static constexpr uint32_t kLanes = 4;
+  static constexpr uint32_t kWidth = 4;
 
   static SINEW_INLINE Mask first(uint32_t n) { return n; }
   static SINEW_INLINE int32x4_t load(const int32_t* from) { return vld1q_s32(from); }
   static SINEW_INLINE int32x4_t load(const int32_t* from, Mask n) {
-    int32_t four[kLanes] = {};
+    int32_t four[kWidth] = {};
     for (uint32_t i = 0; i < n; ++i) four[i] = from[i];
     return vld1q_s32(four);
   }
   static SINEW_INLINE void store(int32_t* to, int32x4_t value) { vst1q_s32(to, value); }
   static SINEW_INLINE void store(int32_t* to, int32x4_t value, Mask n) {
-    int32_t four[kLanes];
+    int32_t four[kWidth];
     vst1q_s32(four, value);
     for (uint32_t i = 0; i < n; ++i) to[i] = four[i];
   }
@@ -51,7 +51,7 @@ struct LanesNeon {
 }  // namespace
 
 bool add_front_s32_neon(FrontKernels* kernels) {
-  add_fronts<LanesNeon>(kernels);
+  add_fronts<RegistersNeon>(kernels);
   return true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The definition of the factorisation's inner loops (heat/fronts.cpp) in plain C++.
+// The definition of the factorisation's inner loops (solve/fronts.cpp) in plain C++.
 #include "kernels/front.hpp"
 #include "kernels/front_s32_rows.hpp"
 
@@ -26,29 +26,31 @@ void front_update_ref(const int32_t* g, size_t stride, uint32_t pivots, uint32_t
   }
 }
 
-void front_lanes_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* lanes, int64_t* sums) {
+void front_multiply_ref(const int32_t* g, size_t next, size_t step, uint32_t terms, const int32_t* scaled,
+                        int64_t* sums) {
   for (uint32_t c = 0; c < kFrontColumns; ++c) {
-    uint64_t sum[kFrontLanes] = {};
+    uint64_t sum[kFrontBatch] = {};
     for (uint32_t t = 0; t < terms; ++t) {
       const int64_t factor = g[c * next + t * step];
-      for (uint32_t lane = 0; lane < kFrontLanes; ++lane)
-        sum[lane] += static_cast<uint64_t>(factor * lanes[t * kFrontLanes + lane]);
+      for (uint32_t member = 0; member < kFrontBatch; ++member)
+        sum[member] += static_cast<uint64_t>(factor * scaled[t * kFrontBatch + member]);
     }
-    for (uint32_t lane = 0; lane < kFrontLanes; ++lane) sums[c * kFrontLanes + lane] = static_cast<int64_t>(sum[lane]);
+    for (uint32_t member = 0; member < kFrontBatch; ++member)
+      sums[c * kFrontBatch + member] = static_cast<int64_t>(sum[member]);
   }
 }
 
 void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
-                     bool forward, int64_t* sums, int32_t* lanes) {
-  front_solve_rows(rows, g, height, place, count, forward, sums, lanes);
+                     bool forward, int64_t* sums, int32_t* scaled) {
+  front_solve_rows(rows, g, height, place, count, forward, sums, scaled);
 }
 
 void front_subtract_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums) {
   front_subtract_rows(rows, places, count, sums);
 }
 
-void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* lanes) {
-  front_load_rows(rows, places, count, lanes);
+void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* scaled) {
+  front_load_rows(rows, places, count, scaled);
 }
 
 uint32_t front_above_ref(const int32_t* x, int32_t below, int64_t* sum, int32_t* range) {

@@ -5,30 +5,30 @@
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 
-#include "kernels/front_s32_lanes.hpp"
+#include "kernels/front_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesSimd128 {
+struct RegistersSimd128 {
   using Int32 = v128_t;
   using Mask = uint32_t;  // how many; there are no masked loads, and a tail comes once per column of a front
   using Values = v128_t;
   struct Sums {
     v128_t low, high;
   };
-  static constexpr uint32_t kLanes = 4;
+  static constexpr uint32_t kWidth = 4;
 
   static SINEW_INLINE Mask first(uint32_t n) { return n; }
   static SINEW_INLINE v128_t load(const int32_t* from) { return wasm_v128_load(from); }
   static SINEW_INLINE v128_t load(const int32_t* from, Mask n) {
-    int32_t four[kLanes] = {};
+    int32_t four[kWidth] = {};
     for (uint32_t i = 0; i < n; ++i) four[i] = from[i];
     return wasm_v128_load(four);
   }
   static SINEW_INLINE void store(int32_t* to, v128_t value) { wasm_v128_store(to, value); }
   static SINEW_INLINE void store(int32_t* to, v128_t value, Mask n) {
-    int32_t four[kLanes];
+    int32_t four[kWidth];
     wasm_v128_store(four, value);
     for (uint32_t i = 0; i < n; ++i) to[i] = four[i];
   }
@@ -56,7 +56,7 @@ struct LanesSimd128 {
 }  // namespace
 
 bool add_front_s32_simd128(FrontKernels* kernels) {
-  add_fronts<LanesSimd128>(kernels);
+  add_fronts<RegistersSimd128>(kernels);
   return true;
 }
 

@@ -13,7 +13,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kLanes = 16, kOutputs = 4;
+constexpr uint32_t kWidth = 16, kOutputs = 4;
 
 // Two rows, the same one twice at the end of an odd number.
 struct RowPair {
@@ -67,7 +67,7 @@ void four_outputs(const LinearView& linear, const RowPair& rows, uint32_t first)
   __m256i sums[2][kOutputs];
   SINEW_UNROLL for (uint32_t i = 0; i < kOutputs; ++i) sums[0][i] = sums[1][i] = _mm256_setzero_si256();
   uint32_t k = 0;
-  for (; k + kLanes <= linear.in; k += kLanes) {
+  for (; k + kWidth <= linear.in; k += kWidth) {
     const __m256i x0 = load(rows.x[0] + k), x1 = load(rows.x[1] + k);
     SINEW_UNROLL for (uint32_t i = 0; i < kOutputs; ++i) {
       const __m256i w = load(weights[i] + k);

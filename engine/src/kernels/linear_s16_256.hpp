@@ -15,7 +15,7 @@ template <class Dot>
 struct Registers256 : Dot {
   using Int32 = __m256i;
   using Pairs = __m256i;
-  static constexpr int kLanes = 8, kGroups = 1, kFinish = 1;
+  static constexpr int kWidth = 8, kGroups = 1, kFinish = 1;
   // 6 rows x 2 registers of sums, 2 of weights, an input and a product fill the 16 registers.
   static constexpr int kRows[kGroups + 1] = {0, 6};
 
@@ -50,7 +50,7 @@ struct Registers256 : Dot {
     const __m256i a = requantise(sums[0], shifts, factors, _mm256_castsi256_si128(values), low, high);
     const __m256i b = requantise(sums[1], shifts + 8, factors == nullptr ? nullptr : factors + 8,
                                  _mm256_extracti128_si256(values, 1), low, high);
-    const __m256i packed = _mm256_permute4x64_epi64(_mm256_packs_epi32(a, b), 0xD8);  // lanes back in order
+    const __m256i packed = _mm256_permute4x64_epi64(_mm256_packs_epi32(a, b), 0xD8);  // halves back in order
     if (count == 16) {
       _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(out)), packed);
     } else {

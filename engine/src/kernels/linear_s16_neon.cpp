@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The linear layer with ARM64 NEON: smlal by lane on 8 outputs at a time.
+// The linear layer with ARM64 NEON: smlal by one number of a register on 8 outputs at a time.
 #include "kernels/variants.hpp"
 
 #if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN)
@@ -15,7 +15,7 @@ struct RegistersNeon {
     int32x4_t low, high;
   };
   using Pairs = int16x8x2_t;  // first columns, second columns of 8 outputs
-  static constexpr int kLanes = 8, kGroups = 1, kFinish = 1;
+  static constexpr int kWidth = 8, kGroups = 1, kFinish = 1;
   // 6 rows x 4 registers of sums, 4 of weights and an input fill 29 of 32 registers.
   static constexpr int kRows[kGroups + 1] = {0, 6};
 

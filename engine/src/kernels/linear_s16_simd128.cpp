@@ -13,7 +13,7 @@ namespace {
 struct RegistersSimd128 {
   using Int32 = v128_t;
   using Pairs = v128_t;
-  static constexpr int kLanes = 4, kGroups = 1, kFinish = 1;
+  static constexpr int kWidth = 4, kGroups = 1, kFinish = 1;
   static constexpr int kRows[kGroups + 1] = {0, 2};
 
   static SINEW_INLINE Int32 zero() { return wasm_i32x4_const_splat(0); }
@@ -25,8 +25,8 @@ struct RegistersSimd128 {
   static SINEW_INLINE Int32 dot(Int32 sum, Pairs weights, Pairs input) {
     return wasm_i32x4_add(sum, wasm_i32x4_dot_i16x8(weights, input));
   }
-  // 2^(31 - shift) per lane. There is no shift by lanes, so a table of the eight powers below 256 is asked once per
-  // byte: an index that is not of this byte is negative or above 7 and finds 0.
+  // 2^(31 - shift) each. There is no shift by numbers of a register, so a table of the eight powers below 256 is asked
+  // once per byte: an index that is not of this byte is negative or above 7 and finds 0.
   static SINEW_INLINE v128_t powers(v128_t shifts) {
     const v128_t table = wasm_i8x16_const(1, 2, 4, 8, 16, 32, 64, -128, 0, 0, 0, 0, 0, 0, 0, 0);
     const v128_t exponents =

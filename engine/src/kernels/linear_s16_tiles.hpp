@@ -13,13 +13,13 @@ namespace sinew {
 namespace {
 
 // What an instruction set brings ("Isa" below):
-//   Int32                      a register of kLanes int32 sums; kLanes divides kPackOutputs
+//   Int32                      a register of kWidth int32 sums; kWidth divides kPackOutputs
 //   kRows[c]                   rows of the widest tile for c groups of outputs (c = 1 .. kGroups), chosen so that sums,
 //                              weights and one input fit the registers
 //   zero(), load(int32*), store(int32*, Int32), add(Int32, Int32)
-//   broadcast(int32)           the same pair of int16 in every lane, of whatever type dot() takes
-//   load_pairs(int16*)         kLanes pairs of weights
-//   dot(sum, weights, input)   sum + w[0] x[0] + w[1] x[1] per lane; wraps
+//   broadcast(int32)           the same pair of int16 everywhere, of whatever type dot() takes
+//   load_pairs(int16*)         kWidth pairs of weights
+//   dot(sum, weights, input)   sum + w[0] x[0] + w[1] x[1] each; wraps
 //   kFinish                    groups that finish() takes at once
 //   finish(sums*, shift*, residual factor* or null, residual*, low, high, count, out*)   requantises them into count
 //                              outputs; reads no residual and touches no output behind them, but reads the shifts and
@@ -79,33 +79,33 @@ SINEW_INLINE bool absent(const TileRows& rows, int r) { return rows.present != n
 // R rows x G groups of outputs, class N: int32 sums all the way.
 template <class Isa, int R, int G>
 SINEW_INLINE void narrow_sums(const LinearView& linear, const TileRows& rows, uint32_t group,
-                              typename Isa::Int32 (&sums)[R][G * static_cast<int>(kPackOutputs) / Isa::kLanes]) {
-  constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kLanes, V = G * kPerGroup;
+                              typename Isa::Int32 (&sums)[R][G * static_cast<int>(kPackOutputs) / Isa::kWidth]) {
+  constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kWidth, V = G * kPerGroup;
   const int16_t* weights[V];
   SINEW_UNROLL for (int v = 0; v < V; ++v) {
     const size_t g = group + static_cast<size_t>(v / kPerGroup);
-    weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kLanes * 2;
+    weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kWidth * 2;
   }
   const size_t outputs = (linear.out + kPackOutputs - 1) / kPackOutputs * kPackOutputs;
   if (linear.packed.starts == nullptr) {
     const int32_t* const bias_at = linear.packed.bias;
     SINEW_UNROLL for (int v = 0; v < V; ++v) {
       const typename Isa::Int32 bias =
-          bias_at == nullptr ? Isa::zero() : Isa::load(bias_at + group * kPackOutputs + v * Isa::kLanes);
+          bias_at == nullptr ? Isa::zero() : Isa::load(bias_at + group * kPackOutputs + v * Isa::kWidth);
       SINEW_UNROLL for (int r = 0; r < R; ++r) sums[r][v] = bias;
     }
   } else {
     SINEW_UNROLL for (int r = 0; r < R; ++r) {
       const uint32_t row = (rows.first_row + static_cast<uint32_t>(r)) / linear.packed.rows_per_start;
       const int32_t* const start = linear.packed.starts + row * outputs + group * kPackOutputs;
-      SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::load(start + v * Isa::kLanes);
+      SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::load(start + v * Isa::kWidth);
     }
   }
   const bool by_joint = linear.packed.joint_starts != nullptr;
   SINEW_UNROLL for (int r = 0; r < R; ++r) {
     if (!by_joint || absent(rows, r)) continue;
     const int32_t* const start = linear.packed.joint_starts + rows.present[r] * outputs + group * kPackOutputs;
-    SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::add(sums[r][v], Isa::load(start + v * Isa::kLanes));
+    SINEW_UNROLL for (int v = 0; v < V; ++v) sums[r][v] = Isa::add(sums[r][v], Isa::load(start + v * Isa::kWidth));
   }
   const bool all = linear.packed.range_count == 0 && linear.packed.starts == nullptr && !by_joint;
   const uint32_t ranges = all ? 1 : linear.packed.range_count;
@@ -125,7 +125,7 @@ SINEW_INLINE void clear(int16_t* out, uint32_t count) {
 // The same from group `group` on, requantised into the output.
 template <class Isa, int R, int G>
 SINEW_INLINE void narrow_tile(const LinearView& linear, const TileRows& rows, uint32_t group) {
-  constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kLanes, V = G * kPerGroup;
+  constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kWidth, V = G * kPerGroup;
   const uint32_t first = group * kPackOutputs;
   typename Isa::Int32 sums[R][V];
   narrow_sums<Isa, R, G>(linear, rows, group, sums);
@@ -157,7 +157,7 @@ SINEW_INLINE void narrow_tile(const LinearView& linear, const TileRows& rows, ui
 // compiler turns into vectors.
 template <class Isa, int R, int G>
 SINEW_INLINE void wide_tile(const LinearView& linear, const TileRows& rows, uint32_t group) {
-  constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kLanes, V = G * kPerGroup;
+  constexpr int kPerGroup = static_cast<int>(kPackOutputs) / Isa::kWidth, V = G * kPerGroup;
   constexpr uint32_t kOutputs = static_cast<uint32_t>(G) * kPackOutputs;
   const uint32_t first = group * kPackOutputs;
   int64_t totals[R][kOutputs];
@@ -165,7 +165,7 @@ SINEW_INLINE void wide_tile(const LinearView& linear, const TileRows& rows, uint
   const int16_t* weights[V];
   for (int v = 0; v < V; ++v) {
     const size_t g = group + static_cast<size_t>(v / kPerGroup);
-    weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kLanes * 2;
+    weights[v] = linear.packed.weights + g * linear.packed.pairs * 2 * kPackOutputs + v % kPerGroup * Isa::kWidth * 2;
   }
   for (uint32_t k = 0; k < linear.in; k += linear.block) {
     const uint32_t rest = linear.in - k, count = rest < linear.block ? rest : linear.block;
@@ -175,7 +175,7 @@ SINEW_INLINE void wide_tile(const LinearView& linear, const TileRows& rows, uint
     for (int v = 0; v < V; ++v) weights[v] += static_cast<size_t>((count + 1) / 2) * 2 * kPackOutputs;
     int32_t narrow[R][kOutputs];
     SINEW_UNROLL for (int r = 0; r < R; ++r) {
-      SINEW_UNROLL for (int v = 0; v < V; ++v) Isa::store(&narrow[r][v * Isa::kLanes], sums[r][v]);
+      SINEW_UNROLL for (int v = 0; v < V; ++v) Isa::store(&narrow[r][v * Isa::kWidth], sums[r][v]);
     }
     for (int r = 0; r < R; ++r) {
       for (uint32_t n = 0; n < kOutputs; ++n) totals[r][n] += narrow[r][n];
@@ -238,7 +238,7 @@ SINEW_INLINE void run_groups(const LinearView& linear, const TileRows& all, uint
 template <class Isa, int R>
 SINEW_NOINLINE uint32_t run_sums(const LinearView& linear, const TileRows& all, uint32_t begin, uint32_t rows,
                                  int32_t* to) {
-  constexpr int V = static_cast<int>(kPackOutputs) / Isa::kLanes;
+  constexpr int V = static_cast<int>(kPackOutputs) / Isa::kWidth;
   const uint32_t groups = (linear.out + kPackOutputs - 1) / kPackOutputs;
   for (; begin + R <= rows; begin += R) {
     for (uint32_t group = 0; group < groups; ++group) {
@@ -247,7 +247,7 @@ SINEW_NOINLINE uint32_t run_sums(const LinearView& linear, const TileRows& all, 
       SINEW_UNROLL for (int r = 0; r < R; ++r) {
         int32_t* const row =
             to + (static_cast<size_t>(begin + static_cast<uint32_t>(r)) * groups + group) * kPackOutputs;
-        SINEW_UNROLL for (int v = 0; v < V; ++v) Isa::store(row + v * Isa::kLanes, sums[r][v]);
+        SINEW_UNROLL for (int v = 0; v < V; ++v) Isa::store(row + v * Isa::kWidth, sums[r][v]);
       }
     }
   }

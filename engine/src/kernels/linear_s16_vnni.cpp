@@ -13,7 +13,7 @@ namespace {
 struct Vnni {
   using Int32 = __m512i;
   using Pairs = __m512i;
-  static constexpr int kLanes = 16, kGroups = 4, kFinish = 2;
+  static constexpr int kWidth = 16, kGroups = 4, kFinish = 2;
   // Sums, weights and an input in 32 registers. On Zen 5 tiles of 8 x 3 and 12 x 2 run at half the speed of 7 x 3 and
   // 10 x 2, although the loops differ in nothing else.
   static constexpr int kRows[kGroups + 1] = {0, 8, 10, 7, 6};

@@ -40,8 +40,8 @@ bool add_avx2_rest(Kernels* kernels) {
 
 // What vnni has beside its linear layer.
 bool add_avx512_rest(Kernels* kernels) {
-  return add_x86_rest(kernels) && add_means_s16_vnni(kernels) && add_front_s32_vnni(&kernels->front) &&
-         add_boxes_s32_vnni(&kernels->boxes_met) && add_softmax_s16_vnni(&kernels->softmax);
+  return add_x86_rest(kernels) && add_means_s16_avx512(kernels) && add_front_s32_avx512(&kernels->front) &&
+         add_boxes_s32_avx512(&kernels->boxes_met) && add_softmax_s16_avx512(&kernels->softmax);
 }
 
 // Puts one instruction set's variants over the reference. detect_cpu() calls a processor vnni or avxvnni only if it has

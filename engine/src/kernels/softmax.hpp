@@ -17,7 +17,7 @@ using SoftmaxKernel = decltype(&softmax_s16_ref);
 
 // False when the file was compiled without its instruction set.
 bool add_softmax_s16_avx2(SoftmaxKernel* kernel);
-bool add_softmax_s16_vnni(SoftmaxKernel* kernel);  // AVX-512 F, BW and VL
+bool add_softmax_s16_avx512(SoftmaxKernel* kernel);  // AVX-512 F, BW and VL
 bool add_softmax_s16_simd128(SoftmaxKernel* kernel);
 bool add_softmax_s16_neon(SoftmaxKernel* kernel);
 

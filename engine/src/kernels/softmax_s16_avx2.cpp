@@ -5,28 +5,28 @@
 #if defined(__AVX2__)
 #include <immintrin.h>
 
-#include "kernels/softmax_s16_lanes.hpp"
+#include "kernels/softmax_s16_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx2 {
+struct RegistersAvx2 {
   using Int32 = __m256i;
   struct Reals {
     __m256d low, high;
   };
-  static constexpr uint32_t kLanes = 8;
+  static constexpr uint32_t kWidth = 8;
 
   static SINEW_INLINE __m256i load(const void* from, uint32_t n) {
-    int16_t copy[kLanes] = {-1, -1, -1, -1, -1, -1, -1, -1};
-    if (n < kLanes) {
+    int16_t copy[kWidth] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    if (n < kWidth) {
       for (uint32_t i = 0; i < n; ++i) copy[i] = static_cast<const int16_t*>(from)[i];
       from = copy;
     }
     return _mm256_cvtepi16_epi32(_mm_loadu_si128(static_cast<const __m128i*>(from)));
   }
   static SINEW_INLINE void store(uint32_t* to, __m256i value, uint32_t n) {
-    if (n == kLanes) return _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
+    if (n == kWidth) return _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
     const __m256i mask =
         _mm256_cmpgt_epi32(_mm256_set1_epi32(static_cast<int32_t>(n)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
     _mm256_maskstore_epi32(static_cast<int32_t*>(static_cast<void*>(to)), mask, value);
@@ -82,7 +82,7 @@ struct LanesAvx2 {
 }  // namespace
 
 bool add_softmax_s16_avx2(SoftmaxKernel* kernel) {
-  *kernel = softmax<LanesAvx2>;
+  *kernel = softmax<RegistersAvx2>;
   return true;
 }
 

@@ -5,30 +5,30 @@
 #if defined(__aarch64__) && defined(__ARM_NEON) && !defined(__ARM_BIG_ENDIAN)
 #include <arm_neon.h>
 
-#include "kernels/softmax_s16_lanes.hpp"
+#include "kernels/softmax_s16_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesNeon {
+struct RegistersNeon {
   using Int32 = int32x4_t;
   struct Reals {
     float64x2_t low, high;
   };
-  static constexpr uint32_t kLanes = 4;
+  static constexpr uint32_t kWidth = 4;
 
   static SINEW_INLINE int32x4_t load(const void* from, uint32_t n) {
     const int16_t* values = static_cast<const int16_t*>(from);
-    int16_t copy[kLanes] = {-1, -1, -1, -1};
-    if (n < kLanes) {
+    int16_t copy[kWidth] = {-1, -1, -1, -1};
+    if (n < kWidth) {
       for (uint32_t i = 0; i < n; ++i) copy[i] = values[i];
       values = copy;
     }
     return vmovl_s16(vld1_s16(values));
   }
   static SINEW_INLINE void store(uint32_t* to, int32x4_t value, uint32_t n) {
-    if (n == kLanes) return vst1q_u32(to, vreinterpretq_u32_s32(value));
-    uint32_t copy[kLanes];
+    if (n == kWidth) return vst1q_u32(to, vreinterpretq_u32_s32(value));
+    uint32_t copy[kWidth];
     vst1q_u32(copy, vreinterpretq_u32_s32(value));
     for (uint32_t i = 0; i < n; ++i) to[i] = copy[i];
   }
@@ -46,7 +46,7 @@ struct LanesNeon {
   static SINEW_INLINE Reals powers(int32x4_t d) {
     const uint32x4_t steps = vandq_u32(vreinterpretq_u32_s32(vshrq_n_s32(d, kFineBits)), vdupq_n_u32(kSteps - 1));
     const int32x4_t fine = vandq_s32(d, all((1 << kFineBits) - 1));
-    // An entry of the table and the next one for each lane.
+    // An entry of the table and the next one for each number.
     const uint32x4_t low = vcombine_u32(vld1_u32(kPowers.q30 + vgetq_lane_u32(steps, 0)),
                                         vld1_u32(kPowers.q30 + vgetq_lane_u32(steps, 1)));
     const uint32x4_t high = vcombine_u32(vld1_u32(kPowers.q30 + vgetq_lane_u32(steps, 2)),
@@ -73,7 +73,7 @@ struct LanesNeon {
 }  // namespace
 
 bool add_softmax_s16_neon(SoftmaxKernel* kernel) {
-  *kernel = softmax<LanesNeon>;
+  *kernel = softmax<RegistersNeon>;
   return true;
 }
 

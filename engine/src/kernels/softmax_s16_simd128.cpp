@@ -5,29 +5,29 @@
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 
-#include "kernels/softmax_s16_lanes.hpp"
+#include "kernels/softmax_s16_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesSimd128 {
+struct RegistersSimd128 {
   using Int32 = v128_t;
   struct Reals {
     v128_t low, high;
   };
-  static constexpr uint32_t kLanes = 4;
+  static constexpr uint32_t kWidth = 4;
 
   static SINEW_INLINE v128_t load(const void* from, uint32_t n) {
-    int16_t copy[kLanes] = {-1, -1, -1, -1};
-    if (n < kLanes) {
+    int16_t copy[kWidth] = {-1, -1, -1, -1};
+    if (n < kWidth) {
       for (uint32_t i = 0; i < n; ++i) copy[i] = static_cast<const int16_t*>(from)[i];
       from = copy;
     }
     return wasm_i32x4_load16x4(from);
   }
   static SINEW_INLINE void store(uint32_t* to, v128_t value, uint32_t n) {
-    if (n == kLanes) return wasm_v128_store(to, value);
-    uint32_t copy[kLanes];
+    if (n == kWidth) return wasm_v128_store(to, value);
+    uint32_t copy[kWidth];
     wasm_v128_store(copy, value);
     for (uint32_t i = 0; i < n; ++i) to[i] = copy[i];
   }
@@ -50,11 +50,11 @@ struct LanesSimd128 {
     return wasm_f64x2_extract_lane(two, 0) + wasm_f64x2_extract_lane(two, 1);
   }
 
-  // An entry of the table and the next one for two lanes.
+  // An entry of the table and the next one for two numbers.
   static SINEW_INLINE v128_t pairs(int32_t a, int32_t b) {
     return wasm_v128_load64_lane(kPowers.q30 + b, wasm_v128_load64_zero(kPowers.q30 + a), 1);
   }
-  // There are no shifts by lane: x >> w is floor(x * 2^-w), and the power is made of its exponent's bits.
+  // There are no shifts by numbers of a register: x >> w is floor(x * 2^-w), and the power is made of its exponent's bits.
   static SINEW_INLINE v128_t shifted(v128_t x, v128_t exponents) {
     return wasm_f64x2_floor(wasm_f64x2_mul(x, wasm_i64x2_shl(exponents, 52)));
   }
@@ -86,7 +86,7 @@ struct LanesSimd128 {
 }  // namespace
 
 bool add_softmax_s16_simd128(SoftmaxKernel* kernel) {
-  *kernel = softmax<LanesSimd128>;
+  *kernel = softmax<RegistersSimd128>;
   return true;
 }
 

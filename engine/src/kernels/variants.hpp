@@ -21,7 +21,7 @@ bool add_linear_in_place_s16_avx2(Kernels* kernels);
 
 // Puts the aggregations that the instruction set speeds up into *kernels.
 bool add_aggregates_s16_avx2(Kernels* kernels);
-bool add_means_s16_vnni(Kernels* kernels);  // AVX-512 BW and VL
+bool add_means_s16_avx512(Kernels* kernels);  // AVX-512 BW and VL
 bool add_aggregates_s16_simd128(Kernels* kernels);
 bool add_aggregates_s16_neon(Kernels* kernels);
 

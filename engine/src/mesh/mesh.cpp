@@ -3,16 +3,14 @@
 // of the caller's numbering, so renumbered input gives the same mesh.
 #include "mesh/mesh.hpp"
 
-#include "grid/grid_quantizer.hpp"
 #include "mesh/morton.hpp"
 #include "mesh/surface.hpp"
 #include "mesh/topology.hpp"
-#include "skeleton/skeleton.hpp"
 
 namespace sinew {
 namespace {
 
-void weld(const sinew_mesh& input, const Quantizer& quantizer, const MortonScratch& scratch, Mesh* mesh) {
+void weld(const sinew_mesh& input, const GridQuantizer& quantizer, const MortonScratch& scratch, Mesh* mesh) {
   const uint32_t count = input.vertex_count;
   for (uint32_t v = 0; v < count; ++v) {
     scratch.keys[v] = morton_key(quantize_point(quantizer, input.positions + 3 * static_cast<size_t>(v)));
@@ -99,12 +97,9 @@ bool Mesh::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_input, uint32_t up_axis,
-                        const Counts& counts, Arena& arena, Mesh* mesh, Skeleton* skeleton) {
-  Quantizer quantizer;
-  sinew_status status = make_quantizer(input.positions, input.vertex_count, up_axis, &quantizer);
-  if (status == SINEW_OK) status = check_faces(input);
-  if (status == SINEW_OK) status = build_skeleton(skeleton_input, quantizer, skeleton);
+sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer, const Counts& counts, Arena& arena,
+                        Mesh* mesh) {
+  const sinew_status status = check_faces(input);
   if (status != SINEW_OK) return status;
 
   // The scratch of the three phases does not overlap in time, so each starts at the same mark.
@@ -125,8 +120,6 @@ sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_
   find_components(topology_scratch, mesh);
   measure_surface(topology_scratch.surface, counts.threads, mesh);
   arena.release(mark);
-
-  find_sources(*mesh, skeleton);
   return SINEW_OK;
 }
 

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Stages 1 and 2 of a bind: the caller's float mesh becomes a welded integer mesh in canonical order.
+// Stage 2 of a bind: the caller's float mesh becomes a welded integer mesh in canonical order.
 #ifndef SINEW_MESH_MESH_HPP
 #define SINEW_MESH_MESH_HPP
 
 #include "core/arena.hpp"
 #include "core/counts.hpp"
 #include "core/fixed.hpp"
+#include "grid/grid_quantizer.hpp"
 
 namespace sinew {
 
-constexpr int kGridBits = 20;  // positions: longest side of the mesh = 2^20 units
-constexpr int32_t kSide = 1 << kGridBits;
 constexpr int kNormalBits = 14;  // unit vectors are Q14
-
-// Positions and joints are on one integer grid, built from the box of all vertices (mesh/quantize.hpp), by exact
-// integer arithmetic on the IEEE words: grid = round_half_up((value - origin) * 2^20 / side) per axis. x and z are
-// centred on 0, y has its floor at 0 (after the up axis was turned to Y). Joints may lie outside the mesh: they are
-// clamped to +-2^22.
 
 // The welded mesh. Vertices with the same grid position are one welded vertex. Welded vertices are in Morton order of
 // their grid position, so nothing after this stage depends on the caller's numbering. U = welded_count.
@@ -50,34 +44,13 @@ struct Mesh {
   bool allocate(Arena& arena, const Counts& counts);
 };
 
-// The skeleton on the same grid.
-struct Skeleton {
-  uint32_t joint_count = 0;
-  Vec3i* positions = nullptr;       // [J] grid units
-  int32_t* parents = nullptr;       // [J] -1 for roots
-  uint32_t* order = nullptr;        // [J] topological: parents before children
-  uint16_t* child_count = nullptr;  // [J]
-  uint16_t* depth = nullptr;        // [J] 0 for roots
-  uint8_t* usable = nullptr;        // [J] 0: must get no weight (flags), 1: may
-  bool deform_known = false;        // the caller said which joints deform
-  // Bones of the heat stage (engine/src/heat/README.md): one segment per joint, joint -> mean of its children; a leaf's
-  // is half its parent bone (parent joint -> leaf) on in its direction, at most a tenth of the skeleton's size (longest
-  // side of the joints' box). A lone joint has a point bone.
-  Vec3i* bone_tail = nullptr;  // [J] end of the bone; the head is positions[j]
-  uint8_t* source = nullptr;   // [J] 1: may be a heat source. 0: not usable, or a parentless joint in the lowest 3 % of
-                               // the mesh's height with 1 to 4 children unless the caller said that it deforms
-                               // (deform_known). If that would leave no source, every usable joint is one
-
-  bool allocate(Arena& arena, const Counts& counts);
-};
-
-// Fills both, allocated beforehand, from the caller's views. Faces are checked (SINEW_ERROR_INDEX): every corner names
-// a vertex, face_offsets start at 0, never fall and end at corner_count; without them corner_count is 3 face_count.
-// Faces of two corners are legal and ignored, of fewer not. Scratch beyond the two structs is taken from `arena` and
-// released. Returns SINEW_OK, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY, SINEW_ERROR_NO_JOINT or
-// SINEW_ERROR_WORKSPACE. The counts were checked by the caller. A mesh of one point has side 1.
-sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_input, uint32_t up_axis,
-                        const Counts& counts, Arena& arena, Mesh* mesh, Skeleton* skeleton);
+// Fills a mesh, allocated beforehand, from the caller's view. The quantizer was made from all of its vertices. Faces are
+// checked: every corner names a vertex, face_offsets start at 0, never fall and end at corner_count; without them
+// corner_count is 3 face_count. Faces of two corners are legal and ignored, of fewer not. Scratch beyond the struct is
+// taken from `arena` and released. The counts were checked by the caller.
+// Returns SINEW_OK, SINEW_ERROR_INDEX for a face that breaks these rules, or SINEW_ERROR_WORKSPACE.
+sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer, const Counts& counts, Arena& arena,
+                        Mesh* mesh);
 // Scratch that build_mesh takes and releases, for the size query.
 void measure_build_mesh(Arena& arena, const Counts& counts);
 

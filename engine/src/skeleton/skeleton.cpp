@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks the joint hierarchy, orders it and lays the bones of the heat stage.
+// Checks the joint hierarchy, orders it and finds where each joint's bone ends.
 #include "skeleton/skeleton.hpp"
 
 #include "core/vector_math.hpp"
@@ -8,8 +8,6 @@ namespace sinew {
 namespace {
 
 constexpr uint16_t kNoDepth = 0xFFFF;
-constexpr int64_t kFloorPercent = 3;  // a root this low stands on the floor
-constexpr uint16_t kFloorRootChildren = 4;
 
 // False when the parents form a cycle. Every joint is walked up to the first joint of known depth, then once more to
 // write.
@@ -126,11 +124,10 @@ bool Skeleton::allocate(Arena& arena, const Counts& counts) {
   depth = arena.alloc<uint16_t>(count);
   usable = arena.alloc<uint8_t>(count);
   bone_tail = arena.alloc<Vec3i>(count);
-  source = arena.alloc<uint8_t>(count);
   return arena.ok();
 }
 
-sinew_status build_skeleton(const sinew_skeleton& input, const Quantizer& quantizer, Skeleton* skeleton) {
+sinew_status build_skeleton(const sinew_skeleton& input, const GridQuantizer& quantizer, Skeleton* skeleton) {
   const uint32_t count = input.joint_count;
   skeleton->joint_count = count;
   for (uint32_t j = 0; j < count; ++j) {
@@ -146,23 +143,6 @@ sinew_status build_skeleton(const sinew_skeleton& input, const Quantizer& quanti
   order_joints(skeleton);
   lay_bones(skeleton);
   return SINEW_OK;
-}
-
-void find_sources(const Mesh& mesh, Skeleton* skeleton) {
-  int64_t height = 0;
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    if (mesh.positions[v].y > height) height = mesh.positions[v].y;
-  }
-  bool any = false;
-  for (uint32_t j = 0; j < skeleton->joint_count; ++j) {
-    const bool floor_root = !skeleton->deform_known && skeleton->parents[j] < 0 && skeleton->child_count[j] >= 1 &&
-                            skeleton->child_count[j] <= kFloorRootChildren &&
-                            100 * static_cast<int64_t>(skeleton->positions[j].y) <= kFloorPercent * height;
-    skeleton->source[j] = skeleton->usable[j] != 0 && !floor_root ? 1 : 0;
-    any = any || skeleton->source[j] != 0;
-  }
-  // Heat must come from somewhere: when only such a root may be used, it is a source after all.
-  for (uint32_t j = 0; j < skeleton->joint_count && !any; ++j) skeleton->source[j] = skeleton->usable[j];
 }
 
 }  // namespace sinew

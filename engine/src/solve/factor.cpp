@@ -25,7 +25,7 @@ Reciprocal reciprocal(int64_t d) {
   return {d < 0 ? -r : r, magnitude, exponent};
 }
 
-void HeatMatrix::assemble(const int64_t* pull_q40, int diagonal_bits) {
+void SparseMatrix::assemble(const int64_t* pull_q40, int diagonal_bits) {
   int64_t largest = 1;
   for (uint32_t k = 0; k < rows; ++k) {
     const uint32_t v = ordering->order[k];
@@ -43,25 +43,25 @@ void HeatMatrix::assemble(const int64_t* pull_q40, int diagonal_bits) {
   }
 }
 
-int64_t HeatMatrix::to_matrix(int64_t value_q40) const {
+int64_t SparseMatrix::to_matrix(int64_t value_q40) const {
   if (matrix_bits >= 40) return value_q40 * (static_cast<int64_t>(1) << (matrix_bits - 40));
   const int64_t value = round_shift(value_q40, 40 - matrix_bits);
   return value == 0 && value_q40 != 0 ? 1 : value;
 }
 
-void HeatMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
+void SparseMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
   for (uint32_t k = 0; k < rows; ++k) {
     const uint32_t v = ordering->order[k];
-    int64_t* r = rhs + static_cast<size_t>(k) * kLanes;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      r[lane] =
-          wrapping_subtract(r[lane], mul_shift(diagonal[k], x[static_cast<size_t>(k) * kLanes + lane], kSolutionBits));
+    int64_t* r = rhs + static_cast<size_t>(k) * kBatch;
+    for (uint32_t member = 0; member < kBatch; ++member) {
+      r[member] = wrapping_subtract(r[member],
+                                    mul_shift(diagonal[k], x[static_cast<size_t>(k) * kBatch + member], kSolutionBits));
     }
     for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
-      const int32_t* neighbour = x + static_cast<size_t>(ordering->place[mesh->col_indices[e]]) * kLanes;
+      const int32_t* neighbour = x + static_cast<size_t>(ordering->place[mesh->col_indices[e]]) * kBatch;
       const int64_t m = entry(e);
-      for (uint32_t lane = 0; lane < kLanes; ++lane)
-        r[lane] = wrapping_subtract(r[lane], mul_shift(m, neighbour[lane], kSolutionBits));
+      for (uint32_t member = 0; member < kBatch; ++member)
+        r[member] = wrapping_subtract(r[member], mul_shift(m, neighbour[member], kSolutionBits));
     }
   }
 }
@@ -92,7 +92,7 @@ bool Factor::allocate(Arena& arena, const Counts& counts, size_t* solve_mark) {
   return arena.ok();
 }
 
-bool Factor::analyse(const HeatMatrix& matrix) {
+bool Factor::analyse(const SparseMatrix& matrix) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
   uint64_t total = 0;
@@ -117,7 +117,7 @@ bool Factor::analyse(const HeatMatrix& matrix) {
   return true;
 }
 
-void Factor::factorise(const HeatMatrix& matrix) {
+void Factor::factorise(const SparseMatrix& matrix) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
   const uint32_t rows = matrix.rows;
@@ -179,35 +179,36 @@ void Factor::factorise(const HeatMatrix& matrix) {
 
 void Factor::solve(uint32_t rows, int64_t* rhs, int32_t* out) const {
   for (uint32_t k = 0; k < rows; ++k) {
-    int64_t* z = rhs + static_cast<size_t>(k) * kLanes;
-    int32_t* x = out + static_cast<size_t>(k) * kLanes;
+    int64_t* z = rhs + static_cast<size_t>(k) * kBatch;
+    int32_t* x = out + static_cast<size_t>(k) * kBatch;
     int64_t any = 0;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) any |= z[lane];
-    if (any == 0) {  // most columns below the top separators see none of these joints
-      for (uint32_t lane = 0; lane < kLanes; ++lane) x[lane] = 0;
+    for (uint32_t member = 0; member < kBatch; ++member) any |= z[member];
+    if (any == 0) {  // most columns below the top separators see none of these right-hand sides
+      for (uint32_t member = 0; member < kBatch; ++member) x[member] = 0;
       continue;
     }
     const int bits = short_bits[k];
     for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
-      int64_t* target = rhs + static_cast<size_t>(row[p]) * kLanes;
+      int64_t* target = rhs + static_cast<size_t>(row[p]) * kBatch;
       const int64_t l = short_value(p);
-      for (uint32_t lane = 0; lane < kLanes; ++lane)
-        target[lane] = wrapping_subtract(target[lane], mul_shift(z[lane], l, bits));
+      for (uint32_t member = 0; member < kBatch; ++member)
+        target[member] = wrapping_subtract(target[member], mul_shift(z[member], l, bits));
     }
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      x[lane] = clamp32(divide(z[lane], inverse[k], kSolutionBits, 7), -0x7FFFFFFF, 0x7FFFFFFF);
+    for (uint32_t member = 0; member < kBatch; ++member) {
+      x[member] = clamp32(divide(z[member], inverse[k], kSolutionBits, 7), -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
   for (uint32_t k = rows; k-- > 0;) {
-    uint64_t sum[kLanes] = {};  // two's complement; below 2^62 in magnitude, see the header
+    uint64_t sum[kBatch] = {};  // two's complement; below 2^62 in magnitude, see the header
     for (uint32_t p = column_start[k]; p < column_start[k + 1]; ++p) {
-      const int32_t* x = out + static_cast<size_t>(row[p]) * kLanes;
+      const int32_t* x = out + static_cast<size_t>(row[p]) * kBatch;
       const int64_t l = short_value(p);
-      for (uint32_t lane = 0; lane < kLanes; ++lane) sum[lane] += static_cast<uint64_t>(l * x[lane]);
+      for (uint32_t member = 0; member < kBatch; ++member) sum[member] += static_cast<uint64_t>(l * x[member]);
     }
-    int32_t* x = out + static_cast<size_t>(k) * kLanes;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-      x[lane] = clamp32(x[lane] - round_shift(static_cast<int64_t>(sum[lane]), short_bits[k]), -0x7FFFFFFF, 0x7FFFFFFF);
+    int32_t* x = out + static_cast<size_t>(k) * kBatch;
+    for (uint32_t member = 0; member < kBatch; ++member) {
+      x[member] =
+          clamp32(x[member] - round_shift(static_cast<int64_t>(sum[member]), short_bits[k]), -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
 }

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Sparse L D L^T of one component's heat matrix in fixed point (stage 4): one symbolic analysis, then one numeric
-// factorisation per field, then triangular solves for kLanes joints at a time.
+// Sparse L D L^T of a symmetric matrix in fixed point: one symbolic analysis, one numeric factorisation for each set of
+// values, then triangular solves for kBatch right-hand sides at a time.
 //
-// Numbers. The matrix M = L + A H is symmetric and nearly an M-matrix (row sums A H >= 0), but not always definite: a
-// boundary edge counts in full and cotangents are limited, so obtuse triangles at a border or needles can make pivots
-// negative.
-//   matrix entries, Schur complements, right-hand sides: int64, Q = matrix_bits, chosen so that the largest diagonal is
-//     below 2^56; the rest is room for the growth of an indefinite factorisation
-//   L while it is computed: Q40, saturated at 2^20
-//   L in the solves: int32 with one exponent per column such that the column's absolute sum is below 2^31, so that a
-//     dot product with 32-bit weights stays below 2^62
-//   solution: Q24, clamped to +-128 (a definite matrix gives 0 .. 1, an indefinite one anything)
-// What breaks these bounds wraps and saturates in a defined way and shows in the rows' totals, which must be 1.
+// The matrix is M = L + D over the vertices of one part: the Laplacian L of its edges and a diagonal D >= 0, the pulls.
+// Its row sums are the pulls. It need not be positive definite: the Laplacian counts a boundary edge in full and limits
+// cotangents, so obtuse triangles at a border, or needles, can make pivots negative.
+//
+// Number formats:
+//   entries of M, what elimination leaves of them, right-hand sides   int64, Q matrix_bits
+//   L during the factorisation                                        int64, Q40, saturated at 2^20
+//   L in the solves                                                   int32, one exponent per column (short_bits)
+//   solution                                                          int32, Q24, saturated at 2^7
+// matrix_bits is chosen so that the largest diagonal entry is below 2^56. The seven bits above it are room for what an
+// elimination of an indefinite matrix adds. A column's exponent is chosen so that the sum of its absolute entries is
+// below 2^31: a dot product of the column with a 32-bit solution then stays below 2^62. The solution of a definite
+// matrix for a right-hand side between 0 and the pulls is in 0 .. 1; that of an indefinite one can be anything.
+// A matrix that breaks these bounds makes numbers wrap or saturate. Both are defined, the same on every platform, and
+// can be seen in the solution: for the pulls as right-hand side it must be 1 in every row.
 #ifndef SINEW_SOLVE_FACTOR_HPP
 #define SINEW_SOLVE_FACTOR_HPP
 
@@ -22,7 +27,7 @@
 
 namespace sinew {
 
-constexpr uint32_t kLanes = 8;  // joints solved together: the factor is read once for all of them
+constexpr uint32_t kBatch = 8;  // right-hand sides solved together: the factor is read once for all of them
 constexpr int kSolutionBits = 24;
 constexpr int kFactorDiagonalBits = 56;  // bound of the diagonal, as a power of two
 
@@ -34,25 +39,25 @@ inline int64_t wrapping_subtract(int64_t a, int64_t b) {
   return static_cast<int64_t>(static_cast<uint64_t>(a) - static_cast<uint64_t>(b));
 }
 
-// The matrix of one component for one field, rows in elimination order.
-struct HeatMatrix {
+// The matrix M of one part, rows in elimination order.
+struct SparseMatrix {
   const Mesh* mesh = nullptr;
   const EdgeWeights* edges = nullptr;
   const Ordering* ordering = nullptr;
   uint32_t rows = 0;
   int matrix_bits = 0;
   int64_t* diagonal = nullptr;  // [U] Q matrix_bits
-  bool positive = false;        // negative edge weights count as 0: an M-matrix, definite whatever the triangles are
+  bool positive = false;        // negative edge weights count as 0: M is definite then, whatever the triangles are
 
-  // rhs -= M x for kLanes columns; x in Q24.
+  // rhs -= M x for kBatch columns; x in Q24.
   void subtract_image(const int32_t* x, int64_t* rhs) const;
   // Off-diagonal entry of CSR edge e.
   SINEW_ONCE int64_t entry(uint32_t e) const {
     return -weight(e) * (static_cast<int64_t>(1) << (matrix_bits - kEdgeWeightBits));
   }
   int64_t weight(uint32_t e) const { return positive && edges->weight[e] < 0 ? 0 : edges->weight[e]; }
-  // pull_q40 [rows]: A H of each row. Sets the diagonal and matrix_bits (24..50), so that the diagonal stays below
-  // 2^diagonal_bits; to_matrix() brings other Q40 values to the same format.
+  // Sets the diagonal from the edges and pull_q40 [rows], and matrix_bits (24 .. 50) so that the diagonal stays below
+  // 2^diagonal_bits. to_matrix() brings other Q40 values to the same format.
   void assemble(const int64_t* pull_q40, int diagonal_bits);
   int64_t to_matrix(int64_t value_q40) const;
 };
@@ -97,15 +102,15 @@ struct Factor {
   // which factorise() fills anew: allocated after arena.release(solve_mark).
   bool allocate(Arena& arena, const Counts& counts, size_t* solve_mark = nullptr);
   // Elimination tree and column counts. False when the factor would not fit.
-  bool analyse(const HeatMatrix& matrix);
-  void factorise(const HeatMatrix& matrix);
+  bool analyse(const SparseMatrix& matrix);
+  void factorise(const SparseMatrix& matrix);
   // Entry p of L as the solves take it: Q short_bits of its column.
   int32_t short_value(uint32_t p) const {
     int32_t out;
     memcpy(&out, reinterpret_cast<const uint8_t*>(value) + size_t{p} * sizeof(out), sizeof(out));
     return out;
   }
-  // Solves for kLanes right-hand sides. rhs [rows x kLanes] Q matrix_bits, destroyed; out [rows x kLanes] Q24.
+  // Solves for kBatch right-hand sides. rhs [rows x kBatch] Q matrix_bits, destroyed; out [rows x kBatch] Q24.
   void solve(uint32_t rows, int64_t* rhs, int32_t* out) const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fronts of the nested dissection: their borders, the numeric factorisation, and solves that skip what no joint of a
-// batch reaches.
+// Fronts of the nested dissection: their borders, the numeric factorisation, and solves that skip what no right-hand
+// side of a batch reaches.
 #include "solve/fronts.hpp"
 
 #include <string.h>
@@ -50,15 +50,15 @@ bool FrontFactor::allocate(Arena& arena, const Counts& counts) {
   stack_ = arena.alloc<int32_t>(stack_capacity_);
   const size_t end = arena.used();
   arena.release(shared);
-  lanes_ = arena.alloc<int32_t>(height_capacity_ * kFrontLanes);
-  x_ = arena.alloc<int32_t>(vertices * kFrontLanes);
+  front_rows_ = arena.alloc<int32_t>(height_capacity_ * kFrontBatch);
+  x_ = arena.alloc<int32_t>(vertices * kFrontBatch);
   active_ = arena.alloc<uint8_t>(front_capacity_);
   if (arena.used() < end) (void)arena.alloc<uint8_t>(end - arena.used());
   return arena.ok();
 }
 
 // False when it does not fit.
-bool FrontFactor::find_border(const HeatMatrix& matrix, uint32_t index, const uint32_t* children,
+bool FrontFactor::find_border(const SparseMatrix& matrix, uint32_t index, const uint32_t* children,
                               uint32_t child_count) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
@@ -89,7 +89,7 @@ bool FrontFactor::find_border(const HeatMatrix& matrix, uint32_t index, const ui
   return true;
 }
 
-bool FrontFactor::analyse(const HeatMatrix& matrix) {
+bool FrontFactor::analyse(const SparseMatrix& matrix) {
   const Ordering& ordering = *matrix.ordering;
   front_count_ = 0;
   memset(mark_, 0, matrix.rows * sizeof(mark_[0]));
@@ -130,7 +130,7 @@ bool FrontFactor::analyse(const HeatMatrix& matrix) {
   return true;
 }
 
-bool FrontFactor::scale_rows(const HeatMatrix& matrix) {
+bool FrontFactor::scale_rows(const SparseMatrix& matrix) {
   int lowest = 127, highest = -127;
   for (uint32_t k = 0; k < matrix.rows; ++k) {
     if (matrix.diagonal[k] <= 0) return false;
@@ -153,7 +153,7 @@ bool FrontFactor::scale_rows(const HeatMatrix& matrix) {
 }
 
 // The front's part of the matrix, into the columns of its pivots. mark_ holds the local number of every row.
-void FrontFactor::fill(const HeatMatrix& matrix, const Front& front, uint32_t height, int32_t* columns) {
+void FrontFactor::fill(const SparseMatrix& matrix, const Front& front, uint32_t height, int32_t* columns) {
   const Mesh& mesh = *matrix.mesh;
   const Ordering& ordering = *matrix.ordering;
   memset(columns, 0, static_cast<size_t>(front.pivots) * height * sizeof(columns[0]));
@@ -215,7 +215,7 @@ bool FrontFactor::eliminate_pivots(const FrontKernels& kernels, const Front& fro
   return true;
 }
 
-bool FrontFactor::factorise(const HeatMatrix& matrix, const FrontKernels& kernels) {
+bool FrontFactor::factorise(const SparseMatrix& matrix, const FrontKernels& kernels) {
   if (!scale_rows(matrix)) return false;
   uint32_t waiting = 0;
   size_t stacked = 0;
@@ -254,8 +254,8 @@ bool FrontFactor::factorise(const HeatMatrix& matrix, const FrontKernels& kernel
 void FrontFactor::begin() { memset(active_, 0, front_count_); }
 
 void FrontFactor::clear(const Front& front) {
-  memset(x_ + static_cast<size_t>(front.first) * kFrontLanes, 0,
-         static_cast<size_t>(front.pivots) * kFrontLanes * sizeof(x_[0]));
+  memset(x_ + static_cast<size_t>(front.first) * kFrontBatch, 0,
+         static_cast<size_t>(front.pivots) * kFrontBatch * sizeof(x_[0]));
 }
 
 // A front that gets a right-hand side passes it on to those on its way to the root, its border's among them.
@@ -266,9 +266,9 @@ void FrontFactor::wake(uint32_t index) {
   }
 }
 
-void FrontFactor::add(uint32_t place, uint32_t lane, int64_t value_q40) {
+void FrontFactor::add(uint32_t place, uint32_t member, int64_t value_q40) {
   wake(front_of_[place]);
-  x_[static_cast<size_t>(place) * kFrontLanes + lane] =
+  x_[static_cast<size_t>(place) * kFrontBatch + member] =
       clamp32(shifted(value_q40, 40 - kFrontSolutionBits + 2 * exponent_[place]), -0x7FFFFFFF, 0x7FFFFFFF);
 }
 
@@ -278,17 +278,17 @@ void FrontFactor::eliminate_front(const FrontKernels& kernels, uint32_t index) {
   const FrontRows rows = rows_of(front);
   const uint32_t height = front.pivots + border(index);
   const int32_t* const columns = factor_ + front.factor;
-  int64_t sums[kFrontColumns * kFrontLanes];
+  int64_t sums[kFrontColumns * kFrontBatch];
   for (uint32_t first = 0; first < front.pivots; first += kFrontColumns) {
     const uint32_t count = front.pivots - first < kFrontColumns ? front.pivots - first : kFrontColumns;
     // A column too many reads on into the border or the next column; its sums are not used.
-    kernels.lanes(columns + first, 1, height, first, lanes_, sums);
+    kernels.multiply(columns + first, 1, height, first, front_rows_, sums);
     kernels.solve(rows, columns + static_cast<size_t>(first) * height + first, height, front.first + first, count, true,
-                  sums, lanes_ + first * kFrontLanes);
+                  sums, front_rows_ + first * kFrontBatch);
   }
   for (uint32_t first = front.pivots; first < height; first += kFrontColumns) {
     const uint32_t count = height - first < kFrontColumns ? height - first : kFrontColumns;
-    kernels.lanes(columns + first, 1, height, front.pivots, lanes_, sums);
+    kernels.multiply(columns + first, 1, height, front.pivots, front_rows_, sums);
     kernels.subtract(rows, rows_ + front.rows + first - front.pivots, count, sums);
   }
 }
@@ -301,10 +301,10 @@ void FrontFactor::eliminate(const FrontKernels& kernels) {
 
 bool FrontFactor::border_is_negligible(uint32_t index) const {
   for (uint32_t r = fronts_[index].rows; r < fronts_[index + 1].rows; ++r) {
-    const int32_t* const x = x_ + static_cast<size_t>(rows_[r]) * kFrontLanes;
+    const int32_t* const x = x_ + static_cast<size_t>(rows_[r]) * kFrontBatch;
     uint32_t any = 0;
-    for (uint32_t lane = 0; lane < kFrontLanes; ++lane)
-      any |= static_cast<uint32_t>(x[lane] > kNegligible) | static_cast<uint32_t>(x[lane] < -kNegligible);
+    for (uint32_t member = 0; member < kFrontBatch; ++member)
+      any |= static_cast<uint32_t>(x[member] > kNegligible) | static_cast<uint32_t>(x[member] < -kNegligible);
     if (any != 0) return false;
   }
   return true;
@@ -316,16 +316,16 @@ void FrontFactor::substitute_front(const FrontKernels& kernels, uint32_t index) 
   const uint32_t height = front.pivots + border(index);
   const int32_t* const columns = factor_ + front.factor;
   if (active_[index] == 0) clear(front);
-  kernels.load(rows, rows_ + front.rows, height - front.pivots, lanes_ + front.pivots * kFrontLanes);
-  int64_t sums[kFrontColumns * kFrontLanes];
+  kernels.load(rows, rows_ + front.rows, height - front.pivots, front_rows_ + front.pivots * kFrontBatch);
+  int64_t sums[kFrontColumns * kFrontBatch];
   const uint32_t blocks = (front.pivots + kFrontColumns - 1) / kFrontColumns;
   for (uint32_t block = blocks; block-- > 0;) {
     const uint32_t first = block * kFrontColumns;
     const uint32_t end = first + kFrontColumns < front.pivots ? first + kFrontColumns : front.pivots;
-    kernels.lanes(columns + static_cast<size_t>(first) * height + end, height, 1, height - end,
-                  lanes_ + end * kFrontLanes, sums);
+    kernels.multiply(columns + static_cast<size_t>(first) * height + end, height, 1, height - end,
+                     front_rows_ + end * kFrontBatch, sums);
     kernels.solve(rows, columns + static_cast<size_t>(first) * height + first, height, front.first + first, end - first,
-                  false, sums, lanes_ + first * kFrontLanes);
+                  false, sums, front_rows_ + first * kFrontBatch);
   }
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refined, Jacobi-preconditioned conjugate gradients on integers: the bounded-memory way out for tangled meshes (stage
-// 4).
+// Refined, Jacobi-preconditioned conjugate gradients on integers: the bounded-memory way out for tangled meshes.
 #include "solve/iterative.hpp"
 
 namespace sinew {
@@ -28,9 +27,9 @@ Ratio ratio(int64_t a, int64_t b) {
 // v * ratio, or 0 when the factor is out of range (only after a breakdown).
 int64_t times(int64_t v, Ratio r) { return r.shift < 0 || r.shift > 63 ? 0 : mul_shift(v, r.mantissa, r.shift); }
 
-class LaneSolver {
+class MemberSolver {
  public:
-  LaneSolver(const HeatMatrix& matrix, int64_t* scratch, const Reciprocal* inverse)
+  MemberSolver(const SparseMatrix& matrix, int64_t* scratch, const Reciprocal* inverse)
       : matrix_(matrix),
         inverse_(inverse),
         x_(scratch),
@@ -39,14 +38,14 @@ class LaneSolver {
         direction_(scratch + 3 * static_cast<size_t>(matrix.rows)),
         image_(scratch + 4 * static_cast<size_t>(matrix.rows)) {}
 
-  void run(const int64_t* rhs, uint32_t lane, int32_t* out) {
+  void run(const int64_t* rhs, uint32_t member, int32_t* out) {
     const uint32_t rows = matrix_.rows;
     for (uint32_t k = 0; k < rows; ++k) x_[k] = 0;
     for (uint32_t round = 0; round < kRounds; ++round) {
       multiply(x_);
       int64_t largest = 0;
       for (uint32_t k = 0; k < rows; ++k) {
-        residual_[k] = wrapping_subtract(rhs[static_cast<size_t>(k) * kLanes + lane], image_[k]);
+        residual_[k] = wrapping_subtract(rhs[static_cast<size_t>(k) * kBatch + member], image_[k]);
         const int64_t scaled = abs64(preconditioned(k));
         if (scaled > largest) largest = scaled;
       }
@@ -59,7 +58,7 @@ class LaneSolver {
       for (uint32_t k = 0; k < rows; ++k) x_[k] = wrapping_add(x_[k], round_shift(correction_[k], lift));
     }
     for (uint32_t k = 0; k < rows; ++k) {
-      out[static_cast<size_t>(k) * kLanes + lane] =
+      out[static_cast<size_t>(k) * kBatch + member] =
           clamp32(round_shift(x_[k], kStepBits - kSolutionBits), -0x7FFFFFFF, 0x7FFFFFFF);
     }
   }
@@ -128,7 +127,7 @@ class LaneSolver {
     }
   }
 
-  const HeatMatrix& matrix_;
+  const SparseMatrix& matrix_;
   const Reciprocal* inverse_;
   int64_t* x_;
   int64_t* residual_;
@@ -139,11 +138,11 @@ class LaneSolver {
 
 }  // namespace
 
-void solve_iteratively(const HeatMatrix& matrix, const int64_t* rhs, int64_t* scratch, Reciprocal* inverse,
+void solve_iteratively(const SparseMatrix& matrix, const int64_t* rhs, int64_t* scratch, Reciprocal* inverse,
                        int32_t* out) {
   for (uint32_t k = 0; k < matrix.rows; ++k) inverse[k] = reciprocal(matrix.diagonal[k]);
-  LaneSolver solver(matrix, scratch, inverse);
-  for (uint32_t lane = 0; lane < kLanes; ++lane) solver.run(rhs, lane, out);
+  MemberSolver solver(matrix, scratch, inverse);
+  for (uint32_t member = 0; member < kBatch; ++member) solver.run(rhs, member, out);
 }
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conjugate gradients in fixed point for components whose factor would not fit the workspace (stage 4).
+// Conjugate gradients in fixed point, for a matrix whose factor would not fit the workspace.
 #ifndef SINEW_SOLVE_ITERATIVE_HPP
 #define SINEW_SOLVE_ITERATIVE_HPP
 
@@ -11,16 +11,16 @@ namespace sinew {
 // product of both must fit.
 constexpr int kIterativeDiagonalBits = 44;
 
-// Solves for kLanes right-hand sides one after the other with Jacobi-preconditioned conjugate gradients (Hestenes and
+// Solves for kBatch right-hand sides one after the other with Jacobi-preconditioned conjugate gradients (Hestenes and
 // Stiefel 1952) inside iterative refinement: each round solves for what the exact residual still asks for, scaled up by
 // a power of two, so that fixed point loses nothing when the residual gets small. The matrix must be positive definite
-// (HeatMatrix::positive).
-//   rhs      [rows x kLanes] Q matrix_bits
+// (SparseMatrix::positive).
+//   rhs      [rows x kBatch] Q matrix_bits
 //   scratch  [5 x rows] int64
 //   inverse  [rows]
-//   out      [rows x kLanes] Q24
+//   out      [rows x kBatch] Q24
 // Meshes whose separators are large mix fast, so the bound on the rounds is not met in practice; it keeps time finite.
-void solve_iteratively(const HeatMatrix& matrix, const int64_t* rhs, int64_t* scratch, Reciprocal* inverse,
+void solve_iteratively(const SparseMatrix& matrix, const int64_t* rhs, int64_t* scratch, Reciprocal* inverse,
                        int32_t* out);
 
 }  // namespace sinew

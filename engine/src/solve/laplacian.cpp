@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cotangent edge weights from integer geometry (stage 4); Pinkall and Polthier 1993, equation 2, averaged per edge.
+// Cotangent edge weights from integer geometry; Pinkall and Polthier 1993, equation 2, averaged per edge.
 #include "solve/laplacian.hpp"
 
 #include <string.h>
@@ -97,7 +97,7 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
       continue;
     }
     // Two triangles an edge make a positive matrix whatever their angles; with more or fewer, no less than half of the
-    // sum does. The mean may be less: a caller's mesh keeps it all the same (engine/src/heat/README.md).
+    // sum does. The mean may be less: a caller's mesh keeps it all the same (engine/src/solve/README.md).
     const int64_t half = round_shift(scratch.sums[e], 1);
     if (reduced && count != 2 && half * count > scratch.sums[e]) {
       out->weight[e] = static_cast<int32_t>(half);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cotangent Laplacian of the welded mesh in integers (stage 4).
+// Cotangent Laplacian of the welded mesh in integers.
 #ifndef SINEW_SOLVE_LAPLACIAN_HPP
 #define SINEW_SOLVE_LAPLACIAN_HPP
 
@@ -8,12 +8,13 @@
 namespace sinew {
 
 constexpr int kEdgeWeightBits = 24;
-constexpr int32_t kCotangentLimit = 50;  // cotangents of needle triangles; README.md says why 50
+constexpr int32_t kCotangentLimit = 50;  // of needle triangles; README.md says why 50
 
 // L[i][i] = sum of the row's weights, L[i][j] = -weight of edge (i, j).
 struct EdgeWeights {
-  int32_t* weight = nullptr;  // [E2], in the order of the mesh's CSR: mean of the cotangents opposite to the edge over
-                              // its faces (a boundary edge counts its one cotangent in full), Q24, within +-50
+  // [E2] Q24, within +-50, in the order of the mesh's CSR: mean of the cotangents opposite to the edge over its faces. A
+  // boundary edge counts its one cotangent in full.
+  int32_t* weight = nullptr;
 
   bool allocate(Arena& arena, const Counts& counts);
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Geometric nested dissection on integer coordinates, without recursion (stage 4, before the factorisation).
+// Geometric nested dissection on integer coordinates, without recursion.
 #include "solve/ordering.hpp"
 
 #include <string.h>

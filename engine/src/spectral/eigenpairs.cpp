@@ -8,7 +8,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kBatches = kSpectralModes / kLanes;
+constexpr uint32_t kBatches = kSpectralModes / kBatch;
 constexpr uint32_t kTile =
     16;  // rows of a Gram product that are gathered first, so that they stay in the nearest cache
 // The factor is of L / 16 + M, so that M's multiple is 1: the shift is 4 / pi in the units of Eigenpairs.
@@ -32,10 +32,10 @@ bool EigenSolver::allocate(Arena& arena, const Counts& counts) {
   ordering_.allocate(arena, counts);
   factor_.allocate(arena, counts);
   matrix_.diagonal = arena.alloc<int64_t>(counts.vertices);
-  const size_t lanes = static_cast<size_t>(counts.vertices) * kLanes;
-  vectors_ = arena.alloc<int32_t>(kBatches * lanes);
-  rhs_ = arena.alloc<int64_t>(lanes);
-  image_ = arena.alloc<int32_t>(lanes);
+  const size_t entries = static_cast<size_t>(counts.vertices) * kBatch;
+  vectors_ = arena.alloc<int32_t>(kBatches * entries);
+  rhs_ = arena.alloc<int64_t>(entries);
+  image_ = arena.alloc<int32_t>(entries);
   mass_ = arena.alloc<int64_t>(counts.vertices);
   small_ = arena.alloc<int64_t[kSpectralModes]>(kSpectralModes);
   rotation_ = arena.alloc<int64_t[kSpectralModes]>(kSpectralModes);
@@ -44,18 +44,18 @@ bool EigenSolver::allocate(Arena& arena, const Counts& counts) {
 }
 
 void EigenSolver::load(uint32_t place, int32_t* row) const {
-  for (uint32_t b = 0; b < batches_; ++b) memcpy(row + b * kLanes, at(b, place), kLanes * sizeof(row[0]));
+  for (uint32_t b = 0; b < batches_; ++b) memcpy(row + b * kBatch, at(b, place), kBatch * sizeof(row[0]));
 }
 
 void EigenSolver::store(uint32_t place, const int32_t* row) {
-  for (uint32_t b = 0; b < batches_; ++b) memcpy(at(b, place), row + b * kLanes, kLanes * sizeof(row[0]));
+  for (uint32_t b = 0; b < batches_; ++b) memcpy(at(b, place), row + b * kBatch, kBatch * sizeof(row[0]));
 }
 
 // One column per run of vertices in Morton order (compact pieces of about equal mass and vertex count); small
 // components get the identity. Columns do not overlap, so they are orthogonal from the start.
 void EigenSolver::start() {
   const uint32_t rows = matrix_.rows;
-  memset(vectors_, 0, static_cast<size_t>(batches_) * rows * kLanes * sizeof(vectors_[0]));
+  memset(vectors_, 0, static_cast<size_t>(batches_) * rows * kBatch * sizeof(vectors_[0]));
   const uint32_t* vertices = matrix_.mesh->component_vertices;
   const uint32_t first = matrix_.mesh->component_offsets[matrix_.mesh->component[ordering_.order[0]]];
   int64_t before = 0;  // Q40 of the component's mass
@@ -79,7 +79,7 @@ void EigenSolver::start() {
     if (column >= columns_) column = columns_ - 1;
     for (uint32_t i = begin; i < end; ++i) {
       const int64_t value = jitter_q30(i) * (static_cast<int64_t>(1) << kVectorBits) / (root > 0 ? root : 1);
-      at(column / kLanes, ordering_.place[vertices[first + i]])[column % kLanes] =
+      at(column / kBatch, ordering_.place[vertices[first + i]])[column % kBatch] =
           clamp32(value, -kVectorLimit, kVectorLimit);
     }
     ++column;
@@ -92,11 +92,11 @@ void EigenSolver::image(uint32_t batch) {
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const int32_t* x = at(batch, k);
     const int64_t m = matrix_.to_matrix(mass_[k]);
-    int64_t* r = rhs_ + static_cast<size_t>(k) * kLanes;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) r[lane] = mul_shift(m, x[lane], kRhsShift);
+    int64_t* r = rhs_ + static_cast<size_t>(k) * kBatch;
+    for (uint32_t member = 0; member < kBatch; ++member) r[member] = mul_shift(m, x[member], kRhsShift);
   }
   factor_.solve(matrix_.rows, rhs_, image_);
-  for (size_t i = 0; i < static_cast<size_t>(matrix_.rows) * kLanes; ++i) {
+  for (size_t i = 0; i < static_cast<size_t>(matrix_.rows) * kBatch; ++i) {
     image_[i] = clamp32(image_[i], -kVectorLimit, kVectorLimit);
   }
 }
@@ -140,19 +140,20 @@ void EigenSolver::orthonormalise() {
 // Columns of this batch of X^T M (L / 16 + M)^-1 M X, rows from this batch on (the rest is symmetric): those of X that
 // are still there while the images replace it batch by batch. Q60 sums.
 void EigenSolver::project(uint32_t batch) {
-  const uint32_t from = batch * kLanes;
+  const uint32_t from = batch * kBatch;
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const int64_t root = op_->root_mass[ordering_.order[k]];
-    int64_t y[kLanes];
-    const int32_t* z = image_ + static_cast<size_t>(k) * kLanes;
-    for (uint32_t lane = 0; lane < kLanes; ++lane)
-      y[lane] = clamp32((root * z[lane]) >> kVectorBits, -kRootLimit, kRootLimit);
+    int64_t y[kBatch];
+    const int32_t* z = image_ + static_cast<size_t>(k) * kBatch;
+    for (uint32_t member = 0; member < kBatch; ++member)
+      y[member] = clamp32((root * z[member]) >> kVectorBits, -kRootLimit, kRootLimit);
     for (uint32_t b = batch; b < batches_; ++b) {
       const int32_t* x = at(b, k);
-      for (uint32_t i = 0; i < kLanes; ++i) {
+      for (uint32_t i = 0; i < kBatch; ++i) {
         const int64_t left = clamp32((root * x[i]) >> kVectorBits, -kRootLimit, kRootLimit);
-        int64_t* target = small_[b * kLanes + i] + from;
-        for (uint32_t lane = 0; lane < kLanes; ++lane) target[lane] = wrapping_add(target[lane], left * y[lane]);
+        int64_t* target = small_[b * kBatch + i] + from;
+        for (uint32_t member = 0; member < kBatch; ++member)
+          target[member] = wrapping_add(target[member], left * y[member]);
       }
     }
   }
@@ -227,7 +228,7 @@ bool EigenSolver::solve(const Mesh& mesh, SpectralOperator& op, uint32_t compone
   matrix_.ordering = &ordering_;
   matrix_.rows = mesh.component_sizes[component];
   columns_ = matrix_.rows < kSpectralModes ? matrix_.rows : kSpectralModes;
-  batches_ = (columns_ + kLanes - 1) / kLanes;
+  batches_ = (columns_ + kBatch - 1) / kBatch;
   ordering_.dissect(mesh, component);
   for (uint32_t k = 0; k < matrix_.rows; ++k) mass_[k] = op.mass[ordering_.order[k]];
   if (!factor_.analyse(matrix_)) return false;
@@ -243,7 +244,7 @@ bool EigenSolver::solve(const Mesh& mesh, SpectralOperator& op, uint32_t compone
     for (uint32_t b = 0; b < batches_; ++b) {
       image(b);
       if (last) project(b);
-      memcpy(at(b, 0), image_, static_cast<size_t>(matrix_.rows) * kLanes * sizeof(image_[0]));
+      memcpy(at(b, 0), image_, static_cast<size_t>(matrix_.rows) * kBatch * sizeof(image_[0]));
     }
   }
   finish(out);

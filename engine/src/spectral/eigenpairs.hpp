@@ -37,10 +37,10 @@ class EigenSolver {
 
  private:
   int32_t* at(uint32_t batch, uint32_t place) {
-    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + place) * kLanes;
+    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + place) * kBatch;
   }
   const int32_t* at(uint32_t batch, uint32_t place) const {
-    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + place) * kLanes;
+    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + place) * kBatch;
   }
   void load(uint32_t place, int32_t* row) const;
   void store(uint32_t place, const int32_t* row);
@@ -51,14 +51,14 @@ class EigenSolver {
   void project(uint32_t batch);
   void finish(Eigenpairs* out);
 
-  HeatMatrix matrix_;
+  SparseMatrix matrix_;
   Ordering ordering_;
   Factor factor_;
   uint32_t columns_ = 0, batches_ = 0;
   const SpectralOperator* op_ = nullptr;
-  int32_t* vectors_ = nullptr;                  // [kSpectralModes / kLanes][rows x kLanes] Q20
-  int64_t* rhs_ = nullptr;                      // [U x kLanes]
-  int32_t* image_ = nullptr;                    // [U x kLanes]
+  int32_t* vectors_ = nullptr;                  // [kSpectralModes / kBatch][rows x kBatch] Q20
+  int64_t* rhs_ = nullptr;                      // [U x kBatch]
+  int32_t* image_ = nullptr;                    // [U x kBatch]
   int64_t* mass_ = nullptr;                     // [U] by elimination place, Q40
   int64_t (*small_)[kSpectralModes] = nullptr;  // Gram or projected matrix
   int64_t (*rotation_)[kSpectralModes] = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The voxel grid of the candidate search: which cells hold surface, which lie outside the body.
+// A mesh in voxels: which cells hold surface, which lie inside, which outside the body.
 #ifndef SINEW_VOXELS_VOXELS_HPP
 #define SINEW_VOXELS_VOXELS_HPP
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Spreads the differences at hinted vertices with the sparse factorisation of the heat stage, eight joints at a time.
+// Spreads the differences at hinted vertices by sparse systems (solve/), eight joints at a time.
 #include "weights/hints.hpp"
 
 #include <string.h>
@@ -11,7 +11,7 @@
 namespace sinew {
 namespace {
 
-constexpr uint8_t kNoLane = 0xFF;
+constexpr uint8_t kNoMember = 0xFF;
 constexpr uint8_t kListed = 0xFE;
 // Changed rows lose what is below 1/32: spreading leaves a little of everything (L1 0.187 with it, 0.191 without, same
 // data as below).
@@ -32,15 +32,15 @@ class Spreader {
   bool allocate(Arena& arena, const Counts& counts) {
     if (!edges_.allocate(arena, counts) || !ordering_.allocate(arena, counts) || !factor_.allocate(arena, counts))
       return false;
-    const size_t lanes = static_cast<size_t>(counts.vertices) * kLanes;
+    const size_t entries = static_cast<size_t>(counts.vertices) * kBatch;
     matrix_.diagonal = arena.alloc<int64_t>(counts.vertices);
     pull_ = arena.alloc<int64_t>(counts.vertices);
-    rhs_ = arena.alloc<int64_t>(lanes);
-    solution_ = arena.alloc<int32_t>(lanes);
+    rhs_ = arena.alloc<int64_t>(entries);
+    solution_ = arena.alloc<int32_t>(entries);
     predicted_.allocate(arena, counts);
     changed_ = arena.alloc<uint8_t>(counts.vertices);
     joints_ = arena.alloc<uint16_t>(counts.joints);
-    lane_of_ = arena.alloc<uint8_t>(counts.joints);
+    member_of_ = arena.alloc<uint8_t>(counts.joints);
     return arena.ok();
   }
 
@@ -114,15 +114,15 @@ class Spreader {
       predicted_.copy(v, *rows_, v);
       changed_[v] = 0;
     }
-    for (uint32_t first = 0; first < count; first += kLanes) {
-      const uint32_t lanes = count - first < kLanes ? count - first : kLanes;
-      fill_right_hand_sides(joints_ + first, lanes);
+    for (uint32_t first = 0; first < count; first += kBatch) {
+      const uint32_t members = count - first < kBatch ? count - first : kBatch;
+      fill_right_hand_sides(joints_ + first, members);
       if (iterative) {
         solve_iteratively(matrix_, rhs_, factor_.value, factor_.inverse, solution_);
       } else {
         factor_.solve(matrix_.rows, rhs_, solution_);
       }
-      apply(joints_ + first, lanes);
+      apply(joints_ + first, members);
     }
     finish();
   }
@@ -146,7 +146,7 @@ class Spreader {
   }
 
   uint32_t list_joints() {
-    memset(lane_of_, kNoLane, skeleton_->joint_count);
+    memset(member_of_, kNoMember, skeleton_->joint_count);
     uint32_t count = 0;
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t v = ordering_.order[k];
@@ -155,40 +155,40 @@ class Spreader {
       for (const Rows* rows : both) {
         for (uint32_t i = 0; i < kRowSlots; ++i) {
           const uint16_t joint = rows->joints_of(v)[i];
-          if (joint == kNoJoint || lane_of_[joint] == kListed || skeleton_->usable[joint] == 0) continue;
-          lane_of_[joint] = kListed;
+          if (joint == kNoJoint || member_of_[joint] == kListed || skeleton_->usable[joint] == 0) continue;
+          member_of_[joint] = kListed;
           joints_[count++] = joint;
         }
       }
     }
-    memset(lane_of_, kNoLane, skeleton_->joint_count);
+    memset(member_of_, kNoMember, skeleton_->joint_count);
     return count;
   }
 
-  void fill_right_hand_sides(const uint16_t* joints, uint32_t lanes) {
-    memset(rhs_, 0, static_cast<size_t>(matrix_.rows) * kLanes * sizeof(rhs_[0]));
+  void fill_right_hand_sides(const uint16_t* joints, uint32_t members) {
+    memset(rhs_, 0, static_cast<size_t>(matrix_.rows) * kBatch * sizeof(rhs_[0]));
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t v = ordering_.order[k];
       if (given_->kind[v] != Given::kSteers) continue;
-      for (uint32_t lane = 0; lane < lanes; ++lane) {
+      for (uint32_t member = 0; member < members; ++member) {
         const int64_t r =
-            static_cast<int64_t>(given_->rows.weight(v, joints[lane])) - predicted_.weight(v, joints[lane]);
-        rhs_[static_cast<size_t>(k) * kLanes + lane] = mul_shift(matrix_.to_matrix(pull_[k]), r, 16);
+            static_cast<int64_t>(given_->rows.weight(v, joints[member])) - predicted_.weight(v, joints[member]);
+        rhs_[static_cast<size_t>(k) * kBatch + member] = mul_shift(matrix_.to_matrix(pull_[k]), r, 16);
       }
     }
   }
 
-  void apply(const uint16_t* joints, uint32_t lanes) {
+  void apply(const uint16_t* joints, uint32_t members) {
     for (uint32_t k = 0; k < matrix_.rows; ++k) {
       const uint32_t v = ordering_.order[k];
-      for (uint32_t lane = 0; lane < lanes; ++lane) {
-        const int64_t x = round_shift(solution_[static_cast<size_t>(k) * kLanes + lane], kSolutionBits - 16);
+      for (uint32_t member = 0; member < members; ++member) {
+        const int64_t x = round_shift(solution_[static_cast<size_t>(k) * kBatch + member], kSolutionBits - 16);
         if (x > -kSmallestChange && x < kSmallestChange) continue;
         changed_[v] = 1;
         if (x > 0) {
-          rows_->add(v, joints[lane], static_cast<uint32_t>(x > kWholeRow ? kWholeRow : x));
+          rows_->add(v, joints[member], static_cast<uint32_t>(x > kWholeRow ? kWholeRow : x));
         } else {
-          reduce(v, joints[lane], static_cast<uint32_t>(-x));
+          reduce(v, joints[member], static_cast<uint32_t>(-x));
         }
       }
     }
@@ -231,7 +231,7 @@ class Spreader {
   Rows* rows_ = nullptr;
   Rows predicted_;
   EdgeWeights edges_;
-  HeatMatrix matrix_;
+  SparseMatrix matrix_;
   Ordering ordering_;
   Factor factor_;
   int64_t* pull_ = nullptr;
@@ -239,7 +239,7 @@ class Spreader {
   int32_t* solution_ = nullptr;
   uint8_t* changed_ = nullptr;
   uint16_t* joints_ = nullptr;
-  uint8_t* lane_of_ = nullptr;
+  uint8_t* member_of_ = nullptr;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #define SINEW_WEIGHTS_SYMMETRY_HPP
 
 #include "mesh/mesh.hpp"
+#include "skeleton/skeleton.hpp"
 #include "weights/rows.hpp"
 
 namespace sinew {

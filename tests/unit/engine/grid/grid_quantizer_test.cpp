@@ -15,7 +15,7 @@
 
 namespace {
 
-using sinew::Quantizer;
+using sinew::GridQuantizer;
 using sinew::Vec3i;
 
 // Signed integer in digits of 16 bits with lazy carries; enough for sums and products with 24-bit numbers.
@@ -72,8 +72,8 @@ Big longest_side(const std::vector<float>& p, float* low, float* high) {
 }
 
 void expect_definition(const std::vector<float>& p, const std::vector<float>& extra) {
-  Quantizer quantizer;
-  ASSERT_EQ(sinew::make_quantizer(p.data(), p.size() / 3, 0, &quantizer), SINEW_OK);
+  GridQuantizer quantizer;
+  ASSERT_EQ(sinew::make_grid_quantizer(p.data(), p.size() / 3, 0, &quantizer), SINEW_OK);
   float low[3], high[3];
   const Big side = longest_side(p, low, high);
   if (!Big().plus(side, -1).negative()) return;  // no extent
@@ -157,8 +157,8 @@ TEST(Quantize, ASideThatIsCutOffStillDecidesTies) {
 TEST(Quantize, RoundsHalfUp) {
   // Side 2^21 around 0: a grid unit is 2.
   const std::vector<float> p = {-1048576, 0, 0, 1048576, 0, 0};
-  Quantizer quantizer;
-  ASSERT_EQ(sinew::make_quantizer(p.data(), 2, 0, &quantizer), SINEW_OK);
+  GridQuantizer quantizer;
+  ASSERT_EQ(sinew::make_grid_quantizer(p.data(), 2, 0, &quantizer), SINEW_OK);
   const auto x = [&](float value) {
     const float point[3] = {value, 0, 0};
     return sinew::quantize_point(quantizer, point).x;
@@ -179,15 +179,15 @@ TEST(Quantize, PowersOfTwoAndRepresentableOffsetsChangeNothing) {
   std::mt19937 random(3);
   std::vector<float> p;
   for (int i = 0; i < 300; ++i) p.push_back(static_cast<float>(static_cast<int>(random() % 2048)) / 16);
-  Quantizer plain;
-  ASSERT_EQ(sinew::make_quantizer(p.data(), 100, 0, &plain), SINEW_OK);
+  GridQuantizer plain;
+  ASSERT_EQ(sinew::make_grid_quantizer(p.data(), 100, 0, &plain), SINEW_OK);
   for (const int scale : {-140, -30, 0, 60, 119}) {
     for (const float offset : {0.0f, 1e6f, -1e6f}) {
       if ((scale < -100 || scale > 100) && offset != 0) continue;  // would not be representable
       std::vector<float> moved;
       for (const float v : p) moved.push_back(std::ldexp(v + offset, scale));
-      Quantizer quantizer;
-      ASSERT_EQ(sinew::make_quantizer(moved.data(), 100, 0, &quantizer), SINEW_OK);
+      GridQuantizer quantizer;
+      ASSERT_EQ(sinew::make_grid_quantizer(moved.data(), 100, 0, &quantizer), SINEW_OK);
       for (size_t i = 0; i < p.size(); i += 3) {
         EXPECT_EQ(sinew::quantize_point(quantizer, &moved[i]), sinew::quantize_point(plain, &p[i]))
             << scale << " " << offset;
@@ -199,16 +199,16 @@ TEST(Quantize, PowersOfTwoAndRepresentableOffsetsChangeNothing) {
 TEST(Quantize, APointHasSideOne) {
   const float p[3] = {7.5f, -2, 1e6f};
   const float joint[3] = {8.5f, -1, 1e6f + 0.5f};
-  Quantizer quantizer;
-  ASSERT_EQ(sinew::make_quantizer(p, 1, 0, &quantizer), SINEW_OK);
+  GridQuantizer quantizer;
+  ASSERT_EQ(sinew::make_grid_quantizer(p, 1, 0, &quantizer), SINEW_OK);
   EXPECT_EQ(sinew::quantize_point(quantizer, p), (Vec3i{0, 0, 0}));
   EXPECT_EQ(sinew::quantize_point(quantizer, joint), (Vec3i{1 << 20, 1 << 20, 1 << 19}));
 }
 
 TEST(Quantize, ZUpIsTurned) {
   const float p[6] = {0, 0, 0, 1, 2, 4};
-  Quantizer quantizer;
-  ASSERT_EQ(sinew::make_quantizer(p, 2, 1, &quantizer), SINEW_OK);
+  GridQuantizer quantizer;
+  ASSERT_EQ(sinew::make_grid_quantizer(p, 2, 1, &quantizer), SINEW_OK);
   EXPECT_EQ(sinew::quantize_point(quantizer, p), (Vec3i{-(1 << 17), 0, 1 << 18}));
   EXPECT_EQ(sinew::quantize_point(quantizer, p + 3), (Vec3i{1 << 17, 1 << 20, -(1 << 18)}));
 }
@@ -219,8 +219,8 @@ TEST(Quantize, RefusesWhatIsNotFinite) {
     for (int at = 0; at < 6; ++at) {
       float p[6] = {0, 0, 0, 1, 2, 4};
       p[at] = bad;
-      Quantizer quantizer;
-      EXPECT_EQ(sinew::make_quantizer(p, 2, 0, &quantizer), SINEW_ERROR_NOT_FINITE);
+      GridQuantizer quantizer;
+      EXPECT_EQ(sinew::make_grid_quantizer(p, 2, 0, &quantizer), SINEW_ERROR_NOT_FINITE);
     }
   }
 }

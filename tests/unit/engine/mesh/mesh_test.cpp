@@ -288,7 +288,7 @@ TEST(Mesh, WithoutOffsetsFacesAreTriangles) {
     sinew::Mesh mesh;
     sinew::Skeleton skeleton;
     ASSERT_TRUE(mesh.allocate(arena, counts) && skeleton.allocate(arena, counts));
-    EXPECT_EQ(sinew::build_mesh(view, scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton),
+    EXPECT_EQ(sinew::build_mesh_and_skeleton(view, scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton),
               whole ? SINEW_OK : SINEW_ERROR_INDEX);
     if (whole) {
       EXPECT_EQ(mesh.triangle_count, 2u);

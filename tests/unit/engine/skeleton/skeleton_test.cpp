@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joint hierarchy: checks, order, bones, usable joints and heat sources.
+// Joint hierarchy: checks, order, bones and usable joints.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -86,37 +86,6 @@ TEST(Skeleton, JointsFarOutsideAreClamped) {
   const MeshRun run(scene);
   ASSERT_EQ(run.status, SINEW_OK);
   EXPECT_EQ(run.skeleton.positions[0], (Vec3i{1 << 22, -(1 << 22), 1 << 22}));
-}
-
-TEST(Skeleton, ARootOnTheFloorIsNoSource) {
-  const auto sources = [](float height, int children, uint8_t flag) {
-    MeshScene scene = tall_box();
-    scene.add_joint(0, height, 0, -1);
-    for (int i = 0; i < children; ++i) scene.add_joint(0, 5, static_cast<float>(i), 0);
-    if (children == 0) scene.add_joint(0, 5, 0, -1);
-    if (flag != 0) scene.flags.assign(scene.parents.size(), flag);
-    const MeshRun run(scene);
-    EXPECT_EQ(run.status, SINEW_OK);
-    EXPECT_EQ(run.skeleton.source[1], 1);
-    return run.skeleton.source[0];
-  };
-  EXPECT_EQ(sources(0.29f, 1, 0), 0);
-  EXPECT_EQ(sources(-4.0f, 4, 0), 0);
-  EXPECT_EQ(sources(0.31f, 1, 0), 1);  // above the lowest 3 %
-  EXPECT_EQ(sources(0.0f, 0, 0), 1);   // no children
-  EXPECT_EQ(sources(0.0f, 5, 0), 1);   // more than four
-  EXPECT_EQ(sources(0.0f, 2, SINEW_JOINT_DEFORMS), 1);
-}
-
-TEST(Skeleton, TheLastUsableJointStaysASource) {
-  MeshScene scene = tall_box();
-  scene.add_joint(0, 0, 0, -1);
-  scene.add_joint(0, 5, 0, 0);
-  scene.flags = {0, SINEW_JOINT_NEVER};
-  const MeshRun run(scene);
-  ASSERT_EQ(run.status, SINEW_OK);
-  EXPECT_EQ(run.skeleton.source[0], 1);
-  EXPECT_EQ(run.skeleton.source[1], 0);
 }
 
 TEST(Skeleton, FlagsSayWhatIsUsable) {

@@ -6,24 +6,24 @@
 #if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512VL__)
 #include <immintrin.h>
 
-#include "kernels/softmax_s16_lanes.hpp"
+#include "kernels/softmax_s16_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx512 {
+struct RegistersAvx512 {
   using Int32 = __m256i;
   using Reals = __m512d;
-  static constexpr uint32_t kLanes = 8;
+  static constexpr uint32_t kWidth = 8;
 
   static SINEW_INLINE __mmask8 first(uint32_t n) { return static_cast<__mmask8>((1u << n) - 1); }
   static SINEW_INLINE __m256i load(const void* from, uint32_t n) {
     const __m128i* const row = static_cast<const __m128i*>(from);
-    return _mm256_cvtepi16_epi32(n == kLanes ? _mm_loadu_si128(row)
+    return _mm256_cvtepi16_epi32(n == kWidth ? _mm_loadu_si128(row)
                                              : _mm_mask_loadu_epi16(_mm_set1_epi16(-1), first(n), row));
   }
   static SINEW_INLINE void store(uint32_t* to, __m256i value, uint32_t n) {
-    if (n == kLanes) return _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
+    if (n == kWidth) return _mm256_storeu_si256(static_cast<__m256i*>(static_cast<void*>(to)), value);
     _mm256_mask_storeu_epi32(to, first(n), value);
   }
   static SINEW_INLINE __m256i all(int32_t value) { return _mm256_set1_epi32(value); }
@@ -61,14 +61,14 @@ struct LanesAvx512 {
 
 }  // namespace
 
-bool add_softmax_s16_vnni(SoftmaxKernel* kernel) {
-  *kernel = softmax<LanesAvx512>;
+bool add_softmax_s16_avx512(SoftmaxKernel* kernel) {
+  *kernel = softmax<RegistersAvx512>;
   return true;
 }
 
 }  // namespace sinew
 #else
 namespace sinew {
-bool add_softmax_s16_vnni(SoftmaxKernel*) { return false; }
+bool add_softmax_s16_avx512(SoftmaxKernel*) { return false; }
 }  // namespace sinew
 #endif

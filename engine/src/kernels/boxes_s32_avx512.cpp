@@ -5,17 +5,17 @@
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #include <immintrin.h>
 
-#include "kernels/boxes_s32_lanes.hpp"
+#include "kernels/boxes_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx512 {
+struct RegistersAvx512 {
   using Int32 = __m512i;
   struct Int64 {
     __m512i even, odd;
   };
-  static constexpr uint32_t kLanes = 16;
+  static constexpr uint32_t kWidth = 16;
 
   static SINEW_INLINE __m512i load(const int32_t* from) { return _mm512_loadu_si512(from); }
   static SINEW_INLINE __m512i all(int32_t value) { return _mm512_set1_epi32(value); }
@@ -42,14 +42,14 @@ struct LanesAvx512 {
 
 }  // namespace
 
-bool add_boxes_s32_vnni(BoxKernel* kernel) {
-  *kernel = boxes_met_in<LanesAvx512>;
+bool add_boxes_s32_avx512(BoxKernel* kernel) {
+  *kernel = boxes_met_in<RegistersAvx512>;
   return true;
 }
 
 }  // namespace sinew
 #else
 namespace sinew {
-bool add_boxes_s32_vnni(BoxKernel*) { return false; }
+bool add_boxes_s32_avx512(BoxKernel*) { return false; }
 }  // namespace sinew
 #endif

@@ -5,19 +5,19 @@
 #if defined(__AVX512F__)
 #include <immintrin.h>
 
-#include "kernels/front_s32_lanes.hpp"
+#include "kernels/front_s32_wide.hpp"
 
 namespace sinew {
 namespace {
 
-struct LanesAvx512 {
+struct RegistersAvx512 {
   using Int32 = __m512i;
   using Mask = __mmask16;
   struct Values {
     __m512i even, odd;
   };
   using Sums = Values;
-  static constexpr uint32_t kLanes = 16;
+  static constexpr uint32_t kWidth = 16;
 
   static SINEW_INLINE Mask first(uint32_t n) { return static_cast<Mask>((1u << n) - 1); }
   static SINEW_INLINE __m512i load(const int32_t* from) { return _mm512_loadu_si512(from); }
@@ -49,8 +49,8 @@ struct LanesAvx512 {
 
 }  // namespace
 
-bool add_front_s32_vnni(FrontKernels* kernels) {
-  add_fronts<LanesAvx512>(kernels);
+bool add_front_s32_avx512(FrontKernels* kernels) {
+  add_fronts<RegistersAvx512>(kernels);
   return true;
 }
 
@@ -60,7 +60,7 @@ bool add_front_s32_vnni(FrontKernels* kernels) {
 
 namespace sinew {
 
-bool add_front_s32_vnni(FrontKernels*) { return false; }
+bool add_front_s32_avx512(FrontKernels*) { return false; }
 
 }  // namespace sinew
 

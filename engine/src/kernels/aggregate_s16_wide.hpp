@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Aggregations over one-rings, candidates, parts and all rows, a register of channels at a time. Written once;
 // aggregate_s16_avx2.cpp and its siblings include it with their own registers.
-#ifndef SINEW_KERNELS_AGGREGATE_S16_LANES_HPP
-#define SINEW_KERNELS_AGGREGATE_S16_LANES_HPP
+#ifndef SINEW_KERNELS_AGGREGATE_S16_WIDE_HPP
+#define SINEW_KERNELS_AGGREGATE_S16_WIDE_HPP
 
 #include "kernels/isolated.hpp"
 #include "kernels/table.hpp"
@@ -11,9 +11,9 @@ namespace sinew {
 namespace {
 
 // What an instruction set brings ("Isa" below):
-//   Int16                         a register of kLanes int16
+//   Int16                         a register of kWidth int16
 //   load(int16*), store(int16*, Int16), largest(Int16, Int16)
-//   Sums                          kLanes int32
+//   Sums                          kWidth int32
 //   zero_sums(), add(Sums, Int16), load_sums(int32*), store_sums(int32*, Sums)
 //   Divider                       multiplier and offset of MeanDivision in registers
 //   divider(MeanDivision), means(Divider, Sums)     round_mean() of each sum
@@ -77,21 +77,21 @@ SINEW_INLINE void mean_of(const int16_t* const* list, uint32_t n, uint32_t chann
   SINEW_UNROLL for (int i = 0; i < R; ++i) sums[i] = Isa::zero_sums();
   for (uint32_t r = 0; r < n; ++r) {
     const int16_t* const row = list[r] + channel;
-    SINEW_UNROLL for (int i = 0; i < R; ++i) sums[i] = Isa::add(sums[i], Isa::load(row + i * Isa::kLanes));
+    SINEW_UNROLL for (int i = 0; i < R; ++i) sums[i] = Isa::add(sums[i], Isa::load(row + i * Isa::kWidth));
   }
-  SINEW_UNROLL for (int i = 0; i < R; ++i) Isa::store(out + channel + i * Isa::kLanes, Isa::means(divider, sums[i]));
+  SINEW_UNROLL for (int i = 0; i < R; ++i) Isa::store(out + channel + i * Isa::kWidth, Isa::means(divider, sums[i]));
 }
 template <class Isa, int R>
 SINEW_INLINE void max_of(const int16_t* const* list, uint32_t n, uint32_t channel, int16_t* out) {
   typename Isa::Int16 largest[R];
-  SINEW_UNROLL for (int i = 0; i < R; ++i) largest[i] = Isa::load(list[0] + channel + i * Isa::kLanes);
+  SINEW_UNROLL for (int i = 0; i < R; ++i) largest[i] = Isa::load(list[0] + channel + i * Isa::kWidth);
   for (uint32_t r = 1; r < n; ++r) {
     const int16_t* const row = list[r] + channel;
     SINEW_UNROLL for (int i = 0; i < R; ++i) {
-      largest[i] = Isa::largest(largest[i], Isa::load(row + i * Isa::kLanes));
+      largest[i] = Isa::largest(largest[i], Isa::load(row + i * Isa::kWidth));
     }
   }
-  SINEW_UNROLL for (int i = 0; i < R; ++i) Isa::store(out + channel + i * Isa::kLanes, largest[i]);
+  SINEW_UNROLL for (int i = 0; i < R; ++i) Isa::store(out + channel + i * Isa::kWidth, largest[i]);
 }
 
 template <class Row>
@@ -129,7 +129,7 @@ SINEW_INLINE void zero(int16_t* out, uint32_t channels) {
 template <class Isa, bool kMean, class Row>
 SINEW_INLINE void ring(const int16_t* values, size_t stride, uint32_t channels, const uint32_t* neighbours,
                        uint32_t count, Row row, int16_t* out) {
-  constexpr uint32_t kLanes = Isa::kLanes, kMeans = Isa::kMeanRegisters;
+  constexpr uint32_t kWidth = Isa::kWidth, kMeans = Isa::kMeanRegisters;
   const int16_t* list[kMostListed];
   uint32_t n = 0;
   collect(values, stride, neighbours, count, row, list, &n);
@@ -137,12 +137,12 @@ SINEW_INLINE void ring(const int16_t* values, size_t stride, uint32_t channels, 
   uint32_t c = 0;
   if constexpr (kMean) {
     const typename Isa::Divider divider = Isa::divider(mean_division(n));
-    for (; c + kMeans * kLanes <= channels; c += kMeans * kLanes) mean_of<Isa, kMeans>(list, n, c, divider, out);
-    for (; c + kLanes <= channels; c += kLanes) mean_of<Isa, 1>(list, n, c, divider, out);
+    for (; c + kMeans * kWidth <= channels; c += kMeans * kWidth) mean_of<Isa, kMeans>(list, n, c, divider, out);
+    for (; c + kWidth <= channels; c += kWidth) mean_of<Isa, 1>(list, n, c, divider, out);
     mean_tail(list, n, c, channels, out);
   } else {
-    for (; c + 4 * kLanes <= channels; c += 4 * kLanes) max_of<Isa, 4>(list, n, c, out);
-    for (; c + kLanes <= channels; c += kLanes) max_of<Isa, 1>(list, n, c, out);
+    for (; c + 4 * kWidth <= channels; c += 4 * kWidth) max_of<Isa, 4>(list, n, c, out);
+    for (; c + kWidth <= channels; c += kWidth) max_of<Isa, 1>(list, n, c, out);
     max_tail(list, n, c, channels, out);
   }
 }
@@ -190,9 +190,9 @@ void candidate_max(RowsView values, bool by_joint, uint32_t channels, const uint
     if (joints[slot] == kNoJoint) zero(out + static_cast<size_t>(slot) * out_stride, channels);
   }
   if (n == 0) return;
-  constexpr uint32_t kLanes = Isa::kLanes;
+  constexpr uint32_t kWidth = Isa::kWidth;
   uint32_t c = 0;
-  for (; c + kLanes <= channels; c += kLanes) {
+  for (; c + kWidth <= channels; c += kWidth) {
     typename Isa::Int16 largest = Isa::load(list[0] + c);
     for (uint32_t r = 1; r < n; ++r) largest = Isa::largest(largest, Isa::load(list[r] + c));
     for (uint32_t slot = 0; slot < out_slots; ++slot) {
@@ -216,9 +216,9 @@ SINEW_INLINE int16_t mean_of_sum(int64_t sum, uint32_t n) {
 
 template <class Isa>
 SINEW_INLINE void add_row(const int16_t* row, uint32_t channels, int32_t* sums) {
-  constexpr uint32_t kLanes = Isa::kLanes;
+  constexpr uint32_t kWidth = Isa::kWidth;
   uint32_t c = 0;
-  for (; c + kLanes <= channels; c += kLanes) {
+  for (; c + kWidth <= channels; c += kWidth) {
     Isa::store_sums(sums + c, Isa::add(Isa::load_sums(sums + c), Isa::load(row + c)));
   }
   for (; c < channels; ++c) sums[c] += row[c];
@@ -226,11 +226,11 @@ SINEW_INLINE void add_row(const int16_t* row, uint32_t channels, int32_t* sums) 
 
 template <class Isa>
 SINEW_INLINE void divide_row(const int32_t* sums, uint32_t channels, uint32_t n, int16_t* out) {
-  constexpr uint32_t kLanes = Isa::kLanes;
+  constexpr uint32_t kWidth = Isa::kWidth;
   uint32_t c = 0;
   if (n <= kMostListed) {
     const typename Isa::Divider divider = Isa::divider(mean_division(n));
-    for (; c + kLanes <= channels; c += kLanes) Isa::store(out + c, Isa::means(divider, Isa::load_sums(sums + c)));
+    for (; c + kWidth <= channels; c += kWidth) Isa::store(out + c, Isa::means(divider, Isa::load_sums(sums + c)));
   }
   for (; c < channels; ++c) out[c] = mean_of_sum(sums[c], n);
 }
@@ -300,7 +300,7 @@ void part_mean_vertex(RowsView values, uint32_t channels, const uint32_t* vertic
 
 template <class Isa>
 void global_max(RowsView values, uint32_t channels, const uint16_t* present, size_t rows, int16_t* out) {
-  constexpr uint32_t kLanes = Isa::kLanes;
+  constexpr uint32_t kWidth = Isa::kWidth;
   size_t first = 0;
   while (first < rows && present != nullptr && present[first] == kNoJoint) ++first;
   if (first == rows) return zero(out, channels);
@@ -309,7 +309,7 @@ void global_max(RowsView values, uint32_t channels, const uint16_t* present, siz
     if (present != nullptr && present[r] == kNoJoint) continue;
     const int16_t* const row = values.data + r * values.stride;
     uint32_t c = 0;
-    for (; c + kLanes <= channels; c += kLanes) {
+    for (; c + kWidth <= channels; c += kWidth) {
       Isa::store(out + c, Isa::largest(Isa::load(out + c), Isa::load(row + c)));
     }
     for (; c < channels; ++c) out[c] = row[c] > out[c] ? row[c] : out[c];

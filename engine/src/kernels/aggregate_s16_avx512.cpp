@@ -9,7 +9,7 @@
 namespace sinew {
 namespace {
 
-struct LanesAvx512 : Channels256 {
+struct RegistersAvx512 : Channels256 {
   using Sums = __m512i;
   struct Divider {
     __m512i multiplier, offset;
@@ -43,14 +43,14 @@ struct LanesAvx512 : Channels256 {
 
 }  // namespace
 
-bool add_means_s16_vnni(Kernels* kernels) {
-  add_means<LanesAvx512>(kernels);
+bool add_means_s16_avx512(Kernels* kernels) {
+  add_means<RegistersAvx512>(kernels);
   return true;
 }
 
 }  // namespace sinew
 #else
 namespace sinew {
-bool add_means_s16_vnni(Kernels*) { return false; }
+bool add_means_s16_avx512(Kernels*) { return false; }
 }  // namespace sinew
 #endif
