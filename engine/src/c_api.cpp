@@ -10,6 +10,9 @@
 #define SINEW_STRING_(x) #x
 #define SINEW_STRING(x) SINEW_STRING_(x)
 
+// The library writes the whole struct: callers with an older header have no room for a longer one.
+static_assert(sizeof(sinew_model) == (sizeof(void*) == 8 ? 128 : 116), "new members take their room from reserved");
+
 extern "C" {
 
 const char* sinew_version(void) {
@@ -70,18 +73,18 @@ sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model*
   return sinew::open_model(bytes, size_bytes, model);
 }
 
-size_t sinew_model_rearranged_size(const sinew_model* model) {
-  return model == nullptr || model->bytes == nullptr ? 0 : sinew::rearranged_bytes(*model);
+size_t sinew_model_packed_size(const sinew_model* model) {
+  return model == nullptr || model->bytes == nullptr ? 0 : sinew::packed_bytes(*model);
 }
 
-sinew_status sinew_model_rearrange(sinew_model* model, void* memory, size_t memory_bytes) {
+sinew_status sinew_model_pack(sinew_model* model, void* memory, size_t memory_bytes) {
   if (model == nullptr || model->bytes == nullptr || memory == nullptr) return SINEW_ERROR_ARGUMENT;
-  const size_t bytes = sinew::rearranged_bytes(*model);
+  const size_t bytes = sinew::packed_bytes(*model);
   if (memory_bytes < bytes || reinterpret_cast<uintptr_t>(memory) % SINEW_WORKSPACE_ALIGNMENT != 0)
     return SINEW_ERROR_WORKSPACE;
   if (bytes == 0) return SINEW_OK;
-  sinew::rearrange_model(*model, static_cast<uint8_t*>(memory));
-  model->rearranged = memory;
+  sinew::pack_model(*model, static_cast<uint8_t*>(memory));
+  model->packed = memory;
   return SINEW_OK;
 }
 

@@ -111,10 +111,10 @@ TEST(SmallCode, ThreadsAndThePlaceOfWeightsChangeNothing) {
   EXPECT_EQ(other.joints, plain.joints);
   EXPECT_EQ(other.weights, plain.weights);
   EXPECT_EQ(other.bytes, plain.bytes);
-  sinew_model rearranged = model.model;
-  EXPECT_EQ(sinew_model_rearranged_size(&rearranged), size_t{0});
-  EXPECT_EQ(sinew_model_rearrange(&rearranged, block_of(64).get(), 64), SINEW_OK);
-  EXPECT_EQ(rearranged.rearranged, nullptr);
+  sinew_model packed = model.model;
+  EXPECT_EQ(sinew_model_packed_size(&packed), size_t{0});
+  EXPECT_EQ(sinew_model_pack(&packed, block_of(64).get(), 64), SINEW_OK);
+  EXPECT_EQ(packed.packed, nullptr);
 }
 
 }  // namespace

@@ -59,9 +59,9 @@ typedef struct sinew_options {
    * found and symmetric did nothing. Or null. */
   uint32_t* symmetric_vertices;
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
-  uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being rearranged.
+  uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being packed.
                               * Saves about the model's size, for small devices; slower where kernels want
-                              * them rearranged. Given to sinew_bind_workspace_size() too */
+                              * them packed. Given to sinew_bind_workspace_size() too */
   /* How the caller lends its threads, or null: everything runs on the calling thread. The progress callback is called
    * there in any case, between two calls of parallel_for. The result does not depend on either. */
   sinew_parallel_for parallel_for;
@@ -76,7 +76,7 @@ typedef struct sinew_options {
 
 /* Bytes sinew_bind() needs for meshes of at most these counts that have no more than corner_count - 2 face_count
  * triangles once polygons are cut. A pure function of its arguments: the same on every host.
- *   model  may be null for SINEW_METHOD_HEAT; less is needed with a rearranged one
+ *   model  may be null for SINEW_METHOD_HEAT; less is needed with a packed one
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT; *size_bytes is 0 on failure. */
 sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
                                        uint32_t corner_count, uint32_t joint_count, const sinew_options* options,

@@ -9,7 +9,7 @@
  *
  * Way of a call:
  *   1. sinew_model_open()           checks every byte of a model file in place (skip it for SINEW_METHOD_HEAT);
- *      sinew_model_rearrange()      on demand, makes its weights ready for this kind of processor once for many binds
+ *      sinew_model_pack()      on demand, makes its weights ready for this kind of processor once for many binds
  *   2. sinew_bind_workspace_size()  says how many bytes sinew_bind() needs
  *   3. sinew_bind()                 predicts; rows of weights sum exactly
  *   4. sinew_skin_linear() / sinew_skin_dual_quaternion() pose the mesh with the result
