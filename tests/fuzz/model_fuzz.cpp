@@ -31,7 +31,7 @@ void bind_with(const sinew_model& model) {
   skeleton.positions = joint_positions;
   skeleton.parents = parents;
   skeleton.joint_count = 3;
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.grid_size = 16;
   Binding first, second;
   for (Binding* binding : {&first, &second}) {
@@ -45,7 +45,7 @@ void bind_with(const sinew_model& model) {
     if (binding == &second) {
       demand(sinew_model_pack(&used, packed.data(), packed.size()) == SINEW_OK, "an opened model is packed");
     }
-    binding->run(&used, mesh, skeleton, options, need, 4, sizeof(uint16_t));
+    binding->run(&used, mesh, skeleton, options, nullptr, need, 4, sizeof(uint16_t));
     demand(binding->status == SINEW_OK, std::string("an opened model runs: ") + sinew_status_text(binding->status));
     check_rows(*binding, mesh, skeleton, options);
   }

@@ -1,5 +1,13 @@
 /* SPDX-License-Identifier: MIT
- * What all calls share: version, limits, status, kernels, the caller's callbacks, mesh and skeleton. */
+ * What all calls share: version, limits, status, kernels, the caller's callbacks, mesh and skeleton.
+ *
+ * Structs that grow (sinew_options, sinew_bind_outputs) begin with `struct_size`, the caller's sizeof; the struct's
+ * ..._init() sets it and leaves the rest 0. New members come at the end, and 0 always means what it meant before them:
+ *   a caller with an older header has a shorter struct: members that it lacks count as 0, and are not written
+ *   a caller with a newer header has a longer struct: what this library does not know must be 0, else the call returns
+ *   SINEW_ERROR_VERSION
+ * sinew_model, which the library fills, keeps its size. sinew_mesh and sinew_skeleton never change: new inputs become
+ * options. */
 #ifndef SINEW_TYPES_H
 #define SINEW_TYPES_H
 
@@ -24,8 +32,9 @@ extern "C" {
 /* 0 is success; numbers are never reused. */
 typedef enum sinew_status {
   SINEW_OK = 0,
-  SINEW_ERROR_ARGUMENT = -1,         /* a pointer is null or an option is out of its range: see the call's comment */
-  SINEW_ERROR_WORKSPACE = -2,        /* the block is too small or not aligned to 64: ask sinew_bind_workspace_size() */
+  SINEW_ERROR_ARGUMENT = -1,         /* a pointer is null, struct_size is not set, or an option is out of its range: see
+                                      * the call's comment */
+  SINEW_ERROR_WORKSPACE = -2,        /* the block is too small or not aligned to 64: ask the call's size query */
   SINEW_ERROR_COUNT = -3,            /* more vertices, joints or corners than the limits above, or none at all;
                                       * fewer than two corners a face */
   SINEW_ERROR_NOT_FINITE = -4,       /* a position is NaN or infinite: clean the mesh */
@@ -42,8 +51,10 @@ typedef enum sinew_status {
   SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantise again */
   SINEW_ERROR_MODEL_ALIGNMENT = -15, /* model bytes must start at an address divisible by 8 */
   SINEW_ERROR_RANGE = -16,           /* a joint index, weight or pose is outside its stated range */
-  SINEW_ERROR_KERNEL = -17           /* sinew_options::kernel names kernels that this library was built without or this
+  SINEW_ERROR_KERNEL = -17,          /* sinew_options::kernel names kernels that this library was built without or this
                                       * processor cannot run: ask sinew_kernel_select(), or leave it 0 */
+  SINEW_ERROR_VERSION = -18          /* an option is set that this library does not know: update the library, or leave
+                                      * it 0 */
 } sinew_status;
 
 /* One line of English for a status; never null. */
@@ -66,21 +77,21 @@ typedef enum sinew_kernel {
 
 /* "auto", "ref", "avx2", ... for 0, 1, 2, ...; null behind the last, so that tools can list or parse them. */
 const char* sinew_kernel_name(uint32_t kernel);
-/* What sinew_bind() would run with for options.kernel = kernel: itself, or the choice for SINEW_KERNEL_AUTO. 0 when
- * this library was built without it or this processor lacks it. */
+/* What a call would run with for options.kernel = kernel: itself, or the choice for SINEW_KERNEL_AUTO. 0 when this
+ * library was built without it or this processor lacks it. */
 uint32_t sinew_kernel_select(uint32_t kernel);
 
 /* Called now and then with a share of work done, 0..1000. Return non-zero to cancel. */
 typedef int (*sinew_progress)(void* user, uint32_t done_permille);
 
 /* The caller's threads. Calls body(body_data, i) exactly once for each i in 0 .. count-1, in any order and on any
- * threads, several at a time or none, and returns when all of them have returned; what they wrote must be visible to
- * its caller then. count is at most sinew_options::thread_count. Bodies never call back and never wait for one another,
- * so a job system, a pool, OpenMP and a plain loop all do. */
+ * threads, several at a time or none, and returns when all of them have returned. What they wrote must be visible to
+ * its caller then. count is at most the thread_count of the options. Bodies never call back and never wait for one
+ * another, so a job system, a pool, OpenMP and a plain loop all do. */
 typedef void (*sinew_parallel_for)(void* user, uint32_t count, void (*body)(void* body_data, uint32_t index),
                                    void* body_data);
 
-/* A polygon mesh, borrowed. Any topology is legal. face_count may be 0. */
+/* A polygon mesh, borrowed for the time of a call. Any topology is legal. face_count may be 0. */
 typedef struct sinew_mesh {
   const float* positions;        /* [vertex_count x 3] any unit, rest pose */
   uint32_t vertex_count;         /* 1 .. SINEW_MAX_VERTICES */
@@ -94,6 +105,7 @@ typedef struct sinew_mesh {
 #define SINEW_JOINT_NEVER 1u   /* flag: this joint must get no weight */
 #define SINEW_JOINT_DEFORMS 2u /* flag: this joint is known to deform. If any joint has it, all others are NEVER */
 
+/* A skeleton, borrowed for the time of a call. */
 typedef struct sinew_skeleton {
   const float* positions; /* [joint_count x 3] same space as the mesh */
   const int32_t* parents; /* [joint_count] parent index or -1; any order */

@@ -3,9 +3,11 @@
 // fail.
 #include "bind/bind.hpp"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "core/build.hpp"
+#include "core/struct_size.hpp"
 #include "kernels/select.hpp"
 #include "weights/blend.hpp"
 #include "weights/confidence.hpp"
@@ -17,6 +19,9 @@
 
 namespace sinew {
 namespace {
+
+// The struct of the first release, 0.1.
+constexpr uint32_t kFirstOptionsSize = offsetof(sinew_options, progress_user) + sizeof(void*);
 
 uint32_t or_default(uint32_t value, uint32_t fallback) { return value != 0 ? value : fallback; }
 
@@ -177,36 +182,38 @@ void finish_edited_row(const BindPlan& plan, const Edit& edit, uint32_t welded, 
   if (source != welded) mirror_influences(edit.symmetry, n, joints, row);
 }
 
-// How sure a predicted row [kRowSlots] is of its strongest joint, as in sinew_options::confidence.
+// How sure a predicted row [kRowSlots] is of its strongest joint, as in sinew_bind_outputs::confidence.
 uint8_t confidence_of(const BindPlan& plan, const uint32_t* weights) {
   uint32_t largest = 0;
   for (uint32_t i = 0; i < kRowSlots; ++i) largest = weights[i] > largest ? weights[i] : largest;
   return calibrated_confidence(plan.purpose == PrepareFor::kNetwork ? &plan.model : nullptr, largest);
 }
 
-void count_symmetric(const BindPlan& plan, const Prepared& p, const Edit& edit) {
-  if (plan.symmetric_vertices == nullptr) return;
-  *plan.symmetric_vertices = 0;
+uint32_t count_symmetric(const Prepared& p, const Edit& edit) {
+  uint32_t count = 0;
   for (uint32_t v = 0; kHasExtras && v < p.mesh.vertex_count && edit.symmetry.symmetric; ++v)
-    *plan.symmetric_vertices += edit.symmetry.vertex[p.mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
+    count += edit.symmetry.vertex[p.mesh.vertex_to_welded[v]] != kNoPartner ? 1 : 0;
+  return count;
 }
 
 void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, const Edit& edit, uint32_t begin,
-                uint32_t end, uint16_t* joints, void* weights) {
+                uint32_t end, const sinew_bind_outputs& outputs) {
+  uint16_t* const joints = outputs.joint_indices;
+  void* const weights = outputs.weights;
+  uint8_t* const confidence = outputs.confidence;
   const uint32_t n = plan.influence_count;
   const uint32_t total = plan.weight_format == SINEW_WEIGHT_UNORM8 ? 255u : 65535u;
   for (uint32_t v = begin; v < end; ++v) {
     if (is_given(plan, v)) {
-      if (plan.confidence != nullptr) plan.confidence[v] = 255;
+      if (confidence != nullptr) confidence[v] = 255;
       continue;
     }
     const size_t first = static_cast<size_t>(v) * n;
     const uint32_t welded = p.mesh.vertex_to_welded[v];
     uint16_t predicted_joints[kRowSlots];
     uint32_t predicted[kRowSlots];
-    if (!is_edited(plan) || plan.confidence != nullptr)
-      predicted_row(plan, p, logits, welded, predicted_joints, predicted);
-    if (plan.confidence != nullptr) plan.confidence[v] = confidence_of(plan, predicted);
+    if (!is_edited(plan) || confidence != nullptr) predicted_row(plan, p, logits, welded, predicted_joints, predicted);
+    if (confidence != nullptr) confidence[v] = confidence_of(plan, predicted);
     uint16_t row[SINEW_MAX_INFLUENCES];
     if (is_edited(plan)) {
       finish_edited_row(plan, edit, welded, total, joints + first, row);
@@ -234,12 +241,14 @@ void write_rows(const BindPlan& plan, const Prepared& p, const Logits& logits, c
 
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan) {
-  const sinew_options defaults = {};
-  const sinew_options& o = options != nullptr ? *options : defaults;
-  if (o.version != 0 || o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
-      o.up_axis > 1 || o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS ||
-      kernel_name(o.kernel) == nullptr || o.weight_format > SINEW_WEIGHT_FLOAT ||
-      o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
+  sinew_options o = sinew_options_init();
+  if (options != nullptr) {
+    const sinew_status read = read_struct(options, kFirstOptionsSize, sizeof o, &o);
+    if (read != SINEW_OK) return read;
+  }
+  if (o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES || o.up_axis > 1 ||
+      o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS || kernel_name(o.kernel) == nullptr ||
+      o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
       (o.surface_vertices != 0 && (o.surface_vertices < 16 || o.surface_vertices > SINEW_MAX_VERTICES)) ||
       (o.softness_percent != 0 && (o.softness_percent < 25 || o.softness_percent > 400))) {
     return SINEW_ERROR_ARGUMENT;
@@ -268,8 +277,6 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   plan->network.weights_in_place = o.weights_in_place != 0;
   plan->rigid_parts = o.rigid_parts;
   plan->softness_percent = or_default(o.softness_percent, 100);
-  plan->confidence = o.confidence;
-  plan->symmetric_vertices = o.symmetric_vertices;
   plan->progress = Progress{o.progress, o.progress_user};
   const sinew_status status = make_counts(vertices, faces, corners, joints, candidates, grid, &plan->counts);
   if (plan->purpose == PrepareFor::kNetwork) plan->counts.feature_flags = model->feature_set & kFeatureFlags;
@@ -292,7 +299,9 @@ void measure_bind(Arena& arena, const BindPlan& plan) {
 }
 
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
-                      size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes) {
+                      size_t workspace_bytes, sinew_bind_outputs* outputs) {
+  const uint16_t* const joints = outputs->joint_indices;
+  const void* const weights = outputs->weights;
   Kernels kernels;
   if (!select_kernels(plan.network.kernel, &kernels)) return SINEW_ERROR_KERNEL;
   sinew_status status = check_given(plan, joints, weights, skeleton.joint_count);
@@ -320,10 +329,10 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   }
   if (!plan.progress.report(1000)) return SINEW_ERROR_CANCELLED;
   plan.counts.threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-    write_rows(plan, p, logits, edit, begin, end, joints, weights);
+    write_rows(plan, p, logits, edit, begin, end, *outputs);
   });
-  count_symmetric(plan, p, edit);
-  if (used_bytes != nullptr) *used_bytes = arena.high_water();
+  outputs->symmetric_vertices = count_symmetric(p, edit);
+  outputs->used_bytes = arena.high_water();
   return SINEW_OK;
 }
 

@@ -22,20 +22,20 @@ struct BindPlan {
   NetworkOptions network;
   uint32_t rigid_parts;
   uint32_t softness_percent;
-  uint8_t* confidence;
-  uint32_t* symmetric_vertices;
   Progress progress;
 };
 
 // Vertices above which a mesh is reduced unless the caller says otherwise.
 constexpr uint32_t kSurfaceVertices = 32768;
 
-// Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT.
+// `options` as the caller gave them, of any version, or null. Returns SINEW_OK, SINEW_ERROR_ARGUMENT,
+// SINEW_ERROR_VERSION or SINEW_ERROR_COUNT.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan);
 void measure_bind(Arena& arena, const BindPlan& plan);
+// `outputs` is the library's own struct, with the caller's arrays.
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
-                      size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes);
+                      size_t workspace_bytes, sinew_bind_outputs* outputs);
 
 }  // namespace sinew
 #endif
