@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The C API: argument checks and calls inward; sinew_bind() strings the stages together.
+#include <stddef.h>
+
 #include "bind/bind.hpp"
+#include "core/struct_size.hpp"
 #include "deform/skinning.hpp"
 #include "kernels/select.hpp"
 #include "model/reader.hpp"
@@ -9,6 +12,16 @@
 
 #define SINEW_STRING_(x) #x
 #define SINEW_STRING(x) SINEW_STRING_(x)
+
+// The library writes the whole struct: callers with an older header have no room for a longer one.
+static_assert(sizeof(sinew_model) == (sizeof(void*) == 8 ? 128 : 116), "new members take their room from reserved");
+
+// The struct of the first release, 0.1.
+constexpr uint32_t kFirstOutputsSize = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
+
+// No padding: the bytes behind a struct that an older library knows belong to members, so that 0 means "not set".
+static_assert(sizeof(sinew_options) == 14 * sizeof(uint32_t) + 6 * sizeof(void*), "a hole in sinew_options");
+static_assert(sizeof(sinew_bind_outputs) == 2 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_bind_outputs");
 
 extern "C" {
 
@@ -54,6 +67,8 @@ const char* sinew_status_text(sinew_status status) {
       return "a joint index or weight is out of its range";
     case SINEW_ERROR_KERNEL:
       return "this library or this processor lacks the kernels asked for";
+    case SINEW_ERROR_VERSION:
+      return "an option is set that this library does not know";
   }
   return "unknown status";
 }
@@ -70,18 +85,18 @@ sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model*
   return sinew::open_model(bytes, size_bytes, model);
 }
 
-size_t sinew_model_rearranged_size(const sinew_model* model) {
-  return model == nullptr || model->bytes == nullptr ? 0 : sinew::rearranged_bytes(*model);
+size_t sinew_model_packed_size(const sinew_model* model) {
+  return model == nullptr || model->bytes == nullptr ? 0 : sinew::packed_bytes(*model);
 }
 
-sinew_status sinew_model_rearrange(sinew_model* model, void* memory, size_t memory_bytes) {
+sinew_status sinew_model_pack(sinew_model* model, void* memory, size_t memory_bytes) {
   if (model == nullptr || model->bytes == nullptr || memory == nullptr) return SINEW_ERROR_ARGUMENT;
-  const size_t bytes = sinew::rearranged_bytes(*model);
+  const size_t bytes = sinew::packed_bytes(*model);
   if (memory_bytes < bytes || reinterpret_cast<uintptr_t>(memory) % SINEW_WORKSPACE_ALIGNMENT != 0)
     return SINEW_ERROR_WORKSPACE;
   if (bytes == 0) return SINEW_OK;
-  sinew::rearrange_model(*model, static_cast<uint8_t*>(memory));
-  model->rearranged = memory;
+  sinew::pack_model(*model, static_cast<uint8_t*>(memory));
+  model->packed = memory;
   return SINEW_OK;
 }
 
@@ -102,19 +117,25 @@ sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex
 }
 
 sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
-                        const sinew_options* options, void* workspace, size_t workspace_bytes, uint16_t* joints,
-                        void* weights, size_t* used_bytes) {
-  if (mesh == nullptr || skeleton == nullptr || workspace == nullptr || joints == nullptr || weights == nullptr ||
+                        const sinew_options* options, void* workspace, size_t workspace_bytes,
+                        sinew_bind_outputs* outputs) {
+  if (mesh == nullptr || skeleton == nullptr || workspace == nullptr || outputs == nullptr ||
       mesh->positions == nullptr || skeleton->positions == nullptr || skeleton->parents == nullptr ||
       (mesh->face_count > 0 && mesh->face_vertices == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
+  sinew_bind_outputs own;
+  sinew_status status = sinew::read_struct(outputs, kFirstOutputsSize, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  if (own.joint_indices == nullptr || own.weights == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew::BindPlan plan;
-  const sinew_status status = sinew::plan_bind(model, mesh->vertex_count, mesh->face_count, mesh->corner_count,
-                                               skeleton->joint_count, options, &plan);
+  status = sinew::plan_bind(model, mesh->vertex_count, mesh->face_count, mesh->corner_count, skeleton->joint_count,
+                            options, &plan);
   if (status != SINEW_OK) return status;
   if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
-  return sinew::run_bind(plan, *mesh, *skeleton, workspace, workspace_bytes, joints, weights, used_bytes);
+  status = sinew::run_bind(plan, *mesh, *skeleton, workspace, workspace_bytes, &own);
+  if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
+  return status;
 }
 
 sinew_status sinew_skin_linear(const float* positions, uint32_t vertex_count, const uint16_t* joints,

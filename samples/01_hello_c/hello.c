@@ -41,7 +41,7 @@ int main(void) {
 
   const sinew_mesh mesh = {positions, kVertices, offsets, corners, kFaces, 4 * kFaces};
   const sinew_skeleton skeleton = {kJointPositions, kJointParents, kJointFlags, 2};
-  sinew_options options = {0};
+  sinew_options options = sinew_options_init();
   options.method = SINEW_METHOD_HEAT;
   options.influence_count = kInfluences;
 
@@ -56,7 +56,8 @@ int main(void) {
       fprintf(stderr, "hello: no memory for %zu bytes\n", bytes);
       return 1;
     }
-    status = sinew_bind(NULL, &mesh, &skeleton, &options, workspace, bytes, joints, weights, NULL);
+    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints, weights);
+    status = sinew_bind(NULL, &mesh, &skeleton, &options, workspace, bytes, &outputs);
     free(workspace);
   }
   if (status != SINEW_OK) {

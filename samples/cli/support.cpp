@@ -75,9 +75,9 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
 namespace {
 
 // Once for all characters that it will bind.
-void rearrange(LoadedModel* loaded) {
-  const size_t bytes = sinew_model_rearranged_size(&loaded->model);
-  if (loaded->rearranged.reserve(bytes)) (void)sinew_model_rearrange(&loaded->model, loaded->rearranged.data(), bytes);
+void pack_weights(LoadedModel* loaded) {
+  const size_t bytes = sinew_model_packed_size(&loaded->model);
+  if (loaded->packed.reserve(bytes)) (void)sinew_model_pack(&loaded->model, loaded->packed.data(), bytes);
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes,
   const char* cure = status == SINEW_ERROR_MODEL_MAGIC ? "; make one from a checkpoint with: sinew quantize" : "";
   if (bytes.empty()) throw Error(what + ": the file is empty, expected a model (.sinew)");
   if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status) + cure);
-  rearrange(loaded.get());
+  pack_weights(loaded.get());
   return loaded;
 }
 
@@ -102,7 +102,7 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path) {
   auto loaded = std::make_unique<LoadedModel>();
   const sinew_status status = sinew_model_open(kBundledModel, kBundledModelSize, &loaded->model);
   if (status != SINEW_OK) throw Error(std::string("the bundled model: ") + sinew_status_text(status));
-  rearrange(loaded.get());
+  pack_weights(loaded.get());
   return loaded;
 }
 

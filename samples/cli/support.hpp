@@ -33,7 +33,7 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
 // A checked model and the bytes it stands on.
 struct LoadedModel {
   std::vector<uint64_t> storage;  // 8-byte aligned copy of a file; empty for the bundled model
-  sinew::Workspace rearranged;    // its weights for the processor's kernels
+  sinew::Workspace packed;        // its weights for the processor's kernels
   sinew_model model{};
 };
 // `path` empty: the model built into the program. Throws Error.

@@ -3,7 +3,6 @@
  * little and deforms the mesh. No heap, no C library beyond memcpy and memset. */
 #include <sinew/sinew.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "board.h"
 #include CHARACTER
@@ -75,13 +74,12 @@ int main(void) {
 
   const sinew_mesh mesh = {kPositions, kVertices, NULL, kCorners, kTriangles, 3 * kTriangles};
   const sinew_skeleton skeleton = {kJointPositions, kJointParents, NULL, kJoints};
-  sinew_options options;
-  memset(&options, 0, sizeof options);
+  sinew_options options = sinew_options_init();
   options.influence_count = kInfluences;
   options.candidate_count = CANDIDATES;
   options.grid_size = 16;
   options.weights_in_place = 1;
-  size_t need = 0, used = 0;
+  size_t need = 0;
   status = sinew_bind_workspace_size(&model, kVertices, kTriangles, 3 * kTriangles, kJoints, &options, &need);
   if (status != SINEW_OK) return fail("the size of the workspace", status);
   board_print("character: ");
@@ -93,11 +91,12 @@ int main(void) {
   print_number(sizeof workspace, " bytes\n");
 
   uint64_t start = board_instructions();
-  status = sinew_bind(&model, &mesh, &skeleton, &options, workspace, sizeof workspace, joint_indices, weights, &used);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joint_indices, weights);
+  status = sinew_bind(&model, &mesh, &skeleton, &options, workspace, sizeof workspace, &outputs);
   if (status != SINEW_OK) return fail("the bind", status);
   uint64_t instructions = board_instructions() - start;
   board_print("used: ");
-  print_number(used, " bytes\nkernels: ");
+  print_number(outputs.used_bytes, " bytes\nkernels: ");
   board_print(sinew_kernel_name(sinew_kernel_select(SINEW_KERNEL_AUTO)));
   board_print("\nbind: ");
   print_number(instructions, " instructions\nhash: ");

@@ -59,7 +59,7 @@ Workspace touched(size_t bytes) {
 
 // The stages as run_bind() calls them, each with the time it took.
 void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std::vector<double>* seconds) {
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.kernel = kernel;
   BindPlan plan;
   check(plan_bind(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count,
@@ -127,16 +127,15 @@ void measure_threads(const Input&, const sinew_model&, sinew_options, int, uint6
 void measure_threads(const Input& in, const sinew_model& model, sinew_options options, int repeats, uint64_t hash) {
   for (const uint32_t threads : {2u, 4u, 8u}) {
     options.thread_count = threads;
-    size_t bytes = 0, used = 0;
+    size_t bytes = 0;
     check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
                                     in.skeleton.joint_count, &options, &bytes),
           "workspace");
     const Workspace block = touched(bytes);
     std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
+    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
     const auto bind = [&] {
-      check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, joints.data(), weights.data(),
-                       &used),
-            "bind");
+      check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, &outputs), "bind");
     };
     std::vector<double> way, clock;
     for (int i = 0; i < repeats; ++i) {
@@ -158,11 +157,11 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
     if (found != hash) check(SINEW_ERROR_RANGE, "another result with threads");
     const auto print = [&](const char* what, const std::vector<double>& seconds) {
       const double median = sinew_bench::median(seconds);
-      std::printf("%s,%s,%u,%u,whole with %u threads: %s,%.3f,,%.0f,%zu,%.0f,%016llx\n",
-                  sinew_bench::row_start().c_str(), sinew_kernel_name(sinew_kernel_select(options.kernel)),
-                  in.mesh.vertex_count, in.skeleton.joint_count, threads, what, median * 1e3,
-                  median * 1e9 / in.mesh.vertex_count, used, static_cast<double>(used) / in.mesh.vertex_count,
-                  static_cast<unsigned long long>(found));
+      std::printf(
+          "%s,%s,%u,%u,whole with %u threads: %s,%.3f,,%.0f,%zu,%.0f,%016llx\n", sinew_bench::row_start().c_str(),
+          sinew_kernel_name(sinew_kernel_select(options.kernel)), in.mesh.vertex_count, in.skeleton.joint_count,
+          threads, what, median * 1e3, median * 1e9 / in.mesh.vertex_count, outputs.used_bytes,
+          static_cast<double>(outputs.used_bytes) / in.mesh.vertex_count, static_cast<unsigned long long>(found));
     };
     print("longest way", way);
     print("clock", clock);
@@ -172,20 +171,19 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
 
 void measure(double vertices, const sinew_model& model, uint32_t kernel, int repeats) {
   const Input in(vertices);
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.kernel = kernel;
-  size_t bytes = 0, used = 0;
+  size_t bytes = 0;
   check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
                                   in.skeleton.joint_count, &options, &bytes),
         "workspace");
   const Workspace block = touched(bytes);
   std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
   std::vector<double> seconds[kWhole + 1];
   for (int i = 0; i < repeats; ++i) {
     const double start = sinew_bench::thread_seconds();
-    check(
-        sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, joints.data(), weights.data(), &used),
-        "bind");
+    check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, &outputs), "bind");
     seconds[kWhole].push_back(sinew_bench::thread_seconds() - start);
     time_stages(in, model, kernel, seconds);
   }
@@ -196,8 +194,8 @@ void measure(double vertices, const sinew_model& model, uint32_t kernel, int rep
     const double median = sinew_bench::median(seconds[stage]);
     std::printf("%s,%s,%u,%u,%s,%.3f,%.3f,%.0f,%zu,%.0f,%016llx\n", sinew_bench::row_start().c_str(),
                 sinew_kernel_name(sinew_kernel_select(kernel)), in.mesh.vertex_count, in.skeleton.joint_count,
-                kStages[stage], median * 1e3, median / whole, median * 1e9 / in.mesh.vertex_count, used,
-                static_cast<double>(used) / in.mesh.vertex_count, static_cast<unsigned long long>(hash));
+                kStages[stage], median * 1e3, median / whole, median * 1e9 / in.mesh.vertex_count, outputs.used_bytes,
+                static_cast<double>(outputs.used_bytes) / in.mesh.vertex_count, static_cast<unsigned long long>(hash));
   }
   measure_threads(in, model, options, repeats, hash);
   std::fflush(stdout);

@@ -57,7 +57,7 @@ struct Model {
 
 struct Contestant {
   std::string name;
-  size_t bytes = 0;            // activations and, for int16, rearranged weights
+  size_t bytes = 0;            // activations and, for int16, packed weights
   std::vector<double> passes;  // seconds
   uint64_t hash = 0;
   virtual ~Contestant() = default;

@@ -39,7 +39,7 @@ struct Model {
 };
 
 sinew_options small_options() {
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.candidate_count = 2;
   options.grid_size = 16;
   return options;
@@ -62,8 +62,9 @@ Result bind(const Model& model, const sinew_options& options) {
       sinew_bind_workspace_size(&model.model, kVertices, kTriangles, 3 * kTriangles, kJoints, &options, &result.bytes);
   const size_t bytes = result.asked == SINEW_OK ? result.bytes : size_t{1} << 22;
   const Block block = block_of(bytes);
-  result.bound = sinew_bind(&model.model, &mesh, &skeleton, &options, block.get(), bytes, result.joints.data(),
-                            result.weights.data(), &result.used);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(result.joints.data(), result.weights.data());
+  result.bound = sinew_bind(&model.model, &mesh, &skeleton, &options, block.get(), bytes, &outputs);
+  result.used = outputs.used_bytes;
   return result;
 }
 
@@ -111,10 +112,10 @@ TEST(SmallCode, ThreadsAndThePlaceOfWeightsChangeNothing) {
   EXPECT_EQ(other.joints, plain.joints);
   EXPECT_EQ(other.weights, plain.weights);
   EXPECT_EQ(other.bytes, plain.bytes);
-  sinew_model rearranged = model.model;
-  EXPECT_EQ(sinew_model_rearranged_size(&rearranged), size_t{0});
-  EXPECT_EQ(sinew_model_rearrange(&rearranged, block_of(64).get(), 64), SINEW_OK);
-  EXPECT_EQ(rearranged.rearranged, nullptr);
+  sinew_model packed = model.model;
+  EXPECT_EQ(sinew_model_packed_size(&packed), size_t{0});
+  EXPECT_EQ(sinew_model_pack(&packed, block_of(64).get(), 64), SINEW_OK);
+  EXPECT_EQ(packed.packed, nullptr);
 }
 
 }  // namespace

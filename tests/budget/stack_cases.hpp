@@ -56,13 +56,13 @@ struct StackCase {
   const char* name = "";
   std::shared_ptr<std::vector<uint64_t>> model_bytes;
   sinew_model model = {};
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   // Everything a bind writes to, so that run() itself needs next to no stack and no heap.
   std::shared_ptr<Tube> tube;
   std::shared_ptr<std::vector<uint8_t>> hints;
   std::shared_ptr<std::vector<uint16_t>> joints, weights;
   std::shared_ptr<void> workspace;
-  size_t workspace_bytes = 0, used_bytes = 0;
+  size_t workspace_bytes = 0;
 };
 
 inline void prepare(StackCase* c, const std::string& model_path) {
@@ -122,13 +122,16 @@ inline std::vector<StackCase> stack_cases(const std::string& default_model, cons
   return cases;
 }
 
-inline void run(const StackCase& c) {
+// Returns the bytes of workspace that were used.
+inline size_t run(const StackCase& c) {
   const sinew_mesh mesh = c.tube->mesh();
   const sinew_skeleton skeleton = c.tube->skeleton();
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(c.joints->data(), c.weights->data());
   if (sinew_bind(c.model_bytes ? &c.model : nullptr, &mesh, &skeleton, &c.options, c.workspace.get(), c.workspace_bytes,
-                 c.joints->data(), c.weights->data(), nullptr) != SINEW_OK) {
+                 &outputs) != SINEW_OK) {
     std::abort();
   }
+  return outputs.used_bytes;
 }
 
 }  // namespace sinew_test

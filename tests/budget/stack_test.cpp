@@ -65,13 +65,7 @@ TEST(Stack, NoBindTakesMoreThan16KB) {
 
 TEST(Workspace, WhatIsAskedForIsUsed) {
   for (StackCase& tested : cases()) {
-    const sinew_mesh mesh = tested.tube->mesh();
-    const sinew_skeleton skeleton = tested.tube->skeleton();
-    size_t used = 0;
-    ASSERT_EQ(sinew_bind(tested.model_bytes ? &tested.model : nullptr, &mesh, &skeleton, &tested.options,
-                         tested.workspace.get(), tested.workspace_bytes, tested.joints->data(), tested.weights->data(),
-                         &used),
-              SINEW_OK);
+    const size_t used = sinew_test::run(tested);
     EXPECT_LE(used, tested.workspace_bytes) << tested.name;
     EXPECT_GE(used * 100, tested.workspace_bytes * 99) << tested.name;
   }

@@ -66,12 +66,14 @@ struct Binding {
   std::vector<uint8_t> weights;  // bytes of the format's elements
   sinew_status status = SINEW_OK;
   size_t used = 0;
+  uint32_t symmetric_vertices = 0;
   uint8_t fill = 0xA5;  // what the workspace holds before
   size_t misaligned = 0;
 
-  // Outputs not filled before are filled here. `influences` is N with its default.
+  // Outputs not filled before are filled here. `confidence` may be null, `influences` is N with its default.
   void run(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
-           const sinew_options& options, size_t workspace_bytes, uint32_t influences, size_t weight_size) {
+           const sinew_options& options, uint8_t* confidence, size_t workspace_bytes, uint32_t influences,
+           size_t weight_size) {
     const size_t slots = size_t{mesh.vertex_count} * influences;
     joints.resize(slots, 0xBEEF);
     weights.resize(slots * weight_size, 0xDB);
@@ -79,15 +81,19 @@ struct Binding {
     const std::vector<uint8_t> weights_before = weights;
     Workspace workspace(workspace_bytes, misaligned, fill);
     // Floats are wanted aligned; the vector's memory is.
-    status = sinew_bind(model, &mesh, &skeleton, &options, workspace.data(), workspace_bytes, joints.data(),
-                        weights.data(), &used);
+    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+    outputs.confidence = confidence;
+    status = sinew_bind(model, &mesh, &skeleton, &options, workspace.data(), workspace_bytes, &outputs);
+    used = outputs.used_bytes;
+    symmetric_vertices = outputs.symmetric_vertices;
     demand(workspace.guards_hold(), "the workspace is not written beyond its size");
-    demand(status <= SINEW_OK && status >= SINEW_ERROR_KERNEL, "a status that is documented");
+    demand(status <= SINEW_OK && status >= SINEW_ERROR_VERSION, "a status that is documented");
     demand(std::strchr(sinew_status_text(status), '\n') == nullptr, "a status is one line");
     if (status == SINEW_OK) {
       demand(used <= workspace_bytes, "not more of the workspace is used than there is");
     } else {
-      demand(joints == joints_before && weights == weights_before, "outputs are untouched on failure");
+      demand(joints == joints_before && weights == weights_before && used == 0 && symmetric_vertices == 0,
+             "outputs are untouched on failure");
     }
   }
 };

@@ -44,8 +44,9 @@ struct Call {
   std::vector<uint16_t> given_joints;
   sinew_mesh mesh = {};
   sinew_skeleton skeleton = {};
-  sinew_options options = {};
-  uint32_t influences = 4, symmetric_vertices = 0;
+  sinew_options options = sinew_options_init();
+  uint32_t influences = 4;
+  bool wants_confidence = false;
   size_t weight_size = 2, short_by = 0, misaligned = 0;
   uint32_t cancel_at = 0, reports = 0;
 
@@ -88,7 +89,7 @@ struct Call {
   void read_options(Bytes& in, uint8_t extras, uint32_t vertices) {
     sinew_options& o = options;
     if ((extras & 1) != 0) {
-      o.version = in.below(16) == 15;
+      o.struct_size -= in.below(16) == 15 ? 4 : 0;
       o.influence_count = in.below(14);
       o.candidate_count = in.below(18);
       constexpr uint32_t kGrids[] = {16, 17, 20, 24, 15, 129, 16, 0};  // finer ones cost time and show nothing new
@@ -114,8 +115,7 @@ struct Call {
     }
     if ((extras & 4) != 0) o.locked = locked.data();
     if ((extras & 8) != 0) o.hints = hints.data();
-    if ((extras & 16) != 0) o.confidence = confidence.data();
-    if ((extras & 16) != 0) o.symmetric_vertices = &symmetric_vertices;
+    wants_confidence = (extras & 16) != 0;
     if ((extras & 32) != 0) short_by = 1 + in.u16();
     if ((extras & 64) != 0) misaligned = in.below(64);
     if ((extras & 128) != 0) cancel_at = 1 + in.below(32);
@@ -141,8 +141,8 @@ struct Call {
     };
     options.progress_user = this;
     reports = 0;
-    binding.run(bundled_model(), mesh, skeleton, options, short_by > need ? 0 : need - short_by, influences,
-                weight_size);
+    binding.run(bundled_model(), mesh, skeleton, options, wants_confidence ? confidence.data() : nullptr,
+                short_by > need ? 0 : need - short_by, influences, weight_size);
     return binding;
   }
 };
@@ -191,7 +191,6 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   demand(measure(threads, &second_need) == SINEW_OK && second_need >= need,
          "more threads have a size, and no smaller one");
   const Binding first = call.run(need, SINEW_KERNEL_REF, 0xA5, 0);
-  const uint32_t mirrored = call.symmetric_vertices;
   const std::vector<uint8_t> confidence = call.confidence;
   const Binding second = call.run(second_need, SINEW_KERNEL_AUTO, 0x3C, threads);
   if (call.short_by == 0) demand(first.status == second.status, "a second run says the same");
@@ -202,6 +201,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   check_rows(first, call.mesh, call.skeleton, call.options);
   if (second.status != SINEW_OK) return check_status(call, second), 0;  // kernels differ in what is short for them
   demand(first.joints == second.joints && first.weights == second.weights, "a second run gives the same bytes");
-  demand(mirrored == call.symmetric_vertices && confidence == call.confidence, "a second run says the same besides");
+  demand(first.symmetric_vertices == second.symmetric_vertices && confidence == call.confidence,
+         "a second run says the same besides");
   return 0;
 }

@@ -31,7 +31,7 @@ void bind_with(const sinew_model& model) {
   skeleton.positions = joint_positions;
   skeleton.parents = parents;
   skeleton.joint_count = 3;
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.grid_size = 16;
   Binding first, second;
   for (Binding* binding : {&first, &second}) {
@@ -41,12 +41,11 @@ void bind_with(const sinew_model& model) {
     demand(sinew_bind_workspace_size(&model, 4, 4, 12, 3, &options, &need) == SINEW_OK, "an opened model has a size");
     if (need > size_t{1} << 28) return;  // channels by the ten thousand are legal and take their memory
     sinew_model used = model;
-    const sinew::Workspace rearranged(binding == &first ? 0 : sinew_model_rearranged_size(&model));
+    const sinew::Workspace packed(binding == &first ? 0 : sinew_model_packed_size(&model));
     if (binding == &second) {
-      demand(sinew_model_rearrange(&used, rearranged.data(), rearranged.size()) == SINEW_OK,
-             "an opened model is rearranged");
+      demand(sinew_model_pack(&used, packed.data(), packed.size()) == SINEW_OK, "an opened model is packed");
     }
-    binding->run(&used, mesh, skeleton, options, need, 4, sizeof(uint16_t));
+    binding->run(&used, mesh, skeleton, options, nullptr, need, 4, sizeof(uint16_t));
     demand(binding->status == SINEW_OK, std::string("an opened model runs: ") + sinew_status_text(binding->status));
     check_rows(*binding, mesh, skeleton, options);
   }

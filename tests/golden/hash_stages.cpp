@@ -189,7 +189,7 @@ uint32_t find_kernel(const char* name) {
 
 void hash_bind(const char* name, const char* stage, const Input& in, const sinew_model* model, sinew_method method,
                uint32_t kernel) {
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.kernel = kernel;
   options.method = method;
   size_t bytes = 0;
@@ -197,7 +197,8 @@ void hash_bind(const char* name, const char* stage, const Input& in, const sinew
                                   in.skeleton.joint_count, &options, &bytes));
   Block block(bytes);
   std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
-  check(sinew_bind(model, &in.mesh, &in.skeleton, &options, block.data, bytes, joints.data(), weights.data(), nullptr));
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  check(sinew_bind(model, &in.mesh, &in.skeleton, &options, block.data, bytes, &outputs));
   Hash hash;
   hash.add(joints.data(), joints.size());
   hash.add(weights.data(), weights.size());
@@ -269,7 +270,7 @@ struct SetLine {
   }
 
   std::string character, model;
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   uint32_t hint_step = 0;  // every so many vertices one is a hint
   uint32_t confidence = 0;
 };
@@ -296,10 +297,9 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
     narrow[first] = 255;
     real[first] = 1;
   }
-  uint32_t symmetric_vertices = 0;
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights);
   if (line.hint_step != 0) options.hints = hints.data();
-  if (line.confidence != 0) options.confidence = confidence.data();
-  if (options.symmetric != 0) options.symmetric_vertices = &symmetric_vertices;
+  if (line.confidence != 0) outputs.confidence = confidence.data();
 
   // Asked for the automatic kernel: the same on every host. The reference alone, when forced, needs less.
   size_t bytes = 0;
@@ -307,7 +307,7 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
                                   &options, &bytes));
   options.kernel = kernel;
   Block block(bytes);
-  check(sinew_bind(model, &in.mesh, &in.skeleton, &options, block.data, bytes, joints.data(), weights, nullptr));
+  check(sinew_bind(model, &in.mesh, &in.skeleton, &options, block.data, bytes, &outputs));
   Hash memory, rows, extras;
   const uint64_t size = bytes;
   memory.add(&size, 1);
@@ -318,7 +318,7 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
   std::memcpy(bits.data(), real.data(), slots * sizeof(uint32_t));
   rows.add(bits.data(), slots);
   extras.add(confidence.data(), vertices);
-  extras.add(&symmetric_vertices, 1);
+  extras.add(&outputs.symmetric_vertices, 1);
   print(name, "memory", memory);
   print(name, "rows", rows);
   if (line.confidence != 0 || options.symmetric != 0) print(name, "extras", extras);

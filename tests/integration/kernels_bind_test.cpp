@@ -21,7 +21,7 @@ struct Bound {
 
 Bound bind_star(uint32_t kernel, uint32_t weights_in_place, const sinew_model* model = bundled_model()) {
   const sinew_test::HeatScene scene = sinew_test::star(11, 12, 3);
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.kernel = kernel;
   options.weights_in_place = weights_in_place;
   const sinew_mesh mesh = scene.mesh_view();
@@ -33,22 +33,23 @@ Bound bind_star(uint32_t kernel, uint32_t weights_in_place, const sinew_model* m
   void* block = ::operator new (bound.bytes, std::align_val_t{64});
   bound.joints.resize(size_t{mesh.vertex_count} * 4);
   bound.weights.resize(size_t{mesh.vertex_count} * 4);
-  bound.status = sinew_bind(model, &mesh, &skeleton, &options, block, bound.bytes, bound.joints.data(),
-                            bound.weights.data(), &bound.used);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(bound.joints.data(), bound.weights.data());
+  bound.status = sinew_bind(model, &mesh, &skeleton, &options, block, bound.bytes, &outputs);
+  bound.used = outputs.used_bytes;
   ::operator delete (block, std::align_val_t{64});
   return bound;
 }
 
-// The bundled model with its weights rearranged once.
-const sinew_model* rearranged_model() {
-  static sinew::Workspace memory(sinew_model_rearranged_size(bundled_model()));
-  static const sinew_model rearranged = [] {
+// The bundled model with its weights packed once.
+const sinew_model* packed_model() {
+  static sinew::Workspace memory(sinew_model_packed_size(bundled_model()));
+  static const sinew_model packed = [] {
     sinew_model model = *bundled_model();
-    EXPECT_EQ(sinew_model_rearrange(&model, memory.data(), memory.size()), SINEW_OK);
-    EXPECT_EQ(model.rearranged, memory.data());
+    EXPECT_EQ(sinew_model_pack(&model, memory.data(), memory.size()), SINEW_OK);
+    EXPECT_EQ(model.packed, memory.data());
     return model;
   }();
-  return &rearranged;
+  return &packed;
 }
 
 TEST(KernelOption, EveryKernelGivesTheSameBytesInPlaceOrNot) {
@@ -59,7 +60,7 @@ TEST(KernelOption, EveryKernelGivesTheSameBytesInPlaceOrNot) {
       EXPECT_EQ(bind_star(kernel, 0).status, SINEW_ERROR_KERNEL);
       continue;
     }
-    for (const sinew_model* const model : {bundled_model(), rearranged_model()}) {
+    for (const sinew_model* const model : {bundled_model(), packed_model()}) {
       for (const uint32_t in_place : {0u, 1u}) {
         const Bound bound = bind_star(kernel, in_place, model);
         ASSERT_EQ(bound.status, SINEW_OK) << sinew_kernel_name(kernel);
@@ -87,38 +88,37 @@ size_t bytes_of_many(const sinew_model* model) {
   return bytes;
 }
 
-TEST(KernelOption, ARearrangedModelNeedsAsMuchLessAsReadingInPlace) {
-  EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(rearranged_model()),
-            sinew_model_rearranged_size(bundled_model()));
-  const Bound bound = bind_star(SINEW_KERNEL_AUTO, 0, rearranged_model());
+TEST(KernelOption, APackedModelNeedsAsMuchLessAsReadingInPlace) {
+  EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(packed_model()), sinew_model_packed_size(bundled_model()));
+  const Bound bound = bind_star(SINEW_KERNEL_AUTO, 0, packed_model());
   EXPECT_EQ(bound.used, bound.bytes);
   // What is asked for is what is written, and binds read it alone.
-  const size_t bytes = sinew_model_rearranged_size(bundled_model());
+  const size_t bytes = sinew_model_packed_size(bundled_model());
   EXPECT_GT(bytes, size_t{2} * bundled_model()->parameter_count);
   EXPECT_LE(bytes, size_t{2} * 93808);
   sinew::Workspace memory(bytes + 64);
   uint8_t* const first = static_cast<uint8_t*>(memory.data());
   std::fill_n(first, bytes + 64, uint8_t{0xA5});
   sinew_model model = *bundled_model();
-  ASSERT_EQ(sinew_model_rearrange(&model, first, bytes), SINEW_OK);
+  ASSERT_EQ(sinew_model_pack(&model, first, bytes), SINEW_OK);
   EXPECT_TRUE(std::all_of(first + bytes, first + bytes + 64, [](uint8_t b) { return b == 0xA5; }));
   const std::vector<uint8_t> before(first, first + bytes);
   EXPECT_EQ(bind_star(SINEW_KERNEL_AUTO, 0, &model).weights, bound.weights);
   EXPECT_TRUE(std::equal(before.begin(), before.end(), first));
 }
 
-TEST(KernelOption, RearrangingRefusesWhatDoesNotFit) {
-  const size_t bytes = sinew_model_rearranged_size(bundled_model());
+TEST(KernelOption, PackingRefusesWhatDoesNotFit) {
+  const size_t bytes = sinew_model_packed_size(bundled_model());
   sinew::Workspace memory(bytes + 64);
   sinew_model model = *bundled_model(), empty = {};
-  EXPECT_EQ(sinew_model_rearrange(&model, memory.data(), bytes - 1), SINEW_ERROR_WORKSPACE);
-  EXPECT_EQ(sinew_model_rearrange(&model, static_cast<uint8_t*>(memory.data()) + 8, bytes), SINEW_ERROR_WORKSPACE);
-  EXPECT_EQ(sinew_model_rearrange(&model, nullptr, bytes), SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(sinew_model_rearrange(nullptr, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(sinew_model_rearrange(&empty, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(model.rearranged, nullptr);
-  EXPECT_EQ(sinew_model_rearranged_size(&empty), size_t{0});
-  EXPECT_EQ(sinew_model_rearranged_size(nullptr), size_t{0});
+  EXPECT_EQ(sinew_model_pack(&model, memory.data(), bytes - 1), SINEW_ERROR_WORKSPACE);
+  EXPECT_EQ(sinew_model_pack(&model, static_cast<uint8_t*>(memory.data()) + 8, bytes), SINEW_ERROR_WORKSPACE);
+  EXPECT_EQ(sinew_model_pack(&model, nullptr, bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_model_pack(nullptr, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_model_pack(&empty, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(model.packed, nullptr);
+  EXPECT_EQ(sinew_model_packed_size(&empty), size_t{0});
+  EXPECT_EQ(sinew_model_packed_size(nullptr), size_t{0});
 }
 
 TEST(KernelOption, UnknownValuesAreRefused) {

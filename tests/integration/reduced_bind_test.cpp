@@ -16,7 +16,7 @@ using Bound = sinew_test::BoundScene;
 using sinew_test::bind_scene;
 
 sinew_options with_surface(uint32_t vertices, uint32_t method = SINEW_METHOD_MODEL) {
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.grid_size = 32;
   options.method = method;
   options.surface_vertices = vertices;
@@ -87,11 +87,9 @@ TEST(ReducedBindOptions, HintsPartsAndSymmetryActOnTheWholeMesh) {
 
   options = with_surface(500);
   options.symmetric = 1;
-  uint32_t mirrored = 0;
-  options.symmetric_vertices = &mirrored;
   const Bound symmetric = bind_scene(scene, options);
   ASSERT_EQ(symmetric.status, SINEW_OK);
-  EXPECT_EQ(mirrored, scene.vertex_count());
+  EXPECT_EQ(symmetric.symmetric_vertices, scene.vertex_count());
   for (uint32_t ring = 0; ring < 60; ++ring) {  // segment s at angle 2 pi s / 60: its mirror image in x is 30 - s
     for (uint32_t s = 0; s < 60; ++s) {
       const size_t a = 4 * size_t{ring * 60 + s}, b = 4 * size_t{ring * 60 + (90 - s) % 60};

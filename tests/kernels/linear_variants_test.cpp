@@ -116,7 +116,7 @@ class LinearVariant : public testing::TestWithParam<uint32_t> {
           << kernel_name(kernel) << ": this processor has it, but it was not built or not chosen";
       GTEST_SKIP() << "NOT RUN: this processor has no " << kernel_name(kernel);
     }
-    // Rearranged weights, the model's own bytes, or both.
+    // Packed weights, the model's own bytes, or both.
     if (kernels_.linear_packed != nullptr) linear_.push_back(kernels_.linear_packed);
     if (kernels_.linear != &linear_s16_ref) linear_.push_back(kernels_.linear);
     const bool x86 = kernel == SINEW_KERNEL_AVX2 || kernel == SINEW_KERNEL_AVXVNNI || kernel == SINEW_KERNEL_VNNI;

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "open_bundled_model.hpp"
-#include "sinew/sinew.h"
+#include "sinew/sinew.hpp"
 
 namespace {
 
@@ -55,7 +55,7 @@ sinew_skeleton skeleton_of(const Scene& scene) {
   return {scene.joints.data(), scene.parents.data(), nullptr, static_cast<uint32_t>(scene.parents.size())};
 }
 
-Rows bind(const Scene& scene, const sinew_model* model, sinew_options options) {
+Rows bind(const Scene& scene, const sinew_model* model, sinew::Options options) {
   const sinew_mesh mesh = mesh_of(scene);
   const sinew_skeleton skeleton = skeleton_of(scene);
   options.method = model != nullptr ? SINEW_METHOD_MODEL : SINEW_METHOD_HEAT;
@@ -68,8 +68,9 @@ Rows bind(const Scene& scene, const sinew_model* model, sinew_options options) {
   const size_t n = options.influence_count != 0 ? options.influence_count : 4;
   rows.joints.resize(mesh.vertex_count * n);
   rows.weights.resize(mesh.vertex_count * n);
-  rows.status = sinew_bind(model, &mesh, &skeleton, &options, block.data(), rows.asked, rows.joints.data(),
-                           rows.weights.data(), &rows.used);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joints.data(), rows.weights.data());
+  rows.status = sinew_bind(model, &mesh, &skeleton, &options, block.data(), rows.asked, &outputs);
+  rows.used = outputs.used_bytes;
   EXPECT_EQ(static_cast<uint8_t*>(block.data())[rows.asked], 0xA5) << "wrote behind the workspace";
   return rows;
 }
@@ -187,7 +188,7 @@ TEST(BindProperty, TenThousandRandomScenes) {
   for (int i = 0; i < scenes; ++i) {
     Random random(static_cast<uint64_t>(i));
     const Scene scene = random_scene(random);
-    sinew_options options = {};
+    sinew_options options = sinew_options_init();
     options.influence_count = 1 + below(random, SINEW_MAX_INFLUENCES);
     options.grid_size = 16;
     options.candidate_count = below(random, SINEW_MAX_CANDIDATES + 1);
@@ -223,7 +224,7 @@ TEST(BindProperty, RenumberingChangesNothing) {
       other.offsets.push_back(static_cast<uint32_t>(other.corners.size()));
     }
     // Polygons are fans from their first corner, which stays first here.
-    sinew_options options = {};
+    sinew_options options = sinew_options_init();
     options.grid_size = 32;
     options.surface_vertices = i % 2 != 0 ? 16 : 0;
     for (const sinew_model* model : {static_cast<const sinew_model*>(nullptr), bundled_model()}) {
@@ -305,7 +306,7 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
   std::vector<uint8_t> flags = {0, SINEW_JOINT_NEVER, 0, 0}, locked(n, 0);
   const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), flags.data(), 4};
   locked[5] = 1;
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.method = SINEW_METHOD_HEAT;
   options.locked = locked.data();
   size_t bytes = 0;
@@ -314,9 +315,8 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
   std::vector<uint16_t> joints(n * 4, 0), weights(n * 4, 0);
   joints[20] = 1;
   weights[20] = 65535;
-  ASSERT_EQ(
-      sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
-      SINEW_OK);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_OK);
   EXPECT_EQ(joints[20], 1);
   EXPECT_EQ(weights[20], 65535);
   for (size_t i = 0; i < joints.size(); ++i) {
@@ -325,14 +325,10 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
     }
   }
   joints[20] = 9;
-  EXPECT_EQ(
-      sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
-      SINEW_ERROR_RANGE);
+  EXPECT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_ERROR_RANGE);
   flags = {0, 0, SINEW_JOINT_DEFORMS, 0};
   joints[20] = 0;
-  ASSERT_EQ(
-      sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), weights.data(), nullptr),
-      SINEW_OK);
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_OK);
   for (size_t i = 0; i < joints.size(); ++i) {
     if (i / 4 != 5 && weights[i] > 0) {
       EXPECT_EQ(joints[i], 2) << "only one joint deforms";
@@ -348,7 +344,7 @@ TEST(BindProperty, CancelStopsAtEveryCallAndProgressRises) {
     uint32_t last = 0;
     bool fell = false;
   };
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.progress = [](void* user, uint32_t done) {
     Watch& w = *static_cast<Watch*>(user);
     w.fell = w.fell || done < w.last || done > 1000;
@@ -379,7 +375,7 @@ TEST(BindProperty, WeightFormatsAgree) {
   const sinew_mesh mesh = mesh_of(scene);
   const sinew_skeleton skeleton = skeleton_of(scene);
   const uint32_t n = mesh.vertex_count;
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.method = SINEW_METHOD_HEAT;
   size_t bytes = 0;
   ASSERT_EQ(
@@ -389,14 +385,14 @@ TEST(BindProperty, WeightFormatsAgree) {
   std::vector<uint16_t> joints(n * 4), wide(n * 4);
   std::vector<float> real(n * 4);
   std::vector<uint8_t> narrow(n * 4);
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), wide.data(), nullptr),
-            SINEW_OK);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), wide.data());
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_OK);
   options.weight_format = SINEW_WEIGHT_FLOAT;
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), real.data(), nullptr),
-            SINEW_OK);
+  outputs.weights = real.data();
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_OK);
   options.weight_format = SINEW_WEIGHT_UNORM8;
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, joints.data(), narrow.data(), nullptr),
-            SINEW_OK);
+  outputs.weights = narrow.data();
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, block.data(), bytes, &outputs), SINEW_OK);
   for (size_t i = 0; i < wide.size(); ++i) EXPECT_EQ(real[i], static_cast<float>(wide[i]) / 65535.0f);
   for (uint32_t v = 0; v < n; ++v) {
     EXPECT_EQ(std::accumulate(narrow.begin() + v * 4, narrow.begin() + v * 4 + 4, 0), 255);
@@ -430,7 +426,7 @@ Painted paint(Random& random, const Scene& scene, uint32_t percent) {
   return p;
 }
 
-void bind_painted(const Scene& scene, const sinew_model* model, sinew_options options, Painted* p) {
+void bind_painted(const Scene& scene, const sinew_model* model, sinew::Options options, Painted* p) {
   const sinew_mesh mesh = mesh_of(scene);
   const sinew_skeleton skeleton = skeleton_of(scene);
   options.method = model != nullptr ? SINEW_METHOD_MODEL : SINEW_METHOD_HEAT;
@@ -439,8 +435,9 @@ void bind_painted(const Scene& scene, const sinew_model* model, sinew_options op
                                              skeleton.joint_count, &options, &p->rows.asked);
   ASSERT_EQ(p->rows.status, SINEW_OK);
   const Block block(p->rows.asked);
-  p->rows.status = sinew_bind(model, &mesh, &skeleton, &options, block.data(), p->rows.asked, p->rows.joints.data(),
-                              p->rows.weights.data(), &p->rows.used);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(p->rows.joints.data(), p->rows.weights.data());
+  p->rows.status = sinew_bind(model, &mesh, &skeleton, &options, block.data(), p->rows.asked, &outputs);
+  p->rows.used = outputs.used_bytes;
 }
 
 TEST(BindProperty, HintsAreKeptAndRowsStaySound) {
@@ -450,7 +447,7 @@ TEST(BindProperty, HintsAreKeptAndRowsStaySound) {
     const Scene scene = random_scene(random);
     const Painted given = paint(random, scene, 1 + below(random, 40));
     Painted out = given;
-    sinew_options options = {};
+    sinew_options options = sinew_options_init();
     options.grid_size = 16;
     bind_painted(scene, i % 2 != 0 ? model : nullptr, options, &out);
     ASSERT_EQ(out.rows.status, SINEW_OK) << "scene " << i << ": " << sinew_status_text(out.rows.status);
@@ -475,7 +472,7 @@ TEST(BindProperty, HintsOnNothingChangeNothingAndOnAllKeepAll) {
     Random random(static_cast<uint64_t>(i) + 9500);
     const Scene scene = random_scene(random);
     const sinew_model* model = i % 2 != 0 ? bundled_model() : nullptr;
-    sinew_options options = {};
+    sinew_options options = sinew_options_init();
     options.grid_size = 16;
     Painted none = paint(random, scene, 0);
     bind_painted(scene, model, options, &none);
@@ -549,7 +546,7 @@ TEST(BindProperty, HintsDoNotDependOnNumbering) {
     }
     for (uint32_t& c : other.corners) c = static_cast<uint32_t>(n) - 1 - c;
     Painted a = given;
-    sinew_options options = {};
+    sinew_options options = sinew_options_init();
     options.grid_size = 16;
     const sinew_model* model = i % 2 != 0 ? bundled_model() : nullptr;
     bind_painted(scene, model, options, &a);

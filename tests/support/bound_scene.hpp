@@ -17,6 +17,7 @@ struct BoundScene {
   size_t bytes = 0, used = 0;             // of workspace
   std::vector<uint16_t> joints, weights;  // [V x 4]
   std::vector<uint8_t> confidence;        // [V]
+  uint32_t symmetric_vertices = 0;
 };
 
 // The joint that a hinted vertex is given wholly.
@@ -25,14 +26,13 @@ inline uint16_t hinted_joint(const HeatScene& scene, uint32_t vertex) {
 }
 
 // `options` as they are, with confidence.
-inline BoundScene bind_scene(const HeatScene& scene, sinew_options options) {
+inline BoundScene bind_scene(const HeatScene& scene, const sinew_options& options) {
   BoundScene bound;
   const sinew_mesh mesh = scene.mesh_view();
   const sinew_skeleton skeleton = scene.skeleton_view();
   bound.joints.assign(size_t{mesh.vertex_count} * 4, 0);
   bound.weights.assign(size_t{mesh.vertex_count} * 4, 0);
   bound.confidence.assign(mesh.vertex_count, 0);
-  options.confidence = bound.confidence.data();
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
     if (options.hints == nullptr || options.hints[v] == 0) continue;
     bound.joints[size_t{v} * 4] = hinted_joint(scene, v);
@@ -42,8 +42,11 @@ inline BoundScene bind_scene(const HeatScene& scene, sinew_options options) {
                                            skeleton.joint_count, &options, &bound.bytes);
   if (bound.status != SINEW_OK) return bound;
   const sinew::Workspace block(bound.bytes);
-  bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block.data(), bound.bytes, bound.joints.data(),
-                            bound.weights.data(), &bound.used);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(bound.joints.data(), bound.weights.data());
+  outputs.confidence = bound.confidence.data();
+  bound.status = sinew_bind(bundled_model(), &mesh, &skeleton, &options, block.data(), bound.bytes, &outputs);
+  bound.used = outputs.used_bytes;
+  bound.symmetric_vertices = outputs.symmetric_vertices;
   return bound;
 }
 

@@ -72,21 +72,28 @@ struct WeightFormat<float> {
   static constexpr uint32_t value = SINEW_WEIGHT_FLOAT;
 };
 
-// Rows of a bound mesh, see sinew_bind().
+// sinew_options that ask for every default; {} where a function takes options.
+struct Options : sinew_options {
+  Options() : sinew_options(sinew_options_init()) {}
+  Options(const sinew_options& options) : sinew_options(options) {}
+};
+
+// Rows of a bound mesh, see sinew_bind_outputs.
 template <class Weight>
 struct Skin {
-  uint32_t influence_count = 0;  // N
-  std::vector<uint16_t> joints;  // [vertex_count x N]
-  std::vector<Weight> weights;   // [vertex_count x N]
+  uint32_t influence_count = 0;     // N
+  std::vector<uint16_t> joints;     // [vertex_count x N]
+  std::vector<Weight> weights;      // [vertex_count x N]
+  uint32_t symmetric_vertices = 0;  // with options.symmetric
 };
 
 // sinew_bind() with the size query, the workspace and the outputs taken care of. options.weight_format is set from
 // Weight. With options.locked or options.hints *skin is input too and must hold vertex_count rows of the wanted
-// influence count (else SINEW_ERROR_ARGUMENT). Returns what sinew_bind() does; SINEW_ERROR_WORKSPACE where memory is
-// short. *skin is untouched on failure.
+// influence count (else SINEW_ERROR_ARGUMENT). *confidence gets a value a vertex, unless it is null. Returns what
+// sinew_bind() does; SINEW_ERROR_WORKSPACE where memory is short. *skin is untouched on failure, *confidence undefined.
 template <class Weight>
-sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
-                  sinew_options options, Workspace* workspace, Skin<Weight>* skin) {
+sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton, Options options,
+                  Workspace* workspace, Skin<Weight>* skin, std::vector<uint8_t>* confidence = nullptr) {
   options.weight_format = WeightFormat<Weight>::value;
   size_t bytes = 0;
   const sinew_status status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
@@ -95,15 +102,20 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
   if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
   const uint32_t influences = options.influence_count == 0 ? 4 : options.influence_count;
   const size_t values = static_cast<size_t>(mesh.vertex_count) * influences;
+  if (confidence != nullptr) confidence->resize(mesh.vertex_count);
   const auto run = [&](Skin<Weight>& rows) {
-    return sinew_bind(model, &mesh, &skeleton, &options, workspace->data(), workspace->size(), rows.joints.data(),
-                      rows.weights.data(), nullptr);
+    sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joints.data(), rows.weights.data());
+    if (confidence != nullptr) outputs.confidence = confidence->data();
+    const sinew_status bound =
+        sinew_bind(model, &mesh, &skeleton, &options, workspace->data(), workspace->size(), &outputs);
+    if (bound == SINEW_OK) rows.symmetric_vertices = outputs.symmetric_vertices;
+    return bound;
   };
   if (skin->influence_count == influences && skin->joints.size() == values && skin->weights.size() == values) {
     return run(*skin);
   }
   if (options.locked != nullptr || options.hints != nullptr) return SINEW_ERROR_ARGUMENT;
-  Skin<Weight> fresh{influences, std::vector<uint16_t>(values), std::vector<Weight>(values)};
+  Skin<Weight> fresh{influences, std::vector<uint16_t>(values), std::vector<Weight>(values), 0};
   const sinew_status bound = run(fresh);
   if (bound == SINEW_OK) *skin = std::move(fresh);
   return bound;

@@ -26,7 +26,9 @@ void measure_bind(Arena& arena, const BindPlan& plan) {
 }
 
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
-                      size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes) {
+                      size_t workspace_bytes, sinew_bind_outputs* outputs) {
+  const uint16_t* const joints = outputs->joint_indices;
+  const void* const weights = outputs->weights;
   Kernels kernels;
   if (!select_kernels(plan.kernel, &kernels)) return SINEW_ERROR_KERNEL;
   sinew_status status = check_given_rows(plan.rows, plan.counts.vertices, skeleton.joint_count, joints, weights);
@@ -64,8 +66,8 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
     if (status != SINEW_OK) return status;
   }
   if (!plan.progress.report(ends_at::kRows)) return SINEW_ERROR_CANCELLED;
-  write_rows(prediction, plan.rows, edited, plan.counts.threads, joints, weights);
-  if (used_bytes != nullptr) *used_bytes = arena.high_water();
+  write_rows(prediction, plan.rows, edited, plan.counts.threads, outputs);
+  outputs->used_bytes = arena.high_water();
   return SINEW_OK;
 }
 

@@ -7,10 +7,11 @@
 
 namespace sinew {
 
-// Runs the stages of a plan in the workspace and writes the rows. Arguments as in sinew_bind(), checked but for what
-// the arrays hold. Nothing is written to joints and weights before nothing can fail any more.
+// Runs the stages of a plan in the workspace and writes the outputs. Arguments as in sinew_bind(), checked but for what
+// the arrays hold. Nothing is written to the outputs before nothing can fail any more.
+//   outputs  the library's own struct, with the caller's arrays
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
-                      size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes);
+                      size_t workspace_bytes, sinew_bind_outputs* outputs);
 // What run_bind() takes of its workspace, for a measuring arena.
 void measure_bind(Arena& arena, const BindPlan& plan);
 

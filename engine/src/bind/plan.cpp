@@ -2,11 +2,17 @@
 // Checks the caller's options and fills in their defaults.
 #include "bind/plan.hpp"
 
+#include <stddef.h>
+
 #include "core/build.hpp"
+#include "core/struct_size.hpp"
 #include "kernels/select.hpp"
 
 namespace sinew {
 namespace {
+
+// sinew_options of the first release, 0.1.
+constexpr uint32_t kFirstOptionsSize = offsetof(sinew_options, progress_user) + sizeof(void*);
 
 uint32_t or_default(uint32_t value, uint32_t fallback) { return value != 0 ? value : fallback; }
 
@@ -17,11 +23,10 @@ bool is_default_or_in(uint32_t value, uint32_t least, uint32_t most) {
 
 // What can be said of the options without the model and the counts.
 sinew_status check_options(const sinew_options& o) {
-  if (o.version != 0 || o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES ||
-      o.up_axis > 1 || o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS ||
-      kernel_name(o.kernel) == nullptr || o.weight_format > SINEW_WEIGHT_FLOAT ||
-      o.rigid_parts > SINEW_RIGID_PARTS_NEVER || !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) ||
-      !is_default_or_in(o.softness_percent, 25, 400)) {
+  if (o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES || o.up_axis > 1 ||
+      o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS || kernel_name(o.kernel) == nullptr ||
+      o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
+      !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) || !is_default_or_in(o.softness_percent, 25, 400)) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (!kHasExtras &&
@@ -40,8 +45,6 @@ RowOptions row_options(const sinew_options& o) {
   rows.symmetric = o.symmetric != 0;
   rows.locked = o.locked;
   rows.hints = o.hints;
-  rows.confidence = o.confidence;
-  rows.symmetric_vertices = o.symmetric_vertices;
   return rows;
 }
 
@@ -49,9 +52,9 @@ RowOptions row_options(const sinew_options& o) {
 
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan) {
-  const sinew_options defaults = {};
-  const sinew_options& o = options != nullptr ? *options : defaults;
-  sinew_status status = check_options(o);
+  sinew_options o = sinew_options_init();
+  sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
+  if (status == SINEW_OK) status = check_options(o);
   if (status != SINEW_OK) return status;
   plan->with_network = o.method != SINEW_METHOD_HEAT;
   uint32_t candidates = or_default(o.candidate_count, 8), grid = or_default(o.grid_size, 64), feature_flags = 0;

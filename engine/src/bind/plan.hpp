@@ -31,9 +31,10 @@ struct BindPlan {
 };
 
 // Makes the plan for a mesh of `vertices`, `faces` and `corners` and a skeleton of `joints`.
-//   options  may be null: all defaults
+//   options  as the caller gave them, of any version, or null: all defaults
 // Returns SINEW_OK; SINEW_ERROR_ARGUMENT where an option is out of its range, is not in this build or contradicts the
-// model, or the model is missing; SINEW_ERROR_COUNT where a count is out of its range.
+// model, or the model is missing; SINEW_ERROR_VERSION where an option is set that this library does not know;
+// SINEW_ERROR_COUNT where a count is out of its range.
 sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners, uint32_t joints,
                        const sinew_options* options, BindPlan* plan);
 

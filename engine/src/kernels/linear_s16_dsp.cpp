@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The linear layer with the DSP instructions of Cortex-M4, M7, M33 and M55, and of 32-bit Cortex-A: smlad on pairs of
-// int16, read from the model's own bytes. Such devices have no memory to rearrange weights in.
+// int16, read from the model's own bytes. Such devices have no memory to pack weights in.
 #include "kernels/variants.hpp"
 
 #if defined(__ARM_FEATURE_SIMD32) && !defined(__aarch64__) && !defined(__ARM_BIG_ENDIAN)

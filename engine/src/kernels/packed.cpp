@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rearranges a linear layer's parameters for the vector kernels.
+// Packs a linear layer's parameters for the vector kernels.
 #include "kernels/packed.hpp"
 
 #include "kernels/kernels.hpp"

@@ -263,13 +263,13 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
     const LinearRecord record = tables.linear(i);
     parameter_count += static_cast<uint32_t>(record.out) * (static_cast<uint32_t>(record.in) + 1);
   }
+  *model = {};
   model->bytes = bytes;
   model->size_bytes = size_bytes;
   model->format_version = kModelFormat;
   model->candidate_count = list.candidates;
   model->grid_size = load_u32(bytes + kHeaderGrid);
   model->feature_set = load_u32(bytes + kHeaderFeatureSet);
-  model->fixed_candidates = 0;
   for (uint32_t i = 0; i < tables.layer_count(); ++i) {
     const LayerKind kind = list.layers[i].kind;
     if (kind == LayerKind::kPairToVertex || kind == LayerKind::kVertexToSlots) model->fixed_candidates = 1;
@@ -279,7 +279,6 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   model->checksum = load_u32(bytes + kHeaderChecksum);
   model->confidence_offset = has_confidence ? static_cast<uint32_t>(offset + kConfidenceHeader) : 0;
   model->confidence_count = has_confidence ? load_u32(bytes + offset + 8) : 0;
-  model->rearranged = nullptr;
   return SINEW_OK;
 }
 

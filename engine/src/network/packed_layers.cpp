@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where rearranged parameters lie, and what rows share.
+// Where packed parameters lie, and what rows share.
 #include "network/packed_layers.hpp"
 
 #include "core/build.hpp"
@@ -40,8 +40,8 @@ bool add_range(uint32_t first, uint32_t count, uint32_t most, ColumnRange* range
   return true;
 }
 
-// Where each linear layer's rearranged parameters lie behind the first one's. Returns the bytes of all.
-uint64_t rearranged_offsets(const NetworkPlan& plan, const ModelTables& tables, size_t* offsets) {
+// Where each linear layer's packed parameters lie behind the first one's. Returns the bytes of all.
+uint64_t packed_offsets(const NetworkPlan& plan, const ModelTables& tables, size_t* offsets) {
   uint64_t bytes = 0;
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
     offsets[i] = checked(bytes);
@@ -52,7 +52,7 @@ uint64_t rearranged_offsets(const NetworkPlan& plan, const ModelTables& tables, 
   return bytes;
 }
 
-void rearrange_layers(const NetworkPlan& plan, const ModelTables& tables, const size_t* offsets, uint8_t* memory) {
+void pack_layers(const NetworkPlan& plan, const ModelTables& tables, const size_t* offsets, uint8_t* memory) {
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
     if (plan.layers[i].kind == LayerKind::kLinear)
       pack_linear(make_linear_view(tables, plan.layers[i]), memory + offsets[i]);
@@ -130,8 +130,8 @@ int table_of_maximum(const NetworkPlan& plan, uint32_t index) {
 bool PackedLayers::allocate(const sinew_model& model, const NetworkPlan& plan, const ModelTables& tables,
                             const NetworkOptions& options, uint32_t lanes, Arena& arena) {
   if (!wants_packed(options)) return true;
-  const uint64_t bytes = rearranged_offsets(plan, tables, offsets);
-  memory = static_cast<const uint8_t*>(model.rearranged);
+  const uint64_t bytes = packed_offsets(plan, tables, offsets);
+  memory = static_cast<const uint8_t*>(model.packed);
   if (memory == nullptr) memory = own = arena.alloc<uint8_t>(checked(bytes));
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
     if (plan.layers[i].kind != LayerKind::kLinear) continue;
@@ -149,7 +149,7 @@ void PackedLayers::fill(const NetworkPlan& plan, const ModelTables& tables, bool
   if (!wanted) memory = nullptr;
   has_shared = has_shared && wanted;
   if (memory == nullptr) return;
-  if (own != nullptr) rearrange_layers(plan, tables, offsets, own);
+  if (own != nullptr) pack_layers(plan, tables, offsets, own);
   for (uint32_t i = 0; i < plan.layer_count && has_shared; ++i) {
     if (plan.layers[i].kind == LayerKind::kLinear)
       columns[i] = find_shared_columns(plan, i, tables.linear(plan.layers[i].parameters));
@@ -158,22 +158,22 @@ void PackedLayers::fill(const NetworkPlan& plan, const ModelTables& tables, bool
     rows_read[i] = find_rows_read(plan, has_shared ? columns : nullptr, i);
 }
 
-size_t rearranged_bytes(const sinew_model& model) {
+size_t packed_bytes(const sinew_model& model) {
   if (!kHasPackedWeights) return 0;
   NetworkPlan plan;
   make_plan(model, model.candidate_count, &plan);
   size_t offsets[kMaxLayers];
-  return checked(rearranged_offsets(plan, ModelTables(model.bytes), offsets));
+  return checked(packed_offsets(plan, ModelTables(model.bytes), offsets));
 }
 
-void rearrange_model(const sinew_model& model, uint8_t* memory) {
+void pack_model(const sinew_model& model, uint8_t* memory) {
   if (!kHasPackedWeights) return;
   NetworkPlan plan;
   make_plan(model, model.candidate_count, &plan);
   const ModelTables tables(model.bytes);
   size_t offsets[kMaxLayers];
-  (void)rearranged_offsets(plan, tables, offsets);
-  rearrange_layers(plan, tables, offsets, memory);
+  (void)packed_offsets(plan, tables, offsets);
+  pack_layers(plan, tables, offsets, memory);
 }
 
 }  // namespace sinew

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A network's linear layers as vector kernels want them: rearranged parameters, columns that rows share, and the rows
+// A network's linear layers as vector kernels want them: packed parameters, columns that rows share, and the rows
 // that nobody reads because of that.
 #ifndef SINEW_NETWORK_PACKED_LAYERS_HPP
 #define SINEW_NETWORK_PACKED_LAYERS_HPP
@@ -13,14 +13,14 @@
 namespace sinew {
 
 // Bytes of the model's weights as vector kernels read them (a multiple of 64; 0 in builds without such kernels), and
-// the weights themselves, for sinew_model::rearranged.
-size_t rearranged_bytes(const sinew_model& model);
-void rearrange_model(const sinew_model& model, uint8_t* memory);
+// the weights themselves, for sinew_model::packed.
+size_t packed_bytes(const sinew_model& model);
+void pack_model(const sinew_model& model, uint8_t* memory);
 
 // A linear layer's parameters in the model's bytes.
 LinearView make_linear_view(const ModelTables& tables, const Layer& layer);
 
-// Whether memory is asked for rearranged weights. Does not look at the processor, so that the size query is the same
+// Whether memory is asked for packed weights. Does not look at the processor, so that the size query is the same
 // everywhere; a processor whose kernels do not want them leaves the memory unused.
 bool wants_packed(const NetworkOptions& options);
 
@@ -42,7 +42,7 @@ int table_of_maximum(const NetworkPlan& plan, uint32_t index);
 // Which rows of a layer's output anyone reads in a tile whose shared columns are multiplied once.
 enum class RowsRead : uint8_t { kAll, kFirstOfVertex, kNone };
 
-// The linear layers' rearranged parameters: the model's, or made in the workspace.
+// The linear layers' packed parameters: the model's, or made in the workspace.
 struct PackedLayers {
   const uint8_t* memory = nullptr;  // null = nowhere
   size_t offsets[kMaxLayers];

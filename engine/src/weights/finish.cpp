@@ -76,7 +76,7 @@ void finish_edited_row(const EditedRows& edited, uint32_t welded, uint32_t influ
   if (source != welded) mirror_influences(edited.symmetry, influence_count, joints, row);
 }
 
-// How sure a predicted row [kRowSlots] is of its strongest joint, as in sinew_options::confidence.
+// How sure a predicted row [kRowSlots] is of its strongest joint, as in sinew_bind_outputs::confidence.
 uint8_t confidence_of(const Prediction& p, const uint32_t* weights) {
   uint32_t largest = 0;
   for (uint32_t i = 0; i < kRowSlots; ++i) largest = weights[i] > largest ? weights[i] : largest;
@@ -102,28 +102,28 @@ void store_weights(const uint16_t* row, uint32_t count, uint32_t format, size_t 
 }
 
 void write_range(const Prediction& p, const RowOptions& options, const EditedRows& edited, uint32_t begin, uint32_t end,
-                 uint16_t* joints, void* weights) {
+                 const sinew_bind_outputs& outputs) {
+  uint8_t* const confidence = outputs.confidence;
   const uint32_t n = options.influence_count;
   const uint32_t total = options.weight_format == SINEW_WEIGHT_UNORM8 ? 255u : 65535u;
   for (uint32_t v = begin; v < end; ++v) {
     if (options.is_given(v)) {
-      if (options.confidence != nullptr) options.confidence[v] = 255;
+      if (confidence != nullptr) confidence[v] = 255;
       continue;
     }
     const size_t first = static_cast<size_t>(v) * n;
     const uint32_t welded = p.mesh.vertex_to_welded[v];
     uint16_t predicted_joints[kRowSlots];
     uint32_t predicted[kRowSlots];
-    if (!options.edits_rows() || options.confidence != nullptr)
-      predicted_row(p, options, welded, predicted_joints, predicted);
-    if (options.confidence != nullptr) options.confidence[v] = confidence_of(p, predicted);
+    if (!options.edits_rows() || confidence != nullptr) predicted_row(p, options, welded, predicted_joints, predicted);
+    if (confidence != nullptr) confidence[v] = confidence_of(p, predicted);
     uint16_t row[SINEW_MAX_INFLUENCES];
     if (options.edits_rows()) {
-      finish_edited_row(edited, welded, n, total, joints + first, row);
+      finish_edited_row(edited, welded, n, total, outputs.joint_indices + first, row);
     } else {
-      keep_largest(predicted_joints, predicted, kRowSlots, n, total, joints + first, row);
+      keep_largest(predicted_joints, predicted, kRowSlots, n, total, outputs.joint_indices + first, row);
     }
-    store_weights(row, n, options.weight_format, first, weights);
+    store_weights(row, n, options.weight_format, first, outputs.weights);
   }
 }
 
@@ -205,11 +205,11 @@ void measure_edit_rows(Arena& arena, const Counts& counts, const RowOptions& opt
 }
 
 void write_rows(const Prediction& p, const RowOptions& options, const EditedRows& edited, const Threads& threads,
-                uint16_t* joints, void* weights) {
+                sinew_bind_outputs* outputs) {
   threads.ranges(p.mesh.vertex_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-    write_range(p, options, edited, begin, end, joints, weights);
+    write_range(p, options, edited, begin, end, *outputs);
   });
-  if (options.symmetric_vertices != nullptr) *options.symmetric_vertices = count_symmetric(p.mesh, edited.symmetry);
+  outputs->symmetric_vertices = count_symmetric(p.mesh, edited.symmetry);
 }
 
 }  // namespace sinew

@@ -21,10 +21,8 @@ struct RowOptions {
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO;
   uint32_t softness_percent = 100;
   bool symmetric = false;
-  const uint8_t* locked = nullptr;         // [V] or null
-  const uint8_t* hints = nullptr;          // [V] or null
-  uint8_t* confidence = nullptr;           // out [V] or null
-  uint32_t* symmetric_vertices = nullptr;  // out, or null
+  const uint8_t* locked = nullptr;  // [V] or null
+  const uint8_t* hints = nullptr;   // [V] or null
 
   // Whether anything changes rows between prediction and influences. If so, edit_rows() must run before write_rows().
   bool edits_rows() const {
@@ -80,11 +78,11 @@ sinew_status edit_rows(const Prediction& prediction, const RowOptions& options, 
                        EditedRows* edited);
 void measure_edit_rows(Arena& arena, const Counts& counts, const RowOptions& options);
 
-// Writes the rows of all vertices that the caller did not give, and the outputs that the options name.
-//   edited           from edit_rows() with the same options; not read if nothing edits rows
-//   joints, weights  out [V x influence_count] in the caller's order and format
+// Writes the rows of all vertices that the caller did not give, their confidence, and how many vertices are symmetric.
+//   edited   from edit_rows() with the same options; not read if nothing edits rows
+//   outputs  in/out the caller's arrays [V x influence_count], in the caller's order and format
 void write_rows(const Prediction& prediction, const RowOptions& options, const EditedRows& edited,
-                const Threads& threads, uint16_t* joints, void* weights);
+                const Threads& threads, sinew_bind_outputs* outputs);
 
 }  // namespace sinew
 #endif

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 int main(void) {
-  sinew_options options = {0};
+  sinew_options options = sinew_options_init();
   size_t bytes = 0;
   options.method = SINEW_METHOD_HEAT;
   if (sinew_bind_workspace_size(NULL, 8, 12, 36, 2, &options, &bytes) != SINEW_OK || bytes == 0) return 1;

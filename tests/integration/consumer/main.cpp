@@ -9,7 +9,7 @@ int main() {
   const int32_t parent = -1;
   const sinew_mesh mesh = {positions, 3, nullptr, corners, 1, 3};
   const sinew_skeleton skeleton = {joint, &parent, nullptr, 1};
-  sinew_options options = {};
+  sinew::Options options;
   options.method = SINEW_METHOD_HEAT;
   sinew::Workspace workspace;
   sinew::Skin<uint8_t> skin;

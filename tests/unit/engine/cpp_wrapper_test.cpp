@@ -37,7 +37,7 @@ void expect_the_same_bytes(uint32_t influences) {
   const MeshScene scene = bar();
   const sinew_mesh mesh = scene.mesh_view();
   const sinew_skeleton skeleton = scene.skeleton_view();
-  sinew_options options = {};
+  sinew::Options options;
   options.method = SINEW_METHOD_HEAT;
   options.influence_count = influences;
   sinew::Workspace workspace;
@@ -50,9 +50,8 @@ void expect_the_same_bytes(uint32_t influences) {
   options.weight_format = sinew::WeightFormat<Weight>::value;
   std::vector<uint16_t> joints(skin.joints.size(), 99);
   std::vector<Weight> weights(skin.weights.size(), static_cast<Weight>(99));
-  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, workspace.data(), workspace.size(), joints.data(),
-                       weights.data(), nullptr),
-            SINEW_OK);
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, workspace.data(), workspace.size(), &outputs), SINEW_OK);
   EXPECT_EQ(skin.joints, joints);
   EXPECT_EQ(std::memcmp(skin.weights.data(), weights.data(), weights.size() * sizeof(Weight)), 0);
 }
@@ -67,10 +66,10 @@ TEST(CppWrapper, LeavesTheSkinAloneOnFailure) {
   const MeshScene scene = bar();
   sinew_mesh mesh = scene.mesh_view();
   const sinew_skeleton skeleton = scene.skeleton_view();
-  sinew_options options = {};
+  sinew::Options options;
   options.method = SINEW_METHOD_HEAT;
   sinew::Workspace workspace;
-  sinew::Skin<uint16_t> skin{1, {7}, {65535}};
+  sinew::Skin<uint16_t> skin{1, {7}, {65535}, 0};
   mesh.face_vertices = nullptr;
   EXPECT_NE(sinew::bind(nullptr, mesh, skeleton, options, &workspace, &skin), SINEW_OK);
   options.influence_count = 13;
@@ -81,7 +80,7 @@ TEST(CppWrapper, LeavesTheSkinAloneOnFailure) {
 
 TEST(CppWrapper, KeepsLockedRowsAndWantsThem) {
   const MeshScene scene = bar();
-  sinew_options options = {};
+  sinew::Options options;
   options.method = SINEW_METHOD_HEAT;
   options.influence_count = 1;
   std::vector<uint8_t> locked(scene.vertex_count(), 0);
@@ -91,7 +90,7 @@ TEST(CppWrapper, KeepsLockedRowsAndWantsThem) {
   sinew::Skin<uint16_t> skin;
   EXPECT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin),
             SINEW_ERROR_ARGUMENT);
-  skin = {1, std::vector<uint16_t>(scene.vertex_count(), 0), std::vector<uint16_t>(scene.vertex_count(), 65535)};
+  skin = {1, std::vector<uint16_t>(scene.vertex_count(), 0), std::vector<uint16_t>(scene.vertex_count(), 65535), 0};
   ASSERT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin), SINEW_OK);
   EXPECT_EQ(skin.joints[19], 0);
   EXPECT_EQ(skin.joints[18], 1);

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: MIT
+ * Models: checked and used in place, and packed on demand for this kind of processor. */
+#ifndef SINEW_MODEL_H
+#define SINEW_MODEL_H
+
+#include "sinew/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A model that was checked. Only sinew_model_open() and sinew_model_pack() write it. Copies are fine.
+ * It points into the caller's bytes, which must outlive it.
+ * The library writes the whole struct, so its size never changes: new members take their room from `reserved`. */
+typedef struct sinew_model {
+  const uint8_t* bytes; /* the whole file */
+  size_t size_bytes;
+  const void* packed; /* its weights as vector kernels read them, by sinew_model_pack(); null = nowhere */
+  uint32_t format_version;
+  uint32_t candidate_count;  /* K the network was trained with */
+  uint32_t grid_size;        /* voxel cells along the longest side it was trained with */
+  uint32_t feature_set;      /* version of the feature list; bit 16: spectral channels as well */
+  uint32_t fixed_candidates; /* non-zero: its layers are tied to candidate_count */
+  uint32_t layer_count;
+  uint32_t parameter_count;
+  uint32_t checksum;
+  uint32_t confidence_offset; /* of its confidence table in bytes; 0 = it has none */
+  uint32_t confidence_count;  /* entries of the table */
+  uint32_t reserved[16];      /* 0 */
+} sinew_model;
+
+/* Checks magic, version, checksum, sizes, shapes, shifts and accumulator proofs, then fills *model.
+ *   bytes   in   the whole file, 8-byte aligned; read-only memory is fine; used in place, never copied
+ *   model   out  untouched on failure
+ * Returns SINEW_OK, or
+ *   SINEW_ERROR_ARGUMENT  `bytes` or `model` is null
+ *   SINEW_ERROR_MODEL_*   what is wrong with the file, see sinew_status */
+sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
+
+/* Bytes that sinew_model_pack() needs: about the model's size.
+ * 0 in builds whose kernels all read the model's own bytes (SINEW_SMALL_CODE), and for a model that is not open. */
+size_t sinew_model_packed_size(const sinew_model* model);
+
+/* Packs an opened model's weights once, in the order that vector kernels read them.
+ * A bind with a model that is not packed packs it anew, in its workspace, which is larger by as much.
+ *   memory        out  64-byte aligned; belongs to the caller, who keeps it for as long as the model is used.
+ *                      Any number of binds may read it at once
+ *   memory_bytes       at least sinew_model_packed_size(); where that is 0 the call does nothing
+ * Returns SINEW_OK, or with nothing written
+ *   SINEW_ERROR_ARGUMENT   `model` or `memory` is null, or the model is not open
+ *   SINEW_ERROR_WORKSPACE  the memory is too small or not aligned */
+sinew_status sinew_model_pack(sinew_model* model, void* memory, size_t memory_bytes);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

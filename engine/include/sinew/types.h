@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT
+ * What all calls share: version, limits, status, kernels, the caller's callbacks, mesh and skeleton.
+ *
+ * Structs that grow (sinew_options, sinew_bind_outputs) begin with `struct_size`, the caller's sizeof; the struct's
+ * ..._init() sets it and leaves the rest 0. New members come at the end, and 0 always means what it meant before them:
+ *   a caller with an older header has a shorter struct: members that it lacks count as 0, and are not written
+ *   a caller with a newer header has a longer struct: what this library does not know must be 0, else the call returns
+ *   SINEW_ERROR_VERSION
+ * sinew_model, which the library fills, keeps its size. sinew_mesh and sinew_skeleton never change: new inputs become
+ * options. */
+#ifndef SINEW_TYPES_H
+#define SINEW_TYPES_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SINEW_VERSION_MAJOR 0
+#define SINEW_VERSION_MINOR 1
+#define SINEW_VERSION_PATCH 0
+
+#define SINEW_MAX_INFLUENCES 12u
+#define SINEW_MAX_CANDIDATES 16u
+#define SINEW_MAX_JOINTS 4096u
+#define SINEW_MAX_VERTICES 4000000u
+#define SINEW_WORKSPACE_ALIGNMENT 64u
+#define SINEW_MAX_THREADS 64u
+
+/* 0 is success; numbers are never reused. */
+typedef enum sinew_status {
+  SINEW_OK = 0,
+  SINEW_ERROR_ARGUMENT = -1,         /* a pointer is null, struct_size is not set, or an option is out of its range: see
+                                      * the call's comment */
+  SINEW_ERROR_WORKSPACE = -2,        /* the block is too small or not aligned to 64: ask the call's size query */
+  SINEW_ERROR_COUNT = -3,            /* more vertices, joints or corners than the limits above, or none at all;
+                                      * fewer than two corners a face */
+  SINEW_ERROR_NOT_FINITE = -4,       /* a position is NaN or infinite: clean the mesh */
+  SINEW_ERROR_INDEX = -5,            /* a face names a vertex, or a parent a joint, that does not exist; a face
+                                      * has fewer than two corners */
+  SINEW_ERROR_HIERARCHY = -6,        /* joint parents form a cycle */
+  SINEW_ERROR_NO_JOINT = -7,         /* every joint is marked SINEW_JOINT_NEVER: leave at least one usable */
+  SINEW_ERROR_CANCELLED = -8,        /* the progress callback asked to stop; outputs are untouched */
+  SINEW_ERROR_MODEL_MAGIC = -9,      /* not a sinew model file */
+  SINEW_ERROR_MODEL_VERSION = -10,   /* a model format this library does not know: update the library */
+  SINEW_ERROR_MODEL_TRUNCATED = -11, /* the file is shorter or longer than its header says: fetch it again */
+  SINEW_ERROR_MODEL_CHECKSUM = -12,  /* bytes changed since the file was written: fetch it again */
+  SINEW_ERROR_MODEL_LAYOUT = -13,    /* sizes, offsets, shapes or layer order contradict each other */
+  SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantise again */
+  SINEW_ERROR_MODEL_ALIGNMENT = -15, /* model bytes must start at an address divisible by 8 */
+  SINEW_ERROR_RANGE = -16,           /* a joint index, weight or pose is outside its stated range */
+  SINEW_ERROR_KERNEL = -17,          /* sinew_options::kernel names kernels that this library was built without or this
+                                      * processor cannot run: ask sinew_kernel_select(), or leave it 0 */
+  SINEW_ERROR_VERSION = -18          /* an option is set that this library does not know: update the library, or leave
+                                      * it 0 */
+} sinew_status;
+
+/* One line of English for a status; never null. */
+const char* sinew_status_text(sinew_status status);
+/* "major.minor.patch" of the library. */
+const char* sinew_version(void);
+
+/* Kernels: the same arithmetic with different instructions. Every one gives the same bytes; they differ in speed only.
+ * Numbers are never reused. */
+typedef enum sinew_kernel {
+  SINEW_KERNEL_AUTO = 0,    /* the fastest that this processor runs; found anew in every call, nothing is remembered */
+  SINEW_KERNEL_REF = 1,     /* plain C++, on every processor */
+  SINEW_KERNEL_AVX2 = 2,    /* x86-64 with AVX2 */
+  SINEW_KERNEL_AVXVNNI = 3, /* x86-64 with AVX-VNNI (256 bits) */
+  SINEW_KERNEL_VNNI = 4,    /* x86-64 with AVX-512 F, BW, DQ, VL and VNNI */
+  SINEW_KERNEL_SIMD128 = 5, /* WebAssembly with its 128-bit SIMD */
+  SINEW_KERNEL_NEON = 6,    /* ARM64 */
+  SINEW_KERNEL_DSP = 7      /* 32-bit Arm with smlad: Cortex-M4, M7, M33, M55, Cortex-A */
+} sinew_kernel;
+
+/* "auto", "ref", "avx2", ... for 0, 1, 2, ...; null behind the last, so that tools can list or parse them. */
+const char* sinew_kernel_name(uint32_t kernel);
+/* What a call would run with for options.kernel = kernel: itself, or the choice for SINEW_KERNEL_AUTO. 0 when this
+ * library was built without it or this processor lacks it. */
+uint32_t sinew_kernel_select(uint32_t kernel);
+
+/* Called now and then with a share of work done, 0..1000. Return non-zero to cancel. */
+typedef int (*sinew_progress)(void* user, uint32_t done_permille);
+
+/* The caller's threads. Calls body(body_data, i) exactly once for each i in 0 .. count-1, in any order and on any
+ * threads, several at a time or none, and returns when all of them have returned. What they wrote must be visible to
+ * its caller then. count is at most the thread_count of the options. Bodies never call back and never wait for one
+ * another, so a job system, a pool, OpenMP and a plain loop all do. */
+typedef void (*sinew_parallel_for)(void* user, uint32_t count, void (*body)(void* body_data, uint32_t index),
+                                   void* body_data);
+
+/* A polygon mesh, borrowed for the time of a call. Any topology is legal. face_count may be 0. */
+typedef struct sinew_mesh {
+  const float* positions;        /* [vertex_count x 3] any unit, rest pose */
+  uint32_t vertex_count;         /* 1 .. SINEW_MAX_VERTICES */
+  const uint32_t* face_offsets;  /* [face_count + 1] CSR offsets into face_vertices; null = every face is a triangle.
+                                  * A face of two corners is ignored, one of fewer is SINEW_ERROR_INDEX */
+  const uint32_t* face_vertices; /* [corner_count] vertex indices */
+  uint32_t face_count;
+  uint32_t corner_count; /* length of face_vertices */
+} sinew_mesh;
+
+#define SINEW_JOINT_NEVER 1u   /* flag: this joint must get no weight */
+#define SINEW_JOINT_DEFORMS 2u /* flag: this joint is known to deform. If any joint has it, all others are NEVER */
+
+/* A skeleton, borrowed for the time of a call. */
+typedef struct sinew_skeleton {
+  const float* positions; /* [joint_count x 3] same space as the mesh */
+  const int32_t* parents; /* [joint_count] parent index or -1; any order */
+  const uint8_t* flags;   /* [joint_count] SINEW_JOINT_* bits, or null */
+  uint32_t joint_count;   /* 1 .. SINEW_MAX_JOINTS */
+} sinew_skeleton;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
