@@ -15,7 +15,7 @@ Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& sa
   if (samples.empty()) throw Error("calibration: no character to calibrate on");
   Calibration calibration;
   calibration.layer_max.assign(network.layers.size(), 0.0f);
-  NetworkRunner runner(network);
+  NetworkRunner runner;
   for (const Sample& sample : samples) {
     runner.forward(network, sample);
     for (size_t l = 0; l < network.layers.size(); ++l) {

@@ -51,6 +51,7 @@ typedef enum sinew_status {
   SINEW_ERROR_MODEL_OVERFLOW = -14,  /* an accumulator bound cannot be proven: quantise again */
   SINEW_ERROR_MODEL_ALIGNMENT = -15, /* model bytes must start at an address divisible by 8 */
   SINEW_ERROR_RANGE = -16,           /* a joint index, weight or pose is outside its stated range */
+  SINEW_ERROR_MODEL_TASK = -19,      /* the model is made for another task than this call: sinew_model::task */
   SINEW_ERROR_KERNEL = -17           /* sinew_options::kernel names kernels that this library was built without or this
                                       * processor cannot run: ask sinew_kernel_select(), or leave it 0 */
 } sinew_status;
@@ -75,6 +76,8 @@ typedef struct sinew_model {
   uint32_t checksum;
   uint32_t confidence_offset; /* of its confidence table in bytes; 0 = it has none */
   uint32_t confidence_count;  /* entries of the table */
+  uint32_t task;              /* what it predicts: 0 = skin weights, for sinew_bind() */
+  uint32_t input_count;       /* arrays of features that it reads */
   const void* rearranged;     /* its weights as vector kernels read them, by sinew_model_rearrange(); null = nowhere */
 } sinew_model;
 

@@ -9,7 +9,6 @@
 #include "core/sort.hpp"
 #include "features/channels.hpp"
 #include "features/parts.hpp"
-#include "spectral/spectral.hpp"
 
 namespace sinew {
 namespace {

@@ -10,6 +10,7 @@
 #include "sinew/sinew.h"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/checkpoint.hpp"
+#include "sinew_trainer/network_sample.hpp"
 
 namespace sinew {
 
@@ -46,18 +47,9 @@ uint32_t kernel_from_environment();
 // Through sinew.h alone. Throws Error with the status text and the character's name.
 BindResult bind(const Character& character, const BindOptions& options);
 
-// What the network sees of one character, plus the truth: one training sample. Copies, all sizes known.
-struct Sample {
-  std::string name, family;
-  uint32_t vertices = 0;    // U welded
-  uint32_t candidates = 0;  // K
-  uint32_t vertex_features = 0, pair_features = 0;
-  uint32_t components = 0, joints = 0;
-  std::vector<int16_t> vertex;                     // [U x C0] Q13
-  std::vector<int16_t> pair;                       // [U x K x C1] Q13
-  std::vector<uint16_t> candidate;                 // [U x K], 0xFFFF absent
-  std::vector<uint32_t> row_offsets, col_indices;  // one-ring CSR
-  std::vector<uint32_t> component, component_offsets, component_vertices;
+// What bind's network sees of one character, plus the truth: one training sample. Its inputs are the engine's vertex and
+// pair features (kVertexInput and kPairInput of features/features.hpp).
+struct Sample : NetworkSample {
   std::vector<float> target;   // [U x K] reference weight of each candidate. A joint that is no candidate but whose end
                                // marker is (fold[end] == joint) has its weight on the first such end marker
   std::vector<uint32_t> fold;  // [J] fold_targets of the character

@@ -16,7 +16,7 @@
 namespace sinew {
 
 std::vector<std::vector<Affine>> random_poses(const Character& character, const std::string& name,
-                                             const std::vector<std::array<double, 3>>& positions, int poses) {
+                                              const std::vector<std::array<double, 3>>& positions, int poses) {
   constexpr double low_limit = 30, high_limit = 60;
   const size_t joint_count = character.joints.size();
   const size_t pose_count = poses > 0 ? static_cast<size_t>(poses) : 0;
