@@ -21,13 +21,13 @@ struct LinearParameters {
 
 // Inputs are the engine's int16 rows / 8192. The names of a network that says nothing else are bind's.
 struct FloatNetwork {
-  std::string architecture;              // "field" or "classic" for bind
-  uint32_t task = kTaskBind;             // engine/src/model/task.hpp
-  uint32_t feature_set = 0;              // that it was trained with: version and flags
-  uint32_t candidate_count = 8;          // K
+  std::string architecture;      // "field" or "classic" for bind
+  uint32_t task = kTaskBind;     // engine/src/model/task.hpp
+  uint32_t feature_set = 0;      // that it was trained with: version and flags
+  uint32_t candidate_count = 8;  // K
   uint32_t grid_size = 64;
   std::vector<std::string> input_names = {"vert", "pair"};  // four letters each, of buffers 0, 1, ...
-  std::vector<Buffer> buffers;           // the inputs first
+  std::vector<Buffer> buffers;                              // the inputs first
   std::vector<Layer> layers;
   std::vector<LinearParameters> parameters;
 };

@@ -98,7 +98,8 @@ Checkpoint read_checkpoint(const std::string& path) {
     throw Error(path + ": damaged checkpoint, " + one_line(problem.what()));
   }
   check_network(checkpoint.network, path + ": evaluated network");
-  check_network(checkpoint.latest, path + ": latest network");
+  // A released checkpoint has nothing to go on from.
+  if (!checkpoint.latest.buffers.empty()) check_network(checkpoint.latest, path + ": latest network");
   for (const FloatNetwork& average : checkpoint.state.averages) check_network(average, path + ": averaged network");
   return checkpoint;
 }

@@ -50,7 +50,8 @@ ModelTask model_task(const FloatNetwork& network) {
 void check_network(const FloatNetwork& network, const std::string& source) {
   const auto fail = [&](const std::string& what) { throw Error(source + ": damaged: " + what); };
   const size_t inputs = network.input_names.size();
-  if (inputs < 1 || inputs > kMaxInputs) fail(std::to_string(inputs) + " inputs, expected 1 to " + std::to_string(kMaxInputs));
+  if (inputs < 1 || inputs > kMaxInputs)
+    fail(std::to_string(inputs) + " inputs, expected 1 to " + std::to_string(kMaxInputs));
   for (const std::string& name : network.input_names)
     if (name.size() != 4) fail("an input is called '" + name + "', expected four letters");
   if (network.buffers.size() <= inputs || network.buffers.size() > kMaxBuffers)
@@ -59,7 +60,8 @@ void check_network(const FloatNetwork& network, const std::string& source) {
   if (network.layers.empty() || network.layers.size() > kMaxLayers)
     fail(std::to_string(network.layers.size()) + " layers, expected 1 to " + std::to_string(kMaxLayers));
   if (network.candidate_count < 1 || network.candidate_count > SINEW_MAX_CANDIDATES)
-    fail(std::to_string(network.candidate_count) + " candidates, expected 1 to " + std::to_string(SINEW_MAX_CANDIDATES));
+    fail(std::to_string(network.candidate_count) + " candidates, expected 1 to " +
+         std::to_string(SINEW_MAX_CANDIDATES));
   for (size_t i = 0; i < network.buffers.size(); ++i) {
     const Buffer& buffer = network.buffers[i];
     const std::string name = "buffer " + std::to_string(i);
@@ -67,7 +69,8 @@ void check_network(const FloatNetwork& network, const std::string& source) {
     if (without_slots(buffer.domain) != without_slots(network.buffers[0].domain))
       fail(name + " is over joints and another over vertices");
     if (buffer.channels < 1 || buffer.channels > kMaxChannels)
-      fail(name + " has " + std::to_string(buffer.channels) + " channels, expected 1 to " + std::to_string(kMaxChannels));
+      fail(name + " has " + std::to_string(buffer.channels) + " channels, expected 1 to " +
+           std::to_string(kMaxChannels));
   }
   LayerList list;
   list.buffers = network.buffers.data();
@@ -77,7 +80,8 @@ void check_network(const FloatNetwork& network, const std::string& source) {
   list.candidates = network.candidate_count;
   for (uint32_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
-    const std::string name = "layer " + std::to_string(i) + " (kind " + std::to_string(static_cast<int>(layer.kind)) + ") ";
+    const std::string name =
+        "layer " + std::to_string(i) + " (kind " + std::to_string(static_cast<int>(layer.kind)) + ") ";
     const LayerFault fault = find_layer_fault(list, i);
     if (fault != LayerFault::kNone) fail(name + fault_text(fault));
     if (layer.kind != LayerKind::kLinear) continue;

@@ -46,9 +46,7 @@ DropoutOptions BindTask::channels() const {
   return dropout;
 }
 
-std::vector<std::string> BindTask::loss_names() const {
-  return {"loss", "l1", "kl", "regret", "part", "deformation"};
-}
+std::vector<std::string> BindTask::loss_names() const { return {"loss", "l1", "kl", "regret", "part", "deformation"}; }
 
 std::vector<double> BindTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                    std::vector<float>* d_outputs) const {
