@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "bind/bind.hpp"
+#include "bind/task.hpp"
 #include "core/struct_size.hpp"
 #include "deform/skinning.hpp"
 #include "kernels/select.hpp"
@@ -65,6 +66,8 @@ const char* sinew_status_text(sinew_status status) {
       return "the model bytes must start at an address divisible by 8";
     case SINEW_ERROR_RANGE:
       return "a joint index or weight is out of its range";
+    case SINEW_ERROR_MODEL_TASK:
+      return "the model is made for another task than this call";
     case SINEW_ERROR_KERNEL:
       return "this library or this processor lacks the kernels asked for";
     case SINEW_ERROR_VERSION:
@@ -82,7 +85,12 @@ uint32_t sinew_kernel_select(uint32_t kernel) {
 
 sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model) {
   if (bytes == nullptr || model == nullptr) return SINEW_ERROR_ARGUMENT;
-  return sinew::open_model(bytes, size_bytes, model);
+  sinew::ModelHeader header;
+  const sinew_status status = sinew::read_header(bytes, size_bytes, &header);
+  if (status != SINEW_OK) return status;
+  sinew::ModelTask task;
+  if (header.task != sinew::kTaskBind || !sinew::bind_task(header.feature_set, &task)) return SINEW_ERROR_MODEL_VERSION;
+  return sinew::open_model(bytes, size_bytes, task, model);
 }
 
 size_t sinew_model_packed_size(const sinew_model* model) {

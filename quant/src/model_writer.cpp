@@ -68,11 +68,14 @@ std::vector<uint8_t> write_model(const IntegerModel& model) {
   store_u32(header + kHeaderLayers, static_cast<uint32_t>(model.layers.size()));
   store_u32(header + kHeaderLinears, static_cast<uint32_t>(model.linears.size()));
 
+  store_u32(header + kHeaderTask, model.task);
+  store_u32(header + kHeaderInputs, static_cast<uint32_t>(model.input_names.size()));
+
   uint8_t* row = header + kHeaderBytes;
-  for (const Buffer& buffer : model.buffers) {
-    row[0] = static_cast<uint8_t>(buffer.domain);
-    store_u16(row + 2, buffer.channels);
-    row += kBufferBytes;
+  for (size_t i = 0; i < model.buffers.size(); ++i, row += kBufferBytes) {
+    row[0] = static_cast<uint8_t>(model.buffers[i].domain);
+    store_u16(row + 2, model.buffers[i].channels);
+    if (i < model.input_names.size()) store_u32(row + 4, model.input_names[i]);
   }
   for (const Layer& layer : model.layers) {
     row[0] = static_cast<uint8_t>(layer.kind);

@@ -16,7 +16,8 @@ namespace sinew {
 namespace {
 
 constexpr double kFeatureScale = 8192;                        // Q13
-constexpr double kLogitScale = 1024 * 1.4426950408889634074;  // natural log units to log2 units in Q10
+constexpr double kOutputScale = 1024;                         // Q10
+constexpr double kLogitScale = 1024 * 1.4426950408889634074;  // bind: natural log units to log2 units in Q10
 constexpr int32_t kMaxWeight = 32767;
 // A channel whose largest weight has fewer bits than this (sign included) in class N moves its layer to class W.
 constexpr int kLeastWeightBits = 11;
@@ -107,15 +108,20 @@ class ModelQuantizer {
   ModelQuantizer(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options)
       : network_(network), calibration_(calibration), options_(options) {
     check_arguments();
-    for (const Buffer& buffer : network.buffers) scales_.emplace_back(buffer.channels, 0.0);
-    std::fill(scales_[kVertexInput].begin(), scales_[kVertexInput].end(), kFeatureScale);
-    std::fill(scales_[kPairInput].begin(), scales_[kPairInput].end(), kFeatureScale);
+    inputs_ = static_cast<uint32_t>(network.input_names.size());
+    for (const Buffer& buffer : network.buffers)
+      scales_.emplace_back(buffer.channels, scales_.size() < inputs_ ? kFeatureScale : 0.0);
     ranges_.resize(network.layers.size(), ValueRange::kSigned);
-    mark_logit_layers();
+    mark_output_layers();
   }
 
   QuantizedModel run() {
     IntegerModel model;
+    model.task = network_.task;
+    if (network_.task != kTaskBind) {  // bind's files stay as the first ones were
+      const ModelTask task = model_task(network_);
+      for (uint32_t i = 0; i < task.input_count; ++i) model.input_names.push_back(task.inputs[i].name);
+    }
     model.candidate_count = network_.candidate_count;
     model.grid_size = network_.grid_size;
     model.feature_set = network_.feature_set;
@@ -139,7 +145,7 @@ class ModelQuantizer {
 
  private:
   void check_arguments() const {
-    if (network_.buffers.size() < 3 || network_.layers.empty()) throw Error("quantize: the network has no layers");
+    check_network(network_, "quantize");
     if (calibration_.layer_max.size() != network_.layers.size()) {
       throw Error("quantize: calibration has " + std::to_string(calibration_.layer_max.size()) +
                   " layers, the network " + std::to_string(network_.layers.size()));
@@ -148,47 +154,37 @@ class ModelQuantizer {
         options_.activation_bits < 4 || options_.activation_bits > 14) {
       throw Error("quantize: margin must be >= 1, weight_bits 4..16, activation_bits 4..14");
     }
+    const auto finite = [](float v) { return std::isfinite(v); };
     for (size_t i = 0; i < network_.layers.size(); ++i) {
       const Layer& layer = network_.layers[i];
-      for (const Region& region : {layer.in, layer.out, (layer.flags & kLayerResidual) ? layer.residual : layer.out}) {
-        if (region.buffer >= network_.buffers.size() || region_end(region) > network_.buffers[region.buffer].channels) {
-          throw Error(layer_name(i) + ": a region lies outside its buffer");
-        }
-      }
       if (layer.kind != LayerKind::kLinear) continue;
-      const bool known = layer.parameters < network_.parameters.size();
-      const LinearParameters* p = known ? &network_.parameters[layer.parameters] : nullptr;
-      if (!known || p->in != layer.in.channels || p->out != layer.out.channels ||
-          p->weights.size() != size_t{p->in} * p->out || p->bias.size() != p->out) {
-        throw Error(layer_name(i) + ": its parameters do not have the shape " + std::to_string(layer.out.channels) +
-                    " x " + std::to_string(layer.in.channels));
-      }
-      const auto finite = [](float v) { return std::isfinite(v); };
-      if (!std::all_of(p->weights.begin(), p->weights.end(), finite) ||
-          !std::all_of(p->bias.begin(), p->bias.end(), finite) || !finite(calibration_.layer_max[i])) {
+      const LinearParameters& p = network_.parameters[layer.parameters];
+      if (!std::all_of(p.weights.begin(), p.weights.end(), finite) ||
+          !std::all_of(p.bias.begin(), p.bias.end(), finite) || !finite(calibration_.layer_max[i])) {
         throw Error(layer_name(i) + ": a weight, bias or calibrated maximum is not finite");
       }
     }
   }
 
-  // Linear layers whose output is the logits: the last one, or those the last kVertexToSlots hands on.
-  void mark_logit_layers() {
-    logits_.assign(network_.layers.size(), false);
+  // Linear layers that write the network's output: the last one, or those the last kVertexToSlots hands on.
+  void mark_output_layers() {
+    outputs_.assign(network_.layers.size(), false);
     const size_t last = network_.layers.size() - 1;
     const Layer& output = network_.layers[last];
     if (output.kind == LayerKind::kLinear) {
-      logits_[last] = true;
+      outputs_[last] = true;
       return;
     }
     if (output.kind != LayerKind::kVertexToSlots) {
       throw Error(layer_name(last) + ": the last layer must be a linear one or vertex-to-slots");
     }
     for (uint32_t channel = output.in.offset; channel < region_end(output.in);) {
-      const Segment segment = segment_at(network_.layers.data(), static_cast<uint32_t>(last), output.in, channel);
+      const Segment segment =
+          segment_at(network_.layers.data(), inputs_, static_cast<uint32_t>(last), output.in, channel);
       if (segment.producer < 0 || network_.layers[segment.producer].kind != LayerKind::kLinear) {
-        throw Error(layer_name(last) + ": the logits must come straight from a linear layer");
+        throw Error(layer_name(last) + ": the output must come straight from a linear layer");
       }
-      logits_[segment.producer] = true;
+      outputs_[segment.producer] = true;
       channel += segment.count;
     }
   }
@@ -196,7 +192,8 @@ class ModelQuantizer {
   // Everything but linear layers keeps values, so scales go through channel by channel.
   void hand_on_scales(size_t index) {
     const Layer& layer = network_.layers[index];
-    ranges_[index] = region_range(network_.layers.data(), static_cast<uint32_t>(index), ranges_.data(), layer.in);
+    ranges_[index] =
+        region_range(network_.layers.data(), inputs_, static_cast<uint32_t>(index), ranges_.data(), layer.in);
     const std::vector<double>& in = scales_[layer.in.buffer];
     for (uint32_t c = 0; c < layer.out.channels; ++c) {
       if (layer.kind == LayerKind::kVertexToSlots) {
@@ -212,7 +209,7 @@ class ModelQuantizer {
   }
 
   double output_scale(size_t index) const {
-    if (logits_[index]) return kLogitScale;
+    if (outputs_[index]) return network_.task == kTaskBind ? kLogitScale : kOutputScale;
     const double largest = std::max<double>(std::abs(calibration_.layer_max[index]), kLeastMaximum);
     return (std::ldexp(1.0, options_.activation_bits) - 1) / (largest * options_.margin);
   }
@@ -225,13 +222,14 @@ class ModelQuantizer {
     const Layer& layer = network_.layers[index];
     LayerRanges ranges;
     for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
-      const Segment segment = segment_at(network_.layers.data(), static_cast<uint32_t>(index), layer.in, channel);
+      const Segment segment =
+          segment_at(network_.layers.data(), inputs_, static_cast<uint32_t>(index), layer.in, channel);
       ranges.columns.insert(ranges.columns.end(), segment.count, segment_range(segment));
       channel += segment.count;
     }
     if (layer.flags & kLayerResidual) {
       ranges.residual =
-          region_range(network_.layers.data(), static_cast<uint32_t>(index), ranges_.data(), layer.residual);
+          region_range(network_.layers.data(), inputs_, static_cast<uint32_t>(index), ranges_.data(), layer.residual);
     }
     return ranges;
   }
@@ -285,9 +283,10 @@ class ModelQuantizer {
   IntegerLinear linear(size_t index, std::vector<QuantizeLayerReport>* report) {
     const Layer& layer = network_.layers[index];
     const bool relu = (layer.flags & kLayerRelu) != 0;
-    if (logits_[index] && relu) throw Error(layer_name(index) + ": the layer of the logits must not have a ReLU");
+    if (outputs_[index] && relu)
+      throw Error(layer_name(index) + ": the layer that writes the output must not have a ReLU");
     const double out_scale = output_scale(index);
-    ranges_[index] = logits_[index] ? ValueRange::kLogits : relu ? ValueRange::kPositive : ValueRange::kSigned;
+    ranges_[index] = outputs_[index] ? ValueRange::kLogits : relu ? ValueRange::kPositive : ValueRange::kSigned;
     std::fill_n(scales_[layer.out.buffer].begin() + layer.out.offset, layer.out.channels, out_scale);
 
     const std::vector<RealChannel> real = real_channels(index, out_scale);
@@ -354,36 +353,51 @@ class ModelQuantizer {
   const FloatNetwork& network_;
   const Calibration& calibration_;
   const QuantizeOptions& options_;
+  uint32_t inputs_ = 0;                      // buffers [0, inputs_)
   std::vector<std::vector<double>> scales_;  // [buffers][channels] integer steps per real unit; 0 = not written yet
   std::vector<ValueRange> ranges_;           // [layers]
-  std::vector<bool> logits_;                 // [layers]
+  std::vector<bool> outputs_;                // [layers]
 };
 
+[[noreturn]] void refuse(sinew_status status) {
+  throw Error("quantize: the engine refuses the model (" + std::string(sinew_status_text(status)) +
+              "); is the checkpoint of this version's feature set and layer rules?");
+}
+
 // The engine wants 8-byte aligned bytes; a vector's are, as operator new aligns for every fundamental type.
-sinew_model reopen(const std::vector<uint8_t>& bytes) {
+sinew_model open_bind_model(const std::vector<uint8_t>& bytes) {
   sinew_model model;
-  const sinew_status status = open_model(bytes.data(), bytes.size(), &model);
-  if (status != SINEW_OK) {
-    throw Error("quantize: the engine refuses the model (status " + std::to_string(static_cast<int>(status)) +
-                "); is the checkpoint of this version's feature set and layer rules?");
-  }
+  const sinew_status status = sinew_model_open(bytes.data(), bytes.size(), &model);
+  if (status != SINEW_OK) refuse(status);
   return model;
+}
+
+void reopen(const FloatNetwork& network, const std::vector<uint8_t>& bytes) {
+  if (network.task == kTaskBind) {
+    (void)open_bind_model(bytes);
+    return;
+  }
+  ModelHeader header;
+  sinew_model model;
+  sinew_status status = read_header(bytes.data(), bytes.size(), &header);
+  if (status == SINEW_OK) status = open_model(bytes.data(), bytes.size(), model_task(network), &model);
+  if (status != SINEW_OK) refuse(status);
 }
 
 }  // namespace
 
 QuantizedModel quantize(const FloatNetwork& network, const Calibration& calibration, const QuantizeOptions& options) {
   QuantizedModel result = ModelQuantizer(network, calibration, options).run();
-  (void)reopen(result.bytes);
+  reopen(network, result.bytes);
   return result;
 }
 
 std::vector<uint8_t> with_confidence(const std::vector<uint8_t>& model, const std::vector<ConfidenceEntry>& entries) {
-  const sinew_model opened = reopen(model);
+  const sinew_model opened = open_bind_model(model);
   const size_t end = opened.confidence_count > 0 ? opened.confidence_offset - kConfidenceHeader : model.size();
   std::vector<uint8_t> bytes = write_confidence(model, end, entries);
   sinew_model checked;
-  if (open_model(bytes.data(), bytes.size(), &checked) != SINEW_OK) {
+  if (sinew_model_open(bytes.data(), bytes.size(), &checked) != SINEW_OK) {
     throw Error(
         "confidence: the engine refuses the table; expected 2 to 64 entries with rising shares and hits that do "
         "not fall, found " +

@@ -211,8 +211,8 @@ struct PyTorch : Contestant {
       for (const int16_t x : values) out.push_back(static_cast<float>(x) / 8192);
       return out;
     };
-    put(scaled(s.vertex));
-    put(scaled(s.pair));
+    put(scaled(s.inputs[0].rows));
+    put(scaled(s.inputs[1].rows));
     put(s.candidate);
     put(s.row_offsets);
     put(s.component);

@@ -2,3 +2,7 @@
 if(TARGET sinew_trainer AND TARGET sinew_quant)
   sinew_test(sinew_quantisation_test SOURCES integration/quantisation_test.cpp LIBS sinew::trainer sinew::quant LABELS integration)
 endif()
+if(TARGET sinew_trainer AND TARGET sinew_quant)
+  sinew_test(second_task_test SOURCES integration/second_task_test.cpp LIBS sinew::trainer sinew::quant LABELS integration)
+  target_include_directories(second_task_test PRIVATE ${CMAKE_SOURCE_DIR}/trainer/src)
+endif()

@@ -28,16 +28,17 @@ const Character& character() {
 
 TEST(SpectralModel, SampleHasTheChannelsBehindTheOthers) {
   const Sample plain = make_sample(character(), 8, 64), more = make_sample(character(), 8, 64, kSpectralFlag);
-  ASSERT_EQ(plain.vertex_features, kVertexFeatures);
-  ASSERT_EQ(more.vertex_features, kVertexFeatures + kSpectralChannels);
+  ASSERT_EQ(plain.inputs[0].channels, kVertexFeatures);
+  ASSERT_EQ(more.inputs[0].channels, kVertexFeatures + kSpectralChannels);
   EXPECT_EQ(plain.pair, more.pair);
   int64_t sum = 0;
   for (size_t v = 0; v < plain.vertices; ++v) {
-    for (size_t i = 0; i < plain.vertex_features; ++i) {
-      ASSERT_EQ(plain.vertex[v * plain.vertex_features + i], more.vertex[v * more.vertex_features + i]);
+    for (size_t i = 0; i < plain.inputs[0].channels; ++i) {
+      ASSERT_EQ(plain.inputs[0].rows[v * plain.inputs[0].channels + i],
+                more.inputs[0].rows[v * more.inputs[0].channels + i]);
     }
-    for (size_t i = plain.vertex_features; i < more.vertex_features; ++i) {
-      sum += std::abs(more.vertex[v * more.vertex_features + i]);
+    for (size_t i = plain.inputs[0].channels; i < more.inputs[0].channels; ++i) {
+      sum += std::abs(more.inputs[0].rows[v * more.inputs[0].channels + i]);
     }
   }
   EXPECT_GT(sum / (int64_t{plain.vertices} * kSpectralChannels), 100);

@@ -218,7 +218,7 @@ TEST_F(TrainerRun, WithoutAChannelNoWeightReadsIt) {
   const FloatNetwork start = make_field(config_.field, config_.seed);
   const std::vector<Sample> all = samples();
   Sample changed = all[0];
-  for (size_t v = 0; v < changed.vertices; ++v) changed.vertex[v * changed.vertex_features] = -4321;
+  for (size_t v = 0; v < changed.vertices; ++v) changed.inputs[0].rows[v * changed.inputs[0].channels] = -4321;
   EXPECT_EQ(forward(network, changed), forward(network, all[0]));
   EXPECT_NE(forward(start, changed), forward(start, all[0])) << "the channel says nothing in any network";
   size_t silent = 0;
@@ -260,7 +260,7 @@ TEST_F(TrainerRun, DamagedCacheFilesAreMadeAgainAndGoodOnesUsed) {
     const std::vector<Sample> again = samples();
     ASSERT_EQ(again.size(), 2u);
     for (size_t i = 0; i < 2; ++i) {
-      EXPECT_EQ(again[i].pair, first[i].pair);
+      EXPECT_EQ(again[i].inputs[1].rows, first[i].inputs[1].rows);
       EXPECT_EQ(again[i].target, first[i].target);
     }
     for (const auto& [path, bytes] : good) EXPECT_EQ(read_file(path.string()), bytes);

@@ -44,8 +44,8 @@ struct Graph {
     NetworkInput in;
     in.vertex_count = vertices;
     in.candidate_count = k;
-    in.vertex_features = vertex_features.data();
-    in.pair_features = pair_features.data();
+    in.inputs[kVertexInput] = vertex_features.data();
+    in.inputs[kPairInput] = pair_features.data();
     in.joints = joints.data();
     in.row_offsets = row_offsets.data();
     in.col_indices = col_indices.data();

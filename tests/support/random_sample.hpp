@@ -28,8 +28,7 @@ inline Sample random_sample(const RandomSampleOptions& o) {
   s.family = "random";
   s.vertices = o.vertices;
   s.candidates = o.candidates;
-  s.vertex_features = o.vertex_features;
-  s.pair_features = o.pair_features;
+  s.inputs = {{o.vertex_features, {}}, {o.pair_features, {}}};
   s.components = o.components;
   s.joints = o.joints;
   // Component c owns the vertices v with v % components == c; neighbours are the next and the third next of the same
@@ -59,7 +58,7 @@ inline Sample random_sample(const RandomSampleOptions& o) {
   if (o.joints > 3) s.fold[o.joints - 2] = 0;
   for (uint32_t v = 0; v < o.vertices; ++v) {
     for (uint32_t c = 0; c < o.vertex_features; ++c)
-      s.vertex.push_back(static_cast<int16_t>((uniform() * 2 - 1) * 12000));
+      s.inputs[0].rows.push_back(static_cast<int16_t>((uniform() * 2 - 1) * 12000));
     std::vector<uint16_t> joints(o.joints);
     std::iota(joints.begin(), joints.end(), uint16_t{0});
     std::shuffle(joints.begin(), joints.end(), random);
@@ -70,7 +69,7 @@ inline Sample random_sample(const RandomSampleOptions& o) {
       const bool here = k < present;
       s.candidate.push_back(here ? joints[k] : uint16_t{0xFFFF});
       for (uint32_t c = 0; c < o.pair_features; ++c) {
-        s.pair.push_back(here ? static_cast<int16_t>((uniform() * 2 - 1) * 12000) : int16_t{0});
+        s.inputs[1].rows.push_back(here ? static_cast<int16_t>((uniform() * 2 - 1) * 12000) : int16_t{0});
       }
       s.target.push_back(here && uniform() < 0.7f ? uniform() : 0.0f);
       s.heat.push_back(here ? uniform() : 0.0f);

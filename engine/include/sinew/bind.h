@@ -130,6 +130,7 @@ sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex
  *                           first release (0 above all) or above 4096, an option is out of its range, or this build
  *                           is without it (SINEW_SMALL_CODE)
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
+ *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 0
  *   SINEW_ERROR_COUNT       no vertex or joint, more of anything than the limits in sinew/types.h, or fewer than two
  *                           corners a face
  *   SINEW_ERROR_KERNEL      this library or this processor lacks sinew_options::kernel

@@ -26,7 +26,9 @@ typedef struct sinew_model {
   uint32_t checksum;
   uint32_t confidence_offset; /* of its confidence table in bytes; 0 = it has none */
   uint32_t confidence_count;  /* entries of the table */
-  uint32_t reserved[16];      /* 0 */
+  uint32_t task;              /* what it predicts: 0 = skin weights, for sinew_bind() */
+  uint32_t input_count;       /* arrays of features that it reads */
+  uint32_t reserved[14];      /* 0 */
 } sinew_model;
 
 /* Checks magic, version, checksum, sizes, shapes, shifts and accumulator proofs, then fills *model.

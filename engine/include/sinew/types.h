@@ -53,8 +53,9 @@ typedef enum sinew_status {
   SINEW_ERROR_RANGE = -16,           /* a joint index, weight or pose is outside its stated range */
   SINEW_ERROR_KERNEL = -17,          /* sinew_options::kernel names kernels that this library was built without or this
                                       * processor cannot run: ask sinew_kernel_select(), or leave it 0 */
-  SINEW_ERROR_VERSION = -18          /* an option is set that this library does not know: update the library, or leave
+  SINEW_ERROR_VERSION = -18,         /* an option is set that this library does not know: update the library, or leave
                                       * it 0 */
+  SINEW_ERROR_MODEL_TASK = -19       /* the model is made for another task than this call: see sinew_model::task */
 } sinew_status;
 
 /* One line of English for a status; never null. */

@@ -28,8 +28,8 @@ NetworkInput network_input(const Prepared& p, const Counts& counts) {
   const Mesh& mesh = p.surface();
   input.vertex_count = mesh.welded_count;
   input.candidate_count = counts.candidates;
-  input.vertex_features = p.features.vertex;
-  input.pair_features = p.features.pair;
+  input.inputs[kVertexInput] = p.features.vertex;
+  input.inputs[kPairInput] = p.features.pair;
   input.joints = p.features.joints;
   input.row_offsets = mesh.row_offsets;
   input.col_indices = mesh.col_indices;

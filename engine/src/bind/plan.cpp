@@ -7,6 +7,7 @@
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
 #include "kernels/select.hpp"
+#include "model/task.hpp"
 
 namespace sinew {
 namespace {
@@ -60,6 +61,7 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   uint32_t candidates = or_default(o.candidate_count, 8), grid = or_default(o.grid_size, 64), feature_flags = 0;
   if (plan->with_network) {
     if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+    if (model->task != kTaskBind) return SINEW_ERROR_MODEL_TASK;
     plan->model = *model;
     candidates = or_default(o.candidate_count, model->candidate_count);
     grid = or_default(o.grid_size, model->grid_size);

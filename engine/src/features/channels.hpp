@@ -4,6 +4,8 @@
 #ifndef SINEW_FEATURES_CHANNELS_HPP
 #define SINEW_FEATURES_CHANNELS_HPP
 
+#include <stdint.h>
+
 #define SINEW_VERTEX_CHANNELS(X) \
   X(mean_curvature)              \
   X(gauss_curvature)             \
@@ -76,4 +78,10 @@
   X(is_source)                 \
   X(is_root)
 
+namespace sinew {
+
+// Channels that the spectral stage (spectral/spectral.hpp) writes behind the others of a vertex, on demand.
+constexpr uint32_t kSpectralChannels = 18;
+
+}  // namespace sinew
 #endif

@@ -10,7 +10,6 @@
 #include "features/channels.hpp"
 #include "features/parts.hpp"
 #include "skeleton/bones.hpp"
-#include "spectral/spectral.hpp"
 
 namespace sinew {
 namespace {

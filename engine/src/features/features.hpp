@@ -17,13 +17,16 @@ constexpr uint32_t kFeatureSet = 1;  // grows whenever a feature changes its mea
 constexpr uint32_t kSpectralFlag = 1u << 16;  // the channels of spectral/spectral.hpp, behind the others of a vertex
 constexpr uint32_t kFeatureFlags = kHasExtras ? kSpectralFlag : 0;  // that this build knows
 constexpr int kFeatureBits = 13;
-extern const uint32_t kVertexFeatures;  // channels of buffer 0 without flags
-extern const uint32_t kPairFeatures;    // channels of buffer 1
+// Buffers of the network that the rows are for.
+constexpr uint16_t kVertexInput = 0;
+constexpr uint16_t kPairInput = 1;
+extern const uint32_t kVertexFeatures;  // channels of a vertex without flags
+extern const uint32_t kPairFeatures;    // channels of a pair
 // Pair channels of the prior: natural log of the rule and parts field, divided by 8 to fit Q13.
 extern const uint32_t kPairLogRule;
 extern const uint32_t kPairLogParts;
 constexpr int kLogFeatureDivisor = 8;
-// Channels of buffer 0 for a feature set or its flags alone.
+// Channels of a vertex for a feature set or its flags alone.
 uint32_t vertex_channels(uint32_t feature_flags);
 
 struct Features {

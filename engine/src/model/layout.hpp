@@ -7,25 +7,15 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/bytes.hpp"
 #include "model/layers.hpp"
-
-// 1 where an int16 of the file may be read by a plain load. SINEW_PORTABLE_BYTES forces the other way, for tests.
-#if defined(SINEW_PORTABLE_BYTES)
-#define SINEW_PLAIN_INT16 0
-#elif defined(__BYTE_ORDER__) && defined(__ORDER_LITTLE_ENDIAN__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define SINEW_PLAIN_INT16 1
-#elif defined(_MSC_VER)
-#define SINEW_PLAIN_INT16 1
-#else
-#define SINEW_PLAIN_INT16 0
-#endif
 
 namespace sinew {
 
 constexpr uint8_t kModelMagic[8] = {'S', 'I', 'N', 'E', 'W', '\r', '\n', 0x1A};
 constexpr uint32_t kModelFormat = 1;
 
-// Header: byte offsets of its fields. Bytes 48 to 63 are reserved and 0.
+// Header: byte offsets of its fields. Bytes 56 to 63 are reserved and 0.
 constexpr size_t kHeaderBytes = 64;
 constexpr size_t kHeaderFormat = 8;       // uint32 kModelFormat
 constexpr size_t kHeaderChecksum = 12;    // uint32 CRC-32 of the whole file with these four bytes taken as 0
@@ -36,10 +26,12 @@ constexpr size_t kHeaderFeatureSet = 32;  // uint32 version in the low 16 bits, 
 constexpr size_t kHeaderBuffers = 36;     // uint32 buffer count, 2..kMaxBuffers
 constexpr size_t kHeaderLayers = 40;      // uint32 layer count, 1..kMaxLayers
 constexpr size_t kHeaderLinears = 44;     // uint32 linear layers among them
-constexpr size_t kHeaderReserved = 48;
+constexpr size_t kHeaderTask = 48;        // uint32 what the network is for (model/task.hpp)
+constexpr size_t kHeaderInputs = 52;  // uint32 input buffers, 1..kMaxInputs; 0 = as many as the task has, without names
+constexpr size_t kHeaderReserved = 56;
 
 // Tables follow the header without gaps: buffers, layers, linears. Then the parameter data.
-constexpr size_t kBufferBytes = 8;   // uint8 domain, uint8 0, uint16 channels, uint32 0
+constexpr size_t kBufferBytes = 8;   // uint8 domain, uint8 0, uint16 channels, uint32 name of an input (else 0)
 constexpr size_t kLayerBytes = 32;   // uint8 kind, uint8 flags, uint16 0, regions in, out, residual (3 x uint16
                                      // buffer, offset, channels), uint16 0, uint32 parameters, uint32 0
 constexpr size_t kLinearBytes = 32;  // see LinearRecord
@@ -55,51 +47,6 @@ constexpr int32_t range_high(ValueRange range) { return range == ValueRange::kLo
 
 enum class AccumulatorClass : uint8_t { kNarrow = 0, kWide = 1 };  // N: int32. W: int64 over blocks of int32
 
-inline uint16_t load_u16(const uint8_t* p) { return static_cast<uint16_t>(p[0] | (p[1] << 8)); }
-inline uint32_t load_u32(const uint8_t* p) {
-  return static_cast<uint32_t>(p[0]) | (static_cast<uint32_t>(p[1]) << 8) | (static_cast<uint32_t>(p[2]) << 16) |
-         (static_cast<uint32_t>(p[3]) << 24);
-}
-inline uint64_t load_u64(const uint8_t* p) {
-  return static_cast<uint64_t>(load_u32(p)) | (static_cast<uint64_t>(load_u32(p + 4)) << 32);
-}
-inline int64_t load_i64(const uint8_t* p) { return static_cast<int64_t>(load_u64(p)); }
-inline void store_u16(uint8_t* p, uint16_t v) {
-  p[0] = static_cast<uint8_t>(v);
-  p[1] = static_cast<uint8_t>(v >> 8);
-}
-inline void store_u32(uint8_t* p, uint32_t v) {
-  store_u16(p, static_cast<uint16_t>(v));
-  store_u16(p + 2, static_cast<uint16_t>(v >> 16));
-}
-inline void store_u64(uint8_t* p, uint64_t v) {
-  store_u32(p, static_cast<uint32_t>(v));
-  store_u32(p + 4, static_cast<uint32_t>(v >> 32));
-}
-
-// Element i of an int16 array that lies in the file.
-inline int16_t file_int16(const int16_t* values, size_t i) {
-#if SINEW_PLAIN_INT16
-  return values[i];
-#else
-  return static_cast<int16_t>(load_u16(reinterpret_cast<const uint8_t*>(values) + 2 * i));
-#endif
-}
-
-// CRC-32 (IEEE 802.3, reflected polynomial EDB88320). Start with crc = 0; pieces may be chained.
-inline uint32_t crc32(uint32_t crc, const uint8_t* bytes, size_t count) {
-  // table[i] = i shifted through four steps of the polynomial.
-  static constexpr uint32_t kNibble[16] = {0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu, 0x76DC4190u, 0x6B6B51F4u,
-                                           0x4DB26158u, 0x5005713Cu, 0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
-                                           0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu};
-  crc = ~crc;
-  for (size_t i = 0; i < count; ++i) {
-    crc ^= bytes[i];
-    crc = (crc >> 4) ^ kNibble[crc & 15u];
-    crc = (crc >> 4) ^ kNibble[crc & 15u];
-  }
-  return ~crc;
-}
 // Checksum of a file of at least kHeaderBytes.
 inline uint32_t model_checksum(const uint8_t* bytes, size_t size_bytes) {
   const uint8_t zero[4] = {0, 0, 0, 0};
@@ -166,6 +113,9 @@ class ModelTables {
   const uint8_t* layer_row(uint32_t i) const { return buffer_row(buffer_count_) + i * kLayerBytes; }
   const uint8_t* linear_row(uint32_t i) const { return layer_row(layer_count_) + i * kLinearBytes; }
 
+  // Input buffers, which come first; 0 where the file does not say.
+  uint32_t input_count() const { return load_u32(bytes_ + kHeaderInputs); }
+  uint32_t buffer_name(uint32_t i) const { return load_u32(buffer_row(i) + 4); }
   Buffer buffer(uint32_t i) const {
     const uint8_t* row = buffer_row(i);
     return {static_cast<Domain>(row[0]), load_u16(row + 2)};

@@ -2,7 +2,7 @@
 // Opens a model file in place: header, tables, layer order, accumulator proofs. Runs once, before stage 8 can.
 #include "model/reader.hpp"
 
-#include "features/features.hpp"
+#include "model/layer_list.hpp"
 #include "model/layout.hpp"
 #include "model/regions.hpp"
 
@@ -18,74 +18,47 @@ bool all_zero(const uint8_t* bytes, uint64_t count) {
 
 bool is_zero(const Region& region) { return region.buffer == 0 && region.offset == 0 && region.channels == 0; }
 
-// The decoded layer list while it is checked, about 5 KB of stack.
-struct LayerList {
+// The decoded tables while they are checked, about 5 KB of stack.
+struct Decoded {
   Layer layers[kMaxLayers];
   ValueRange ranges[kMaxLayers];
   Buffer buffers[kMaxBuffers];
-  uint32_t buffer_count = 0;
-  uint32_t candidates = 0;
-  uint32_t vertex_channels = 0;
+  LayerList list;
 };
 
-sinew_status check_header(const uint8_t* bytes, size_t size_bytes) {
-  if (size_bytes < kHeaderBytes) return SINEW_ERROR_MODEL_TRUNCATED;
-  for (size_t i = 0; i < sizeof(kModelMagic); ++i) {
-    if (bytes[i] != kModelMagic[i]) return SINEW_ERROR_MODEL_MAGIC;
-  }
-  if (load_u32(bytes + kHeaderFormat) != kModelFormat) return SINEW_ERROR_MODEL_VERSION;
-  if (load_u64(bytes + kHeaderSize) != size_bytes) return SINEW_ERROR_MODEL_TRUNCATED;
-  if (load_u32(bytes + kHeaderChecksum) != model_checksum(bytes, size_bytes)) return SINEW_ERROR_MODEL_CHECKSUM;
-  if ((load_u32(bytes + kHeaderFeatureSet) & ~kFeatureFlags) != kFeatureSet) return SINEW_ERROR_MODEL_VERSION;
-
+sinew_status check_counts(const uint8_t* bytes, size_t size_bytes, const ModelTask& task) {
   const uint32_t k = load_u32(bytes + kHeaderCandidates), grid = load_u32(bytes + kHeaderGrid);
   const uint32_t buffers = load_u32(bytes + kHeaderBuffers), layers = load_u32(bytes + kHeaderLayers);
-  const uint32_t linears = load_u32(bytes + kHeaderLinears);
-  const bool legal = k >= 1 && k <= SINEW_MAX_CANDIDATES && grid >= 16 && grid <= 128 && buffers >= 3 &&
+  const uint32_t linears = load_u32(bytes + kHeaderLinears), inputs = load_u32(bytes + kHeaderInputs);
+  const bool legal = k >= 1 && k <= SINEW_MAX_CANDIDATES && grid >= 16 && grid <= 128 && buffers > task.input_count &&
                      buffers <= kMaxBuffers && layers >= 1 && layers <= kMaxLayers && linears <= layers &&
-                     all_zero(bytes + kHeaderReserved, kHeaderBytes - kHeaderReserved) &&
+                     inputs <= kMaxInputs && all_zero(bytes + kHeaderReserved, kHeaderBytes - kHeaderReserved) &&
                      tables_bytes(buffers, layers, linears) <= size_bytes;
-  return legal ? SINEW_OK : SINEW_ERROR_MODEL_LAYOUT;
+  if (!legal) return SINEW_ERROR_MODEL_LAYOUT;
+  return inputs == 0 || inputs == task.input_count ? SINEW_OK : SINEW_ERROR_MODEL_VERSION;
 }
 
-sinew_status read_buffers(const ModelTables& tables, LayerList* list) {
-  list->buffer_count = tables.buffer_count();
+sinew_status read_buffers(const ModelTables& tables, const ModelTask& task, Decoded* decoded) {
+  const bool named = tables.input_count() != 0;
+  bool same_inputs = true;
   for (uint32_t i = 0; i < tables.buffer_count(); ++i) {
     const uint8_t* row = tables.buffer_row(i);
-    const Buffer buffer = tables.buffer(i);
-    if (row[0] > static_cast<uint8_t>(Domain::kPair) || row[1] != 0 || load_u32(row + 4) != 0 || buffer.channels == 0 ||
-        buffer.channels > kMaxChannels) {
+    const bool input = i < task.input_count;
+    if (row[0] >= kDomains || row[1] != 0 || (tables.buffer_name(i) != 0 && !(named && input)))
       return SINEW_ERROR_MODEL_LAYOUT;
+    const Buffer buffer = tables.buffer(i);
+    if (buffer.channels == 0 || buffer.channels > kMaxChannels) return SINEW_ERROR_MODEL_LAYOUT;
+    // A network runs over vertices or over joints.
+    if (without_slots(buffer.domain) != without_slots(task.output.domain)) return SINEW_ERROR_MODEL_LAYOUT;
+    if (input) {
+      const TaskInput& wanted = task.inputs[i];
+      if (buffer.domain != wanted.buffer.domain) return SINEW_ERROR_MODEL_LAYOUT;
+      same_inputs =
+          same_inputs && buffer.channels == wanted.buffer.channels && (!named || tables.buffer_name(i) == wanted.name);
     }
-    list->buffers[i] = buffer;
+    decoded->buffers[i] = buffer;
   }
-  if (list->buffers[kVertexInput].domain != Domain::kVertex || list->buffers[kPairInput].domain != Domain::kPair) {
-    return SINEW_ERROR_MODEL_LAYOUT;
-  }
-  const bool same_inputs = list->buffers[kVertexInput].channels == list->vertex_channels &&
-                           list->buffers[kPairInput].channels == kPairFeatures;
   return same_inputs ? SINEW_OK : SINEW_ERROR_MODEL_VERSION;
-}
-
-bool inside(const LayerList& list, const Region& region) {
-  return region.buffer < list.buffer_count && region.channels > 0 &&
-         region_end(region) <= list.buffers[region.buffer].channels;
-}
-
-// All channels of the region are inputs or were written by a layer before `before`.
-bool written(const LayerList& list, uint32_t before, const Region& region) {
-  for (uint32_t channel = region.offset; channel < region_end(region);) {
-    const Segment segment = segment_at(list.layers, before, region, channel);
-    if (segment.producer == kNotWritten) return false;
-    channel += segment.count;
-  }
-  return true;
-}
-
-// The regions are known to lie inside their buffers.
-bool legal_shape(const LayerList& list, const Layer& layer) {
-  return layer_fits(layer.kind, list.buffers[layer.in.buffer].domain, list.buffers[layer.out.buffer].domain,
-                    layer.in.channels, layer.out.channels, list.candidates);
 }
 
 // One linear layer's record: consistent with its layer, data where the canonical order puts it (*offset moves behind
@@ -133,8 +106,9 @@ sinew_status check_linear_record(const ModelTables& tables, const Layer& layer, 
 
 // The accumulator of every output channel stays inside its type for every possible input. Class N: bias + all products
 // in int32. Class W: every block of products in int32, the whole below 2^62.
-bool proven(const ModelTables& tables, const LayerList& list, uint32_t layer_index) {
-  const Layer& layer = list.layers[layer_index];
+bool proven(const ModelTables& tables, const Decoded& decoded, uint32_t layer_index) {
+  const uint32_t inputs = decoded.list.input_count;
+  const Layer& layer = decoded.layers[layer_index];
   const LinearRecord record = tables.linear(layer.parameters);
   const bool wide = record.accumulator == AccumulatorClass::kWide;
   const int16_t* weights = tables.int16_at(record.weights);
@@ -144,8 +118,8 @@ bool proven(const ModelTables& tables, const LayerList& list, uint32_t layer_ind
     SumBound total, block;
     uint32_t in_block = 0;
     for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
-      const Segment segment = segment_at(list.layers, layer_index, layer.in, channel);
-      const ValueRange range = segment.producer >= 0 ? list.ranges[segment.producer] : ValueRange::kSigned;
+      const Segment segment = segment_at(decoded.layers, inputs, layer_index, layer.in, channel);
+      const ValueRange range = segment.producer >= 0 ? decoded.ranges[segment.producer] : ValueRange::kSigned;
       for (uint32_t c = 0; c < segment.count; ++c, ++channel) {
         const size_t column = channel - layer.in.offset;
         block.add(file_int16(weights, static_cast<size_t>(n) * record.in + column), range);
@@ -160,7 +134,7 @@ bool proven(const ModelTables& tables, const LayerList& list, uint32_t layer_ind
     if ((layer.flags & kLayerResidual) != 0) {
       // The residual's channels may come from several writers; the widest of them is asked.
       total.add(file_int16(tables.int16_at(record.residual), n),
-                region_range(list.layers, layer_index, list.ranges, layer.residual));
+                region_range(decoded.layers, inputs, layer_index, decoded.ranges, layer.residual));
     }
     total.low += bias;
     total.high += bias;
@@ -169,45 +143,26 @@ bool proven(const ModelTables& tables, const LayerList& list, uint32_t layer_ind
   return true;
 }
 
-sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_bytes, LayerList* list,
+sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_bytes, Decoded* decoded,
                          uint32_t* linear_index, uint64_t* offset) {
   const uint8_t* row = tables.layer_row(index);
-  const Layer& layer = list->layers[index] = tables.layer(index);
+  const Layer& layer = decoded->layers[index] = tables.layer(index);
   const bool linear = layer.kind == LayerKind::kLinear;
-  const bool residual = (layer.flags & kLayerResidual) != 0;
   if (load_u16(row + 2) != 0 || load_u16(row + 22) != 0 || load_u32(row + 28) != 0) return SINEW_ERROR_MODEL_LAYOUT;
-  if (!inside(*list, layer.in) || !inside(*list, layer.out) || !legal_shape(*list, layer))
-    return SINEW_ERROR_MODEL_LAYOUT;
-  if (layer.flags != 0 && (!linear || (layer.flags & ~(kLayerRelu | kLayerResidual)) != 0))
-    return SINEW_ERROR_MODEL_LAYOUT;
+  if (find_layer_fault(decoded->list, index) != LayerFault::kNone) return SINEW_ERROR_MODEL_LAYOUT;
   if (layer.parameters != (linear ? *linear_index : 0)) return SINEW_ERROR_MODEL_LAYOUT;
-
-  // Order: inputs are never written, nothing is written twice, everything is written before it is read.
-  if (layer.out.buffer == kVertexInput || layer.out.buffer == kPairInput) return SINEW_ERROR_MODEL_LAYOUT;
-  for (uint32_t i = 0; i < index; ++i) {
-    if (regions_overlap(list->layers[i].out, layer.out)) return SINEW_ERROR_MODEL_LAYOUT;
-  }
-  if (!written(*list, index, layer.in)) return SINEW_ERROR_MODEL_LAYOUT;
-  if (residual) {
-    if (!inside(*list, layer.residual) || layer.residual.channels != layer.out.channels ||
-        list->buffers[layer.residual.buffer].domain != list->buffers[layer.out.buffer].domain ||
-        !written(*list, index, layer.residual)) {
-      return SINEW_ERROR_MODEL_LAYOUT;
-    }
-  } else if (!is_zero(layer.residual)) {
-    return SINEW_ERROR_MODEL_LAYOUT;
-  }
+  if ((layer.flags & kLayerResidual) == 0 && !is_zero(layer.residual)) return SINEW_ERROR_MODEL_LAYOUT;
 
   if (!linear) {
-    list->ranges[index] = region_range(list->layers, index, list->ranges, layer.in);
+    decoded->ranges[index] = region_range(decoded->layers, decoded->list.input_count, index, decoded->ranges, layer.in);
     return SINEW_OK;
   }
   if (*linear_index >= tables.linear_count()) return SINEW_ERROR_MODEL_LAYOUT;
   const sinew_status status = check_linear_record(tables, layer, size_bytes, offset);
   if (status != SINEW_OK) return status;
-  list->ranges[index] = tables.linear(layer.parameters).range;
+  decoded->ranges[index] = tables.linear(layer.parameters).range;
   ++*linear_index;
-  return proven(tables, *list, index) ? SINEW_OK : SINEW_ERROR_MODEL_OVERFLOW;
+  return proven(tables, *decoded, index) ? SINEW_OK : SINEW_ERROR_MODEL_OVERFLOW;
 }
 
 // The section at `offset`, which must reach to the end of the file.
@@ -228,36 +183,49 @@ bool legal_confidence(const uint8_t* bytes, uint64_t offset, size_t size_bytes) 
 
 }  // namespace
 
-sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model) {
+sinew_status read_header(const void* data, size_t size_bytes, ModelHeader* header) {
   if (reinterpret_cast<uintptr_t>(data) % 8 != 0) return SINEW_ERROR_MODEL_ALIGNMENT;
   const uint8_t* bytes = static_cast<const uint8_t*>(data);
-  sinew_status status = check_header(bytes, size_bytes);
-  if (status != SINEW_OK) return status;
+  if (size_bytes < kHeaderBytes) return SINEW_ERROR_MODEL_TRUNCATED;
+  for (size_t i = 0; i < sizeof(kModelMagic); ++i) {
+    if (bytes[i] != kModelMagic[i]) return SINEW_ERROR_MODEL_MAGIC;
+  }
+  if (load_u32(bytes + kHeaderFormat) != kModelFormat) return SINEW_ERROR_MODEL_VERSION;
+  if (load_u64(bytes + kHeaderSize) != size_bytes) return SINEW_ERROR_MODEL_TRUNCATED;
+  if (load_u32(bytes + kHeaderChecksum) != model_checksum(bytes, size_bytes)) return SINEW_ERROR_MODEL_CHECKSUM;
+  header->task = load_u32(bytes + kHeaderTask);
+  header->feature_set = load_u32(bytes + kHeaderFeatureSet);
+  return SINEW_OK;
+}
 
+sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& task, sinew_model* model) {
+  const uint8_t* bytes = static_cast<const uint8_t*>(data);
+  sinew_status status = check_counts(bytes, size_bytes, task);
+  if (status != SINEW_OK) return status;
   const ModelTables tables(bytes);
-  LayerList list;
-  list.candidates = load_u32(bytes + kHeaderCandidates);
-  list.vertex_channels = vertex_channels(load_u32(bytes + kHeaderFeatureSet));
-  status = read_buffers(tables, &list);
+  Decoded decoded;
+  LayerList& list = decoded.list;
+  list = {decoded.buffers, decoded.layers, tables.buffer_count(), task.input_count,
+          load_u32(bytes + kHeaderCandidates)};
+  status = read_buffers(tables, task, &decoded);
   if (status != SINEW_OK) return status;
 
   uint64_t offset = tables_bytes(tables.buffer_count(), tables.layer_count(), tables.linear_count());
   uint32_t linear_index = 0, parameter_count = 0;
   for (uint32_t i = 0; i < tables.layer_count(); ++i) {
-    status = check_layer(tables, i, size_bytes, &list, &linear_index, &offset);
+    status = check_layer(tables, i, size_bytes, &decoded, &linear_index, &offset);
     if (status != SINEW_OK) return status;
   }
   if (linear_index != tables.linear_count()) return SINEW_ERROR_MODEL_LAYOUT;
   const bool has_confidence = offset < size_bytes;
   if (has_confidence && !legal_confidence(bytes, offset, size_bytes)) return SINEW_ERROR_MODEL_LAYOUT;
 
-  // The last layer gives one Q10 logit per pair.
   const uint32_t last = tables.layer_count() - 1;
-  const Layer& output = list.layers[last];
-  const bool logits = (output.kind == LayerKind::kLinear || output.kind == LayerKind::kVertexToSlots) &&
-                      list.buffers[output.out.buffer].domain == Domain::kPair && output.out.channels == 1 &&
-                      list.ranges[last] == ValueRange::kLogits;
-  if (!logits) return SINEW_ERROR_MODEL_LAYOUT;
+  const LayerKind last_kind = decoded.layers[last].kind;
+  if ((last_kind != LayerKind::kLinear && last_kind != LayerKind::kVertexToSlots) ||
+      !writes_output(list, last, task.output) || decoded.ranges[last] != ValueRange::kLogits) {
+    return SINEW_ERROR_MODEL_LAYOUT;
+  }
 
   for (uint32_t i = 0; i < tables.linear_count(); ++i) {
     const LinearRecord record = tables.linear(i);
@@ -271,7 +239,7 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   model->grid_size = load_u32(bytes + kHeaderGrid);
   model->feature_set = load_u32(bytes + kHeaderFeatureSet);
   for (uint32_t i = 0; i < tables.layer_count(); ++i) {
-    const LayerKind kind = list.layers[i].kind;
+    const LayerKind kind = decoded.layers[i].kind;
     if (kind == LayerKind::kPairToVertex || kind == LayerKind::kVertexToSlots) model->fixed_candidates = 1;
   }
   model->layer_count = tables.layer_count();
@@ -279,6 +247,8 @@ sinew_status open_model(const void* data, size_t size_bytes, sinew_model* model)
   model->checksum = load_u32(bytes + kHeaderChecksum);
   model->confidence_offset = has_confidence ? static_cast<uint32_t>(offset + kConfidenceHeader) : 0;
   model->confidence_count = has_confidence ? load_u32(bytes + offset + 8) : 0;
+  model->task = task.id;
+  model->input_count = task.input_count;
   return SINEW_OK;
 }
 

@@ -3,18 +3,32 @@
 #ifndef SINEW_MODEL_READER_HPP
 #define SINEW_MODEL_READER_HPP
 
+#include "model/task.hpp"
 #include "sinew/sinew.h"
 
 namespace sinew {
 
-// What sinew_model_open() promises; see sinew.h. `bytes` is not null.
+// What a file says before anybody needs to know its task.
+struct ModelHeader {
+  uint32_t task = 0;         // model/task.hpp
+  uint32_t feature_set = 0;  // version and flags of the features that it was trained with
+};
+
+// Checks what is the same for all tasks and proves the file whole. `bytes` is not null. Returns SINEW_OK or
 //   SINEW_ERROR_MODEL_ALIGNMENT  the address is no multiple of 8
-//   SINEW_ERROR_MODEL_MAGIC, _VERSION, _TRUNCATED, _CHECKSUM  as in sinew.h; _VERSION also for another feature set or
-//   other
-//                                numbers of input channels than this library computes
-//   SINEW_ERROR_MODEL_LAYOUT     a table contradicts itself: shapes, domains, order, offsets, shifts, reserved bytes
-//   SINEW_ERROR_MODEL_OVERFLOW   an accumulator could leave its type for some input
-sinew_status open_model(const void* bytes, size_t size_bytes, sinew_model* model);
+//   SINEW_ERROR_MODEL_TRUNCATED  fewer bytes than a header, or another number of bytes than the header says
+//   SINEW_ERROR_MODEL_MAGIC      it does not begin as a model file does
+//   SINEW_ERROR_MODEL_VERSION    a format that this library does not know
+//   SINEW_ERROR_MODEL_CHECKSUM   bytes changed since the file was written
+sinew_status read_header(const void* bytes, size_t size_bytes, ModelHeader* header);
+
+// Checks the rest of a file that read_header() accepted and fills *model, which is untouched on failure. The task is that
+// of the header. Returns SINEW_OK or
+//   SINEW_ERROR_MODEL_VERSION   the inputs have other names, domains or channels than the task's
+//   SINEW_ERROR_MODEL_LAYOUT    a table contradicts itself: shapes, domains, order, offsets, shifts, reserved bytes; or the
+//                               last layer does not write the task's output
+//   SINEW_ERROR_MODEL_OVERFLOW  an accumulator could leave its type for some input
+sinew_status open_model(const void* bytes, size_t size_bytes, const ModelTask& task, sinew_model* model);
 
 }  // namespace sinew
 #endif

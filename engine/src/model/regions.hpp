@@ -9,7 +9,7 @@
 
 namespace sinew {
 
-constexpr int kFromInput = -1;  // buffer 0 or 1
+constexpr int kFromInput = -1;  // one of the first buffers
 constexpr int kNotWritten = -2;
 
 // Channels [channel, channel + count) of a buffer with one writer.
@@ -24,12 +24,14 @@ constexpr bool regions_overlap(const Region& a, const Region& b) {
   return a.buffer == b.buffer && a.offset < region_end(b) && b.offset < region_end(a);
 }
 
-// The piece of `region` that starts at buffer channel `channel` and has one writer among layers [0, before).
-inline Segment segment_at(const Layer* layers, uint32_t before, const Region& region, uint32_t channel) {
+// The piece of `region` that starts at buffer channel `channel` and has one writer among layers [0, before), or is an
+// input, as buffers [0, inputs) are.
+inline Segment segment_at(const Layer* layers, uint32_t inputs, uint32_t before, const Region& region,
+                          uint32_t channel) {
   Segment segment;
   segment.channel = channel;
   uint32_t end = region_end(region);
-  if (region.buffer == kVertexInput || region.buffer == kPairInput) {
+  if (region.buffer < inputs) {
     segment.producer = kFromInput;
   } else {
     for (uint32_t i = 0; i < before; ++i) {
@@ -52,10 +54,11 @@ constexpr bool reads_other_rows(LayerKind kind) {
 }
 
 // Widest range of a region's writers; ranges holds one entry per layer before `before`. Inputs are signed.
-inline ValueRange region_range(const Layer* layers, uint32_t before, const ValueRange* ranges, const Region& region) {
+inline ValueRange region_range(const Layer* layers, uint32_t inputs, uint32_t before, const ValueRange* ranges,
+                               const Region& region) {
   ValueRange widest = ValueRange::kPositive;
   for (uint32_t channel = region.offset; channel < region_end(region);) {
-    const Segment segment = segment_at(layers, before, region, channel);
+    const Segment segment = segment_at(layers, inputs, before, region, channel);
     const ValueRange range = segment.producer >= 0 ? ranges[segment.producer] : ValueRange::kSigned;
     if (range > widest) widest = range;
     channel += segment.count;

@@ -23,7 +23,7 @@ struct Sizes {
 struct StageScratch {
   int16_t* tile[kMaxBuffers];  // [lanes x tile x slots x channels] rows of each buffer the stage touches, else null
   bool load[kMaxLayers];       // outputs of earlier stages that this stage reads row by row
-  bool load_input[2];
+  bool load_input[kMaxInputs];
   int16_t* table[kMaxLayers];     // part and global layers: [lanes x joints x channels] or [lanes x channels]
   int64_t* sums;                  // [lanes x lane_sums] for the table being made, then:
   size_t joint_sums[kMaxLayers];  // linear layers with columns by joint: where in a lane's sums, as int32, theirs are
@@ -37,7 +37,7 @@ bool uses_table(LayerKind kind) {
 }
 
 uint64_t table_values(const NetworkPlan& plan, const Layer& layer, const Sizes& sizes) {
-  const bool by_joint = layer.kind == LayerKind::kPartMean && plan.buffers[layer.in.buffer].domain == Domain::kPair;
+  const bool by_joint = layer.kind == LayerKind::kPartMean && has_slots(plan.buffers[layer.in.buffer].domain);
   return static_cast<uint64_t>(layer.in.channels) * (by_joint ? sizes.joints : 1u);
 }
 
@@ -50,7 +50,7 @@ void mark_loads(const NetworkPlan& plan, uint32_t stage, uint32_t reader, const 
                 bool* touched) {
   touched[region.buffer] = true;
   for (uint32_t channel = region.offset; channel < region_end(region);) {
-    const Segment segment = segment_at(plan.layers, reader, region, channel);
+    const Segment segment = segment_at(plan.layers, plan.input_count, reader, region, channel);
     if (segment.producer == kFromInput) {
       scratch->load_input[region.buffer] = true;
     } else if (plan.stage[segment.producer] < stage) {
@@ -65,7 +65,7 @@ bool allocate_stage(const NetworkPlan& plan, const ModelTables& tables, const Ne
                     const Sizes& sizes, Arena& arena, StageScratch* scratch) {
   bool touched[kMaxBuffers] = {};
   for (uint32_t i = 0; i < kMaxLayers; ++i) scratch->load[i] = false;
-  scratch->load_input[0] = scratch->load_input[1] = false;
+  for (uint32_t i = 0; i < kMaxInputs; ++i) scratch->load_input[i] = false;
   uint64_t sums = 0, joint_sums = 0;
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
     scratch->table[i] = nullptr;
@@ -143,8 +143,7 @@ int32_t* joint_sums_of(const Run& run, uint32_t index, uint32_t lane) {
 // Rows of a stored output, or of an input, for the whole mesh; `channel` is the buffer's.
 RowsView whole_mesh(const Run& run, uint16_t buffer, int producer, uint32_t channel) {
   if (producer == kFromInput) {
-    const int16_t* rows = buffer == kVertexInput ? run.input.vertex_features : run.input.pair_features;
-    return {rows + channel, run.plan.buffers[buffer].channels};
+    return {run.input.inputs[buffer] + channel, run.plan.buffers[buffer].channels};
   }
   const Region& out = run.plan.layers[producer].out;
   const int16_t* rows = run.storage + static_cast<size_t>(run.plan.store_offset[producer]) * run.sizes.vertices;
@@ -176,13 +175,13 @@ void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* ve
     const Layer& layer = run.plan.layers[i];
     if (run.plan.stage[i] != stage || !uses_table(layer.kind) || (layer.kind != LayerKind::kPartMean) != global)
       continue;
-    const bool pair = run.plan.buffers[layer.in.buffer].domain == Domain::kPair;
+    const bool pair = has_slots(run.plan.buffers[layer.in.buffer].domain);
     const uint16_t* present = pair ? run.input.joints : nullptr;
     const size_t rows = static_cast<size_t>(run.sizes.vertices) * slots_of(run, layer.in);
     // A region of several writers gives one table behind the other.
     int16_t* table = table_of(run, i, lane);
     for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
-      const Segment segment = segment_at(run.plan.layers, i, layer.in, channel);
+      const Segment segment = segment_at(run.plan.layers, run.plan.input_count, i, layer.in, channel);
       const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
       size_t made = segment.count;
       if (layer.kind == LayerKind::kGlobalMean) {
@@ -275,7 +274,7 @@ void add_shared_columns(const Tile& tile, uint32_t index, LinearView* linear) {
 void run_linear(const Tile& tile, uint32_t index) {
   const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
-  const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
+  const bool pair = has_slots(run.plan.buffers[layer.out.buffer].domain);
   const RowsView residual = (layer.flags & kLayerResidual) != 0 ? tile_rows(tile, layer.residual) : RowsView();
   LinearView linear = make_linear_view(run.tables, layer);
   if (kHasPackedWeights && run.packed.memory != nullptr) {
@@ -294,14 +293,14 @@ void run_ring(const Tile& tile, uint32_t index) {
   const uint32_t k = run.plan.candidates, slots = slots_of(run, layer.out);
   const bool mean = layer.kind == LayerKind::kRingMean;
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
-    const Segment segment = segment_at(run.plan.layers, index, layer.in, channel);
+    const Segment segment = segment_at(run.plan.layers, run.plan.input_count, index, layer.in, channel);
     const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
     for (uint32_t row = 0; row < tile.count * slots; ++row) {
       const uint32_t vertex = tile.vertices()[row / slots];
       const uint32_t* ring = run.input.col_indices + run.input.row_offsets[vertex];
       const uint32_t valence = run.input.row_offsets[vertex + 1] - run.input.row_offsets[vertex];
       int16_t* out = tile_row(tile, layer.out, row) + (channel - layer.in.offset);
-      if (run.plan.buffers[layer.out.buffer].domain == Domain::kVertex) {
+      if (!has_slots(run.plan.buffers[layer.out.buffer].domain)) {
         if (mean) {
           run.kernels.ring_mean_vertex(values, segment.count, ring, valence, out);
         } else {
@@ -325,14 +324,14 @@ void run_ring(const Tile& tile, uint32_t index) {
 void run_table(const Tile& tile, uint32_t index) {
   const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
-  const bool pair = run.plan.buffers[layer.out.buffer].domain == Domain::kPair;
+  const bool pair = has_slots(run.plan.buffers[layer.out.buffer].domain);
   const bool by_joint = pair && layer.kind == LayerKind::kPartMean;
   const uint32_t rows = tile.count * slots_of(run, layer.out);
   const int16_t* table = table_of(run, index, tile.table_lane);
   const RowsRead read = rows_read(tile, index);
   if (read == RowsRead::kNone) return;
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
-    const Segment segment = segment_at(run.plan.layers, index, layer.in, channel);
+    const Segment segment = segment_at(run.plan.layers, run.plan.input_count, index, layer.in, channel);
     for (uint32_t row = 0; row < rows; row += read == RowsRead::kFirstOfVertex ? run.plan.candidates : 1) {
       int16_t* out = tile_row(tile, layer.out, row) + (channel - layer.in.offset);
       const uint16_t joint = pair ? tile.joints()[row] : static_cast<uint16_t>(0);
@@ -436,7 +435,7 @@ void run_tile(Tile tile, uint32_t stage) {
            k * sizeof(uint16_t));
   }
   tile.shared = kHasPackedWeights && run.packed.has_shared && first_slot_speaks_for_all(tile.joints(), tile.count, k);
-  for (uint16_t b = 0; b < 2; ++b) {
+  for (uint16_t b = 0; b < run.plan.input_count; ++b) {
     if (!run.scratch.load_input[b]) continue;
     load_rows(tile, {b, 0, run.plan.buffers[b].channels}, whole_mesh(run, b, kFromInput, 0));
   }

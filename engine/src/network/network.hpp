@@ -12,14 +12,15 @@
 
 namespace sinew {
 
-// What a network runs on, all borrowed. U welded vertices, K candidate slots.
+// What a network runs on, all borrowed. U vertices, K slots each; for a task over joints U joints, which the words
+// vertex, pair and candidate then stand for.
 struct NetworkInput {
-  uint32_t vertex_count = 0;                 // U
-  uint32_t candidate_count = 0;              // K
-  const int16_t* vertex_features = nullptr;  // [U x C0] Q13
-  const int16_t* pair_features = nullptr;    // [U x K x C1] Q13
-  const uint16_t* joints = nullptr;          // [U x K], kNoJoint = absent
-  const uint32_t* row_offsets = nullptr;     // [U + 1] one-ring CSR
+  uint32_t vertex_count = 0;     // U
+  uint32_t candidate_count = 0;  // K
+  // Rows of the task's inputs in its order, Q13: [U x C] or, in a domain with slots, [U x K x C].
+  const int16_t* inputs[kMaxInputs] = {};
+  const uint16_t* joints = nullptr;       // [U x K], kNoJoint = absent
+  const uint32_t* row_offsets = nullptr;  // [U + 1] one-ring CSR
   const uint32_t* col_indices = nullptr;
   const uint32_t* component = nullptr;           // [U]
   const uint32_t* component_offsets = nullptr;   // [components + 1]
@@ -38,9 +39,9 @@ struct NetworkOptions {
 };
 
 // Runs all layers of an opened model. input.candidate_count may be any K in 1..16, unless the model says
-// fixed_candidates: then it is the model's. logits out [U x K] int16, log2 units Q10,
-// clamped to +-32767; absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work. Returns SINEW_OK,
-// SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
+// fixed_candidates: then it is the model's. logits out: rows of the task's output, int16, clamped to +-32767; for bind
+// [U x K] in log2 units, Q10. Rows of absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work.
+// Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Kernels& kernels,
                          const Progress& progress, Arena& arena, int16_t* logits, const NetworkOptions& options = {});
 // Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J,

@@ -20,8 +20,8 @@ bool same_in_joint(const NetworkPlan& plan, uint32_t reader, const Segment& segm
   const Layer& layer = plan.layers[segment.producer];
   return layer.kind == LayerKind::kPartMean && plan.stage[segment.producer] == plan.stage[reader] &&
          segment.count == layer.out.channels &&
-         segment_at(plan.layers, static_cast<uint32_t>(segment.producer), layer.in, layer.in.offset).count ==
-             segment.count;
+         segment_at(plan.layers, plan.input_count, static_cast<uint32_t>(segment.producer), layer.in, layer.in.offset)
+                 .count == segment.count;
 }
 
 // Adds columns [first, first + count) behind the last range, or to it. False when there is no room.
@@ -62,7 +62,7 @@ void pack_layers(const NetworkPlan& plan, const ModelTables& tables, const size_
 // columns: null = no layer has shared ones.
 RowsRead find_rows_read(const NetworkPlan& plan, const SharedColumns* columns, uint32_t index) {
   const Layer& layer = plan.layers[index];
-  if (plan.stored[index] || plan.buffers[layer.out.buffer].domain != Domain::kPair) return RowsRead::kAll;
+  if (plan.stored[index] || !has_slots(plan.buffers[layer.out.buffer].domain)) return RowsRead::kAll;
   RowsRead rows = RowsRead::kNone;
   for (uint32_t i = index + 1; i < plan.layer_count; ++i) {
     const Layer& reader = plan.layers[i];
@@ -99,11 +99,11 @@ bool wants_packed(const NetworkOptions& options) { return kHasPackedWeights && !
 SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const LinearRecord& record) {
   const Layer& layer = plan.layers[index];
   SharedColumns columns;
-  if (plan.buffers[layer.in.buffer].domain != Domain::kPair || record.accumulator != AccumulatorClass::kNarrow) {
+  if (!has_slots(plan.buffers[layer.in.buffer].domain) || record.accumulator != AccumulatorClass::kNarrow) {
     return SharedColumns();
   }
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
-    const Segment segment = segment_at(plan.layers, index, layer.in, channel);
+    const Segment segment = segment_at(plan.layers, plan.input_count, index, layer.in, channel);
     const uint32_t first = channel - layer.in.offset;
     const bool shared = segment.producer >= 0 && same_in_all_slots(plan.layers[segment.producer].kind);
     // Ranges start at whole pairs of columns, and so must what follows them.
@@ -123,7 +123,7 @@ SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const
 int table_of_maximum(const NetworkPlan& plan, uint32_t index) {
   const Layer& layer = plan.layers[index];
   if (!kHasPackedWeights || layer.kind != LayerKind::kCandidateMax) return -1;
-  const Segment segment = segment_at(plan.layers, index, layer.in, layer.in.offset);
+  const Segment segment = segment_at(plan.layers, plan.input_count, index, layer.in, layer.in.offset);
   return segment.count == layer.in.channels && same_in_joint(plan, index, segment) ? segment.producer : -1;
 }
 

@@ -16,7 +16,7 @@ void for_each_producer(const NetworkPlan& plan, uint32_t reader, Visit visit) {
   const uint32_t count = (layer.flags & kLayerResidual) != 0 ? 2 : 1;
   for (uint32_t i = 0; i < count; ++i) {
     for (uint32_t channel = regions[i]->offset; channel < region_end(*regions[i]);) {
-      const Segment segment = segment_at(plan.layers, reader, *regions[i], channel);
+      const Segment segment = segment_at(plan.layers, plan.input_count, reader, *regions[i], channel);
       if (segment.producer >= 0) visit(static_cast<uint32_t>(segment.producer));
       channel += segment.count;
     }
@@ -83,6 +83,7 @@ void make_plan(const sinew_model& model, uint32_t candidates, NetworkPlan* plan)
   plan->candidates = candidates;
   plan->layer_count = tables.layer_count();
   plan->buffer_count = tables.buffer_count();
+  plan->input_count = model.input_count;
   plan->stage_count = 0;
   plan->store_values = 0;
   for (uint32_t i = 0; i < plan->buffer_count; ++i) plan->buffers[i] = tables.buffer(i);

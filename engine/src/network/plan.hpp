@@ -16,6 +16,7 @@ namespace sinew {
 struct NetworkPlan {
   uint32_t candidates = 0;  // K
   uint32_t layer_count = 0, buffer_count = 0, stage_count = 0;
+  uint32_t input_count = 0;  // buffers [0, input_count)
   Layer layers[kMaxLayers];
   Buffer buffers[kMaxBuffers];
   uint16_t stage[kMaxLayers];     // stage that computes the layer
@@ -26,7 +27,7 @@ struct NetworkPlan {
   uint64_t store_values = 0;          // int16 values per vertex, all stored outputs together
 
   // Rows per vertex of a buffer: 1 or K.
-  uint32_t slots(uint16_t buffer) const { return buffers[buffer].domain == Domain::kPair ? candidates : 1; }
+  uint32_t slots(uint16_t buffer) const { return has_slots(buffers[buffer].domain) ? candidates : 1; }
 };
 
 // `candidates` is the K that it will run with.

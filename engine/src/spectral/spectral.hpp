@@ -4,6 +4,7 @@
 #ifndef SINEW_SPECTRAL_SPECTRAL_HPP
 #define SINEW_SPECTRAL_SPECTRAL_HPP
 
+#include "features/channels.hpp"
 #include "mesh/mesh.hpp"
 
 namespace sinew {
@@ -11,7 +12,8 @@ namespace sinew {
 constexpr uint32_t kHeatKernelTimes = 6;
 constexpr uint32_t kWaveKernelEnergies = 6;
 constexpr uint32_t kInvariantFrequencies = 6;
-constexpr uint32_t kSpectralChannels = kHeatKernelTimes + kWaveKernelEnergies + kInvariantFrequencies;
+static_assert(kHeatKernelTimes + kWaveKernelEnergies + kInvariantFrequencies == kSpectralChannels,
+              "features/channels.hpp has another number");
 constexpr int kSignatureBits = 10;  // channels are logarithms to base 2
 
 // Fills one row per welded vertex: log2 of the heat-kernel signature at 6 times, of the wave-kernel signature at 6

@@ -8,27 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "model/layers.hpp"
+#include "sinew_formats/float_network.hpp"
 
 namespace sinew {
-
-// One linear layer: weights [out x in] row-major, bias [out].
-struct LinearParameters {
-  uint32_t in = 0, out = 0;
-  std::vector<float> weights;
-  std::vector<float> bias;
-};
-
-// A network in float. Inputs are the engine's features / 8192.
-struct FloatNetwork {
-  std::string architecture;      // "field" or "classic"
-  uint32_t feature_set = 0;      // kFeatureSet it was trained with
-  uint32_t candidate_count = 8;  // K
-  uint32_t grid_size = 64;
-  std::vector<Buffer> buffers;  // 0 and 1 are the inputs
-  std::vector<Layer> layers;
-  std::vector<LinearParameters> parameters;
-};
 
 struct TrainingState {
   uint64_t step = 0;
@@ -38,7 +20,7 @@ struct TrainingState {
   std::vector<std::vector<float>> adam_m;  // per parameter block: weights then bias
   std::vector<std::vector<float>> adam_v;
   std::vector<uint64_t> rng;    // generator state
-  std::vector<uint32_t> queue;  // characters still to be drawn in this round
+  std::vector<uint32_t> queue;  // items still to be drawn in this round
   double best_score = 1e30;     // mean over families on val
   std::string config_json;      // the run's whole configuration
   std::string log_csv;          // the log so far

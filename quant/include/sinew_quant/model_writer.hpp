@@ -9,6 +9,7 @@
 
 #include "model/layers.hpp"
 #include "model/layout.hpp"
+#include "model/task.hpp"
 #include "sinew_quant/quantize.hpp"
 
 namespace sinew {
@@ -26,6 +27,8 @@ struct IntegerLinear {
 };
 
 struct IntegerModel {
+  uint32_t task = kTaskBind;          // engine/src/model/task.hpp
+  std::vector<uint32_t> input_names;  // input_name() of buffers 0, 1, ...; empty: the file names none
   uint32_t candidate_count = 8, grid_size = 64, feature_set = 0;
   std::vector<Buffer> buffers;
   std::vector<Layer> layers;

@@ -136,7 +136,7 @@ TEST(Quantize, RefusesInOneLine) {
   expect_error(bad, calibration, "not finite");
   bad = good;
   bad.parameters[1].weights.pop_back();
-  expect_error(bad, calibration, "shape");
+  expect_error(bad, calibration, "weight block 1");
   bad = good;
   bad.parameters[1].weights[0] = 1e9f;
   expect_error(bad, calibration, "too large");
@@ -148,15 +148,15 @@ TEST(Quantize, RefusesInOneLine) {
   expect_error(bad, calibration, "ReLU");
   bad = good;
   bad.layers[0].in.offset = 60000;
-  expect_error(bad, calibration, "outside its buffer");
+  expect_error(bad, calibration, "outside of its buffers");
   bad = good;
   std::swap(bad.layers[1], bad.layers[3]);
-  expect_error(bad, calibration, "no layer has written");
+  expect_error(bad, calibration, "no earlier layer writes");
   bad = good;
   bad.layers.pop_back();
   expect_error(bad, {std::vector<float>(bad.layers.size(), 1.0f)}, "last layer");
   expect_error(good, {{1.0f}}, "calibration");
-  expect_error(FloatNetwork(), {}, "no layers");
+  expect_error(FloatNetwork(), {}, "0 buffers");
   QuantizeOptions options;
   options.weight_bits = 2;
   expect_error(good, calibration, "weight_bits", options);

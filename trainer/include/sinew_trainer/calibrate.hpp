@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "sinew_formats/calibration.hpp"
-#include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/float_network.hpp"
 #include "sinew_trainer/sample.hpp"
 
 namespace sinew {
 
-// Largest absolute value in each layer's output region over all samples. Throws Error when there is no sample.
+// Largest absolute value in each layer's output region over all samples, for a network of any task. Throws Error when
+// there is no sample.
+Calibration calibrate(const FloatNetwork& network, const std::vector<const NetworkSample*>& samples);
 Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& samples);
 
 // Samples of at most `limit` characters spread evenly over a folder's sorted list (0 = all). Characters that the engine

@@ -4,6 +4,7 @@
 #define SINEW_TRAINER_NETWORK_HPP
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "sinew_formats/checkpoint.hpp"
@@ -25,33 +26,30 @@ FloatNetwork make_field(const FieldOptions& options, uint64_t seed, uint32_t fea
 // second feature, global and local branches, softmax over K distance-sorted candidates.
 FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed, uint32_t feature_flags = 0);
 
+// Throws Error unless the network is bind's: one logit per pair.
+void require_bind_network(const FloatNetwork& network, const std::string& source);
 // Logits [U x K] in natural log units; absent slots are 0 and masked by the caller.
 std::vector<float> forward(const FloatNetwork& network, const Sample& sample);
 // Softmax over present candidates -> probabilities [U x K].
 std::vector<float> softmax(const Sample& sample, const std::vector<float>& logits);
 std::vector<float> predict(const FloatNetwork& network, const Sample& sample);
 
-// Gradient of a scalar loss w.r.t. all parameters. Scratch is reused between calls of one instance; one instance per
-// thread.
+// Runs networks of any task. Scratch is reused between calls of one instance; one instance per thread.
 class NetworkRunner {
  public:
-  explicit NetworkRunner(const FloatNetwork& network);
+  NetworkRunner();
   ~NetworkRunner();
   NetworkRunner(const NetworkRunner&) = delete;
   NetworkRunner& operator=(const NetworkRunner&) = delete;
-  // Keeps activations for backward(). `dropout` sets so many activations of ReLU layers to 0, `feature_dropout` whole
-  // input channels but the heat prior's (both seeded). Throws Error when network and sample do not fit together.
-  const std::vector<float>& forward(const FloatNetwork& network, const Sample& sample, float dropout = 0,
-                                    uint64_t seed = 0, float feature_dropout = 0);
-  // d_logits [U x K]; adds into gradients (same shapes as network.parameters).
-  void backward(const FloatNetwork& network, const Sample& sample, const std::vector<float>& d_logits,
-                std::vector<LinearParameters>* gradients);
-  // Activation of a buffer after forward(): [rows x channels] row-major. For calibration.
+  // The output's rows: [U x C] or, in a domain with slots, [U x K x C] with absent slots 0. Throws Error when the network
+  // is damaged or does not fit the sample.
+  const std::vector<float>& forward(const FloatNetwork& network, const NetworkSample& sample);
+  // A whole buffer after forward(): [rows x channels] row-major, absent rows 0. For calibration.
   const std::vector<float>& buffer(uint16_t index) const;
 
  private:
   struct State;
-  State* state_;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace sinew

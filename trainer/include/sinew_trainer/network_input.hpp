@@ -4,17 +4,16 @@
 #define SINEW_TRAINER_NETWORK_INPUT_HPP
 
 #include "network/network.hpp"
-#include "sinew_trainer/sample.hpp"
+#include "sinew_trainer/network_sample.hpp"
 
 namespace sinew {
 
 // Views of the sample, which must outlive them.
-inline NetworkInput network_input(const Sample& sample) {
+inline NetworkInput network_input(const NetworkSample& sample) {
   NetworkInput input;
   input.vertex_count = sample.vertices;
   input.candidate_count = sample.candidates;
-  input.vertex_features = sample.vertex.data();
-  input.pair_features = sample.pair.data();
+  for (size_t i = 0; i < sample.inputs.size(); ++i) input.inputs[i] = sample.inputs[i].rows.data();
   input.joints = sample.candidate.data();
   input.row_offsets = sample.row_offsets.data();
   input.col_indices = sample.col_indices.data();
@@ -27,7 +26,8 @@ inline NetworkInput network_input(const Sample& sample) {
 }
 
 // Bytes that run_network() needs for the sample.
-inline size_t network_workspace(const sinew_model& model, const Sample& sample, const NetworkOptions& options = {}) {
+inline size_t network_workspace(const sinew_model& model, const NetworkSample& sample,
+                                const NetworkOptions& options = {}) {
   Counts counts;
   counts.vertices = sample.vertices;
   counts.joints = sample.joints;

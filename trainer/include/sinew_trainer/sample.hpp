@@ -8,23 +8,15 @@
 #include <vector>
 
 #include "sinew_formats/character.hpp"
+#include "sinew_trainer/network_sample.hpp"
 
 namespace sinew {
 
-// What the network sees of one character, plus the truth: one training sample. Copies, all sizes known.
+// What bind's network sees of one character, plus the truth: one training sample. Its inputs are the engine's vertex and
+// pair features (kVertexInput and kPairInput of features/features.hpp).
 // A joint that is no candidate, but whose end marker is (fold[end] == joint), has its reference weight on the first such
 // end marker. The yardstick counts `importance`.
-struct Sample {
-  std::string name, family;
-  uint32_t vertices = 0;    // U welded
-  uint32_t candidates = 0;  // K
-  uint32_t vertex_features = 0, pair_features = 0;
-  uint32_t components = 0, joints = 0;
-  std::vector<int16_t> vertex;                     // [U x C0] Q13
-  std::vector<int16_t> pair;                       // [U x K x C1] Q13
-  std::vector<uint16_t> candidate;                 // [U x K], 0xFFFF absent
-  std::vector<uint32_t> row_offsets, col_indices;  // one-ring CSR
-  std::vector<uint32_t> component, component_offsets, component_vertices;
+struct Sample : NetworkSample {
   std::vector<float> target;               // [U x K] reference weight of each candidate, see above
   std::vector<uint32_t> fold;              // [J] fold_targets of the character
   std::vector<float> missing;              // [U] reference weight no candidate has

@@ -17,9 +17,26 @@ namespace sinew {
 
 class Ranks;  // ranks.hpp
 
-// Everything a run can be told; read from and written to JSON (unknown keys are an Error). The defaults are
+// What a run of any task can be told.
+struct RunConfig {
+  std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
+  double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
+  double feature_dropout = 0.03;  // probability of an input channel to be missing from a whole sample
+  uint64_t steps = 2400;          // length of the cosine schedule
+  uint32_t batch = 2;             // samples per step, one per thread
+  uint64_t seed = 1;
+  double average_decay = 0.999;  // running average of weights; 0 = off
+  // Share of the weights of --init in the finished network. Between two networks of one start the way is smooth: half
+  // of each keeps most of a new style and most of what was known.
+  double init_share = 0;
+  uint32_t validate_every = 300;  // steps
+  double variant_share = 0.4;     // how often one of a character's variants is drawn instead of the original
+  double family_power = 0.5;      // a family of n characters is drawn in proportion to n^power
+};
+
+// What a run for skin weights can be told; read from and written to JSON (unknown keys are an Error). The defaults are
 // trainer/configs/field.json, which trained the bundled model.
-struct TrainConfig {
+struct TrainConfig : RunConfig {
   std::string architecture = "field";
   FieldOptions field;
   bool spectral = false;  // heat-kernel and wave-kernel signatures as vertex features as well
@@ -27,30 +44,19 @@ struct TrainConfig {
   // engine/src/features/channels.hpp; a * at the end stands for any rest. The finished network's weights for them are
   // 0.
   std::vector<std::string> without;
-  std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
-  double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
-  double feature_dropout = 0.03;  // probability of an input channel to be missing from a whole character
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5, loss_deformation = 10;
-  uint64_t steps = 2400;  // length of the cosine schedule
-  uint32_t batch = 2;     // characters per step, one per thread
-  uint64_t seed = 1;
-  double average_decay = 0.999;  // running average of weights; 0 = off
   // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/README.md has the figures.
   double correction = 0.7;
-  // Share of the weights of --init in the finished network. Between two networks of one start the way is smooth: half
-  // of each keeps most of a new style and most of what was known.
-  double init_share = 0;
-  uint32_t validate_every = 300;  // steps
-  // Augmentation with recomputed features: variants made once per character and cached.
-  uint32_t variants = 2;       // extra variants per character (turn, mirror, scale, jitter, decimation)
-  double variant_share = 0.4;  // how often a variant is drawn instead of the original
+  // Augmentation with recomputed features: variants made once per character and cached (turn, mirror, scale, jitter,
+  // decimation).
+  uint32_t variants = 2;
   // Training characters with more vertices than this are decimated to about as many; 0 = off. Large characters cost the
   // most and teach the least per vertex. Validation and measurements always take them whole.
   uint32_t vertex_limit = 2000;
-  // Synthetic characters of each body plan (formats/synthesize) beside those of the folder, as families of their own.
+  // Synthetic characters of each body plan (formats/datasets/src/synth) beside those of the folder, as families of their
+  // own.
   uint32_t synthetic = 12;
-  double family_power = 0.5;  // a family of n characters is drawn in proportion to n^power
 };
 // Flags of the feature set that the configuration's networks and samples have.
 uint32_t feature_flags(const TrainConfig& config);

@@ -26,16 +26,19 @@
 namespace sinew {
 
 template <class Archive>
+void serialize(Archive& archive, NetworkSample::Input& input) {
+  archive(input.channels, input.rows);
+}
+template <class Archive>
 void serialize(Archive& archive, Sample& s) {
-  archive(s.name, s.family, s.vertices, s.candidates, s.vertex_features, s.pair_features, s.components, s.joints,
-          s.vertex, s.pair, s.candidate, s.row_offsets, s.col_indices, s.component, s.component_offsets,
-          s.component_vertices, s.target, s.fold, s.missing, s.importance, s.heat, s.vertex_to_welded, s.positions,
-          s.joint_positions, s.parents);
+  archive(s.name, s.family, s.vertices, s.candidates, s.components, s.joints, s.inputs, s.candidate, s.row_offsets,
+          s.col_indices, s.component, s.component_offsets, s.component_vertices, s.target, s.fold, s.missing,
+          s.importance, s.heat, s.vertex_to_welded, s.positions, s.joint_positions, s.parents);
 }
 
 namespace {
 
-constexpr uint64_t kCacheVersion = 3;  // grows whenever the file's layout or, in its last bits, a feature changes
+constexpr uint64_t kCacheVersion = 4;  // grows whenever the file's layout or, in its last bits, a feature changes
 constexpr char kMagic[8] = {'S', 'N', 'W', 'S', 'M', 'P', 'L', '1'};
 
 uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {

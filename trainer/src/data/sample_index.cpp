@@ -7,11 +7,9 @@
 namespace sinew {
 namespace {
 
-void check_sizes(const Sample& s) {
+void check_sizes(const NetworkSample& s) {
   const size_t rows = size_t{s.vertices} * s.candidates;
   const bool fits = s.candidates >= 1 && s.candidates <= kMaxCandidates && s.candidate.size() == rows &&
-                    s.pair.size() == rows * s.pair_features &&
-                    s.vertex.size() == size_t{s.vertices} * s.vertex_features &&
                     s.row_offsets.size() == size_t{s.vertices} + 1 && s.component.size() == s.vertices &&
                     s.component_offsets.size() == size_t{s.components} + 1 && s.component_vertices.size() == s.vertices;
   if (!fits) throw Error(s.name + ": the sample's arrays do not fit its counts; its cache is damaged, delete it");
@@ -19,7 +17,7 @@ void check_sizes(const Sample& s) {
 
 }  // namespace
 
-void SampleIndex::build(const Sample& sample) {
+void SampleIndex::build(const NetworkSample& sample) {
   check_sizes(sample);
   vertices = sample.vertices;
   slots = sample.candidates;

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "sinew_trainer/sample.hpp"
+#include "sinew_trainer/network_sample.hpp"
 
 namespace sinew {
 
-constexpr uint16_t kAbsent = 0xFFFF;     // Sample::candidate of an unused slot
+constexpr uint16_t kAbsent = 0xFFFF;     // NetworkSample::candidate of an unused slot
 constexpr uint32_t kMaxCandidates = 16;  // largest K of the engine
 
 // P present pairs in vertex order: only they have rows, absent slots cost nothing.
@@ -24,7 +24,7 @@ struct SampleIndex {
   std::vector<float> group_scale;  // [G] 1 / vertices of the part
 
   // Reuses the vectors' memory. Throws Error when the sample's arrays do not fit together.
-  void build(const Sample& sample);
+  void build(const NetworkSample& sample);
 
  private:
   std::vector<uint32_t> joint_mark_, joint_group_;

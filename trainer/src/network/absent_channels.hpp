@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/float_network.hpp"
 
 namespace sinew {
 

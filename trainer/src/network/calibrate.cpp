@@ -11,13 +11,13 @@
 
 namespace sinew {
 
-Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& samples) {
+Calibration calibrate(const FloatNetwork& network, const std::vector<const NetworkSample*>& samples) {
   if (samples.empty()) throw Error("calibration: no character to calibrate on");
   Calibration calibration;
   calibration.layer_max.assign(network.layers.size(), 0.0f);
-  NetworkRunner runner(network);
-  for (const Sample& sample : samples) {
-    runner.forward(network, sample);
+  NetworkRunner runner;
+  for (const NetworkSample* sample : samples) {
+    runner.forward(network, *sample);
     for (size_t l = 0; l < network.layers.size(); ++l) {
       const Region& out = network.layers[l].out;
       const size_t channels = network.buffers[out.buffer].channels;
@@ -30,6 +30,12 @@ Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& sa
     }
   }
   return calibration;
+}
+
+Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& samples) {
+  std::vector<const NetworkSample*> pointers;
+  for (const Sample& sample : samples) pointers.push_back(&sample);
+  return calibrate(network, pointers);
 }
 
 std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid,

@@ -111,50 +111,32 @@ template std::vector<LinearBlock<double>> zero_blocks<double>(const FloatNetwork
 template std::vector<LinearBlock<float>> copy_blocks<float>(const FloatNetwork&);
 template std::vector<LinearBlock<double>> copy_blocks<double>(const FloatNetwork&);
 
-void check_network(const FloatNetwork& network) {
-  const auto fail = [](const std::string& what) { throw Error("network: " + what + "; the checkpoint is damaged"); };
-  if (network.buffers.size() < 2 || network.buffers.size() > kMaxBuffers || network.layers.empty() ||
-      network.layers.size() > kMaxLayers) {
-    fail(std::to_string(network.buffers.size()) + " buffers and " + std::to_string(network.layers.size()) + " layers");
-  }
-  if (network.candidate_count < 1 || network.candidate_count > kMaxCandidates) fail("candidate count out of range");
-  if (network.buffers[kVertexInput].domain != Domain::kVertex || network.buffers[kPairInput].domain != Domain::kPair) {
-    fail("buffers 0 and 1 are not the vertex and the pair input");
-  }
-  const auto inside = [&](const Region& region) {
-    return region.channels > 0 && region.buffer < network.buffers.size() &&
-           region.offset + region.channels <= network.buffers[region.buffer].channels;
+namespace {
+
+void check_inputs(const FloatNetwork& shape, const NetworkSample& sample) {
+  const auto list = [](size_t count, auto&& channels) {
+    std::string text;
+    for (size_t i = 0; i < count; ++i) text += (i == 0 ? "" : " + ") + std::to_string(channels(i));
+    return text;
   };
-  const auto overlap = [](const Region& a, const Region& b) {
-    return a.buffer == b.buffer && a.offset < b.offset + b.channels && b.offset < a.offset + a.channels;
-  };
-  const auto domain = [&](const Region& region) { return network.buffers[region.buffer].domain; };
-  for (size_t i = 0; i < network.layers.size(); ++i) {
-    const Layer& layer = network.layers[i];
-    const std::string name = "layer " + std::to_string(i);
-    if (!inside(layer.in) || !inside(layer.out) || layer.out.buffer <= kPairInput || overlap(layer.in, layer.out)) {
-      fail(name + " has a region outside its buffer, or writes over what it reads");
-    }
-    bool fits = layer_fits(layer.kind, domain(layer.in), domain(layer.out), layer.in.channels, layer.out.channels,
-                           network.candidate_count);
-    if (layer.kind == LayerKind::kLinear && fits) {
-      fits = layer.parameters < network.parameters.size();
-      if (fits) {
-        const LinearParameters& p = network.parameters[layer.parameters];
-        fits = p.in == layer.in.channels && p.out == layer.out.channels && p.weights.size() == size_t{p.in} * p.out &&
-               p.bias.size() == p.out;
-      }
-      if (layer.flags & kLayerResidual) {
-        fits = fits && inside(layer.residual) && domain(layer.residual) == domain(layer.out) &&
-               layer.residual.channels == layer.out.channels && !overlap(layer.residual, layer.out);
-      }
-    }
-    if (!fits)
-      fail(name + " (kind " + std::to_string(static_cast<int>(layer.kind)) + ") has regions that do not fit it");
+  const size_t inputs = shape.input_names.size();
+  bool same = sample.inputs.size() == inputs && shape.candidate_count == sample.candidates;
+  for (size_t i = 0; i < inputs && same; ++i) same = shape.buffers[i].channels == sample.inputs[i].channels;
+  if (!same) {
+    throw Error(sample.name + ": the network wants " +
+                list(inputs, [&](size_t i) { return shape.buffers[i].channels; }) + " features and " +
+                std::to_string(shape.candidate_count) + " candidates, the sample has " +
+                list(sample.inputs.size(), [&](size_t i) { return sample.inputs[i].channels; }) + " and " +
+                std::to_string(sample.candidates));
   }
-  const Region& logits = network.layers.back().out;
-  if (domain(logits) != Domain::kPair || logits.channels != 1) fail("the last layer does not write one pair channel");
+  for (size_t i = 0; i < inputs; ++i) {
+    const size_t rows = size_t{sample.vertices} * (has_slots(shape.buffers[i].domain) ? sample.candidates : 1);
+    if (sample.inputs[i].rows.size() != rows * sample.inputs[i].channels)
+      throw Error(sample.name + ": the sample's arrays do not fit its counts; its cache is damaged, delete it");
+  }
 }
+
+}  // namespace
 
 template <class S>
 struct LayerRunner<S>::State {
@@ -163,9 +145,9 @@ struct LayerRunner<S>::State {
   std::vector<Block<uint32_t>> arguments;   // per layer: the row that a maximum came from, UINT32_MAX = none
   std::vector<Block<S>> weights, d_weights, bias, d_bias;
   Block<S> sums;
-  std::vector<S> logits;
+  std::vector<S> outputs;
   S relu_scale = 1;  // of the last forward: 1 / (1 - dropout)
-  const Sample* sample = nullptr;
+  const NetworkSample* sample = nullptr;
   Team* team = nullptr;
   Block<S> partial;  // per block of a linear layer: its part of the gradient
 
@@ -183,7 +165,17 @@ struct LayerRunner<S>::State {
   static size_t block_count(uint32_t row_count) { return (row_count + kBlockRows - 1) / kBlockRows; }
 
   uint32_t rows(const FloatNetwork& shape, uint16_t buffer) const {
-    return shape.buffers[buffer].domain == Domain::kVertex ? index.vertices : index.pairs;
+    return has_slots(shape.buffers[buffer].domain) ? index.pairs : index.vertices;
+  }
+  // Rows of the output with absent slots, and where row r without them goes among those.
+  size_t output_rows(const FloatNetwork& shape) const {
+    return size_t{index.vertices} * (has_slots(output_domain(shape)) ? index.slots : 1);
+  }
+  size_t output_row(const FloatNetwork& shape, uint32_t r) const {
+    return has_slots(output_domain(shape)) ? index.pair_slot[r] : r;
+  }
+  static Domain output_domain(const FloatNetwork& shape) {
+    return shape.buffers[shape.layers.back().out.buffer].domain;
   }
   View<S> view(const FloatNetwork& shape, std::vector<Block<S>>& blocks, const Region& region) const {
     return {blocks[region.buffer].data() + region.offset, shape.buffers[region.buffer].channels,
@@ -206,29 +198,27 @@ template <class S>
 void LayerRunner<S>::State::load_inputs(const FloatNetwork& shape, const DropoutOptions& dropout) {
   Random random(mix_seeds(dropout.seed, 1));
   constexpr S scale = S(1) / S(1 << kFeatureBits);
-  const auto channel_scales = [&](uint32_t channels, bool pair) {
-    std::vector<S> scales(channels, scale);
-    if (dropout.features > 0) {
-      for (uint32_t c = 0; c < channels; ++c) {
-        const bool drop = random.uniform() < static_cast<double>(dropout.features);
-        const auto& kept = dropout.kept_pair_features;
-        if (drop && !(pair && std::find(kept.begin(), kept.end(), c) != kept.end())) scales[c] = 0;
-      }
-    }
-    for (const uint32_t c : pair ? dropout.absent_pair_features : dropout.absent_vertex_features) scales[c] = 0;
-    return scales;
+  const auto of_input = [](const std::vector<std::vector<uint32_t>>& lists, size_t input) {
+    return input < lists.size() ? lists[input] : std::vector<uint32_t>();
   };
-  const uint32_t c0 = shape.buffers[kVertexInput].channels, c1 = shape.buffers[kPairInput].channels;
-  const std::vector<S> vertex_scale = channel_scales(c0, false), pair_scale = channel_scales(c1, true);
-  S* out = values[kVertexInput].data();
-  for (uint32_t v = 0; v < index.vertices; ++v) {
-    const int16_t* in = sample->vertex.data() + size_t{v} * c0;
-    for (uint32_t c = 0; c < c0; ++c) out[size_t{v} * c0 + c] = static_cast<S>(in[c]) * vertex_scale[c];
+  std::vector<std::vector<S>> scales;  // drawn for all inputs before any is read
+  for (size_t i = 0; i < shape.input_names.size(); ++i) {
+    const std::vector<uint32_t> kept = of_input(dropout.kept, i);
+    std::vector<S>& of_channels = scales.emplace_back(shape.buffers[i].channels, scale);
+    for (uint32_t c = 0; c < of_channels.size() && dropout.features > 0; ++c) {
+      const bool drop = random.uniform() < static_cast<double>(dropout.features);
+      if (drop && std::find(kept.begin(), kept.end(), c) == kept.end()) of_channels[c] = 0;
+    }
+    for (const uint32_t c : of_input(dropout.absent, i)) of_channels[c] = 0;
   }
-  out = values[kPairInput].data();
-  for (uint32_t p = 0; p < index.pairs; ++p) {
-    const int16_t* in = sample->pair.data() + size_t{index.pair_slot[p]} * c1;
-    for (uint32_t c = 0; c < c1; ++c) out[size_t{p} * c1 + c] = static_cast<S>(in[c]) * pair_scale[c];
+  for (size_t i = 0; i < scales.size(); ++i) {
+    const bool pair = has_slots(shape.buffers[i].domain);
+    const uint32_t channels = shape.buffers[i].channels;
+    S* const out = values[i].data();
+    for (uint32_t r = 0; r < (pair ? index.pairs : index.vertices); ++r) {
+      const int16_t* in = sample->inputs[i].rows.data() + size_t{pair ? index.pair_slot[r] : r} * channels;
+      for (uint32_t c = 0; c < channels; ++c) out[size_t{r} * channels + c] = static_cast<S>(in[c]) * scales[i][c];
+    }
   }
 }
 
@@ -484,17 +474,9 @@ void LayerRunner<S>::set_team(Team* team) {
 
 template <class S>
 const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const std::vector<LinearBlock<S>>& parameters,
-                                              const Sample& sample, const DropoutOptions& dropout) {
+                                              const NetworkSample& sample, const DropoutOptions& dropout) {
   State& s = *state_;
-  check_network(shape);
-  if (shape.buffers[kVertexInput].channels != sample.vertex_features ||
-      shape.buffers[kPairInput].channels != sample.pair_features || shape.candidate_count != sample.candidates) {
-    throw Error(sample.name + ": the network wants " + std::to_string(shape.buffers[kVertexInput].channels) + " + " +
-                std::to_string(shape.buffers[kPairInput].channels) + " features and " +
-                std::to_string(shape.candidate_count) + " candidates, the sample has " +
-                std::to_string(sample.vertex_features) + " + " + std::to_string(sample.pair_features) + " and " +
-                std::to_string(sample.candidates));
-  }
+  check_inputs(shape, sample);
   s.sample = &sample;
   s.index.build(sample);
   s.relu_scale = static_cast<S>(1.0 / (1.0 - static_cast<double>(dropout.activations)));
@@ -516,7 +498,7 @@ const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const s
   for (size_t i = 0; i < shape.layers.size(); ++i) {
     const Layer& layer = shape.layers[i];
     const View<S> in = s.view(shape, s.values, layer.in), out = s.view(shape, s.values, layer.out);
-    const bool pair = shape.buffers[layer.in.buffer].domain == Domain::kPair;
+    const bool pair = has_slots(shape.buffers[layer.in.buffer].domain);
     switch (layer.kind) {
       case LayerKind::kLinear: {
         View<S> residual;
@@ -569,18 +551,20 @@ const std::vector<S>& LayerRunner<S>::forward(const FloatNetwork& shape, const s
         break;
     }
   }
-  const View<S> logits = s.view(shape, s.values, shape.layers.back().out);
-  s.logits.assign(size_t{s.index.vertices} * s.index.slots, S(0));
-  for (uint32_t p = 0; p < s.index.pairs; ++p) s.logits[s.index.pair_slot[p]] = *logits.row(p);
-  return s.logits;
+  const View<S> output = s.view(shape, s.values, shape.layers.back().out);
+  s.outputs.assign(s.output_rows(shape) * output.channels, S(0));
+  for (uint32_t r = 0; r < output.rows; ++r)
+    std::copy_n(output.row(r), output.channels, s.outputs.data() + s.output_row(shape, r) * output.channels);
+  return s.outputs;
 }
 
 template <class S>
 void LayerRunner<S>::backward(const FloatNetwork& shape, const std::vector<LinearBlock<S>>& parameters,
-                              const std::vector<S>& d_logits, std::vector<LinearBlock<S>>* gradients) {
+                              const std::vector<S>& d_outputs, std::vector<LinearBlock<S>>* gradients) {
   State& s = *state_;
   s.gradients.resize(shape.buffers.size());
-  for (uint16_t b = kPairInput + 1; b < shape.buffers.size(); ++b) {
+  const uint16_t inputs = static_cast<uint16_t>(shape.input_names.size());
+  for (uint16_t b = inputs; b < shape.buffers.size(); ++b) {
     s.gradients[b].resize(s.values[b].size());
     s.gradients[b].zero();
   }
@@ -592,21 +576,22 @@ void LayerRunner<S>::backward(const FloatNetwork& shape, const std::vector<Linea
     s.d_bias[i].resize(parameters[i].bias.size());
     s.d_bias[i].zero();
   }
-  const View<S> logits = s.view(shape, s.gradients, shape.layers.back().out);
-  for (uint32_t p = 0; p < s.index.pairs; ++p) *logits.row(p) = d_logits[s.index.pair_slot[p]];
+  const View<S> output = s.view(shape, s.gradients, shape.layers.back().out);
+  for (uint32_t r = 0; r < output.rows; ++r)
+    std::copy_n(d_outputs.data() + s.output_row(shape, r) * output.channels, output.channels, output.row(r));
 
   for (size_t i = shape.layers.size(); i-- > 0;) {
     const Layer& layer = shape.layers[i];
-    const bool is_input = layer.in.buffer <= kPairInput;
+    const bool is_input = layer.in.buffer < inputs;
     if (is_input && layer.kind != LayerKind::kLinear) continue;
-    const bool pair = shape.buffers[layer.in.buffer].domain == Domain::kPair;
+    const bool pair = has_slots(shape.buffers[layer.in.buffer].domain);
     const View<S> d_out = s.view(shape, s.gradients, layer.out);
     View<S> d_in;
     if (!is_input) d_in = s.view(shape, s.gradients, layer.in);
     switch (layer.kind) {
       case LayerKind::kLinear: {
         View<S> d_residual;
-        if ((layer.flags & kLayerResidual) && layer.residual.buffer > kPairInput) {
+        if ((layer.flags & kLayerResidual) && layer.residual.buffer >= inputs) {
           d_residual = s.view(shape, s.gradients, layer.residual);
         }
         s.linear_backward(layer, s.view(shape, s.values, layer.in), s.view(shape, s.values, layer.out), d_in, d_out,
@@ -668,7 +653,7 @@ void LayerRunner<S>::copy_buffer(const FloatNetwork& shape, uint16_t index, std:
   const State& s = *state_;
   const uint32_t channels = shape.buffers[index].channels;
   const S* in = s.values[index].data();
-  if (shape.buffers[index].domain == Domain::kVertex) {
+  if (!has_slots(shape.buffers[index].domain)) {
     out->assign(in, in + size_t{s.index.vertices} * channels);
     return;
   }

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "sinew_formats/checkpoint.hpp"
-#include "sinew_trainer/sample.hpp"
+#include "sinew_formats/float_network.hpp"
+#include "sinew_trainer/network_sample.hpp"
 
 namespace sinew {
 
@@ -26,15 +26,12 @@ template <class Scalar>
 std::vector<LinearBlock<Scalar>> copy_blocks(const FloatNetwork& network);
 
 struct DropoutOptions {
-  float activations = 0;                     // share of the outputs of ReLU layers set to 0, the others scaled up
-  float features = 0;                        // probability of an input channel to be 0 for the whole sample
-  std::vector<uint32_t> kept_pair_features;  // never dropped: the heat prior
-  std::vector<uint32_t> absent_vertex_features, absent_pair_features;  // always 0
+  float activations = 0;  // share of the outputs of ReLU layers set to 0, the others scaled up
+  float features = 0;     // probability of an input channel to be 0 for the whole sample
+  // Channels of each input: never dropped, and always 0. Inputs behind the last entry have none.
+  std::vector<std::vector<uint32_t>> kept, absent;
   uint64_t seed = 0;
 };
-
-// Throws Error unless buffers, layers and parameters fit together and the last layer writes one pair channel.
-void check_network(const FloatNetwork& network);
 
 // One instance per thread; its memory is reused from call to call. The same input gives the same bytes on one machine.
 template <class Scalar>
@@ -48,12 +45,14 @@ class LayerRunner {
   // Threads that take rows of large layers while they are idle; null = none. Changes no number.
   void set_team(Team* team);
 
-  // `shape` gives buffers and layers; its parameters are not read. Returns logits [U x K], absent slots 0.
+  // `shape` gives inputs, buffers and layers and has passed check_network(); its parameters are not read. Returns the
+  // output's rows: [U x C] or, in a domain with slots, [U x K x C] with absent slots 0. Throws Error when network and
+  // sample do not fit together.
   const std::vector<Scalar>& forward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
-                                     const Sample& sample, const DropoutOptions& dropout);
-  // After forward() with the same arguments. d_logits [U x K]; adds into gradients.
+                                     const NetworkSample& sample, const DropoutOptions& dropout);
+  // After forward() with the same arguments. d_outputs as forward() returned; adds into gradients.
   void backward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
-                const std::vector<Scalar>& d_logits, std::vector<LinearBlock<Scalar>>* gradients);
+                const std::vector<Scalar>& d_outputs, std::vector<LinearBlock<Scalar>>* gradients);
   // Copies a buffer after forward(): [U x channels] or [U x K x channels], absent rows 0.
   void copy_buffer(const FloatNetwork& shape, uint16_t index, std::vector<Scalar>* out) const;
 

@@ -6,44 +6,25 @@
 #include <cmath>
 
 #include "data/sample_index.hpp"
-#include "features/features.hpp"
 #include "network/layer_runner.hpp"
+#include "sinew_formats/error.hpp"
 
 namespace sinew {
 
 struct NetworkRunner::State {
   LayerRunner<float> runner;
-  std::vector<LinearBlock<float>> parameters, gradients;
-  FloatNetwork shape;  // buffers and layers of the last forward(), for buffer()
+  FloatNetwork shape;  // without parameters: of the last forward(), for buffer()
   mutable std::vector<float> buffer;
 };
 
-NetworkRunner::NetworkRunner(const FloatNetwork& network) : state_(new State) { check_network(network); }
-NetworkRunner::~NetworkRunner() { delete state_; }
+NetworkRunner::NetworkRunner() : state_(std::make_unique<State>()) {}
+NetworkRunner::~NetworkRunner() = default;
 
-const std::vector<float>& NetworkRunner::forward(const FloatNetwork& network, const Sample& sample, float dropout,
-                                                 uint64_t seed, float feature_dropout) {
-  state_->parameters = copy_blocks<float>(network);
+const std::vector<float>& NetworkRunner::forward(const FloatNetwork& network, const NetworkSample& sample) {
+  check_network(network, sample.name);
   state_->shape.buffers = network.buffers;
   state_->shape.layers = network.layers;
-  DropoutOptions options;
-  options.activations = dropout;
-  options.features = feature_dropout;
-  options.kept_pair_features = {kPairLogRule, kPairLogParts};
-  options.seed = seed;
-  return state_->runner.forward(network, state_->parameters, sample, options);
-}
-
-void NetworkRunner::backward(const FloatNetwork& network, const Sample&, const std::vector<float>& d_logits,
-                             std::vector<LinearParameters>* gradients) {
-  state_->gradients = zero_blocks<float>(network);
-  state_->runner.backward(network, state_->parameters, d_logits, &state_->gradients);
-  for (size_t i = 0; i < gradients->size(); ++i) {
-    std::vector<float>& weights = (*gradients)[i].weights;
-    std::vector<float>& bias = (*gradients)[i].bias;
-    for (size_t k = 0; k < weights.size(); ++k) weights[k] += state_->gradients[i].weights[k];
-    for (size_t k = 0; k < bias.size(); ++k) bias[k] += state_->gradients[i].bias[k];
-  }
+  return state_->runner.forward(network, copy_blocks<float>(network), sample, {});
 }
 
 const std::vector<float>& NetworkRunner::buffer(uint16_t index) const {
@@ -51,8 +32,19 @@ const std::vector<float>& NetworkRunner::buffer(uint16_t index) const {
   return state_->buffer;
 }
 
+void require_bind_network(const FloatNetwork& network, const std::string& source) {
+  check_network(network, source);
+  const Region& out = network.layers.back().out;
+  if (network.task != kTaskBind || network.buffers[out.buffer].domain != Domain::kPair || out.channels != 1)
+    throw Error(
+        source +
+        ": expected a network for binding, which gives one logit per vertex and candidate; found one for task " +
+        std::to_string(network.task));
+}
+
 std::vector<float> forward(const FloatNetwork& network, const Sample& sample) {
-  return NetworkRunner(network).forward(network, sample);
+  require_bind_network(network, sample.name);
+  return NetworkRunner().forward(network, sample);
 }
 
 std::vector<float> softmax(const Sample& sample, const std::vector<float>& logits) {

@@ -6,16 +6,13 @@
 #include <chrono>
 #include <numeric>
 
-#include "features/features.hpp"
-#include "sinew_trainer/network.hpp"
-
 namespace sinew {
 namespace {
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // The largest first, so that threads and ranks end at about the same time.
-std::vector<size_t> by_size(const std::vector<const Sample*>& samples) {
+std::vector<size_t> by_size(const std::vector<const NetworkSample*>& samples) {
   std::vector<size_t> order(samples.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -33,11 +30,10 @@ void visit_numbers(std::vector<LinearBlock<float>>& blocks, Visit&& visit) {
 
 }  // namespace
 
-BatchGradient::BatchGradient(const TrainConfig& config, uint32_t threads, Ranks* ranks)
-    : config_(config),
-      loss_{config.loss_kl, config.loss_l1, config.loss_regret, config.loss_part, config.loss_deformation},
-      absent_(absent_channels(config.without, "configuration")),
-      ranks_(ranks) {
+BatchGradient::BatchGradient(const TrainingTask& task, const RunConfig& config, uint32_t threads, Ranks* ranks)
+    : task_(task), dropout_(task.channels()), ranks_(ranks) {
+  dropout_.activations = static_cast<float>(config.dropout);
+  dropout_.features = static_cast<float>(config.feature_dropout);
   for (uint32_t t = 0; t < std::max(threads, 1u); ++t) {
     runners_.push_back(std::make_unique<LayerRunner<float>>());
     runners_.back()->set_team(&team_);
@@ -45,7 +41,7 @@ BatchGradient::BatchGradient(const TrainConfig& config, uint32_t threads, Ranks*
 }
 
 // Each goes to the rank that has the fewest vertices so far.
-std::vector<uint32_t> BatchGradient::owners(const std::vector<const Sample*>& samples) const {
+std::vector<uint32_t> BatchGradient::owners(const std::vector<const NetworkSample*>& samples) const {
   std::vector<uint32_t> owner(samples.size(), 0);
   if (ranks_ == nullptr || ranks_->size() == 1) return owner;
   std::vector<uint64_t> load(ranks_->size(), 0);
@@ -58,14 +54,14 @@ std::vector<uint32_t> BatchGradient::owners(const std::vector<const Sample*>& sa
 
 const std::vector<LinearBlock<float>>& BatchGradient::run(const FloatNetwork& network,
                                                           const std::vector<BatchItem>& items, uint32_t threads,
-                                                          std::vector<LossTerms>* terms) {
+                                                          std::vector<std::vector<double>>* losses) {
   const double start = now();
   while (slots_.size() < items.size()) {
     slots_.emplace_back();
     slots_.back().gradients = zero_blocks<float>(network);
   }
   slots_.resize(items.size());
-  std::vector<const Sample*> samples;
+  std::vector<const NetworkSample*> samples;
   for (const BatchItem& item : items) samples.push_back(item.sample);
   const std::vector<uint32_t> owner = owners(samples);
   const uint32_t rank = ranks_ == nullptr ? 0 : ranks_->rank();
@@ -78,21 +74,16 @@ const std::vector<LinearBlock<float>>& BatchGradient::run(const FloatNetwork& ne
             [&](size_t i, unsigned thread) {
               Slot& slot = slots_[mine[i]];
               const BatchItem& item = items[mine[i]];
-              DropoutOptions dropout;
-              dropout.activations = static_cast<float>(config_.dropout);
-              dropout.features = static_cast<float>(config_.feature_dropout);
-              dropout.kept_pair_features = {kPairLogRule, kPairLogParts};
-              dropout.absent_vertex_features = absent_.vertex;
-              dropout.absent_pair_features = absent_.pair;
+              DropoutOptions dropout = dropout_;
               dropout.seed = item.seed;
-              const std::vector<float>& logits = runners_[thread]->forward(network, parameters, *item.sample, dropout);
-              slot.terms = weight_loss(*item.sample, loss_, logits, &slot.d_logits);
+              const std::vector<float>& outputs = runners_[thread]->forward(network, parameters, *item.sample, dropout);
+              slot.losses = task_.loss(*item.sample, outputs, &slot.d_outputs);
               visit_numbers(slot.gradients, [](std::vector<float>& v) { std::fill(v.begin(), v.end(), 0.0f); });
-              runners_[thread]->backward(network, parameters, slot.d_logits, &slot.gradients);
+              runners_[thread]->backward(network, parameters, slot.d_outputs, &slot.gradients);
             });
   if (ranks_ != nullptr && ranks_->size() > 1) exchange(owner);
-  terms->clear();
-  for (const Slot& slot : slots_) terms->push_back(slot.terms);
+  losses->clear();
+  for (const Slot& slot : slots_) losses->push_back(slot.losses);
 
   std::vector<LinearBlock<float>>& sum = slots_[0].gradients;
   const float share = 1.0f / static_cast<float>(items.size());
@@ -118,19 +109,20 @@ void BatchGradient::exchange(const std::vector<uint32_t>& owner) {
   size_t numbers = 0;
   visit_numbers(slots_[0].gradients, [&](const std::vector<float>& v) { numbers += v.size(); });
   std::vector<float> gradients;
-  std::vector<double> terms;
-  std::vector<size_t> counts(ranks_->size(), 0), term_counts(ranks_->size(), 0);
+  std::vector<double> losses;
+  const size_t loss_count = task_.loss_names().size();
+  std::vector<size_t> counts(ranks_->size(), 0), loss_counts(ranks_->size(), 0);
   for (size_t i = 0; i < slots_.size(); ++i) {
     counts[owner[i]] += numbers;
-    term_counts[owner[i]] += slots_[i].terms.all().size();
+    loss_counts[owner[i]] += loss_count;
     if (owner[i] != ranks_->rank()) continue;
     visit_numbers(slots_[i].gradients,
                   [&](const std::vector<float>& v) { gradients.insert(gradients.end(), v.begin(), v.end()); });
-    for (const double* term : slots_[i].terms.all()) terms.push_back(*term);
+    losses.insert(losses.end(), slots_[i].losses.begin(), slots_[i].losses.end());
   }
   gradients = ranks_->gather(gradients, counts);
-  terms = ranks_->gather(terms, term_counts);
-  size_t at = 0, term_at = 0;
+  losses = ranks_->gather(losses, loss_counts);
+  size_t at = 0, loss_at = 0;
   for (uint32_t rank = 0; rank < ranks_->size(); ++rank) {
     for (size_t i = 0; i < slots_.size(); ++i) {
       if (owner[i] != rank) continue;
@@ -138,31 +130,29 @@ void BatchGradient::exchange(const std::vector<uint32_t>& owner) {
         std::copy_n(gradients.begin() + static_cast<std::ptrdiff_t>(at), v.size(), v.begin());
         at += v.size();
       });
-      for (double* term : slots_[i].terms.all()) *term = terms[term_at++];
+      slots_[i].losses.resize(loss_count);
+      for (double& loss : slots_[i].losses) loss = losses[loss_at++];
     }
   }
 }
 
-std::vector<double> BatchGradient::sample_scores(const FloatNetwork& network, const std::vector<Sample>& samples,
-                                                 uint32_t threads, uint32_t keep) {
-  std::vector<const Sample*> pointers;
-  for (const Sample& sample : samples) pointers.push_back(&sample);
-  const std::vector<uint32_t> owner = owners(pointers);
+std::vector<double> BatchGradient::scores(const FloatNetwork& network, const std::vector<const NetworkSample*>& samples,
+                                          uint32_t threads) {
+  const std::vector<uint32_t> owner = owners(samples);
   const uint32_t rank = ranks_ == nullptr ? 0 : ranks_->rank();
   std::vector<size_t> mine;
-  for (const size_t i : by_size(pointers)) {
+  for (const size_t i : by_size(samples)) {
     if (owner[i] == rank) mine.push_back(i);
   }
   const std::vector<LinearBlock<float>> parameters = copy_blocks<float>(network);
-  std::vector<double> scores(samples.size(), 0.0);
+  std::vector<double> result(samples.size(), 0.0);
   team_.run(mine.size(), std::min<uint32_t>(threads, static_cast<uint32_t>(runners_.size())),
             [&](size_t i, unsigned thread) {
-              const Sample& sample = samples[mine[i]];
-              const std::vector<float>& logits = runners_[thread]->forward(network, parameters, sample, {});
-              scores[mine[i]] = sample_l1(sample, softmax(sample, logits), keep);
+              const NetworkSample& sample = *samples[mine[i]];
+              result[mine[i]] = task_.score(sample, runners_[thread]->forward(network, parameters, sample, {}));
             });
-  if (ranks_ != nullptr) ranks_->maximum(&scores);  // what other ranks did is 0 here, and no L1 is below 0
-  return scores;
+  if (ranks_ != nullptr) ranks_->maximum(&result);  // what other ranks did is 0 here, and no score is below 0
+  return result;
 }
 
 }  // namespace sinew

@@ -4,7 +4,6 @@
 #ifndef SINEW_TRAINER_RUN_LOSS_HPP
 #define SINEW_TRAINER_RUN_LOSS_HPP
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,10 +24,6 @@ struct LossTerms {
   // Root of the mean squared way a vertex is off when every joint turns by an independent random rotation of one
   // radian: sqrt(sum over joints a of (sum of p - t over a's subtree)^2 |vertex - a|^2), sides of the grid.
   double deformation = 0;
-
-  // Every term, for code that sums or sends them.
-  std::array<double*, 6> all() { return {&total, &kl, &l1, &regret, &part, &deformation}; }
-  std::array<const double*, 6> all() const { return {&total, &kl, &l1, &regret, &part, &deformation}; }
 };
 
 // Candidates that fold to the same joint (Sample::fold: end joints) count as one: their weights are summed before they

@@ -32,7 +32,7 @@ double schedule(double progress) {
   return kFloor + (1 - kFloor) * 0.5 * (1 + std::cos(kPi * (p - kWarmUp) / (1 - kWarmUp)));
 }
 
-void optimizer_step(const TrainConfig& config, double learning_rate, const std::vector<LinearBlock<float>>& gradients,
+void optimizer_step(const RunConfig& config, double learning_rate, const std::vector<LinearBlock<float>>& gradients,
                     FloatNetwork* network, TrainingState* state) {
   const bool sgd = config.optimizer == "sgd", decoupled = config.optimizer == "adamw";
   if (state->adam_m.empty()) {

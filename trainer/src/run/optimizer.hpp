@@ -21,7 +21,7 @@ double schedule(double progress);
 // One step. state->step counts the steps done before (Adam's bias correction), state->adam_m and adam_v hold the
 // moments (momentum of SGD in adam_m). Decay acts on weights only, never on biases: decoupled for "adamw", as a
 // gradient otherwise.
-void optimizer_step(const TrainConfig& config, double learning_rate, const std::vector<LinearBlock<float>>& gradients,
+void optimizer_step(const RunConfig& config, double learning_rate, const std::vector<LinearBlock<float>>& gradients,
                     FloatNetwork* network, TrainingState* state);
 
 // average += (1 - d) (network - average), with d = decay but smaller in the first steps, so that the start is

@@ -1,376 +1,33 @@
 // SPDX-License-Identifier: MIT
-// The training run: draws characters, steps, validates against heat, keeps the best weights and everything needed to go
-// on.
+// Training for skin weights: the samples of a folder, the task, the run.
 #include "sinew_trainer/train.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <map>
-#include <memory>
-#include <numeric>
 
-#include "core/random.hpp"
-#include "data/family_queue.hpp"
-#include "features/features.hpp"
-#include "network/absent_channels.hpp"
-#include "network/networks.hpp"
-#include "run/batch_gradient.hpp"
-#include "run/optimizer.hpp"
+#include "run/bind_task.hpp"
+#include "run/training_run.hpp"
 #include "run/training_set.hpp"
-#include "sinew_formats/error.hpp"
-#include "sinew_formats/io.hpp"
-#include "sinew_trainer/parallel.hpp"
+#include "sinew_formats/checkpoint.hpp"
 
 namespace sinew {
 namespace {
 
-constexpr uint32_t kKeep = 4;  // influences per vertex that validation counts: the default of a bind
-
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-struct ValScore {
-  double l1 = 0, family_l1 = 0;  // mean over characters, mean over families
-  double mean() const { return 0.5 * (l1 + family_l1); }
-};
-ValScore score(const std::vector<Sample>& samples, const std::vector<double>& l1) {
-  ValScore result;
-  std::map<std::string, std::pair<double, size_t>> families;
-  for (size_t i = 0; i < samples.size(); ++i) {
-    result.l1 += l1[i] / static_cast<double>(samples.size());
-    auto& [sum, count] = families[samples[i].family];
-    sum += l1[i];
-    ++count;
-  }
-  for (const auto& [name, family] : families) {
-    result.family_l1 += family.first / static_cast<double>(family.second) / static_cast<double>(families.size());
-  }
-  return result;
+std::vector<Sample> load_validation(const TrainConfig& config, const TrainOptions& options) {
+  if (options.val_dir.empty()) return {};
+  const SampleSource source = sample_source(config, options);
+  std::vector<Sample> samples = load_samples(options.val_dir, source.candidates, source.grid, source.cache_dir,
+                                             source.threads, source.quiet, source.feature_flags);
+  drop_unlabelled(&samples, source.silent);
+  return samples;
 }
-
-void require_same_shape(const FloatNetwork& from, const FloatNetwork& to, const std::string& path) {
-  const auto fail = [&](const std::string& what) {
-    throw Error(path + ": cannot start from its weights: " + what + "; use the configuration it was trained with");
-  };
-  if (from.architecture != to.architecture) fail("it is a " + from.architecture + ", wanted is a " + to.architecture);
-  if (from.feature_set != to.feature_set) {
-    fail("feature set " + std::to_string(from.feature_set) + ", wanted is " + std::to_string(to.feature_set));
-  }
-  if (from.candidate_count != to.candidate_count || from.grid_size != to.grid_size) {
-    fail("made for " + std::to_string(from.candidate_count) + " candidates and grid " + std::to_string(from.grid_size) +
-         ", wanted are " + std::to_string(to.candidate_count) + " and " + std::to_string(to.grid_size));
-  }
-  bool same = from.parameters.size() == to.parameters.size() && from.layers.size() == to.layers.size();
-  for (size_t i = 0; same && i < to.parameters.size(); ++i) {
-    same = from.parameters[i].in == to.parameters[i].in && from.parameters[i].out == to.parameters[i].out;
-  }
-  if (!same) fail("its layers have other shapes");
-}
-
-// Names the settings that differ, for a resume with another configuration.
-void require_same_config(const std::string& saved, const std::string& given, const std::string& path) {
-  if (saved == given) return;
-  std::string lines;
-  size_t a = 0, b = 0;
-  while (a < saved.size() && b < given.size()) {
-    const size_t a_end = saved.find('\n', a), b_end = given.find('\n', b);
-    const std::string was = saved.substr(a, a_end - a), is = given.substr(b, b_end - b);
-    if (was != is) {
-      lines = "saved " + was.substr(was.find('"')) + " given " + is.substr(is.find('"'));
-      break;
-    }
-    if (a_end == std::string::npos || b_end == std::string::npos) break;
-    a = a_end + 1;
-    b = b_end + 1;
-  }
-  throw Error(path + ": cannot resume with another configuration (" + lines +
-              "); use --init to start a new run from its weights");
-}
-
-class Run {
- public:
-  Run(const TrainConfig& config, const TrainOptions& options)
-      : config_(config),
-        options_(options),
-        items_(config.batch),
-        main_(options.ranks == nullptr || options.ranks->rank() == 0) {
-    if (!main_) options_.quiet = true;
-  }
-
-  void load(const TrainingSet& set) {
-    set_ = &set;
-    for (uint32_t i = 0; i < set.characters.size(); ++i) {
-      const std::vector<std::string>& out = options_.leave_out;
-      if (std::find(out.begin(), out.end(), set.families[i]) != out.end()) continue;
-      drawn_.push_back(i);
-      families_.push_back(set.families[i]);
-    }
-    if (options_.ranks != nullptr) {
-      uint64_t content = checkpoint_.state.step;
-      for (const char c : checkpoint_.state.config_json) content = mix_seeds(content, static_cast<uint8_t>(c));
-      for (const uint32_t i : drawn_) {
-        for (const Sample& sample : set.characters[i])
-          content = mix_seeds(content, sample.vertices, sample.pair.size());
-      }
-      options_.ranks->require_same(content, "a configuration, checkpoint or characters");
-    }
-    if (drawn_.empty()) throw Error(options_.output + ": nothing to train on, every family is left out");
-    if (options_.val_dir.empty()) return;
-    const SampleSource source = sample_source(config_, options_);
-    val_ = load_samples(options_.val_dir, source.candidates, source.grid, source.cache_dir, source.threads,
-                        source.quiet, source.feature_flags);
-    drop_unlabelled(&val_, source.silent);
-    std::vector<double> l1(val_.size());
-    parallel_for(val_.size(), options_.threads,
-                 [&](size_t i, unsigned) { l1[i] = sample_l1(val_[i], val_[i].heat, kKeep); });
-    heat_ = score(val_, l1);
-  }
-
-  void start() {
-    const std::string config_json = train_config_json(config_);
-    if (options_.resume) {
-      checkpoint_ = read_checkpoint(options_.output);
-      // Settings that came later than the checkpoint have their defaults.
-      const TrainConfig saved = parse_train_config(checkpoint_.state.config_json, options_.output);
-      require_same_config(train_config_json(saved), config_json, options_.output);
-      check_network(checkpoint_.latest);
-      check_network(checkpoint_.network);
-      return;
-    }
-    FloatNetwork network =
-        config_.architecture == "classic"
-            ? make_classic(config_.field.candidates, config_.field.grid, config_.seed, feature_flags(config_))
-            : make_field(config_.field, config_.seed, feature_flags(config_));
-    if (!options_.init.empty()) {
-      FloatNetwork given = read_checkpoint(options_.init).network;
-      check_network(given);
-      require_same_shape(given, network, options_.init);
-      network = std::move(given);
-    }
-    clear_weights(absent_channels(config_.without, "configuration"), &network);
-    checkpoint_.latest = checkpoint_.network = network;
-    if (config_.average_decay > 0) checkpoint_.state.averages = {network};
-    if (config_.init_share > 0 && !options_.init.empty()) checkpoint_.state.averages.push_back(network);
-    checkpoint_.state.config_json = config_json;
-    checkpoint_.state.rng = {mix_seeds(config_.seed, 3)};
-    checkpoint_.state.log_csv =
-        "step,seconds,loss,l1,kl,regret,part,deformation,gradient_norm,learning_rate,val_l1,val_family_l1,"
-        "heat_l1,heat_family_l1,best\n";
-  }
-
-  void go() {
-    TrainingState& state = checkpoint_.state;
-    if (options_.resume && progress() >= 1) {
-      say_finished();
-      return;
-    }
-    const double started = now() - state.seconds;
-    const uint64_t first_step = state.step;
-    uint64_t steps_left = options_.stop_after;
-    bool validated = false;
-    gradient_ = std::make_unique<BatchGradient>(config_, options_.threads, options_.ranks);
-    agree();
-    while (progress() < 1 && !stopping_ && (options_.stop_after == 0 || steps_left-- > 0)) {
-      const double rate = config_.learning_rate * schedule(progress());
-      step(rate);
-      state.seconds = now() - started;
-      agree();
-      validated = state.step % config_.validate_every == 0;
-      if (validated) validate(rate);
-      show(rate, validated);
-    }
-    if (!validated && (progress() >= 1)) validate(config_.learning_rate * schedule(1));
-    save();
-    if (!options_.quiet && options_.label.empty()) std::fprintf(stderr, "\n");
-    show_speed(state.step - first_step);
-  }
-
- private:
-  // A resumed run whose time or steps are used up is left as it is.
-  void say_finished() const {
-    if (options_.quiet) return;
-    char text[160];
-    if (options_.minutes > 0) {
-      std::snprintf(text, sizeof text, "its %.4g minutes are used up (%.1f spent, %llu steps); give more --minutes",
-                    options_.minutes, checkpoint_.state.seconds / 60,
-                    static_cast<unsigned long long>(checkpoint_.state.step));
-    } else {
-      std::snprintf(text, sizeof text, "all %llu steps are done; use --init to train on from its weights",
-                    static_cast<unsigned long long>(config_.steps));
-    }
-    std::fprintf(stderr, "%s%s: nothing to do: %s\n", options_.label.c_str(), options_.output.c_str(), text);
-  }
-
-  // All ranks go by rank 0's clock, and all stop when one is told to.
-  void agree() {
-    std::vector<double> shared = {options_.stop != nullptr && options_.stop->load() ? 1.0 : 0.0,
-                                  main_ ? checkpoint_.state.seconds : 0.0};
-    if (options_.ranks != nullptr) options_.ranks->maximum(&shared);
-    stopping_ = shared[0] > 0;
-    checkpoint_.state.seconds = shared[1];
-  }
-
-  // How well threads and ranks were used: processor time against the time that passed; and, apart from what else the
-  // machine does, against that of the busiest thread of every step.
-  void show_speed(uint64_t steps) {
-    const uint32_t ranks = options_.ranks == nullptr ? 1 : options_.ranks->size();
-    std::vector<double> work = {gradient_->team().work_seconds()}, busiest = {gradient_->team().busiest_seconds()};
-    if (ranks > 1) {
-      work = options_.ranks->gather(work, std::vector<size_t>(ranks, 1));
-      options_.ranks->maximum(&busiest);
-    }
-    if (options_.quiet || steps == 0 || ranks * options_.threads == 1 || options_.threads_now != nullptr) return;
-    const double total = std::accumulate(work.begin(), work.end(), 0.0), wall = gradient_->wall_seconds();
-    const double even = total / std::max(ranks * options_.threads * busiest[0], 1e-9);
-    std::fprintf(
-        stderr,
-        "%s%u rank%s x %u thread%s: %llu steps in %.1f s, %.1f s of processor time: %.2f times as fast as one, "
-        "shared out to %.0f %%\n",
-        options_.label.c_str(), ranks, ranks == 1 ? "" : "s", options_.threads, options_.threads == 1 ? "" : "s",
-        static_cast<unsigned long long>(steps), wall, total, total / std::max(wall, 1e-9), 100 * even);
-  }
-
-  uint32_t threads() const {
-    return options_.threads_now == nullptr ? options_.threads
-                                           : std::clamp(options_.threads_now->load(), 1u, options_.threads);
-  }
-  // Share of the run that is done, by time when minutes are given.
-  double progress() const {
-    if (options_.minutes > 0) return checkpoint_.state.seconds / (60 * options_.minutes);
-    return static_cast<double>(checkpoint_.state.step) / static_cast<double>(config_.steps);
-  }
-
-  uint32_t draw() {
-    TrainingState& state = checkpoint_.state;
-    if (state.queue.empty()) {
-      Random random(state.rng.at(0));
-      state.queue = draw_round(families_, config_.family_power, &random);
-      state.rng[0] = random.state();
-    }
-    const uint32_t character = state.queue.back();
-    state.queue.pop_back();
-    if (character >= drawn_.size())
-      throw Error(options_.output + ": cannot resume: the data folder has other characters now");
-    return drawn_[character];
-  }
-
-  void step(double rate) {
-    TrainingState& state = checkpoint_.state;
-    FloatNetwork& network = checkpoint_.latest;
-    for (uint32_t i = 0; i < config_.batch; ++i) {
-      const std::vector<Sample>& choices = set_->characters[draw()];
-      items_[i].seed = mix_seeds(config_.seed, state.step, i);
-      Random random(items_[i].seed);
-      const bool variant = choices.size() > 1 && random.uniform() < config_.variant_share;
-      items_[i].sample = &choices[variant ? 1 + random.below(static_cast<uint32_t>(choices.size() - 1)) : 0];
-    }
-    std::vector<LinearBlock<float>> sum = gradient_->run(network, items_, threads(), &terms_);
-    const double norm = clip_gradients(&sum, config_.clip);
-    if (!std::isfinite(norm)) {
-      throw Error(options_.output + ": the gradient is not finite at step " + std::to_string(state.step) + " (" +
-                  items_[0].sample->name + " ...); lower learning_rate");
-    }
-    optimizer_step(config_, rate, sum, &network, &state);
-    ++state.step;
-    if (config_.average_decay > 0) update_average(network, config_.average_decay, state.step, &state.averages[0]);
-    for (const LossTerms& terms : terms_) {
-      for (size_t i = 0; i < terms.all().size(); ++i) *recent_.all()[i] += *terms.all()[i];
-      ++recent_count_;
-    }
-    recent_norm_ += norm * static_cast<double>(terms_.size());
-  }
-
-  void validate(double rate) {
-    TrainingState& state = checkpoint_.state;
-    FloatNetwork candidate = shrink_correction(config_.average_decay > 0 ? state.averages[0] : checkpoint_.latest,
-                                               config_.correction, kPairLogRule);
-    // Behind the running average, if there is one, lie the weights that the run started from.
-    const size_t first = config_.average_decay > 0 ? 1 : 0;
-    if (state.averages.size() > first) blend(state.averages[first], config_.init_share, &candidate);
-    ValScore val;
-    if (!val_.empty()) {
-      val = score(val_, gradient_->sample_scores(candidate, val_, threads(), kKeep));
-    }
-    if (val_.empty() || val.mean() < state.best_score) {
-      state.best_score = val_.empty() ? state.best_score : val.mean();
-      checkpoint_.network = candidate;
-    }
-    last_val_ = val;
-    char line[340];
-    const double n = static_cast<double>(std::max<size_t>(recent_count_, 1));
-    std::snprintf(line, sizeof line, "%llu,%.1f,%.5f,%.5f,%.5f,%.5f,%.5f,%.6f,%.4f,%.3e,%.5f,%.5f,%.5f,%.5f,%.5f\n",
-                  static_cast<unsigned long long>(state.step), state.seconds, recent_.total / n, recent_.l1 / n,
-                  recent_.kl / n, recent_.regret / n, recent_.part / n, recent_.deformation / n, recent_norm_ / n, rate,
-                  val.l1, val.family_l1, heat_.l1, heat_.family_l1, val_.empty() ? 0.0 : state.best_score);
-    state.log_csv += line;
-    shown_loss_ = recent_.total / n;
-    recent_ = {};
-    recent_count_ = 0;
-    recent_norm_ = 0;
-    save();
-  }
-
-  void save() {
-    if (!main_) return;
-    write_checkpoint(options_.output, checkpoint_);
-    write_text_file(options_.output + ".csv", checkpoint_.state.log_csv);
-  }
-
-  void show(double rate, bool validated) {
-    if (options_.quiet) return;
-    const bool terminal = isatty(STDERR_FILENO) != 0 && options_.label.empty();
-    if (!terminal && !validated) return;
-    const TrainingState& state = checkpoint_.state;
-    if (recent_count_ != 0) shown_loss_ = recent_.total / static_cast<double>(recent_count_);
-    const double done = std::max(progress(), 1e-9), left = state.seconds * (1 - std::min(done, 1.0)) / done;
-    std::string bar(20, '.');
-    std::fill_n(bar.begin(), static_cast<size_t>(std::min(done, 1.0) * 20), '#');
-    std::string figures;
-    if (!val_.empty() && last_val_.l1 > 0) {
-      char text[120];
-      std::snprintf(text, sizeof text, "  val %.4f (heat %.4f)  families %.4f (heat %.4f)", last_val_.l1, heat_.l1,
-                    last_val_.family_l1, heat_.family_l1);
-      figures = text;
-    }
-    std::fprintf(stderr, "%s%s[%s] step %llu  loss %.4f%s  rate %.1e  left %d:%02d%s", terminal ? "\r\033[K" : "",
-                 options_.label.c_str(), bar.c_str(), static_cast<unsigned long long>(state.step), shown_loss_,
-                 figures.c_str(), rate, static_cast<int>(left) / 60, static_cast<int>(left) % 60,
-                 terminal && !validated ? "" : "\n");
-  }
-
-  TrainConfig config_;
-  TrainOptions options_;
-  const TrainingSet* set_ = nullptr;
-  std::vector<uint32_t> drawn_;        // characters of *set_ that are not left out
-  std::vector<std::string> families_;  // of drawn_
-  std::vector<Sample> val_;
-  ValScore heat_, last_val_;
-  Checkpoint checkpoint_;
-  std::unique_ptr<BatchGradient> gradient_;
-  std::vector<BatchItem> items_;  // of a step
-  std::vector<LossTerms> terms_;
-  bool main_;  // this rank writes files and talks
-  bool stopping_ = false;
-  LossTerms recent_;  // sums since the last line of the log
-  double recent_norm_ = 0, shown_loss_ = 0;
-  size_t recent_count_ = 0;
-};
-
-}  // namespace
-
-namespace {
 
 void run_with(const TrainConfig& config, const TrainOptions& options, const TrainingSet* set) {
   TrainOptions checked = options;
   checked.threads = std::max(options.threads, 1u);
-  // Throws for what a file could not hold either, naming the key.
-  parse_train_config(train_config_json(config), "configuration");
+  const BindTask task(config);
   const auto run_all = [&] {
-    Run run(config, checked);
-    run.start();  // before the samples, so that a resume that does not fit fails at once
+    TrainingRun run(task, config, checked);
+    run.start();
     TrainingSet loaded;
     if (set == nullptr) {
       if (checked.ranks != nullptr && checked.ranks->size() > 1) {  // what is not in the cache, together
@@ -379,7 +36,16 @@ void run_with(const TrainConfig& config, const TrainOptions& options, const Trai
       }
       loaded = load_training_set(config, checked);
     }
-    run.load(set == nullptr ? loaded : *set);
+    const TrainingSet& used = set == nullptr ? loaded : *set;
+    const std::vector<Sample> validation = load_validation(config, checked);
+    TrainingItems items;
+    items.families = used.families;
+    for (const std::vector<Sample>& character : used.characters) {
+      items.choices.emplace_back();
+      for (const Sample& sample : character) items.choices.back().push_back(&sample);
+    }
+    for (const Sample& sample : validation) items.validation.push_back(&sample);
+    run.load(items);
     run.go();
   };
   if (checked.ranks == nullptr) return run_all();

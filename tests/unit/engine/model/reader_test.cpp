@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// open_model: every truncation and every changed byte is refused, so are well-sealed files that contradict themselves,
+// Opening a model: every truncation and every changed byte is refused, so are well-sealed files that contradict themselves,
 // and bounds are proven to the last unit.
 #include "model/reader.hpp"
 
@@ -19,7 +19,7 @@ sinew_status open(const std::vector<uint8_t>& bytes, sinew_model* out = nullptr)
   sinew_model model;
   std::memset(&model, 0x5A, sizeof(model));
   const sinew_model untouched = model;
-  const sinew_status status = open_model(file.data(), bytes.size(), &model);
+  const sinew_status status = sinew_model_open(file.data(), bytes.size(), &model);
   if (status != SINEW_OK) {
     EXPECT_EQ(std::memcmp(&model, &untouched, sizeof(model)), 0) << "*model is untouched on failure";
   }
@@ -146,10 +146,10 @@ TEST(ModelReader, UnalignedIsRefused) {
   sinew_model model;
   for (size_t shift = 1; shift < 8; ++shift) {
     std::copy(bytes.begin(), bytes.end(), file.data() + shift);
-    EXPECT_EQ(open_model(file.data() + shift, bytes.size(), &model), SINEW_ERROR_MODEL_ALIGNMENT);
+    EXPECT_EQ(sinew_model_open(file.data() + shift, bytes.size(), &model), SINEW_ERROR_MODEL_ALIGNMENT);
   }
   std::copy(bytes.begin(), bytes.end(), file.data() + 8);
-  EXPECT_EQ(open_model(file.data() + 8, bytes.size(), &model), SINEW_OK);
+  EXPECT_EQ(sinew_model_open(file.data() + 8, bytes.size(), &model), SINEW_OK);
 }
 
 TEST(ModelReader, FeatureFlags) {

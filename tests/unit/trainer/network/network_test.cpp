@@ -32,8 +32,8 @@ struct Builder {
   explicit Builder(const Sample& sample) {
     network.architecture = "test";
     network.candidate_count = sample.candidates;
-    network.buffers = {{Domain::kVertex, static_cast<uint16_t>(sample.vertex_features)},
-                       {Domain::kPair, static_cast<uint16_t>(sample.pair_features)}};
+    network.buffers = {{Domain::kVertex, static_cast<uint16_t>(sample.inputs[0].channels)},
+                       {Domain::kPair, static_cast<uint16_t>(sample.inputs[1].channels)}};
   }
   Region buffer(Domain domain, uint32_t channels) {
     network.buffers.push_back({domain, static_cast<uint16_t>(channels)});
@@ -187,7 +187,7 @@ TEST_P(LayerGradient, RegionsInsideOneBufferAndSeveralReaders) {
 }
 
 TEST_P(LayerGradient, WholeFieldAndClassicNetworks) {
-  const InputShape inputs{sample_.vertex_features, sample_.pair_features, 2};
+  const InputShape inputs{sample_.inputs[0].channels, sample_.inputs[1].channels, 2};
   for (uint32_t rounds : {0u, 1u, 2u}) {
     FloatNetwork network = build_field({3, 2, rounds, sample_.candidates, 64}, inputs, GetParam());
     leave_the_start(&network);
@@ -219,7 +219,7 @@ TEST(FloatNetwork, AbsentPairsAreZeroAndNeverCounted) {
   b.apply(LayerKind::kCandidateMax, negative, b.buffer(Domain::kPair, 1));
   b.apply(LayerKind::kGlobalMean, negative, b.buffer(Domain::kPair, 1));
   b.apply(LayerKind::kGlobalMax, negative, b.buffer(Domain::kPair, 1));
-  NetworkRunner runner(b.network);
+  NetworkRunner runner;
   runner.forward(b.network, sample);
   for (uint16_t buffer = 2; buffer < b.network.buffers.size(); ++buffer) {
     const std::vector<float>& values = runner.buffer(buffer);
@@ -234,13 +234,10 @@ TEST(FloatNetwork, RingAndPartMeansFollowTheJoint) {
   Sample s;
   s.vertices = 3;
   s.candidates = 2;
-  s.vertex_features = 1;
-  s.pair_features = 1;
   s.components = 2;
   s.joints = 7;
-  s.vertex = {0, 0, 0};
+  s.inputs = {{1, {0, 0, 0}}, {1, {8192, 2 * 8192 - 1, -8192, 0, 4096, 0}}};
   s.candidate = {5, 6, 5, 0xFFFF, 5, 0xFFFF};
-  s.pair = {8192, 2 * 8192 - 1, -8192, 0, 4096, 0};
   s.row_offsets = {0, 1, 2, 2};
   s.col_indices = {1, 0};
   s.component = {0, 0, 1};
@@ -250,7 +247,7 @@ TEST(FloatNetwork, RingAndPartMeansFollowTheJoint) {
   const Region ring = b.apply(LayerKind::kRingMean, b.input(kPairInput), Domain::kPair, 1);
   const Region part = b.apply(LayerKind::kPartMean, b.input(kPairInput), Domain::kPair, 1);
   const Region largest = b.apply(LayerKind::kRingMax, b.input(kPairInput), Domain::kPair, 1);
-  NetworkRunner runner(b.network);
+  NetworkRunner runner;
   runner.forward(b.network, s);
   const std::vector<float> ring_values = runner.buffer(ring.buffer), part_values = runner.buffer(part.buffer);
   const float almost_two = (2 * 8192 - 1) / 8192.0f;
@@ -270,8 +267,8 @@ TEST(FloatNetwork, VertexOrderDoesNotMatter) {
     for (uint32_t v = 0; v < sample.vertices; ++v)
       std::copy_n(in.begin() + v * channels, channels, out.begin() + to[v] * channels);
   };
-  permute(moved.vertex, sample.vertex, sample.vertex_features);
-  permute(moved.pair, sample.pair, size_t{sample.candidates} * sample.pair_features);
+  permute(moved.inputs[0].rows, sample.inputs[0].rows, sample.inputs[0].channels);
+  permute(moved.inputs[1].rows, sample.inputs[1].rows, size_t{sample.candidates} * sample.inputs[1].channels);
   permute(moved.candidate, sample.candidate, sample.candidates);
   permute(moved.component, sample.component, 1);
   for (uint32_t& v : moved.component_vertices) v = to[v];
@@ -286,7 +283,7 @@ TEST(FloatNetwork, VertexOrderDoesNotMatter) {
     moved.col_indices.insert(moved.col_indices.end(), row.begin(), row.end());
     moved.row_offsets.push_back(static_cast<uint32_t>(moved.col_indices.size()));
   }
-  const InputShape inputs{sample.vertex_features, sample.pair_features, 2};
+  const InputShape inputs{sample.inputs[0].channels, sample.inputs[1].channels, 2};
   for (FloatNetwork network : {build_field({8, 4, 2, 5, 64}, inputs, 1), build_classic(5, 64, inputs, 1)}) {
     for (float& w : network.parameters.back().weights) w += 0.3f;
     const std::vector<float> here = predict(network, sample), there = predict(network, moved);
@@ -313,7 +310,7 @@ TEST(FloatNetwork, UntrainedFieldIsTheHeatBinder) {
     for (uint32_t k = 0; k < 8; ++k) {
       const size_t slot = size_t{v} * 8 + k;
       if (sample.candidate[slot] == 0xFFFF) continue;
-      expected[k] = std::exp(sample.pair[slot * kPairFeatures + kPairLogRule] / 8192.0 * kLogFeatureDivisor);
+      expected[k] = std::exp(sample.inputs[1].rows[slot * kPairFeatures + kPairLogRule] / 8192.0 * kLogFeatureDivisor);
       sum += expected[k];
     }
     for (uint32_t k = 0; k < 8; ++k) EXPECT_NEAR(p[size_t{v} * 8 + k], expected[k] / sum, 1e-3);
@@ -322,7 +319,7 @@ TEST(FloatNetwork, UntrainedFieldIsTheHeatBinder) {
 
 TEST(FloatNetwork, ShrunkCorrectionLiesBetweenHeatAndTheTrainedNetwork) {
   const Sample sample = random_sample({.vertices = 40, .seed = 6});
-  const InputShape inputs{sample.vertex_features, sample.pair_features, 2};
+  const InputShape inputs{sample.inputs[0].channels, sample.inputs[1].channels, 2};
   const FloatNetwork untrained = build_field({8, 4, 1, sample.candidates, 64}, inputs, 1);
   FloatNetwork trained = untrained;
   leave_the_start(&trained);
@@ -360,7 +357,7 @@ TEST(FloatNetwork, ClassicHasThePublishedWidthsAndFitsTheBudget) {
 
 TEST(FloatNetwork, DamagedNetworksAreRefused) {
   const FloatNetwork good = make_field({}, 1);
-  check_network(good);
+  check_network(good, "x");
   const std::vector<std::function<void(FloatNetwork&)>> damages = {
       [](FloatNetwork& n) { n.layers[0].in.buffer = 60; },
       [](FloatNetwork& n) { n.layers[0].out.channels = 999; },
@@ -375,7 +372,7 @@ TEST(FloatNetwork, DamagedNetworksAreRefused) {
   for (const auto& damage : damages) {
     FloatNetwork bad = good;
     damage(bad);
-    EXPECT_THROW(check_network(bad), Error);
+    EXPECT_THROW(check_network(bad, "x"), Error);
   }
   const Sample other = random_sample({});
   EXPECT_THROW(forward(good, other), Error) << "a sample with other features was accepted";

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What bind's features look like to a network.
+#include "bind/task.hpp"
+
+#include "features/features.hpp"
+
+namespace sinew {
+
+bool bind_task(uint32_t feature_set, ModelTask* task) {
+  if ((feature_set & ~kFeatureFlags) != kFeatureSet) return false;
+  *task = ModelTask();
+  task->id = kTaskBind;
+  task->feature_set = feature_set;
+  task->input_count = 2;
+  task->inputs[kVertexInput] = {input_name("vert"),
+                                {Domain::kVertex, static_cast<uint16_t>(vertex_channels(feature_set))}};
+  task->inputs[kPairInput] = {input_name("pair"), {Domain::kPair, static_cast<uint16_t>(kPairFeatures)}};
+  task->output = {Domain::kPair, 1};
+  return true;
+}
+
+}  // namespace sinew

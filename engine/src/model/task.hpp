@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What a network is for: the rows it reads and the rows it writes. A model file names its task, and whoever opens the file
+// says what that task's inputs look like in this library.
+#ifndef SINEW_MODEL_TASK_HPP
+#define SINEW_MODEL_TASK_HPP
+
+#include "model/layers.hpp"
+
+namespace sinew {
+
+// Numbers of tasks in model files; never reused. From kFirstPrivateTask on they are nobody's, for experiments and tests.
+constexpr uint32_t kTaskBind = 0;  // skin weights: bind/task.hpp
+constexpr uint32_t kFirstPrivateTask = 0x80000000u;
+
+// Name of an input in a model file: four letters, the first in the lowest byte.
+constexpr uint32_t input_name(const char (&letters)[5]) {
+  uint32_t name = 0;
+  for (int i = 3; i >= 0; --i) name = (name << 8) | static_cast<uint8_t>(letters[i]);
+  return name;
+}
+
+struct TaskInput {
+  uint32_t name = 0;  // input_name()
+  Buffer buffer;
+};
+
+struct ModelTask {
+  uint32_t id = kTaskBind;
+  uint32_t feature_set = 0;  // that the inputs belong to
+  uint32_t input_count = 0;
+  TaskInput inputs[kMaxInputs];
+  Buffer output;  // of the last layer's region
+};
+
+}  // namespace sinew
+#endif
