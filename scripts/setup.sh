@@ -11,6 +11,7 @@ packages=(g++ clang cmake make binutils libeigen3-dev libspectra-dev libopenmesh
 # A node that did not come from Debian's packages is fine too.
 command -v node >/dev/null 2>&1 || packages+=(nodejs)
 command -v npm >/dev/null 2>&1 || packages+=(npm)
+command -v pkg-config >/dev/null 2>&1 || packages+=(pkg-config)
 packages+=("$@")
 
 missing=()

@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: MIT
 # Sanitizers add symbols, data and stack of their own: this looks at the library that users link.
 if(NOT SINEW_SANITIZE)
-  sinew_test(sinew_symbols_test SOURCES budget/symbols_test.cpp LIBS sinew::engine LABELS budget)
+  sinew_test(sinew_symbols_test SOURCES budget/symbols_test.cpp LIBS sinew::engine_internals LABELS budget)
   target_compile_definitions(sinew_symbols_test PRIVATE SINEW_ENGINE_LIBRARY="$<TARGET_FILE:sinew_engine>")
+  if(TARGET sinew_engine_shared AND UNIX AND NOT APPLE)
+    add_dependencies(sinew_symbols_test sinew_engine_shared)
+    target_compile_definitions(sinew_symbols_test PRIVATE SINEW_ENGINE_SHARED="$<TARGET_FILE:sinew_engine_shared>")
+  endif()
   # Debian 12's GCC, -O3, x86-64; another compiler's code has another size.
   if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"
      AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
@@ -23,7 +27,7 @@ if(NOT SINEW_SANITIZE)
 endif()
 
 # What SINEW_SMALL_CODE refuses, and that the rest of it works.
-get_target_property(small_sources sinew_engine SOURCES)
+get_target_property(small_sources sinew_engine_objects SOURCES)
 list(TRANSFORM small_sources PREPEND ${CMAKE_SOURCE_DIR}/engine/)
 add_library(sinew_engine_small STATIC ${small_sources})
 target_compile_features(sinew_engine_small PUBLIC cxx_std_17)

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Reads the engine library's symbol table: no allocator, no unwinder, no libm, no writable data, no recursion into
-// stdio.
+// Reads the symbol tables of the engine's libraries: no allocator, no unwinder, no libm, no writable data, no recursion
+// into stdio; the shared library exports what the headers declare.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -71,6 +76,42 @@ TEST(EngineSymbols, HasNoWritableData) {
     }
   }
 }
+
+#if defined(SINEW_ENGINE_SHARED)
+// Names of the functions that the headers declare.
+std::set<std::string> declared_functions() {
+  std::set<std::string> names;
+  for (const auto& header : std::filesystem::directory_iterator(SINEW_SOURCE_DIR "/engine/include/sinew")) {
+    if (header.path().extension() != ".h") continue;
+    std::ifstream file(header.path());
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::regex declaration("\n(?:SINEW_API )?(?!static)[a-z][a-z0-9_* ]* \\*?(sinew_[a-z0-9_]+)\\(");
+    for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match)
+      names.insert((*match)[1]);
+  }
+  return names;
+}
+
+TEST(SharedLibrary, ExportsWhatTheHeadersDeclareAndNothingElse) {
+  std::set<std::string> exported;
+  std::istringstream lines(run("nm -D --defined-only " SINEW_ENGINE_SHARED));
+  for (std::string line; std::getline(lines, line);) exported.insert(line.substr(line.rfind(' ') + 1));
+  EXPECT_EQ(exported, declared_functions());
+  EXPECT_EQ(exported.count("sinew_bind"), 1u);
+}
+
+TEST(SharedLibrary, NeedsTheCLibraryAlone) {
+  std::istringstream lines(run("objdump -p " SINEW_ENGINE_SHARED));
+  bool named = false;
+  for (std::string line; std::getline(lines, line);) {
+    named = named || line.find("SONAME") != std::string::npos;
+    if (line.find("NEEDED") != std::string::npos) {
+      EXPECT_NE(line.find("libc."), std::string::npos) << line;
+    }
+  }
+  EXPECT_TRUE(named) << "it has no SONAME";
+}
+#endif
 
 #if defined(SINEW_TEXT_BUDGET)
 // Functions and constants of the whole library with the kernels of all instruction sets. What is needed and larger:

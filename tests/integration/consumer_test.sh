@@ -1,29 +1,41 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The engine configures alone (no package is looked for), installs, and a 5-line project finds and links it. Every installed header compiles
-# alone, in C99 and in C++17.
+# The engine configures alone (no package is looked for), installs as an archive and as a shared library, and a 5-line project finds and links
+# it: through CMake, and through pkg-config by a C compiler alone. Every installed header compiles alone, in C99 and in C++17.
 #   consumer_test.sh SOURCE_DIR WORK_DIR
 set -euo pipefail
 source_dir=$1 work=$2
+consumer=$source_dir/tests/integration/consumer
 rm -rf "$work"
 mkdir -p "$work"
-cmake -S "$source_dir/engine" -B "$work/engine" -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$work/prefix" >"$work/log" 2>&1 ||
-  { cat "$work/log"; exit 1; }
-if grep -q '_DIR:PATH' "$work/engine/CMakeCache.txt"; then
-  echo "the engine looked for a package:"; grep '_DIR:PATH' "$work/engine/CMakeCache.txt"; exit 1
-fi
-cmake --build "$work/engine" -j "$(nproc)" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-cmake --install "$work/engine" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-strict=(-pedantic-errors -Wall -Wextra -Werror -fsyntax-only "-I$work/prefix/include")
-cc -std=c99 "${strict[@]}" "$source_dir/tests/integration/consumer/main.c"
-for header in "$work"/prefix/include/sinew/*.h; do
-  cc -std=c99 "${strict[@]}" -x c - <<<"#include <sinew/${header##*/}>"
+quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }; }
+strict=(-pedantic-errors -Wall -Wextra -Werror)
+
+for shared in OFF ON; do
+  prefix=$work/prefix_$shared
+  quietly cmake -S "$source_dir/engine" -B "$work/engine" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=$shared
+  if grep -q '_DIR:PATH' "$work/engine/CMakeCache.txt"; then
+    echo "the engine looked for a package:"; grep '_DIR:PATH' "$work/engine/CMakeCache.txt"; exit 1
+  fi
+  quietly cmake --build "$work/engine" -j "$(nproc)"
+  quietly cmake --install "$work/engine" --prefix "$prefix"
+
+  quietly cmake -S "$consumer" -B "$work/consumer_$shared" -DCMAKE_PREFIX_PATH="$prefix"
+  quietly cmake --build "$work/consumer_$shared"
+  "$work/consumer_$shared/consumer" | grep -q '^sinew [0-9]'
+  "$work/consumer_$shared/consumer_cpp" | grep -q '^sinew [0-9]'
+
+  read -ra flags <<<"$(PKG_CONFIG_PATH="$(dirname "$(find "$prefix" -name sinew.pc)")" pkg-config --cflags --libs sinew)"
+  cc -std=c99 "${strict[@]}" "$consumer/main.c" -o "$work/by_pkg_config_$shared" "${flags[@]}"
+  library=$(find "$prefix" -name 'libsinew.*' -print -quit)
+  LD_LIBRARY_PATH=$(dirname "$library") "$work/by_pkg_config_$shared" | grep -q '^sinew [0-9]'
 done
-for header in "$work"/prefix/include/sinew/*; do
-  c++ -std=c++17 "${strict[@]}" -x c++ - <<<"#include <sinew/${header##*/}>"
+ldd "$work/by_pkg_config_ON" | grep -q 'libsinew\.so\.' || { echo "the shared library was not linked"; exit 1; }
+if ldd "$work/by_pkg_config_OFF" | grep -q libsinew; then echo "the archive was not linked"; exit 1; fi
+
+for header in "$work"/prefix_ON/include/sinew/*.h; do
+  cc -std=c99 "${strict[@]}" -fsyntax-only "-I$work/prefix_ON/include" -x c - <<<"#include <sinew/${header##*/}>"
 done
-cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$work/prefix" >>"$work/log" 2>&1 ||
-  { cat "$work/log"; exit 1; }
-cmake --build "$work/consumer" >>"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
-"$work/consumer/consumer" | grep -q '^sinew [0-9]'
-"$work/consumer/consumer_cpp" | grep -q "^sinew [0-9]"
+for header in "$work"/prefix_ON/include/sinew/*; do
+  c++ -std=c++17 "${strict[@]}" -fsyntax-only "-I$work/prefix_ON/include" -x c++ - <<<"#include <sinew/${header##*/}>"
+done

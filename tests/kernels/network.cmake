@@ -29,7 +29,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$" AND CMAKE_BUILD_TYPE MATCHE
    AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   sinew_test(object_code_test
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/object_code_test.cpp
-    LIBS sinew::engine
+    LIBS sinew::engine_internals
     LABELS kernels)
   target_compile_definitions(object_code_test PRIVATE SINEW_ENGINE_LIBRARY="$<TARGET_FILE:sinew_engine>")
 endif()

@@ -109,9 +109,9 @@ static inline sinew_bind_outputs sinew_bind_outputs_init(uint16_t* joint_indices
  *   size_bytes  out, 0 on failure
  * Returns SINEW_OK, or as sinew_bind() does SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION or SINEW_ERROR_COUNT, the
  * last also where the size would not fit into size_t. */
-sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
-                                       uint32_t corner_count, uint32_t joint_count, const sinew_options* options,
-                                       size_t* size_bytes);
+SINEW_API sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
+                                                 uint32_t corner_count, uint32_t joint_count,
+                                                 const sinew_options* options, size_t* size_bytes);
 
 /* Predicts skin weights. The same bytes on every platform, for any kernel and any number of threads.
  *   model      null is fine for SINEW_METHOD_HEAT
@@ -143,9 +143,9 @@ sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex
  *   SINEW_ERROR_HIERARCHY   joint parents form a cycle
  *   SINEW_ERROR_NO_JOINT    no joint may get weight
  *   SINEW_ERROR_CANCELLED   the progress callback asked to stop */
-sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
-                        const sinew_options* options, void* workspace, size_t workspace_bytes,
-                        sinew_bind_outputs* outputs);
+SINEW_API sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
+                                  const sinew_options* options, void* workspace, size_t workspace_bytes,
+                                  sinew_bind_outputs* outputs);
 
 #ifdef __cplusplus
 }

@@ -37,11 +37,11 @@ typedef struct sinew_model {
  * Returns SINEW_OK, or
  *   SINEW_ERROR_ARGUMENT  `bytes` or `model` is null
  *   SINEW_ERROR_MODEL_*   what is wrong with the file, see sinew_status */
-sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
+SINEW_API sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
 
 /* Bytes that sinew_model_pack() needs: about the model's size.
  * 0 in builds whose kernels all read the model's own bytes (SINEW_SMALL_CODE), and for a model that is not open. */
-size_t sinew_model_packed_size(const sinew_model* model);
+SINEW_API size_t sinew_model_packed_size(const sinew_model* model);
 
 /* Packs an opened model's weights once, in the order that vector kernels read them.
  * A bind with a model that is not packed packs it anew, in its workspace, which is larger by as much.
@@ -51,7 +51,7 @@ size_t sinew_model_packed_size(const sinew_model* model);
  * Returns SINEW_OK, or with nothing written
  *   SINEW_ERROR_ARGUMENT   `model` or `memory` is null, or the model is not open
  *   SINEW_ERROR_WORKSPACE  the memory is too small or not aligned */
-sinew_status sinew_model_pack(sinew_model* model, void* memory, size_t memory_bytes);
+SINEW_API sinew_status sinew_model_pack(sinew_model* model, void* memory, size_t memory_bytes);
 
 #ifdef __cplusplus
 }

@@ -18,6 +18,18 @@
 extern "C" {
 #endif
 
+/* What a function of the interface is declared with. A program that links the shared library defines SINEW_SHARED, which
+ * the CMake package and pkg-config do for it; the library's own build defines SINEW_BUILDING as well. */
+#if !defined(SINEW_SHARED)
+#define SINEW_API
+#elif !defined(_WIN32)
+#define SINEW_API __attribute__((visibility("default")))
+#elif defined(SINEW_BUILDING)
+#define SINEW_API __declspec(dllexport)
+#else
+#define SINEW_API __declspec(dllimport)
+#endif
+
 #define SINEW_VERSION_MAJOR 0
 #define SINEW_VERSION_MINOR 1
 #define SINEW_VERSION_PATCH 0
@@ -59,9 +71,9 @@ typedef enum sinew_status {
 } sinew_status;
 
 /* One line of English for a status; never null. */
-const char* sinew_status_text(sinew_status status);
+SINEW_API const char* sinew_status_text(sinew_status status);
 /* "major.minor.patch" of the library. */
-const char* sinew_version(void);
+SINEW_API const char* sinew_version(void);
 
 /* Kernels: the same arithmetic with different instructions. Every one gives the same bytes; they differ in speed only.
  * Numbers are never reused. */
@@ -77,10 +89,10 @@ typedef enum sinew_kernel {
 } sinew_kernel;
 
 /* "auto", "ref", "avx2", ... for 0, 1, 2, ...; null behind the last, so that tools can list or parse them. */
-const char* sinew_kernel_name(uint32_t kernel);
+SINEW_API const char* sinew_kernel_name(uint32_t kernel);
 /* What a call would run with for options.kernel = kernel: itself, or the choice for SINEW_KERNEL_AUTO. 0 when this
  * library was built without it or this processor lacks it. */
-uint32_t sinew_kernel_select(uint32_t kernel);
+SINEW_API uint32_t sinew_kernel_select(uint32_t kernel);
 
 /* Called now and then with a share of work done, 0..1000. Return non-zero to cancel. */
 typedef int (*sinew_progress)(void* user, uint32_t done_permille);

@@ -36,7 +36,7 @@ struct BindOptions {
 struct BindResult {
   std::vector<std::vector<Influence>> influences;  // [V] what `joints` and `weights` say, weights unorm16 / 65535
   std::vector<uint16_t> joints, weights;           // [V x N] as sinew_bind() writes them, weights unorm16
-  std::vector<uint8_t> confidence;                 // [V] 0..255, see sinew_options
+  std::vector<uint8_t> confidence;                 // [V] 0..255, see sinew_bind_outputs
   uint32_t symmetric_vertices = 0;                 // with BindOptions::symmetric
   size_t workspace_bytes = 0, used_bytes = 0;
   double seconds = 0;  // of sinew_bind() alone

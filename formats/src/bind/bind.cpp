@@ -52,7 +52,7 @@ uint32_t kernel_from_environment() {
 BindResult bind(const Character& character, const BindOptions& options) {
   check_bindable(character);
   const EngineViews views(character, options.joint_flags);
-  sinew_options engine_options = {};
+  sinew_options engine_options = sinew_options_init();
   engine_options.method = options.method;
   engine_options.influence_count = options.influence_count;
   engine_options.up_axis = options.up_axis;
@@ -72,8 +72,6 @@ BindResult bind(const Character& character, const BindOptions& options) {
 
   BindResult result;
   result.confidence.resize(character.vertices.size());
-  engine_options.confidence = result.confidence.data();
-  engine_options.symmetric_vertices = &result.symmetric_vertices;
   throw_status(character, sinew_bind_workspace_size(options.model, views.mesh.vertex_count, views.mesh.face_count,
                                                     views.mesh.corner_count, views.skeleton.joint_count,
                                                     &engine_options, &result.workspace_bytes));
@@ -88,11 +86,14 @@ BindResult bind(const Character& character, const BindOptions& options) {
   if (!options.locked.empty() || !options.hints.empty()) {
     fill_given(character, options, result.joints.data(), result.weights.data());
   }
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(result.joints.data(), result.weights.data());
+  outputs.confidence = result.confidence.data();
   const auto start = std::chrono::steady_clock::now();
-  throw_status(character,
-               sinew_bind(options.model, &views.mesh, &views.skeleton, &engine_options, workspace.data(),
-                          workspace.size(), result.joints.data(), result.weights.data(), &result.used_bytes));
+  throw_status(character, sinew_bind(options.model, &views.mesh, &views.skeleton, &engine_options, workspace.data(),
+                                     workspace.size(), &outputs));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.symmetric_vertices = outputs.symmetric_vertices;
+  result.used_bytes = outputs.used_bytes;
 
   result.influences.resize(character.vertices.size());
   for (size_t v = 0; v < character.vertices.size(); ++v) {
