@@ -36,12 +36,13 @@ sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Cou
                            Symmetry* out);
 void measure_find_symmetry(Arena& arena, const Counts& counts);
 
-// Where one vertex of a pair has a given row and the other has none, the other is given the mirror image.
+// Where one of two partners has a given row and the other has none, the other is given the mirror image.
 void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* given);
-// Makes the rows of every pair of vertices mirror images: both become the mean of one and the other's mirror image.
-// Given rows come into place. Weight of joints without a partner is dropped. A pair that has no other weight, or of
-// which one has a given row, is no pair any more: its partners in `symmetry` become kNoPartner. A vertex that is its
-// own partner keeps at most `influence_count` joints; of two joints that are partners it keeps both or none.
+// Makes the rows of partners mirror images: both become the mean of one and the other's mirror image.
+// Given rows come into place. Weight of joints without a partner is dropped. Vertices
+// that have no other weight, or of which one has a given row, are no partners any more: kNoPartner in `symmetry`. A
+// vertex that is its own partner keeps at most `influence_count` joints; of joints that are partners it keeps both or
+// none.
 void mirror_rows(const Mesh& mesh, const GivenRows& given, uint32_t influence_count, Rows* rows, Symmetry* symmetry);
 // Replaces the joints of a finished row by their partners and sorts it again: falling weight, ties by lower joint.
 void mirror_influences(const Symmetry& symmetry, uint32_t influence_count, uint16_t* joints, uint16_t* weights);
