@@ -102,7 +102,7 @@ struct Reference {
   }
 
   bool engine_has(uint32_t field, uint32_t v, uint32_t bone) const {
-    const int m = HeatSources::measure_of(field);
+    const int m = HeatSources::metric_of(field);
     for (uint32_t t = 0; t < kMaxTies; ++t) {
       if (engine.ties[m][v * kMaxTies + t] == bone) return (engine.mask[field][v] >> t & 1) != 0;
     }
@@ -130,7 +130,7 @@ struct Reference {
         out.push_back(bone);
       } else if (ratio < 1e-4 + blur) {
         ++unsure;
-        const int m = HeatSources::measure_of(field);
+        const int m = HeatSources::metric_of(field);
         for (uint32_t t = 0; t < kMaxTies; ++t) {
           if (engine.ties[m][v * kMaxTies + t] == bone) out.push_back(bone);
         }

@@ -32,7 +32,7 @@ struct Sources {
     std::set<uint32_t> out;
     for (uint32_t t = 0; t < sinew::kMaxTies; ++t) {
       if (found.mask[field][vertex] >> t & 1)
-        out.insert(found.ties[sinew::HeatSources::measure_of(field)][vertex * sinew::kMaxTies + t]);
+        out.insert(found.ties[sinew::HeatSources::metric_of(field)][vertex * sinew::kMaxTies + t]);
     }
     return out;
   }

@@ -15,9 +15,9 @@ struct Candidates {
   uint16_t* joints = nullptr;     // [U x K] sorted by (distance, joint); kNoJoint = slot unused (always at the end,
                                   // distance 0; only where fewer than K joints are usable)
   uint32_t* distances = nullptr;  // [U x K]
-  // [J] Where the bone of a leaf ends (each_bone() in skeleton/bones.hpp). A leaf with vertices of its own has a tip that
-  // was found: it lies in the mean direction from the joint to the vertices nearest to it, at 85 % of their extent. The
-  // tip of any other joint is its bone_tail.
+  // [J] Where the bone of a leaf ends (each_bone() in skeleton/bones.hpp). A leaf with vertices of its own has a tip
+  // that was found: it lies in the mean direction from the joint to the vertices nearest to it, at 85 % of their
+  // extent. The tip of any other joint is its bone_tail.
   Vec3i* tips = nullptr;
   // [J] Q16 share of the surface vertices nearest to the joint (first propagation, K = 1).
   uint32_t* territory = nullptr;

@@ -71,7 +71,10 @@ inline int low_bit(uint32_t v) {
 #endif
 }
 
-// floor(sqrt(v)) bit by bit: for processors without a 64-bit division, and for constants.
+// Square roots: isqrt64() is the one to call. On 64-bit processors it takes a root that may be off a little from
+// near_root() and steps to the exact one. On others it is isqrt64_bitwise().
+
+// floor(sqrt(v)), one bit a step. Needs no division, and compilers can make constants of it.
 constexpr uint32_t isqrt64_bitwise(uint64_t v) {
   uint64_t r = 0;
   uint64_t bit = static_cast<uint64_t>(1) << 62;
@@ -88,7 +91,8 @@ constexpr uint32_t isqrt64_bitwise(uint64_t v) {
   return static_cast<uint32_t>(r);
 }
 
-// sqrt(i + 64.5) in Q4, rounded down: eight good bits of the root of a number whose top byte is i + 64.
+// First guesses: q4[i] = sqrt(i + 64.5) in Q4, rounded down. That is the root of a number whose top byte is i + 64,
+// with eight good bits.
 struct RootTable {
   uint8_t q4[192];
   constexpr RootTable() : q4() {
@@ -96,19 +100,20 @@ struct RootTable {
   }
 };
 
-// sqrt(v) but for 4, v < 2^63.
+// sqrt(v), off by at most 4. v < 2^63.
 inline uint64_t root_by_table(uint64_t v) {
   static constexpr RootTable kRoots;
   const int shift = (63 - top_bit(v)) & ~1;
   const uint64_t n = v << shift;  // 2^62 <= n but for v = 0
-  // Newton's step doubles the good bits: 8, 16, 32.
+  // Each Newton step doubles the good bits: 8 of the table, then 16, then 32.
   uint64_t r = kRoots.q4[v == 0 ? 0 : (n >> 56) - 64];
   r = (r << 7) + (n >> 41) / r;
   return ((r << 15) + (n >> 17) / r) >> (shift / 2);
 }
 
-// The same. IEEE 754 says what the root of a double is, to the last bit for a given rounding mode, and isqrt64() says
-// what becomes of that bit.
+// The same, from the processor's root of a double where there is an instruction for it. IEEE 754 defines this root to
+// the last bit, which depends on the rounding mode that the caller has set. isqrt64() gives the same root for all
+// modes.
 inline uint64_t near_root(uint64_t v) {
 #if defined(SINEW_ROOT_SSE2)
   const __m128d d = _mm_cvtsi64_sd(_mm_setzero_pd(), static_cast<int64_t>(v));
@@ -120,7 +125,7 @@ inline uint64_t near_root(uint64_t v) {
 #endif
 }
 
-// floor(sqrt(v)), exact.
+// floor(sqrt(v)), exact on every processor.
 inline uint32_t isqrt64(uint64_t v) {
 #if UINTPTR_MAX > 0xFFFFFFFFu
   if (v >> 63 != 0) return isqrt64_bitwise(v);

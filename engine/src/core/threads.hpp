@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The caller's threads (sinew_options::parallel_for): how a stage hands out independent pieces of work.
+// The caller's threads (sinew_options::parallel_for): how a stage hands out independent work.
 #ifndef SINEW_CORE_THREADS_HPP
 #define SINEW_CORE_THREADS_HPP
 
@@ -10,8 +10,8 @@
 
 namespace sinew {
 
-// Work is cut into `lanes` pieces, whatever threads there are: without parallel_for they run one after the other.
-// Scratch that a piece writes is there once per lane, so that the workspace is a function of this number alone.
+// Work is shared among `lanes`, whatever threads there are: without parallel_for they run one after the other. Scratch
+// that work writes is there once per lane, so that the workspace is a function of this number alone.
 struct Threads {
   uint32_t lanes = 1;  // 1..SINEW_MAX_THREADS
   sinew_parallel_for parallel_for = nullptr;

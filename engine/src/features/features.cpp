@@ -195,7 +195,7 @@ void list_bones(const Skeleton& skeleton, const Vec3i* tips, uint32_t* offsets, 
 }
 
 // What all lanes read, and the rows that they write.
-struct Sources {
+struct Inputs {
   const Mesh& mesh;
   const Skeleton& skeleton;
   const Candidates& candidates;
@@ -208,14 +208,14 @@ struct Sources {
 class Builder {
  public:
   // `tables` are filled by fill_tables() or were, by another lane's.
-  Builder(const Sources& sources, PartTables& tables, uint64_t* keys, JointEntry* entries)
-      : mesh_(sources.mesh),
-        skeleton_(sources.skeleton),
-        candidates_(sources.candidates),
-        heat_(sources.heat),
-        s_(sources.scratch),
-        out_(sources.out),
-        k_(sources.candidates.k),
+  Builder(const Inputs& inputs, PartTables& tables, uint64_t* keys, JointEntry* entries)
+      : mesh_(inputs.mesh),
+        skeleton_(inputs.skeleton),
+        candidates_(inputs.candidates),
+        heat_(inputs.heat),
+        s_(inputs.scratch),
+        out_(inputs.out),
+        k_(inputs.candidates.k),
         tables_(tables),
         keys_(keys),
         entries_(entries) {}
@@ -607,13 +607,13 @@ class Builder {
 };
 
 // Large parts are spread over the lanes; of small ones, every lane takes some whole.
-void build(const Sources& sources, const Threads& threads) {
-  const Mesh& mesh = sources.mesh;
-  const Scratch& scratch = sources.scratch;
+void build(const Inputs& inputs, const Threads& threads) {
+  const Mesh& mesh = inputs.mesh;
+  const Scratch& scratch = inputs.scratch;
   const auto keys_of = [&](uint32_t lane) {
     return lane == 0 ? scratch.keys : scratch.small_keys + static_cast<size_t>(lane - 1) * kSmallPart;
   };
-  const size_t joints = sources.skeleton.joint_count;
+  const size_t joints = inputs.skeleton.joint_count;
   memset(scratch.entries, 0, threads.lane_count() * joints * sizeof(JointEntry));
   const auto entries_of = [&](uint32_t lane) { return scratch.entries + lane * joints; };
   for (uint32_t c = 0; c < mesh.component_count;) {
@@ -621,16 +621,16 @@ void build(const Sources& sources, const Threads& threads) {
     while (end < mesh.component_count && mesh.component_sizes[end] < kSmallPart) ++end;
     if (end == c) {
       PartTables& tables = scratch.tables[0];
-      Builder(sources, tables, keys_of(0), entries_of(0)).fill_tables(c);
+      Builder(inputs, tables, keys_of(0), entries_of(0)).fill_tables(c);
       const uint32_t first = mesh.component_offsets[c];
       threads.ranges(mesh.component_sizes[c], kSmallPart / 4, [&](uint32_t from, uint32_t to, uint32_t lane) {
-        Builder(sources, tables, keys_of(lane), entries_of(lane)).write(c, first + from, first + to);
+        Builder(inputs, tables, keys_of(lane), entries_of(lane)).write(c, first + from, first + to);
       });
       ++c;
       continue;
     }
     threads.each(end - c, [&](uint32_t index, uint32_t lane) {
-      Builder builder(sources, scratch.tables[lane], keys_of(lane), entries_of(lane));
+      Builder builder(inputs, scratch.tables[lane], keys_of(lane), entries_of(lane));
       builder.fill_tables(c + index);
       builder.write(c + index, mesh.component_offsets[c + index], mesh.component_offsets[c + index + 1]);
     });

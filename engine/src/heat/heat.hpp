@@ -14,14 +14,14 @@ namespace sinew {
 constexpr uint32_t kHeatSlots = 16;  // largest joints kept per vertex and field
 enum HeatFieldKind : uint32_t { kFieldRule = 0, kFieldParts = 1, kFieldSoft = 2, kFieldCount = 3 };
 
-// One solved field, sparse: the kHeatSlots largest joints of a vertex by raw weight (ties: lower joint), falling.
-// Weights are the raw solution (neither cut nor normalised), Q15 (32768 = 1), clamped to [0, 32768]; slots under 2^-12
-// are left out (joint = kNoJoint, weight = 0, at the end).
+// One solved field. Of every vertex the kHeatSlots joints with the largest weights are kept, by falling weight, the
+// lower joint first where weights are equal. Weights under 2^-12 are not kept: the slots left over are at the end, with
+// kNoJoint and 0. Weights are those of the solution, neither cut nor normalised.
 struct HeatField {
   uint16_t* joints = nullptr;     // [U x kHeatSlots]
-  uint16_t* weights = nullptr;    // [U x kHeatSlots]
+  uint16_t* weights = nullptr;    // [U x kHeatSlots] Q15, 0 .. 32768
   uint16_t* nearest = nullptr;    // [U] joint of the bone that is nearest by the field's distance, visible or not
-  uint8_t* has_source = nullptr;  // [U] 1 when that bone is visible, so the vertex is a source
+  uint8_t* has_source = nullptr;  // [U] 1 when the vertex is a source: that bone is visible from it
 };
 
 struct HeatFields {
@@ -34,21 +34,24 @@ struct HeatFields {
 
 // Solves the three fields. Sources and visibility by exact integer geometry (BVH over the triangles).
 //   source_joints  [J] from choose_source_joints()
-//   fields    in/out allocated by the caller with the same counts; its content is undefined unless SINEW_OK
-//   progress  reported from 0 to 1000 of this stage
-//   arena     scratch, all of it released; measure_solve_heat() says how much
-//   kernels   inner loops of the factorisation and of visibility. The fields are the same bytes with all of them
-// Every row has at least one joint and sums to 1 up to slots that were too small to keep. has_source follows the
-// visibility that the field used in the end: all 1 where it is open. kFieldParts and kFieldSoft are open in components
-// that see no bone at all. Agrees with a float64 solution to 2e-5 (tests/integration/heat_agreement_test.cpp); the same
-// bytes on every platform. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
+//   fields         in/out allocated by the caller with the same counts; its content is undefined unless SINEW_OK
+//   progress       reported from 0 to 1000 of this stage
+//   arena          scratch, all of it released; measure_solve_heat() says how much
+//   kernels        inner loops of the factorisation and of visibility. The fields are the same bytes with all of them
+// Every row has at least one joint. It sums to 1 but for weights that were too small to keep. has_source follows the
+// visibility that the field used in the end, so it is 1 in every vertex of an open part. kFieldParts and kFieldSoft are
+// open in parts that see no bone at all. Agrees with a float64 solution to 2e-5
+// (tests/integration/heat_agreement_test.cpp). The same bytes on every platform.
+// Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
                         const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields);
 void measure_solve_heat(Arena& arena, const Counts& counts);
 
-// Finishes a row as the method heat does: weights under 0.025 are cut, up to 0.05 ramped linearly from 0 to themselves,
-// then normalised to Q15 (sum 32768 +- rounding). A row left empty becomes its nearest joint with 32768.
-//   joints, weights  out [kHeatSlots], unused = kNoJoint / 0. Returns the number used (>= 1).
+// Finishes a row as the method heat does. Weights under 0.025 become 0. Weights from there to 0.05 are ramped: they
+// rise linearly from 0 to 0.05. Then the row is normalised to Q15; its sum is 32768 but for rounding. A row without
+// weights becomes its nearest joint with 32768.
+//   joints, weights  out [kHeatSlots], kNoJoint and 0 where unused
+// Returns the number of slots used, at least 1.
 uint32_t finish_heat_row(const HeatField& field, uint32_t vertex, uint16_t* joints, uint16_t* weights);
 
 }  // namespace sinew

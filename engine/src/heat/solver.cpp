@@ -96,7 +96,7 @@ uint32_t HeatSolver::list_joints(const HeatSources& sources, uint32_t field) {
   uint32_t count = 0;
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const uint32_t v = ordering_.order[k];
-    const uint16_t* ties = sources.ties[HeatSources::measure_of(field)] + static_cast<size_t>(v) * kMaxTies;
+    const uint16_t* ties = sources.ties[HeatSources::metric_of(field)] + static_cast<size_t>(v) * kMaxTies;
     for (uint32_t t = 0; t < kMaxTies; ++t) {
       if ((sources.mask[field][v] >> t & 1) == 0 || member_of_[ties[t]] == kListed) continue;
       member_of_[ties[t]] = kListed;
@@ -113,7 +113,7 @@ void HeatSolver::fill_right_hand_sides(const HeatSources& sources, uint32_t fiel
   memset(rhs_, 0, static_cast<size_t>(matrix_.rows) * kBatch * sizeof(rhs_[0]));
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const uint32_t v = ordering_.order[k];
-    const uint16_t* ties = sources.ties[HeatSources::measure_of(field)] + static_cast<size_t>(v) * kMaxTies;
+    const uint16_t* ties = sources.ties[HeatSources::metric_of(field)] + static_cast<size_t>(v) * kMaxTies;
     for (uint32_t mask = sources.mask[field][v], t = 0; mask != 0; mask >>= 1, ++t) {
       if ((mask & 1) == 0 || member_of_[ties[t]] == kNoMember) continue;
       rhs_[static_cast<size_t>(k) * kBatch + member_of_[ties[t]]] = matrix_.to_matrix(pull_[k]);
@@ -232,7 +232,7 @@ bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatFiel
   clear_rows(out);
   if (!fronts_.factorise(matrix_, kernels_)) return false;
   const uint32_t count = list_joints(sources, field);
-  const uint16_t* const ties = sources.ties[HeatSources::measure_of(field)];
+  const uint16_t* const ties = sources.ties[HeatSources::metric_of(field)];
   for (uint32_t first = 0; first < count; first += kFrontBatch) {
     const uint32_t members = count - first < kFrontBatch ? count - first : kFrontBatch;
     const uint16_t* const batch = joints_ + first;
@@ -308,12 +308,12 @@ void HeatSolver::add_row_pulls(const HeatSources& sources, uint32_t field) {
 }
 
 void HeatSolver::set_pulls(const HeatSources& sources, uint32_t field) {
-  const int measure = HeatSources::measure_of(field);
+  const int metric = HeatSources::metric_of(field);
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
     const uint32_t v = ordering_.order[k];
     int64_t bones = 0;
     for (uint32_t mask = sources.mask[field][v]; mask != 0; mask &= mask - 1) ++bones;
-    pull_[k] = bones == 0 ? 0 : source_pull_q40(mesh_->areas[v], sources.distance[measure][v], field);
+    pull_[k] = bones == 0 ? 0 : source_pull_q40(mesh_->areas[v], sources.distance[metric][v], field);
     // A bone through a vertex holds it fast long before this, and the others keep their precision.
     constexpr int64_t kStrongest = static_cast<int64_t>(1) << 59;
     if (bones > 0 && pull_[k] > kStrongest / bones) pull_[k] = kStrongest / bones;

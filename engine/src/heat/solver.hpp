@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solves one component of one heat field for all of its joints (stage 4).
+// Solves one part of one heat field for all of its joints (stage 4).
 #ifndef SINEW_HEAT_SOLVER_HPP
 #define SINEW_HEAT_SOLVER_HPP
 
@@ -14,17 +14,21 @@ class HeatSolver {
  public:
   bool allocate(Arena& arena, const Counts& counts);
   void use(const FrontKernels& kernels) { kernels_ = kernels; }
-  // Orders and analyses a component; the fields below share the result.
+  // Orders and analyses a part. The fields that are solved next share the result.
   void begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component);
-  // Solves one field of that component and writes its rows. Every row sums to 1 up to what was too small to keep: the
-  // exact solution does, so the rest of rounding is divided out. Negative edge weights count as 0 (they are
-  // kept otherwise) where the solution leaves [-1, 2], which only an indefinite matrix can do, where fixed point was
-  // defeated, in iterative components, and in those of more than 65,536 vertices whose matrix is not definite. Measured
-  // on val: L1 0.399 with this exception, 0.401 without it.
+  // Solves one field of that part and writes its rows. Rows of the exact solution sum to 1, so every row is divided by
+  // its sum; what was too small to keep is missing from it.
+  //
+  // Negative edge weights are kept wherever that works. They count as 0
+  //   where the solution leaves [-1, 2], as only that of an indefinite matrix can,
+  //   where a row's sum shows that fixed point did not do, even with refinement,
+  //   in parts that are solved iteratively,
+  //   and in parts of more than 65,536 vertices that fronts refuse: the sparse factor would take too long.
+  // L1 on val is 0.399 with these exceptions; it is 0.401 where negative weights are always kept.
   void solve_field(const HeatSources& sources, uint32_t field, HeatField* out);
 
   bool iterative() const { return iterative_; }
-  // False from begin_component() on where they do not fit, or from a solve_field() on that they did not do for.
+  // False where fronts do not fit the part, and from the first field on that fronts refused.
   bool with_fronts() const { return with_fronts_; }
   // Entries of the factor of the current component (0 when it is solved iteratively).
   uint64_t factor_entries() const {
@@ -40,7 +44,7 @@ class HeatSolver {
   void set_pulls(const HeatSources& sources, uint32_t field);
   void add_row_pulls(const HeatSources& sources, uint32_t field);
   void leave_fronts();
-  // The fast way. False when the matrix is not for it.
+  // Solves all joints by fronts. False when they refuse the matrix or the solution is not good enough.
   bool try_fronts(const HeatSources& sources, uint32_t field, HeatField* out);
   void clear_rows(HeatField* out);
   void keep_front(const uint16_t* batch, uint32_t members, uint32_t first, uint32_t count, const int32_t* x,
@@ -58,7 +62,8 @@ class HeatSolver {
   SparseMatrix matrix_;
   Ordering ordering_;
   FrontKernels kernels_;
-  // These two share their memory: the second is for what the first cannot do. The ordering's scratch lies there, too.
+  // Both factors lie in the same memory: factor_ is used where fronts_ are refused. The ordering's scratch lies there,
+  // too.
   FrontFactor fronts_;
   Factor factor_;
   bool with_fronts_ = false;

@@ -13,8 +13,8 @@ constexpr uint32_t kMaxTies =
 constexpr int kDistanceBits = 6;        // distances are grid units Q6
 constexpr int64_t kMinDistance = 3355;  // 5e-5 of the side
 
-// Two ways to measure: 0 = Euclid / (0.5 (cos + 1.001)), for the rule and the parts field; 1 = Euclid, for the soft
-// field.
+// What is known of each vertex, for two metrics: 0 = Euclid / (0.5 (cos + 1.001)), which the rule and the parts field
+// use, and 1 = Euclid, which the soft field uses.
 struct HeatSources {
   uint16_t* ties[2] = {};             // [U x kMaxTies] joints tied for nearest, ascending; unused = kNoJoint
   int64_t* distance[2] = {};          // [U] their distance, Q6 grid units
@@ -26,11 +26,11 @@ struct HeatSources {
   // The same, with nearest, mask and component_rule where the fields have nearest (of rule and soft), has_source and
   // component_rule.
   bool allocate_beside(Arena& arena, const Counts& counts, const HeatFields& fields);
-  static int measure_of(uint32_t field) { return field == kFieldSoft ? 1 : 0; }
+  static int metric_of(uint32_t field) { return field == kFieldSoft ? 1 : 0; }
 };
 
-// Fills everything from the bones of source_joints [J]. For the soft field `ties` are the nearest visible bones where there is one.
-// The same bytes with every `boxes_met`. Progress is reported from 0 to `permille_end`. Returns SINEW_OK,
+// Fills everything from the bones of source_joints [J]. For the soft field `ties` are the nearest visible bones where
+// there is one. The same bytes with every `boxes_met`. Progress is reported from 0 to `permille_end`. Returns SINEW_OK,
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints,
                           const Counts& counts, BoxKernel boxes_met, const Progress& progress, uint32_t permille_end,

@@ -54,7 +54,8 @@ struct RegistersSimd128 {
   static SINEW_INLINE v128_t pairs(int32_t a, int32_t b) {
     return wasm_v128_load64_lane(kPowers.q30 + b, wasm_v128_load64_zero(kPowers.q30 + a), 1);
   }
-  // There are no shifts by numbers of a register: x >> w is floor(x * 2^-w), and the power is made of its exponent's bits.
+  // There are no shifts by numbers of a register: x >> w is floor(x * 2^-w), and the power is made of its exponent's
+  // bits.
   static SINEW_INLINE v128_t shifted(v128_t x, v128_t exponents) {
     return wasm_f64x2_floor(wasm_f64x2_mul(x, wasm_i64x2_shl(exponents, 52)));
   }

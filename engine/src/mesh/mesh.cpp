@@ -4,7 +4,7 @@
 #include "mesh/mesh.hpp"
 
 #include "mesh/morton.hpp"
-#include "mesh/surface.hpp"
+#include "mesh/shape.hpp"
 #include "mesh/topology.hpp"
 
 namespace sinew {
@@ -118,7 +118,7 @@ sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer,
   if (!topology_scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   connect(nullptr, 0, topology_scratch, mesh);
   find_components(topology_scratch, mesh);
-  measure_surface(topology_scratch.surface, counts.threads, mesh);
+  find_shape(topology_scratch.shape, counts.threads, mesh);
   arena.release(mark);
   return SINEW_OK;
 }

@@ -44,8 +44,8 @@ struct Mesh {
   bool allocate(Arena& arena, const Counts& counts);
 };
 
-// Fills a mesh, allocated beforehand, from the caller's view. The quantizer was made from all of its vertices. Faces are
-// checked: every corner names a vertex, face_offsets start at 0, never fall and end at corner_count; without them
+// Fills a mesh, allocated beforehand, from the caller's view. The quantizer was made from all of its vertices. Faces
+// are checked: every corner names a vertex, face_offsets start at 0, never fall and end at corner_count; without them
 // corner_count is 3 face_count. Faces of two corners are legal and ignored, of fewer not. Scratch beyond the struct is
 // taken from `arena` and released. The counts were checked by the caller.
 // Returns SINEW_OK, SINEW_ERROR_INDEX for a face that breaks these rules, or SINEW_ERROR_WORKSPACE.

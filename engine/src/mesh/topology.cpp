@@ -46,7 +46,7 @@ void finish_triangles(const TriangleScratch& scratch, Mesh* mesh) {
 
 // CSR one-ring. Each triangle enters every vertex's row twice; what a row holds only once is a boundary edge.
 void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch& scratch, Mesh* mesh) {
-  uint8_t* const boundary = scratch.surface.boundary;
+  uint8_t* const boundary = scratch.shape.boundary;
   const uint32_t count = mesh->welded_count;
   uint32_t* const offsets = mesh->row_offsets;
   for (uint32_t v = 0; v <= count; ++v) offsets[v] = 0;

@@ -5,7 +5,7 @@
 
 #include "core/sort.hpp"
 #include "mesh/mesh.hpp"
-#include "mesh/surface.hpp"
+#include "mesh/shape.hpp"
 
 namespace sinew {
 
@@ -20,13 +20,13 @@ struct TriangleScratch {
 };
 
 struct TopologyScratch {
-  SurfaceScratch surface;
+  ShapeScratch shape;
   uint64_t* component_keys;  // [U]
   uint32_t* labels;          // [U]
   bool allocate(Arena& arena, const Counts& counts) {
-    surface.boundary = arena.alloc<uint8_t>(counts.vertices);
-    surface.normal_sums = arena.alloc<Vec3l>(counts.vertices);
-    surface.angle_sums = arena.alloc<int64_t>(counts.vertices);
+    shape.boundary = arena.alloc<uint8_t>(counts.vertices);
+    shape.normal_sums = arena.alloc<Vec3l>(counts.vertices);
+    shape.angle_sums = arena.alloc<int64_t>(counts.vertices);
     component_keys = arena.alloc<uint64_t>(counts.vertices);
     labels = arena.alloc<uint32_t>(counts.vertices);
     return arena.ok();
@@ -74,7 +74,7 @@ void collect_triangles(const Walk& start, const TriangleScratch& scratch, Mesh* 
   finish_triangles(scratch, mesh);
 }
 
-// Fills row_offsets and col_indices from the triangles, and scratch.surface.boundary. loose [loose_count x 2]: pairs of
+// Fills row_offsets and col_indices from the triangles, and scratch.shape.boundary. loose [loose_count x 2]: pairs of
 // vertices to be neighbours without a triangle, none twice.
 void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch& scratch, Mesh* mesh);
 // Fills the components from the CSR.

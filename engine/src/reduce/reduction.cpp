@@ -289,7 +289,7 @@ sinew_status reduce_mesh(const Mesh& full, const Counts& counts, const Progress&
   }
   connect(scratch.loose, loose, scratch.topology, &out->mesh);
   find_components(scratch.topology, &out->mesh);
-  measure_surface(scratch.topology.surface, counts.threads, &out->mesh);
+  find_shape(scratch.topology.shape, counts.threads, &out->mesh);
   give_areas(full, scratch, out);
   list_fans(out);
   arena.release(mark);

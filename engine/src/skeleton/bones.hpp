@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which segments are the bones of a skeleton, for all stages that grow from bones or measure distances to them. The heat
-// stage alone has one segment per joint (Skeleton::bone_tail).
+// Which segments are the bones of a skeleton, for all stages that grow from bones or measure distances to them. The
+// heat stage alone has one segment per joint (Skeleton::bone_tail).
 #ifndef SINEW_SKELETON_BONES_HPP
 #define SINEW_SKELETON_BONES_HPP
 

@@ -102,12 +102,12 @@ bool FrontFactor::analyse(const SparseMatrix& matrix) {
     if (index == front_capacity_) return false;
     Front& front = fronts_[index];
     front.first = place;
-    front.pivots = ordering.piece_size[place];
+    front.pivots = ordering.region_size[place];
     front.subtree = index;
     uint32_t children = 0;
     size_t used = 0;
     front.parent = kNoFront;
-    while (waiting > 0 && fronts_[waiting_[waiting - 1]].first >= ordering.piece_begin[place]) {
+    while (waiting > 0 && fronts_[waiting_[waiting - 1]].first >= ordering.region_begin[place]) {
       const uint32_t child = waiting_[--waiting];
       ++children;
       fronts_[child].parent = index;

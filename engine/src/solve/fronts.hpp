@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Multifrontal Cholesky factorisation of a sparse matrix in int32 (Duff and Reid 1983 for the method). It is fast where
-// the matrix is definite and not too badly conditioned, and says so where it is not. Sixteen right-hand sides are solved
-// at a time, and only where they matter.
+// the matrix is definite and not too badly conditioned, and says so where it is not. Sixteen right-hand sides are
+// solved at a time, and only where they matter.
 //
-// A front is a dense symmetric matrix. Its rows are the vertices of one piece of the nested dissection (a separator, or
-// a small piece as a whole), which are its pivots, and the later vertices that the piece's subtree touches, which are
-// its border. Fronts come in elimination order, which is a postorder of the dissection's tree. What a front leaves of
-// its border waits on a stack for its parent.
+// A front is a dense symmetric matrix. Its rows are the vertices of one region of the nested dissection (a separator,
+// or a small region as a whole), which are its pivots, and the later vertices that the region's subtree touches, which
+// are its border. Fronts come in elimination order, which is a postorder of the dissection's tree. What a front leaves
+// of its border waits on a stack for its parent.
 //
 // Number formats. Row i of the matrix M is scaled by 2^-e[i], so that its diagonal is in [1/4, 1).
 //   G, the Cholesky factor of the scaled matrix   int32, Q30
 //   solution x                                    int32, Q28, saturated at 2^2
 //   right-hand sides b, as 4^-e b                 int32, Q28
 //   v = G^-1 of the scaled b, as 2^-e v           int32, Q28
-// The squares of a row of G sum to the diagonal, so entries of G are below 1 and sums of their products below 2^60. Every
-// entry of a front is rounded once for all of its pivots. Where a definite matrix gives x in 0 .. 1, b and v are at most
-// the diagonal times x; negative edge weights let x leave that range a little.
+// The squares of a row of G sum to the diagonal, so entries of G are below 1 and sums of their products below 2^60.
+// Every entry of a front is rounded once for all of its pivots. Where a definite matrix gives x in 0 .. 1, b and v are
+// at most the diagonal times x; negative edge weights let x leave that range a little.
 // A matrix that is not definite makes all of this wrap. That is defined and shows in the pivots, or in rows of the
 // solution that do not sum to what they must.
 #ifndef SINEW_SOLVE_FRONTS_HPP

@@ -12,8 +12,8 @@ constexpr int32_t kCotangentLimit = 50;  // of needle triangles; README.md says 
 
 // L[i][i] = sum of the row's weights, L[i][j] = -weight of edge (i, j).
 struct EdgeWeights {
-  // [E2] Q24, within +-50, in the order of the mesh's CSR: mean of the cotangents opposite to the edge over its faces. A
-  // boundary edge counts its one cotangent in full.
+  // [E2] Q24, within +-50, in the order of the mesh's CSR: mean of the cotangents opposite to the edge over its faces.
+  // A boundary edge counts its one cotangent in full.
   int32_t* weight = nullptr;
 
   bool allocate(Arena& arena, const Counts& counts);

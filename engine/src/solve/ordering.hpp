@@ -8,18 +8,18 @@
 
 namespace sinew {
 
-constexpr uint32_t kSmallestPiece = 4;   // for a sparse factor
+constexpr uint32_t kSmallestRegion = 4;  // for a sparse factor
 constexpr uint32_t kSmallestFront = 24;  // for one of dense fronts
 
 struct Ordering {
   uint32_t* order = nullptr;    // [U] vertex at each place of the elimination, for the component ordered last
   uint32_t* place = nullptr;    // [U] and back; only the vertices of that component are valid
-  uint32_t* region = nullptr;   // [U] scratch: the last piece a vertex was cut in, and on which side of its cuts
+  uint32_t* mark = nullptr;     // [U] scratch: the last region a vertex was cut in, and on which side of its cuts
   uint32_t* scratch = nullptr;  // [U]
-  // Separators and pieces that were not cut further: at the place of each one's first vertex its length and the place
+  // Separators and regions that were not cut further: at the place of each one's first vertex its length and the place
   // where its subtree begins; length 0 elsewhere.
-  uint32_t* piece_size = nullptr;   // [U]
-  uint32_t* piece_begin = nullptr;  // [U]
+  uint32_t* region_size = nullptr;   // [U]
+  uint32_t* region_begin = nullptr;  // [U]
 
   bool allocate(Arena& arena, const Counts& counts);
   // The same in two parts: the scratch may be given back after dissect().
@@ -27,7 +27,7 @@ struct Ordering {
   bool allocate_scratch(Arena& arena, const Counts& counts);
   // Orders the vertices of one component: halves first, the vertices that separate them last, again inside the halves
   // until they have at most `smallest` vertices.
-  void dissect(const Mesh& mesh, uint32_t component, uint32_t smallest = kSmallestPiece);
+  void dissect(const Mesh& mesh, uint32_t component, uint32_t smallest = kSmallestRegion);
 };
 
 }  // namespace sinew

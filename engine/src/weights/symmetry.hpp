@@ -12,13 +12,15 @@ namespace sinew {
 
 constexpr uint32_t kNoPartner = 0xFFFFFFFFu;
 
-// The plane is x = plane / 2 in grid units: the middle of the mesh's box or, when more vertices have a mirror image
-// then, the middle joint's x.
-//   joints   one within 1/512 of the longest side of the mirrored place, whose parent is the mirrored parent, with as
-//   many
-//            children and as usable; each the other's nearest. The joint itself may be its partner
-//   vertices nearest to the mirrored place, within 1/512 of the longest side, each the other's nearest
-// The character counts as symmetric when at least half of the vertices and half of the joints have a partner.
+// Which joints and vertices mirror each other. The mirror plane is x = plane / 2 in grid units. It is the middle of the
+// mesh's box or, when more vertices have a mirror image then, the middle joint's x.
+//
+// A place is mirrored across the plane. What is nearest to the mirrored place is the partner, if it is within 1/512 of
+// the mesh's longest side and the two choose each other.
+//   vertices  all of them count
+//   joints    only those count whose parents are partners, too, and that have as many children and are as usable
+// A vertex or joint on the plane is its own partner. The character counts as symmetric when at least half of its
+// vertices and half of its joints have a partner.
 struct Symmetry {
   bool symmetric = false;
   int32_t plane = 0;
@@ -34,11 +36,13 @@ sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Cou
                            Symmetry* out);
 void measure_find_symmetry(Arena& arena, const Counts& counts);
 
-// Where one vertex of a pair has a given row and the other has none, the other is given the mirror image.
+// Where one of two partners has a given row and the other has none, the other is given the mirror image.
 void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* given);
-// Both rows of a pair become the mean of one and the other's mirror image. Given rows come into place. Weight of joints
-// without a partner is dropped; a pair that has no other, and one with a given row, loses its partners in `symmetry`. A
-// vertex that is its own partner keeps at most `influence_count` joints, of two partners both or none.
+// Makes the rows of partners mirror images: both become the mean of one and the other's mirror image.
+// Given rows come into place. Weight of joints without a partner is dropped. Vertices
+// that have no other weight, or of which one has a given row, are no partners any more: kNoPartner in `symmetry`. A
+// vertex that is its own partner keeps at most `influence_count` joints; of joints that are partners it keeps both or
+// none.
 void mirror_rows(const Mesh& mesh, const GivenRows& given, uint32_t influence_count, Rows* rows, Symmetry* symmetry);
 // Replaces the joints of a finished row by their partners and sorts it again: falling weight, ties by lower joint.
 void mirror_influences(const Symmetry& symmetry, uint32_t influence_count, uint16_t* joints, uint16_t* weights);

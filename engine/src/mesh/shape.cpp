@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Normals, areas and curvatures of the welded mesh.
-#include "mesh/surface.hpp"
+#include "mesh/shape.hpp"
 
 #include "core/vector_math.hpp"
 
@@ -32,7 +32,7 @@ Vec3l corner_cross(const Mesh& mesh, const uint32_t* t) {
 }
 
 // Sums over the triangles of a vertex. Unit normals in Q24, so that 2^38 faces could meet without overflow.
-void add_triangles(const SurfaceScratch& scratch, Mesh* mesh) {
+void add_triangles(const ShapeScratch& scratch, Mesh* mesh) {
   for (uint32_t v = 0; v < mesh->welded_count; ++v) {
     scratch.normal_sums[v] = {0, 0, 0};
     scratch.angle_sums[v] = 0;
@@ -61,7 +61,7 @@ void add_triangles(const SurfaceScratch& scratch, Mesh* mesh) {
   }
 }
 
-void finish_vertex(const SurfaceScratch& scratch, uint32_t v, Mesh* mesh) {
+void finish_vertex(const ShapeScratch& scratch, uint32_t v, Mesh* mesh) {
   mesh->normals[v] = unit_vector(scratch.normal_sums[v], kNormalBits);
   // A sixth of the sum of |cross|; a vertex with a triangle never gets 0, so that it can be divided by.
   if (mesh->areas[v] != 0) {
@@ -135,7 +135,7 @@ void angles_q30(int64_t given_y, const int64_t (&given_x)[3], int32_t (&angles)[
   }
 }
 
-void measure_surface(const SurfaceScratch& scratch, const Threads& threads, Mesh* mesh) {
+void find_shape(const ShapeScratch& scratch, const Threads& threads, Mesh* mesh) {
   constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
   add_triangles(scratch, mesh);
   threads.ranges(mesh->welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {

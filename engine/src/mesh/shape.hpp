@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// How the surface lies around each vertex of the welded mesh, the second half of stage 2.
+#ifndef SINEW_MESH_SHAPE_HPP
+#define SINEW_MESH_SHAPE_HPP
+
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+struct ShapeScratch {
+  uint8_t* boundary = nullptr;    // [U] in: 1 where an edge of the vertex has only one triangle
+  Vec3l* normal_sums = nullptr;   // [U]
+  int64_t* angle_sums = nullptr;  // [U]
+};
+
+// Fills normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the CSR.
+void find_shape(const ShapeScratch& scratch, const Threads& threads, Mesh* mesh);
+
+}  // namespace sinew
+#endif
