@@ -11,7 +11,7 @@ namespace sinew {
 // the arrays hold. Nothing is written to joints and weights before nothing can fail any more.
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, uint16_t* joints, void* weights, size_t* used_bytes);
-// What run_bind() takes of its workspace, for a measuring arena.
+// Takes from a measuring arena what run_bind() takes of its workspace. Asks neither for the processor nor for progress.
 void measure_bind(Arena& arena, const BindPlan& plan);
 
 }  // namespace sinew

@@ -33,7 +33,7 @@ struct HeatFields {
 // Solves the three fields. Sources and visibility by exact integer geometry (BVH over the triangles).
 //   fields    in/out allocated by the caller with the same counts; its content is undefined unless SINEW_OK
 //   progress  reported from 0 to 1000 of this stage
-//   arena     scratch, all of it released; measure_solve_heat() says how much
+//   arena     scratch, all of it released
 //   kernels   inner loops of the factorisation and of visibility. The fields are the same bytes with all of them
 // Every row has at least one joint and sums to 1 up to slots that were too small to keep. has_source follows the
 // visibility that the field used in the end: all 1 where it is open. kFieldParts and kFieldSoft are open in components
@@ -41,7 +41,6 @@ struct HeatFields {
 // bytes on every platform. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Kernels& kernels,
                         const Progress& progress, Arena& arena, HeatFields* fields);
-void measure_solve_heat(Arena& arena, const Counts& counts);
 
 // Finishes a row as the method heat does: weights under 0.025 are cut, up to 0.05 ramped linearly from 0 to themselves,
 // then normalised to Q15 (sum 32768 +- rounding). A row left empty becomes its nearest joint with 32768.

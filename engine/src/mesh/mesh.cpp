@@ -102,42 +102,35 @@ bool Mesh::allocate(Arena& arena, const Counts& counts) {
 sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_input, uint32_t up_axis,
                         const Counts& counts, Arena& arena, Mesh* mesh, Skeleton* skeleton) {
   Quantizer quantizer;
-  sinew_status status = make_quantizer(input.positions, input.vertex_count, up_axis, &quantizer);
-  if (status == SINEW_OK) status = check_faces(input);
-  if (status == SINEW_OK) status = build_skeleton(skeleton_input, quantizer, skeleton);
-  if (status != SINEW_OK) return status;
+  if (!arena.measuring()) {
+    sinew_status status = make_quantizer(input.positions, input.vertex_count, up_axis, &quantizer);
+    if (status == SINEW_OK) status = check_faces(input);
+    if (status == SINEW_OK) status = build_skeleton(skeleton_input, quantizer, skeleton);
+    if (status != SINEW_OK) return status;
+  }
 
-  // The scratch of the three phases does not overlap in time, so each starts at the same mark.
-  const size_t mark = arena.mark();
-  MortonScratch weld_scratch;
-  if (!weld_scratch.allocate(arena, counts.vertices)) return SINEW_ERROR_WORKSPACE;
-  weld(input, quantizer, weld_scratch, mesh);
-  arena.release(mark);
-
-  TriangleScratch triangle_scratch;
-  if (!triangle_scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  collect_triangles(FanWalk(input, *mesh), triangle_scratch, mesh);
-  arena.release(mark);
-
-  TopologyScratch topology_scratch;
-  if (!topology_scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  connect(nullptr, 0, topology_scratch, mesh);
-  find_components(topology_scratch, mesh);
-  measure_surface(topology_scratch.surface, counts.threads, mesh);
-  arena.release(mark);
-
+  // The scratch of the three phases does not overlap in time, so each starts at the same place.
+  {
+    const ArenaScope scope(arena);
+    MortonScratch scratch;
+    if (!scratch.allocate(arena, counts.vertices)) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring()) weld(input, quantizer, scratch, mesh);
+  }
+  {
+    const ArenaScope scope(arena);
+    TriangleScratch scratch;
+    if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring()) collect_triangles(FanWalk(input, *mesh), scratch, mesh);
+  }
+  const ArenaScope scope(arena);
+  TopologyScratch scratch;
+  if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
+  connect(nullptr, 0, scratch, mesh);
+  find_components(scratch, mesh);
+  measure_surface(scratch.surface, counts.threads, mesh);
   find_sources(*mesh, skeleton);
   return SINEW_OK;
-}
-
-void measure_build_mesh(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  MortonScratch().allocate(arena, counts.vertices);
-  arena.release(mark);
-  TriangleScratch().allocate(arena, counts);
-  arena.release(mark);
-  TopologyScratch().allocate(arena, counts);
-  arena.release(mark);
 }
 
 }  // namespace sinew

@@ -78,8 +78,6 @@ struct Skeleton {
 // SINEW_ERROR_WORKSPACE. The counts were checked by the caller. A mesh of one point has side 1.
 sinew_status build_mesh(const sinew_mesh& input, const sinew_skeleton& skeleton_input, uint32_t up_axis,
                         const Counts& counts, Arena& arena, Mesh* mesh, Skeleton* skeleton);
-// Scratch that build_mesh takes and releases, for the size query.
-void measure_build_mesh(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

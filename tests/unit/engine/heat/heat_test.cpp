@@ -42,7 +42,7 @@ struct Sources {
     Arena measure;
     HeatSources s;
     s.allocate(measure, counts);
-    measure_find_sources(measure, counts);
+    (void)find_sources({}, {}, counts, boxes_met_ref, {}, 1000, measure, &s);
     return measure.high_water();
   }
   std::set<uint32_t> of(uint32_t field, uint32_t vertex) const {
@@ -450,7 +450,7 @@ struct OneComponent {
     Ordering().allocate(measure, counts);
     FrontFactor().allocate(measure, counts);
     measure.alloc<int64_t>(counts.vertices);
-    measure_weigh_edges(measure, counts);
+    (void)weigh_edges({}, counts, measure, nullptr);
     return measure.high_water();
   }
   HeatRun run;
@@ -632,7 +632,7 @@ TEST(Solver, LargeIndefinitePartsKeepToFronts) {
     solver.allocate(arena, run.counts);
   };
   allocate(measure);
-  measure_weigh_edges(measure, run.counts);
+  (void)weigh_edges(run.mesh, run.counts, measure, &edges);
   Block block(measure.high_water());
   allocate(block.arena);
   block.arena.release(0);
@@ -908,7 +908,8 @@ TEST(Heat, FiveThousandVerticesFitTwentyFiveMegabytes) {
   counts.corners = 30000;
   counts.joints = 60;
   Arena measure;
-  measure_solve_heat(measure, counts);
+  HeatFields fields;
+  (void)solve_heat({}, {}, counts, fastest_kernels(), {}, measure, &fields);
   EXPECT_LT(measure.high_water(), 25u << 20);
 }
 
