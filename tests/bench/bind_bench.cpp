@@ -69,12 +69,12 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   Kernels kernels;
   if (!select_kernels(kernel, &kernels)) check(SINEW_ERROR_KERNEL, "kernels");
   Arena measuring;  // more than a bind's: nothing is given back before the network here
-  measure_prepare(measuring, full, plan.purpose());
-  measure_run_network(measuring, model, counts, plan.network);
+  Prepared p;
+  check(prepare(in.mesh, in.skeleton, 0, full, PrepareFor::kNetwork, kernels, {}, measuring, &p), "size");
+  check(run_network(model, largest_network_input(counts), kernels, {}, measuring, nullptr, plan.network), "size");
   const size_t bytes = measuring.high_water();
   const Workspace block = touched(bytes);
   Arena arena(block.data(), bytes);
-  Prepared p;
   const auto timed = [&](size_t stage, auto run) {
     const double start = sinew_bench::thread_seconds();
     check(run(), kStages[stage]);

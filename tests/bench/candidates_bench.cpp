@@ -71,16 +71,18 @@ void mesh_and_candidates(benchmark::State& state) {
 void candidates_only(benchmark::State& state) {
   sinew_test::MeshRun run(scene_of(state.range(0)), 0, static_cast<uint32_t>(state.range(1)),
                           static_cast<uint32_t>(state.range(2)));
+  sinew::Candidates candidates;
+  const auto find = [&](sinew::Arena& arena) {
+    candidates.allocate(arena, run.counts);
+    return sinew::find_candidates(run.mesh, run.skeleton, run.counts, {}, arena, &candidates);
+  };
   sinew::Arena measure;
-  sinew::Candidates().allocate(measure, run.counts);
-  sinew::measure_find_candidates(measure, run.counts);
+  (void)find(measure);
   const size_t bytes = measure.high_water();
   void* const block = ::operator new (bytes, std::align_val_t{64});
-  sinew::Candidates candidates;
   for (auto _ : state) {
     sinew::Arena arena(block, bytes);
-    candidates.allocate(arena, run.counts);
-    run.status = sinew::find_candidates(run.mesh, run.skeleton, run.counts, {}, arena, &candidates);
+    run.status = find(arena);
   }
   report(state, run);
   state.counters["bytes"] = static_cast<double>(bytes);

@@ -100,24 +100,23 @@ GeodesicVoxelWeights bind_geodesic_voxel(const sinew_mesh& input, const sinew_sk
   counts.corners = input.corner_count;
   counts.joints = skeleton_input.joint_count;
   counts.grid = cells;
-  Arena measuring;
   Mesh mesh;
   Skeleton skeleton;
   VoxelGrid grid;
-  mesh.allocate(measuring, counts);
-  skeleton.allocate(measuring, counts);
-  measure_build_mesh(measuring, counts);
-  grid.allocate(measuring, counts);
-  measuring.alloc<uint32_t>(VoxelGrid::max_cells(counts));
+  uint32_t* queue = nullptr;
+  const auto build = [&](Arena& arena) {
+    mesh.allocate(arena, counts);
+    skeleton.allocate(arena, counts);
+    const sinew_status status = build_mesh_and_skeleton(input, skeleton_input, 0, counts, arena, &mesh, &skeleton);
+    grid.allocate(arena, counts);
+    queue = arena.alloc<uint32_t>(VoxelGrid::max_cells(counts));
+    return status == SINEW_OK && arena.ok();
+  };
+  Arena measuring;
+  (void)build(measuring);
   const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
-  mesh.allocate(arena, counts);
-  skeleton.allocate(arena, counts);
-  if (!arena.ok() || build_mesh_and_skeleton(input, skeleton_input, 0, counts, arena, &mesh, &skeleton) != SINEW_OK)
-    return {};
-  grid.allocate(arena, counts);
-  uint32_t* const queue = arena.alloc<uint32_t>(VoxelGrid::max_cells(counts));
-  if (!arena.ok()) return {};
+  if (!build(arena)) return {};
   voxelise(mesh, counts, queue, &grid);
 
   GeodesicVoxelWeights out;

@@ -168,12 +168,15 @@ void hash_prepared(const char* name, const Prepared& p, uint32_t k) {
 }
 
 void hash_spectral(const char* name, const Mesh& mesh, const Counts& counts) {
+  std::vector<int16_t> rows(size_t{mesh.welded_count} * kSpectralChannels);
+  const auto compute = [&](Arena& arena) {
+    return compute_spectral(mesh, counts, {}, arena, rows.data(), kSpectralChannels);
+  };
   Arena measuring;
-  measure_compute_spectral(measuring, counts);
+  check(compute(measuring));
   Block block(measuring.high_water());
   Arena arena(block.data, measuring.high_water());
-  std::vector<int16_t> rows(size_t{mesh.welded_count} * kSpectralChannels);
-  check(compute_spectral(mesh, counts, Progress{}, arena, rows.data(), kSpectralChannels));
+  check(compute(arena));
   Hash hash;
   hash.add(rows.data(), rows.size());
   print(name, "spectral", hash);
@@ -223,12 +226,15 @@ void hash_stages(const char* name, const Input& in, uint32_t candidates, uint32_
                     grid, &counts));
   Kernels kernels;
   check(select_kernels(kernel, &kernels) ? SINEW_OK : SINEW_ERROR_KERNEL);
+  Prepared p;
+  const auto run = [&](Arena& arena) {
+    return prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, kernels, {}, arena, &p);
+  };
   Arena measuring;
-  measure_prepare(measuring, counts, PrepareFor::kNetwork);
+  check(run(measuring));
   Block block(measuring.high_water());
   Arena arena(block.data, measuring.high_water());
-  Prepared p;
-  check(prepare(in.mesh, in.skeleton, 0, counts, PrepareFor::kNetwork, kernels, {}, arena, &p));
+  check(run(arena));
   hash_prepared(name, p, candidates);
   hash_spectral(name, p.mesh, counts);
 }

@@ -287,16 +287,17 @@ size_t expect_agreement(const char* name, const HeatScene& scene, bool positive 
   HeatRun run(scene);
   EXPECT_EQ(run.status, SINEW_OK) << name;
   if (run.status != SINEW_OK) return 0;
-  Arena measure;
   HeatSources sources;
-  sources.allocate(measure, run.counts);
-  measure_find_sources(measure, run.counts);
+  const auto find = [&](Arena& arena) {
+    sources.allocate(arena, run.counts);
+    return find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, boxes_met_ref, {}, 1000, arena,
+                        &sources);
+  };
+  Arena measure;
+  (void)find(measure);
   std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(64, measure.high_water()), std::free);
   Arena arena(block.get(), measure.high_water());
-  sources.allocate(arena, run.counts);
-  EXPECT_EQ(find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, boxes_met_ref, {}, 1000, arena,
-                         &sources),
-            SINEW_OK);
+  EXPECT_EQ(find(arena), SINEW_OK);
   Reference reference{run, run.mesh, run.skeleton, sources, std::vector<bool>(run.mesh.component_count, positive),
                       {},  0};
   size_t all_unsure = 0;

@@ -182,26 +182,29 @@ inline HeatScene tangle(uint32_t vertices, uint32_t triangles, uint32_t joints, 
 class HeatRun {
  public:
   explicit HeatRun(const HeatScene& scene, bool solve = true) : counts(scene.counts()) {
+    const sinew::Kernels kernels = sinew::fastest_kernels();
+    const auto build = [&](sinew::Arena& memory) {
+      allocate(memory);
+      return sinew::build_mesh_and_skeleton(scene.mesh_view(), scene.skeleton_view(), 0, counts, memory, &mesh,
+                                            &skeleton);
+    };
+    const auto solve_in = [&](sinew::Arena& memory) {
+      return sinew::solve_heat(mesh, skeleton, source_joints.data(), counts, kernels, {}, memory, &fields);
+    };
     sinew::Arena measure;
-    allocate(measure);
+    (void)build(measure);
     held_bytes = measure.used();
-    sinew::measure_build_mesh(measure, counts);
     sinew::Arena heat_measure;
-    sinew::measure_solve_heat(heat_measure, counts);
+    (void)solve_in(heat_measure);
     heat_scratch_bytes = heat_measure.high_water();
     const size_t bytes = held_bytes + std::max(heat_scratch_bytes, measure.high_water());
     block_.reset(std::aligned_alloc(64, bytes));
     arena = sinew::Arena(block_.get(), bytes);
-    allocate(arena);
-
-    status =
-        sinew::build_mesh_and_skeleton(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
+    status = build(arena);
     if (status != SINEW_OK) return;
     source_joints.resize(counts.joints);
     sinew::choose_source_joints(mesh, skeleton, source_joints.data());
-    if (solve)
-      status =
-          sinew::solve_heat(mesh, skeleton, source_joints.data(), counts, sinew::fastest_kernels(), {}, arena, &fields);
+    if (solve) status = solve_in(arena);
   }
 
   // Weight of a joint in a raw row, 0..1.

@@ -17,15 +17,15 @@ namespace sinew_test {
 struct Sources {
   explicit Sources(const HeatRun& run) : block(size(run.counts)) {
     found.allocate(block.arena, run.counts);
-    EXPECT_EQ(sinew::find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, {}, 1000, block.arena,
-                                  &found),
+    EXPECT_EQ(sinew::find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, sinew::boxes_met_ref,
+                                  {}, 1000, block.arena, &found),
               SINEW_OK);
   }
   static size_t size(const sinew::Counts& counts) {
     sinew::Arena measure;
     sinew::HeatSources s;
     s.allocate(measure, counts);
-    sinew::measure_find_sources(measure, counts);
+    (void)sinew::find_sources({}, {}, nullptr, counts, sinew::boxes_met_ref, {}, 1000, measure, &s);
     return measure.high_water();
   }
   std::set<uint32_t> of(uint32_t field, uint32_t vertex) const {

@@ -109,25 +109,22 @@ class MeshRun {
     const sinew_skeleton skeleton_input = scene.skeleton_view();
     counts = sinew::Counts{
         mesh_input.vertex_count, mesh_input.face_count, mesh_input.corner_count, skeleton_input.joint_count, k, grid};
+    const auto run = [&](sinew::Arena& arena) {
+      mesh.allocate(arena, counts);
+      skeleton.allocate(arena, counts);
+      const sinew_status built =
+          sinew::build_mesh_and_skeleton(mesh_input, skeleton_input, up_axis, counts, arena, &mesh, &skeleton);
+      if (built != SINEW_OK || !candidates_too) return built;
+      candidates.allocate(arena, counts);
+      return sinew::find_candidates(mesh, skeleton, counts, progress, arena, &candidates);
+    };
     sinew::Arena measure;
-    mesh.allocate(measure, counts);
-    skeleton.allocate(measure, counts);
-    sinew::measure_build_mesh(measure, counts);
-    if (candidates_too) {
-      candidates.allocate(measure, counts);
-      sinew::measure_find_candidates(measure, counts);
-    }
+    (void)run(measure);
     measured = measure.high_water();
     block_.reset(static_cast<uint8_t*>(::operator new (measured, std::align_val_t{64})));
     std::memset(block_.get(), 0xA5, measured);
     sinew::Arena arena(block_.get(), measured - missing_bytes);
-    mesh.allocate(arena, counts);
-    skeleton.allocate(arena, counts);
-    status = sinew::build_mesh_and_skeleton(mesh_input, skeleton_input, up_axis, counts, arena, &mesh, &skeleton);
-    if (status == SINEW_OK && candidates_too) {
-      candidates.allocate(arena, counts);
-      status = sinew::find_candidates(mesh, skeleton, counts, progress, arena, &candidates);
-    }
+    status = run(arena);
     used = arena.high_water();
   }
 

@@ -56,13 +56,6 @@ struct Graph {
     in.joint_count = joint_count;
     return in;
   }
-  Counts counts() const {
-    Counts c;
-    c.vertices = vertices;
-    c.joints = joint_count;
-    c.candidates = k;
-    return c;
-  }
   bool present(size_t pair) const { return joints[pair] != kNoJoint; }
 };
 

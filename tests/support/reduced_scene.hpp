@@ -18,17 +18,12 @@ class ReducedRun {
     counts.surface_vertices = surface_vertices;
     counts.threads = threads;
     sinew::Arena measure;
-    (void)take(measure);
-    sinew::measure_build_mesh(measure, counts);
-    if (counts.may_reduce()) sinew::measure_reduce_mesh(measure, counts);
+    (void)run(scene, measure);
     const size_t bytes = measure.high_water();
     block_ = sinew::Workspace(bytes);
     std::memset(block_.data(), 0xA5, bytes);
     sinew::Arena arena(block_.data(), bytes);
-    (void)take(arena);
-    status =
-        sinew::build_mesh_and_skeleton(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
-    if (status == SINEW_OK && counts.may_reduce()) status = sinew::reduce_mesh(mesh, counts, {}, arena, &reduction);
+    status = run(scene, arena);
   }
 
   sinew::Counts counts;
@@ -38,10 +33,13 @@ class ReducedRun {
   sinew_status status = SINEW_OK;
 
  private:
-  bool take(sinew::Arena& arena) {
+  sinew_status run(const HeatScene& scene, sinew::Arena& arena) {
     (void)mesh.allocate(arena, counts);
     (void)skeleton.allocate(arena, counts);
-    return !counts.may_reduce() || reduction.allocate(arena, counts);
+    if (counts.may_reduce()) (void)reduction.allocate(arena, counts);
+    const sinew_status built =
+        sinew::build_mesh_and_skeleton(scene.mesh_view(), scene.skeleton_view(), 0, counts, arena, &mesh, &skeleton);
+    return built == SINEW_OK && counts.may_reduce() ? sinew::reduce_mesh(mesh, counts, {}, arena, &reduction) : built;
   }
   sinew::Workspace block_;
 };

@@ -23,16 +23,19 @@ struct SpectralRun {
       : mesh_run(scene) {
     status = mesh_run.status;
     if (status != SINEW_OK) return;
+    rows.assign(size_t{mesh().welded_count} * sinew::kSpectralChannels, 0);
+    const auto compute = [&](sinew::Arena& arena) {
+      return sinew::compute_spectral(mesh(), mesh_run.counts, progress, arena, rows.data(), sinew::kSpectralChannels);
+    };
     sinew::Arena measure;
-    sinew::measure_compute_spectral(measure, mesh_run.counts);
+    (void)compute(measure);
     scratch_bytes = measure.high_water();
     const std::unique_ptr<uint8_t, Release> block(
         static_cast<uint8_t*>(::operator new (scratch_bytes, std::align_val_t{64})));
     std::memset(block.get(), rubbish, scratch_bytes);
     sinew::Arena arena(block.get(), scratch_bytes - missing_bytes);
-    rows.assign(size_t{mesh().welded_count} * sinew::kSpectralChannels, 0);
     const auto start = std::chrono::steady_clock::now();
-    status = sinew::compute_spectral(mesh(), mesh_run.counts, progress, arena, rows.data(), sinew::kSpectralChannels);
+    status = compute(arena);
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   const sinew::Mesh& mesh() const { return mesh_run.mesh; }

@@ -8,46 +8,26 @@
 namespace sinew {
 namespace {
 
-int16_t* allocate_logits(Arena& arena, const Counts& counts) {
-  return arena.alloc<int16_t>(static_cast<size_t>(counts.vertices) * counts.candidates);
-}
-
-}  // namespace
-
-void measure_bind(Arena& arena, const BindPlan& plan) {
-  measure_prepare(arena, plan.counts, plan.purpose());
-  if (plan.with_network) {
-    (void)allocate_logits(arena, plan.counts.surface());
-    measure_run_network(arena, plan.model, plan.counts.surface(), plan.network);
-  }
-  if (!plan.rows.edits_rows()) return;
-  (void)EditedRows().allocate(arena, plan.counts, plan.rows);
-  measure_edit_rows(arena, plan.counts, plan.rows);
-}
-
-sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
-                      size_t workspace_bytes, sinew_bind_outputs* outputs) {
-  const uint16_t* const joints = outputs->joint_indices;
-  const void* const weights = outputs->weights;
-  Kernels kernels;
-  if (!select_kernels(plan.kernel, &kernels)) return SINEW_ERROR_KERNEL;
-  sinew_status status = check_given_rows(plan.rows, plan.counts.vertices, skeleton.joint_count, joints, weights);
-  if (status != SINEW_OK) return status;
-  Arena arena(workspace, workspace_bytes);
+sinew_status run_stages(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton,
+                        const Kernels& kernels, const Progress& progress, Arena& arena, sinew_bind_outputs* outputs) {
   Prepared p;
-  status = prepare(mesh, skeleton, plan.up_axis, plan.counts, plan.purpose(), kernels, plan.progress, arena, &p);
+  sinew_status status =
+      prepare(mesh, skeleton, plan.up_axis, plan.counts, plan.purpose(), kernels, progress, arena, &p);
   if (status != SINEW_OK) return status;
 
+  const bool edits = plan.rows.edits_rows();
   int16_t* logits = nullptr;
   if (plan.with_network) {
-    logits = allocate_logits(arena, plan.counts.surface());
-    if (logits == nullptr) return SINEW_ERROR_WORKSPACE;
-    const NetworkInput input = network_input(p, plan.counts);
-    const uint32_t end = plan.rows.edits_rows() ? ends_at::kNetworkBeforeEdits : ends_at::kNetwork;
-    const Progress network_progress = plan.progress.part(ends_at::kSpectral, end);
-    status = run_network(plan.model, input, kernels, network_progress, arena, logits, plan.network);
+    const Counts surface = plan.counts.surface();
+    logits = arena.alloc<int16_t>(static_cast<size_t>(surface.vertices) * surface.candidates);
+    if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+    const NetworkInput input = arena.measuring() ? largest_network_input(surface) : network_input(p, surface);
+    const uint32_t end = edits ? ends_at::kNetworkBeforeEdits : ends_at::kNetwork;
+    status =
+        run_network(plan.model, input, kernels, progress.part(ends_at::kSpectral, end), arena, logits, plan.network);
     if (status != SINEW_OK) return status;
   }
+
   const Prediction prediction = {p.mesh,
                                  p.surface(),
                                  p.reduction,
@@ -59,16 +39,36 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
                                  kernels.softmax,
                                  plan.with_network ? &plan.model : nullptr};
   EditedRows edited;
-  if (plan.rows.edits_rows()) {
+  if (edits) {
     if (!edited.allocate(arena, plan.counts, plan.rows)) return SINEW_ERROR_WORKSPACE;
-    const Progress edit_progress = plan.progress.part(ends_at::kNetworkBeforeEdits, ends_at::kEdits);
-    status = edit_rows(prediction, plan.rows, plan.counts, joints, weights, edit_progress, arena, &edited);
+    status = edit_rows(prediction, plan.rows, plan.counts, outputs->joint_indices, outputs->weights,
+                       progress.part(ends_at::kNetworkBeforeEdits, ends_at::kEdits), arena, &edited);
     if (status != SINEW_OK) return status;
   }
-  if (!plan.progress.report(ends_at::kRows)) return SINEW_ERROR_CANCELLED;
+  if (arena.measuring()) return SINEW_OK;
+  if (!progress.report(ends_at::kRows)) return SINEW_ERROR_CANCELLED;
   write_rows(prediction, plan.rows, edited, plan.counts.threads, outputs);
-  outputs->used_bytes = arena.high_water();
   return SINEW_OK;
+}
+
+}  // namespace
+
+void measure_bind(Arena& arena, const BindPlan& plan) {
+  sinew_bind_outputs nowhere = {};
+  (void)run_stages(plan, {}, {}, Kernels(), Progress(), arena, &nowhere);
+}
+
+sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
+                      size_t workspace_bytes, sinew_bind_outputs* outputs) {
+  Kernels kernels;
+  if (!select_kernels(plan.kernel, &kernels)) return SINEW_ERROR_KERNEL;
+  sinew_status status =
+      check_given_rows(plan.rows, plan.counts.vertices, skeleton.joint_count, outputs->joint_indices, outputs->weights);
+  if (status != SINEW_OK) return status;
+  Arena arena(workspace, workspace_bytes);
+  status = run_stages(plan, mesh, skeleton, kernels, plan.progress, arena, outputs);
+  if (status == SINEW_OK) outputs->used_bytes = arena.high_water();
+  return status;
 }
 
 }  // namespace sinew

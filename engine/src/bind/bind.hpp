@@ -12,7 +12,7 @@ namespace sinew {
 //   outputs  the library's own struct, with the caller's arrays
 sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_skeleton& skeleton, void* workspace,
                       size_t workspace_bytes, sinew_bind_outputs* outputs);
-// What run_bind() takes of its workspace, for a measuring arena.
+// Takes from a measuring arena what run_bind() takes of its workspace. Asks neither for the processor nor for progress.
 void measure_bind(Arena& arena, const BindPlan& plan);
 
 }  // namespace sinew

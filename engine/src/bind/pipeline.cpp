@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs the stages in front of the network, and lists their memory in the same order.
+// Runs the stages in front of the network.
 #include "bind/pipeline.hpp"
 
 #include <string.h>
@@ -11,10 +11,11 @@
 namespace sinew {
 namespace {
 
-// To the arena's end, which is in front of where they are: all arrays move by the same distance, the first one first.
+// To where the arena is now, in front of where they are: all arrays move by the same distance, the first one first.
 void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Features* features) {
   const Features from = *features;
   (void)features->allocate(arena, counts);
+  if (arena.measuring()) return;
   const size_t vertices = mesh.welded_count, pairs = vertices * counts.candidates;
   memmove(features->vertex, from.vertex, vertices * from.vertex_channels * sizeof(int16_t));
   memmove(features->pair, from.pair, pairs * kPairFeatures * sizeof(int16_t));
@@ -23,11 +24,19 @@ void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Feature
 
 }  // namespace
 
-NetworkInput network_input(const Prepared& p, const Counts& counts) {
+NetworkInput largest_network_input(const Counts& counts) {
   NetworkInput input;
+  input.vertex_count = counts.vertices;
+  input.candidate_count = counts.candidates;
+  input.joint_count = counts.joints;
+  input.threads = counts.threads;
+  return input;
+}
+
+NetworkInput network_input(const Prepared& p, const Counts& counts) {
+  NetworkInput input = largest_network_input(counts);
   const Mesh& mesh = p.surface();
   input.vertex_count = mesh.welded_count;
-  input.candidate_count = counts.candidates;
   input.inputs[kVertexInput] = p.features.vertex;
   input.inputs[kPairInput] = p.features.pair;
   input.joints = p.features.joints;
@@ -38,7 +47,6 @@ NetworkInput network_input(const Prepared& p, const Counts& counts) {
   input.component_vertices = mesh.component_vertices;
   input.component_count = mesh.component_count;
   input.joint_count = p.skeleton.joint_count;
-  input.threads = counts.threads;
   return input;
 }
 
@@ -53,40 +61,15 @@ sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, ui
   return SINEW_OK;
 }
 
-void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose) {
-  Prepared p;
-  p.mesh.allocate(arena, counts);
-  p.skeleton.allocate(arena, counts);
-  p.source_joints = arena.alloc<uint8_t>(counts.joints);
-  measure_build_mesh(arena, counts);
-  if (counts.may_reduce()) {
-    p.reduction.allocate(arena, counts);
-    measure_reduce_mesh(arena, counts);
-  }
-  const Counts surface = counts.surface();
-  const size_t mark = arena.mark();
-  if (purpose != PrepareFor::kHeat) {
-    p.candidates.allocate(arena, surface);
-    measure_find_candidates(arena, surface);
-  }
-  p.heat.allocate(arena, surface);
-  measure_solve_heat(arena, surface);
-  if (purpose == PrepareFor::kHeat) return;
-  p.features.allocate(arena, surface);
-  measure_build_features(arena, surface);
-  if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) measure_compute_spectral(arena, surface);
-  if (purpose != PrepareFor::kNetworkAlone) return;
-  arena.release(mark);
-  p.features.allocate(arena, surface);
-}
-
 sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_skeleton& skeleton_input,
                                      uint32_t up_axis, const Counts& counts, Arena& arena, Mesh* mesh,
                                      Skeleton* skeleton) {
   GridQuantizer quantizer;
-  sinew_status status = make_grid_quantizer(mesh_input.positions, mesh_input.vertex_count, up_axis, &quantizer);
+  sinew_status status = SINEW_OK;
+  if (!arena.measuring())
+    status = make_grid_quantizer(mesh_input.positions, mesh_input.vertex_count, up_axis, &quantizer);
   if (status == SINEW_OK) status = build_mesh(mesh_input, quantizer, counts, arena, mesh);
-  if (status == SINEW_OK) status = build_skeleton(skeleton_input, quantizer, skeleton);
+  if (status == SINEW_OK && !arena.measuring()) status = build_skeleton(skeleton_input, quantizer, skeleton);
   return status;
 }
 
@@ -99,7 +82,7 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   sinew_status status = build_mesh_and_skeleton(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
   if (status != SINEW_OK) return status;
-  choose_source_joints(out->mesh, out->skeleton, out->source_joints);
+  if (!arena.measuring()) choose_source_joints(out->mesh, out->skeleton, out->source_joints);
   if (!progress.report(ends_at::kMesh)) return SINEW_ERROR_CANCELLED;
 
   if (counts.may_reduce()) {
@@ -131,8 +114,10 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   status = build_features(mesh_of_stages, out->skeleton, out->candidates, out->heat, surface, arena, &out->features);
   if (status != SINEW_OK) return status;
   if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) {
+    // Their channels lie behind the others of a vertex.
+    int16_t* const spectral = arena.measuring() ? nullptr : out->features.vertex + kVertexFeatures;
     status = compute_spectral(mesh_of_stages, surface, progress.part(ends_at::kFeatures, ends_at::kSpectral), arena,
-                              out->features.vertex + kVertexFeatures, out->features.vertex_channels);
+                              spectral, out->features.vertex_channels);
     if (status != SINEW_OK) return status;
   }
   if (purpose == PrepareFor::kNetworkAlone) {

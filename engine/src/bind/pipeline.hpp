@@ -43,18 +43,18 @@ sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_s
 
 // Runs the stages that the purpose needs. They run on the reduced mesh from the candidates on if the mesh exceeds what
 // counts.surface() bounds. Features include the spectral ones if counts.feature_flags ask for them.
-//   mesh, skeleton  the caller's
+//   mesh, skeleton  the caller's; not read with a measuring arena
 //   up_axis         as in sinew_options
 //   progress        reported up to ends_at::kSpectral, for kHeat up to ends_at::kHeatAlone
 //   arena           holds what `out` points to; scratch is released
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE, SINEW_ERROR_CANCELLED, or what build_mesh_and_skeleton() refuses.
 sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uint32_t up_axis, const Counts& counts,
                      PrepareFor purpose, const Kernels& kernels, const Progress& progress, Arena& arena, Prepared* out);
-// What prepare() takes, for a measuring arena. Leaves the arena where prepare() leaves it.
-void measure_prepare(Arena& arena, const Counts& counts, PrepareFor purpose);
 
 // Views of what the network reads. The arrays stay where they are.
 NetworkInput network_input(const Prepared& prepared, const Counts& counts);
+// The counts of the largest input that prepare() can leave for these counts, without arrays: for a measuring arena.
+NetworkInput largest_network_input(const Counts& counts);
 
 // Checks the caller's counts against the limits of sinew.h and fills Counts with them. SINEW_ERROR_COUNT,
 // SINEW_ERROR_ARGUMENT.

@@ -241,11 +241,12 @@ bool Candidates::allocate(Arena& arena, const Counts& counts) {
 
 sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
                              Arena& arena, Candidates* candidates) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Propagation propagation;
   JointScratch joints;
   propagation.allocate(arena, counts);
   if (!joints.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   voxelise(mesh, counts, propagation.queue(), &propagation.grid);
   propagation.survey();
   if (!progress.report(200)) return SINEW_ERROR_CANCELLED;
@@ -266,15 +267,7 @@ sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const C
   counts.threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     write_candidates(mesh, propagation, joints.starts, begin, end, candidates);
   });
-  arena.release(mark);
   return progress.report(1000) ? SINEW_OK : SINEW_ERROR_CANCELLED;
-}
-
-void measure_find_candidates(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  Propagation().allocate(arena, counts);
-  JointScratch().allocate(arena, counts);
-  arena.release(mark);
 }
 
 }  // namespace sinew

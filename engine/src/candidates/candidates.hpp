@@ -30,7 +30,6 @@ struct Candidates {
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
                              Arena& arena, Candidates* candidates);
-void measure_find_candidates(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Workspace arena: hands out pieces of the caller's one block, or only counts them, so that the size query and the run
-// share one list of allocations and cannot drift apart.
+// Workspace arena: hands out pieces of the caller's one block, or only counts them.
+//
+// The size query runs the same functions as a bind, with a measuring arena. Such a function takes its memory, calls
+// those that it always calls, and leaves out the work where arena.measuring(). So the order of allocations is written
+// once. The work takes no memory: what it took would be missing from the size query, and every bind would fail.
 #ifndef SINEW_CORE_ARENA_HPP
 #define SINEW_CORE_ARENA_HPP
 
@@ -56,6 +59,19 @@ class Arena {
   size_t used_ = 0;
   size_t high_ = 0;
   bool ok_ = true;
+};
+
+// Gives back at its end what was taken from the arena since its beginning.
+class ArenaScope {
+ public:
+  explicit ArenaScope(Arena& arena) : arena_(arena), mark_(arena.mark()) {}
+  ~ArenaScope() { arena_.release(mark_); }
+  ArenaScope(const ArenaScope&) = delete;
+  ArenaScope& operator=(const ArenaScope&) = delete;
+
+ private:
+  Arena& arena_;
+  const size_t mark_;
 };
 
 }  // namespace sinew

@@ -658,23 +658,15 @@ bool Features::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-void measure_build_features(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  Scratch().allocate(arena, counts);
-  measure_find_parts(arena, counts);
-  arena.release(mark);
-}
-
 sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates,
                             const HeatFields& heat, const Counts& counts, Arena& arena, Features* features) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   const sinew_status status = find_parts(mesh, heat, counts, arena, &scratch.parts);
-  if (status != SINEW_OK) return status;
+  if (status != SINEW_OK || arena.measuring()) return status;
   list_bones(skeleton, candidates.tips, scratch.bone_offsets, scratch.bones);
   build({mesh, skeleton, candidates, heat, scratch, features}, counts.threads);
-  arena.release(mark);
   return SINEW_OK;
 }
 

@@ -42,7 +42,6 @@ struct Features {
 // Fills everything but the channels of flags, which their own stages write.
 sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates,
                             const HeatFields& heat, const Counts& counts, Arena& arena, Features* features);
-void measure_build_features(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

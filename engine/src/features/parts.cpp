@@ -191,16 +191,11 @@ bool Parts::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-void measure_find_parts(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  Scratch().allocate(arena, counts);
-  arena.release(mark);
-}
-
 sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& counts, Arena& arena, Parts* parts) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   const uint32_t vertices = mesh.welded_count;
 
   memset(scratch.triangles_at, 0, vertices * sizeof(uint32_t));
@@ -233,7 +228,6 @@ sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& 
       guess = parts->host_vertex[order[i + count - 1]];  // near the next group, which is near in Morton order
     }
   }
-  arena.release(mark);
   return SINEW_OK;
 }
 

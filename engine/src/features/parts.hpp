@@ -23,7 +23,6 @@ struct Parts {
 };
 
 sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& counts, Arena& arena, Parts* parts);
-void measure_find_parts(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

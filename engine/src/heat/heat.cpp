@@ -136,27 +136,6 @@ bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
-                 const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields) {
-  Scratch scratch;
-  for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
-  if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
-  sinew_status status = find_sources(mesh, skeleton, source_joints, counts, kernels.boxes_met, progress, kSourcesEnd,
-                                     arena, &scratch.sources);
-  if (status != SINEW_OK) return status;
-  status = weigh_edges(mesh, counts, arena, &scratch.edges);
-  if (status != SINEW_OK) return status;
-  if (!scratch.allocate_solvers(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    fields->field[kFieldParts].nearest[v] = fields->field[kFieldRule].nearest[v];
-  }
-  status = ComponentWalk(mesh, counts.threads, progress, scratch, fields).run();
-  for (HeatField& field : fields->field) {
-    for (uint32_t v = 0; v < mesh.welded_count; ++v) field.has_source[v] = field.has_source[v] != 0;
-  }
-  return status;
-}
-
 }  // namespace
 
 bool HeatFields::allocate(Arena& arena, const Counts& counts) {
@@ -173,21 +152,26 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
 
 sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
                         const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   fields->source_joints = source_joints;
-  const sinew_status status = run(mesh, skeleton, source_joints, counts, kernels, progress, arena, fields);
-  arena.release(mark);
-  return status;
-}
-
-void measure_solve_heat(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
   Scratch scratch;
-  (void)allocate_inputs(arena, counts, HeatFields(), &scratch);
-  measure_find_sources(arena, counts);
-  measure_weigh_edges(arena, counts);
-  (void)scratch.allocate_solvers(arena, counts);
-  arena.release(mark);
+  for (HeatSolver& solver : scratch.solvers) solver.use(kernels.front);
+  if (!allocate_inputs(arena, counts, *fields, &scratch)) return SINEW_ERROR_WORKSPACE;
+  sinew_status status = find_sources(mesh, skeleton, source_joints, counts, kernels.boxes_met, progress, kSourcesEnd,
+                                     arena, &scratch.sources);
+  if (status != SINEW_OK) return status;
+  status = weigh_edges(mesh, counts, arena, &scratch.edges);
+  if (status != SINEW_OK) return status;
+  if (!scratch.allocate_solvers(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    fields->field[kFieldParts].nearest[v] = fields->field[kFieldRule].nearest[v];
+  }
+  status = ComponentWalk(mesh, counts.threads, progress, scratch, fields).run();
+  for (HeatField& field : fields->field) {
+    for (uint32_t v = 0; v < mesh.welded_count; ++v) field.has_source[v] = field.has_source[v] != 0;
+  }
+  return status;
 }
 
 uint32_t finish_heat_row(const HeatField& field, uint32_t vertex, uint16_t* joints, uint16_t* weights) {

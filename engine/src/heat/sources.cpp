@@ -377,13 +377,11 @@ bool HeatSources::allocate_beside(Arena& arena, const Counts& counts, const Heat
 sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints,
                           const Counts& counts, BoxKernel boxes_met, const Progress& progress, uint32_t permille_end,
                           Arena& arena, HeatSources* sources) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   FaceTree tree;
   BoneList list;
-  if (!allocate_scratch(arena, counts, &tree, &list)) {
-    arena.release(mark);
-    return SINEW_ERROR_WORKSPACE;
-  }
+  if (!allocate_scratch(arena, counts, &tree, &list)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   tree.boxes_met = boxes_met;
   tree.build(mesh);
   list.build(skeleton, source_joints);
@@ -391,10 +389,8 @@ sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint
   constexpr uint32_t kVertexPiece = 128;
   const uint32_t round = 1024 * counts.threads.lane_count();  // vertices between two reports
   for (uint32_t first = 0; first < mesh.welded_count; first += round) {
-    if (!progress.report(static_cast<uint32_t>(static_cast<uint64_t>(first) * permille_end / mesh.welded_count))) {
-      arena.release(mark);
+    if (!progress.report(static_cast<uint32_t>(static_cast<uint64_t>(first) * permille_end / mesh.welded_count)))
       return SINEW_ERROR_CANCELLED;
-    }
     const uint32_t rest = mesh.welded_count - first;
     counts.threads.ranges(rest < round ? rest : round, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t lane) {
       SourceFinder finder(mesh, tree, list, lane, *sources);
@@ -402,16 +398,7 @@ sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint
     });
   }
   apply_rule(mesh, sources);
-  arena.release(mark);
   return SINEW_OK;
-}
-
-void measure_find_sources(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  FaceTree tree;
-  BoneList list;
-  (void)allocate_scratch(arena, counts, &tree, &list);
-  arena.release(mark);
 }
 
 int64_t source_pull_q40(uint64_t area, int64_t distance, uint32_t field) {

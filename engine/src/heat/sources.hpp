@@ -35,7 +35,6 @@ struct HeatSources {
 sinew_status find_sources(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints,
                           const Counts& counts, BoxKernel boxes_met, const Progress& progress, uint32_t permille_end,
                           Arena& arena, HeatSources* sources);
-void measure_find_sources(Arena& arena, const Counts& counts);
 
 // A p H of one source bone: factor * area / d^2 with d at least kMinDistance; the factor is 4, or 0.7 for the soft
 // field. Q40, 1 .. 2^62. The diagonal gets this once per tied bone (H = factor n / d^2 and p = 1 / n).

@@ -99,38 +99,31 @@ bool Mesh::allocate(Arena& arena, const Counts& counts) {
 
 sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer, const Counts& counts, Arena& arena,
                         Mesh* mesh) {
-  const sinew_status status = check_faces(input);
-  if (status != SINEW_OK) return status;
-
-  // The scratch of the three phases does not overlap in time, so each starts at the same mark.
-  const size_t mark = arena.mark();
-  MortonScratch weld_scratch;
-  if (!weld_scratch.allocate(arena, counts.vertices)) return SINEW_ERROR_WORKSPACE;
-  weld(input, quantizer, weld_scratch, mesh);
-  arena.release(mark);
-
-  TriangleScratch triangle_scratch;
-  if (!triangle_scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  collect_triangles(FanWalk(input, *mesh), triangle_scratch, mesh);
-  arena.release(mark);
-
-  TopologyScratch topology_scratch;
-  if (!topology_scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  connect(nullptr, 0, topology_scratch, mesh);
-  find_components(topology_scratch, mesh);
-  find_shape(topology_scratch.shape, counts.threads, mesh);
-  arena.release(mark);
+  if (!arena.measuring()) {
+    const sinew_status status = check_faces(input);
+    if (status != SINEW_OK) return status;
+  }
+  // The scratch of the three phases does not overlap in time, so each starts at the same place.
+  {
+    const ArenaScope scope(arena);
+    MortonScratch scratch;
+    if (!scratch.allocate(arena, counts.vertices)) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring()) weld(input, quantizer, scratch, mesh);
+  }
+  {
+    const ArenaScope scope(arena);
+    TriangleScratch scratch;
+    if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring()) collect_triangles(FanWalk(input, *mesh), scratch, mesh);
+  }
+  const ArenaScope scope(arena);
+  TopologyScratch scratch;
+  if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
+  connect(nullptr, 0, scratch, mesh);
+  find_components(scratch, mesh);
+  find_shape(scratch.shape, counts.threads, mesh);
   return SINEW_OK;
-}
-
-void measure_build_mesh(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  MortonScratch().allocate(arena, counts.vertices);
-  arena.release(mark);
-  TriangleScratch().allocate(arena, counts);
-  arena.release(mark);
-  TopologyScratch().allocate(arena, counts);
-  arena.release(mark);
 }
 
 }  // namespace sinew

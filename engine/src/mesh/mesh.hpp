@@ -51,8 +51,6 @@ struct Mesh {
 // Returns SINEW_OK, SINEW_ERROR_INDEX for a face that breaks these rules, or SINEW_ERROR_WORKSPACE.
 sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer, const Counts& counts, Arena& arena,
                         Mesh* mesh);
-// Scratch that build_mesh takes and releases, for the size query.
-void measure_build_mesh(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

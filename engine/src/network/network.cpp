@@ -578,10 +578,10 @@ class StageWalk {
 
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Kernels& kernels,
                          const Progress& progress, Arena& arena, int16_t* logits, const NetworkOptions& options) {
+  const ArenaScope scope(arena);
   NetworkPlan plan;
   make_plan(model, input.candidate_count, &plan);
   const ModelTables tables(model.bytes);
-  const size_t start = arena.mark();
   PackedLayers packed;
   const Sizes sizes = {input.vertex_count, input.joint_count, options.tile_vertices, input.threads.lane_count()};
   if (kHasPackedWeights) (void)packed.allocate(model, plan, tables, options, sizes.lanes, arena);
@@ -589,36 +589,14 @@ sinew_status run_network(const sinew_model& model, const NetworkInput& input, co
   const LinearKernel linear = reads_packed ? kernels.linear_packed : kernels.linear;
   Run run = {plan, input, tables, kernels, linear, packed, sizes, nullptr, logits, {}};
   run.storage = allocate_storage(plan, run.sizes, arena);
-  sinew_status status = arena.ok() ? SINEW_OK : SINEW_ERROR_WORKSPACE;
-  if (kHasPackedWeights && status == SINEW_OK) packed.fill(plan, tables, kernels.linear_packed != nullptr);
-  for (uint32_t stage = 0; stage < plan.stage_count && status == SINEW_OK; ++stage) {
-    const size_t stage_start = arena.mark();
-    if (!allocate_stage(plan, tables, options, stage, run.sizes, arena, &run.scratch)) {
-      status = SINEW_ERROR_WORKSPACE;
-    } else if (!StageWalk(run, stage, progress).run()) {
-      status = SINEW_ERROR_CANCELLED;
-    }
-    arena.release(stage_start);
-  }
-  arena.release(start);
-  return status;
-}
-
-void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts, const NetworkOptions& options) {
-  NetworkPlan plan;
-  make_plan(model, counts.candidates, &plan);
-  const Sizes sizes = {counts.vertices, counts.joints, options.tile_vertices, counts.threads.lane_count()};
-  const size_t start = arena.mark();
-  PackedLayers packed;
-  if (kHasPackedWeights) (void)packed.allocate(model, plan, ModelTables(model.bytes), options, sizes.lanes, arena);
-  allocate_storage(plan, sizes, arena);
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  if (kHasPackedWeights && !arena.measuring()) packed.fill(plan, tables, kernels.linear_packed != nullptr);
   for (uint32_t stage = 0; stage < plan.stage_count; ++stage) {
-    StageScratch scratch;
-    const size_t stage_start = arena.mark();
-    allocate_stage(plan, ModelTables(model.bytes), options, stage, sizes, arena, &scratch);
-    arena.release(stage_start);
+    const ArenaScope stage_scope(arena);
+    if (!allocate_stage(plan, tables, options, stage, run.sizes, arena, &run.scratch)) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring() && !StageWalk(run, stage, progress).run()) return SINEW_ERROR_CANCELLED;
   }
-  arena.release(start);
+  return SINEW_OK;
 }
 
 }  // namespace sinew

@@ -42,13 +42,10 @@ struct NetworkOptions {
 // fixed_candidates: then it is the model's. logits out: rows of the task's output, int16, clamped to +-32767; for bind
 // [U x K] in log2 units, Q10. Rows of absent slots are 0 and mean nothing. Reports progress 0..1000 of its own work.
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED; scratch is released, logits are undefined on failure.
+// What it takes of the arena is a function of the model, the options and the counts in `input`: the same for all kernels
+// and everywhere.
 sinew_status run_network(const sinew_model& model, const NetworkInput& input, const Kernels& kernels,
                          const Progress& progress, Arena& arena, int16_t* logits, const NetworkOptions& options = {});
-// Scratch run_network takes (released at its end), for the size query: counts.vertices bounds U, counts.joints J,
-// counts.candidates is K, counts.threads.lanes those of the input. Asks neither for the processor nor for what the
-// library was built with: the same everywhere.
-void measure_run_network(Arena& arena, const sinew_model& model, const Counts& counts,
-                         const NetworkOptions& options = {});
 
 }  // namespace sinew
 #endif

@@ -272,10 +272,11 @@ sinew_status reduce_mesh(const Mesh& full, const Counts& counts, const Progress&
                          Reduction* out) {
   const Counts reduced = counts.surface();
   out->active = full.welded_count > reduced.vertices || full.triangle_count > reduced.triangles();
-  if (!out->active) return SINEW_OK;
-  const size_t mark = arena.mark();
+  if (!out->active && !arena.measuring()) return SINEW_OK;
+  const ArenaScope scope(arena);
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   uint32_t loose = 0;
   // Almost always at once; only a surface that meets itself everywhere has more than four triangles a vertex.
   for (uint32_t most = reduced.vertices;; most /= 2) {
@@ -292,14 +293,7 @@ sinew_status reduce_mesh(const Mesh& full, const Counts& counts, const Progress&
   find_shape(scratch.topology.shape, counts.threads, &out->mesh);
   give_areas(full, scratch, out);
   list_fans(out);
-  arena.release(mark);
   return progress.report(1000) ? SINEW_OK : SINEW_ERROR_CANCELLED;
-}
-
-void measure_reduce_mesh(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  (void)Scratch().allocate(arena, counts);
-  arena.release(mark);
 }
 
 }  // namespace sinew

@@ -36,7 +36,6 @@ struct Reduction {
 // SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status reduce_mesh(const Mesh& full, const Counts& counts, const Progress& progress, Arena& arena,
                          Reduction* out);
-void measure_reduce_mesh(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

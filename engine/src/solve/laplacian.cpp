@@ -63,12 +63,10 @@ bool EdgeWeights::allocate(Arena& arena, const Counts& counts) {
 }
 
 sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, EdgeWeights* out) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Scratch scratch;
-  if (!scratch.allocate(arena, counts)) {
-    arena.release(mark);
-    return SINEW_ERROR_WORKSPACE;
-  }
+  if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   const size_t entries = mesh.row_offsets[mesh.welded_count];
   memset(scratch.sums, 0, entries * sizeof(scratch.sums[0]));
   memset(scratch.faces, 0, entries * sizeof(scratch.faces[0]));
@@ -107,15 +105,7 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
     const int64_t quotient = doubled / (2 * count);
     out->weight[e] = static_cast<int32_t>(doubled < 0 && quotient * 2 * count != doubled ? quotient - 1 : quotient);
   }
-  arena.release(mark);
   return SINEW_OK;
-}
-
-void measure_weigh_edges(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  Scratch scratch;
-  (void)scratch.allocate(arena, counts);
-  arena.release(mark);
 }
 
 }  // namespace sinew

@@ -25,7 +25,6 @@ int32_t cotangent_q24(Vec3i apex, Vec3i b, Vec3i c);
 // Negative weights (obtuse triangles) stay as they are: the matrix is positive semi-definite with them.
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, EdgeWeights* out);
-void measure_weigh_edges(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

@@ -25,16 +25,13 @@ struct Scratch {
 
 sinew_status compute_spectral(const Mesh& mesh, const Counts& counts, const Progress& progress, Arena& arena,
                               int16_t* out, size_t stride) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Scratch scratch;
-  if (!scratch.allocate(arena, counts)) {
-    arena.release(mark);
-    return SINEW_ERROR_WORKSPACE;
-  }
+  if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   sum_cotangents(mesh, &scratch.op.edges);
   uint64_t done = 0;
-  sinew_status status = SINEW_OK;
-  for (uint32_t c = 0; c < mesh.component_count && status == SINEW_OK; ++c) {
+  for (uint32_t c = 0; c < mesh.component_count; ++c) {
     Eigenpairs pairs;
     const uint32_t size = mesh.component_sizes[c];
     const bool solved = size > 1 && scratch.solver.solve(mesh, scratch.op, c, &pairs);
@@ -46,17 +43,9 @@ sinew_status compute_spectral(const Mesh& mesh, const Counts& counts, const Prog
       scratch.signatures->write(vector, out + v * stride);
     }
     done += size;
-    if (!progress.report(static_cast<uint32_t>(done * 1000 / mesh.welded_count))) status = SINEW_ERROR_CANCELLED;
+    if (!progress.report(static_cast<uint32_t>(done * 1000 / mesh.welded_count))) return SINEW_ERROR_CANCELLED;
   }
-  arena.release(mark);
-  return status;
-}
-
-void measure_compute_spectral(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  Scratch scratch;
-  (void)scratch.allocate(arena, counts);
-  arena.release(mark);
+  return SINEW_OK;
 }
 
 }  // namespace sinew

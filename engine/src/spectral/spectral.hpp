@@ -20,13 +20,12 @@ constexpr int kSignatureBits = 10;  // channels are logarithms to base 2
 // energies, of the first 6 frequencies of the scale-invariant one; Q10, clamped to [-16384, 16383].
 //   out       [U x stride] int16; kSpectralChannels of each row are written
 //   progress  reported from 0 to 1000
-//   arena     scratch, all of it released; measure_compute_spectral() says how much
+//   arena     scratch, all of it released
 // Every component has its own eigenpairs and is normalised by its own area. A vertex without faces has 0, 0 and -8, and
 // so has a tangle of faces whose factor would not fit. The same bytes on every platform. Returns SINEW_OK,
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status compute_spectral(const Mesh& mesh, const Counts& counts, const Progress& progress, Arena& arena,
                               int16_t* out, size_t stride);
-void measure_compute_spectral(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

@@ -65,6 +65,24 @@ void predicted_row(const Prediction& p, const RowOptions& options, uint32_t vert
       joints, weights);
 }
 
+// Rows of all vertices of the surface.
+void predict_rows(const Prediction& p, const RowOptions& options, const Threads& threads, const Rows& out) {
+  threads.ranges(p.surface.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) surface_row(p, options, v, out.joints_of(v), out.weights_of(v));
+  });
+}
+
+// Rows of all welded vertices from those of the surface.
+void fill_rows(const Prediction& p, const Threads& threads, const EditedRows& edited) {
+  const auto row = [&](uint32_t v, uint16_t* joints, uint32_t* weights) {
+    memcpy(joints, edited.surface.joints_of(v), kRowSlots * sizeof(uint16_t));
+    memcpy(weights, edited.surface.weights_of(v), kRowSlots * sizeof(uint32_t));
+  };
+  threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) full_row(p, v, row, edited.rows.joints_of(v), edited.rows.weights_of(v));
+  });
+}
+
 // A finished row of a welded vertex. Of two partners the lower one's is finished and the other's is its mirror image,
 // so that rounding and ties fall alike.
 void finish_edited_row(const EditedRows& edited, uint32_t welded, uint32_t influence_count, uint32_t total,
@@ -163,45 +181,30 @@ sinew_status check_given_rows(const RowOptions& options, uint32_t vertices, uint
 
 sinew_status edit_rows(const Prediction& p, const RowOptions& options, const Counts& counts, const uint16_t* joints,
                        const void* weights, const Progress& progress, Arena& arena, EditedRows* edited) {
-  Rows& surface = edited->surface;
-  counts.threads.ranges(p.surface.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-    for (uint32_t v = begin; v < end; ++v) surface_row(p, options, v, surface.joints_of(v), surface.weights_of(v));
-  });
+  if (!arena.measuring()) predict_rows(p, options, counts.threads, edited->surface);
   if (options.rigid_parts != SINEW_RIGID_PARTS_AUTO) {
     const sinew_status status = options.rigid_parts == SINEW_RIGID_PARTS_ALWAYS
-                                    ? make_parts_rigid(p.surface, counts, arena, &surface)
-                                    : make_parts_soft(p.surface, p.heat, counts, arena, &surface);
+                                    ? make_parts_rigid(p.surface, counts, arena, &edited->surface)
+                                    : make_parts_soft(p.surface, p.heat, counts, arena, &edited->surface);
     if (status != SINEW_OK) return status;
   }
-  if (surface.joints != edited->rows.joints) {
-    const auto row = [&](uint32_t v, uint16_t* row_joints, uint32_t* row_weights) {
-      memcpy(row_joints, surface.joints_of(v), kRowSlots * sizeof(uint16_t));
-      memcpy(row_weights, surface.weights_of(v), kRowSlots * sizeof(uint32_t));
-    };
-    counts.threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-      for (uint32_t v = begin; v < end; ++v) full_row(p, v, row, edited->rows.joints_of(v), edited->rows.weights_of(v));
-    });
+  if (!arena.measuring()) {
+    if (edited->surface.joints != edited->rows.joints) fill_rows(p, counts.threads, *edited);
+    gather_given_rows(p.mesh, options.locked, options.hints, joints, weights, options.weight_format,
+                      options.influence_count, &edited->given);
   }
-  gather_given_rows(p.mesh, options.locked, options.hints, joints, weights, options.weight_format,
-                    options.influence_count, &edited->given);
+  Symmetry& symmetry = edited->symmetry;
   if (options.symmetric) {
-    const sinew_status status = find_symmetry(p.mesh, p.skeleton, counts, arena, &edited->symmetry);
+    const sinew_status status = find_symmetry(p.mesh, p.skeleton, counts, arena, &symmetry);
     if (status != SINEW_OK) return status;
-    if (edited->symmetry.symmetric) mirror_given_rows(p.mesh, edited->symmetry, &edited->given);
+    if (symmetry.symmetric) mirror_given_rows(p.mesh, symmetry, &edited->given);
   }
   if (options.hints != nullptr) {
     const sinew_status status = steer_rows(p.mesh, p.skeleton, edited->given, counts, progress, arena, &edited->rows);
     if (status != SINEW_OK) return status;
   }
-  if (edited->symmetry.symmetric)
-    mirror_rows(p.mesh, edited->given, options.influence_count, &edited->rows, &edited->symmetry);
+  if (symmetry.symmetric) mirror_rows(p.mesh, edited->given, options.influence_count, &edited->rows, &symmetry);
   return SINEW_OK;
-}
-
-void measure_edit_rows(Arena& arena, const Counts& counts, const RowOptions& options) {
-  if (options.rigid_parts != SINEW_RIGID_PARTS_AUTO) measure_part_style(arena, counts);
-  if (options.symmetric) measure_find_symmetry(arena, counts);
-  if (options.hints != nullptr) measure_steer_rows(arena, counts);
 }
 
 void write_rows(const Prediction& p, const RowOptions& options, const EditedRows& edited, const Threads& threads,

@@ -70,13 +70,12 @@ sinew_status check_given_rows(const RowOptions& options, uint32_t vertices, uint
 // Predicts the rows of all welded vertices and changes them as the options say. Only for options that edit rows.
 //   joints, weights  [V x influence_count] the caller's; the rows that the caller gave are read
 //   progress         reported from 0 to 1000 while hints are spread
-//   arena            scratch, all of it released; measure_edit_rows() says how much
+//   arena            scratch, all of it released
 //   edited           in/out allocated by the caller with the same counts and options
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status edit_rows(const Prediction& prediction, const RowOptions& options, const Counts& counts,
                        const uint16_t* joints, const void* weights, const Progress& progress, Arena& arena,
                        EditedRows* edited);
-void measure_edit_rows(Arena& arena, const Counts& counts, const RowOptions& options);
 
 // Writes the rows of all vertices that the caller did not give, their confidence, and how many vertices are symmetric.
 //   edited   from edit_rows() with the same options; not read if nothing edits rows

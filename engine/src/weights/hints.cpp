@@ -47,7 +47,7 @@ class Spreader {
   sinew_status run(const Mesh& mesh, const Skeleton& skeleton, const GivenRows& given, const Counts& counts,
                    const Progress& progress, Arena& arena, Rows* rows) {
     const sinew_status status = weigh_edges(mesh, counts, arena, &edges_);
-    if (status != SINEW_OK) return status;
+    if (status != SINEW_OK || arena.measuring()) return status;
     mesh_ = &mesh;
     skeleton_ = &skeleton;
     given_ = &given;
@@ -246,21 +246,10 @@ class Spreader {
 
 sinew_status steer_rows(const Mesh& mesh, const Skeleton& skeleton, const GivenRows& given, const Counts& counts,
                         const Progress& progress, Arena& arena, Rows* rows) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Spreader spreader;
-  const sinew_status status = spreader.allocate(arena, counts)
-                                  ? spreader.run(mesh, skeleton, given, counts, progress, arena, rows)
-                                  : SINEW_ERROR_WORKSPACE;
-  arena.release(mark);
-  return status;
-}
-
-void measure_steer_rows(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  Spreader spreader;
-  (void)spreader.allocate(arena, counts);
-  measure_weigh_edges(arena, counts);
-  arena.release(mark);
+  if (!spreader.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  return spreader.run(mesh, skeleton, given, counts, progress, arena, rows);
 }
 
 }  // namespace sinew

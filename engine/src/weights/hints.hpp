@@ -19,7 +19,6 @@ namespace sinew {
 // Joints that may get no weight are left out. Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status steer_rows(const Mesh& mesh, const Skeleton& skeleton, const GivenRows& given, const Counts& counts,
                         const Progress& progress, Arena& arena, Rows* rows);
-void measure_steer_rows(Arena& arena, const Counts& counts);
 
 }  // namespace sinew
 #endif

@@ -62,9 +62,10 @@ bool is_rigid(uint64_t of_favourite, uint64_t total) { return of_favourite * 20 
 }  // namespace
 
 sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& arena, Rows* rows) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   for (uint32_t c = 0; c < mesh.component_count; ++c) {
     uint64_t total;
     const uint16_t best = favourite(
@@ -74,14 +75,14 @@ sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& are
     for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i)
       set_row(rows, mesh.component_vertices[i], &best, &kWhole, 1);
   }
-  arena.release(mark);
   return SINEW_OK;
 }
 
 sinew_status make_parts_soft(const Mesh& mesh, const HeatField& heat, const Counts& counts, Arena& arena, Rows* rows) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   const auto heat_row = [&](uint32_t v, const auto& add) {
     uint16_t joints[kHeatSlots], weights[kHeatSlots];
     const uint32_t count = finish_heat_row(heat, v, joints, weights);
@@ -101,14 +102,7 @@ sinew_status make_parts_soft(const Mesh& mesh, const HeatField& heat, const Coun
       set_row(rows, v, joints, weights, count);
     }
   }
-  arena.release(mark);
   return SINEW_OK;
-}
-
-void measure_part_style(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  (void)Scratch().allocate(arena, counts);
-  arena.release(mark);
 }
 
 void soften_logits(const int16_t* logits, const uint16_t* joints, uint32_t count, uint32_t softness_percent,

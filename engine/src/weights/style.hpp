@@ -15,7 +15,6 @@ namespace sinew {
 sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& arena, Rows* rows);
 // Components where one joint has at least 19/20 of the weight, but not in the heat field, get the heat field's rows.
 sinew_status make_parts_soft(const Mesh& mesh, const HeatField& heat, const Counts& counts, Arena& arena, Rows* rows);
-void measure_part_style(Arena& arena, const Counts& counts);
 
 // Differences of logits [count] from their largest are divided by softness / 100: 200 blends twice as softly.
 void soften_logits(const int16_t* logits, const uint16_t* joints, uint32_t count, uint32_t softness_percent,

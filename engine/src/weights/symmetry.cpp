@@ -231,12 +231,10 @@ bool Symmetry::allocate(Arena& arena, const Counts& counts) {
 
 sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, Arena& arena,
                            Symmetry* out) {
-  const size_t mark = arena.mark();
+  const ArenaScope scope(arena);
   Cells cells;
-  if (!cells.allocate(arena, counts)) {
-    arena.release(mark);
-    return SINEW_ERROR_WORKSPACE;
-  }
+  if (!cells.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
   cells.sort(mesh);
   const int32_t other_plane = 2 * middle_joint_x(skeleton);
   out->plane = 0;
@@ -253,15 +251,7 @@ sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Cou
   const uint32_t joints = pair_joints(skeleton, out->plane, out->joint);
   out->symmetric =
       2 * static_cast<uint64_t>(out->paired_count) >= mesh.welded_count && 2 * joints >= skeleton.joint_count;
-  arena.release(mark);
   return SINEW_OK;
-}
-
-void measure_find_symmetry(Arena& arena, const Counts& counts) {
-  const size_t mark = arena.mark();
-  Cells cells;
-  (void)cells.allocate(arena, counts);
-  arena.release(mark);
 }
 
 void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* given) {

@@ -34,7 +34,6 @@ struct Symmetry {
 // Scratch is taken from the arena and released. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status find_symmetry(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, Arena& arena,
                            Symmetry* out);
-void measure_find_symmetry(Arena& arena, const Counts& counts);
 
 // Where one of two partners has a given row and the other has none, the other is given the mirror image.
 void mirror_given_rows(const Mesh& mesh, const Symmetry& symmetry, GivenRows* given);

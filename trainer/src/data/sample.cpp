@@ -80,13 +80,16 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   throw_status(character, make_counts(views.mesh.vertex_count, views.mesh.face_count, views.mesh.corner_count,
                                       views.skeleton.joint_count, candidates, grid, &counts));
   counts.feature_flags = feature_flags & kFeatureFlags;
+  Prepared p;
+  const Kernels kernels = fastest_kernels();
+  const auto run = [&](Arena& arena) {
+    return prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, kernels, {}, arena, &p);
+  };
   Arena measuring;
-  measure_prepare(measuring, counts, PrepareFor::kNetwork);
+  throw_status(character, run(measuring));
   const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
-  Prepared p;
-  throw_status(character,
-               prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kNetwork, fastest_kernels(), {}, arena, &p));
+  throw_status(character, run(arena));
 
   Sample s;
   s.name = character.name;

@@ -53,29 +53,31 @@ std::vector<double> candidate_recall(const Character& character, const std::vect
   };
   // Heat does not depend on K: it is solved once.
   count(1);
+  Prepared p;
+  const Kernels kernels = fastest_kernels();
+  const auto solve = [&](Arena& arena) {
+    return prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kHeat, kernels, {}, arena, &p);
+  };
   Arena measuring;
-  measure_prepare(measuring, counts, PrepareFor::kHeat);
+  throw_status(character, solve(measuring));
   const Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
-  Prepared p;
-  throw_status(character,
-               prepare(views.mesh, views.skeleton, 0, counts, PrepareFor::kHeat, fastest_kernels(), {}, arena, &p));
+  throw_status(character, solve(arena));
   std::vector<double> recall;
   for (const uint32_t k : ks) {
     count(k);
-    const auto allocate = [&](Arena& memory) {
+    const auto find = [&](Arena& memory) {
       p.candidates.allocate(memory, counts);
       p.features.allocate(memory, counts);
+      const sinew_status status = find_candidates(p.mesh, p.skeleton, counts, {}, memory, &p.candidates);
+      if (status != SINEW_OK) return status;
+      return build_features(p.mesh, p.skeleton, p.candidates, p.heat, counts, memory, &p.features);
     };
     Arena measuring_k;
-    allocate(measuring_k);
-    measure_find_candidates(measuring_k, counts);
-    measure_build_features(measuring_k, counts);
+    throw_status(character, find(measuring_k));
     const Workspace block_k(measuring_k.high_water());
     Arena arena_k(block_k.data(), block_k.size());
-    allocate(arena_k);
-    throw_status(character, find_candidates(p.mesh, p.skeleton, counts, Progress{}, arena_k, &p.candidates));
-    throw_status(character, build_features(p.mesh, p.skeleton, p.candidates, p.heat, counts, arena_k, &p.features));
+    throw_status(character, find(arena_k));
     recall.push_back(share_on_candidates(character, fold, p.mesh, p.features.joints, k));
   }
   return recall;

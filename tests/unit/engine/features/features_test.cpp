@@ -38,13 +38,15 @@ struct Featured {
     EXPECT_EQ(make_counts(scene.vertex_count(), scene.counts().faces, scene.counts().corners, scene.joint_count(),
                           candidates, 32, &counts),
               SINEW_OK);
+    const auto run = [&](Arena& arena) {
+      return prepare(scene.mesh_view(), scene.skeleton_view(), 0, counts, PrepareFor::kNetwork, fastest_kernels(), {},
+                     arena, &p);
+    };
     Arena measuring;
-    measure_prepare(measuring, counts, PrepareFor::kNetwork);
+    (void)run(measuring);
     block = Workspace(measuring.high_water());
     Arena arena(block.data(), measuring.high_water());
-    EXPECT_EQ(prepare(scene.mesh_view(), scene.skeleton_view(), 0, counts, PrepareFor::kNetwork, fastest_kernels(), {},
-                      arena, &p),
-              SINEW_OK);
+    EXPECT_EQ(run(arena), SINEW_OK);
   }
   const int16_t* pair(uint32_t v, uint32_t slot) const {
     return p.features.pair + (size_t{v} * counts.candidates + slot) * kPairFeatures;

@@ -50,13 +50,15 @@ struct PartsRun {
   explicit PartsRun(const MeshScene& scene) : run(scene), has_source(run.mesh.welded_count) {
     for (size_t v = 0; v < has_source.size(); ++v) has_source[v] = v % 3 == 0;
     heat.field[sinew::kFieldRule].has_source = has_source.data();
+    const auto find = [&](sinew::Arena& arena) {
+      parts.allocate(arena, run.counts);
+      return sinew::find_parts(run.mesh, heat, run.counts, arena, &parts);
+    };
     sinew::Arena measure;
-    parts.allocate(measure, run.counts);
-    sinew::measure_find_parts(measure, run.counts);
+    (void)find(measure);
     block.assign(measure.high_water() / 64 + 2, Line());
     sinew::Arena arena(block.data(), measure.high_water());
-    parts.allocate(arena, run.counts);
-    status = sinew::find_parts(run.mesh, heat, run.counts, arena, &parts);
+    status = find(arena);
   }
 
   struct alignas(64) Line {

@@ -101,7 +101,7 @@ TEST(Solver, LargeIndefinitePartsKeepToFronts) {
     solver.allocate(arena, run.counts);
   };
   allocate(measure);
-  measure_weigh_edges(measure, run.counts);
+  (void)weigh_edges(run.mesh, run.counts, measure, &edges);
   Block block(measure.high_water());
   allocate(block.arena);
   block.arena.release(0);
