@@ -17,8 +17,8 @@ namespace sinew_test {
 struct Sources {
   explicit Sources(const HeatRun& run) : block(size(run.counts)) {
     found.allocate(block.arena, run.counts);
-    EXPECT_EQ(sinew::find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, {}, 1000, block.arena,
-                                  &found),
+    EXPECT_EQ(sinew::find_sources(run.mesh, run.skeleton, run.source_joints.data(), run.counts, sinew::boxes_met_ref,
+                                  {}, 1000, block.arena, &found),
               SINEW_OK);
   }
   static size_t size(const sinew::Counts& counts) {
