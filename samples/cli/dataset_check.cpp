@@ -40,7 +40,7 @@ Json as_json(const std::string& path, const CheckReport& report, const std::stri
   entry["vertices"] = report.vertices;
   entry["faces"] = report.faces;
   entry["joints"] = report.joints;
-  entry["components"] = report.components;
+  entry["parts"] = report.parts;
   entry["boundary_edges"] = report.boundary_edges;
   entry["non_manifold_edges"] = report.non_manifold_edges;
   entry["degenerate_faces"] = report.degenerate_faces;
@@ -135,8 +135,8 @@ void check(const Settings& s) {
       std::printf("%s\n  error    unreadable: %s\n", path.c_str(), unreadable.c_str());
       continue;
     }
-    std::printf("%s: %zu vertices, %zu faces, %zu joints, %zu components\n", path.c_str(), report.vertices,
-                report.faces, report.joints, report.components);
+    std::printf("%s: %zu vertices, %zu faces, %zu joints, %zu parts\n", path.c_str(), report.vertices, report.faces,
+                report.joints, report.parts);
     for (const CheckFinding& finding : report.findings) {
       std::printf("  %-8s %s: %s\n", kLevels[static_cast<int>(finding.level)], finding.code.c_str(),
                   finding.text.c_str());

@@ -148,7 +148,7 @@ void inspect_character(const std::string& path) {
     std::printf(")\nbox           (%.4g, %.4g, %.4g) .. (%.4g, %.4g, %.4g)\n", static_cast<double>(low.x),
                 static_cast<double>(low.y), static_cast<double>(low.z), static_cast<double>(high.x),
                 static_cast<double>(high.y), static_cast<double>(high.z));
-    std::printf("components    %zu\nboundary      %zu edges\nnon-manifold  %zu edges\n", report.components,
+    std::printf("parts         %zu\nboundary      %zu edges\nnon-manifold  %zu edges\n", report.parts,
                 report.boundary_edges, report.non_manifold_edges);
     if (!character.material_names.empty()) std::printf("materials     %zu\n", character.material_names.size());
     if (!character.influences.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Time, memory and output hash of the heat stage on synthetic bodies, as a whole and (bodies of one component) step by
+// Time, memory and output hash of the heat stage on synthetic bodies, as a whole and (bodies of one part) step by
 // step: CSV on standard output.
 //   sinew_bench_heat [repeats]
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace {
 
-// The parts field has no step of its own: on one component it is a copy of the rule's.
+// The parts field has no step of its own: on one part it is a copy of the rule's.
 constexpr const char* kSteps[] = {"whole", "sources and visibility", "edges", "ordering", "rule field", "soft field"};
 enum Step : size_t { kWhole, kSources, kEdges, kOrdering, kRule, kSoft, kStepCount };
 
@@ -46,7 +46,7 @@ uint64_t hash_fields(const sinew_test::HeatRun& run) {
   return hash;
 }
 
-// What solve_heat() does with a mesh of one component, a step at a time.
+// What solve_heat() does with a mesh of one part, a step at a time.
 void run_steps(const sinew::Kernels& kernels, sinew::Arena& arena, sinew_test::HeatRun* run, Measured* out) {
   const size_t mark = arena.mark();
   sinew::HeatSources sources;
@@ -62,7 +62,7 @@ void run_steps(const sinew::Kernels& kernels, sinew::Arena& arena, sinew_test::H
   if (!solver.allocate(arena, run->counts)) out->fail("the block is too small");
   solver.use(kernels.front);
   out->time(kOrdering, [&] {
-    solver.begin_component(run->mesh, weights, 0);
+    solver.begin_part(run->mesh, weights, 0);
     return SINEW_OK;
   });
   for (const uint32_t field : {sinew::kFieldRule, sinew::kFieldSoft}) {
@@ -86,7 +86,7 @@ void measure(const char* name, const sinew_test::HeatScene& scene, int repeats) 
     });
   }
   const uint64_t hash = hash_fields(run);
-  if (run.mesh.component_count == 1) {
+  if (run.mesh.part_count == 1) {
     sinew::Arena need;  // some more than the steps take
     (void)sinew::HeatSources().allocate(need, run.counts);
     (void)sinew::solve_heat(run.mesh, run.skeleton, run.counts, kernels, {}, need, &run.fields);
@@ -98,7 +98,7 @@ void measure(const char* name, const sinew_test::HeatScene& scene, int repeats) 
   for (size_t step = 0; step < kStepCount; ++step) {
     if (out.seconds[step].empty()) continue;
     std::printf("%s,%s,%u,%u,%u,%s,%.3f,%zu,%016llx\n", sinew_bench::row_start().c_str(), name, run.mesh.welded_count,
-                run.mesh.component_count, run.skeleton.joint_count, kSteps[step],
+                run.mesh.part_count, run.skeleton.joint_count, kSteps[step],
                 sinew_bench::median(out.seconds[step]) * 1e3, run.heat_scratch_bytes,
                 static_cast<unsigned long long>(hash));
   }
@@ -109,7 +109,7 @@ void measure(const char* name, const sinew_test::HeatScene& scene, int repeats) 
 
 int main(int argc, char** argv) {
   const int repeats = argc > 1 ? std::max(1, std::atoi(argv[1])) : 5;
-  std::printf("machine,compiler,commit,scene,vertices,components,joints,step,median_ms,scratch_bytes,hash\n");
+  std::printf("machine,compiler,commit,scene,vertices,parts,joints,step,median_ms,scratch_bytes,hash\n");
   measure("star_5k_61", sinew_test::star(62, 80, 10), repeats);
   measure("star_10k_61", sinew_test::star(88, 113, 10), repeats);
   measure("star_10k_97", sinew_test::star(88, 113, 16), repeats);

@@ -145,7 +145,7 @@ void hash_prepared(const char* name, const Prepared& p, uint32_t k) {
   mesh.add(p.mesh.areas, u);
   mesh.add(p.mesh.mean_curvature, u);
   mesh.add(p.mesh.gauss_curvature, u);
-  mesh.add(p.mesh.component, u);
+  mesh.add(p.mesh.part, u);
   skeleton.add(p.skeleton.positions, p.skeleton.joint_count);
   skeleton.add(p.skeleton.bone_tail, p.skeleton.joint_count);
   skeleton.add(p.source_joints, p.skeleton.joint_count);

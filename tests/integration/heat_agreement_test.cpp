@@ -38,7 +38,7 @@ struct Reference {
   const Mesh& mesh;
   const Skeleton& skeleton;
   const HeatSources& engine;
-  std::vector<bool> positive;  // [component_count] negative edge weights count as 0
+  std::vector<bool> positive;  // [part_count] negative edge weights count as 0
   std::vector<uint32_t> bones;
   size_t unsure = 0;
 
@@ -65,7 +65,7 @@ struct Reference {
     for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
       const uint32_t* c = mesh.triangles + 3 * t;
       if (c[0] == v || c[1] == v || c[2] == v) continue;
-      if (own_faces_only && mesh.component[c[0]] != mesh.component[v]) continue;
+      if (own_faces_only && mesh.part[c[0]] != mesh.part[v]) continue;
       const Vec a = vec(mesh.positions[c[0]]) - p, b = vec(mesh.positions[c[1]]) - p, e = vec(mesh.positions[c[2]]) - p;
       const Vec n = (b - a).cross(e - a);
       const double size = n.norm(), speed = n.dot(along) / size, depth = n.dot(a) / size;  // in grid units
@@ -111,7 +111,7 @@ struct Reference {
 
   // The engine's answer for the merged faces is only kept where it chose that rule; elsewhere a doubt counts as hidden.
   bool engine_merged(uint32_t v, uint32_t bone) const {
-    return engine.component_rule[mesh.component[v]] == 0 && engine_has(kFieldRule, v, bone);
+    return engine.part_rule[mesh.part[v]] == 0 && engine_has(kFieldRule, v, bone);
   }
 
   struct Source {
@@ -172,21 +172,21 @@ struct Reference {
       }
     }
     std::vector<Source> out(mesh.welded_count);
-    for (uint32_t c = 0; c < mesh.component_count; ++c) {
-      const uint32_t begin = mesh.component_offsets[c], end = mesh.component_offsets[c + 1];
+    for (uint32_t c = 0; c < mesh.part_count; ++c) {
+      const uint32_t begin = mesh.part_offsets[c], end = mesh.part_offsets[c + 1];
       const auto share = [&](const std::vector<Source>& s) {
         size_t n = 0;
-        for (uint32_t i = begin; i < end; ++i) n += !s[mesh.component_vertices[i]].joints.empty();
+        for (uint32_t i = begin; i < end; ++i) n += !s[mesh.part_vertices[i]].joints.empty();
         return double(n) / (end - begin);
       };
       const std::vector<Source>* chosen = &parts;
       if (field == kFieldRule) {
         chosen = share(merged) > 0.1 ? &merged : share(parts) > 0.1 ? &parts : &open;
-        EXPECT_EQ(engine.component_rule[c], chosen == &merged ? 0 : chosen == &parts ? 1 : 2);
+        EXPECT_EQ(engine.part_rule[c], chosen == &merged ? 0 : chosen == &parts ? 1 : 2);
       } else if (share(parts) == 0) {
         chosen = &open;
       }
-      for (uint32_t i = begin; i < end; ++i) out[mesh.component_vertices[i]] = (*chosen)[mesh.component_vertices[i]];
+      for (uint32_t i = begin; i < end; ++i) out[mesh.part_vertices[i]] = (*chosen)[mesh.part_vertices[i]];
     }
     return out;
   }
@@ -209,7 +209,7 @@ struct Reference {
     std::vector<Eigen::Triplet<double>> entries;
     for (const auto& [ends, sum] : edges) {
       double w = sum.first / sum.second;
-      if (positive[mesh.component[ends.first]]) w = std::max(w, 0.0);
+      if (positive[mesh.part[ends.first]]) w = std::max(w, 0.0);
       const int a = int(ends.first), b = int(ends.second);
       entries.insert(entries.end(), {{a, b, -w}, {b, a, -w}, {a, a, w}, {b, b, w}});
     }
@@ -221,13 +221,13 @@ struct Reference {
   Eigen::MatrixXd solve(uint32_t field) {
     const std::vector<Source> source = sources(field);
     Eigen::MatrixXd solution = solve_with(source, field);
-    // A component whose solution leaves [-1, 2] has an indefinite matrix and is solved again without its negative
+    // A part whose solution leaves [-1, 2] has an indefinite matrix and is solved again without its negative
     // weights.
     const std::vector<bool> asked = positive;
     bool again = false;
     for (uint32_t v = 0; v < mesh.welded_count; ++v) {
       if (solution.row(v).minCoeff() >= -1 && solution.row(v).maxCoeff() <= 2) continue;
-      positive[mesh.component[v]] = true;
+      positive[mesh.part[v]] = true;
       again = true;
     }
     if (again) solution = solve_with(source, field);
@@ -298,7 +298,7 @@ size_t expect_agreement(const char* name, const HeatScene& scene, bool positive 
   std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(64, measure.high_water()), std::free);
   Arena arena(block.get(), measure.high_water());
   EXPECT_EQ(find(arena), SINEW_OK);
-  Reference reference{run, run.mesh, run.skeleton, sources, std::vector<bool>(run.mesh.component_count, positive),
+  Reference reference{run, run.mesh, run.skeleton, sources, std::vector<bool>(run.mesh.part_count, positive),
                       {},  0};
   size_t all_unsure = 0;
   for (uint32_t field = 0; field < kFieldCount; ++field) {

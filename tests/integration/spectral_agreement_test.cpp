@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The integer signatures against 100 eigenpairs per component in float64: plain cotangents of the same welded mesh, no
-// limits on cotangents or masses, Spectra's shift-invert Lanczos (Eigen's dense solver for small components).
+// The integer signatures against 100 eigenpairs per part in float64: plain cotangents of the same welded mesh, no
+// limits on cotangents or masses, Spectra's shift-invert Lanczos (Eigen's dense solver for small parts).
 #include <Spectra/MatOp/SparseSymShiftSolve.h>
 #include <Spectra/SymEigsShiftSolver.h>
 #include <gtest/gtest.h>
@@ -33,10 +33,10 @@ struct Reference {
 
 // Eigenvalues (in units of 4 pi / area) and vectors of area-weighted norm 1 with the area as 1, the constant one left
 // out.
-void solve_component(const Mesh& mesh, uint32_t c, Eigen::VectorXd* values, Eigen::MatrixXd* vectors) {
-  const uint32_t n = mesh.component_sizes[c], first = mesh.component_offsets[c];
+void solve_part(const Mesh& mesh, uint32_t c, Eigen::VectorXd* values, Eigen::MatrixXd* vectors) {
+  const uint32_t n = mesh.part_sizes[c], first = mesh.part_offsets[c];
   std::vector<int> place(mesh.welded_count, -1);
-  for (uint32_t i = 0; i < n; ++i) place[mesh.component_vertices[first + i]] = static_cast<int>(i);
+  for (uint32_t i = 0; i < n; ++i) place[mesh.part_vertices[first + i]] = static_cast<int>(i);
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(n);
   for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
@@ -86,14 +86,14 @@ void solve_component(const Mesh& mesh, uint32_t c, Eigen::VectorXd* values, Eige
 Reference reference(const Mesh& mesh) {
   Reference out;
   out.log2_rows = Eigen::MatrixXd::Zero(mesh.welded_count, kSpectralChannels);
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
-    const uint32_t n = mesh.component_sizes[c];
+  for (uint32_t c = 0; c < mesh.part_count; ++c) {
+    const uint32_t n = mesh.part_sizes[c];
     Eigen::VectorXd values;
     Eigen::MatrixXd vectors = Eigen::MatrixXd::Zero(n, 0);
-    if (n > 1) solve_component(mesh, c, &values, &vectors);
+    if (n > 1) solve_part(mesh, c, &values, &vectors);
     const Eigen::MatrixXd squares = vectors.cwiseAbs2();
     for (uint32_t i = 0; i < n; ++i) {
-      const Eigen::Index row = mesh.component_vertices[mesh.component_offsets[c] + i];
+      const Eigen::Index row = mesh.part_vertices[mesh.part_offsets[c] + i];
       double logs[33];
       for (int s = 0; s < 33; ++s) {
         double sum = 1;
@@ -159,7 +159,7 @@ void check(const std::string& path) {
     }
   }
   std::printf("%-44s %6u vertices %4u parts  %.3f s  hks %.5f  wks %.5f  sihks %.5f  worst channel %2d %.4f\n",
-              character.name.c_str(), run.mesh().welded_count, run.mesh().component_count, run.seconds, over_all[0],
+              character.name.c_str(), run.mesh().welded_count, run.mesh().part_count, run.seconds, over_all[0],
               over_all[1], over_all[2], lowest_at, lowest);
   if (std::getenv("SINEW_SPECTRAL_CHANNELS") != nullptr) {
     for (int i = 0; i < int(kSpectralChannels); ++i) {

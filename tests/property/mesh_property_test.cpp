@@ -86,10 +86,10 @@ TEST(MeshProperty, RenumberingChangesNothing) {
     RC_ASSERT(same(m.mean_curvature, n.mean_curvature, u));
     RC_ASSERT(same(m.gauss_curvature, n.gauss_curvature, u));
     RC_ASSERT(same(m.edge_length, n.edge_length, u));
-    RC_ASSERT(m.component_count == n.component_count);
-    RC_ASSERT(same(m.component, n.component, u));
-    RC_ASSERT(same(m.component_sizes, n.component_sizes, m.component_count));
-    RC_ASSERT(same(m.component_vertices, n.component_vertices, u));
+    RC_ASSERT(m.part_count == n.part_count);
+    RC_ASSERT(same(m.part, n.part, u));
+    RC_ASSERT(same(m.part_sizes, n.part_sizes, m.part_count));
+    RC_ASSERT(same(m.part_vertices, n.part_vertices, u));
     RC_ASSERT(same(a.candidates.joints, b.candidates.joints, u * 8));
     RC_ASSERT(same(a.candidates.distances, b.candidates.distances, u * 8));
     RC_ASSERT(same(a.candidates.tips, b.candidates.tips, 12));

@@ -139,7 +139,7 @@ inline HeatScene star(uint32_t rings, uint32_t segments, uint32_t joints_per_arm
   return scene;
 }
 
-// Open tube around the y axis, as clothing: its own component, boundary edges at both ends.
+// Open tube around the y axis, as clothing: its own part, boundary edges at both ends.
 inline void add_sleeve(HeatScene* scene, double radius, double bottom, double top, uint32_t rings, uint32_t segments) {
   const uint32_t first = scene->vertex_count();
   for (uint32_t i = 0; i < rings; ++i) {

@@ -28,7 +28,7 @@ struct SparsePart {
     matrix.mesh = &run.mesh;
     matrix.edges = &edges;
     matrix.ordering = &ordering;
-    matrix.rows = run.mesh.component_sizes[0];
+    matrix.rows = run.mesh.part_sizes[0];
   }
   static size_t size(const sinew::Counts& counts) {
     sinew::Arena measure;

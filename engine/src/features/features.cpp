@@ -220,10 +220,10 @@ class Builder {
         keys_(keys),
         entries_(entries) {}
 
-  // Vertices [first, end) of the list of components, all of component c.
+  // Vertices [first, end) of the list of parts, all of part c.
   void write(uint32_t c, uint32_t first, uint32_t end) {
     for (uint32_t i = first; i < end; ++i) {
-      const uint32_t v = mesh_.component_vertices[i];
+      const uint32_t v = mesh_.part_vertices[i];
       load_rows(v);
       choose_candidates(v);
       write_vertex(v, c);
@@ -234,16 +234,16 @@ class Builder {
   void fill_tables(uint32_t c) {
     PartTables& t = tables_;
     const uint32_t joints = skeleton_.joint_count;
-    const uint32_t first = mesh_.component_offsets[c], size = mesh_.component_sizes[c];
+    const uint32_t first = mesh_.part_offsets[c], size = mesh_.part_sizes[c];
     memset(t.own, 0, joints * sizeof(int64_t));
     memset(t.host, 0, joints * sizeof(int64_t));
-    for (uint32_t i = 0; i < size; ++i) add_rule_row(mesh_.component_vertices[first + i], t.own);
+    for (uint32_t i = 0; i < size; ++i) add_rule_row(mesh_.part_vertices[first + i], t.own);
 
     t.host_total = 0;
     t.contact = 0;
-    if (s_.parts.host_vertex[mesh_.component_vertices[first]] != kNoVertex) {
+    if (s_.parts.host_vertex[mesh_.part_vertices[first]] != kNoVertex) {
       for (uint32_t i = 0; i < size; ++i) {
-        const uint32_t v = mesh_.component_vertices[first + i];
+        const uint32_t v = mesh_.part_vertices[first + i];
         keys_[i] = static_cast<uint64_t>(s_.parts.host_distance[v]) << 32 | v;
       }
       sort_ascending(keys_, size);
@@ -373,7 +373,7 @@ class Builder {
     }
     add(t.host_top);
     add(t.own_top);
-    if (mesh_.component[v] != 0) add(t.box_top);
+    if (mesh_.part[v] != 0) add(t.box_top);
     for (uint32_t i = 0; i < k_; ++i) add(voxel[i]);
     for (uint32_t i = 0; i < parts_.count; ++i) add(parts_.joints[i]);
 
@@ -412,12 +412,12 @@ class Builder {
   // The channels that all vertices of a part share; the others 0.
   void write_part_row(uint32_t c) {
     PartTables& t = tables_;
-    const uint32_t size = mesh_.component_sizes[c];
+    const uint32_t size = mesh_.part_sizes[c];
     int16_t* const f = t.vertex;
     memset(f, 0, kVertexFeatureCount * sizeof(int16_t));
     f[kV_part_share_log] = q13((log2_q16(size) - log2_q16(mesh_.welded_count)) >> 6);
     f[kV_part_source_share] = ratio_q13(s_.parts.source_count[c], size);
-    f[kV_part_count_log] = log_q13(mesh_.component_count, 0, 3);
+    f[kV_part_count_log] = log_q13(mesh_.part_count, 0, 3);
     f[kV_joint_count_log] = log_q13(skeleton_.joint_count, 0, 3);
     f[kV_vertex_count_log] = log_q13(mesh_.welded_count, 8 << 16, 3);
     f[kV_part_boundary_share] = ratio_q13(s_.parts.boundary_count[c], size);
@@ -425,10 +425,10 @@ class Builder {
     f[kV_part_extent] = side_ratio_q13(t.extent);
     f[kV_part_flatness] = ratio_q13(t.thickness, t.extent);
     f[kV_part_purity] = t.own_top == kNoJoint ? int16_t{0} : share_q13(t.own[t.own_top], size);
-    f[kV_rule_is_parts] = heat_.component_rule[c] == 1 ? kOne : 0;
-    f[kV_rule_is_open] = heat_.component_rule[c] == 2 ? kOne : 0;
+    f[kV_rule_is_parts] = heat_.part_rule[c] == 1 ? kOne : 0;
+    f[kV_rule_is_open] = heat_.part_rule[c] == 2 ? kOne : 0;
     f[kV_host_purity] = t.host_top == kNoJoint ? int16_t{0} : ratio_q13(t.host[t.host_top], t.host_total);
-    f[kV_loose_share] = ratio_q13(mesh_.welded_count - mesh_.component_sizes[0], mesh_.welded_count);
+    f[kV_loose_share] = ratio_q13(mesh_.welded_count - mesh_.part_sizes[0], mesh_.welded_count);
     f[kV_part_contact] = c == 0 ? int16_t{0} : log_q13(t.contact + uint64_t{kSoftLength}, 12 << 16, 2);
   }
 
@@ -497,7 +497,7 @@ class Builder {
     int16_t* const row = t.pair + static_cast<size_t>(j) * kPartChannels;
     if (t.paired[j] != 0) return row;
     t.paired[j] = 1;
-    const uint32_t size = mesh_.component_sizes[c];
+    const uint32_t size = mesh_.part_sizes[c];
     const int32_t parent = skeleton_.parents[j];
     int16_t f[kPairFeatureCount] = {};
     if (t.host_total > 0) {
@@ -616,14 +616,14 @@ void build(const Inputs& inputs, const Threads& threads) {
   const size_t joints = inputs.skeleton.joint_count;
   memset(scratch.entries, 0, threads.lane_count() * joints * sizeof(JointEntry));
   const auto entries_of = [&](uint32_t lane) { return scratch.entries + lane * joints; };
-  for (uint32_t c = 0; c < mesh.component_count;) {
+  for (uint32_t c = 0; c < mesh.part_count;) {
     uint32_t end = c;
-    while (end < mesh.component_count && mesh.component_sizes[end] < kSmallPart) ++end;
+    while (end < mesh.part_count && mesh.part_sizes[end] < kSmallPart) ++end;
     if (end == c) {
       PartTables& tables = scratch.tables[0];
       Builder(inputs, tables, keys_of(0), entries_of(0)).fill_tables(c);
-      const uint32_t first = mesh.component_offsets[c];
-      threads.ranges(mesh.component_sizes[c], kSmallPart / 4, [&](uint32_t from, uint32_t to, uint32_t lane) {
+      const uint32_t first = mesh.part_offsets[c];
+      threads.ranges(mesh.part_sizes[c], kSmallPart / 4, [&](uint32_t from, uint32_t to, uint32_t lane) {
         Builder(inputs, tables, keys_of(lane), entries_of(lane)).write(c, first + from, first + to);
       });
       ++c;
@@ -632,7 +632,7 @@ void build(const Inputs& inputs, const Threads& threads) {
     threads.each(end - c, [&](uint32_t index, uint32_t lane) {
       Builder builder(inputs, scratch.tables[lane], keys_of(lane), entries_of(lane));
       builder.fill_tables(c + index);
-      builder.write(c + index, mesh.component_offsets[c + index], mesh.component_offsets[c + index + 1]);
+      builder.write(c + index, mesh.part_offsets[c + index], mesh.part_offsets[c + index + 1]);
     });
     c = end;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Component boxes, boundaries and hosts. Hosts are found with an implicit box tree over the vertices in the order of
-// components, Morton order inside each: what may be a host of a part comes before it.
+// Part boxes, boundaries and hosts. Hosts are found with an implicit box tree over the vertices in the order of
+// parts, Morton order inside each: what may be a host of a part comes before it.
 #include "features/parts.hpp"
 
 #include <string.h>
@@ -67,7 +67,7 @@ class HostFinder {
  public:
   HostFinder(const Mesh& mesh, const Scratch& scratch) : mesh_(mesh), nodes_(scratch.nodes), leaves_(scratch.leaves) {}
 
-  // The tree over the first `count` vertices in the order of components.
+  // The tree over the first `count` vertices in the order of parts.
   void build(uint32_t count) {
     first_leaf_ = leaf_count(count);
     for (uint32_t leaf = 0; leaf < first_leaf_; ++leaf) {
@@ -77,7 +77,7 @@ class HostFinder {
       for (uint32_t i = 0; i < kLeafVertices && first < count; ++i) {
         const uint32_t at =
             first + i < count ? first + i : count - 1;  // the last leaf is filled up with the last vertex
-        const Vec3i p = mesh_.positions[mesh_.component_vertices[at]];
+        const Vec3i p = mesh_.positions[mesh_.part_vertices[at]];
         grow(p, &box.lo, &box.hi);
         leaves_[leaf].x[i] = p.x;
         leaves_[leaf].y[i] = p.y;
@@ -91,7 +91,7 @@ class HostFinder {
     }
   }
 
-  // Hosts of `count` vertices among the first `limit` in the order of components. `guess` is one of those; it changes
+  // Hosts of `count` vertices among the first `limit` in the order of parts. `guess` is one of those; it changes
   // the time, never the answer.
   void find(const uint32_t* vertices, uint32_t count, uint32_t limit, uint32_t guess, Parts* parts) {
     Box around = kNothing;
@@ -142,7 +142,7 @@ class HostFinder {
                    z = gap(a.lo.z, a.hi.z, b.lo.z, b.hi.z);
     return (x * x + y * y + z * z) << kVertexBits;
   }
-  // The first of the vertices under a node, in the order of components.
+  // The first of the vertices under a node, in the order of parts.
   uint32_t first_vertex(uint32_t node) const {
     return ((node << (top_bit(first_leaf_) - top_bit(node))) - first_leaf_) * kLeafVertices;
   }
@@ -154,7 +154,7 @@ class HostFinder {
 
   void look_into(uint32_t index, uint32_t count, uint32_t limit) {
     const Leaf& leaf = leaves_[index];
-    const uint32_t* const vertices = mesh_.component_vertices + static_cast<size_t>(index) * kLeafVertices;
+    const uint32_t* const vertices = mesh_.part_vertices + static_cast<size_t>(index) * kLeafVertices;
     const uint32_t rest = limit - index * kLeafVertices, used = rest < kLeafVertices ? rest : kLeafVertices;
     for (uint32_t m = 0; m < count; ++m) {
       const Vec3i p = at_[m];
@@ -200,27 +200,27 @@ sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& 
 
   memset(scratch.triangles_at, 0, vertices * sizeof(uint32_t));
   for (size_t i = 0; i < static_cast<size_t>(mesh.triangle_count) * 3; ++i) ++scratch.triangles_at[mesh.triangles[i]];
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+  for (uint32_t c = 0; c < mesh.part_count; ++c) {
     parts->source_count[c] = parts->boundary_count[c] = 0;
     parts->box_min[c] = {kFar, kFar, kFar};
     parts->box_max[c] = {-kFar, -kFar, -kFar};
   }
   for (uint32_t v = 0; v < vertices; ++v) {
-    const uint32_t c = mesh.component[v];
+    const uint32_t c = mesh.part[v];
     grow(mesh.positions[v], &parts->box_min[c], &parts->box_max[c]);
     parts->source_count[c] += heat.field[kFieldRule].has_source[v];
     // Around an inner vertex of a manifold there are as many triangles as neighbours; at a boundary one less.
     parts->boundary_count[c] += scratch.triangles_at[v] != mesh.row_offsets[v + 1] - mesh.row_offsets[v];
   }
 
-  const uint32_t *const order = mesh.component_vertices, *const offsets = mesh.component_offsets;
+  const uint32_t *const order = mesh.part_vertices, *const offsets = mesh.part_offsets;
   for (uint32_t i = 0; i < offsets[1]; ++i) {
     parts->host_vertex[order[i]] = kNoVertex;
     parts->host_distance[order[i]] = 0;
   }
   HostFinder finder(mesh, scratch);
-  if (mesh.component_count > 1) finder.build(offsets[mesh.component_count - 1]);
-  for (uint32_t c = 1; c < mesh.component_count; ++c) {
+  if (mesh.part_count > 1) finder.build(offsets[mesh.part_count - 1]);
+  for (uint32_t c = 1; c < mesh.part_count; ++c) {
     uint32_t guess = order[0];
     for (uint32_t i = offsets[c]; i < offsets[c + 1]; i += kGroupVertices) {
       const uint32_t rest = offsets[c + 1] - i, count = rest < kGroupVertices ? rest : kGroupVertices;

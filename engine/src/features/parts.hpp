@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 5 of a bind: what each connected component is and what it hangs on.
+// Stage 5 of a bind: what each part is and what it hangs on.
 #ifndef SINEW_FEATURES_PARTS_HPP
 #define SINEW_FEATURES_PARTS_HPP
 
@@ -11,12 +11,12 @@ namespace sinew {
 constexpr uint32_t kNoVertex = 0xFFFFFFFFu;
 
 struct Parts {
-  uint32_t* host_vertex = nullptr;     // [U] nearest vertex of a component with more vertices (a smaller component id),
-                                       // ties: lower index; kNoVertex in the first component
+  uint32_t* host_vertex = nullptr;     // [U] nearest vertex of a part with more vertices (a smaller part id),
+                                       // ties: lower index; kNoVertex in the first part
   uint32_t* host_distance = nullptr;   // [U] Euclid, grid units; 0 where there is no host vertex
-  uint32_t* source_count = nullptr;    // [components] vertices that are heat sources in the rule field
-  uint32_t* boundary_count = nullptr;  // [components] vertices on an open boundary
-  Vec3i* box_min = nullptr;            // [components] bounding box, grid units
+  uint32_t* source_count = nullptr;    // [parts] vertices that are heat sources in the rule field
+  uint32_t* boundary_count = nullptr;  // [parts] vertices on an open boundary
+  Vec3i* box_min = nullptr;            // [parts] bounding box, grid units
   Vec3i* box_max = nullptr;
 
   bool allocate(Arena& arena, const Counts& counts);

@@ -24,17 +24,17 @@ bool allocate_inputs(Arena& arena, const Counts& counts, const HeatFields& field
   return scratch->sources.allocate_beside(arena, counts, fields) && scratch->edges.allocate(arena, counts);
 }
 
-bool same_sources(const Mesh& mesh, uint32_t component, const HeatSources& sources) {
-  for (uint32_t i = mesh.component_offsets[component]; i < mesh.component_offsets[component + 1]; ++i) {
-    const uint32_t v = mesh.component_vertices[i];
+bool same_sources(const Mesh& mesh, uint32_t part, const HeatSources& sources) {
+  for (uint32_t i = mesh.part_offsets[part]; i < mesh.part_offsets[part + 1]; ++i) {
+    const uint32_t v = mesh.part_vertices[i];
     if (sources.mask[kFieldRule][v] != sources.mask[kFieldParts][v]) return false;
   }
   return true;
 }
 
-void copy_component(const Mesh& mesh, uint32_t component, const HeatField& from, HeatField* to) {
-  for (uint32_t i = mesh.component_offsets[component]; i < mesh.component_offsets[component + 1]; ++i) {
-    const size_t row = static_cast<size_t>(mesh.component_vertices[i]) * kHeatSlots;
+void copy_part(const Mesh& mesh, uint32_t part, const HeatField& from, HeatField* to) {
+  for (uint32_t i = mesh.part_offsets[part]; i < mesh.part_offsets[part + 1]; ++i) {
+    const size_t row = static_cast<size_t>(mesh.part_vertices[i]) * kHeatSlots;
     for (uint32_t slot = 0; slot < kHeatSlots; ++slot) {
       to->joints[row + slot] = from.joints[row + slot];
       to->weights[row + slot] = from.weights[row + slot];
@@ -42,12 +42,11 @@ void copy_component(const Mesh& mesh, uint32_t component, const HeatField& from,
   }
 }
 
-// All fields of components, on up to kFieldCount lanes: those of a large component at the same time, small components
+// All fields of parts, on up to kFieldCount lanes: those of a large part at the same time, small parts
 // one to a lane.
-class ComponentWalk {
+class PartWalk {
  public:
-  ComponentWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch,
-                HeatFields* fields)
+  PartWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch, HeatFields* fields)
       : mesh_(mesh), threads_(threads), progress_(progress), scratch_(scratch), fields_(fields) {
     threads_.lanes = solver_count(threads);
   }
@@ -56,11 +55,11 @@ class ComponentWalk {
   }
 
   sinew_status run() {
-    for (uint32_t c = 0; c < mesh_.component_count;) {
-      uint32_t end = c + 1, vertices = mesh_.component_sizes[c];
+    for (uint32_t c = 0; c < mesh_.part_count;) {
+      uint32_t end = c + 1, vertices = mesh_.part_sizes[c];
       if (threads_.lane_count() > 1 && vertices < kSmall) {
-        while (end < mesh_.component_count && vertices + mesh_.component_sizes[end] < kRound) {
-          vertices += mesh_.component_sizes[end++];
+        while (end < mesh_.part_count && vertices + mesh_.part_sizes[end] < kRound) {
+          vertices += mesh_.part_sizes[end++];
         }
         threads_.each(end - c, [&](uint32_t index, uint32_t lane) { solve_alone(c + index, scratch_.solvers[lane]); });
         if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
@@ -68,7 +67,7 @@ class ComponentWalk {
         solve_together(c);
         if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
       } else {
-        scratch_.solvers[0].begin_component(mesh_, scratch_.edges, c);
+        scratch_.solvers[0].begin_part(mesh_, scratch_.edges, c);
         for (uint32_t f = 0; f < kFieldCount; ++f) {
           solve_field(c, f, scratch_.solvers[0]);
           if (!report(vertices)) return SINEW_ERROR_CANCELLED;
@@ -82,45 +81,45 @@ class ComponentWalk {
  private:
   static constexpr uint32_t kSmall = 512, kRound = 8192;  // vertices
 
-  bool is_copy(uint32_t component, uint32_t field) const {
-    return field == kFieldParts && same_sources(mesh_, component, scratch_.sources);
+  bool is_copy(uint32_t part, uint32_t field) const {
+    return field == kFieldParts && same_sources(mesh_, part, scratch_.sources);
   }
   bool report(uint64_t field_vertices) {
     done_ += field_vertices;
     const uint64_t share = done_ * (Progress::kWhole - kSourcesEnd) / (uint64_t{mesh_.welded_count} * kFieldCount);
     return progress_.report(kSourcesEnd + static_cast<uint32_t>(share));
   }
-  void copy_rule(uint32_t component) const {
-    copy_component(mesh_, component, fields_->field[kFieldRule], &fields_->field[kFieldParts]);
+  void copy_rule(uint32_t part) const {
+    copy_part(mesh_, part, fields_->field[kFieldRule], &fields_->field[kFieldParts]);
   }
 
-  void solve_alone(uint32_t component, HeatSolver& solver) const {
-    solver.begin_component(mesh_, scratch_.edges, component);
-    for (uint32_t f = 0; f < kFieldCount; ++f) solve_field(component, f, solver);
+  void solve_alone(uint32_t part, HeatSolver& solver) const {
+    solver.begin_part(mesh_, scratch_.edges, part);
+    for (uint32_t f = 0; f < kFieldCount; ++f) solve_field(part, f, solver);
   }
-  void solve_field(uint32_t component, uint32_t field, HeatSolver& solver) const {
-    if (is_copy(component, field)) {
-      copy_rule(component);
+  void solve_field(uint32_t part, uint32_t field, HeatSolver& solver) const {
+    if (is_copy(part, field)) {
+      copy_rule(part);
     } else {
       solver.solve_field(scratch_.sources, field, &fields_->field[field]);
     }
   }
 
-  void solve_together(uint32_t component) const {
+  void solve_together(uint32_t part) const {
     bool begun[kFieldCount] = {}, left[kFieldCount] = {};  // by lane; by field
-    const bool copy = is_copy(component, kFieldParts);
+    const bool copy = is_copy(part, kFieldParts);
     threads_.each(kFieldCount, [&](uint32_t f, uint32_t lane) {
       if (f == kFieldParts && copy) return;
       HeatSolver& solver = scratch_.solvers[lane];
-      if (!begun[lane]) solver.begin_component(mesh_, scratch_.edges, component);
+      if (!begun[lane]) solver.begin_part(mesh_, scratch_.edges, part);
       begun[lane] = true;
       const bool fronts = solver.with_fronts();
       solver.solve_field(scratch_.sources, f, &fields_->field[f]);
       left[f] = fronts && !solver.with_fronts();
     });
     // A field that has to do without fronts makes those after it do without: rare, and then a matter for one lane.
-    if (left[kFieldRule] || left[kFieldParts]) return solve_alone(component, scratch_.solvers[0]);
-    if (copy) copy_rule(component);
+    if (left[kFieldRule] || left[kFieldParts]) return solve_alone(part, scratch_.solvers[0]);
+    if (copy) copy_rule(part);
   }
 
   const Mesh& mesh_;
@@ -132,7 +131,7 @@ class ComponentWalk {
 };
 
 bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
-  for (uint32_t i = 0; i < ComponentWalk::solver_count(counts.threads); ++i) (void)solvers[i].allocate(arena, counts);
+  for (uint32_t i = 0; i < PartWalk::solver_count(counts.threads); ++i) (void)solvers[i].allocate(arena, counts);
   return arena.ok();
 }
 
@@ -146,7 +145,7 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
     f.nearest = arena.alloc<uint16_t>(counts.vertices);
     f.has_source = arena.alloc<uint8_t>(counts.vertices);
   }
-  component_rule = arena.alloc<uint8_t>(counts.vertices);
+  part_rule = arena.alloc<uint8_t>(counts.vertices);
   return arena.ok();
 }
 
@@ -167,7 +166,7 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     fields->field[kFieldParts].nearest[v] = fields->field[kFieldRule].nearest[v];
   }
-  status = ComponentWalk(mesh, counts.threads, progress, scratch, fields).run();
+  status = PartWalk(mesh, counts.threads, progress, scratch, fields).run();
   for (HeatField& field : fields->field) {
     for (uint32_t v = 0; v < mesh.welded_count; ++v) field.has_source[v] = field.has_source[v] != 0;
   }

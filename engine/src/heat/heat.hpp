@@ -26,7 +26,7 @@ struct HeatField {
 
 struct HeatFields {
   HeatField field[kFieldCount];
-  uint8_t* component_rule = nullptr;  // [components <= U] which visibility the rule chose: 0 merged, 1 parts, 2 open
+  uint8_t* part_rule = nullptr;            // [parts <= U] which visibility the rule chose: 0 merged, 1 parts, 2 open
   const uint8_t* source_joints = nullptr;  // [J] those that solve_heat() was given
 
   bool allocate(Arena& arena, const Counts& counts);

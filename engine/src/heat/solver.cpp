@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One component, one field: matrix, factor, batches of joints, the largest weights of every vertex (stage 4).
+// One part, one field: matrix, factor, batches of joints, the largest weights of every vertex (stage 4).
 #include "heat/solver.hpp"
 
 #include <string.h>
@@ -71,13 +71,13 @@ bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-void HeatSolver::begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component) {
+void HeatSolver::begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t part) {
   mesh_ = &mesh;
   matrix_.mesh = &mesh;
   matrix_.edges = &edges;
   matrix_.ordering = &ordering_;
-  matrix_.rows = mesh.component_sizes[component];
-  ordering_.dissect(mesh, component, kSmallestFront);
+  matrix_.rows = mesh.part_sizes[part];
+  ordering_.dissect(mesh, part, kSmallestFront);
   with_fronts_ = fronts_.analyse(matrix_);
   iterative_ = false;
   if (!with_fronts_) leave_fronts();
@@ -85,7 +85,7 @@ void HeatSolver::begin_component(const Mesh& mesh, const EdgeWeights& edges, uin
 
 void HeatSolver::leave_fronts() {
   with_fronts_ = false;
-  ordering_.dissect(*mesh_, mesh_->component[ordering_.order[0]]);
+  ordering_.dissect(*mesh_, mesh_->part[ordering_.order[0]]);
   iterative_ = !factor_.analyse(matrix_);
 }
 

@@ -15,7 +15,7 @@ class HeatSolver {
   bool allocate(Arena& arena, const Counts& counts);
   void use(const FrontKernels& kernels) { kernels_ = kernels; }
   // Orders and analyses a part. The fields that are solved next share the result.
-  void begin_component(const Mesh& mesh, const EdgeWeights& edges, uint32_t component);
+  void begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t part);
   // Solves one field of that part and writes its rows. Rows of the exact solution sum to 1, so every row is divided by
   // its sum; what was too small to keep is missing from it.
   //
@@ -30,7 +30,7 @@ class HeatSolver {
   bool iterative() const { return iterative_; }
   // False where fronts do not fit the part, and from the first field on that fronts refused.
   bool with_fronts() const { return with_fronts_; }
-  // Entries of the factor of the current component (0 when it is solved iteratively).
+  // Entries of the factor of the current part (0 when it is solved iteratively).
   uint64_t factor_entries() const {
     return with_fronts_ ? fronts_.factor_entries() : iterative_ ? 0 : factor_.column_start[matrix_.rows];
   }
@@ -75,7 +75,7 @@ class HeatSolver {
   int32_t* solution_ = nullptr;    // [U x kBatch] Q24
   int32_t* refinement_ = nullptr;  // [U x kBatch] Q24
   int64_t* total_ = nullptr;      // [U] Q40 pulls of all tied bones; then the sum of the solutions over all joints, Q24
-  uint16_t* joints_ = nullptr;    // [J] joints with a source in this component and field
+  uint16_t* joints_ = nullptr;    // [J] joints with a source in this part and field
   uint8_t* member_of_ = nullptr;  // [J] kNoMember or the joint's member in the batch at hand
   uint32_t joint_count_ = 0;      // J
 };

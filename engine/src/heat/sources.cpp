@@ -119,9 +119,9 @@ class SourceFinder {
   void run(uint32_t vertex) {
     vertex_ = vertex;
     position_ = mesh_.positions[vertex];
-    const uint32_t component = mesh_.component[vertex];
-    first_ = tree_.component_first[component];
-    last_ = tree_.component_first[component + 1];
+    const uint32_t part = mesh_.part[vertex];
+    first_ = tree_.part_first[part];
+    last_ = tree_.part_first[part + 1];
     own_hint_ = FaceTree::kNoGroup;
     bound_distances();
     with_cosine();
@@ -259,7 +259,7 @@ class SourceFinder {
     const uint32_t nearest = nearest_untried();
     int64_t smallest = euclid_q6(euclid2_[nearest]);
     out_.nearest[1][vertex_] = list_.bones[nearest].joint;
-    // Without a visible bone the tied nearest ones stay, masked out, for components that see nothing at all.
+    // Without a visible bone the tied nearest ones stay, masked out, for parts that see nothing at all.
     if (reach2(smallest) > near_limit_) gather(kAnywhere);
     for (uint32_t i = 0; i < near_count_ && count < kMaxTies; ++i) {
       const uint32_t b = near_[i];
@@ -315,32 +315,32 @@ uint8_t full_mask(const uint16_t* ties) {
   return mask;
 }
 
-void open_component(const Mesh& mesh, uint32_t component, const uint16_t* ties, uint8_t* mask) {
-  for (uint32_t i = mesh.component_offsets[component]; i < mesh.component_offsets[component + 1]; ++i) {
-    const uint32_t v = mesh.component_vertices[i];
+void open_part(const Mesh& mesh, uint32_t part, const uint16_t* ties, uint8_t* mask) {
+  for (uint32_t i = mesh.part_offsets[part]; i < mesh.part_offsets[part + 1]; ++i) {
+    const uint32_t v = mesh.part_vertices[i];
     mask[v] = full_mask(ties + static_cast<size_t>(v) * kMaxTies);
   }
 }
 
-// Merged when more than a tenth of the component has a source, else parts, else open; a field whose component has no
+// Merged when more than a tenth of the part has a source, else parts, else open; a field whose part has no
 // source at all is open there, too.
 void apply_rule(const Mesh& mesh, HeatSources* out) {
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+  for (uint32_t c = 0; c < mesh.part_count; ++c) {
     uint32_t counts[kFieldCount] = {};
-    for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i) {
-      for (uint32_t f = 0; f < kFieldCount; ++f) counts[f] += out->mask[f][mesh.component_vertices[i]] != 0;
+    for (uint32_t i = mesh.part_offsets[c]; i < mesh.part_offsets[c + 1]; ++i) {
+      for (uint32_t f = 0; f < kFieldCount; ++f) counts[f] += out->mask[f][mesh.part_vertices[i]] != 0;
     }
-    const uint32_t size = mesh.component_sizes[c];
-    out->component_rule[c] = 0;
+    const uint32_t size = mesh.part_sizes[c];
+    out->part_rule[c] = 0;
     if (static_cast<uint64_t>(counts[kFieldRule]) * 10 <= size) {
-      out->component_rule[c] = static_cast<uint64_t>(counts[kFieldParts]) * 10 > size ? 1 : 2;
+      out->part_rule[c] = static_cast<uint64_t>(counts[kFieldParts]) * 10 > size ? 1 : 2;
     }
-    if (counts[kFieldParts] == 0) open_component(mesh, c, out->ties[0], out->mask[kFieldParts]);
-    if (counts[kFieldSoft] == 0) open_component(mesh, c, out->ties[1], out->mask[kFieldSoft]);
-    if (out->component_rule[c] == 2) open_component(mesh, c, out->ties[0], out->mask[kFieldRule]);
-    if (out->component_rule[c] == 1) {
-      for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i) {
-        const uint32_t v = mesh.component_vertices[i];
+    if (counts[kFieldParts] == 0) open_part(mesh, c, out->ties[0], out->mask[kFieldParts]);
+    if (counts[kFieldSoft] == 0) open_part(mesh, c, out->ties[1], out->mask[kFieldSoft]);
+    if (out->part_rule[c] == 2) open_part(mesh, c, out->ties[0], out->mask[kFieldRule]);
+    if (out->part_rule[c] == 1) {
+      for (uint32_t i = mesh.part_offsets[c]; i < mesh.part_offsets[c + 1]; ++i) {
+        const uint32_t v = mesh.part_vertices[i];
         out->mask[kFieldRule][v] = out->mask[kFieldParts][v];
       }
     }
@@ -359,7 +359,7 @@ bool HeatSources::allocate(Arena& arena, const Counts& counts) {
     field.nearest = arena.alloc<uint16_t>(counts.vertices);
     field.has_source = arena.alloc<uint8_t>(counts.vertices);
   }
-  fields.component_rule = arena.alloc<uint8_t>(counts.vertices);
+  fields.part_rule = arena.alloc<uint8_t>(counts.vertices);
   return allocate_beside(arena, counts, fields);
 }
 
@@ -370,7 +370,7 @@ bool HeatSources::allocate_beside(Arena& arena, const Counts& counts, const Heat
     nearest[m] = fields.field[m == 0 ? kFieldRule : kFieldSoft].nearest;
   }
   for (uint32_t f = 0; f < kFieldCount; ++f) mask[f] = fields.field[f].has_source;
-  component_rule = fields.component_rule;
+  part_rule = fields.part_rule;
   return arena.ok();
 }
 

@@ -16,15 +16,15 @@ constexpr int64_t kMinDistance = 3355;  // 5e-5 of the side
 // What is known of each vertex, for two metrics: 0 = Euclid / (0.5 (cos + 1.001)), which the rule and the parts field
 // use, and 1 = Euclid, which the soft field uses.
 struct HeatSources {
-  uint16_t* ties[2] = {};             // [U x kMaxTies] joints tied for nearest, ascending; unused = kNoJoint
-  int64_t* distance[2] = {};          // [U] their distance, Q6 grid units
-  uint16_t* nearest[2] = {};          // [U] joint of the smallest distance, visible or not
-  uint8_t* mask[kFieldCount] = {};    // [U] bit t: ties[t] is a source of this field; 0 = the vertex is no source
-  uint8_t* component_rule = nullptr;  // [component_count] 0 merged, 1 parts, 2 open
+  uint16_t* ties[2] = {};           // [U x kMaxTies] joints tied for nearest, ascending; unused = kNoJoint
+  int64_t* distance[2] = {};        // [U] their distance, Q6 grid units
+  uint16_t* nearest[2] = {};        // [U] joint of the smallest distance, visible or not
+  uint8_t* mask[kFieldCount] = {};  // [U] bit t: ties[t] is a source of this field; 0 = the vertex is no source
+  uint8_t* part_rule = nullptr;     // [part_count] 0 merged, 1 parts, 2 open
 
   bool allocate(Arena& arena, const Counts& counts);
-  // The same, with nearest, mask and component_rule where the fields have nearest (of rule and soft), has_source and
-  // component_rule.
+  // The same, with nearest, mask and part_rule where the fields have nearest (of rule and soft), has_source and
+  // part_rule.
   bool allocate_beside(Arena& arena, const Counts& counts, const HeatFields& fields);
   static int metric_of(uint32_t field) { return field == kFieldSoft ? 1 : 0; }
 };

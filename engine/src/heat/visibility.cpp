@@ -85,19 +85,18 @@ bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
 
 bool FaceTree::allocate(Arena& arena, const Counts& counts) {
   order = arena.alloc<uint32_t>(counts.triangles());
-  component_first = arena.alloc<uint32_t>(static_cast<size_t>(counts.vertices) + 1);
+  part_first = arena.alloc<uint32_t>(static_cast<size_t>(counts.vertices) + 1);
   groups = arena.alloc<BoxGroup>(group_count(counts.triangles()));
   return arena.ok();
 }
 
 void FaceTree::build(const Mesh& mesh) {
-  for (uint32_t c = 0; c <= mesh.component_count; ++c) component_first[c] = 0;
-  for (uint32_t t = 0; t < mesh.triangle_count; ++t) ++component_first[mesh.component[mesh.triangles[3 * t]] + 1];
-  for (uint32_t c = 0; c < mesh.component_count; ++c) component_first[c + 1] += component_first[c];
-  for (uint32_t t = 0; t < mesh.triangle_count; ++t)
-    order[component_first[mesh.component[mesh.triangles[3 * t]]]++] = t;
-  for (uint32_t c = mesh.component_count; c > 0; --c) component_first[c] = component_first[c - 1];
-  component_first[0] = 0;
+  for (uint32_t c = 0; c <= mesh.part_count; ++c) part_first[c] = 0;
+  for (uint32_t t = 0; t < mesh.triangle_count; ++t) ++part_first[mesh.part[mesh.triangles[3 * t]] + 1];
+  for (uint32_t c = 0; c < mesh.part_count; ++c) part_first[c + 1] += part_first[c];
+  for (uint32_t t = 0; t < mesh.triangle_count; ++t) order[part_first[mesh.part[mesh.triangles[3 * t]]]++] = t;
+  for (uint32_t c = mesh.part_count; c > 0; --c) part_first[c] = part_first[c - 1];
+  part_first[0] = 0;
 
   levels = 0;
   if (mesh.triangle_count == 0) return;

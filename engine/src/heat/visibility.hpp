@@ -17,7 +17,7 @@ bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 // The same with 96-bit determinants, whatever the length of the segment; the function above uses it for long segments.
 bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c);
 
-// Triangles grouped by component, inside a component in the mesh's own order (Morton order of their first vertex), so
+// Triangles grouped by part, inside a part in the mesh's own order (Morton order of their first vertex), so
 // that consecutive triangles are near each other and a tree over runs of them needs no sorting: a triangle has a box
 // (two in one made fewer groups to look at, but five times the triangles), kBoxesInGroup boxes make a group, and the
 // box around a group is one of the next level.
@@ -25,9 +25,9 @@ struct FaceTree {
   static constexpr uint32_t kMostLevels = 8;  // 16^8 triangles are more than there can be
   static constexpr uint32_t kNoGroup = 0xFFFFFFFFu;
 
-  uint32_t* order = nullptr;            // [T] triangle at each place
-  uint32_t* component_first = nullptr;  // [component_count + 1] first place of each component
-  BoxGroup* groups = nullptr;           // level by level, leaves first
+  uint32_t* order = nullptr;       // [T] triangle at each place
+  uint32_t* part_first = nullptr;  // [part_count + 1] first place of each part
+  BoxGroup* groups = nullptr;      // level by level, leaves first
   uint32_t level_first[kMostLevels] = {};
   uint32_t levels = 0;  // the last one has one group; 0 without triangles
   BoxKernel boxes_met = boxes_met_ref;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stage 2 of a bind: weld, Morton order, triangles, one-ring and components. Every order is an order of values, never
+// Stage 2 of a bind: weld, Morton order, triangles, one-ring and parts. Every order is an order of values, never
 // of the caller's numbering, so renumbered input gives the same mesh.
 #include "mesh/mesh.hpp"
 
@@ -90,10 +90,10 @@ bool Mesh::allocate(Arena& arena, const Counts& counts) {
   mean_curvature = arena.alloc<int32_t>(v);
   gauss_curvature = arena.alloc<int32_t>(v);
   edge_length = arena.alloc<uint32_t>(v);
-  component = arena.alloc<uint32_t>(v);
-  component_sizes = arena.alloc<uint32_t>(v);
-  component_offsets = arena.alloc<uint32_t>(v + 1);
-  component_vertices = arena.alloc<uint32_t>(v);
+  part = arena.alloc<uint32_t>(v);
+  part_sizes = arena.alloc<uint32_t>(v);
+  part_offsets = arena.alloc<uint32_t>(v + 1);
+  part_vertices = arena.alloc<uint32_t>(v);
   return arena.ok();
 }
 
@@ -121,7 +121,7 @@ sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer,
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   connect(nullptr, 0, scratch, mesh);
-  find_components(scratch, mesh);
+  label_parts(scratch, mesh);
   find_shape(scratch.shape, counts.threads, mesh);
   return SINEW_OK;
 }

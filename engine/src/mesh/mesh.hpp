@@ -33,11 +33,11 @@ struct Mesh {
   int32_t* mean_curvature = nullptr;   // [U]
   int32_t* gauss_curvature = nullptr;  // [U]
   uint32_t* edge_length = nullptr;     // [U] mean one-ring edge length, grid units
-  uint32_t component_count = 0;
-  uint32_t* component = nullptr;        // [U] component id; 0 = most vertices, then falling size, ties by first vertex
-  uint32_t* component_sizes = nullptr;  // [component_count <= U] vertices each
-  uint32_t* component_offsets = nullptr;   // [component_count + 1] CSR into component_vertices
-  uint32_t* component_vertices = nullptr;  // [U] vertices grouped by component, ascending
+  uint32_t part_count = 0;
+  uint32_t* part = nullptr;           // [U] part id; 0 = most vertices, then falling size, ties by first vertex
+  uint32_t* part_sizes = nullptr;     // [part_count <= U] vertices each
+  uint32_t* part_offsets = nullptr;   // [part_count + 1] CSR into part_vertices
+  uint32_t* part_vertices = nullptr;  // [U] vertices grouped by part, ascending
 
   // Allocates everything for the upper bounds (works with a measuring arena). The caller does this before build_mesh().
   // Returns arena.ok().

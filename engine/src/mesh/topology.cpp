@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangles, one-ring and components in canonical order. Every order is an order of values, never of the input's
+// Triangles, one-ring and parts in canonical order. Every order is an order of values, never of the input's
 // numbering.
 #include "mesh/topology.hpp"
 
@@ -79,41 +79,41 @@ void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch&
 }
 
 // Breadth-first labelling, then ids by falling size and first vertex.
-void find_components(const TopologyScratch& scratch, Mesh* mesh) {
+void label_parts(const TopologyScratch& scratch, Mesh* mesh) {
   const uint32_t count = mesh->welded_count;
-  for (uint32_t v = 0; v < count; ++v) mesh->component[v] = kUnseen;
-  uint32_t* const queue = mesh->component_vertices;
+  for (uint32_t v = 0; v < count; ++v) mesh->part[v] = kUnseen;
+  uint32_t* const queue = mesh->part_vertices;
   uint32_t found = 0, tail = 0;
   for (uint32_t seed = 0; seed < count; ++seed) {
-    if (mesh->component[seed] != kUnseen) continue;
+    if (mesh->part[seed] != kUnseen) continue;
     const uint32_t begin = tail;
-    mesh->component[seed] = found;
+    mesh->part[seed] = found;
     queue[tail++] = seed;
     for (uint32_t head = begin; head < tail; ++head) {
       const uint32_t v = queue[head];
       for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
         const uint32_t neighbour = mesh->col_indices[e];
-        if (mesh->component[neighbour] != kUnseen) continue;
-        mesh->component[neighbour] = found;
+        if (mesh->part[neighbour] != kUnseen) continue;
+        mesh->part[neighbour] = found;
         queue[tail++] = neighbour;
       }
     }
-    scratch.component_keys[found] = pack_pair(count - (tail - begin), found);
+    scratch.part_keys[found] = pack_pair(count - (tail - begin), found);
     ++found;
   }
-  sort_ascending(scratch.component_keys, found);
-  mesh->component_count = found;
-  mesh->component_offsets[0] = 0;
+  sort_ascending(scratch.part_keys, found);
+  mesh->part_count = found;
+  mesh->part_offsets[0] = 0;
   for (uint32_t id = 0; id < found; ++id) {
-    const uint32_t size = count - static_cast<uint32_t>(scratch.component_keys[id] >> 32);
-    scratch.labels[scratch.component_keys[id] & 0xFFFFFFFFu] = id;
-    mesh->component_sizes[id] = size;
-    mesh->component_offsets[id + 1] = mesh->component_offsets[id] + size;
+    const uint32_t size = count - static_cast<uint32_t>(scratch.part_keys[id] >> 32);
+    scratch.labels[scratch.part_keys[id] & 0xFFFFFFFFu] = id;
+    mesh->part_sizes[id] = size;
+    mesh->part_offsets[id + 1] = mesh->part_offsets[id] + size;
   }
   uint32_t* const cursors = scratch.labels;
-  for (uint32_t v = 0; v < count; ++v) mesh->component[v] = scratch.labels[mesh->component[v]];
-  for (uint32_t id = 0; id < found; ++id) cursors[id] = mesh->component_offsets[id];
-  for (uint32_t v = 0; v < count; ++v) mesh->component_vertices[cursors[mesh->component[v]]++] = v;
+  for (uint32_t v = 0; v < count; ++v) mesh->part[v] = scratch.labels[mesh->part[v]];
+  for (uint32_t id = 0; id < found; ++id) cursors[id] = mesh->part_offsets[id];
+  for (uint32_t v = 0; v < count; ++v) mesh->part_vertices[cursors[mesh->part[v]]++] = v;
 }
 
 }  // namespace sinew

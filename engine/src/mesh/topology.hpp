@@ -21,13 +21,13 @@ struct TriangleScratch {
 
 struct TopologyScratch {
   ShapeScratch shape;
-  uint64_t* component_keys;  // [U]
-  uint32_t* labels;          // [U]
+  uint64_t* part_keys;  // [U]
+  uint32_t* labels;     // [U]
   bool allocate(Arena& arena, const Counts& counts) {
     shape.boundary = arena.alloc<uint8_t>(counts.vertices);
     shape.normal_sums = arena.alloc<Vec3l>(counts.vertices);
     shape.angle_sums = arena.alloc<int64_t>(counts.vertices);
-    component_keys = arena.alloc<uint64_t>(counts.vertices);
+    part_keys = arena.alloc<uint64_t>(counts.vertices);
     labels = arena.alloc<uint32_t>(counts.vertices);
     return arena.ok();
   }
@@ -77,8 +77,8 @@ void collect_triangles(const Walk& start, const TriangleScratch& scratch, Mesh* 
 // Fills row_offsets and col_indices from the triangles, and scratch.shape.boundary. loose [loose_count x 2]: pairs of
 // vertices to be neighbours without a triangle, none twice.
 void connect(const uint32_t* loose, uint32_t loose_count, const TopologyScratch& scratch, Mesh* mesh);
-// Fills the components from the CSR.
-void find_components(const TopologyScratch& scratch, Mesh* mesh);
+// Fills the parts from the CSR.
+void label_parts(const TopologyScratch& scratch, Mesh* mesh);
 
 }  // namespace sinew
 #endif

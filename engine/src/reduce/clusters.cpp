@@ -11,16 +11,16 @@ constexpr uint32_t kUnseen = 0xFFFFFFFFu;
 constexpr uint32_t kLloydRounds = 4;
 constexpr uint32_t kVertexPiece = 1024;  // vertices that a lane takes at a time
 
-// Seeds at every step-th vertex of the first `components` components, and what is nearest to each by edges.
-void grow(const Mesh& mesh, uint32_t components, uint32_t step, Clusters* clusters) {
+// Seeds at every step-th vertex of the first `part_count` parts, and what is nearest to each by edges.
+void grow(const Mesh& mesh, uint32_t part_count, uint32_t step, Clusters* clusters) {
   uint32_t* const labels = clusters->labels;
   uint32_t* const queue = clusters->other;
   uint32_t tail = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) labels[v] = kUnseen;
-  for (uint32_t c = 0; c < components; ++c) {
-    for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; i += step) {
-      labels[mesh.component_vertices[i]] = tail;
-      queue[tail++] = mesh.component_vertices[i];
+  for (uint32_t c = 0; c < part_count; ++c) {
+    for (uint32_t i = mesh.part_offsets[c]; i < mesh.part_offsets[c + 1]; i += step) {
+      labels[mesh.part_vertices[i]] = tail;
+      queue[tail++] = mesh.part_vertices[i];
     }
   }
   clusters->count = tail;
@@ -35,16 +35,16 @@ void grow(const Mesh& mesh, uint32_t components, uint32_t step, Clusters* cluste
   }
 }
 
-// The components from `first` on, the smallest, whole: runs of them in Morton order share a cluster of `most` more.
-void join_components(const Mesh& mesh, uint32_t first, uint32_t most, Clusters* clusters) {
-  const uint64_t joined = mesh.component_count - first;
+// The parts from `first` on, the smallest, whole: runs of them in Morton order share a cluster of `most` more.
+void join_parts(const Mesh& mesh, uint32_t first, uint32_t most, Clusters* clusters) {
+  const uint64_t joined = mesh.part_count - first;
   const uint64_t groups = joined < most ? joined : most;
-  uint32_t* const label_of = clusters->other;  // [components]
+  uint32_t* const label_of = clusters->other;  // [parts]
   uint64_t seen = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    const uint32_t c = mesh.component[v];
+    const uint32_t c = mesh.part[v];
     if (c < first) continue;
-    if (v == mesh.component_vertices[mesh.component_offsets[c]]) {
+    if (v == mesh.part_vertices[mesh.part_offsets[c]]) {
       label_of[c] = clusters->count + static_cast<uint32_t>(seen++ * groups / joined);
     }
     clusters->labels[v] = label_of[c];
@@ -109,15 +109,15 @@ bool Clusters::allocate(Arena& arena, const Counts& counts, uint32_t most) {
 }
 
 void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clusters* clusters) {
-  // Every component may have one cluster more than its share. Where that would leave too little to share, the largest
-  // components (they come first) divide half of the clusters, and the others are not cut any more.
+  // Every part may have one cluster more than its share. Where that would leave too little to share, the largest
+  // parts (they come first) divide half of the clusters, and the others are not cut any more.
   const uint32_t quarter = most / 4;
-  const bool crowded = mesh.component_count >= most - quarter;
-  const uint32_t cut = crowded && quarter < mesh.component_count ? quarter : mesh.component_count;
+  const bool crowded = mesh.part_count >= most - quarter;
+  const uint32_t cut = crowded && quarter < mesh.part_count ? quarter : mesh.part_count;
   const uint32_t shared = crowded ? (quarter > 0 ? quarter : 1) : most - cut;
-  const uint32_t vertices = mesh.component_offsets[cut];
+  const uint32_t vertices = mesh.part_offsets[cut];
   grow(mesh, cut, vertices == 0 ? 1 : (vertices + shared - 1) / shared, clusters);
-  if (crowded) join_components(mesh, cut, most - 2 * quarter, clusters);
+  if (crowded) join_parts(mesh, cut, most - 2 * quarter, clusters);
   find_centroids(mesh, clusters);
   for (uint32_t round = 0; round < kLloydRounds; ++round) {
     threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {

@@ -18,9 +18,9 @@ struct Clusters {
   bool allocate(Arena& arena, const Counts& counts, uint32_t most);
 };
 
-// At most `most` >= 1 clusters: seeds at equal steps through the Morton order of every component, grown breadth first,
+// At most `most` >= 1 clusters: seeds at equal steps through the Morton order of every part, grown breadth first,
 // then a few rounds of Lloyd's algorithm (1982) in which a vertex may go over to a neighbour's cluster whose centroid
-// is nearer. Of more components than three quarters of `most` the smallest become a cluster each or, neighbours in
+// is nearer. Of more parts than three quarters of `most` the smallest become a cluster each or, neighbours in
 // Morton order together, share one. A function of the mesh alone, for any number of threads.
 void find_clusters(const Mesh& mesh, uint32_t most, const Threads& threads, Clusters* clusters);
 

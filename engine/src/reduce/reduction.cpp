@@ -289,7 +289,7 @@ sinew_status reduce_mesh(const Mesh& full, const Counts& counts, const Progress&
     if (6 * uint64_t{out->mesh.triangle_count} + 2 * loose <= 6 * uint64_t{reduced.triangles()}) break;
   }
   connect(scratch.loose, loose, scratch.topology, &out->mesh);
-  find_components(scratch.topology, &out->mesh);
+  label_parts(scratch.topology, &out->mesh);
   find_shape(scratch.topology.shape, counts.threads, &out->mesh);
   give_areas(full, scratch, out);
   list_fans(out);

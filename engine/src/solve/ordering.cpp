@@ -139,10 +139,10 @@ bool Ordering::allocate_result(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-void Ordering::dissect(const Mesh& mesh, uint32_t component, uint32_t smallest) {
-  const uint32_t first = mesh.component_offsets[component];
-  const uint32_t count = mesh.component_offsets[component + 1] - first;
-  for (uint32_t i = 0; i < count; ++i) order[i] = mesh.component_vertices[first + i];
+void Ordering::dissect(const Mesh& mesh, uint32_t part, uint32_t smallest) {
+  const uint32_t first = mesh.part_offsets[part];
+  const uint32_t count = mesh.part_offsets[part + 1] - first;
+  for (uint32_t i = 0; i < count; ++i) order[i] = mesh.part_vertices[first + i];
   memset(region_size, 0, count * sizeof(region_size[0]));
 
   const Dissection dissection(mesh, *this);

@@ -12,8 +12,8 @@ constexpr uint32_t kSmallestRegion = 4;  // for a sparse factor
 constexpr uint32_t kSmallestFront = 24;  // for one of dense fronts
 
 struct Ordering {
-  uint32_t* order = nullptr;    // [U] vertex at each place of the elimination, for the component ordered last
-  uint32_t* place = nullptr;    // [U] and back; only the vertices of that component are valid
+  uint32_t* order = nullptr;    // [U] vertex at each place of the elimination, for the part ordered last
+  uint32_t* place = nullptr;    // [U] and back; only the vertices of that part are valid
   uint32_t* mark = nullptr;     // [U] scratch: the last region a vertex was cut in, and on which side of its cuts
   uint32_t* scratch = nullptr;  // [U]
   // Separators and regions that were not cut further: at the place of each one's first vertex its length and the place
@@ -25,9 +25,9 @@ struct Ordering {
   // The same in two parts: the scratch may be given back after dissect().
   bool allocate_result(Arena& arena, const Counts& counts);
   bool allocate_scratch(Arena& arena, const Counts& counts);
-  // Orders the vertices of one component: halves first, the vertices that separate them last, again inside the halves
+  // Orders the vertices of one part: halves first, the vertices that separate them last, again inside the halves
   // until they have at most `smallest` vertices.
-  void dissect(const Mesh& mesh, uint32_t component, uint32_t smallest = kSmallestRegion);
+  void dissect(const Mesh& mesh, uint32_t part, uint32_t smallest = kSmallestRegion);
 };
 
 }  // namespace sinew

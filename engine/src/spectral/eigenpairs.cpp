@@ -52,13 +52,13 @@ void EigenSolver::store(uint32_t place, const int32_t* row) {
 }
 
 // One column per run of vertices in Morton order (compact pieces of about equal mass and vertex count); small
-// components get the identity. Columns do not overlap, so they are orthogonal from the start.
+// parts get the identity. Columns do not overlap, so they are orthogonal from the start.
 void EigenSolver::start() {
   const uint32_t rows = matrix_.rows;
   memset(vectors_, 0, static_cast<size_t>(batches_) * rows * kBatch * sizeof(vectors_[0]));
-  const uint32_t* vertices = matrix_.mesh->component_vertices;
-  const uint32_t first = matrix_.mesh->component_offsets[matrix_.mesh->component[ordering_.order[0]]];
-  int64_t before = 0;  // Q40 of the component's mass
+  const uint32_t* vertices = matrix_.mesh->part_vertices;
+  const uint32_t first = matrix_.mesh->part_offsets[matrix_.mesh->part[ordering_.order[0]]];
+  int64_t before = 0;  // Q40 of the part's mass
   uint32_t begin = 0, column = 0;
   while (begin < rows) {
     // Runs end where vertex count and mass together reach the next of `columns_` equal shares.
@@ -220,16 +220,16 @@ void EigenSolver::finish(Eigenpairs* out) {
   }
 }
 
-bool EigenSolver::solve(const Mesh& mesh, SpectralOperator& op, uint32_t component, Eigenpairs* out) {
+bool EigenSolver::solve(const Mesh& mesh, SpectralOperator& op, uint32_t part, Eigenpairs* out) {
   op_ = &op;
-  op.weigh_vertices(mesh, component);
+  op.weigh_vertices(mesh, part);
   matrix_.mesh = &mesh;
   matrix_.edges = &op.edges;
   matrix_.ordering = &ordering_;
-  matrix_.rows = mesh.component_sizes[component];
+  matrix_.rows = mesh.part_sizes[part];
   columns_ = matrix_.rows < kSpectralModes ? matrix_.rows : kSpectralModes;
   batches_ = (columns_ + kBatch - 1) / kBatch;
-  ordering_.dissect(mesh, component);
+  ordering_.dissect(mesh, part);
   for (uint32_t k = 0; k < matrix_.rows; ++k) mass_[k] = op.mass[ordering_.order[k]];
   if (!factor_.analyse(matrix_)) return false;
   matrix_.assemble(mass_, kFactorDiagonalBits);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lowest eigenpairs of one component's Laplacian by subspace iteration with the inverse of L + shift M (spectral
+// Lowest eigenpairs of one part's Laplacian by subspace iteration with the inverse of L + shift M (spectral
 // stage).
 #ifndef SINEW_SPECTRAL_EIGENPAIRS_HPP
 #define SINEW_SPECTRAL_EIGENPAIRS_HPP
@@ -17,7 +17,7 @@ constexpr int kEigenvalueBits = 20;
 constexpr uint32_t kSubspaceSteps = 5;
 
 // L phi = 4 pi lambda M phi with the masses' sum 1: lambda counts in units in which the k-th eigenvalue of a large
-// smooth surface is about k (Weyl's law), whatever the size of the component.
+// smooth surface is about k (Weyl's law), whatever the size of the part.
 struct Eigenpairs {
   uint32_t count = 0;                    // pairs found, by rising eigenvalue; the constant one is not among them
   int64_t value[kSpectralModes];         // Q20
@@ -28,11 +28,11 @@ struct Eigenpairs {
 class EigenSolver {
  public:
   bool allocate(Arena& arena, const Counts& counts);
-  // Eigenpairs of one component (at least two vertices); fewer than kSpectralModes - 1 when the component is smaller.
+  // Eigenpairs of one part (at least two vertices); fewer than kSpectralModes - 1 when the part is smaller.
   // False when the factor of a tangle of faces would not fit (Factor::capacity_for): its spectrum says nothing, and
   // iterating without a factor would take seconds.
-  bool solve(const Mesh& mesh, SpectralOperator& op, uint32_t component, Eigenpairs* out);
-  // Values of all columns at a vertex of that component, Q20: out [kSpectralModes].
+  bool solve(const Mesh& mesh, SpectralOperator& op, uint32_t part, Eigenpairs* out);
+  // Values of all columns at a vertex of that part, Q20: out [kSpectralModes].
   void row(uint32_t vertex, int32_t* out) const { load(ordering_.place[vertex], out); }
 
  private:

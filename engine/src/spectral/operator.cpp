@@ -27,9 +27,9 @@ bool SpectralOperator::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-void SpectralOperator::weigh_vertices(const Mesh& mesh, uint32_t component) {
-  const uint32_t* vertices = mesh.component_vertices + mesh.component_offsets[component];
-  const uint32_t count = mesh.component_sizes[component];
+void SpectralOperator::weigh_vertices(const Mesh& mesh, uint32_t part) {
+  const uint32_t* vertices = mesh.part_vertices + mesh.part_offsets[part];
+  const uint32_t count = mesh.part_sizes[part];
   uint64_t area = 0;
   for (uint32_t i = 0; i < count; ++i) area += mesh.areas[vertices[i]];
   const uint64_t least = area / count >> kSmallestMassBits;

@@ -11,14 +11,14 @@ namespace sinew {
 constexpr int kMassBits = 40;
 constexpr int kRootMassBits = 30;
 
-// Masses are shares of a component's area: a third of the adjacent triangles' area over the whole, at least 2^-10 of
-// the component's mean (a vertex of slivers would otherwise be worth an eigenpair of its own), scaled to a sum of 1.
+// Masses are shares of a part's area: a third of the adjacent triangles' area over the whole, at least 2^-10 of
+// the part's mean (a vertex of slivers would otherwise be worth an eigenpair of its own), scaled to a sum of 1.
 struct SpectralOperator {
   EdgeWeights edges;             // half the sum of the cotangents opposite to the edge, read as Q24 they are 1 / 16
   int64_t* mass = nullptr;       // [U] Q40, at least 1
   int32_t* root_mass = nullptr;  // [U] Q30
   bool allocate(Arena& arena, const Counts& counts);
-  void weigh_vertices(const Mesh& mesh, uint32_t component);
+  void weigh_vertices(const Mesh& mesh, uint32_t part);
 };
 
 // Edge weights of the positive semi-definite form: half the sum of the cotangents over the faces at an edge, whatever

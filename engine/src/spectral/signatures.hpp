@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Eigenpairs of a component to the signatures of its vertices (spectral stage).
+// Eigenpairs of a part to the signatures of its vertices (spectral stage).
 #ifndef SINEW_SPECTRAL_SIGNATURES_HPP
 #define SINEW_SPECTRAL_SIGNATURES_HPP
 
@@ -14,7 +14,7 @@ constexpr uint32_t kTimeStride = 6;    // of the samples that are channels: 2^-3
 // 2^-x for x >= 0 in Q16; Q30, error below 2^-15 of the value.
 int64_t exp2_negative(int64_t x_q16);
 
-// What every vertex of a component is multiplied with.
+// What every vertex of a part is multiplied with.
 class Signatures {
  public:
   void prepare(const Eigenpairs& pairs);

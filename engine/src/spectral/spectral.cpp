@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The spectral stage: component by component eigenpairs, then signatures.
+// The spectral stage: part by part eigenpairs, then signatures.
 #include "spectral/spectral.hpp"
 
 #include "spectral/eigenpairs.hpp"
@@ -31,13 +31,13 @@ sinew_status compute_spectral(const Mesh& mesh, const Counts& counts, const Prog
   if (arena.measuring()) return SINEW_OK;
   sum_cotangents(mesh, &scratch.op.edges);
   uint64_t done = 0;
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+  for (uint32_t c = 0; c < mesh.part_count; ++c) {
     Eigenpairs pairs;
-    const uint32_t size = mesh.component_sizes[c];
+    const uint32_t size = mesh.part_sizes[c];
     const bool solved = size > 1 && scratch.solver.solve(mesh, scratch.op, c, &pairs);
     scratch.signatures->prepare(pairs);
     for (uint32_t i = 0; i < size; ++i) {
-      const uint32_t v = mesh.component_vertices[mesh.component_offsets[c] + i];
+      const uint32_t v = mesh.part_vertices[mesh.part_offsets[c] + i];
       int32_t vector[kSpectralModes] = {};
       if (solved) scratch.solver.row(v, vector);
       scratch.signatures->write(vector, out + v * stride);

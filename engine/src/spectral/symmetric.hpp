@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-constexpr uint32_t kSpectralModes = 64;  // eigenpairs computed per component, the constant one included
+constexpr uint32_t kSpectralModes = 64;  // eigenpairs computed per part, the constant one included
 constexpr int kGramBits = 60;
 constexpr int kProjectedBits = 31;
 constexpr int kRotationBits = 30;

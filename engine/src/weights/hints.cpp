@@ -54,9 +54,9 @@ class Spreader {
     rows_ = rows;
     weaken_edges();
     uint64_t done = 0;
-    for (uint32_t c = 0; c < mesh.component_count; ++c) {
-      if (has_hint(c)) steer_component(c);
-      done += mesh.component_sizes[c];
+    for (uint32_t c = 0; c < mesh.part_count; ++c) {
+      if (has_hint(c)) steer_part(c);
+      done += mesh.part_sizes[c];
       if (!progress.report(static_cast<uint32_t>(done * 1000 / mesh.welded_count))) return SINEW_ERROR_CANCELLED;
     }
     return SINEW_OK;
@@ -89,20 +89,20 @@ class Spreader {
     }
   }
 
-  bool has_hint(uint32_t component) const {
-    for (uint32_t i = mesh_->component_offsets[component]; i < mesh_->component_offsets[component + 1]; ++i) {
-      if (given_->kind[mesh_->component_vertices[i]] == Given::kSteers) return true;
+  bool has_hint(uint32_t part) const {
+    for (uint32_t i = mesh_->part_offsets[part]; i < mesh_->part_offsets[part + 1]; ++i) {
+      if (given_->kind[mesh_->part_vertices[i]] == Given::kSteers) return true;
     }
     return false;
   }
 
-  void steer_component(uint32_t component) {
+  void steer_part(uint32_t part) {
     matrix_.mesh = mesh_;
     matrix_.edges = &edges_;
     matrix_.ordering = &ordering_;
-    matrix_.rows = mesh_->component_sizes[component];
+    matrix_.rows = mesh_->part_sizes[part];
     matrix_.positive = true;
-    ordering_.dissect(*mesh_, component);
+    ordering_.dissect(*mesh_, part);
     const bool iterative = !factor_.analyse(matrix_);
     set_pulls();
     matrix_.assemble(pull_, iterative ? kIterativeDiagonalBits : kFactorDiagonalBits);

@@ -20,14 +20,14 @@ struct Scratch {
   }
 };
 
-// Sums per joint over a component of what `row` gives; returns the joint with most (ties: the lower) or kNoJoint.
+// Sums per joint over a part of what `row` gives; returns the joint with most (ties: the lower) or kNoJoint.
 template <class RowOf>
-uint16_t favourite(const Mesh& mesh, uint32_t component, uint32_t joints, const RowOf& row, uint64_t* sums,
+uint16_t favourite(const Mesh& mesh, uint32_t part, uint32_t joints, const RowOf& row, uint64_t* sums,
                    uint64_t* total) {
   memset(sums, 0, joints * sizeof(uint64_t));
   *total = 0;
-  for (uint32_t i = mesh.component_offsets[component]; i < mesh.component_offsets[component + 1]; ++i) {
-    row(mesh.component_vertices[i], [&](uint16_t joint, uint32_t weight) {
+  for (uint32_t i = mesh.part_offsets[part]; i < mesh.part_offsets[part + 1]; ++i) {
+    row(mesh.part_vertices[i], [&](uint16_t joint, uint32_t weight) {
       sums[joint] += weight;
       *total += weight;
     });
@@ -66,14 +66,14 @@ sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& are
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+  for (uint32_t c = 0; c < mesh.part_count; ++c) {
     uint64_t total;
     const uint16_t best = favourite(
         mesh, c, counts.joints, [&](uint32_t v, const auto& add) { add_row(rows, v, add); }, scratch.sums, &total);
     if (best == kNoJoint) continue;
     constexpr uint16_t kWhole = kRowOne / 2;
-    for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i)
-      set_row(rows, mesh.component_vertices[i], &best, &kWhole, 1);
+    for (uint32_t i = mesh.part_offsets[c]; i < mesh.part_offsets[c + 1]; ++i)
+      set_row(rows, mesh.part_vertices[i], &best, &kWhole, 1);
   }
   return SINEW_OK;
 }
@@ -88,15 +88,15 @@ sinew_status make_parts_soft(const Mesh& mesh, const HeatField& heat, const Coun
     const uint32_t count = finish_heat_row(heat, v, joints, weights);
     for (uint32_t i = 0; i < count; ++i) add(joints[i], 2u * weights[i]);
   };
-  for (uint32_t c = 0; c < mesh.component_count; ++c) {
+  for (uint32_t c = 0; c < mesh.part_count; ++c) {
     uint64_t total;
     uint16_t best = favourite(
         mesh, c, counts.joints, [&](uint32_t v, const auto& add) { add_row(rows, v, add); }, scratch.sums, &total);
     if (best == kNoJoint || !is_rigid(scratch.sums[best], total)) continue;
     best = favourite(mesh, c, counts.joints, heat_row, scratch.sums, &total);
     if (is_rigid(scratch.sums[best], total)) continue;
-    for (uint32_t i = mesh.component_offsets[c]; i < mesh.component_offsets[c + 1]; ++i) {
-      const uint32_t v = mesh.component_vertices[i];
+    for (uint32_t i = mesh.part_offsets[c]; i < mesh.part_offsets[c + 1]; ++i) {
+      const uint32_t v = mesh.part_vertices[i];
       uint16_t joints[kHeatSlots], weights[kHeatSlots];
       const uint32_t count = finish_heat_row(heat, v, joints, weights);
       set_row(rows, v, joints, weights, count);

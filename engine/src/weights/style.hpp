@@ -10,10 +10,10 @@
 
 namespace sinew {
 
-// Every connected component gets one joint: the one with the largest sum of weights over its vertices (ties: the lower
+// Every part gets one joint: the one with the largest sum of weights over its vertices (ties: the lower
 // joint).
 sinew_status make_parts_rigid(const Mesh& mesh, const Counts& counts, Arena& arena, Rows* rows);
-// Components where one joint has at least 19/20 of the weight, but not in the heat field, get the heat field's rows.
+// Parts where one joint has at least 19/20 of the weight, but not in the heat field, get the heat field's rows.
 sinew_status make_parts_soft(const Mesh& mesh, const HeatField& heat, const Counts& counts, Arena& arena, Rows* rows);
 
 // Differences of logits [count] from their largest are divided by softness / 100: 200 blends twice as softly.

@@ -19,7 +19,7 @@ struct CheckFinding {
 };
 
 struct CheckReport {
-  size_t vertices = 0, faces = 0, joints = 0, components = 0, boundary_edges = 0, non_manifold_edges = 0;
+  size_t vertices = 0, faces = 0, joints = 0, parts = 0, boundary_edges = 0, non_manifold_edges = 0;
   size_t degenerate_faces = 0, duplicate_faces = 0, isolated_vertices = 0, unbound_vertices = 0, bad_weight_sums = 0;
   size_t joints_outside = 0, roots = 0, hierarchy_cycles = 0, max_influences = 0;
   std::vector<CheckFinding> findings;

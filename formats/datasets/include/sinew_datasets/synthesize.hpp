@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Characters of our own with exact ground truth: smooth-union bodies polygonised into closed meshes, with clothing and
-// floating parts as separate components.
+// floating parts.
 #ifndef SINEW_DATASETS_SYNTHESIZE_HPP
 #define SINEW_DATASETS_SYNTHESIZE_HPP
 

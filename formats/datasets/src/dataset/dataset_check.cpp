@@ -161,7 +161,7 @@ void check_mesh(const Character& character, const Box& box, CheckReport* report)
     if (used[v] == 0)
       isolated.add(v);
     else if (find(v) == v)
-      ++report->components;
+      ++report->parts;
   }
 
   report->non_manifold_edges = non_manifold.count();
@@ -178,9 +178,8 @@ void check_mesh(const Character& character, const Box& box, CheckReport* report)
   degenerate.report(Level::kWarning, "degenerate-faces", "faces without area or with a vertex twice", report);
   duplicate.report(Level::kWarning, "duplicate-faces", "faces that repeat an earlier face", report);
   isolated.report(Level::kWarning, "isolated-vertices", "vertices in no face", report);
-  if (report->components > 1)
-    report->findings.push_back(
-        {Level::kNote, "components", report->components, std::to_string(report->components) + " connected components"});
+  if (report->parts > 1)
+    report->findings.push_back({Level::kNote, "parts", report->parts, std::to_string(report->parts) + " parts"});
   if (report->boundary_edges != 0)
     report->findings.push_back({Level::kNote, "boundary-edges", report->boundary_edges,
                                 std::to_string(report->boundary_edges) + " boundary edges in " +

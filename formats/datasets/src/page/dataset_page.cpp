@@ -29,7 +29,7 @@ const std::vector<Size>& sizes() {
   static const std::vector<Size> list = {
       {"vertices", "vertices", [](const CharacterStats& c) { return c.report.vertices; }, true},
       {"faces", "faces", [](const CharacterStats& c) { return c.report.faces; }, true},
-      {"components", "components", [](const CharacterStats& c) { return c.report.components; }, true},
+      {"parts", "parts", [](const CharacterStats& c) { return c.report.parts; }, true},
       {"joints", "joints", [](const CharacterStats& c) { return c.report.joints; }, false},
       {"joints with weight", "bound_joints", [](const CharacterStats& c) { return c.bound_joints; }, false},
       {"most influences", "max_influences", [](const CharacterStats& c) { return c.report.max_influences; }, false}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lumps, shells, clothes, hats and other components of generated characters.
+// Lumps, shells, clothes, hats and other parts of generated characters.
 #include "synth/parts.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Separate components of generated characters: rigid lumps, shells of revolution, and clothes cut from the body.
+// Separate parts of generated characters: rigid lumps, shells of revolution, and clothes cut from the body.
 #ifndef SINEW_DATASETS_SYNTH_PARTS_HPP
 #define SINEW_DATASETS_SYNTH_PARTS_HPP
 

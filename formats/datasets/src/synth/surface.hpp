@@ -17,7 +17,7 @@ struct Surface {
   std::vector<std::vector<uint32_t>> faces;
   std::vector<std::vector<Influence>> influences;  // [V]
 
-  // Appends another piece as separate component(s).
+  // Appends another piece as separate part(s).
   void append(const Surface& piece);
 };
 
@@ -36,7 +36,7 @@ std::vector<Influence> body_weights(const Blueprint& plan, Point p);
 std::vector<Influence> tidy_weights(std::vector<Influence> row);
 
 // Dual contouring on a grid of plan.cell (one vertex per surface cell, mostly quads, moved onto the surface): closed,
-// every edge has two faces, one component, outward orientation. Grid signs are first made well-composed, so that no
+// every edge has two faces, one part, outward orientation. Grid signs are first made well-composed, so that no
 // cell is ambiguous (Latecki, Eckhardt, Rosenfeld: Well-Composed Sets, 1995).
 Surface polygonise(const Blueprint& plan);
 

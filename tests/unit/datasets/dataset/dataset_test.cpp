@@ -54,7 +54,7 @@ TEST(Check, ASoundCharacterHasOnlyNotes) {
   EXPECT_FALSE(has_more_than_notes(r));
   EXPECT_EQ(r.vertices, 320u);
   EXPECT_EQ(r.faces, 304u);
-  EXPECT_EQ(r.components, 1u);
+  EXPECT_EQ(r.parts, 1u);
   EXPECT_EQ(r.boundary_edges, 32u);
   EXPECT_EQ(r.roots, 1u);
   EXPECT_EQ(r.max_influences, 2u);
@@ -76,7 +76,7 @@ TEST(Check, FindsEachMeshDefect) {
   EXPECT_TRUE(has(r, "non-manifold-edges"));
   EXPECT_EQ(r.isolated_vertices, 1u);
   EXPECT_TRUE(has(r, "isolated-vertices"));
-  EXPECT_EQ(r.components, 1u);
+  EXPECT_EQ(r.parts, 1u);
 
   c = tube();
   add_face(&c, {5, 5, 6});
@@ -92,7 +92,7 @@ TEST(Check, FindsEachMeshDefect) {
   add_face(&c, {320, 321, 322});  // a line
   r = check_character(c);
   EXPECT_EQ(r.degenerate_faces, 1u);
-  EXPECT_EQ(r.components, 2u);
+  EXPECT_EQ(r.parts, 2u);
 
   c = tube();
   std::swap(c.face_vertices[1], c.face_vertices[3]);
@@ -155,7 +155,7 @@ TEST(Decimate, ReachesTheRatioAndKeepsRowsOfSurvivors) {
       EXPECT_EQ(d.influences[v][0].weight + d.influences[v][1].weight, 1.0f);
     }
     const CheckReport r = check_character(d);
-    EXPECT_EQ(r.components, 1u);
+    EXPECT_EQ(r.parts, 1u);
     EXPECT_EQ(r.isolated_vertices, 0u);
     EXPECT_EQ(r.non_manifold_edges, 0u);
     EXPECT_FALSE(has(r, "flipped-faces"));
@@ -194,7 +194,7 @@ TEST(Decimate, NonManifoldFacesStayJoined) {
   const Character d = decimate(c, 0.5);
   EXPECT_NEAR(static_cast<double>(d.vertices.size()), 375, 37.5);
   const CheckReport r = check_character(d);
-  EXPECT_EQ(r.components, 1u);
+  EXPECT_EQ(r.parts, 1u);
   EXPECT_EQ(r.non_manifold_edges, 29u);
 }
 

@@ -32,7 +32,7 @@ Character make(BodyPlan plan, uint64_t seed, int resolution, bool clothing) {
 struct Topology {
   std::map<std::pair<uint32_t, uint32_t>, int> directed;  // edges as walked by faces
   size_t open = 0;                                        // directed edges without a partner
-  size_t components = 0;
+  size_t parts = 0;
   std::vector<int> fans;  // [V] groups of faces around a vertex
 };
 
@@ -60,7 +60,7 @@ Topology topology_of(const Character& c) {
   for (const auto& [edge, count] : t.directed) t.open += t.directed.count({edge.second, edge.first}) == 0 ? 1 : 0;
   std::set<uint32_t> roots;
   for (uint32_t v = 0; v < parent.size(); ++v) roots.insert(root_of(&parent, v));
-  t.components = roots.size();
+  t.parts = roots.size();
   t.fans.assign(c.vertices.size(), 0);
   for (size_t v = 0; v < next.size(); ++v) {
     std::map<uint32_t, uint32_t> left = next[v];
@@ -137,7 +137,7 @@ TEST_P(EveryPlan, BodyIsOneClosedManifold) {
       const Character c = make(GetParam(), seed, resolution, false);
       SCOPED_TRACE(c.name + " at " + std::to_string(resolution));
       const Topology t = topology_of(c);
-      EXPECT_EQ(t.components, 1u);
+      EXPECT_EQ(t.parts, 1u);
       EXPECT_EQ(t.open, 0u);
       for (const auto& [edge, count] : t.directed) ASSERT_EQ(count, 1) << "edge " << edge.first << " " << edge.second;
       for (size_t v = 0; v < t.fans.size(); ++v) ASSERT_EQ(t.fans[v], 1) << "vertex " << v;
@@ -151,7 +151,7 @@ TEST_P(EveryPlan, ClothedCharactersHaveNoFoldedOrEmptyFaces) {
     const Character c = make(GetParam(), seed, 28, true);
     SCOPED_TRACE(c.name);
     const Topology t = topology_of(c);
-    EXPECT_GE(t.components, 2u) << "no eyes, no clothes";
+    EXPECT_GE(t.parts, 2u) << "no eyes, no clothes";
     for (const auto& [edge, count] : t.directed) ASSERT_EQ(count, 1) << "edge " << edge.first << " " << edge.second;
     for (size_t v = 0; v < t.fans.size(); ++v) ASSERT_EQ(t.fans[v], 1) << "vertex " << v;
     for (size_t f = 0; f < c.face_count(); ++f) ASSERT_GT(face_area(c, f), 1e-7) << "face " << f;

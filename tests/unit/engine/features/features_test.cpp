@@ -64,7 +64,7 @@ template <class Check>
 void for_each_pair(Check check) {
   for (const uint32_t candidates : {1u, 3u, 8u, 16u}) {
     const Featured run(candidates);
-    ASSERT_GE(run.p.mesh.component_count, 3u);
+    ASSERT_GE(run.p.mesh.part_count, 3u);
     for (uint32_t v = 0; v < run.p.mesh.welded_count; ++v) {
       for (uint32_t slot = 0; slot < candidates; ++slot) {
         const uint32_t joint = run.joint(v, slot);

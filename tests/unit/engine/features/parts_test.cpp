@@ -81,7 +81,7 @@ void expect_nearest_hosts(const PartsRun& r) {
     uint32_t host = kNoVertex;
     int64_t best = 0;
     for (uint32_t other = 0; other < mesh.welded_count; ++other) {
-      if (mesh.component[other] >= mesh.component[v]) continue;
+      if (mesh.part[other] >= mesh.part[v]) continue;
       const sinew::Vec3i d = mesh.positions[other] - mesh.positions[v];
       if (host != kNoVertex && sinew::dot(d, d) >= best) continue;
       host = other;
@@ -115,7 +115,7 @@ TEST(Parts, ManySmallOnesOnALargeOne) {
   }
   scene.add_joint(0, 0, 0, -1);
   const PartsRun r(scene);
-  EXPECT_GT(r.run.mesh.component_count, 200u);
+  EXPECT_GT(r.run.mesh.part_count, 200u);
   expect_nearest_hosts(r);
 }
 

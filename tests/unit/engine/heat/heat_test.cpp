@@ -194,7 +194,7 @@ TEST(Heat, SpecksFarFromTheBonesStillSumToOne) {
   }
   const HeatRun run(scene);
   ASSERT_EQ(run.status, SINEW_OK);
-  ASSERT_EQ(run.mesh.component_count, 2u);
+  ASSERT_EQ(run.mesh.part_count, 2u);
   for (uint32_t f = 0; f < kFieldCount; ++f) {
     for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
       EXPECT_NEAR(run.weight(f, v, 0) + run.weight(f, v, 1) + run.weight(f, v, 2), 1.0, 6e-4) << v;

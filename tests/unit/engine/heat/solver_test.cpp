@@ -17,7 +17,7 @@ using sinew_test::HeatRun;
 using sinew_test::HeatScene;
 using sinew_test::Sources;
 
-// Solves every component with a factor that may hold `entries` and returns field 0.
+// Solves every part with a factor that may hold `entries` and returns field 0.
 std::vector<double> solve_with_limit(const HeatRun& run, size_t entries, uint32_t* iterative) {
   Arena measure;
   EdgeWeights edges;
@@ -39,8 +39,8 @@ std::vector<double> solve_with_limit(const HeatRun& run, size_t entries, uint32_
   const Sources sources(run);
   *iterative = 0;
   for (uint32_t v = 0; v < run.mesh.welded_count; ++v) fields.field[0].nearest[v] = sources.found.nearest[0][v];
-  for (uint32_t c = 0; c < run.mesh.component_count; ++c) {
-    real.begin_component(run.mesh, edges, c);
+  for (uint32_t c = 0; c < run.mesh.part_count; ++c) {
+    real.begin_part(run.mesh, edges, c);
     *iterative += real.iterative();
     real.solve_field(sources.found, kFieldRule, &fields.field[0]);
   }
@@ -90,7 +90,7 @@ TEST(Solver, LargeIndefinitePartsKeepToFronts) {
   const HeatScene scene = flat_strip(22000);
   HeatRun run(scene, false);
   ASSERT_EQ(run.status, SINEW_OK);
-  ASSERT_GT(run.mesh.component_sizes[0], 65536u);
+  ASSERT_GT(run.mesh.part_sizes[0], 65536u);
   const Sources sources(run);
   Arena measure;
   EdgeWeights edges;
@@ -110,7 +110,7 @@ TEST(Solver, LargeIndefinitePartsKeepToFronts) {
   ASSERT_EQ(weigh_edges(run.mesh, run.counts, block.arena, &edges), SINEW_OK);
   solver.allocate(block.arena, run.counts);
   std::copy_n(sources.found.nearest[0], run.mesh.welded_count, run.fields.field[0].nearest);
-  solver.begin_component(run.mesh, edges, 0);
+  solver.begin_part(run.mesh, edges, 0);
   solver.solve_field(sources.found, kFieldRule, &run.fields.field[0]);
   EXPECT_TRUE(solver.with_fronts());
   EXPECT_FALSE(solver.iterative());

@@ -62,7 +62,7 @@ TEST(Sources, NearestAndNearestVisibleOfManyBones) {
       for (uint32_t i = 0; i < run.mesh.triangle_count && !hidden; ++i) {
         const uint32_t* c = run.mesh.triangles + 3 * i;
         hidden =
-            run.mesh.component[c[0]] == run.mesh.component[v] && c[0] != v && c[1] != v && c[2] != v &&
+            run.mesh.part[c[0]] == run.mesh.part[v] && c[0] != v && c[1] != v && c[2] != v &&
             crosses_front(at, target, run.mesh.positions[c[0]], run.mesh.positions[c[1]], run.mesh.positions[c[2]]);
       }
       if (!hidden) seen = euclid;
@@ -105,9 +105,9 @@ HeatScene nested_shells() {
 TEST(Sources, RuleFallsBackToPartsWhereAnotherPartHides) {
   const HeatRun run(nested_shells());
   ASSERT_EQ(run.status, SINEW_OK);
-  ASSERT_EQ(run.mesh.component_count, 2u);
-  EXPECT_EQ(run.fields.component_rule[0], 1);  // the outer shell: the inner one hides the bones
-  EXPECT_EQ(run.fields.component_rule[1], 0);  // the inner shell sees them
+  ASSERT_EQ(run.mesh.part_count, 2u);
+  EXPECT_EQ(run.fields.part_rule[0], 1);  // the outer shell: the inner one hides the bones
+  EXPECT_EQ(run.fields.part_rule[1], 0);  // the inner shell sees them
 }
 
 TEST(Sources, ALoneBoneOwnsEverything) {
@@ -123,8 +123,8 @@ TEST(Sources, ALoneBoneOwnsEverything) {
   scene.add_joint(0.5, 0.5, 0.5, -1);
   const HeatRun run(scene);
   ASSERT_EQ(run.status, SINEW_OK);
-  for (uint32_t c = 0; c < run.mesh.component_count; ++c)
-    EXPECT_EQ(run.fields.component_rule[c], 0);  // a flat plate hides nothing from its own corners
+  for (uint32_t c = 0; c < run.mesh.part_count; ++c)
+    EXPECT_EQ(run.fields.part_rule[c], 0);  // a flat plate hides nothing from its own corners
   for (uint32_t f = 0; f < kFieldCount; ++f) {
     for (uint32_t v = 0; v < run.mesh.welded_count; ++v) EXPECT_EQ(run.weight(f, v, 0), 1.0);
   }
@@ -163,8 +163,8 @@ TEST(Sources, BodiesThatHideTheirOwnBonesAreOpen) {
   scene.add_joint(0, 3.0, 0, 0);
   const HeatRun run(scene);
   ASSERT_EQ(run.status, SINEW_OK);
-  ASSERT_EQ(run.mesh.component_count, 1u);
-  EXPECT_EQ(run.fields.component_rule[0], 2);
+  ASSERT_EQ(run.mesh.part_count, 1u);
+  EXPECT_EQ(run.fields.part_rule[0], 2);
   size_t seen = 0;
   for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
     EXPECT_EQ(run.fields.field[kFieldRule].has_source[v], 1);

@@ -106,14 +106,13 @@ TEST(Visibility, TreeEqualsBruteForce) {
   uint32_t kept[2] = {FaceTree::kNoGroup, FaceTree::kNoGroup};  // hints, from one vertex to the next
   for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
     const Vec3i target = run.mesh.positions[random() % run.mesh.welded_count];
-    const uint32_t first = tree.component_first[run.mesh.component[v]],
-                   last = tree.component_first[run.mesh.component[v] + 1];
+    const uint32_t first = tree.part_first[run.mesh.part[v]], last = tree.part_first[run.mesh.part[v] + 1];
     for (const bool outside : {false, true}) {
       bool brute = false;
       for (uint32_t t = 0; t < run.mesh.triangle_count; ++t) {
         const uint32_t* c = run.mesh.triangles + 3 * t;
         if (c[0] == v || c[1] == v || c[2] == v) continue;
-        if ((run.mesh.component[c[0]] == run.mesh.component[v]) == outside) continue;
+        if ((run.mesh.part[c[0]] == run.mesh.part[v]) == outside) continue;
         brute = brute || crosses_front(run.mesh.positions[v], target, run.mesh.positions[c[0]],
                                        run.mesh.positions[c[1]], run.mesh.positions[c[2]]);
       }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weld, triangles, one-ring, components, normals, areas and curvatures of the integer mesh.
+// Weld, triangles, one-ring, parts, normals, areas and curvatures of the integer mesh.
 #include "mesh/mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Mesh, WeldsEqualPositionsOnly) {
   EXPECT_EQ(run.mesh.row_offsets[lone], run.mesh.row_offsets[lone + 1]);
   EXPECT_EQ(run.mesh.areas[lone], 0u);
   EXPECT_EQ(run.mesh.normals[lone], (sinew::Vec3i{0, 0, 0}));
-  EXPECT_EQ(run.mesh.component_count, 2u);
+  EXPECT_EQ(run.mesh.part_count, 2u);
   for (uint32_t v = 1; v < 9; ++v) EXPECT_FALSE(run.mesh.positions[v] == run.mesh.positions[v - 1]);
 }
 
@@ -104,7 +104,7 @@ TEST(Mesh, OneRingIsSymmetricSortedAndComplete) {
   }
 }
 
-TEST(Mesh, ComponentsFallInSizeAndTiesGoByFirstVertex) {
+TEST(Mesh, PartsFallInSizeAndTiesGoByFirstVertex) {
   MeshScene scene;
   scene.add_vertex(-5, 0, 0);  // a lone vertex
   add_cube(&scene, 0, 0, 0);
@@ -114,29 +114,29 @@ TEST(Mesh, ComponentsFallInSizeAndTiesGoByFirstVertex) {
   const MeshRun run(with_joint(scene));
   ASSERT_EQ(run.status, SINEW_OK);
   const sinew::Mesh& mesh = run.mesh;
-  ASSERT_EQ(mesh.component_count, 4u);
-  EXPECT_EQ(std::vector<uint32_t>(mesh.component_sizes, mesh.component_sizes + 4), (std::vector<uint32_t>{9, 8, 8, 1}));
-  EXPECT_EQ(mesh.component[mesh.vertex_to_welded[0]], 3u);
-  EXPECT_EQ(mesh.component[mesh.vertex_to_welded[1]], 0u);
+  ASSERT_EQ(mesh.part_count, 4u);
+  EXPECT_EQ(std::vector<uint32_t>(mesh.part_sizes, mesh.part_sizes + 4), (std::vector<uint32_t>{9, 8, 8, 1}));
+  EXPECT_EQ(mesh.part[mesh.vertex_to_welded[0]], 3u);
+  EXPECT_EQ(mesh.part[mesh.vertex_to_welded[1]], 0u);
   uint32_t at = 0;
   for (uint32_t id = 0; id < 4; ++id) {
-    EXPECT_EQ(mesh.component_offsets[id], at);
-    for (; at < mesh.component_offsets[id + 1]; ++at) {
-      EXPECT_EQ(mesh.component[mesh.component_vertices[at]], id);
-      if (at > mesh.component_offsets[id]) {
-        EXPECT_GT(mesh.component_vertices[at], mesh.component_vertices[at - 1]);
+    EXPECT_EQ(mesh.part_offsets[id], at);
+    for (; at < mesh.part_offsets[id + 1]; ++at) {
+      EXPECT_EQ(mesh.part[mesh.part_vertices[at]], id);
+      if (at > mesh.part_offsets[id]) {
+        EXPECT_GT(mesh.part_vertices[at], mesh.part_vertices[at - 1]);
       }
     }
   }
   EXPECT_EQ(at, mesh.welded_count);
-  EXPECT_LT(mesh.component_vertices[mesh.component_offsets[1]], mesh.component_vertices[mesh.component_offsets[2]]);
+  EXPECT_LT(mesh.part_vertices[mesh.part_offsets[1]], mesh.part_vertices[mesh.part_offsets[2]]);
 }
 
 TEST(Mesh, SphereHasItsNormalsAreaAndCurvature) {
   const MeshRun run(cube_sphere(24));
   ASSERT_EQ(run.status, SINEW_OK);
   const sinew::Mesh& mesh = run.mesh;
-  EXPECT_EQ(mesh.component_count, 1u);
+  EXPECT_EQ(mesh.part_count, 1u);
   const double radius = kSide / 2;
   double area = 0, defect = 0, mean = 0, expected_mean = 0;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {

@@ -92,7 +92,7 @@ TEST(Reduction, AClosedSurfaceStaysClosed) {
   ASSERT_TRUE(run.reduction.active);
   EXPECT_LE(mesh.welded_count, 600u);
   EXPECT_GT(mesh.welded_count, 450u) << "far fewer than were allowed";
-  EXPECT_EQ(mesh.component_count, 1u);
+  EXPECT_EQ(mesh.part_count, 1u);
   const auto edges = triangles_at_edges(mesh);
   for (const auto& edge : edges) EXPECT_EQ(edge.second, 2) << edge.first.first << " " << edge.first.second;
   EXPECT_EQ(
@@ -163,7 +163,7 @@ TEST(Reduction, AThinTubeStaysOnePiece) {
   const ReducedRun run(scene, 64);
   ASSERT_EQ(run.status, SINEW_OK);
   const Mesh& mesh = run.reduction.mesh;
-  EXPECT_EQ(mesh.component_count, 1u);
+  EXPECT_EQ(mesh.part_count, 1u);
   EXPECT_LT(mesh.triangle_count, mesh.welded_count) << "the case is gone: a chain was expected";
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     EXPECT_GT(mesh.row_offsets[v + 1], mesh.row_offsets[v]);

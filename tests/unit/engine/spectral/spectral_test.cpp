@@ -17,7 +17,7 @@ using namespace sinew;
 using sinew_test::MeshScene;
 using sinew_test::SpectralRun;
 
-// A lumpy closed body with an open cloth sheet beside it: two components, one with a boundary.
+// A lumpy closed body with an open cloth sheet beside it: two parts, one with a boundary.
 MeshScene body() {
   MeshScene scene = sinew_test::cube_sphere(12);
   for (uint32_t v = 0; v < scene.vertex_count(); ++v) {
@@ -115,7 +115,7 @@ TEST(Spectral, PlaceAndSizeDoNotMatterAndTurningHardly) {
             0.3);
 }
 
-TEST(Spectral, ComponentsDoNotSeeEachOther) {
+TEST(Spectral, PartsDoNotSeeEachOther) {
   const MeshScene scene = body();
   MeshScene twice = scene;
   for (uint32_t v = 0; v < scene.vertex_count(); ++v) {

@@ -24,9 +24,9 @@ struct TwoParts {
 
   TwoParts() {
     mesh.welded_count = 5;
-    mesh.component_count = 2;
-    mesh.component_offsets = offsets.data();
-    mesh.component_vertices = vertices.data();
+    mesh.part_count = 2;
+    mesh.part_offsets = offsets.data();
+    mesh.part_vertices = vertices.data();
     counts.vertices = 5;
     counts.joints = 4;
     rows.joints = joints.data();
