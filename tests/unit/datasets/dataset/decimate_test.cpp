@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The data set check finds each constructed defect and nothing in a sound character; decimation keeps rows, outlines
-// and seams.
-#include "sinew_datasets/dataset.hpp"
-
+// Decimation keeps rows, outlines and seams.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,138 +7,12 @@
 #include <set>
 
 #include "expect_error.hpp"
+#include "glb_round.hpp"
+#include "sinew_datasets/dataset.hpp"
+#include "tube.hpp"
 
-using namespace sinew;
-
+namespace sinew {
 namespace {
-
-void add_face(Character* c, std::vector<uint32_t> corners) {
-  c->face_vertices.insert(c->face_vertices.end(), corners.begin(), corners.end());
-  c->face_offsets.push_back(static_cast<uint32_t>(c->face_vertices.size()));
-}
-
-// A tube of quads around Y, open at both ends, with two joints and smooth weights.
-Character tube(uint32_t around = 16, uint32_t rings = 20) {
-  Character c;
-  c.name = "tube";
-  c.joints = {{"low", {0, 0, 0}, -1}, {"high", {0, 2, 0}, 0}};
-  for (uint32_t r = 0; r < rings; ++r)
-    for (uint32_t a = 0; a < around; ++a) {
-      const double t = 6.283185307179586 * a / around, y = 4.0 * r / (rings - 1);
-      c.vertices.push_back({static_cast<float>(std::cos(t)), static_cast<float>(y), static_cast<float>(std::sin(t))});
-      c.influences.push_back({{0, static_cast<float>(1 - y / 4)}, {1, static_cast<float>(y / 4)}});
-    }
-  for (uint32_t r = 0; r + 1 < rings; ++r)
-    for (uint32_t a = 0; a < around; ++a) {
-      const uint32_t b = (a + 1) % around;
-      add_face(&c, {r * around + a, (r + 1) * around + a, (r + 1) * around + b, r * around + b});
-    }
-  return c;
-}
-
-bool has(const CheckReport& report, const std::string& code) {
-  return std::any_of(report.findings.begin(), report.findings.end(),
-                     [&](const CheckFinding& f) { return f.code == code; });
-}
-
-bool has_more_than_notes(const CheckReport& report) {
-  return std::any_of(report.findings.begin(), report.findings.end(),
-                     [](const CheckFinding& f) { return f.level != CheckFinding::Level::kNote; });
-}
-
-TEST(Check, ASoundCharacterHasOnlyNotes) {
-  const CheckReport r = check_character(tube());
-  EXPECT_FALSE(has_more_than_notes(r));
-  EXPECT_EQ(r.vertices, 320u);
-  EXPECT_EQ(r.faces, 304u);
-  EXPECT_EQ(r.components, 1u);
-  EXPECT_EQ(r.boundary_edges, 32u);
-  EXPECT_EQ(r.roots, 1u);
-  EXPECT_EQ(r.max_influences, 2u);
-  const auto boundary = std::find_if(r.findings.begin(), r.findings.end(),
-                                     [](const CheckFinding& f) { return f.code == "boundary-edges"; });
-  ASSERT_NE(boundary, r.findings.end());
-  EXPECT_EQ(boundary->text, "32 boundary edges in 2 loops");
-}
-
-TEST(Check, FindsEachMeshDefect) {
-  Character c = tube();
-  c.vertices.push_back({3, 3, 3});
-  c.influences.push_back({{0, 1.0f}});
-  add_face(&c, {0, 16, 320});  // third face at edge 0-16
-  c.vertices.push_back({9, 0, 0});
-  c.influences.push_back({{0, 1.0f}});
-  CheckReport r = check_character(c);
-  EXPECT_EQ(r.non_manifold_edges, 1u);
-  EXPECT_TRUE(has(r, "non-manifold-edges"));
-  EXPECT_EQ(r.isolated_vertices, 1u);
-  EXPECT_TRUE(has(r, "isolated-vertices"));
-  EXPECT_EQ(r.components, 1u);
-
-  c = tube();
-  add_face(&c, {5, 5, 6});
-  add_face(&c, {17, 1, 0, 16});  // face 0 again, turned
-  r = check_character(c);
-  EXPECT_EQ(r.degenerate_faces, 1u);
-  EXPECT_EQ(r.duplicate_faces, 1u);
-  EXPECT_EQ(r.non_manifold_edges, 0u);
-
-  c = tube();
-  for (const Vec3& p : std::vector<Vec3>{{8, 0, 0}, {9, 0, 0}, {10, 0, 0}})
-    c.vertices.push_back(p), c.influences.push_back({{0, 1.0f}});
-  add_face(&c, {320, 321, 322});  // a line
-  r = check_character(c);
-  EXPECT_EQ(r.degenerate_faces, 1u);
-  EXPECT_EQ(r.components, 2u);
-
-  c = tube();
-  std::swap(c.face_vertices[1], c.face_vertices[3]);
-  EXPECT_TRUE(has(check_character(c), "flipped-faces"));
-  c = tube();
-  c.face_vertices[0] = 4000;
-  EXPECT_TRUE(has(check_character(c), "bad-faces"));
-  c.vertices[1].x = std::nanf("");
-  EXPECT_TRUE(has(check_character(c), "not-finite"));
-}
-
-TEST(Check, FindsEachSkeletonDefect) {
-  Character c = tube();  // 2 x 4 x 2: the limit is 2 beyond the box
-  c.joints.push_back({"near", {0, 5.9f, 0}, 1});
-  c.joints.push_back({"as near", {0, -1.9f, 0}, 1});
-  EXPECT_EQ(check_character(c).joints_outside, 0u);
-  c.joints.push_back({"far", {0, 6.1f, 0}, 1});
-  EXPECT_EQ(check_character(c).joints_outside, 1u);
-  c.joints.push_back({"as far", {0, -2.1f, 0}, 1});
-  EXPECT_EQ(check_character(c).joints_outside, 2u);
-  c.joints.push_back({"other root", {0, 0, 0}, -1});
-  EXPECT_EQ(check_character(c).roots, 2u);
-  EXPECT_TRUE(has(check_character(c), "several-roots"));
-  c.joints.push_back({"a", {0, 0, 0}, 8});
-  c.joints.push_back({"b", {0, 0, 0}, 7});
-  c.joints.push_back({"hangs on the cycle", {0, 0, 0}, 7});
-  EXPECT_EQ(check_character(c).hierarchy_cycles, 1u);
-  c.joints.push_back({"orphan", {0, 0, 0}, 77});
-  EXPECT_TRUE(has(check_character(c), "bad-parents"));
-  c.joints.clear();
-  EXPECT_TRUE(has(check_character(c), "no-joints"));
-}
-
-TEST(Check, FindsEachWeightDefect) {
-  Character c = tube();
-  c.influences[3].clear();
-  c.influences[4] = {{0, 0.5f}, {1, 0.4985f}};
-  c.influences[5] = {{0, 0.5f}, {1, 0.4995f}};  // within 1e-3
-  CheckReport r = check_character(c);
-  EXPECT_EQ(r.unbound_vertices, 1u);
-  EXPECT_EQ(r.bad_weight_sums, 1u);
-  c.influences[6] = {{7, 1.0f}};
-  c.influences[7] = {{0, -1.0f}, {1, 2.0f}};
-  EXPECT_TRUE(has(check_character(c), "bad-influences"));
-  c.influences.resize(10);
-  EXPECT_TRUE(has(check_character(c), "weight-rows"));
-  c.influences.clear();
-  EXPECT_TRUE(has(check_character(c), "no-weights"));
-}
 
 TEST(Decimate, ReachesTheRatioAndKeepsRowsOfSurvivors) {
   const Character c = tube(48, 60);
@@ -263,4 +134,11 @@ TEST(Decimate, KeepsMaterialsAndGroupsOfFaces) {
   EXPECT_EQ(std::set<int>(d.face_materials.begin(), d.face_materials.end()).size(), 2u);
 }
 
+TEST(Decimate, ForgetsTheDocument) {
+  const Character c = decimate(read(two_joint_strip()), 1.0);
+  EXPECT_EQ(c.gltf, nullptr);
+  EXPECT_NO_THROW(written(c));
+}
+
 }  // namespace
+}  // namespace sinew
