@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# One cross-family run per file of trainer/configs/ablation, then the table that trainer/README.md shows.
+# One cross-family run per file of trainer/configs/ablation, then the table of trainer/configs/RESULTS.md.
 set -euo pipefail
 if [ $# -lt 3 ]; then
   echo "usage: scripts/ablation.sh TRAIN_DIR VAL_DIR OUT_DIR [NAME ...]   (NAME of trainer/configs/ablation; all without)" >&2

@@ -298,8 +298,7 @@ size_t expect_agreement(const char* name, const HeatScene& scene, bool positive 
   std::unique_ptr<void, void (*)(void*)> block(std::aligned_alloc(64, measure.high_water()), std::free);
   Arena arena(block.get(), measure.high_water());
   EXPECT_EQ(find(arena), SINEW_OK);
-  Reference reference{run, run.mesh, run.skeleton, sources, std::vector<bool>(run.mesh.part_count, positive),
-                      {},  0};
+  Reference reference{run, run.mesh, run.skeleton, sources, std::vector<bool>(run.mesh.part_count, positive), {}, 0};
   size_t all_unsure = 0;
   for (uint32_t field = 0; field < kFieldCount; ++field) {
     reference.unsure = 0;

@@ -48,7 +48,7 @@ TEST_P(ReducedBind, IsCloseToTheWholeMesh) {
   const double moved = mean_l1(whole, reduced);
   RecordProperty("mean_l1", std::to_string(moved));
   EXPECT_GT(moved, 0) << "nothing was reduced";
-  // What decimation moves: the network sees another resolution, heat hardly minds (trainer/README.md, robustness).
+  // What decimation moves: the network sees another resolution, heat hardly minds (trainer/configs/RESULTS.md, robustness).
   EXPECT_LT(moved, GetParam() == SINEW_METHOD_HEAT ? 0.04 : 0.16);
   EXPECT_LT(reduced.bytes, whole.bytes / 2);
   EXPECT_LE(reduced.used, reduced.bytes);

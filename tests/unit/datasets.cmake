@@ -2,8 +2,9 @@
 # One folder of formats/datasets/src, one program.
 if(SINEW_BUILD_FORMATS)
   find_package(PNG REQUIRED)
-  foreach(room dataset picture synth)
+  find_package(nlohmann_json REQUIRED)
+  foreach(room dataset picture page synth)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/datasets/${room}/*_test.cpp)
-    sinew_test(unit_datasets_${room} SOURCES ${sources} LIBS sinew::datasets PNG::PNG LABELS unit)
+    sinew_test(unit_datasets_${room} SOURCES ${sources} LIBS sinew::datasets PNG::PNG nlohmann_json::nlohmann_json LABELS unit)
   endforeach()
 endif()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Text to float and back where the compiler's library has no functions for it gives what the standard's functions give.
-#include "../../formats/src/decimal.hpp"
+#include "text/decimal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
-// OBJ, rig.txt, files and folders: what is read, what is refused and with which words, what is left on disk.
+// OBJ: what is read, what is refused and with which words, what is written.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 
 #include "expect_error.hpp"
 #include "sinew_formats/io.hpp"
 #include "temp_folder.hpp"
 
-using namespace sinew;
-
+namespace sinew {
 namespace {
 
 Character obj(const std::string& text) {
@@ -192,177 +189,5 @@ TEST(Obj, WritesWhatItReads) {
   EXPECT_EQ(folder.text_of("b.obj"), folder.text_of("c.obj"));
 }
 
-// ---- rig.txt
-
-const char kRig[] =
-    "joints hip 0 1 0\njoints knee 0 0.5 0.1\nroot hip\nskin 0 hip 0.75 knee 0.25\nskin 2 knee 1\nhier hip knee\n";
-
-Character rigged(const std::string& rig) {
-  const TempFolder folder;
-  folder.write("dog.obj", std::string(kTriangle) + "f 1 2 3\n");
-  return read_character(folder.write("dog.rig.txt", rig));
-}
-
-TEST(Rig, ReadsJointsHierarchyAndWeights) {
-  const Character c = rigged(kRig);
-  EXPECT_EQ(c.name, "dog");
-  ASSERT_EQ(c.joints.size(), 2u);
-  EXPECT_EQ(c.joints[1].name, "knee");
-  EXPECT_EQ(c.joints[1].parent, 0);
-  EXPECT_EQ(c.joints[0].parent, -1);
-  EXPECT_EQ(c.joints[1].position.z, 0.1f);
-  ASSERT_EQ(c.influences.size(), 3u);
-  EXPECT_EQ(c.influences[0].size(), 2u);
-  EXPECT_EQ(c.influences[0][1].weight, 0.25f);
-  EXPECT_TRUE(c.influences[1].empty());
-}
-
-TEST(Rig, AnyOrderCrlfCommentsAndSeveralRoots) {
-  const Character c = rigged(
-      "# made by hand\r\nhier hip knee\r\nskin 1 knee 0.5 hip 0 \r\n\r\nroot hip\r\njoints knee 0 0 0\r\njoints hip 1 "
-      "1 1\r\njoints prop 2 2 2\r\n");
-  EXPECT_EQ(c.joints[0].parent, 1);
-  EXPECT_EQ(c.joints[2].parent, -1);
-  EXPECT_EQ(c.influences[1].size(), 1u);  // a weight of 0 is none
-}
-
-TEST(Rig, ErrorsNameFileAndLine) {
-  const std::string head = "joints hip 0 1 0\njoints knee 0 0.5 0\nroot hip\nhier hip knee\n";
-  EXPECT_ERROR(rigged(head + "bone a b\n"), "dog.rig.txt:5:", "'bone'");
-  EXPECT_ERROR(rigged(head + "joints knee 0 0 0\n"), "dog.rig.txt:5:", "once", "line 2", "'knee'");
-  EXPECT_ERROR(rigged(head + "joints toe 0 0\n"), "dog.rig.txt:5:", "joints NAME x y z");
-  EXPECT_ERROR(rigged(head + "joints toe 0 nan 0\n"), "dog.rig.txt:5:", "'nan'");
-  EXPECT_ERROR(rigged(head + "skin 0 toe 1\n"), "dog.rig.txt:5:", "'toe'");
-  EXPECT_ERROR(rigged(head + "skin 3 hip 1\n"), "dog.rig.txt:5:", "below 3", "'3'");
-  EXPECT_ERROR(rigged(head + "skin -1 hip 1\n"), "dog.rig.txt:5:", "'-1'");
-  EXPECT_ERROR(rigged(head + "skin 0 hip\n"), "dog.rig.txt:5:", "pairs");
-  EXPECT_ERROR(rigged(head + "skin 0 hip nan\n"), "dog.rig.txt:5:", "weight", "'nan'");
-  EXPECT_ERROR(rigged(head + "skin 0 hip -0.5\n"), "dog.rig.txt:5:", "'-0.5'");
-  EXPECT_ERROR(rigged(head + "skin 0 hip 0.5 hip 0.5\n"), "dog.rig.txt:5:", "once per vertex");
-  EXPECT_ERROR(rigged(head + "skin 0 hip 1\nskin 0 hip 1\n"), "dog.rig.txt:6:", "line 5");
-  EXPECT_ERROR(rigged(head + "hier toe knee\n"), "dog.rig.txt:5:", "'toe'");
-  EXPECT_ERROR(rigged(head + "hier knee knee\n"), "dog.rig.txt:5:", "one parent", "'hip'");
-  EXPECT_ERROR(rigged(head + "hier knee hip\n"), "dog.rig.txt", "cycle");
-  EXPECT_ERROR(rigged(head + "root knee\n"), "dog.rig.txt:5:", "line 3");
-  EXPECT_ERROR(rigged("joints a 0 0 0\njoints b 0 0 0\nhier a b\nroot b\n"), "dog.rig.txt:4:", "without parent");
-  EXPECT_ERROR(rigged("joints a 0 0 0\n"), "dog.rig.txt", "root NAME");
-  EXPECT_ERROR(rigged("root a\n"), "dog.rig.txt", "joints");
-  EXPECT_ERROR(rigged(""), "dog.rig.txt", "empty");
-  EXPECT_ERROR(rigged(std::string("joints\0", 7)), "dog.rig.txt", "binary");
-}
-
-TEST(Rig, ABrokenRigLeavesTheMeshAsItWas) {
-  const TempFolder folder;
-  Character c = rigged(kRig);
-  EXPECT_ERROR(read_skeleton(folder.write("bad.rig.txt", "joints a 0 0 0\nroot a\nskin 0 a -1\n"), true, &c),
-               "bad.rig.txt:3:");
-  EXPECT_EQ(c.joints.size(), 2u);
-  EXPECT_EQ(c.influences.size(), 3u);
-}
-
-TEST(Rig, SkeletonAloneIgnoresVertexNumbers) {
-  const TempFolder folder;
-  Character c = obj(std::string(kTriangle) + "f 1 2 3\n");
-  read_skeleton(folder.write("s.txt", "joints a 0 0 0\nroot a\nskin 77 a 1\n"), false, &c);
-  EXPECT_EQ(c.joints.size(), 1u);
-  EXPECT_TRUE(c.influences.empty());
-}
-
-TEST(Rig, WritesNamesWithoutBlanks) {
-  const TempFolder folder;
-  Character c = rigged(kRig);
-  c.joints[0].name = "left hip";
-  c.joints[1].name = "left_hip";
-  c.joints.push_back({"", {}, 0});
-  c.joints.push_back({"left_hip_2", {}, 0});
-  c.influences[0].push_back({2, 4e-7f});  // prints as nothing
-  write_rig(folder.file("out.rig.txt"), c);
-  EXPECT_NE(folder.text_of("out.rig.txt").find("skin 0 left_hip 0.750000 left_hip_3 0.250000\n"), std::string::npos);
-  Character again = obj(std::string(kTriangle) + "f 1 2 3\n");
-  read_skeleton(folder.file("out.rig.txt"), true, &again);
-  EXPECT_EQ(again.joints[0].name, "left_hip");
-  EXPECT_EQ(again.joints[1].name, "left_hip_3");
-  EXPECT_EQ(again.joints[2].name, "joint_2");
-  EXPECT_EQ(again.joints[3].name, "left_hip_2");
-}
-
-TEST(Rig, RefusesToWriteWhatItCouldNotRead) {
-  const TempFolder folder;
-  Character c = rigged(kRig);
-  c.influences[0].push_back({9, 0.5f});
-  EXPECT_ERROR(write_rig(folder.file("o.rig.txt"), c), "vertex 0", "joint 9 of 2");
-  c = rigged(kRig);
-  c.joints[0].parent = 1;
-  EXPECT_ERROR(write_rig(folder.file("o.rig.txt"), c), "root");
-  c.joints.clear();
-  EXPECT_ERROR(write_rig(folder.file("o.rig.txt"), c), "joints");
-  EXPECT_EQ(folder.file_count(), 0u);
-}
-
-// ---- files and folders
-
-TEST(Files, AFailedWriteLeavesTheTargetAndNoRubbish) {
-  const TempFolder folder;
-  folder.write("old.txt", "old");
-  write_text_file(folder.file("old.txt"), "new");
-  EXPECT_EQ(folder.text_of("old.txt"), "new");
-  EXPECT_ERROR(write_text_file(folder.file("missing/x.txt"), "x"), "missing/x.txt", "does not exist");
-  std::filesystem::create_directory(folder.file("dir"));
-  EXPECT_ERROR(write_text_file(folder.file("dir"), "x"), "dir", "directory");
-  EXPECT_EQ(folder.file_count(), 2u);
-  const Character empty;
-  EXPECT_ERROR(write_glb(folder.file("old.txt"), empty), "old.txt", "without faces");
-  EXPECT_EQ(folder.text_of("old.txt"), "new");
-}
-
-TEST(Files, AFullDiskLeavesTheTargetAndNoRubbish) {
-  const TempFolder folder;
-  folder.write("old.txt", "old");
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  rlimit small = before;
-  small.rlim_cur = 4096;
-  signal(SIGXFSZ, SIG_IGN);
-  setrlimit(RLIMIT_FSIZE, &small);
-  std::string message;
-  try {
-    write_text_file(folder.file("old.txt"), std::string(100000, 'x'));
-  } catch (const Error& error) {
-    message = error.what();
-  }
-  setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_NE(message.find("cannot write"), std::string::npos) << message;
-  EXPECT_EQ(folder.text_of("old.txt"), "old");
-  EXPECT_EQ(folder.file_count(), 1u);
-}
-
-TEST(Files, FollowsLinksAndWritesDevices) {
-  const TempFolder folder;
-  folder.write("real.txt", "old");
-  std::filesystem::create_symlink("real.txt", folder.file("link.txt"));
-  write_text_file(folder.file("link.txt"), "new");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link.txt")));
-  EXPECT_EQ(folder.text_of("real.txt"), "new");
-  EXPECT_NO_THROW(write_text_file("/dev/null", "gone"));
-}
-
-TEST(Folders, ListsPairsAndGltfSortedByName) {
-  const TempFolder folder;
-  for (const char* name : {"b__2.obj", "b__2.rig.txt", "a__1.GLB", "c.obj", "d.rig.txt", "e__.vrm", "readme.txt"})
-    folder.write(name, "x");
-  const std::vector<std::string> found = list_characters(folder.path());
-  ASSERT_EQ(found.size(), 3u);
-  EXPECT_EQ(found[0], folder.file("a__1.GLB"));
-  EXPECT_EQ(found[1], folder.file("b__2.obj"));
-  EXPECT_EQ(family_of("b__2"), "b");
-  EXPECT_EQ(family_of("b_2"), "all");
-  EXPECT_ERROR(list_characters(folder.file("nowhere")), "nowhere");
-}
-
-TEST(Folders, ACharacterWithoutItsRigIsAnError) {
-  const TempFolder folder;
-  EXPECT_ERROR(read_character(folder.write("cat.obj", std::string(kTriangle) + "f 1 2 3\n")), "cat.rig.txt",
-               "no such file");
-}
-
 }  // namespace
+}  // namespace sinew

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// A mesh and its skeleton by the names of their files.
+#include <gtest/gtest.h>
+
+#include "expect_error.hpp"
+#include "sinew_formats/io.hpp"
+#include "temp_folder.hpp"
+
+namespace sinew {
+namespace {
+
+TEST(ReadCharacter, WithoutItsRigIsAnError) {
+  const TempFolder folder;
+  EXPECT_ERROR(read_character(folder.write("cat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")), "cat.rig.txt",
+               "no such file");
+}
+
+}  // namespace
+}  // namespace sinew

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Every item once, on as many threads as there are; the first failure comes out.
+#include "sinew_trainer/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <vector>
+
+namespace sinew {
+namespace {
+
+TEST(ParallelFor, DoesEveryItemOnce) {
+  for (const unsigned threads : {0u, 1u, 3u, 50u}) {
+    std::vector<std::atomic<int>> done(20);
+    std::atomic<bool> in_range = true;
+    parallel_for(done.size(), threads, [&](size_t item, unsigned thread) {
+      ++done[item];
+      if (thread >= std::max(threads, 1u)) in_range = false;
+    });
+    for (const std::atomic<int>& count : done) EXPECT_EQ(count, 1);
+    EXPECT_TRUE(in_range);
+  }
+  parallel_for(0, 4, [](size_t, unsigned) { FAIL(); });
+}
+
+TEST(ParallelFor, AFailureComesOutAndNoFurtherItemStarts) {
+  for (const unsigned threads : {1u, 4u}) {
+    std::atomic<size_t> started = 0;
+    EXPECT_THROW(parallel_for(100000, threads,
+                              [&](size_t, unsigned) {
+                                ++started;
+                                throw std::runtime_error("no");
+                              }),
+                 std::runtime_error);
+    EXPECT_LE(started, threads);
+  }
+}
+
+}  // namespace
+}  // namespace sinew
