@@ -8,11 +8,13 @@
  *   sinew/skin.h   poses a mesh with its weights
  *
  * Way of a call:
- *   1. sinew_model_open()           checks every byte of a model file in place (skip it for SINEW_METHOD_HEAT);
- *      sinew_model_pack()      on demand, makes its weights ready for this kind of processor once for many binds
- *   2. sinew_bind_workspace_size()  says how many bytes sinew_bind() needs
- *   3. sinew_bind()                 predicts; rows of weights sum exactly
- *   4. sinew_skin_linear() / sinew_skin_dual_quaternion() pose the mesh with the result
+ *   1. sinew_model_open()           checks every byte of a model file in place; SINEW_METHOD_HEAT needs no model
+ *      sinew_model_pack()           on demand: packs its weights once, instead of in every bind
+ *   2. sinew_options_init()         asks for every default; set what is to differ
+ *      sinew_bind_outputs_init()    takes the caller's arrays
+ *   3. sinew_bind_workspace_size()  says how many bytes sinew_bind() needs
+ *   4. sinew_bind()                 predicts; rows of weights sum exactly
+ *   5. sinew_skin_linear() or sinew_skin_dual_quaternion() poses the mesh with the result
  */
 #ifndef SINEW_SINEW_H
 #define SINEW_SINEW_H
