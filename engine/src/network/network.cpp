@@ -18,18 +18,19 @@ struct Sizes {
   uint64_t tile_vertices() const { return static_cast<uint64_t>(tile) * lanes; }
 };
 
-// Scratch of one stage. Lanes work on a tile each; tables are per lane too, for parts so small that a lane takes them
-// whole.
+// Scratch of one stage. Every lane has a tile of its own. It has tables of its own as well, because a lane takes small
+// parts whole, tables included.
 struct StageScratch {
-  int16_t* tile[kMaxBuffers];  // [lanes x tile x slots x channels] rows of each buffer the stage touches, else null
-  bool load[kMaxLayers];       // outputs of earlier stages that this stage reads row by row
-  bool load_input[kMaxInputs];
-  int16_t* table[kMaxLayers];     // part and global layers: [lanes x joints x channels] or [lanes x channels]
-  int64_t* sums;                  // [lanes x lane_sums] for the table being made, then:
-  size_t joint_sums[kMaxLayers];  // linear layers with columns by joint: where in a lane's sums, as int32, theirs are
+  int16_t*
+      tile[kMaxBuffers];  // [lanes x tile x slots x channels] rows of a buffer; null if the stage does not touch it
+  bool load[kMaxLayers];  // whether the stage reads the layer's output row by row, and an earlier stage made it
+  bool load_input[kMaxInputs];    // whether it reads the input row by row
+  int16_t* table[kMaxLayers];     // of part means [lanes x joints x channels], of global layers [lanes x channels]
+  int64_t* sums;                  // [lanes x lane_sums] of the table that is being made; then sums of columns by joint
+  size_t joint_sums[kMaxLayers];  // where a linear layer's sums by joint begin in a lane's sums, counted in int32
   uint64_t lane_sums;
-  uint32_t* vertices;  // [lanes x tile] vertex of each tile row
-  uint16_t* joints;    // [lanes x tile x K] their candidates
+  uint32_t* vertices;  // [lanes x tile] the vertex of each row of the tile
+  uint16_t* joints;    // [lanes x tile x K] the candidates of that vertex
 };
 
 bool uses_table(LayerKind kind) {
@@ -200,8 +201,8 @@ void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* ve
   }
 }
 
-// Multiplies the part's means with the columns that read them, for every joint of the part, in place of the tables'
-// scratch.
+// Multiplies the columns by_joint of the stage's linear layers with the means of one part: one product per joint that is a
+// candidate in the part. The sums lie where the tables' scratch was. `met` has a bit for every such joint.
 void multiply_part_means(const Run& run, uint32_t stage, const uint32_t* vertices, uint32_t count, uint32_t lane) {
   if (!kHasPackedWeights || !run.packed.has_shared) return;
   const uint32_t k = run.plan.candidates, words = (run.sizes.joints + 31) / 32;
@@ -238,8 +239,8 @@ RowsRead rows_read(const Tile& tile, uint32_t index) {
   return kHasPackedWeights && tile.shared ? tile.run.packed.rows_read[index] : RowsRead::kAll;
 }
 
-// Present slots of a vertex stand before absent ones, wherever candidates come from the engine; a tile where they do
-// not is computed row by row.
+// Shared columns are read from the first slot's row, which must be present if any is. Candidates that the engine found
+// are so. A tile of other candidates is computed row by row.
 bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32_t k) {
   for (uint32_t i = 0; i < vertices; ++i) {
     const uint16_t* row = joints + static_cast<size_t>(i) * k;
@@ -250,8 +251,9 @@ bool first_slot_speaks_for_all(const uint16_t* joints, uint32_t vertices, uint32
   return true;
 }
 
-// Multiplies what a vertex' slots share once, from its first slot's row, and lets the rows start from it and from
-// their joints' sums.
+// Prepares a linear layer with shared columns for one tile. The columns `shared` are multiplied here, from the row of each
+// vertex' first slot. The view is changed so that the kernel starts each row from that sum and from its joint's sum, and
+// multiplies the row's own columns alone.
 void add_shared_columns(const Tile& tile, uint32_t index, LinearView* linear) {
   const Run& run = tile.run;
   const SharedColumns& columns = run.packed.columns[index];
