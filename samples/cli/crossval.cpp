@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -22,8 +20,6 @@
 
 namespace sinew::cli {
 namespace {
-
-std::atomic<bool> stop_requested = false;
 
 struct Settings {
   CrossvalOptions options;
@@ -56,10 +52,7 @@ void run(Settings s) {
     throw UsageError("crossval runs its folds side by side without mpirun; on several machines give each its --fold");
   if (s.steps > 0 && s.options.minutes > 0) throw UsageError("--steps and --minutes exclude each other");
   TrainConfig config;
-  if (!s.config.empty()) {
-    const std::vector<uint8_t> bytes = read_file(s.config);
-    config = parse_train_config(std::string(bytes.begin(), bytes.end()), s.config);
-  }
+  if (!s.config.empty()) config = parse_train_config(read_text_file(s.config), s.config);
   if (s.steps > 0) config.steps = s.steps;
   const std::string name = s.config.empty() ? "defaults" : stem_of(s.config);
   if (s.options.folder.empty()) s.options.folder = "crossval-" + name;
@@ -69,12 +62,10 @@ void run(Settings s) {
     s.options.arithmetic = "int16";
     s.options.logits = engine_runner;
   }
-  // Ctrl-C ends every fold after its step, with everything on disk that --resume needs.
-  s.options.stop = &stop_requested;
-  std::signal(SIGINT, [](int) { stop_requested = true; });
+  s.options.stop = &stop_on_signals();
   const CrossvalReport report = crossval(config, s.options);
   if (!report.seeds.empty()) std::printf("%s", crossval_markdown(report).c_str());
-  if (stop_requested) {
+  if (*s.options.stop) {
     throw Error("stopped; go on with: sinew crossval ... -o " + s.options.folder + " --resume");
   }
 }

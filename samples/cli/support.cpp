@@ -2,6 +2,8 @@
 // Outputs, models and lists of the sinew command.
 #include "support.hpp"
 
+#include <atomic>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -110,8 +112,7 @@ namespace {
 
 // Lines of a list with their numbers, without comments and blanks around.
 std::vector<std::pair<size_t, std::string>> list_lines(const std::string& path) {
-  const std::vector<uint8_t> bytes = read_file(path);
-  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  std::istringstream text(read_text_file(path));
   std::vector<std::pair<size_t, std::string>> lines;
   std::string line;
   for (size_t number = 1; std::getline(text, line); ++number) {
@@ -159,6 +160,17 @@ std::vector<size_t> read_vertex_list(const std::string& path, const Character& c
     vertices.push_back(value);
   }
   return vertices;
+}
+
+namespace {
+
+std::atomic<bool> stop_requested = false;
+
+}  // namespace
+
+const std::atomic<bool>& stop_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = true; });
+  return stop_requested;
 }
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }

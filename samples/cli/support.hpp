@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names.
+// What the subcommands share: usage errors, outputs that are checked before work starts, models, lists of names,
+// signals.
 #ifndef SINEW_CLI_SUPPORT_HPP
 #define SINEW_CLI_SUPPORT_HPP
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -45,6 +47,10 @@ bool has_bundled_model();
 // joint.
 std::vector<size_t> read_joint_list(const std::string& path, const Character& character);
 std::vector<size_t> read_vertex_list(const std::string& path, const Character& character);
+
+// Set by Ctrl-C and by what mpirun and job schedulers send, from this call on: the run ends after its step, with
+// everything on disk that --resume needs.
+const std::atomic<bool>& stop_on_signals();
 
 std::string file_name(const std::string& path);  // without its folders
 

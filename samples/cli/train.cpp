@@ -4,8 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -19,8 +17,6 @@
 
 namespace sinew::cli {
 namespace {
-
-std::atomic<bool> stop_requested = false;
 
 struct Settings {
   TrainOptions options;
@@ -53,10 +49,7 @@ void fill_cache(const Settings& s, const TrainConfig& config, const TrainOptions
 // Under mpirun every rank comes here with the same command line.
 void run_ranks(const Settings& s, Ranks* ranks) {
   TrainConfig config;
-  if (!s.config.empty()) {
-    const std::vector<uint8_t> bytes = read_file(s.config);
-    config = parse_train_config(std::string(bytes.begin(), bytes.end()), s.config);
-  }
+  if (!s.config.empty()) config = parse_train_config(read_text_file(s.config), s.config);
   TrainOptions options = s.options;
   if (options.resume && s.config.empty()) config = checkpoint_config(options.output);
   if (s.steps > 0) config.steps = s.steps;
@@ -68,12 +61,9 @@ void run_ranks(const Settings& s, Ranks* ranks) {
   if (!s.threads_given) options.threads = std::max(1u, options.threads / ranks->local_size());
   if (s.cache_only) return fill_cache(s, config, options, *ranks);
   check_output(options.output, {".sinewckpt", ".ckpt"});
-  // Ctrl-C, and what mpirun and job schedulers send, end the run after its step, with everything on disk that --resume
-  // needs.
-  options.stop = &stop_requested;
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = true; });
+  options.stop = &stop_on_signals();
   train(config, options);
-  if (stop_requested && ranks->rank() == 0)
+  if (*options.stop && ranks->rank() == 0)
     std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", options.output.c_str());
 }
 

@@ -36,9 +36,9 @@ struct Character {
   std::vector<uint32_t> face_offsets = {0};  // [F + 1] CSR into face_vertices; polygons kept as they are
   std::vector<uint32_t> face_vertices;       // [corners]
   std::vector<Joint> joints;                 // [J] any order; parents may come later
-  std::vector<std::vector<Influence>>
-      influences;  // [V] or empty: reference or predicted weights; a row may be empty (unbound)
 
+  // [V] or empty: reference or predicted weights; a row may be empty (unbound).
+  std::vector<std::vector<Influence>> influences;
   std::vector<uint8_t> confidence;  // [V] 0..255 or empty: how sure a prediction is; written to glTF as _CONFIDENCE
 
   // Kept for writing, all optional. Per corner, parallel to face_vertices (empty when the file has none).

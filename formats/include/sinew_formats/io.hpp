@@ -42,6 +42,7 @@ void write_glb(const std::string& path, const Character& character, const GlbOpt
 
 // Whole files; write goes through a temporary file and rename. "-" is standard input / output.
 std::vector<uint8_t> read_file(const std::string& path);
+std::string read_text_file(const std::string& path);
 void write_file(const std::string& path, const std::vector<uint8_t>& bytes);
 void write_text_file(const std::string& path, const std::string& text);
 

@@ -117,6 +117,11 @@ std::vector<uint8_t> read_file(const std::string& path) {
   return bytes;
 }
 
+std::string read_text_file(const std::string& path) {
+  const std::vector<uint8_t> bytes = read_file(path);
+  return std::string(bytes.begin(), bytes.end());
+}
+
 void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
   write_bytes(path, bytes.data(), bytes.size());
 }

@@ -46,7 +46,7 @@ struct TrainConfig : RunConfig {
   std::vector<std::string> without;
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5, loss_deformation = 10;
   // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
-  // the families it was trained on and better on new ones: trainer/README.md has the figures.
+  // the families it was trained on and better on new ones: trainer/configs/RESULTS.md has the figures.
   double correction = 0.7;
   // Augmentation with recomputed features: variants made once per character and cached (turn, mirror, scale, jitter,
   // decimation).
