@@ -11,6 +11,7 @@
 
 #include "bench_report.hpp"
 #include "kernels/select.hpp"
+#include "linear_layer.hpp"
 
 namespace {
 
@@ -38,19 +39,13 @@ void measure(const Shape& shape, const Kernels& kernels, int repeats) {
   std::mt19937 random(1);
   const auto below = [&](uint32_t n) { return static_cast<int32_t>(random() % n); };
   const int32_t largest = static_cast<int32_t>(120000 / shape.in);  // no sum leaves int32
-  std::vector<int16_t> weights(size_t{shape.in} * shape.out), in(size_t{shape.rows} * shape.in);
-  std::vector<int16_t> out(size_t{shape.rows} * shape.out);
-  std::vector<uint8_t> bias(size_t{8} * shape.out, 0), shifts(shape.out, 10);
-  for (int16_t& w : weights) w = static_cast<int16_t>(below(static_cast<uint32_t>(2 * largest + 1)) - largest);
+  test::LinearLayer layer(shape.in, shape.out, 10);
+  layer.low = 0;
+  layer.high = 16383;
+  std::vector<int16_t> in(size_t{shape.rows} * shape.in), out(size_t{shape.rows} * shape.out);
+  for (int16_t& w : layer.weights) w = static_cast<int16_t>(below(static_cast<uint32_t>(2 * largest + 1)) - largest);
   for (int16_t& x : in) x = static_cast<int16_t>(below(16384));
-  LinearView view;
-  view.weights = weights.data();
-  view.bias = bias.data();
-  view.shifts = shifts.data();
-  view.in = shape.in;
-  view.out = shape.out;
-  view.block = shape.in;
-  view.high = 16383;
+  LinearView view = layer.view();
   const Block packed(packed_linear_bytes(shape.in, shape.out, shape.in));
   pack_linear(view, packed.data());
   view.packed = packed_view(view, packed.data());

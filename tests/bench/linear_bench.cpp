@@ -17,6 +17,7 @@
 #include "bench_report.hpp"
 #include "kernels/select.hpp"
 #include "linear_eigen.hpp"
+#include "linear_layer.hpp"
 #include "vnni_peak.hpp"
 #if SINEW_BENCH_DNNL
 #include <oneapi/dnnl/dnnl.hpp>
@@ -33,30 +34,24 @@ struct Shape {
 // A layer and its rows, as int16 and as the float numbers of the same values.
 struct Problem {
   Shape shape;
-  std::vector<int16_t> in, weights, out;
-  std::vector<uint8_t> bias, shifts;
+  sinew::test::LinearLayer layer;
+  std::vector<int16_t> in, out;
   std::vector<float> float_in, float_weights, float_bias, float_out;
   std::unique_ptr<uint8_t, void (*)(uint8_t*)> packed{nullptr, nullptr};
   sinew::LinearView view;
 
-  explicit Problem(const Shape& s) : shape(s) {
+  explicit Problem(const Shape& s) : shape(s), layer(s.in, s.out, 12) {
     std::mt19937 random(s.rows * 31 + s.in * 7 + s.out);
     in.resize(size_t{s.rows} * s.in);
-    weights.resize(size_t{s.out} * s.in);
     out.resize(size_t{s.rows} * s.out);
     for (int16_t& x : in) x = static_cast<int16_t>(random() % 16384);
     const int32_t largest = static_cast<int32_t>(120000 / (s.in + 1));
-    for (int16_t& w : weights) w = static_cast<int16_t>(static_cast<int32_t>(random() % (2 * largest + 1)) - largest);
-    bias.resize(8 * size_t{s.out});
-    shifts.assign(s.out, 12);
-    for (uint32_t n = 0; n < s.out; ++n) sinew::store_u64(bias.data() + 8 * size_t{n}, 2048 + n);
-    view.weights = weights.data();
-    view.bias = bias.data();
-    view.shifts = shifts.data();
-    view.in = s.in;
-    view.out = s.out;
-    view.block = s.in;
-    view.high = 16383;
+    for (int16_t& w : layer.weights)
+      w = static_cast<int16_t>(static_cast<int32_t>(random() % (2 * largest + 1)) - largest);
+    for (uint32_t n = 0; n < s.out; ++n) layer.set_bias(n, 2048 + n);
+    layer.low = 0;
+    layer.high = 16383;
+    view = layer.view();
     const size_t bytes = sinew::packed_linear_bytes(s.in, s.out, s.in);
     packed = {static_cast<uint8_t*>(::operator new (bytes, std::align_val_t{64})),
               [](uint8_t* p) { ::operator delete (p, std::align_val_t{64}); }};
@@ -66,7 +61,7 @@ struct Problem {
     float_out.resize(out.size());
     float_bias.assign(s.out, 0.5f);
     for (uint32_t n = 0; n < s.out; ++n)  // column-major [in x out] is [out x in]
-      for (uint32_t k = 0; k < s.in; ++k) float_weights.push_back(weights[size_t{n} * s.in + k] / 4096.0f);
+      for (uint32_t k = 0; k < s.in; ++k) float_weights.push_back(layer.weights[size_t{n} * s.in + k] / 4096.0f);
   }
   void run(sinew::LinearKernel kernel) {
     kernel(view, {in.data(), shape.in}, {nullptr, 0}, nullptr, shape.rows, out.data(), shape.out);
@@ -147,7 +142,7 @@ void add(const std::string& shape, const std::string& kernel, double macs, size_
 
 void add_shape(const Shape& shape) {
   const auto p = std::make_shared<Problem>(shape);
-  const size_t size16 = 2 * (p->in.size() + p->weights.size() + p->out.size());
+  const size_t size16 = 2 * (p->in.size() + p->layer.weights.size() + p->out.size());
   for (uint32_t kernel = 1; sinew_kernel_name(kernel) != nullptr; ++kernel) {
     sinew::Kernels kernels;
     if (!sinew::select_kernels(kernel, &kernels)) continue;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernels/select.hpp"
+#include "linear_layer.hpp"
 #include "sinew/sinew.h"
 #include "stack_cases.hpp"
 
@@ -28,18 +29,13 @@ void start_counting() {
 uint32_t instructions() { return static_cast<uint32_t>(static_cast<uint64_t>(0xFFFFFFu - kSysTick[2]) * 40 / 64); }
 
 void measure_linear(uint32_t rows, uint32_t in, uint32_t out) {
-  std::vector<int16_t> weights(size_t{in} * out, 3), values(size_t{rows} * in, 5), results(size_t{rows} * out);
-  std::vector<uint8_t> bias(8 * size_t{out}, 0), shifts(out, 9);
-  LinearView view;
-  view.weights = weights.data();
-  view.bias = bias.data();
-  view.shifts = shifts.data();
-  view.in = in;
-  view.out = out;
-  view.block = in;
-  view.high = 16383;
-  Kernels kernels;
-  if (!select_kernels(SINEW_KERNEL_AUTO, &kernels)) std::exit(1);
+  test::LinearLayer layer(in, out);
+  layer.high = 16383;
+  for (int16_t& weight : layer.weights) weight = 3;
+  const std::vector<int16_t> values(size_t{rows} * in, 5);
+  std::vector<int16_t> results(size_t{rows} * out);
+  const LinearView view = layer.view();
+  const Kernels kernels = fastest_kernels();
   const uint32_t before = instructions();
   kernels.linear(view, {values.data(), in}, {}, nullptr, rows, results.data(), out);
   const uint32_t spent = instructions() - before;

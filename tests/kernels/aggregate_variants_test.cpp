@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/select.hpp"
-#include "network_fixture.hpp"
+#include "random.hpp"
 
 namespace sinew::test {
 namespace {

@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "kernels/select.hpp"
-#include "network_fixture.hpp"
+#include "linear_layer.hpp"
+#include "random.hpp"
 
 namespace sinew::test {
 namespace {
@@ -22,6 +23,15 @@ struct Release {
   void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
 };
 using Block = std::unique_ptr<uint8_t, Release>;
+
+// Packs the view's parameters into a block of exactly the size they need.
+Block pack(LinearView* view) {
+  const size_t bytes = packed_linear_bytes(view->in, view->out, view->block);
+  Block block(static_cast<uint8_t*>(::operator new (bytes, std::align_val_t{64})));
+  pack_linear(*view, block.get());
+  view->packed = packed_view(*view, block.get());
+  return block;
+}
 
 struct LinearCase {
   uint32_t in, out, rows, block;
@@ -41,32 +51,21 @@ void compare(uint32_t seed, const LinearCase& c, LinearKernel variant) {
   const auto value = [&] {
     return static_cast<int16_t>(c.extreme ? (random.below(2) ? 16383 : -16384) : random.between(-16384, 16383));
   };
-  std::vector<int16_t> weights(size_t{c.in} * c.out), factors(c.out);
-  std::vector<uint8_t> bias(c.out * 8), shifts(c.out);
-  for (int16_t& w : weights) w = weight();
-  for (int16_t& w : factors) w = weight();
+  LinearLayer layer(c.in, c.out);
+  layer.block = c.block;
+  layer.wide = c.wide;
+  layer.has_residual = c.residual;
+  layer.set_range(c.range);
+  for (int16_t& w : layer.weights) w = weight();
+  for (int16_t& w : layer.residual) w = weight();
   for (uint32_t n = 0; n < c.out; ++n) {
-    const int64_t b =
-        c.wide ? int64_t{random.between(-1000000, 1000000)} << random.below(36) : random.between(-1000000, 1000000);
-    store_u64(bias.data() + 8 * n, static_cast<uint64_t>(b));
-    shifts[n] =
+    const int64_t bias = random.between(-1000000, 1000000);
+    layer.set_bias(n, c.wide ? bias * (int64_t{1} << random.below(36)) : bias);
+    layer.shifts[n] =
         static_cast<uint8_t>(random.below(4) == 0 ? random.between(1, c.wide ? 47 : 31) : random.between(8, 16));
   }
-  LinearView view;
-  view.weights = weights.data();
-  view.bias = bias.data();
-  view.residual = c.residual ? factors.data() : nullptr;
-  view.shifts = shifts.data();
-  view.in = c.in;
-  view.out = c.out;
-  view.block = c.block;
-  view.wide = c.wide;
-  view.low = range_low(c.range);
-  view.high = range_high(c.range);
-  const size_t bytes = packed_linear_bytes(c.in, c.out, c.block);
-  const Block packed(static_cast<uint8_t*>(::operator new (bytes, std::align_val_t{64})));
-  pack_linear(view, packed.get());
-  view.packed = packed_view(view, packed.get());
+  LinearView view = layer.view();
+  const Block packed = pack(&view);
 
   const uint32_t in_stride = c.in + random.below(4), residual_stride = c.out + random.below(4),
                  out_stride = c.out + random.below(4);
@@ -172,21 +171,11 @@ TEST_P(LinearVariant, EqualsReferenceOnLongLayersAndManyRows) {
 
 // Products at the very edge of int32: the sum of one pair is 2 * 32767 * 32767.
 TEST_P(LinearVariant, LargestPairDoesNotSaturate) {
-  const std::vector<int16_t> weights = {32767, 32767, -32767, -32767}, in = {32767, 32767};
-  std::vector<uint8_t> bias(16, 0);
-  const uint8_t shifts[2] = {17, 17};
-  LinearView view;
-  view.weights = weights.data();
-  view.bias = bias.data();
-  view.shifts = shifts;
-  view.in = 2;
-  view.out = 2;
-  view.block = 2;
-  view.low = -32767;
-  view.high = 32767;
-  const Block packed(static_cast<uint8_t*>(::operator new (packed_linear_bytes(2, 2, 2), std::align_val_t{64})));
-  pack_linear(view, packed.get());
-  view.packed = packed_view(view, packed.get());
+  LinearLayer layer(2, 2, 17);
+  layer.weights = {32767, 32767, -32767, -32767};
+  const std::vector<int16_t> in = {32767, 32767};
+  LinearView view = layer.view();
+  const Block packed = pack(&view);
   for (const LinearKernel variant : linear_) {
     int16_t out[2];
     variant(view, {in.data(), 2}, {nullptr, 0}, nullptr, 1, out, 2);
@@ -220,13 +209,12 @@ TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
         ((i + round) % 2 == 0 ? own : shared).push_back(piece);
       }
     }
-    std::vector<int16_t> weights(size_t{in} * out), values(size_t{rows} * in);
-    std::vector<uint8_t> bias(8 * size_t{out}), shifts(out, 9);
+    LinearLayer layer(in, out);
+    std::vector<int16_t> values(size_t{rows} * in);
     const int32_t largest = static_cast<int32_t>(120000 / (in + 2));
-    for (int16_t& w : weights) w = static_cast<int16_t>(random.between(-largest, largest));
+    for (int16_t& w : layer.weights) w = static_cast<int16_t>(random.between(-largest, largest));
     for (int16_t& x : values) x = static_cast<int16_t>(random.between(-16384, 16383));
-    for (uint32_t n = 0; n < out; ++n)
-      store_u64(bias.data() + 8 * n, static_cast<uint64_t>(int64_t{random.between(-99999, 99999)}));
+    for (uint32_t n = 0; n < out; ++n) layer.set_bias(n, random.between(-99999, 99999));
     for (uint32_t r = 0; r < rows; ++r) {
       for (const ColumnRange& range : shared) {
         std::memcpy(&values[size_t{r} * in + range.first],
@@ -240,18 +228,8 @@ TEST_P(LinearVariant, SharedColumnsOnceGiveTheSame) {
       std::memcpy(&values[size_t{r} * in + by_joint.first], &values[first * in + by_joint.first],
                   by_joint.count * sizeof(int16_t));
     }
-    LinearView view;
-    view.weights = weights.data();
-    view.bias = bias.data();
-    view.shifts = shifts.data();
-    view.in = in;
-    view.out = out;
-    view.block = in;
-    view.low = -32767;
-    view.high = 32767;
-    const Block packed(static_cast<uint8_t*>(::operator new (packed_linear_bytes(in, out, in), std::align_val_t{64})));
-    pack_linear(view, packed.get());
-    view.packed = packed_view(view, packed.get());
+    LinearView view = layer.view();
+    const Block packed = pack(&view);
     std::vector<int16_t> want(size_t{rows} * out), got(want.size());
     std::vector<uint16_t> present = joints;
     for (uint16_t& joint : present) joint = random.below(6) == 0 ? kNoJoint : joint;
@@ -314,16 +292,10 @@ TEST(PackedLinear, BytesAreWhatPackingFills) {
   Random random(3);
   for (int i = 0; i < 300; ++i) {
     const uint32_t in = 1 + random.below(200), out = 1 + random.below(90), block = 1 + random.below(in);
-    std::vector<int16_t> weights(size_t{in} * out, 7);
-    std::vector<uint8_t> bias(out * 8, 1), shifts(out, 9);
-    LinearView view;
-    view.weights = weights.data();
-    view.bias = bias.data();
-    view.shifts = shifts.data();
-    view.in = in;
-    view.out = out;
-    view.block = block;
-    view.wide = block < in;
+    LinearLayer layer(in, out);
+    layer.block = block;
+    layer.wide = block < in;
+    const LinearView view = layer.view();
     const size_t bytes = packed_linear_bytes(in, out, block);
     EXPECT_EQ(bytes % 64, 0u);
     const Block memory(static_cast<uint8_t*>(::operator new (bytes + 64, std::align_val_t{64})));

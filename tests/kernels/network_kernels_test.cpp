@@ -2,64 +2,44 @@
 // Reference kernels against their definitions in int64 and exact division: odd sizes, strides, extremes, absent rows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "kernels/kernels.hpp"
-#include "network_fixture.hpp"
+#include "linear_layer.hpp"
+#include "random.hpp"
 
 namespace sinew::test {
 namespace {
 
 constexpr int16_t kGuard = 0x7A7A;
 
-struct LinearCase {
-  IntegerLinear p;
-  std::vector<uint8_t> bias_bytes;
-  LinearView view(bool residual) {
-    bias_bytes.resize(p.bias.size() * 8);
-    for (size_t n = 0; n < p.bias.size(); ++n) store_u64(bias_bytes.data() + 8 * n, static_cast<uint64_t>(p.bias[n]));
-    LinearView v;
-    v.weights = p.weights.data();
-    v.bias = bias_bytes.data();
-    v.residual = residual ? p.residual.data() : nullptr;
-    v.shifts = p.shifts.data();
-    v.in = p.in;
-    v.out = p.out;
-    v.block = p.block;
-    v.wide = p.accumulator == AccumulatorClass::kWide;
-    v.low = range_low(p.range);
-    v.high = range_high(p.range);
-    return v;
-  }
-};
-
 TEST(LinearKernel, EqualsInt64OnOddSizesAndExtremes) {
   Random random(1);
   size_t clamped_low = 0, clamped_high = 0, inside = 0;
   for (int i = 0; i < 400; ++i) {
     const bool wide = i % 3 == 0, residual = i % 2 == 0, extreme = i % 5 == 0;
-    LinearCase c;
-    c.p.in = static_cast<uint16_t>(1 + random.below(i % 7 == 0 ? 300 : 40));
-    c.p.out = static_cast<uint16_t>(1 + random.below(35));
-    c.p.accumulator = wide ? AccumulatorClass::kWide : AccumulatorClass::kNarrow;
-    c.p.block = wide ? static_cast<uint16_t>(1 + random.below(2)) : c.p.in;
-    c.p.range = static_cast<ValueRange>(random.below(3));
+    LinearLayer c(1 + random.below(i % 7 == 0 ? 300 : 40), 1 + random.below(35));
+    c.wide = wide;
+    c.has_residual = residual;
+    if (wide) c.block = 1 + random.below(2);
+    c.set_range(static_cast<ValueRange>(random.below(3)));
     const bool long_blocks = i % 6 == 0;  // small weights may sum in blocks of any length
-    if (wide && long_blocks) c.p.block = static_cast<uint16_t>(1 + random.below(c.p.in));
-    const int32_t largest = wide && !long_blocks ? 32767 : std::min(32767, 60000 / (c.p.in + 2));
+    if (wide && long_blocks) c.block = 1 + random.below(c.in);
+    const int32_t largest = wide && !long_blocks ? 32767 : std::min(32767, 60000 / (static_cast<int32_t>(c.in) + 2));
     const auto weight = [&] {
       return static_cast<int16_t>(extreme ? (random.below(2) ? largest : -largest) : random.between(-largest, largest));
     };
-    for (uint32_t n = 0; n < c.p.out; ++n) {
+    for (uint32_t n = 0; n < c.out; ++n) {
       const int shift = random.between(1, wide ? 47 : 31);
-      c.p.shifts.push_back(static_cast<uint8_t>(i % 4 == 0 ? shift : random.between(8, 16)));
-      c.p.bias.push_back(wide ? (int64_t{random.between(-1000000, 1000000)} << random.below(30))
-                              : random.between(-1000000, 1000000));
-      for (uint32_t k = 0; k < c.p.in; ++k) c.p.weights.push_back(weight());
-      c.p.residual.push_back(weight());
+      c.shifts[n] = static_cast<uint8_t>(i % 4 == 0 ? shift : random.between(8, 16));
+      const int64_t bias = random.between(-1000000, 1000000);
+      c.set_bias(n, wide ? bias * (int64_t{1} << random.below(30)) : bias);
+      for (uint32_t k = 0; k < c.in; ++k) c.weights[size_t{n} * c.in + k] = weight();
+      c.residual[n] = weight();
     }
-    const uint32_t rows = 1 + random.below(9), in_stride = c.p.in + random.below(5),
-                   res_stride = c.p.out + random.below(5), out_stride = c.p.out + random.below(5);
+    const uint32_t rows = 1 + random.below(9), in_stride = c.in + random.below(5), res_stride = c.out + random.below(5),
+                   out_stride = c.out + random.below(5);
     std::vector<int16_t> in, res, out(rows * out_stride, kGuard);
     const auto value = [&] {
       return static_cast<int16_t>(extreme ? (random.below(2) ? 16383 : -16384) : random.between(-16384, 16383));
@@ -69,17 +49,16 @@ TEST(LinearKernel, EqualsInt64OnOddSizesAndExtremes) {
     std::vector<uint16_t> present(rows);
     for (uint16_t& joint : present) joint = random.below(4) == 0 ? kNoJoint : 3;
     const bool masked = i % 2 == 1;
-    linear_s16_ref(c.view(residual), {in.data(), in_stride}, {res.data(), res_stride},
-                   masked ? present.data() : nullptr, rows, out.data(), out_stride);
+    linear_s16_ref(c.view(), {in.data(), in_stride}, {res.data(), res_stride}, masked ? present.data() : nullptr, rows,
+                   out.data(), out_stride);
     for (uint32_t r = 0; r < rows; ++r) {
       for (uint32_t n = 0; n < out_stride; ++n) {
         int64_t want = kGuard;
-        if (n < c.p.out) {
-          int64_t sum = c.p.bias[n] + (residual ? int64_t{res[r * res_stride + n]} * c.p.residual[n] : 0);
-          for (uint32_t k = 0; k < c.p.in; ++k)
-            sum += int64_t{in[r * in_stride + k]} * c.p.weights[size_t{n} * c.p.in + k];
-          const int64_t value_out = floor_divide(sum, int64_t{1} << c.p.shifts[n]);
-          want = std::clamp<int64_t>(value_out, range_low(c.p.range), range_high(c.p.range));
+        if (n < c.out) {
+          int64_t sum = c.bias(n) + (residual ? int64_t{res[r * res_stride + n]} * c.residual[n] : 0);
+          for (uint32_t k = 0; k < c.in; ++k) sum += int64_t{in[r * in_stride + k]} * c.weights[size_t{n} * c.in + k];
+          const int64_t value_out = floor_divide(sum, int64_t{1} << c.shifts[n]);
+          want = std::clamp<int64_t>(value_out, c.low, c.high);
           clamped_low += value_out < want;
           clamped_high += value_out > want;
           inside += value_out == want;

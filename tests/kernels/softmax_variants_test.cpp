@@ -5,30 +5,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "kernels/select.hpp"
 #include "kernels/softmax_s16_powers.hpp"
+#include "random.hpp"
 
-namespace sinew {
+namespace sinew::test {
 namespace {
 
 constexpr uint32_t kGuard = 0x7A7A7A7A;
 constexpr uint32_t kOnePercent = 655;
-
-class Random {
- public:
-  explicit Random(uint32_t seed) : engine_(seed) {}
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(engine_()) % n; }
-  int16_t between(int32_t low, int32_t high) {
-    return static_cast<int16_t>(low + static_cast<int32_t>(below(static_cast<uint32_t>(high - low + 1))));
-  }
-
- private:
-  std::mt19937 engine_;
-};
 
 // Vectors of the row's own size: what a kernel reads behind them a sanitizer sees.
 struct SoftmaxRow {
@@ -72,7 +60,8 @@ TEST_P(SoftmaxVariant, RandomRowsEqualTheReference) {
     const int32_t reach = range[round / 16 % 4];
     const uint32_t absent = round / 64 % 4;  // quarters of the slots
     SoftmaxRow row;
-    for (uint32_t i = 0; i <= round % 16; ++i) row.add(random.between(-reach, reach), random.below(4) >= absent);
+    for (uint32_t i = 0; i <= round % 16; ++i)
+      row.add(static_cast<int16_t>(random.between(-reach, reach)), random.below(4) >= absent);
     compare(row);
     if (HasFatalFailure()) return;
   }
@@ -243,4 +232,4 @@ TEST(SoftmaxReference, DropsWhatIsBelowTheSmallest) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::test

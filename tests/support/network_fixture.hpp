@@ -8,31 +8,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "features/features.hpp"
+#include "linear_layer.hpp"
 #include "network/network.hpp"
+#include "random.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_quant/model_writer.hpp"
 
 namespace sinew::test {
-
-class Random {
- public:
-  explicit Random(uint32_t seed) : engine_(seed) {}
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(engine_()) % n; }  // the same on every standard library
-  int32_t between(int32_t low, int32_t high) {
-    return low + static_cast<int32_t>(below(static_cast<uint32_t>(high - low + 1)));
-  }
-  double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }
-  double normal() { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(6.283185307179586 * uniform()); }
-
- private:
-  std::mt19937 engine_;
-};
 
 struct Graph {
   uint32_t vertices = 0, k = 0, joint_count = 0, parts = 0;
@@ -261,8 +248,6 @@ inline FloatRun run_float(const FloatNetwork& network, const Graph& g) {
   }
   return run;
 }
-
-inline int64_t floor_divide(int64_t a, int64_t b) { return a / b - (a % b != 0 && (a < 0) != (b < 0)); }
 
 inline std::vector<int16_t> run_integer(const IntegerModel& model, const Graph& g) {
   Buffers<int64_t> buffers = make_buffers<int64_t>(model.buffers, g, 1.0);

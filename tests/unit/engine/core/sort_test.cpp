@@ -52,7 +52,8 @@ Pairs radix_sorted(const std::vector<uint64_t>& keys) {
 // Each mask leaves other digits to sort: none, one (the result ends in the scratch), two, far apart, all.
 TEST(RadixSortPairs, IsStableWhateverDigitsDiffer) {
   std::mt19937_64 random(3);
-  for (const uint64_t mask : {uint64_t{0}, uint64_t{0x0F}, uint64_t{0xFFFF}, uint64_t{0xFF000000000000F0}, ~uint64_t{0}}) {
+  for (const uint64_t mask :
+       {uint64_t{0}, uint64_t{0x0F}, uint64_t{0xFFFF}, uint64_t{0xFF000000000000F0}, ~uint64_t{0}}) {
     for (const size_t count : {0u, 1u, 2u, 300u, 5000u}) {
       std::vector<uint64_t> keys(count);
       for (uint64_t& key : keys) key = (random() & mask) | (~mask & 0x1234567890ABCDEF);

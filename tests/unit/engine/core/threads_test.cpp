@@ -49,9 +49,8 @@ TEST(Threads, RangesCoverTheCountWithoutOverlap) {
       LoopLog log;
       const Threads threads = {3, runner, &log};
       std::vector<std::vector<std::pair<uint32_t, uint32_t>>> by_lane(3);
-      threads.ranges(count, 10, [&](uint32_t begin, uint32_t end, uint32_t lane) {
-        by_lane[lane].emplace_back(begin, end);
-      });
+      threads.ranges(count, 10,
+                     [&](uint32_t begin, uint32_t end, uint32_t lane) { by_lane[lane].emplace_back(begin, end); });
       std::vector<uint32_t> covered(count, 0);
       for (uint32_t lane = 0; lane < 3; ++lane) {
         for (const auto& [begin, end] : by_lane[lane]) {

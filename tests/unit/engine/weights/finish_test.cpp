@@ -26,8 +26,8 @@ struct Predicted {
   std::vector<uint32_t> vertex_to_welded = {1, 1, 0};
   std::vector<uint16_t> joints = {5, 2, 7, 5, 2, kNoJoint};
   std::vector<int16_t> logits = {3072, 2048, 1024, 0, 0, 9999};  // shares 4 : 2 : 1, and 1 : 1
-  Prediction prediction{mesh,        mesh, reduction, skeleton, heat, logits.data(), joints.data(), 3, softmax_s16_ref,
-                        nullptr};
+  Prediction prediction{mesh,          mesh,          reduction, skeleton,        heat,
+                        logits.data(), joints.data(), 3,         softmax_s16_ref, nullptr};
   RowOptions options;
 
   Predicted() {
@@ -94,7 +94,7 @@ TEST(WriteRows, GivenRowsStayAndAreSure) {
   EXPECT_EQ(weights[3], 77);
   EXPECT_EQ(joints[0], 2);
   EXPECT_EQ(confidence[1], 255);
-  EXPECT_EQ(confidence[0], 128);              // half of the weight
+  EXPECT_EQ(confidence[0], 128);               // half of the weight
   EXPECT_NEAR(confidence[2], 255 * 4 / 7, 1);  // of all candidates, however many the row keeps
 }
 
@@ -108,8 +108,8 @@ TEST(WriteRows, WithoutLogitsRowsAreTheHeatFields) {
   p.heat.joints = heat_joints.data();
   p.heat.weights = heat_weights.data();
   p.heat.nearest = nearest.data();
-  const Prediction prediction{p.mesh, p.mesh, p.reduction, p.skeleton, p.heat, nullptr, nullptr, 0, softmax_s16_ref,
-                              nullptr};
+  const Prediction prediction{p.mesh,  p.mesh,  p.reduction, p.skeleton,      p.heat,
+                              nullptr, nullptr, 0,           softmax_s16_ref, nullptr};
   std::vector<uint16_t> joints(6), weights(6);
   write_rows(prediction, p.options, EditedRows(), Threads(), joints.data(), weights.data());
   EXPECT_EQ(joints, (std::vector<uint16_t>{4, 0, 4, 0, 6, 3}));  // the second row is empty: its nearest joint
@@ -154,8 +154,8 @@ class Edited {
   }
   sinew_status bind(size_t missing = 0) {
     const Mesh& mesh = run_.mesh;
-    const Prediction prediction{mesh,    mesh, reduction_, run_.skeleton, run_.fields.field[kFieldRule],
-                                nullptr, nullptr, 0,       softmax_s16_ref, nullptr};
+    const Prediction prediction{mesh,    mesh,    reduction_, run_.skeleton,   run_.fields.field[kFieldRule],
+                                nullptr, nullptr, 0,          softmax_s16_ref, nullptr};
     return run_measured(
         [&](Arena& arena) {
           EditedRows edited;
@@ -171,7 +171,9 @@ class Edited {
   uint32_t vertices() const { return run_.mesh.vertex_count; }
   uint32_t component(uint32_t vertex) const { return run_.mesh.component[run_.mesh.vertex_to_welded[vertex]]; }
   const uint16_t* joints_of(uint32_t vertex) const { return joints.data() + size_t{vertex} * options.influence_count; }
-  const uint16_t* weights_of(uint32_t vertex) const { return weights.data() + size_t{vertex} * options.influence_count; }
+  const uint16_t* weights_of(uint32_t vertex) const {
+    return weights.data() + size_t{vertex} * options.influence_count;
+  }
 
   uint32_t weight(uint32_t vertex, uint16_t joint) const {
     for (uint32_t i = 0; i < options.influence_count; ++i) {
