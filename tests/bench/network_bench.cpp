@@ -215,7 +215,7 @@ struct PyTorch : Contestant {
     put(scaled(s.inputs[1].rows));
     put(s.candidate);
     put(s.row_offsets);
-    put(s.component);
+    put(s.part);
     put(s.col_indices);
     nlohmann::json spec = {{"vertices", s.vertices}, {"candidates", s.candidates}, {"joints", s.joints}};
     for (const Buffer& b : network.buffers) spec["buffers"].push_back({b.domain == Domain::kPair ? 1 : 0, b.channels});

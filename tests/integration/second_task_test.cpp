@@ -43,13 +43,13 @@ JointSample chain(uint32_t joints, uint64_t seed) {
   s.family = seed % 2 == 0 ? "even" : "odd";
   s.vertices = s.joints = joints;
   s.candidates = kSlots;
-  s.components = 1;
+  s.part_count = 1;
   s.inputs = {{1, {}}, {1, {}}};
   s.row_offsets = {0};
-  s.component_offsets = {0, joints};
+  s.part_offsets = {0, joints};
   for (uint32_t j = 0; j < joints; ++j) {
-    s.component.push_back(0);
-    s.component_vertices.push_back(j);
+    s.part.push_back(0);
+    s.part_vertices.push_back(j);
     if (j > 0) s.col_indices.push_back(j - 1);
     if (j + 1 < joints) s.col_indices.push_back(j + 1);
     s.row_offsets.push_back(static_cast<uint32_t>(s.col_indices.size()));

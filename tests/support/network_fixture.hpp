@@ -35,10 +35,10 @@ class Random {
 };
 
 struct Graph {
-  uint32_t vertices = 0, k = 0, joint_count = 0, components = 0;
+  uint32_t vertices = 0, k = 0, joint_count = 0, part_count = 0;
   std::vector<int16_t> vertex_features, pair_features;
   std::vector<uint16_t> joints;
-  std::vector<uint32_t> row_offsets, col_indices, component, component_offsets, component_vertices;
+  std::vector<uint32_t> row_offsets, col_indices, part, part_offsets, part_vertices;
 
   NetworkInput input() const {
     NetworkInput in;
@@ -49,10 +49,10 @@ struct Graph {
     in.joints = joints.data();
     in.row_offsets = row_offsets.data();
     in.col_indices = col_indices.data();
-    in.component = component.data();
-    in.component_offsets = component_offsets.data();
-    in.component_vertices = component_vertices.data();
-    in.component_count = components;
+    in.part = part.data();
+    in.part_offsets = part_offsets.data();
+    in.part_vertices = part_vertices.data();
+    in.part_count = part_count;
     in.joint_count = joint_count;
     return in;
   }
@@ -68,28 +68,28 @@ struct Graph {
 
 // `features(random)` gives one Q13 value.
 template <class Features>
-Graph random_graph(uint32_t seed, uint32_t vertices, uint32_t k, uint32_t joint_count, uint32_t components,
+Graph random_graph(uint32_t seed, uint32_t vertices, uint32_t k, uint32_t joint_count, uint32_t part_count,
                    Features features) {
   Random random(seed);
   Graph g;
   g.vertices = vertices;
   g.k = k;
   g.joint_count = joint_count;
-  g.components = std::min(components, vertices);
-  std::vector<std::vector<uint32_t>> members(g.components);
+  g.part_count = std::min(part_count, vertices);
+  std::vector<std::vector<uint32_t>> members(g.part_count);
   for (uint32_t v = 0; v < vertices; ++v) {
-    g.component.push_back(v < g.components ? v : random.below(g.components));
-    members[g.component[v]].push_back(v);
+    g.part.push_back(v < g.part_count ? v : random.below(g.part_count));
+    members[g.part[v]].push_back(v);
   }
-  g.component_offsets.push_back(0);
+  g.part_offsets.push_back(0);
   for (const auto& list : members) {
-    g.component_vertices.insert(g.component_vertices.end(), list.begin(), list.end());
-    g.component_offsets.push_back(static_cast<uint32_t>(g.component_vertices.size()));
+    g.part_vertices.insert(g.part_vertices.end(), list.begin(), list.end());
+    g.part_offsets.push_back(static_cast<uint32_t>(g.part_vertices.size()));
   }
   std::vector<std::set<uint32_t>> ring(vertices);
   for (uint32_t v = 0; v < vertices; ++v) {
     for (uint32_t i = random.below(5); i > 0; --i) {
-      const auto& list = members[g.component[v]];
+      const auto& list = members[g.part[v]];
       const uint32_t u = list[random.below(static_cast<uint32_t>(list.size()))];
       if (u == v) continue;
       ring[v].insert(u);
@@ -192,8 +192,8 @@ void interpret_layer(const Layer& layer, const std::vector<Buffer>& shapes, cons
                [&](size_t o) { return same_joint(o) && is_neighbour(vertex_of(o)); });
         break;
       case LayerKind::kPartMean: {
-        const uint32_t part = g.component[v], size = g.component_offsets[part + 1] - g.component_offsets[part];
-        reduce(true, size, out(row), [&](size_t o) { return g.component[vertex_of(o)] == part && same_joint(o); });
+        const uint32_t part = g.part[v], size = g.part_offsets[part + 1] - g.part_offsets[part];
+        reduce(true, size, out(row), [&](size_t o) { return g.part[vertex_of(o)] == part && same_joint(o); });
         break;
       }
       case LayerKind::kGlobalMean:

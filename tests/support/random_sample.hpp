@@ -14,7 +14,7 @@
 namespace sinew::testing {
 
 struct RandomSampleOptions {
-  uint32_t vertices = 24, candidates = 4, joints = 7, components = 3;
+  uint32_t vertices = 24, candidates = 4, joints = 7, part_count = 3;
   uint32_t vertex_features = 5, pair_features = 6;
   uint64_t seed = 1;
   bool ragged = true;  // absent slots, isolated vertices, unbound vertices, missing weight
@@ -29,14 +29,14 @@ inline Sample random_sample(const RandomSampleOptions& o) {
   s.vertices = o.vertices;
   s.candidates = o.candidates;
   s.inputs = {{o.vertex_features, {}}, {o.pair_features, {}}};
-  s.components = o.components;
+  s.part_count = o.part_count;
   s.joints = o.joints;
-  // Component c owns the vertices v with v % components == c; neighbours are the next and the third next of the same
-  // component.
+  // Part c owns the vertices v with v % part_count == c; neighbours are the next and the third next of the same
+  // part.
   s.row_offsets = {0};
   const auto linked = [&](uint32_t v, uint32_t u) {
-    if (v % o.components != u % o.components || (o.ragged && (v == 0 || u == 0))) return false;
-    const uint32_t gap = (v > u ? v - u : u - v) / o.components;
+    if (v % o.part_count != u % o.part_count || (o.ragged && (v == 0 || u == 0))) return false;
+    const uint32_t gap = (v > u ? v - u : u - v) / o.part_count;
     return gap == 1 || gap == 3;
   };
   for (uint32_t v = 0; v < o.vertices; ++v) {
@@ -44,13 +44,13 @@ inline Sample random_sample(const RandomSampleOptions& o) {
       if (linked(v, u)) s.col_indices.push_back(u);
     }
     s.row_offsets.push_back(static_cast<uint32_t>(s.col_indices.size()));
-    s.component.push_back(v % o.components);
+    s.part.push_back(v % o.part_count);
     s.vertex_to_welded.push_back(v);
   }
-  s.component_offsets = {0};
-  for (uint32_t c = 0; c < o.components; ++c) {
-    for (uint32_t v = c; v < o.vertices; v += o.components) s.component_vertices.push_back(v);
-    s.component_offsets.push_back(static_cast<uint32_t>(s.component_vertices.size()));
+  s.part_offsets = {0};
+  for (uint32_t c = 0; c < o.part_count; ++c) {
+    for (uint32_t v = c; v < o.vertices; v += o.part_count) s.part_vertices.push_back(v);
+    s.part_offsets.push_back(static_cast<uint32_t>(s.part_vertices.size()));
   }
   s.fold.resize(o.joints);
   std::iota(s.fold.begin(), s.fold.end(), 0u);

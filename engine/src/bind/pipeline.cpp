@@ -33,10 +33,10 @@ NetworkInput network_input(const Prepared& p, const Counts& counts) {
   input.joints = p.features.joints;
   input.row_offsets = mesh.row_offsets;
   input.col_indices = mesh.col_indices;
-  input.component = mesh.part;
-  input.component_offsets = mesh.part_offsets;
-  input.component_vertices = mesh.part_vertices;
-  input.component_count = mesh.part_count;
+  input.part = mesh.part;
+  input.part_offsets = mesh.part_offsets;
+  input.part_vertices = mesh.part_vertices;
+  input.part_count = mesh.part_count;
   input.joint_count = p.skeleton.joint_count;
   input.threads = counts.threads;
   return input;

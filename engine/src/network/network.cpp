@@ -484,11 +484,11 @@ class StageWalk {
     make_tables(run_, stage_, true, nullptr, 0, 0);
     for (uint32_t lane = 1; lane < run_.sizes.lanes; ++lane) copy_global_tables(lane);
     if (!by_part_) return run_range(0, run_.sizes.vertices);
-    const uint32_t* offsets = run_.input.component_offsets;
-    for (uint32_t part = 0; part < run_.input.component_count;) {
+    const uint32_t* offsets = run_.input.part_offsets;
+    for (uint32_t part = 0; part < run_.input.part_count;) {
       // A part that keeps all lanes busy, or as many small parts as a round holds: a lane takes those whole.
       uint32_t end = part;
-      while (end < run_.input.component_count && offsets[end + 1] - offsets[end] < small_part_ &&
+      while (end < run_.input.part_count && offsets[end + 1] - offsets[end] < small_part_ &&
              offsets[end + 1] - offsets[part] <= round_) {
         ++end;
       }
@@ -525,10 +525,10 @@ class StageWalk {
   }
 
   void make_part_tables(uint32_t part, uint32_t lane) const {
-    const uint32_t begin = run_.input.component_offsets[part], end = run_.input.component_offsets[part + 1];
-    make_tables(run_, stage_, false, run_.input.component_vertices + begin, end - begin, lane);
+    const uint32_t begin = run_.input.part_offsets[part], end = run_.input.part_offsets[part + 1];
+    make_tables(run_, stage_, false, run_.input.part_vertices + begin, end - begin, lane);
     if (kHasPackedWeights) {
-      multiply_part_means(run_, stage_, run_.input.component_vertices + begin, end - begin, lane);
+      multiply_part_means(run_, stage_, run_.input.part_vertices + begin, end - begin, lane);
     }
   }
 
@@ -536,7 +536,7 @@ class StageWalk {
     for (; first < end; first += run_.sizes.tile) {
       const Tile tile = {run_, lane, table_lane, end - first < run_.sizes.tile ? end - first : run_.sizes.tile, false};
       for (uint32_t i = 0; i < tile.count; ++i) {
-        run_.scratch.vertices[tile.first() + i] = by_part_ ? run_.input.component_vertices[first + i] : first + i;
+        run_.scratch.vertices[tile.first() + i] = by_part_ ? run_.input.part_vertices[first + i] : first + i;
       }
       run_tile(tile, stage_);
     }
@@ -555,7 +555,7 @@ class StageWalk {
   }
 
   bool run_parts(uint32_t first, uint32_t end) {
-    const uint32_t* offsets = run_.input.component_offsets;
+    const uint32_t* offsets = run_.input.part_offsets;
     if (!report(offsets[end] - offsets[first])) return false;
     run_.input.threads.each(end - first, [&](uint32_t index, uint32_t lane) {
       const uint32_t part = first + index;

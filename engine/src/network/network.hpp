@@ -22,10 +22,10 @@ struct NetworkInput {
   const uint16_t* joints = nullptr;       // [U x K], kNoJoint = absent
   const uint32_t* row_offsets = nullptr;  // [U + 1] one-ring CSR
   const uint32_t* col_indices = nullptr;
-  const uint32_t* component = nullptr;           // [U]
-  const uint32_t* component_offsets = nullptr;   // [components + 1]
-  const uint32_t* component_vertices = nullptr;  // [U]
-  uint32_t component_count = 0;
+  const uint32_t* part = nullptr;           // [U]
+  const uint32_t* part_offsets = nullptr;   // [parts + 1]
+  const uint32_t* part_vertices = nullptr;  // [U]
+  uint32_t part_count = 0;
   uint32_t joint_count = 0;
   Threads threads = {};
 };

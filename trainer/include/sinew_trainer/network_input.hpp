@@ -17,10 +17,10 @@ inline NetworkInput network_input(const NetworkSample& sample) {
   input.joints = sample.candidate.data();
   input.row_offsets = sample.row_offsets.data();
   input.col_indices = sample.col_indices.data();
-  input.component = sample.component.data();
-  input.component_offsets = sample.component_offsets.data();
-  input.component_vertices = sample.component_vertices.data();
-  input.component_count = sample.components;
+  input.part = sample.part.data();
+  input.part_offsets = sample.part_offsets.data();
+  input.part_vertices = sample.part_vertices.data();
+  input.part_count = sample.part_count;
   input.joint_count = sample.joints;
   return input;
 }

@@ -31,9 +31,9 @@ void serialize(Archive& archive, NetworkSample::Input& input) {
 }
 template <class Archive>
 void serialize(Archive& archive, Sample& s) {
-  archive(s.name, s.family, s.vertices, s.candidates, s.components, s.joints, s.inputs, s.candidate, s.row_offsets,
-          s.col_indices, s.component, s.component_offsets, s.component_vertices, s.target, s.fold, s.missing,
-          s.importance, s.heat, s.vertex_to_welded, s.positions, s.joint_positions, s.parents);
+  archive(s.name, s.family, s.vertices, s.candidates, s.part_count, s.joints, s.inputs, s.candidate, s.row_offsets,
+          s.col_indices, s.part, s.part_offsets, s.part_vertices, s.target, s.fold, s.missing, s.importance, s.heat,
+          s.vertex_to_welded, s.positions, s.joint_positions, s.parents);
 }
 
 namespace {

@@ -362,14 +362,14 @@ void LayerRunner<S>::State::ring_backward(const Layer& layer, const Block<uint32
 template <class S>
 void LayerRunner<S>::State::part_mean(bool pair, View<S> in, View<S> out) {
   const uint32_t channels = in.channels;
-  const size_t groups = pair ? index.group_scale.size() : sample->components;
-  const uint32_t* group = pair ? index.group.data() : sample->component.data();
+  const size_t groups = pair ? index.group_scale.size() : sample->part_count;
+  const uint32_t* group = pair ? index.group.data() : sample->part.data();
   sums.resize(groups * channels);
   sums.zero();
   for (uint32_t r = 0; r < in.rows; ++r) add_to(sums.data() + size_t{group[r]} * channels, in.row(r), channels);
   for (size_t g = 0; g < groups; ++g) {
     const S scale = pair ? static_cast<S>(index.group_scale[g])
-                         : S(1) / static_cast<S>(sample->component_offsets[g + 1] - sample->component_offsets[g]);
+                         : S(1) / static_cast<S>(sample->part_offsets[g + 1] - sample->part_offsets[g]);
     for (uint32_t c = 0; c < channels; ++c) sums.data()[g * channels + c] *= scale;
   }
   for (uint32_t r = 0; r < in.rows; ++r) add_to(out.row(r), sums.data() + size_t{group[r]} * channels, channels);

@@ -114,11 +114,11 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
   std::vector<uint32_t> part_joints;
   Lever<S> lever(sample);
 
-  for (uint32_t part = 0; part < sample.components; ++part) {
+  for (uint32_t part = 0; part < sample.part_count; ++part) {
     part_joints.clear();
-    const uint32_t begin = sample.component_offsets[part], end = sample.component_offsets[part + 1];
+    const uint32_t begin = sample.part_offsets[part], end = sample.part_offsets[part + 1];
     for (uint32_t i = begin; i < end; ++i) {
-      const uint32_t v = sample.component_vertices[i];
+      const uint32_t v = sample.part_vertices[i];
       const S importance = static_cast<S>(sample.importance[v]);
       const size_t row = size_t{v} * slots;
       S largest = -INFINITY;
@@ -198,7 +198,7 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
     for (uint32_t joint : part_joints) terms.part += static_cast<double>(std::abs(part_error[joint]));
     if (d_logits == nullptr) continue;
     for (uint32_t i = begin; i < end; ++i) {
-      const uint32_t v = sample.component_vertices[i];
+      const uint32_t v = sample.part_vertices[i];
       const size_t row = size_t{v} * slots;
       if (!(sample.importance[v] > 0)) continue;
       const S scale = static_cast<S>(static_cast<double>(sample.importance[v]) / total);

@@ -196,7 +196,7 @@ TEST_P(LayerGradient, WholeFieldAndClassicNetworks) {
   if (GetParam() == 1) {  // half a million weights: few vertices and few of them are enough
     FloatNetwork classic = build_classic(sample_.candidates, 64, inputs, GetParam());
     leave_the_start(&classic);
-    expect_gradients(classic, random_sample({.vertices = 8, .components = 2, .seed = 9}), {}, 2);
+    expect_gradients(classic, random_sample({.vertices = 8, .part_count = 2, .seed = 9}), {}, 2);
   }
   DropoutOptions dropout;
   dropout.activations = 0.3f;
@@ -234,15 +234,15 @@ TEST(FloatNetwork, RingAndPartMeansFollowTheJoint) {
   Sample s;
   s.vertices = 3;
   s.candidates = 2;
-  s.components = 2;
+  s.part_count = 2;
   s.joints = 7;
   s.inputs = {{1, {0, 0, 0}}, {1, {8192, 2 * 8192 - 1, -8192, 0, 4096, 0}}};
   s.candidate = {5, 6, 5, 0xFFFF, 5, 0xFFFF};
   s.row_offsets = {0, 1, 2, 2};
   s.col_indices = {1, 0};
-  s.component = {0, 0, 1};
-  s.component_offsets = {0, 2, 3};
-  s.component_vertices = {0, 1, 2};
+  s.part = {0, 0, 1};
+  s.part_offsets = {0, 2, 3};
+  s.part_vertices = {0, 1, 2};
   Builder b(s);
   const Region ring = b.apply(LayerKind::kRingMean, b.input(kPairInput), Domain::kPair, 1);
   const Region part = b.apply(LayerKind::kPartMean, b.input(kPairInput), Domain::kPair, 1);
@@ -270,8 +270,8 @@ TEST(FloatNetwork, VertexOrderDoesNotMatter) {
   permute(moved.inputs[0].rows, sample.inputs[0].rows, sample.inputs[0].channels);
   permute(moved.inputs[1].rows, sample.inputs[1].rows, size_t{sample.candidates} * sample.inputs[1].channels);
   permute(moved.candidate, sample.candidate, sample.candidates);
-  permute(moved.component, sample.component, 1);
-  for (uint32_t& v : moved.component_vertices) v = to[v];
+  permute(moved.part, sample.part, 1);
+  for (uint32_t& v : moved.part_vertices) v = to[v];
   std::vector<std::vector<uint32_t>> rows(sample.vertices);
   for (uint32_t v = 0; v < sample.vertices; ++v) {
     for (uint32_t e = sample.row_offsets[v]; e < sample.row_offsets[v + 1]; ++e)

@@ -56,12 +56,12 @@ Sample one_vertex() {
   s.name = "one";
   s.vertices = 1;
   s.candidates = 3;
-  s.components = 1;
+  s.part_count = 1;
   s.joints = 3;
   s.candidate = {0, 1, 2};
-  s.component = {0};
-  s.component_offsets = {0, 1};
-  s.component_vertices = {0};
+  s.part = {0};
+  s.part_offsets = {0, 1};
+  s.part_vertices = {0};
   s.fold = {0, 0, 2};  // joint 1 is the end marker of joint 0
   s.target = {1, 0, 0};
   s.heat = {0.25f, 0.5f, 0.25f};
