@@ -32,7 +32,7 @@ for number, (pair, channels) in enumerate(spec["buffers"]):
     values = take("<f4", rows * channels).reshape(rows, channels) if number < 2 else numpy.zeros((rows, channels), "f4")
     buffers.append(torch.from_numpy(values))
 joints = take("<u2", U * K).astype("i8")
-row_offsets, component = take("<u4", U + 1).astype("i8"), take("<u4", U).astype("i8")
+row_offsets, part_of = take("<u4", U + 1).astype("i8"), take("<u4", U).astype("i8")
 columns = take("<u4", int(row_offsets[-1])).astype("i8")
 linears = []
 for inputs, outputs in spec["linears"]:
@@ -66,14 +66,14 @@ slots = joints.reshape(U, K)
 same = (slots[edge_to][:, :, None] == slots[columns][:, None, :]) & (slots[edge_to][:, :, None] != 0xFFFF)
 edge, to_slot, from_slot = numpy.nonzero(same)
 pair_to, pair_from = edge_to[edge] * K + to_slot, columns[edge] * K + from_slot
-sizes = numpy.bincount(component)
+sizes = numpy.bincount(part_of)
 ring = {0: Mean(U, columns, edge_to), 1: Mean(U * K, pair_from, pair_to)}
 here = numpy.nonzero(present)[0]
-keys, group = numpy.unique(component[here // K] * J + joints[here], return_inverse=True)
-part = {0: Mean(len(sizes), numpy.arange(U), component, sizes), 1: Mean(len(keys), here, group, sizes[keys // J])}
+keys, group = numpy.unique(part_of[here // K] * J + joints[here], return_inverse=True)
+part = {0: Mean(len(sizes), numpy.arange(U), part_of, sizes), 1: Mean(len(keys), here, group, sizes[keys // J])}
 group_of_row = numpy.zeros(U * K, "i8")
 group_of_row[here] = group
-group_of = {0: torch.from_numpy(component), 1: torch.from_numpy(group_of_row)}
+group_of = {0: torch.from_numpy(part_of), 1: torch.from_numpy(group_of_row)}
 edges = {0: (torch.from_numpy(columns), torch.from_numpy(edge_to)), 1: (torch.from_numpy(pair_from), torch.from_numpy(pair_to))}
 live = torch.from_numpy(here)
 

@@ -43,7 +43,7 @@ JointSample chain(uint32_t joints, uint64_t seed) {
   s.family = seed % 2 == 0 ? "even" : "odd";
   s.vertices = s.joints = joints;
   s.candidates = kSlots;
-  s.parts = 1;
+  s.part_count = 1;
   s.inputs = {{1, {}}, {1, {}}};
   s.row_offsets = {0};
   s.part_offsets = {0, joints};

@@ -22,7 +22,7 @@
 namespace sinew::test {
 
 struct Graph {
-  uint32_t vertices = 0, k = 0, joint_count = 0, parts = 0;
+  uint32_t vertices = 0, k = 0, joint_count = 0, part_count = 0;
   std::vector<int16_t> vertex_features, pair_features;
   std::vector<uint16_t> joints;
   std::vector<uint32_t> row_offsets, col_indices, part, part_offsets, part_vertices;
@@ -39,7 +39,7 @@ struct Graph {
     in.part = part.data();
     in.part_offsets = part_offsets.data();
     in.part_vertices = part_vertices.data();
-    in.part_count = parts;
+    in.part_count = part_count;
     in.joint_count = joint_count;
     return in;
   }
@@ -48,17 +48,17 @@ struct Graph {
 
 // `features(random)` gives one Q13 value.
 template <class Features>
-Graph random_graph(uint32_t seed, uint32_t vertices, uint32_t k, uint32_t joint_count, uint32_t parts,
+Graph random_graph(uint32_t seed, uint32_t vertices, uint32_t k, uint32_t joint_count, uint32_t part_count,
                    Features features) {
   Random random(seed);
   Graph g;
   g.vertices = vertices;
   g.k = k;
   g.joint_count = joint_count;
-  g.parts = std::min(parts, vertices);
-  std::vector<std::vector<uint32_t>> members(g.parts);
+  g.part_count = std::min(part_count, vertices);
+  std::vector<std::vector<uint32_t>> members(g.part_count);
   for (uint32_t v = 0; v < vertices; ++v) {
-    g.part.push_back(v < g.parts ? v : random.below(g.parts));
+    g.part.push_back(v < g.part_count ? v : random.below(g.part_count));
     members[g.part[v]].push_back(v);
   }
   g.part_offsets.push_back(0);

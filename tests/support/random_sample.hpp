@@ -14,7 +14,7 @@
 namespace sinew::testing {
 
 struct RandomSampleOptions {
-  uint32_t vertices = 24, candidates = 4, joints = 7, parts = 3;
+  uint32_t vertices = 24, candidates = 4, joints = 7, part_count = 3;
   uint32_t vertex_features = 5, pair_features = 6;
   uint64_t seed = 1;
   bool ragged = true;  // absent slots, isolated vertices, unbound vertices, missing weight
@@ -29,14 +29,14 @@ inline Sample random_sample(const RandomSampleOptions& o) {
   s.vertices = o.vertices;
   s.candidates = o.candidates;
   s.inputs = {{o.vertex_features, {}}, {o.pair_features, {}}};
-  s.parts = o.parts;
+  s.part_count = o.part_count;
   s.joints = o.joints;
-  // Part c owns the vertices v with v % parts == c; neighbours are the next and the third next of the same
+  // Part c owns the vertices v with v % part_count == c; neighbours are the next and the third next of the same
   // part.
   s.row_offsets = {0};
   const auto linked = [&](uint32_t v, uint32_t u) {
-    if (v % o.parts != u % o.parts || (o.ragged && (v == 0 || u == 0))) return false;
-    const uint32_t gap = (v > u ? v - u : u - v) / o.parts;
+    if (v % o.part_count != u % o.part_count || (o.ragged && (v == 0 || u == 0))) return false;
+    const uint32_t gap = (v > u ? v - u : u - v) / o.part_count;
     return gap == 1 || gap == 3;
   };
   for (uint32_t v = 0; v < o.vertices; ++v) {
@@ -44,12 +44,12 @@ inline Sample random_sample(const RandomSampleOptions& o) {
       if (linked(v, u)) s.col_indices.push_back(u);
     }
     s.row_offsets.push_back(static_cast<uint32_t>(s.col_indices.size()));
-    s.part.push_back(v % o.parts);
+    s.part.push_back(v % o.part_count);
     s.vertex_to_welded.push_back(v);
   }
   s.part_offsets = {0};
-  for (uint32_t c = 0; c < o.parts; ++c) {
-    for (uint32_t v = c; v < o.vertices; v += o.parts) s.part_vertices.push_back(v);
+  for (uint32_t c = 0; c < o.part_count; ++c) {
+    for (uint32_t v = c; v < o.vertices; v += o.part_count) s.part_vertices.push_back(v);
     s.part_offsets.push_back(static_cast<uint32_t>(s.part_vertices.size()));
   }
   s.fold.resize(o.joints);

@@ -20,7 +20,7 @@ inline NetworkInput network_input(const NetworkSample& sample) {
   input.part = sample.part.data();
   input.part_offsets = sample.part_offsets.data();
   input.part_vertices = sample.part_vertices.data();
-  input.part_count = sample.parts;
+  input.part_count = sample.part_count;
   input.joint_count = sample.joints;
   return input;
 }

@@ -28,7 +28,7 @@ struct NetworkSample {
   std::string name, family;
   uint32_t vertices = 0;                           // U, welded
   uint32_t candidates = 0;                         // K
-  uint32_t parts = 0, joints = 0;                  // parts; J, more than any candidate
+  uint32_t part_count = 0, joints = 0;             // parts; J, more than any candidate
   std::vector<Input> inputs;                       // in the task's order
   std::vector<uint16_t> candidate;                 // [U x K], 0xFFFF absent
   std::vector<uint32_t> row_offsets, col_indices;  // one-ring CSR

@@ -96,7 +96,7 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   s.family = family_of(character.name);
   s.vertices = p.mesh.welded_count;
   s.candidates = candidates;
-  s.parts = p.mesh.part_count;
+  s.part_count = p.mesh.part_count;
   s.joints = p.skeleton.joint_count;
   const size_t pairs = static_cast<size_t>(s.vertices) * candidates;
   s.inputs.resize(2);
@@ -109,7 +109,7 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   s.row_offsets = copy(p.mesh.row_offsets, static_cast<size_t>(s.vertices) + 1);
   s.col_indices = copy(p.mesh.col_indices, s.row_offsets.back());
   s.part = copy(p.mesh.part, s.vertices);
-  s.part_offsets = copy(p.mesh.part_offsets, static_cast<size_t>(s.parts) + 1);
+  s.part_offsets = copy(p.mesh.part_offsets, static_cast<size_t>(s.part_count) + 1);
   s.part_vertices = copy(p.mesh.part_vertices, s.vertices);
   s.vertex_to_welded = copy(p.mesh.vertex_to_welded, character.vertices.size());
   s.fold = fold_targets(character);

@@ -31,7 +31,7 @@ void serialize(Archive& archive, NetworkSample::Input& input) {
 }
 template <class Archive>
 void serialize(Archive& archive, Sample& s) {
-  archive(s.name, s.family, s.vertices, s.candidates, s.parts, s.joints, s.inputs, s.candidate, s.row_offsets,
+  archive(s.name, s.family, s.vertices, s.candidates, s.part_count, s.joints, s.inputs, s.candidate, s.row_offsets,
           s.col_indices, s.part, s.part_offsets, s.part_vertices, s.target, s.fold, s.missing, s.importance, s.heat,
           s.vertex_to_welded, s.positions, s.joint_positions, s.parents);
 }

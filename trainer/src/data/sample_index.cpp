@@ -11,7 +11,7 @@ void check_sizes(const NetworkSample& s) {
   const size_t rows = size_t{s.vertices} * s.candidates;
   const bool fits = s.candidates >= 1 && s.candidates <= kMaxCandidates && s.candidate.size() == rows &&
                     s.row_offsets.size() == size_t{s.vertices} + 1 && s.part.size() == s.vertices &&
-                    s.part_offsets.size() == size_t{s.parts} + 1 && s.part_vertices.size() == s.vertices;
+                    s.part_offsets.size() == size_t{s.part_count} + 1 && s.part_vertices.size() == s.vertices;
   if (!fits) throw Error(s.name + ": the sample's arrays do not fit its counts; its cache is damaged, delete it");
 }
 
@@ -55,7 +55,7 @@ void SampleIndex::build(const NetworkSample& sample) {
   group_scale.clear();
   joint_mark_.assign(sample.joints, UINT32_MAX);
   joint_group_.resize(sample.joints);
-  for (uint32_t part = 0; part < sample.parts; ++part) {
+  for (uint32_t part = 0; part < sample.part_count; ++part) {
     const uint32_t begin = sample.part_offsets[part], end = sample.part_offsets[part + 1];
     for (uint32_t i = begin; i < end; ++i) {
       const uint32_t v = sample.part_vertices[i];

@@ -362,7 +362,7 @@ void LayerRunner<S>::State::ring_backward(const Layer& layer, const Block<uint32
 template <class S>
 void LayerRunner<S>::State::part_mean(bool pair, View<S> in, View<S> out) {
   const uint32_t channels = in.channels;
-  const size_t groups = pair ? index.group_scale.size() : sample->parts;
+  const size_t groups = pair ? index.group_scale.size() : sample->part_count;
   const uint32_t* group = pair ? index.group.data() : sample->part.data();
   sums.resize(groups * channels);
   sums.zero();

@@ -114,7 +114,7 @@ LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const st
   std::vector<uint32_t> part_joints;
   Lever<S> lever(sample);
 
-  for (uint32_t part = 0; part < sample.parts; ++part) {
+  for (uint32_t part = 0; part < sample.part_count; ++part) {
     part_joints.clear();
     const uint32_t begin = sample.part_offsets[part], end = sample.part_offsets[part + 1];
     for (uint32_t i = begin; i < end; ++i) {

@@ -196,7 +196,7 @@ TEST_P(LayerGradient, WholeFieldAndClassicNetworks) {
   if (GetParam() == 1) {  // half a million weights: few vertices and few of them are enough
     FloatNetwork classic = build_classic(sample_.candidates, 64, inputs, GetParam());
     leave_the_start(&classic);
-    expect_gradients(classic, random_sample({.vertices = 8, .parts = 2, .seed = 9}), {}, 2);
+    expect_gradients(classic, random_sample({.vertices = 8, .part_count = 2, .seed = 9}), {}, 2);
   }
   DropoutOptions dropout;
   dropout.activations = 0.3f;
@@ -234,7 +234,7 @@ TEST(FloatNetwork, RingAndPartMeansFollowTheJoint) {
   Sample s;
   s.vertices = 3;
   s.candidates = 2;
-  s.parts = 2;
+  s.part_count = 2;
   s.joints = 7;
   s.inputs = {{1, {0, 0, 0}}, {1, {8192, 2 * 8192 - 1, -8192, 0, 4096, 0}}};
   s.candidate = {5, 6, 5, 0xFFFF, 5, 0xFFFF};

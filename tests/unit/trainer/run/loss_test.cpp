@@ -56,7 +56,7 @@ Sample one_vertex() {
   s.name = "one";
   s.vertices = 1;
   s.candidates = 3;
-  s.parts = 1;
+  s.part_count = 1;
   s.joints = 3;
   s.candidate = {0, 1, 2};
   s.part = {0};
