@@ -16,7 +16,7 @@ TEST(Check, ASoundCharacterHasOnlyNotes) {
   EXPECT_FALSE(has_more_than_notes(r));
   EXPECT_EQ(r.vertices, 320u);
   EXPECT_EQ(r.faces, 304u);
-  EXPECT_EQ(r.components, 1u);
+  EXPECT_EQ(r.parts, 1u);
   EXPECT_EQ(r.boundary_edges, 32u);
   EXPECT_EQ(r.roots, 1u);
   EXPECT_EQ(r.max_influences, 2u);
@@ -38,7 +38,7 @@ TEST(Check, FindsEachMeshDefect) {
   EXPECT_TRUE(has(r, "non-manifold-edges"));
   EXPECT_EQ(r.isolated_vertices, 1u);
   EXPECT_TRUE(has(r, "isolated-vertices"));
-  EXPECT_EQ(r.components, 1u);
+  EXPECT_EQ(r.parts, 1u);
 
   c = tube();
   add_face(&c, {5, 5, 6});
@@ -54,7 +54,7 @@ TEST(Check, FindsEachMeshDefect) {
   add_face(&c, {320, 321, 322});  // a line
   r = check_character(c);
   EXPECT_EQ(r.degenerate_faces, 1u);
-  EXPECT_EQ(r.components, 2u);
+  EXPECT_EQ(r.parts, 2u);
 
   c = tube();
   std::swap(c.face_vertices[1], c.face_vertices[3]);

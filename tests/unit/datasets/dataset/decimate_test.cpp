@@ -26,7 +26,7 @@ TEST(Decimate, ReachesTheRatioAndKeepsRowsOfSurvivors) {
       EXPECT_EQ(d.influences[v][0].weight + d.influences[v][1].weight, 1.0f);
     }
     const CheckReport r = check_character(d);
-    EXPECT_EQ(r.components, 1u);
+    EXPECT_EQ(r.parts, 1u);
     EXPECT_EQ(r.isolated_vertices, 0u);
     EXPECT_EQ(r.non_manifold_edges, 0u);
     EXPECT_FALSE(has(r, "flipped-faces"));
@@ -65,7 +65,7 @@ TEST(Decimate, NonManifoldFacesStayJoined) {
   const Character d = decimate(c, 0.5);
   EXPECT_NEAR(static_cast<double>(d.vertices.size()), 375, 37.5);
   const CheckReport r = check_character(d);
-  EXPECT_EQ(r.components, 1u);
+  EXPECT_EQ(r.parts, 1u);
   EXPECT_EQ(r.non_manifold_edges, 29u);
 }
 

@@ -169,7 +169,7 @@ class Edited {
         missing);
   }
   uint32_t vertices() const { return run_.mesh.vertex_count; }
-  uint32_t component(uint32_t vertex) const { return run_.mesh.component[run_.mesh.vertex_to_welded[vertex]]; }
+  uint32_t part(uint32_t vertex) const { return run_.mesh.part[run_.mesh.vertex_to_welded[vertex]]; }
   const uint16_t* joints_of(uint32_t vertex) const { return joints.data() + size_t{vertex} * options.influence_count; }
   const uint16_t* weights_of(uint32_t vertex) const {
     return weights.data() + size_t{vertex} * options.influence_count;
@@ -197,7 +197,7 @@ TEST(EditRows, RigidPartsHaveOneJointEach) {
   ASSERT_EQ(edited.bind(), SINEW_OK);
   uint32_t joint_of[2] = {kNoJoint, kNoJoint};
   for (uint32_t v = 0; v < edited.vertices(); ++v) {
-    uint32_t& joint = joint_of[edited.component(v)];
+    uint32_t& joint = joint_of[edited.part(v)];
     if (joint == kNoJoint) joint = edited.joints_of(v)[0];
     EXPECT_EQ(edited.joints_of(v)[0], joint);
     EXPECT_EQ(edited.weights_of(v)[0], 65535);

@@ -52,13 +52,13 @@ TEST(Hints, TheGivenRowComesIntoPlaceAndItsNeighboursFollow) {
   }
 }
 
-TEST(Hints, AnotherComponentKeepsItsRowsBitByBit) {
+TEST(Hints, AnotherPartKeepsItsRowsBitByBit) {
   Steered s(sinew_test::capsule(15, 16, 2));
   s.given.give(s.hinted, Given::kSteers, {{1, 65535}});
   ASSERT_EQ(s.steer(), SINEW_OK);
   uint32_t others = 0;
   for (uint32_t v = 0; v < s.run.mesh.welded_count; ++v) {
-    if (s.run.mesh.component[v] == s.run.mesh.component[s.hinted]) continue;
+    if (s.run.mesh.part[v] == s.run.mesh.part[s.hinted]) continue;
     EXPECT_EQ(s.rows.rows.weight(v, 0), kWholeRow);
     EXPECT_EQ(s.rows.sum(v), kWholeRow);
     ++others;
