@@ -15,8 +15,8 @@ inline int64_t floor_divide(int64_t a, int64_t b) { return a / b - (a % b != 0 &
 
 struct LinearLayer {
   uint32_t in, out;
-  uint32_t block;            // class W: columns whose products sum inside int32
-  bool wide = false;         // class W
+  uint32_t block;     // class W: columns whose products sum inside int32
+  bool wide = false;  // class W
   bool has_residual = false;
   int32_t low = -32767, high = 32767;
   std::vector<int16_t> weights;   // [out x in]
