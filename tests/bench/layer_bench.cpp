@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 #include <random>
 #include <vector>
 
 #include "bench_report.hpp"
 #include "kernels/select.hpp"
 #include "linear_layer.hpp"
+#include "sinew/sinew.hpp"
 
 namespace {
 
@@ -22,18 +22,6 @@ struct Shape {
 };
 constexpr Shape kShapes[] = {{4096, 64, 64},  {4096, 64, 256}, {4096, 576, 512}, {4096, 1024, 256},
                              {32768, 96, 64}, {128, 96, 48},   {128, 46, 48}};
-
-class Block {
- public:
-  explicit Block(size_t bytes) : data_(::operator new (bytes, std::align_val_t{64})) {}
-  ~Block() { ::operator delete (data_, std::align_val_t{64}); }
-  Block(const Block&) = delete;
-  Block& operator=(const Block&) = delete;
-  void* data() const { return data_; }
-
- private:
-  void* data_;
-};
 
 void measure(const Shape& shape, const Kernels& kernels, int repeats) {
   std::mt19937 random(1);
@@ -46,7 +34,7 @@ void measure(const Shape& shape, const Kernels& kernels, int repeats) {
   for (int16_t& w : layer.weights) w = static_cast<int16_t>(below(static_cast<uint32_t>(2 * largest + 1)) - largest);
   for (int16_t& x : in) x = static_cast<int16_t>(below(16384));
   LinearView view = layer.view();
-  const Block packed(packed_linear_bytes(shape.in, shape.out, shape.in));
+  const Workspace packed(packed_linear_bytes(shape.in, shape.out, shape.in));
   pack_linear(view, packed.data());
   view.packed = packed_view(view, packed.data());
   const LinearKernel run = kernels.linear_packed != nullptr ? kernels.linear_packed : kernels.linear;

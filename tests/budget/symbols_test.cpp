@@ -14,16 +14,9 @@
 #include <string>
 #include <vector>
 
-namespace {
+#include "output_of.hpp"
 
-std::string run(const std::string& command) {
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {};
-  std::string out;
-  std::array<char, 4096> block;
-  for (size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;) out.append(block.data(), n);
-  return pclose(pipe) == 0 ? out : std::string();
-}
+namespace {
 
 struct Symbol {
   std::string object;
@@ -34,7 +27,7 @@ struct Symbol {
 // `nm -A` prints library:object:address type name.
 std::vector<Symbol> engine_symbols() {
   std::vector<Symbol> symbols;
-  std::istringstream lines(run("nm -A " SINEW_ENGINE_LIBRARY));
+  std::istringstream lines(sinew_test::output_of("nm -A " SINEW_ENGINE_LIBRARY));
   for (std::string line; std::getline(lines, line);) {
     const size_t name_at = line.rfind(' ');
     if (name_at == std::string::npos || name_at < 2) continue;
@@ -65,7 +58,7 @@ TEST(EngineSymbols, HasNoWritableData) {
     EXPECT_EQ(std::string("BbCDGgSs").find(symbol.type == 'd' ? '-' : symbol.type), std::string::npos)
         << symbol.object << " has the variable " << symbol.name;
   }
-  std::istringstream sections(run("size -A " SINEW_ENGINE_LIBRARY));
+  std::istringstream sections(sinew_test::output_of("size -A " SINEW_ENGINE_LIBRARY));
   for (std::string line; std::getline(sections, line);) {
     std::istringstream words(line);
     std::string section;
@@ -117,7 +110,7 @@ TEST(SharedLibrary, NeedsTheCLibraryAlone) {
 // Functions and constants of the whole library with the kernels of all instruction sets. What is needed and larger:
 // raise the number in budget.cmake, with the reason in the commit.
 TEST(EngineSymbols, TextIsInsideItsBudget) {
-  std::istringstream sections(run("size -A " SINEW_ENGINE_LIBRARY));
+  std::istringstream sections(sinew_test::output_of("size -A " SINEW_ENGINE_LIBRARY));
   size_t text = 0;
   for (std::string line; std::getline(sections, line);) {
     std::istringstream words(line);

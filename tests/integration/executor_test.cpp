@@ -27,7 +27,7 @@ Outcome run(const std::vector<uint8_t>& bytes, const Graph& g, uint32_t tile, si
   Outcome outcome;
   AlignedBytes file(bytes);
   sinew_model model{};
-  outcome.status = open_model(file.data(), file.size(), &model);
+  outcome.status = sinew_model_open(file.data(), file.size(), &model);
   EXPECT_EQ(outcome.status, SINEW_OK);
   if (outcome.status != SINEW_OK) return outcome;
   Arena measure;
@@ -83,7 +83,7 @@ TEST(Executor, EqualsInterpreterOnRandomLists) {
     for (const IntegerLinear& linear : model.linears) wide += linear.accumulator == AccumulatorClass::kWide;
     AlignedBytes file(bytes);
     sinew_model opened{};
-    ASSERT_EQ(open_model(file.data(), file.size(), &opened), SINEW_OK);
+    ASSERT_EQ(sinew_model_open(file.data(), file.size(), &opened), SINEW_OK);
     NetworkPlan plan;
     make_plan(opened, opened.candidate_count, &plan);
     several_stages += plan.stage_count > 2;
@@ -115,7 +115,7 @@ TEST(Executor, FieldStoresOnlyItsStates) {
   const Graph g = random_graph(5, 60, 8, 20, 4, usual_feature);
   AlignedBytes file(quantize(network, {run_float(network, g).layer_max}).bytes);
   sinew_model model{};
-  ASSERT_EQ(open_model(file.data(), file.size(), &model), SINEW_OK);
+  ASSERT_EQ(sinew_model_open(file.data(), file.size(), &model), SINEW_OK);
   NetworkPlan plan;
   make_plan(model, model.candidate_count, &plan);
   EXPECT_EQ(plan.stage_count, 3u);
@@ -128,7 +128,7 @@ TEST(Executor, DeadStorageIsReused) {
   const Graph g = random_graph(5, 60, 4, 20, 4, usual_feature);
   AlignedBytes file(quantize(network, {run_float(network, g).layer_max}).bytes);
   sinew_model model{};
-  ASSERT_EQ(open_model(file.data(), file.size(), &model), SINEW_OK);
+  ASSERT_EQ(sinew_model_open(file.data(), file.size(), &model), SINEW_OK);
   NetworkPlan plan;
   make_plan(model, model.candidate_count, &plan);
   EXPECT_EQ(plan.stage_count, 6u);

@@ -3,23 +3,14 @@
 // file can be taken by the linker for code that runs on every processor.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
 
-namespace {
+#include "output_of.hpp"
 
-std::string run(const std::string& command) {
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {};
-  std::string out;
-  std::array<char, 65536> block;
-  for (size_t n; (n = std::fread(block.data(), 1, block.size(), pipe)) > 0;) out.append(block.data(), n);
-  return pclose(pipe) == 0 ? out : std::string();
-}
+namespace {
 
 struct Instruction {
   unsigned long address = 0;
@@ -30,7 +21,7 @@ using Function = std::vector<Instruction>;
 // Functions of one member of the library. objdump prints "member.o: file format", "<name>:" and "address: instruction".
 std::vector<Function> functions_of(const std::string& member) {
   std::vector<Function> functions;
-  std::istringstream lines(run("objdump -d --no-show-raw-insn " SINEW_ENGINE_LIBRARY));
+  std::istringstream lines(sinew_test::output_of("objdump -d --no-show-raw-insn " SINEW_ENGINE_LIBRARY));
   bool wanted = false;
   for (std::string line; std::getline(lines, line);) {
     if (line.find("file format") != std::string::npos) {
@@ -113,7 +104,7 @@ TEST(ObjectCode, AvxVnniLoopsKeepSumsInRegisters) {
 // An inline function of a header that is compiled into such a file as a weak symbol could be the copy that the linker
 // keeps for the whole program: an illegal instruction on an older processor.
 TEST(ObjectCode, VectorFilesShareNoFunction) {
-  std::istringstream lines(run("nm -A " SINEW_ENGINE_LIBRARY));
+  std::istringstream lines(sinew_test::output_of("nm -A " SINEW_ENGINE_LIBRARY));
   size_t seen = 0;
   for (std::string line; std::getline(lines, line);) {
     if (!has(line, "_avx2.cpp.o:") && !has(line, "vnni.cpp.o:") && !has(line, "_avx512.cpp.o:")) continue;

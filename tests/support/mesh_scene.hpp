@@ -7,11 +7,10 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
-#include <memory>
-#include <new>
 #include <vector>
 
 #include "bind/pipeline.hpp"
+#include "sinew/sinew.hpp"
 
 namespace sinew_test {
 
@@ -121,9 +120,9 @@ class MeshRun {
     sinew::Arena measure;
     (void)run(measure);
     measured = measure.high_water();
-    block_.reset(static_cast<uint8_t*>(::operator new (measured, std::align_val_t{64})));
-    std::memset(block_.get(), 0xA5, measured);
-    sinew::Arena arena(block_.get(), measured - missing_bytes);
+    block_ = sinew::Workspace(measured);
+    std::memset(block_.data(), 0xA5, measured);
+    sinew::Arena arena(block_.data(), measured - missing_bytes);
     status = run(arena);
     used = arena.high_water();
   }
@@ -136,10 +135,7 @@ class MeshRun {
   size_t measured = 0, used = 0;
 
  private:
-  struct Release {
-    void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
-  };
-  std::unique_ptr<uint8_t, Release> block_;
+  sinew::Workspace block_;
 };
 
 }  // namespace sinew_test

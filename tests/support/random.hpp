@@ -18,6 +18,7 @@ class Random {
   }
   double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }
   double normal() { return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(6.283185307179586 * uniform()); }
+  std::mt19937& engine() { return engine_; }
 
  private:
   std::mt19937 engine_;

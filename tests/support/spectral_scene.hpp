@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh_scene.hpp"
+#include "sinew/sinew.hpp"
 #include "spectral/spectral.hpp"
 
 namespace sinew_test {
@@ -30,10 +31,9 @@ struct SpectralRun {
     sinew::Arena measure;
     (void)compute(measure);
     scratch_bytes = measure.high_water();
-    const std::unique_ptr<uint8_t, Release> block(
-        static_cast<uint8_t*>(::operator new (scratch_bytes, std::align_val_t{64})));
-    std::memset(block.get(), rubbish, scratch_bytes);
-    sinew::Arena arena(block.get(), scratch_bytes - missing_bytes);
+    const sinew::Workspace block(scratch_bytes);
+    std::memset(block.data(), rubbish, scratch_bytes);
+    sinew::Arena arena(block.data(), scratch_bytes - missing_bytes);
     const auto start = std::chrono::steady_clock::now();
     status = compute(arena);
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -43,11 +43,6 @@ struct SpectralRun {
   double at(uint32_t vertex, uint32_t channel) const {
     return rows[size_t{mesh().vertex_to_welded[vertex]} * sinew::kSpectralChannels + channel] / 1024.0;
   }
-
- private:
-  struct Release {
-    void operator()(uint8_t* p) const { ::operator delete (p, std::align_val_t{64}); }
-  };
 };
 
 }  // namespace sinew_test

@@ -22,11 +22,11 @@ typedef enum sinew_weight_format {
   SINEW_WEIGHT_FLOAT = 2    /* float, unorm16 / 65535 */
 } sinew_weight_format;
 
-/* Whether a connected component moves as one piece. Artists bind the same geometry both ways. */
+/* Whether a part, which is a connected piece of the mesh, moves as a whole. Artists bind the same geometry both ways. */
 typedef enum sinew_rigid_parts {
   SINEW_RIGID_PARTS_AUTO = 0,   /* as the model or the heat field says */
-  SINEW_RIGID_PARTS_ALWAYS = 1, /* every component gets one joint: the one with most of its weight */
-  SINEW_RIGID_PARTS_NEVER = 2   /* components that the model alone makes rigid (19/20 of the weight on one joint, but
+  SINEW_RIGID_PARTS_ALWAYS = 1, /* every part gets one joint: the one with most of its weight */
+  SINEW_RIGID_PARTS_NEVER = 2   /* parts that the model alone makes rigid (19/20 of the weight on one joint, but
                                  * not in the heat field) get the heat field's weights */
 } sinew_rigid_parts;
 

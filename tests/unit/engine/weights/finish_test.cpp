@@ -29,6 +29,7 @@ struct Predicted {
   Prediction prediction{mesh,          mesh,          reduction, skeleton,        heat,
                         logits.data(), joints.data(), 3,         softmax_s16_ref, nullptr};
   RowOptions options;
+  uint8_t* confidence = nullptr;
 
   Predicted() {
     mesh.vertex_count = 3;
@@ -40,7 +41,9 @@ struct Predicted {
   void write(std::vector<uint16_t>* out_joints, std::vector<Weight>* weights) {
     out_joints->resize(6, 99);
     weights->resize(6, Weight(77));
-    write_rows(prediction, options, EditedRows(), Threads(), out_joints->data(), weights->data());
+    sinew_bind_outputs outputs = sinew_bind_outputs_init(out_joints->data(), weights->data());
+    outputs.confidence = confidence;
+    write_rows(prediction, options, EditedRows(), Threads(), &outputs);
   }
 };
 
@@ -87,7 +90,7 @@ TEST(WriteRows, GivenRowsStayAndAreSure) {
   Predicted p;
   std::vector<uint8_t> locked = {0, 1, 0}, confidence(3, 0);
   p.options.locked = locked.data();
-  p.options.confidence = confidence.data();
+  p.confidence = confidence.data();
   std::vector<uint16_t> joints, weights;
   p.write(&joints, &weights);
   EXPECT_EQ(joints[2], 99);
@@ -111,7 +114,8 @@ TEST(WriteRows, WithoutLogitsRowsAreTheHeatFields) {
   const Prediction prediction{p.mesh,  p.mesh,  p.reduction, p.skeleton,      p.heat,
                               nullptr, nullptr, 0,           softmax_s16_ref, nullptr};
   std::vector<uint16_t> joints(6), weights(6);
-  write_rows(prediction, p.options, EditedRows(), Threads(), joints.data(), weights.data());
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  write_rows(prediction, p.options, EditedRows(), Threads(), &outputs);
   EXPECT_EQ(joints, (std::vector<uint16_t>{4, 0, 4, 0, 6, 3}));  // the second row is empty: its nearest joint
   EXPECT_EQ(weights, (std::vector<uint16_t>{65535, 0, 65535, 0, 49152, 16383}));
 }
@@ -163,7 +167,9 @@ class Edited {
           const sinew_status status =
               edit_rows(prediction, options, run_.counts, joints.data(), weights.data(), {}, arena, &edited);
           if (status != SINEW_OK || arena.measuring()) return status;
-          write_rows(prediction, options, edited, Threads(), joints.data(), weights.data());
+          sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+          write_rows(prediction, options, edited, Threads(), &outputs);
+          symmetric_vertices = outputs.symmetric_vertices;
           return SINEW_OK;
         },
         missing);
@@ -184,6 +190,7 @@ class Edited {
 
   RowOptions options;
   std::vector<uint16_t> joints, weights;
+  uint32_t symmetric_vertices = 0;
 
  private:
   HeatRun run_;
@@ -206,11 +213,9 @@ TEST(EditRows, RigidPartsHaveOneJointEach) {
 
 TEST(EditRows, SymmetricRowsAreCountedAndSumExactly) {
   Edited edited;
-  uint32_t symmetric_vertices = 0;
   edited.options.symmetric = true;
-  edited.options.symmetric_vertices = &symmetric_vertices;
   ASSERT_EQ(edited.bind(), SINEW_OK);
-  EXPECT_GE(symmetric_vertices, 9u * 12u);  // the capsule's rings; the sleeve's are turned
+  EXPECT_GE(edited.symmetric_vertices, 9u * 12u);  // the capsule's rings; the sleeve's are turned
   for (uint32_t v = 0; v < edited.vertices(); ++v) {
     EXPECT_EQ(std::accumulate(edited.weights_of(v), edited.weights_of(v) + 4, 0), 65535) << v;
   }

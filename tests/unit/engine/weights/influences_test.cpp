@@ -6,23 +6,15 @@
 
 #include <algorithm>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include "core/counts.hpp"
+#include "random.hpp"
 
 namespace sinew {
 namespace {
 
-class Random {
- public:
-  explicit Random(uint32_t seed) : engine_(seed) {}
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(engine_()) % n; }
-  std::mt19937& engine() { return engine_; }
-
- private:
-  std::mt19937 engine_;
-};
+using test::Random;
 
 struct Row {
   std::vector<uint16_t> joints, weights;

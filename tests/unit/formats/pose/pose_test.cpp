@@ -7,11 +7,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "expect_affine.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace sinew {
 namespace {
+
+using sinew_test::expect_affine;
 
 Character chain() {
   Character c;
@@ -24,10 +27,6 @@ Character chain() {
   return c;
 }
 
-void expect_matrix(const Affine& found, const Affine& expected) {
-  for (size_t i = 0; i < 12; ++i) EXPECT_NEAR(found[i], expected[i], 1e-13) << "entry " << i;
-}
-
 TEST(PosePalette, RefusesAParentThatDoesNotExist) {
   Character c = chain();
   c.joints[0].parent = 9;
@@ -36,15 +35,15 @@ TEST(PosePalette, RefusesAParentThatDoesNotExist) {
 
 TEST(PosePalette, TurnsAboutTheJointAndCarriesChildren) {
   const auto palette = pose_palette(chain(), {{1, 0, 0, 90}});
-  expect_matrix(palette[0], {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
-  expect_matrix(palette[1], {0, -1, 0, 1, 1, 0, 0, -1, 0, 0, 1, 0});
-  expect_matrix(palette[2], palette[1]);
+  expect_affine(palette[0], {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+  expect_affine(palette[1], {0, -1, 0, 1, 1, 0, 0, -1, 0, 0, 1, 0});
+  expect_affine(palette[2], palette[1]);
 }
 
 TEST(PosePalette, AnglesAreAppliedXThenYThenZ) {
   // R = Rz Ry Rx with 90 degrees each takes y to z (x turn), z to x (y turn), x to y (z turn): y stays y.
   const auto palette = pose_palette(chain(), {{0, 90, 90, 90}});
-  expect_matrix(palette[0], {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0});
+  expect_affine(palette[0], {0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0, 0});
   EXPECT_THROW(pose_palette(chain(), {{3, 0, 0, 0}}), Error);
 }
 
