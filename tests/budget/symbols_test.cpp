@@ -3,8 +3,6 @@
 // into stdio; the shared library exports what the headers declare.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -87,14 +85,14 @@ std::set<std::string> declared_functions() {
 
 TEST(SharedLibrary, ExportsWhatTheHeadersDeclareAndNothingElse) {
   std::set<std::string> exported;
-  std::istringstream lines(run("nm -D --defined-only " SINEW_ENGINE_SHARED));
+  std::istringstream lines(sinew_test::output_of("nm -D --defined-only " SINEW_ENGINE_SHARED));
   for (std::string line; std::getline(lines, line);) exported.insert(line.substr(line.rfind(' ') + 1));
   EXPECT_EQ(exported, declared_functions());
   EXPECT_EQ(exported.count("sinew_bind"), 1u);
 }
 
 TEST(SharedLibrary, NeedsTheCLibraryAlone) {
-  std::istringstream lines(run("objdump -p " SINEW_ENGINE_SHARED));
+  std::istringstream lines(sinew_test::output_of("objdump -p " SINEW_ENGINE_SHARED));
   bool named = false;
   for (std::string line; std::getline(lines, line);) {
     named = named || line.find("SONAME") != std::string::npos;
