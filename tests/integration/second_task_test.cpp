@@ -192,7 +192,7 @@ struct Scene {
 // The engine's outputs for a sample, in real units.
 std::vector<float> run_engine(const FloatNetwork& network, const std::vector<uint8_t>& bytes,
                               const NetworkSample& sample) {
-  const AlignedBytes file(bytes);
+  const test::AlignedBytes file(bytes);
   ModelHeader header;
   sinew_model model;
   EXPECT_EQ(read_header(file.data(), bytes.size(), &header), SINEW_OK);
@@ -259,7 +259,7 @@ TEST(SecondTask, OtherTasksRefuseItsModel) {
   Scene scene;
   const FloatNetwork network = JointTask(scene.config).make_network();
   const std::vector<uint8_t> bytes = quantize(network, calibrate(network, scene.items.validation)).bytes;
-  const AlignedBytes file(bytes);
+  const test::AlignedBytes file(bytes);
   sinew_model model;
   EXPECT_EQ(sinew_model_open(file.data(), bytes.size(), &model), SINEW_ERROR_MODEL_VERSION);
   ModelTask task = model_task(network);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "aligned_bytes.hpp"
 #include "features/features.hpp"
 #include "linear_layer.hpp"
 #include "network/network.hpp"
@@ -525,24 +526,6 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k, uint32_t vertex_chan
   add_linear(last, ValueRange::kLogits);
   return model;
 }
-
-// Bytes at an address divisible by 64, as a caller would hold a model or a workspace.
-class AlignedBytes {
- public:
-  explicit AlignedBytes(size_t size) : size_(size), words_(size / 64 + 1) {}
-  explicit AlignedBytes(const std::vector<uint8_t>& bytes) : AlignedBytes(bytes.size()) {
-    std::copy(bytes.begin(), bytes.end(), data());
-  }
-  uint8_t* data() { return reinterpret_cast<uint8_t*>(words_.data()); }
-  size_t size() const { return size_; }
-
- private:
-  struct alignas(64) Block {
-    uint8_t bytes[64];
-  };
-  size_t size_;
-  std::vector<Block> words_;
-};
 
 }  // namespace sinew::test
 #endif
