@@ -89,7 +89,8 @@ void measure(const char* name, const sinew_test::HeatScene& scene, int repeats) 
   if (run.mesh.part_count == 1) {
     sinew::Arena need;  // some more than the steps take
     (void)sinew::HeatSources().allocate(need, run.counts);
-    (void)sinew::solve_heat(run.mesh, run.skeleton, run.counts, kernels, {}, need, &run.fields);
+    (void)sinew::solve_heat(run.mesh, run.skeleton, run.source_joints.data(), run.counts, kernels, {}, need,
+                            &run.fields);
     sinew::Workspace block(need.high_water());
     sinew::Arena arena(block.data(), block.size());
     for (int i = 0; i < repeats; ++i) run_steps(kernels, arena, &run, &out);
