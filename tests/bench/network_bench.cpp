@@ -109,7 +109,7 @@ struct EigenForward : Contestant {
   const Sample& sample;
   NetworkRunner runner;
   std::vector<float> result;
-  EigenForward(const FloatNetwork& n, const Sample& s) : network(n), sample(s), runner(n) {
+  EigenForward(const FloatNetwork& n, const Sample& s) : network(n), sample(s) {
     name = "float trainer (Eigen)";
     bytes = activation_bytes(n, s);
   }
