@@ -19,7 +19,7 @@ size_t size_of(const sinew_options& options) {
 }
 
 sinew_options heat_options() {
-  sinew_options options = {};
+  sinew_options options = sinew_options_init();
   options.method = SINEW_METHOD_HEAT;
   return options;
 }
