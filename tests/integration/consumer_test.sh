@@ -8,6 +8,7 @@ source_dir=$1 work=$2
 consumer=$source_dir/tests/integration/consumer
 rm -rf "$work"
 mkdir -p "$work"
+# `grep -q` would close the pipe on a program that is still writing, which pipefail counts as a failure.
 quietly() { "$@" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }; }
 strict=(-pedantic-errors -Wall -Wextra -Werror)
 
@@ -22,16 +23,16 @@ for shared in OFF ON; do
 
   quietly cmake -S "$consumer" -B "$work/consumer_$shared" -DCMAKE_PREFIX_PATH="$prefix"
   quietly cmake --build "$work/consumer_$shared"
-  "$work/consumer_$shared/consumer" | grep -q '^sinew [0-9]'
-  "$work/consumer_$shared/consumer_cpp" | grep -q '^sinew [0-9]'
+  "$work/consumer_$shared/consumer" | grep '^sinew [0-9]' >/dev/null
+  "$work/consumer_$shared/consumer_cpp" | grep '^sinew [0-9]' >/dev/null
 
   read -ra flags <<<"$(PKG_CONFIG_PATH="$(dirname "$(find "$prefix" -name sinew.pc)")" pkg-config --cflags --libs sinew)"
   cc -std=c99 "${strict[@]}" "$consumer/main.c" -o "$work/by_pkg_config_$shared" "${flags[@]}"
   library=$(find "$prefix" -name 'libsinew.*' -print -quit)
-  LD_LIBRARY_PATH=$(dirname "$library") "$work/by_pkg_config_$shared" | grep -q '^sinew [0-9]'
+  LD_LIBRARY_PATH=$(dirname "$library") "$work/by_pkg_config_$shared" | grep '^sinew [0-9]' >/dev/null
 done
-ldd "$work/by_pkg_config_ON" | grep -q 'libsinew\.so\.' || { echo "the shared library was not linked"; exit 1; }
-if ldd "$work/by_pkg_config_OFF" | grep -q libsinew; then echo "the archive was not linked"; exit 1; fi
+ldd "$work/by_pkg_config_ON" | grep 'libsinew\.so\.' >/dev/null || { echo "the shared library was not linked"; exit 1; }
+if ldd "$work/by_pkg_config_OFF" | grep libsinew >/dev/null; then echo "the archive was not linked"; exit 1; fi
 
 for header in "$work"/prefix_ON/include/sinew/*.h; do
   cc -std=c99 "${strict[@]}" -fsyntax-only "-I$work/prefix_ON/include" -x c - <<<"#include <sinew/${header##*/}>"
