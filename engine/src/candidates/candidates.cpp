@@ -208,6 +208,15 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
   }
 }
 
+// Permille of this stage's progress when each step ends; during a propagation it stands still.
+namespace ends_at {
+constexpr uint32_t kVoxels = 200;
+constexpr uint32_t kFirstPropagation = 300;
+constexpr uint32_t kTips = 400;
+constexpr uint32_t kSecondPropagation = 600;
+constexpr uint32_t kRows = Progress::kWhole;
+}  // namespace ends_at
+
 constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
 
 void write_candidates(const Mesh& mesh, const Propagation& p, const uint32_t* starts, uint32_t begin, uint32_t end,
@@ -249,25 +258,25 @@ sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const C
   if (arena.measuring()) return SINEW_OK;
   voxelise(mesh, counts, propagation.queue(), &propagation.grid);
   propagation.survey();
-  if (!progress.report(200)) return SINEW_ERROR_CANCELLED;
+  if (!progress.report(ends_at::kVoxels)) return SINEW_ERROR_CANCELLED;
 
   uint32_t usable = 0;
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) usable += skeleton.usable[j];
   propagation.begin(1);
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) joints.starts[j] = 0;
   seed_bones(skeleton, skeleton.bone_tail, joints.starts, &propagation);
-  if (!propagation.run(progress, 300)) return SINEW_ERROR_CANCELLED;
+  if (!propagation.run(progress, ends_at::kFirstPropagation)) return SINEW_ERROR_CANCELLED;
   find_tips(mesh, skeleton, propagation, joints, candidates);
-  if (!progress.report(400)) return SINEW_ERROR_CANCELLED;
+  if (!progress.report(ends_at::kTips)) return SINEW_ERROR_CANCELLED;
 
   propagation.begin(usable < counts.candidates ? usable : counts.candidates);
   find_starts(skeleton, candidates->tips, propagation.grid, joints.extents, joints.starts);
   seed_bones(skeleton, candidates->tips, joints.starts, &propagation);
-  if (!propagation.run(progress, 600)) return SINEW_ERROR_CANCELLED;
+  if (!propagation.run(progress, ends_at::kSecondPropagation)) return SINEW_ERROR_CANCELLED;
   counts.threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     write_candidates(mesh, propagation, joints.starts, begin, end, candidates);
   });
-  return progress.report(1000) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+  return progress.report(ends_at::kRows) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }
 
 }  // namespace sinew

@@ -4,9 +4,9 @@
 #ifndef SINEW_KERNELS_KERNELS_HPP
 #define SINEW_KERNELS_KERNELS_HPP
 
+#include "core/bytes.hpp"
 #include "core/counts.hpp"
 #include "kernels/packed.hpp"
-#include "model/layout.hpp"
 
 namespace sinew {
 
