@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/kernels.hpp"
+#include "model/layout.hpp"
 
 namespace sinew::test {
 
