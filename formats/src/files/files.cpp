@@ -132,10 +132,14 @@ std::vector<std::string> list_characters(const std::string& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) throw Error(folder + ": expected a folder of characters, found no such folder");
   std::vector<std::pair<std::string, std::string>> found;  // name, path
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string path = entry.path().string();
-    if (!entry.is_regular_file(error)) continue;
-    const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), error);
+  const auto is_file = [](const std::string& path) {
+    std::error_code absent;  // no failure of the folder's
+    return fs::is_regular_file(path, absent);
+  };
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string path = entry->path().string();
+    if (!is_file(path)) continue;
+    const bool pair = has_extension(path, ".obj") && is_file(rig_path_beside(path));
     if (pair || has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm"))
       found.emplace_back(stem_of(path), path);
   }

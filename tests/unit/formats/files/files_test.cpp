@@ -58,6 +58,14 @@ TEST(Files, FollowsLinksAndWritesDevices) {
   EXPECT_NO_THROW(write_text_file("/dev/null", "gone"));
 }
 
+TEST(Folders, AMeshWithoutARigIsNoFailureOfTheFolder) {
+  const TempFolder folder;
+  folder.write("alone.obj", "v 0 0 0\n");
+  EXPECT_TRUE(list_characters(folder.path()).empty());
+  std::filesystem::create_symlink(folder.file("nowhere"), folder.file("dangling.glb"));
+  EXPECT_TRUE(list_characters(folder.path()).empty());
+}
+
 TEST(Folders, ListsPairsAndGltfSortedByName) {
   const TempFolder folder;
   for (const char* name : {"b__2.obj", "b__2.rig.txt", "a__1.GLB", "c.obj", "d.rig.txt", "e__.vrm", "readme.txt"})
