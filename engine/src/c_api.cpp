@@ -3,7 +3,7 @@
 #include <stddef.h>
 
 #include "bind/bind.hpp"
-#include "bind/task.hpp"
+#include "bind/bind_task.hpp"
 #include "core/struct_size.hpp"
 #include "deform/skinning.hpp"
 #include "kernels/select.hpp"

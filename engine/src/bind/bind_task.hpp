@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The task of the networks that predict skin weights: features in, logits out.
-#ifndef SINEW_BIND_TASK_HPP
-#define SINEW_BIND_TASK_HPP
+#ifndef SINEW_BIND_BIND_TASK_HPP
+#define SINEW_BIND_BIND_TASK_HPP
 
 #include "model/task.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What bind's features look like to a network.
-#include "bind/task.hpp"
+#include "bind/bind_task.hpp"
 
 #include "features/features.hpp"
 
