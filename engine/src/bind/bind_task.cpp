@@ -10,7 +10,6 @@ bool bind_task(uint32_t feature_set, ModelTask* task) {
   if ((feature_set & ~kFeatureFlags) != kFeatureSet) return false;
   *task = ModelTask();
   task->id = kTaskBind;
-  task->feature_set = feature_set;
   task->input_count = 2;
   task->inputs[kVertexInput] = {input_name("vert"),
                                 {Domain::kVertex, static_cast<uint16_t>(vertex_channels(feature_set))}};

@@ -22,8 +22,7 @@ enum class LayerFault : uint8_t {
   kFlags,      // an unknown flag, or a flag of another kind of layer
   kOverwrite,  // it writes to an input, or where an earlier layer wrote
   kUnwritten,  // it reads channels that no earlier layer writes
-  kResidual,   // the residual lies outside its buffer, has another shape than the output, or is not written before
-  kOutput      // the last layer does not write what the task wants
+  kResidual    // the residual lies outside its buffer, has another shape than the output, or is not written before
 };
 
 // First fault of layer `index`; the layers before it have none.

@@ -26,7 +26,6 @@ struct TaskInput {
 
 struct ModelTask {
   uint32_t id = kTaskBind;
-  uint32_t feature_set = 0;  // that the inputs belong to
   uint32_t input_count = 0;
   TaskInput inputs[kMaxInputs];
   Buffer output;  // of the last layer's region

@@ -25,9 +25,10 @@ const char* fault_text(LayerFault fault) {
       return "reads what no earlier layer writes";
     case LayerFault::kResidual:
       return "has a residual of another shape, or one that no earlier layer writes";
-    default:
-      return "has no fault";
+    case LayerFault::kNone:
+      break;
   }
+  return "has no fault";
 }
 
 }  // namespace
@@ -35,7 +36,6 @@ const char* fault_text(LayerFault fault) {
 ModelTask model_task(const FloatNetwork& network) {
   ModelTask task;
   task.id = network.task;
-  task.feature_set = network.feature_set;
   task.input_count = static_cast<uint32_t>(network.input_names.size());
   for (uint32_t i = 0; i < task.input_count; ++i) {
     const std::string& name = network.input_names[i];

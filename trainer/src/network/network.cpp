@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The public face of the float network: logits, probabilities, gradients for one sample.
+// The public face of the float network: outputs, logits, probabilities for one sample.
 #include "sinew_trainer/network.hpp"
 
 #include <algorithm>
@@ -34,8 +34,8 @@ const std::vector<float>& NetworkRunner::buffer(uint16_t index) const {
 
 void require_bind_network(const FloatNetwork& network, const std::string& source) {
   check_network(network, source);
-  const Region& out = network.layers.back().out;
-  if (network.task != kTaskBind || network.buffers[out.buffer].domain != Domain::kPair || out.channels != 1)
+  const Buffer output = model_task(network).output;
+  if (network.task != kTaskBind || output.domain != Domain::kPair || output.channels != 1)
     throw Error(
         source +
         ": expected a network for binding, which gives one logit per vertex and candidate; found one for task " +
