@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// One file from its mesh to its weights.
+#include "bind_one.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include "sinew_datasets/image.hpp"
+#include "sinew_formats/bind.hpp"
+#include "sinew_formats/io.hpp"
+#include "support.hpp"
+#include "thread_pool.hpp"
+
+namespace sinew::cli {
+namespace {
+
+int show_progress(void* user, uint32_t done_permille) {
+  uint32_t* shown = static_cast<uint32_t*>(user);
+  if (done_permille / 10 != *shown) {
+    *shown = done_permille / 10;
+    std::fprintf(stderr, "\rbinding %3u %%", *shown);
+    if (*shown >= 100) std::fprintf(stderr, "\r              \r");
+    std::fflush(stderr);
+  }
+  return 0;
+}
+
+void set_flags(const BindSettings& settings, const Character& character, std::vector<uint8_t>* flags) {
+  if (settings.deform.empty() && settings.never.empty()) return;
+  flags->assign(character.joints.size(), 0);
+  if (!settings.deform.empty()) {
+    for (size_t j : read_joint_list(settings.deform, character)) (*flags)[j] |= SINEW_JOINT_DEFORMS;
+  }
+  if (!settings.never.empty()) {
+    for (size_t j : read_joint_list(settings.never, character)) (*flags)[j] |= SINEW_JOINT_NEVER;
+  }
+}
+
+void set_locks(const BindSettings& settings, const Character& character, std::vector<uint8_t>* locked) {
+  if (settings.lock.empty()) return;
+  if (character.influences.empty()) {
+    throw Error(settings.lock + ": vertices can keep only weights they have, and neither " + settings.mesh +
+                " nor its skeleton file brings any");
+  }
+  locked->assign(character.vertices.size(), 0);
+  for (size_t v : read_vertex_list(settings.lock, character)) {
+    if (character.influences[v].empty())
+      throw Error(settings.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
+    (*locked)[v] = 1;
+  }
+}
+
+// Rows of the hint file go where the mesh's own are; joints are matched by name.
+void set_hints(const BindSettings& settings, Character* character, std::vector<uint8_t>* hints) {
+  if (settings.hints.empty()) return;
+  Character painted;
+  painted.name = character->name;
+  painted.vertices = character->vertices;
+  painted.gltf = character->gltf;
+  read_skeleton(settings.hints, true, &painted);
+  std::vector<uint32_t> joint_of(painted.joints.size());
+  for (size_t j = 0; j < painted.joints.size(); ++j) {
+    const auto at = std::find_if(character->joints.begin(), character->joints.end(),
+                                 [&](const Joint& joint) { return joint.name == painted.joints[j].name; });
+    joint_of[j] = static_cast<uint32_t>(at - character->joints.begin());
+  }
+  hints->assign(character->vertices.size(), 0);
+  character->influences.resize(character->vertices.size());
+  size_t count = 0;
+  for (size_t v = 0; v < painted.influences.size(); ++v) {
+    if (painted.influences[v].empty()) continue;
+    for (Influence& influence : painted.influences[v]) {
+      if (joint_of[influence.joint] == character->joints.size()) {
+        throw Error(settings.hints + ": vertex " + std::to_string(v) + " is painted with joint " +
+                    painted.joints[influence.joint].name + ", which the skeleton does not have");
+      }
+      influence.joint = joint_of[influence.joint];
+    }
+    character->influences[v] = std::move(painted.influences[v]);
+    (*hints)[v] = 1;
+    ++count;
+  }
+  if (count == 0) throw Error(settings.hints + ": paints no vertex; expected weights (skin lines) for some of them");
+}
+
+BindResult bind_with(const BindSettings& settings, const Binder& binder, bool progress, Character* character) {
+  BindOptions options;
+  options.method = binder.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  options.model = binder.model;
+  options.influence_count = settings.influences;
+  options.up_axis = settings.up == "z" ? 1 : 0;
+  set_flags(settings, *character, &options.joint_flags);
+  set_locks(settings, *character, &options.locked);
+  set_hints(settings, character, &options.hints);
+  options.symmetric = settings.symmetric;
+  apply_style(settings.style, &options);
+  uint32_t shown = 0;
+  if (progress) {
+    options.progress = show_progress;
+    options.progress_user = &shown;
+  }
+  ThreadPool pool(settings.threads);
+  options.thread_count = settings.threads;
+  options.parallel_for = ThreadPool::parallel_for;
+  options.parallel_user = &pool;
+  return bind(*character, options);
+}
+
+void draw(const BindSettings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
+  RenderOptions view;
+  view.up_z = settings.up == "z";
+  if (!settings.png.empty()) write_file(settings.png, encode_png(render(character, weight_colours(character), view)));
+  if (settings.png_confidence.empty()) return;
+  std::vector<float> doubt;
+  for (const uint8_t c : confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
+  write_file(settings.png_confidence, encode_png(render(character, heat_colours(doubt, 1.0f), view)));
+}
+
+BindSummary summarise(const BindSettings& settings, const Binder& binder, const Character& character,
+                      const BindResult& result) {
+  BindSummary summary;
+  summary.mesh = settings.mesh;
+  summary.name = character.name;
+  summary.method = binder.name;
+  summary.output = settings.output;
+  summary.png = settings.png;
+  summary.png_confidence = settings.png_confidence;
+  count_weights(character, &summary);
+  summary.influences = settings.influences;
+  summary.seconds = result.seconds;
+  summary.workspace_bytes = result.workspace_bytes;
+  summary.workspace_used_bytes = result.used_bytes;
+  summary.symmetric = settings.symmetric;
+  summary.symmetric_vertices = result.symmetric_vertices;
+  summary.doubts = find_doubts(character, result.confidence);
+  return summary;
+}
+
+}  // namespace
+
+BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
+  Character character = read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty());
+  BindResult result = bind_with(settings, binder, progress, &character);
+  character.influences = std::move(result.influences);
+  if (settings.confidence) character.confidence = result.confidence;
+  write_character(settings.output, character);
+  draw(settings, character, result.confidence);
+  BindSummary summary = summarise(settings, binder, character, result);
+  return {std::move(character), std::move(summary)};
+}
+
+}  // namespace sinew::cli

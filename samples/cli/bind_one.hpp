@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// One file bound, apart from the command line: read, bind, write, told in numbers.
+#ifndef SINEW_CLI_BIND_ONE_HPP
+#define SINEW_CLI_BIND_ONE_HPP
+
+#include <string>
+
+#include "bind_summary.hpp"
+#include "sinew/sinew.h"
+#include "sinew_formats/character.hpp"
+#include "style_options.hpp"
+
+namespace sinew::cli {
+
+// What to do with one file. Empty paths: none.
+struct BindSettings {
+  std::string mesh, skeleton;
+  std::string output;                      // see write_character()
+  std::string deform, never, lock, hints;  // files, see the options of sinew bind
+  std::string png, png_confidence;
+  std::string up = "y";
+  unsigned influences = 4, threads = 1;
+  StyleOptions style;
+  bool symmetric = false, confidence = false;
+};
+
+// Who binds: the model with the name that the summary gives it, or heat alone where `model` is null.
+struct Binder {
+  const sinew_model* model = nullptr;
+  std::string name = "heat";
+};
+
+// What a bind leaves beside the file it wrote.
+struct BoundFile {
+  Character character;  // with the new weights
+  BindSummary summary;
+};
+
+// Reads, binds, writes `settings.output` and the pictures. Throws Error; nothing is written then. With `progress` one
+// line on stderr counts to 100 %. Calls at the same time are allowed when their outputs differ.
+BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress);
+
+}  // namespace sinew::cli
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Numbers of a bind, its lines and its JSON.
+#include "bind_summary.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sinew_formats/print.hpp"
+
+namespace sinew::cli {
+
+Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confidence) {
+  Doubts doubts;
+  std::vector<std::pair<size_t, size_t>> counts(character.joints.size());  // vertices, joints in reverse for ties
+  for (size_t j = 0; j < counts.size(); ++j) counts[j].second = counts.size() - 1 - j;
+  for (size_t v = 0; v < confidence.size(); ++v) {
+    if (confidence[v] >= 128 || character.influences[v].empty()) continue;
+    ++doubts.vertices;
+    ++counts[character.influences[v][0].joint].first;
+  }
+  std::sort(counts.rbegin(), counts.rend());
+  for (size_t i = 0; i < counts.size() && i < 3 && counts[i].first > 0; ++i)
+    doubts.joints.push_back(character.joints[counts.size() - 1 - counts[i].second].name);
+  return doubts;
+}
+
+void count_weights(const Character& character, BindSummary* summary) {
+  summary->vertices = character.vertices.size();
+  summary->faces = character.face_count();
+  summary->joints = character.joints.size();
+  size_t pairs = 0;
+  std::vector<bool> used(character.joints.size(), false);
+  for (const std::vector<Influence>& row : character.influences) {
+    pairs += row.size();
+    for (const Influence& i : row) used[i.joint] = true;
+  }
+  summary->joints_used = static_cast<size_t>(std::count(used.begin(), used.end(), true));
+  summary->mean_influences =
+      static_cast<double>(pairs) / static_cast<double>(std::max<size_t>(1, character.vertices.size()));
+}
+
+namespace {
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+std::string doubts_text(const Doubts& doubts) {
+  if (doubts.vertices == 0) return "";
+  return print("%zu vertices to look at (less than half sure), mostly on ", doubts.vertices) + joined(doubts.joints);
+}
+
+std::vector<std::string> summary_lines(const BindSummary& s) {
+  std::vector<std::string> lines;
+  lines.push_back(print("%s: %zu vertices, %zu faces, %zu joints (%zu used)", s.name.c_str(), s.vertices, s.faces,
+                        s.joints, s.joints_used));
+  lines.push_back(print("bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex",
+                        s.method.c_str(), s.seconds, static_cast<double>(s.workspace_bytes) / 1e6,
+                        static_cast<double>(s.workspace_used_bytes) / 1e6, s.mean_influences));
+  lines.insert(lines.end(), s.notes.begin(), s.notes.end());
+  if (s.symmetric && s.symmetric_vertices > 0) {
+    lines.push_back(print("%zu of %zu vertices mirrored", s.symmetric_vertices, s.vertices));
+  } else if (s.symmetric) {
+    lines.push_back("not symmetric: too few vertices or joints have a mirror image, nothing was mirrored");
+  }
+  if (s.doubts.vertices > 0) lines.push_back(doubts_text(s.doubts));
+  std::string written = s.output == "-" ? "standard output" : s.output;
+  for (const std::string& picture : {s.png, s.png_confidence}) written += picture.empty() ? "" : " and " + picture;
+  lines.push_back("wrote " + written);
+  return lines;
+}
+
+nlohmann::ordered_json summary_json(const BindSummary& s) {
+  nlohmann::ordered_json json = {{"mesh", s.mesh},
+                                 {"method", s.method},
+                                 {"vertices", s.vertices},
+                                 {"faces", s.faces},
+                                 {"joints", s.joints},
+                                 {"joints_used", s.joints_used},
+                                 {"influences", s.influences},
+                                 {"mean_influences", s.mean_influences},
+                                 {"seconds", s.seconds},
+                                 {"workspace_bytes", s.workspace_bytes},
+                                 {"workspace_used_bytes", s.workspace_used_bytes},
+                                 {"output", s.output}};
+  if (!s.png.empty()) json["png"] = s.png;
+  if (!s.png_confidence.empty()) json["png_confidence"] = s.png_confidence;
+  json["to_look_at"] = {{"vertices", s.doubts.vertices}, {"joints", s.doubts.joints}};
+  if (s.symmetric) json["symmetric_vertices"] = s.symmetric_vertices;
+  if (!s.notes.empty()) json["notes"] = s.notes;
+  return json;
+}
+
+}  // namespace sinew::cli

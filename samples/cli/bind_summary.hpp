@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// What a bind tells about one file: the numbers, as lines for people and as JSON.
+#ifndef SINEW_CLI_BIND_SUMMARY_HPP
+#define SINEW_CLI_BIND_SUMMARY_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew::cli {
+
+// Vertices that are more likely wrong than right, and the joints that most of them went to.
+struct Doubts {
+  size_t vertices = 0;
+  std::vector<std::string> joints;  // three at most, by falling number of vertices
+};
+
+struct BindSummary {
+  std::string mesh;                 // as on the command line
+  std::string name;                 // of the character
+  std::string method;               // heat, bundled model, or the model's file name
+  std::string output;               // "-" is standard output
+  std::string png, png_confidence;  // empty: none
+  size_t vertices = 0, faces = 0, joints = 0, joints_used = 0;
+  unsigned influences = 0;     // at most, as asked for
+  double mean_influences = 0;  // per vertex
+  double seconds = 0;          // of the bind alone
+  size_t workspace_bytes = 0, workspace_used_bytes = 0;
+  bool symmetric = false;  // was asked for
+  size_t symmetric_vertices = 0;
+  Doubts doubts;
+  std::vector<std::string> notes;  // what the user should know about this file, a line each
+};
+
+//   confidence  [V] 0..255; weights are character.influences
+Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confidence);
+// "120 vertices to look at (less than half sure), mostly on hand.L"; empty without doubts.
+std::string doubts_text(const Doubts& doubts);
+// Counts of the character and of its weights.
+void count_weights(const Character& character, BindSummary* summary);
+
+std::vector<std::string> summary_lines(const BindSummary& summary);
+nlohmann::ordered_json summary_json(const BindSummary& summary);
+
+}  // namespace sinew::cli
+#endif
