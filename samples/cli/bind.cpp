@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "bind_one.hpp"
 #include "commands.hpp"
@@ -19,7 +20,7 @@ namespace {
 struct Settings {
   BindSettings one;
   std::string model, method;
-  bool json = false;
+  bool json = false, all_joints = false;
 };
 
 // The options that no bind can be done with.
@@ -32,7 +33,21 @@ void check(const Settings& s) {
     throw UsageError("-o - and --json both want standard output: give the weights a file name");
 }
 
+// A file of joints is what --deform takes.
+void settle_joints(Settings* s) {
+  BindSettings& one = s->one;
+  if (s->all_joints) {
+    if (!one.joints.empty() && one.joints != "all")
+      throw UsageError("--all-joints and --joints " + one.joints + ": give one of the two");
+    one.joints = "all";
+  }
+  if (one.joints.empty() || one.joints == "own" || one.joints == "names" || one.joints == "all") return;
+  if (!one.deform.empty()) throw UsageError("--joints " + one.joints + " and --deform: give one list of joints");
+  one.deform = std::exchange(one.joints, "");
+}
+
 void run(Settings s) {
+  settle_joints(&s);
   if (s.one.output.empty()) s.one.output = stem_of(s.one.mesh) + ".bound.glb";
   check(s);
   std::unique_ptr<LoadedModel> model;
@@ -75,6 +90,17 @@ void add_bind(CLI::App& app) {
   sub->add_option("--deform", s->one.deform, "Joints that deform, one name per line; all others get no weight")
       ->type_name("FILE");
   sub->add_option("--never", s->one.never, "Joints that must get no weight, one name per line")->type_name("FILE");
+  sub->add_option("--joints", s->one.joints,
+                  "Which joints may get weight: own (mesh by mesh those that have weight in the file already), names "
+                  "(not controls, slots, roots and what stands beside the mesh), all, or a file like --deform's "
+                  "[own for a skinned file, else names]")
+      ->type_name("own|names|all|FILE");
+  sub->add_flag("--all-joints", s->all_joints, "Same as --joints all");
+  sub->add_flag("--keep-tips", s->one.keep_tips,
+                "Joints that only end a chain keep the weight they get; by default their parents have it");
+  sub->add_flag("--bind-props", s->one.bind_props,
+                "Bind meshes without a skin too, also where they hang on joints or others have skins");
+  sub->add_flag("--fit", s->one.fit, "Scale, turn and move a skeleton that is in other units or beside the mesh");
   sub->add_option("--lock", s->one.lock, "Vertices that keep the weights they have, one 0-based index per line")
       ->type_name("FILE");
   sub->add_option(

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "sinew_datasets/image.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/skeleton_repair.hpp"
 #include "support.hpp"
 #include "thread_pool.hpp"
 
@@ -86,13 +88,26 @@ void set_hints(const BindSettings& settings, Character* character, std::vector<u
   if (count == 0) throw Error(settings.hints + ": paints no vertex; expected weights (skin lines) for some of them");
 }
 
-BindResult bind_with(const BindSettings& settings, const Binder& binder, bool progress, Character* character) {
-  BindOptions options;
+JointsFrom joints_from(const BindSettings& settings) {
+  if (settings.joints == "own") return JointsFrom::kOwn;
+  if (settings.joints == "names") return JointsFrom::kNames;
+  if (settings.joints == "all") return JointsFrom::kAll;
+  return settings.skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames;
+}
+
+CharacterBind bind_with(const BindSettings& settings, const Binder& binder, bool progress, Character* character,
+                        JointChoice* choice) {
+  CharacterBindOptions character_options;
+  character_options.keep_tips = settings.keep_tips;
+  character_options.bind_props = settings.bind_props;
+  BindOptions& options = character_options.bind;
   options.method = binder.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
   options.model = binder.model;
   options.influence_count = settings.influences;
   options.up_axis = settings.up == "z" ? 1 : 0;
-  set_flags(settings, *character, &options.joint_flags);
+  std::vector<uint8_t> said;
+  set_flags(settings, *character, &said);
+  *choice = choose_joints(*character, joints_from(settings), said);
   set_locks(settings, *character, &options.locked);
   set_hints(settings, character, &options.hints);
   options.symmetric = settings.symmetric;
@@ -106,7 +121,7 @@ BindResult bind_with(const BindSettings& settings, const Binder& binder, bool pr
   options.thread_count = settings.threads;
   options.parallel_for = ThreadPool::parallel_for;
   options.parallel_user = &pool;
-  return bind(*character, options);
+  return bind_character(*character, *choice, character_options);
 }
 
 void draw(const BindSettings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
@@ -120,7 +135,7 @@ void draw(const BindSettings& settings, const Character& character, const std::v
 }
 
 BindSummary summarise(const BindSettings& settings, const Binder& binder, const Character& character,
-                      const BindResult& result) {
+                      const CharacterBind& result) {
   BindSummary summary;
   summary.mesh = settings.mesh;
   summary.name = character.name;
@@ -141,14 +156,60 @@ BindSummary summarise(const BindSettings& settings, const Binder& binder, const 
 
 }  // namespace
 
+namespace {
+
+// "slot: handslot.l, handslot.r; root: root", the reasons in the order of their first joint.
+std::string left_out_text(const Character& character, const JointChoice& choice) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const LeftOutJoint& left : choice.left_out) {
+    auto at = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == left.why; });
+    if (at == names.end()) at = names.insert(names.end(), {left.why, ""});
+    at->second += (at->second.empty() ? "" : ", ") + character.joints[left.joint].name;
+  }
+  std::string text;
+  for (const auto& [why, joints] : names) text += (text.empty() ? "" : "; ") + why + ": " + joints;
+  return text;
+}
+
+void add_notes(const Character& character, const JointChoice& choice, const CharacterBind& result,
+               BindSummary* summary) {
+  std::vector<std::string>& notes = summary->notes;
+  if (!choice.left_out.empty())
+    notes.push_back(std::to_string(choice.left_out.size()) + " joints get no weight (" +
+                    left_out_text(character, choice) + "); --all-joints gives it to all");
+  if (result.folded_tips > 0)
+    notes.push_back(std::to_string(result.folded_tips) +
+                    " joints that end chains gave their weight to their parents; --keep-tips keeps it");
+  if (result.kept_meshes > 0)
+    notes.push_back(std::to_string(result.kept_meshes) + " attached meshes kept as they are; --bind-props binds them");
+}
+
+// Warns of a skeleton that lies elsewhere than its mesh, or mends it.
+void fit_skeleton(const BindSettings& settings, Character* character) {
+  const std::optional<SkeletonFit> fit = find_skeleton_fit(*character);
+  if (!fit) return;
+  if (settings.fit) {
+    apply_skeleton_fit(*fit, &character->joints);
+    character->notes.push_back(fit->what + "; --fit has mended that");
+  } else {
+    character->notes.push_back("warning: " + fit->what + ", so that the weights are hardly right; --fit mends that");
+  }
+}
+
+}  // namespace
+
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
   Character character = read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty());
-  BindResult result = bind_with(settings, binder, progress, &character);
+  fit_skeleton(settings, &character);
+  JointChoice choice;
+  CharacterBind result = bind_with(settings, binder, progress, &character, &choice);
   character.influences = std::move(result.influences);
   if (settings.confidence) character.confidence = result.confidence;
   write_character(settings.output, character);
   draw(settings, character, result.confidence);
   BindSummary summary = summarise(settings, binder, character, result);
+  summary.notes.insert(summary.notes.end(), character.notes.begin(), character.notes.end());
+  add_notes(character, choice, result, &summary);
   return {std::move(character), std::move(summary)};
 }
 

@@ -19,8 +19,10 @@ struct BindSettings {
   std::string deform, never, lock, hints;  // files, see the options of sinew bind
   std::string png, png_confidence;
   std::string up = "y";
+  std::string joints;  // own, names, all; empty: own for a mesh with weights of its own skeleton, else names
   unsigned influences = 4, threads = 1;
   StyleOptions style;
+  bool keep_tips = false, bind_props = false, fit = false;
   bool symmetric = false, confidence = false;
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,21 @@ struct Vec3 {
 
 struct Joint {
   std::string name;
-  Vec3 position;    // rest pose, world space, the mesh's units
-  int parent = -1;  // index into Character::joints, -1 = root
+  Vec3 position;                     // rest pose, world space, the mesh's units
+  int parent = -1;                   // index into Character::joints, -1 = root
+  std::optional<bool> deforms = {};  // what the file says (Blender's deform flag as a custom property), if it says so
 };
 
 struct Influence {
   uint32_t joint = 0;  // index into Character::joints
   float weight = 0;
+};
+
+// A mesh node of a glTF file.
+struct CharacterMesh {
+  std::string name;
+  bool skinned = false;
+  int carrier = -1;  // of a mesh without a skin: the joint that it hangs on (itself or the nearest above), or -1
 };
 
 struct GltfSource;  // the parsed input document and the map back to its vertices (formats/src/gltf/gltf_source.hpp)
@@ -40,6 +49,11 @@ struct Character {
   // [V] or empty: reference or predicted weights; a row may be empty (unbound).
   std::vector<std::vector<Influence>> influences;
   std::vector<uint8_t> confidence;  // [V] 0..255 or empty: how sure a prediction is; written to glTF as _CONFIDENCE
+
+  std::vector<CharacterMesh> meshes;    // glTF only
+  std::vector<uint32_t> vertex_meshes;  // [V] index into meshes, or empty
+
+  std::vector<std::string> notes;  // remarks of the reader for the user, a line each
 
   // Kept for writing, all optional. Per corner, parallel to face_vertices (empty when the file has none).
   std::vector<std::array<float, 2>> corner_uvs;

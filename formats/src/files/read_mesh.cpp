@@ -25,6 +25,8 @@ Character read_mesh(const std::string& path) {
 }
 
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
+  character->meshes.clear();  // they hung on the joints of another skeleton
+  character->vertex_meshes.clear();
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
   if (!is_gltf(path))
     throw Error(path + ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm), found another extension");

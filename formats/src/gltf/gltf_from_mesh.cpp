@@ -208,6 +208,7 @@ GltfSource gltf_from_mesh(const std::string& path, const Character& character) {
   const std::string glb = stream.str();
   GltfSource source = load_gltf(path, {glb.begin(), glb.end()});
   source.parts = std::move(parts.parts);
+  source.bind_pose.worlds = gltf_nodes(path, source.model).worlds;
   source.vertex_count = character.vertices.size();
   return source;
 }

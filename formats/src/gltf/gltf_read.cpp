@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0 / GLB / VRM to Character: all mesh nodes of the scene in world space, as they stand with the nodes' present
-// transforms.
+// glTF 2.0 / GLB / VRM to Character: all mesh nodes of the scene in world space, in the pose that their weights are
+// meant for.
 #include "gltf/gltf_read.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
+#include "gltf/bind_pose.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/skeleton_repair.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"
 
@@ -41,6 +43,8 @@ class GltfReader {
     nodes_ = gltf_nodes(path_, model());
     character_.name = stem_of(path_);
     for (size_t node = 0; node < model().nodes.size(); ++node) check_references(node);
+    check_skins();
+    source_->bind_pose = find_bind_pose(path_, model(), nodes_, skin_weights());
     read_joints();
     bool has_mesh = false;
     for (size_t node = 0; node < model().nodes.size(); ++node) {
@@ -52,6 +56,8 @@ class GltfReader {
       throw Error(path_ + ": expected a scene with a mesh, found none in " + std::to_string(model().nodes.size()) +
                   " nodes");
     finish_names();
+    if (const size_t given = infer_parents(&character_.joints); given > 0)
+      character_.notes.push_back(parents_note(given));
     source_->joints = character_.joints;
     source_->vertex_count = character_.vertices.size();
     character_.gltf = source_;
@@ -76,6 +82,43 @@ class GltfReader {
     return path_ + ": skin " + std::to_string(skin) + " " + in_quotes(model().skins[skin].name);
   }
 
+  void check_skins() const {
+    for (size_t s = 0; s < model().skins.size(); ++s)
+      for (const int node : model().skins[s].joints)
+        if (node < 0 || static_cast<size_t>(node) >= model().nodes.size())
+          throw Error(skin_name(s) + ": expected joints below " + std::to_string(model().nodes.size()) + ", found " +
+                      std::to_string(node));
+  }
+
+  bool is_in_scene(size_t node) const { return nodes_.in_scene[node] != 0 && model().nodes[node].mesh >= 0; }
+
+  SkinWeights skin_weights() const {
+    SkinWeights weights;
+    for (const tinygltf::Skin& skin : model().skins) weights.emplace_back(skin.joints.size(), 0.0);
+    for (size_t n = 0; n < model().nodes.size(); ++n) {
+      const tinygltf::Node& node = model().nodes[n];
+      if (!is_in_scene(n) || node.skin < 0) continue;
+      std::vector<double>& sums = weights[static_cast<size_t>(node.skin)];
+      const std::vector<tinygltf::Primitive>& primitives = model().meshes[static_cast<size_t>(node.mesh)].primitives;
+      for (size_t p = 0; p < primitives.size(); ++p) {
+        const auto at = primitives[p].attributes.find("JOINTS_0");
+        if (at == primitives[p].attributes.end() || at->second < 0 ||
+            static_cast<size_t>(at->second) >= model().accessors.size())
+          continue;
+        const size_t count = model().accessors[static_cast<size_t>(at->second)].count;
+        for (const Row& row :
+             read_rows(primitive_name(static_cast<size_t>(node.mesh), p), primitives[p], count, sums.size()))
+          for (const Influence& influence : row) sums[influence.joint] += static_cast<double>(influence.weight);
+      }
+    }
+    return weights;
+  }
+
+  std::string primitive_name(size_t mesh, size_t primitive) const {
+    return path_ + ": mesh " + std::to_string(mesh) + " " + in_quotes(model().meshes[mesh].name) + ", primitive " +
+           std::to_string(primitive);
+  }
+
   // The joints of all skins that meshes of the scene use (of all skins when none does), in the skins' order.
   void read_joints() {
     const size_t skin_count = model().skins.size();
@@ -88,17 +131,15 @@ class GltfReader {
     for (size_t s = 0; s < skin_count; ++s) {
       if (used[s] == 0) continue;
       for (const int node : model().skins[s].joints) {
-        if (node < 0 || static_cast<size_t>(node) >= model().nodes.size())
-          throw Error(skin_name(s) + ": expected joints below " + std::to_string(model().nodes.size()) + ", found " +
-                      std::to_string(node));
         int& joint = joint_of_node_[static_cast<size_t>(node)];
         if (joint >= 0) continue;
         joint = static_cast<int>(character_.joints.size());
-        const Affine& world = nodes_.worlds[static_cast<size_t>(node)];
+        const Affine& world = source_->bind_pose.worlds[static_cast<size_t>(node)];
         character_.joints.push_back(
             {model().nodes[static_cast<size_t>(node)].name,
              {static_cast<float>(world[3]), static_cast<float>(world[7]), static_cast<float>(world[11])},
-             -1});
+             -1,
+             deform_flag(model().nodes[static_cast<size_t>(node)])});
         source_->joint_nodes.push_back(node);
       }
     }
@@ -108,6 +149,17 @@ class GltfReader {
     for (const Joint& joint : character_.joints) names.push_back(joint.name);
     make_names_unique(&names);
     for (size_t j = 0; j < names.size(); ++j) character_.joints[j].name = std::move(names[j]);
+  }
+
+  // Blender keeps Bone.use_deform to itself; rigs that export it do so as a custom property of the bone.
+  static std::optional<bool> deform_flag(const tinygltf::Node& node) {
+    for (const char* key : {"use_deform", "deform"}) {
+      if (!node.extras.IsObject() || !node.extras.Has(key)) continue;
+      const tinygltf::Value& value = node.extras.Get(key);
+      if (value.IsBool()) return value.Get<bool>();
+      if (value.IsNumber()) return value.GetNumberAsDouble() != 0;
+    }
+    return std::nullopt;
   }
 
   int joint_at_or_above(int node) const {
@@ -131,18 +183,14 @@ class GltfReader {
     const size_t mesh = static_cast<size_t>(node.mesh);
     std::unordered_map<std::string, uint32_t> welded;
     character_.group_names.push_back(!node.name.empty() ? node.name : model().meshes[mesh].name);
-    // Skin matrices of the node's joints; a mesh without a skin moves with its node.
+    const int carrier = node.skin >= 0 ? -1 : joint_at_or_above(static_cast<int>(node_index));
+    character_.meshes.push_back({character_.group_names.back(), node.skin >= 0, carrier});
+    // Skin matrices of the node's joints where its skin has no bind pose; a mesh without a skin moves with its node.
     std::vector<Affine> palette;
-    if (node.skin >= 0) {
-      const size_t skin = static_cast<size_t>(node.skin);
-      palette = inverse_bind_matrices(skin_name(skin), model(), model().skins[skin]);
-      for (size_t j = 0; j < palette.size(); ++j)
-        palette[j] = multiply(nodes_.worlds[static_cast<size_t>(model().skins[skin].joints[j])], palette[j]);
-    }
+    if (node.skin >= 0 && !source_->bind_pose.agrees)
+      palette = skin_palette(skin_name(static_cast<size_t>(node.skin)), model(), nodes_, node.skin);
     for (size_t p = 0; p < model().meshes[mesh].primitives.size(); ++p) {
-      const std::string where = path_ + ": mesh " + std::to_string(mesh) + " " + in_quotes(model().meshes[mesh].name) +
-                                ", primitive " + std::to_string(p);
-      read_primitive(where, node_index, p, palette, &welded);
+      read_primitive(primitive_name(mesh, p), node_index, p, palette, &welded);
     }
   }
 
@@ -212,10 +260,13 @@ class GltfReader {
 
     const std::vector<float> positions = accessor_floats(where + ", POSITION", model(), position_at->second, 3);
     const size_t vertex_count = positions.size() / 3;
-    const bool skinned = !palette.empty();
-    std::vector<Row> rows =
-        skinned ? read_rows(where, primitive, vertex_count, palette.size()) : std::vector<Row>(vertex_count);
-    const int carrier = skinned ? -1 : joint_at_or_above(static_cast<int>(node_index));
+    const bool skinned = node.skin >= 0;
+    const std::vector<Row> rows =
+        skinned ? read_rows(where, primitive, vertex_count, model().skins[static_cast<size_t>(node.skin)].joints.size())
+                : std::vector<Row>(vertex_count);
+    const int carrier = character_.meshes.back().carrier;
+    const Affine& frame = skinned ? source_->bind_pose.skin_frames[static_cast<size_t>(node.skin)]
+                                  : source_->bind_pose.worlds[node_index];
     const std::vector<float> normals = optional_attribute(where, primitive, "NORMAL", 3, vertex_count);
     const std::vector<float> uvs = optional_attribute(where, primitive, "TEXCOORD_0", 2, vertex_count);
 
@@ -223,7 +274,7 @@ class GltfReader {
     std::vector<Vec3> world_normals(normals.empty() ? 0 : vertex_count);
     for (size_t v = 0; v < vertex_count; ++v) {
       const float* p = &positions[v * 3];
-      const Affine matrix = skinned ? blend(palette, rows[v]) : nodes_.worlds[node_index];
+      const Affine matrix = palette.empty() ? frame : blend(palette, rows[v]);
       if (!normals.empty())
         world_normals[v] =
             unit(transform_normal(matrix, static_cast<double>(normals[v * 3]), static_cast<double>(normals[v * 3 + 1]),
@@ -239,6 +290,7 @@ class GltfReader {
         throw Error(where + ", vertex " + std::to_string(v) +
                     ": expected a finite position, found one beyond the range of floats");
       character_.vertices.push_back(vertex);
+      character_.vertex_meshes.push_back(static_cast<uint32_t>(character_.meshes.size() - 1));
       if (character_.joints.empty()) continue;
       Row row;
       if (carrier >= 0) row.push_back({static_cast<uint32_t>(carrier), 1.0f});

@@ -6,7 +6,9 @@
 #include <map>
 #include <set>
 
+#include "gltf/bind_pose.hpp"
 #include "gltf/gltf_source.hpp"
+#include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
@@ -66,12 +68,13 @@ class SkinWriter {
     joint_nodes_ = keeps_joints_ ? source_.joint_nodes : add_joint_nodes(path_, character_.joints, &document_);
     for (size_t j = 0; j < joint_nodes_.size(); ++j) {
       const Vec3& p = character_.joints[j].position;
-      joint_worlds_.push_back(keeps_joints_ ? nodes_.worlds[static_cast<size_t>(joint_nodes_[j])]
+      joint_worlds_.push_back(keeps_joints_ ? source_.bind_pose.worlds[static_cast<size_t>(joint_nodes_[j])]
                                             : Affine{1, 0, 0, static_cast<double>(p.x), 0, 1, 0,
                                                      static_cast<double>(p.y), 0, 0, 1, static_cast<double>(p.z)});
       if (character_.joints[j].parent < 0 && fallback_joint_ == SIZE_MAX) fallback_joint_ = j;
     }
     fix_weights();
+    measure_box();
     for (const tinygltf::Node& node : source_.model.nodes)
       if (node.mesh >= 0) ++mesh_users_[node.mesh];
     for (size_t first = 0; first < source_.parts.size();) {
@@ -138,14 +141,15 @@ class SkinWriter {
       json["mesh"] = mesh;
     }
     int skin = old.skin;
+    const GltfBindPose& pose = source_.bind_pose;
     if (skin < 0) {
-      skin = skin_for(nodes_.worlds[static_cast<size_t>(node)]);
+      skin = skin_for(pose.worlds[static_cast<size_t>(node)]);
       move_to_scene(node);
+    } else if (!pose.agrees) {
+      for (size_t p = first; p < last; ++p) bake_pose(source_.parts[p], mesh);
+      skin = skin_for(kIdentity);
     } else if (!keeps_joints_) {
-      const std::optional<Affine> common = common_bind(skin);
-      if (!common)
-        for (size_t p = first; p < last; ++p) bake_pose(source_.parts[p], mesh);
-      skin = skin_for(common ? *common : kIdentity);
+      skin = skin_for(pose.skin_frames[static_cast<size_t>(skin)]);
     }
     json["skin"] = skin;
     write_weights(first, last, mesh, skin);
@@ -175,8 +179,10 @@ class SkinWriter {
       for (const uint32_t vertex : source_.parts[p].vertex_of) {
         longest = std::max(longest, row_of(vertex).size());
         for (const FixedInfluence& influence : row_of(vertex))
-          if (number_in_skin.count(influence.joint) == 0)
+          if (number_in_skin.count(influence.joint) == 0) {
             number_in_skin[influence.joint] = joint_in_skin(skin, influence.joint);
+            weighted_[skin].insert(joint_nodes_[influence.joint]);
+          }
       }
     const bool wide =
         std::any_of(number_in_skin.begin(), number_in_skin.end(), [](const auto& at) { return at.second > 255; });
@@ -248,27 +254,6 @@ class SkinWriter {
     return skin;
   }
 
-  // What all joints of a skin do to its vertices while nobody has moved them, if that is one and the same transform.
-  std::optional<Affine> common_bind(int skin) const {
-    const std::vector<Affine> palette = palette_of(skin);
-    double size = 1e-12;
-    for (const Vec3& p : character_.vertices)
-      size = std::max({size, std::fabs(static_cast<double>(p.x)), std::fabs(static_cast<double>(p.y)),
-                       std::fabs(static_cast<double>(p.z))});
-    for (const Affine& matrix : palette)
-      for (size_t i = 0; i < 12; ++i)
-        if (std::fabs(matrix[i] - palette[0][i]) > 1e-5 * (i % 4 == 3 ? size : 1)) return std::nullopt;
-    return palette[0];
-  }
-
-  std::vector<Affine> palette_of(int skin) const {
-    const tinygltf::Skin& old = source_.model.skins[static_cast<size_t>(skin)];
-    std::vector<Affine> palette = inverse_bind_matrices(path_ + ": skin " + std::to_string(skin), source_.model, old);
-    for (size_t j = 0; j < palette.size(); ++j)
-      palette[j] = multiply(nodes_.worlds[static_cast<size_t>(old.joints[j])], palette[j]);
-    return palette;
-  }
-
   // A mesh that its old joints hold in another pose than it was bound in: the vertices are moved to where they stand,
   // because the new joints know that pose only.
   void bake_pose(const GltfPart& part, int mesh) {
@@ -277,7 +262,7 @@ class SkinWriter {
     const tinygltf::Node& node = source_.model.nodes[static_cast<size_t>(part.node)];
     const tinygltf::Primitive& primitive =
         source_.model.meshes[static_cast<size_t>(node.mesh)].primitives[static_cast<size_t>(part.primitive)];
-    const std::vector<Affine> palette = palette_of(node.skin);
+    const std::vector<Affine> palette = skin_palette(where, source_.model, nodes_, node.skin);
     const size_t count = part.vertex_of.size();
     std::vector<Affine> matrices(count, Affine{});
     std::vector<double> totals(count, 0);
@@ -346,30 +331,37 @@ class SkinWriter {
         move(&json["targets"][t], name, primitive.targets[t], true);
   }
 
-  // Joints and inverse bind matrices of a new or extended skin: joint world x inverse bind = where the mesh stands.
+  // Joints and inverse bind matrices of a skin: joint's bind transform x inverse bind = where the mesh stands. Matrices
+  // that do so already stay.
   void write_skin(int skin, const std::vector<int>& joints) {
     const bool is_old = static_cast<size_t>(skin) < source_.model.skins.size();
     Json& json = document_["skins"][static_cast<size_t>(skin)];
     std::vector<Affine> binds;
-    Affine mesh_world = kIdentity;
-    if (is_old) {
-      const tinygltf::Skin& old = source_.model.skins[static_cast<size_t>(skin)];
-      if (old.joints.size() == joints.size()) return;
-      binds = inverse_bind_matrices(path_ + ": skin " + std::to_string(skin), source_.model, old);
-      mesh_world = palette_of(skin)[0];
-      if (old.inverseBindMatrices >= 0) orphans_.push_back(old.inverseBindMatrices);
-      json.erase("skeleton");  // need not be above the new joints
-    } else {
-      mesh_world = mesh_worlds_.at(skin);
-    }
-    for (size_t j = binds.size(); j < joints.size(); ++j) {
-      const size_t joint =
-          static_cast<size_t>(std::find(joint_nodes_.begin(), joint_nodes_.end(), joints[j]) - joint_nodes_.begin());
+    if (is_old)
+      binds = inverse_bind_matrices(path_ + ": skin " + std::to_string(skin), source_.model,
+                                    source_.model.skins[static_cast<size_t>(skin)]);
+    const size_t old_count = binds.size();
+    const Affine& frame = is_old ? source_.bind_pose.skin_frames[static_cast<size_t>(skin)] : mesh_worlds_.at(skin);
+    bool changed = joints.size() != old_count || !is_old;
+    for (size_t j = 0; j < joints.size(); ++j) {
+      if (j < old_count && weighted_[skin].count(joints[j]) == 0) continue;
+      const auto at = std::find(joint_nodes_.begin(), joint_nodes_.end(), joints[j]);
+      if (at == joint_nodes_.end()) continue;
+      const size_t joint = static_cast<size_t>(at - joint_nodes_.begin());
+      if (j < old_count && same_pose(multiply(joint_worlds_[joint], binds[j]), frame)) continue;
       const std::optional<Affine> back = inverse(joint_worlds_[joint]);
       if (!back)
         throw Error(path_ + ": cannot write a skin, joint " + in_quotes(character_.joints[joint].name) +
                     " is scaled to nothing and has no inverse bind matrix");
-      binds.push_back(multiply(*back, mesh_world));
+      binds.resize(std::max(binds.size(), j + 1), kIdentity);
+      binds[j] = multiply(*back, frame);
+      changed = true;
+    }
+    if (!changed) return;
+    if (is_old) {
+      const int old = source_.model.skins[static_cast<size_t>(skin)].inverseBindMatrices;
+      if (old >= 0) orphans_.push_back(old);
+      if (joints.size() != old_count) json.erase("skeleton");  // need not be above the new joints
     }
     std::vector<float> values;
     for (const Affine& bind : binds)
@@ -379,6 +371,23 @@ class SkinWriter {
     json["joints"] = joints;
     json["inverseBindMatrices"] = add_accessor(&source_, values.data(), values.size() * 4, "MAT4",
                                                TINYGLTF_COMPONENT_TYPE_FLOAT, binds.size(), false, false);
+  }
+
+  void measure_box() {
+    const Box box = box_of(character_.vertices);
+    for (int c = 0; c < 8; ++c)
+      box_corners_.push_back({(c & 1) != 0 ? box.high.x : box.low.x, (c & 2) != 0 ? box.high.y : box.low.y,
+                              (c & 4) != 0 ? box.high.z : box.low.z});
+    box_size_ = static_cast<double>(
+        std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z));
+  }
+
+  // Of a joint's and a skin's transform, over the character's box (see bind_pose.hpp).
+  bool same_pose(const Affine& a, const Affine& b) const {
+    const std::optional<Affine> back = inverse(b);
+    if (!back) return false;
+    const Affine moved = multiply(a, *back);
+    return sinew::same_pose(moved, kIdentity, box_corners_, box_size_);
   }
 
   // The transforms above a skinned mesh have no effect, and validators warn about them: a node without other duties
@@ -478,6 +487,9 @@ class SkinWriter {
   std::map<int, int> mesh_users_;                // mesh -> nodes
   std::map<int, std::vector<int>> skin_joints_;  // skins that meshes use now -> their joints' nodes
   std::map<int, Affine> mesh_worlds_;            // new skins
+  std::vector<Vec3> box_corners_;                // of the character
+  double box_size_ = 0;
+  std::map<int, std::set<int>> weighted_;        // skins -> nodes of the joints that have weight now
   std::map<std::vector<uint32_t>, int> confidences_;
   std::vector<int> orphans_;  // accessors that lost a user
 };

@@ -25,6 +25,14 @@ struct GltfPart {
   std::vector<uint32_t> vertex_of;  // [vertices of the primitive] -> vertex of the Character
 };
 
+// Where everything stands in the pose that the file's weights are meant for.
+struct GltfBindPose {
+  bool agrees = true;               // false: the inverse bind matrices know no common pose, see find_bind_pose()
+  bool moved = false;               // it is not the pose that the nodes stand in
+  std::vector<Affine> worlds;       // [nodes] of joints, and of nodes that hang on them
+  std::vector<Affine> skin_frames;  // [skins] where a skin's vertices stand; worlds[joint] x inverse bind matrix
+};
+
 // tinygltf's own writer forgets what it does not know (empty arrays and objects inside extensions, extras of skins,
 // names of samplers), which breaks VRM files. So the document is kept as JSON beside the parsed model, and the writer
 // changes the JSON.
@@ -34,8 +42,9 @@ struct GltfSource {
   std::vector<uint8_t> bytes;  // buffer 0
   std::vector<GltfPart> parts;
   std::vector<int> joint_nodes;  // [J] node of each joint
-  size_t vertex_count = 0;       // of the Character
-  std::vector<Joint> joints;     // as read: a Character whose joints differ has its skeleton from elsewhere
+  GltfBindPose bind_pose;
+  size_t vertex_count = 0;    // of the Character
+  std::vector<Joint> joints;  // as read: a Character whose joints differ has its skeleton from elsewhere
 };
 
 // Parses a .gltf, .glb or .vrm file (or the bytes of one) with its buffers; pictures stay undecoded. Parts and joints

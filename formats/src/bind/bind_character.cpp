@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// A bind of a character for every set of joints that its meshes use, put together.
+#include "sinew_formats/bind_character.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sinew_formats/engine_views.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+// Vertices of some meshes alone, as a Character of its own.
+struct Part {
+  Character character;
+  std::vector<size_t> vertices;  // [part's vertices] -> the whole's
+};
+
+Part part_of(const Character& whole, const std::vector<bool>& kept) {
+  Part part;
+  part.character.name = whole.name;
+  part.character.joints = whole.joints;
+  std::vector<uint32_t> number(whole.vertices.size(), UINT32_MAX);
+  for (size_t v = 0; v < whole.vertices.size(); ++v) {
+    if (kept[whole.vertex_meshes[v]]) continue;
+    number[v] = static_cast<uint32_t>(part.vertices.size());
+    part.vertices.push_back(v);
+    part.character.vertices.push_back(whole.vertices[v]);
+    if (!whole.influences.empty()) part.character.influences.push_back(whole.influences[v]);
+  }
+  for (size_t f = 0; f < whole.face_count(); ++f) {
+    const size_t first = whole.face_offsets[f], last = whole.face_offsets[f + 1];
+    if (first == last || number[whole.face_vertices[first]] == UINT32_MAX) continue;
+    for (size_t c = first; c < last; ++c) part.character.face_vertices.push_back(number[whole.face_vertices[c]]);
+    part.character.face_offsets.push_back(static_cast<uint32_t>(part.character.face_vertices.size()));
+  }
+  return part;
+}
+
+std::vector<uint8_t> only(const std::vector<uint8_t>& values, const std::vector<size_t>& vertices) {
+  std::vector<uint8_t> out;
+  if (!values.empty())
+    for (const size_t v : vertices) out.push_back(values[v]);
+  return out;
+}
+
+// Progress of one bind of several.
+struct ShareOfProgress {
+  sinew_progress progress;
+  void* user;
+  uint32_t number, count;
+};
+int report_share(void* user, uint32_t done_permille) {
+  const ShareOfProgress& share = *static_cast<const ShareOfProgress*>(user);
+  return share.progress(share.user, (share.number * 1000 + done_permille) / share.count);
+}
+
+class CharacterBinder {
+ public:
+  CharacterBinder(const Character& character, const JointChoice& choice, const CharacterBindOptions& options)
+      : whole_(character), choice_(choice), options_(options), kept_(kept_meshes(character, options.bind_props)) {}
+
+  CharacterBind run() {
+    out_.kept_meshes = static_cast<size_t>(std::count(kept_.begin(), kept_.end(), true));
+    out_.influences.resize(whole_.vertices.size());
+    out_.confidence.assign(whole_.vertices.size(), 255);
+    if (out_.kept_meshes == 0) {
+      std::vector<size_t> all(whole_.vertices.size());
+      for (size_t v = 0; v < all.size(); ++v) all[v] = v;
+      bind_sets(whole_, all);
+    } else {
+      const Part part = part_of(whole_, kept_);
+      if (part.vertices.empty())
+        throw Error(
+            whole_.name + ": all " + std::to_string(kept_.size()) +
+            " meshes are attached to joints without a skin, nothing is left to bind; bind them with --bind-props");
+      bind_sets(part.character, part.vertices);
+      follow_carriers();
+    }
+    if (!options_.keep_tips) fold_tips();
+    return std::move(out_);
+  }
+
+ private:
+  size_t mesh_of(size_t vertex) const { return whole_.vertex_meshes.empty() ? 0 : whole_.vertex_meshes[vertex]; }
+
+  // Every mesh gets the rows of the bind with its own joints. All binds see the whole character.
+  void bind_sets(const Character& character, const std::vector<size_t>& vertices) {
+    std::vector<size_t> wanted;  // sets, in order
+    for (const size_t v : vertices) {
+      const size_t set = choice_.set_of_mesh[mesh_of(v)];
+      if (std::find(wanted.begin(), wanted.end(), set) == wanted.end()) wanted.push_back(set);
+    }
+    std::sort(wanted.begin(), wanted.end());
+    const size_t binds = static_cast<size_t>(
+        std::count_if(wanted.begin(), wanted.end(), [&](size_t set) { return single_joint(set) == SIZE_MAX; }));
+    size_t number = 0;
+    for (const size_t set : wanted) {
+      const size_t single = single_joint(set);
+      if (single != SIZE_MAX && options_.bind.hints.empty() && options_.bind.locked.empty()) {
+        for (const size_t v : vertices)
+          if (choice_.set_of_mesh[mesh_of(v)] == set) out_.influences[v] = {{static_cast<uint32_t>(single), 1.0f}};
+        continue;
+      }
+      bind_set(character, vertices, set, number++, std::max<size_t>(binds, 1));
+    }
+  }
+
+  // The joint of a set that has but one that may get weight, or SIZE_MAX.
+  size_t single_joint(size_t set) const {
+    if (set == SIZE_MAX) return SIZE_MAX;
+    size_t single = SIZE_MAX;
+    for (const size_t j : choice_.sets[set]) {
+      if ((choice_.flags[j] & SINEW_JOINT_NEVER) != 0) continue;
+      if (single != SIZE_MAX) return SIZE_MAX;
+      single = j;
+    }
+    return single;
+  }
+
+  void bind_set(const Character& character, const std::vector<size_t>& vertices, size_t set, size_t number,
+                size_t count) {
+    BindOptions options = options_.bind;
+    options.joint_flags = choice_.flags;
+    if (set != SIZE_MAX) {
+      std::vector<uint8_t> inside(character.joints.size(), 0);
+      bool some = false;
+      for (const size_t j : choice_.sets[set]) {
+        inside[j] = 1;
+        some = some || (options.joint_flags[j] & SINEW_JOINT_NEVER) == 0;
+      }
+      for (size_t j = 0; j < inside.size() && some; ++j)
+        if (inside[j] == 0) options.joint_flags[j] |= SINEW_JOINT_NEVER;
+    }
+    options.locked = only(options_.bind.locked, vertices);
+    options.hints = only(options_.bind.hints, vertices);
+    ShareOfProgress share{options.progress, options.progress_user, static_cast<uint32_t>(number),
+                          static_cast<uint32_t>(count)};
+    if (options.progress != nullptr && count > 1) {
+      options.progress = report_share;
+      options.progress_user = &share;
+    }
+    BindResult result = bind(character, options);
+    for (size_t i = 0; i < vertices.size(); ++i) {
+      const size_t v = vertices[i];
+      if (choice_.set_of_mesh[mesh_of(v)] != set) continue;
+      out_.influences[v] = std::move(result.influences[i]);
+      out_.confidence[v] = result.confidence[i];
+    }
+    out_.symmetric_vertices = std::max(out_.symmetric_vertices, result.symmetric_vertices);
+    out_.workspace_bytes = std::max(out_.workspace_bytes, result.workspace_bytes);
+    out_.used_bytes = std::max(out_.used_bytes, result.used_bytes);
+    out_.seconds += result.seconds;
+  }
+
+  // Kept meshes: rigid with their joint, so that pictures and poses show them where they are.
+  void follow_carriers() {
+    for (size_t v = 0; v < whole_.vertices.size(); ++v) {
+      const size_t mesh = whole_.vertex_meshes[v];
+      if (!kept_[mesh] || whole_.meshes[mesh].carrier < 0) continue;
+      out_.influences[v] = {{static_cast<uint32_t>(whole_.meshes[mesh].carrier), 1.0f}};
+    }
+  }
+
+  void fold_tips() {
+    std::vector<uint32_t> to(whole_.joints.size());
+    for (size_t j = 0; j < to.size(); ++j) to[j] = static_cast<uint32_t>(j);
+    for (const size_t tip : choice_.tips) {
+      const int parent = whole_.joints[tip].parent;
+      if (parent < 0 || (choice_.flags[static_cast<size_t>(parent)] & SINEW_JOINT_NEVER) != 0) continue;
+      to[tip] = static_cast<uint32_t>(parent);
+    }
+    for (const uint32_t tip : tips_with_a_part()) to[tip] = tip;
+    std::vector<char> folded(to.size(), 0);
+    for (size_t v = 0; v < out_.influences.size(); ++v) {
+      if (!kept_.empty() && kept_[mesh_of(v)]) continue;
+      std::vector<Influence>& row = out_.influences[v];
+      bool changed = false;
+      for (Influence& influence : row) {
+        if (to[influence.joint] == influence.joint) continue;
+        folded[influence.joint] = 1;
+        influence.joint = to[influence.joint];
+        changed = true;
+      }
+      if (changed) merge(&row);
+    }
+    out_.folded_tips = static_cast<size_t>(std::count(folded.begin(), folded.end(), char{1}));
+  }
+
+  // Tips that most of a connected piece of the mesh belongs to: a horn or a shoe of its own.
+  std::vector<uint32_t> tips_with_a_part() const {
+    std::vector<uint32_t> part(whole_.vertices.size());
+    for (size_t v = 0; v < part.size(); ++v) part[v] = static_cast<uint32_t>(v);
+    const auto top = [&part](uint32_t v) {
+      while (part[v] != v) v = part[v] = part[part[v]];
+      return v;
+    };
+    for (size_t f = 0; f < whole_.face_count(); ++f)
+      for (size_t c = whole_.face_offsets[f] + 1; c < whole_.face_offsets[f + 1]; ++c)
+        part[top(whole_.face_vertices[c])] = top(whole_.face_vertices[whole_.face_offsets[f]]);
+    std::map<uint32_t, std::map<uint32_t, size_t>> strongest;  // part -> joint -> vertices
+    std::map<uint32_t, size_t> sizes;
+    for (size_t v = 0; v < part.size(); ++v) {
+      const uint32_t at = top(static_cast<uint32_t>(v));
+      ++sizes[at];
+      if (!out_.influences[v].empty()) ++strongest[at][out_.influences[v].front().joint];
+    }
+    std::vector<uint32_t> tips;
+    for (const size_t tip : choice_.tips)
+      for (const auto& [at, joints] : strongest) {
+        const auto mine = joints.find(static_cast<uint32_t>(tip));
+        if (mine != joints.end() && mine->second * 2 > sizes[at] && sizes[at] > 3)
+          tips.push_back(static_cast<uint32_t>(tip));
+      }
+    return tips;
+  }
+
+  // Joints named twice become one; falling weights, ties by the lower joint. Weights are whole steps of 1 / 65535.
+  static void merge(std::vector<Influence>* row) {
+    std::vector<Influence> merged;
+    for (const Influence& influence : *row) {
+      const auto same = std::find_if(merged.begin(), merged.end(),
+                                     [&](const Influence& other) { return other.joint == influence.joint; });
+      if (same == merged.end())
+        merged.push_back(influence);
+      else
+        same->weight = static_cast<float>(std::lround((same->weight + influence.weight) * 65535.0f)) / 65535.0f;
+    }
+    std::stable_sort(merged.begin(), merged.end(), [](const Influence& a, const Influence& b) {
+      return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+    });
+    *row = std::move(merged);
+  }
+
+  const Character& whole_;
+  const JointChoice& choice_;
+  const CharacterBindOptions& options_;
+  const std::vector<bool> kept_;  // [meshes]
+  CharacterBind out_;
+};
+
+}  // namespace
+
+CharacterBind bind_character(const Character& character, const JointChoice& choice,
+                             const CharacterBindOptions& options) {
+  check_bindable(character);
+  return CharacterBinder(character, choice, options).run();
+}
+
+}  // namespace sinew
