@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+# shellcheck shell=bash
 # Sourced with a folder for wine's files as argument: run_wine PROGRAM.exe ARGUMENT... runs a Windows program there, without a display and
 # without a trace in the user's home, and gives its lines without carriage returns.
 if ! command -v wine >/dev/null; then
