@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # One hash on every target: builds the engine for each, binds what tests/golden/set.txt lists and prints a line `TARGET/KERNEL HASH` for
-# every kernel that runs there. Native targets bind the characters of samples/data as well. Exits with 1 when a stage's hash differs from
+# every kernel that runs there. Native targets and Windows bind the characters of samples/data as well. Exits with 1 when a stage's hash differs from
 # tests/golden/conformance.txt (or samples.txt) and names the first, or when a target cannot be built or run.
 #   scripts/conformance.sh [--work DIR] [--update] [--packages] [--kernels] [TARGET ...]
 # Without targets: all. `ci` stands for the emulated ones that scripts/test.sh runs, `list` prints all names.
 #   --work DIR   builds there [build/conformance]
 #   --packages   only prints the Debian packages that the targets need: scripts/setup.sh $(scripts/conformance.sh --packages)
-#   --kernels    instead, the tests of the kernels that compare each with the reference over many shapes (aarch64, armhf, Cortex-M4 and up)
+#   --kernels    instead, the tests of the kernels that compare each with the reference over many shapes (aarch64, armhf, Cortex-M4 and up, Windows)
 #   --update     rewrites both files from the first target; for changes of the output that are meant
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -20,7 +20,9 @@ native=(gcc-O0 gcc-O3 clang-O0 clang-O3)
 linux=(aarch64 armhf riscv64 s390x)
 cortex=(cortex-m3 cortex-m4 cortex-m7 cortex-m33 cortex-m55)
 web=(wasm wasm-simd)
-ci=(aarch64 s390x cortex-m7 wasm-simd)
+windows=(windows)
+ci=(aarch64 s390x cortex-m7 wasm-simd windows)
+all=("${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}" "${windows[@]}")
 
 while [ $# -gt 0 ]; do
   case $1 in
@@ -28,7 +30,7 @@ while [ $# -gt 0 ]; do
     --update) update=yes ;;
     --kernels) job=check_kernels ;;
     --packages) only_packages=yes ;;
-    list) printf '%s\n' "${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}"; exit 0 ;;
+    list) printf '%s\n' "${all[@]}"; exit 0 ;;
     ci) wanted+=("${ci[@]}") ;;
     -h | --help) sed -n '3,12s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) echo "conformance: unknown option $1, see --help" >&2; exit 2 ;;
@@ -36,7 +38,7 @@ while [ $# -gt 0 ]; do
   esac
   shift
 done
-[ "${#wanted[@]}" -gt 0 ] || wanted=("${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}")
+[ "${#wanted[@]}" -gt 0 ] || wanted=("${all[@]}")
 
 packages_of() {
   case $1 in
@@ -48,6 +50,7 @@ packages_of() {
     s390x) echo g++-s390x-linux-gnu qemu-user-static ;;
     cortex-*) echo gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm ;;
     wasm*) echo emscripten nodejs ;;
+    windows) echo g++-mingw-w64-x86-64-posix wine wine64 ;;
     *) echo "conformance: there is no target $1, \`scripts/conformance.sh list\` prints them" >&2; exit 2 ;;
   esac
 }
@@ -80,6 +83,7 @@ configuration_of() {
     cortex-*) echo "--toolchain $root/engine/cmake/toolchains/cortex-m.cmake -DSINEW_CORTEX_M=${1#cortex-}" ;;
     wasm) echo "-DCMAKE_EXECUTABLE_SUFFIX=.js" ;;
     wasm-simd) echo "-DCMAKE_EXECUTABLE_SUFFIX=.js -DCMAKE_CXX_FLAGS=-msimd128" ;;
+    windows) echo "--toolchain $root/engine/cmake/toolchains/windows.cmake" ;;
   esac
 }
 
@@ -104,6 +108,7 @@ run() {  # TARGET PROGRAM ARGUMENT...: there, in the folder of the set
         -semihosting-config "enable=on,target=native,$arguments" -kernel "$name"
       ;;
     wasm*) node_wasm "$name.js" "$@" ;;
+    windows) run_wine "$name.exe" "$@" ;;
     *) "$name" "$@" ;;
   esac
 }
@@ -116,6 +121,10 @@ build() {  # TARGET PROGRAM...
     # shellcheck source=tests/wasm/emscripten.sh
     . "$root/tests/wasm/emscripten.sh"
     configure=(emcmake cmake)
+  fi
+  if [ "$target" = windows ]; then
+    # shellcheck source=tests/support/wine.sh
+    . "$root/tests/support/wine.sh" "$work/wine"
   fi
   if ! { "${configure[@]}" -S "$golden" -B "$work/$target" -DCMAKE_BUILD_TYPE=Release "${arguments[@]}" &&
          cmake --build "$work/$target" -j "${SINEW_JOBS:-$(nproc)}" --target "$@"; } >"$log" 2>&1; then
@@ -168,7 +177,7 @@ check() {  # TARGET: builds it, then a line for each kernel it runs
     if [ "$update" = yes ]; then cp "$out" "$golden/conformance.txt"; fi
     echo "$label $(awk '$1 == "set" { print $3 }' "$out")"
     compare "$label" conformance.txt "$out" || fails=1
-    if [[ " ${native[*]} " == *" $target "* ]]; then
+    if [[ " ${native[*]} ${windows[*]} " == *" $target "* ]]; then
       # Larger ones, on the grid that the command uses: more memory than a microcontroller has.
       run "$target" hash_stages --kernel "$kernel" --model "$root/samples/data/sinew_default.sinew" "$root"/samples/data/*.obj >"$out.samples"
       if [ "$update" = yes ]; then cp "$out.samples" "$golden/samples.txt"; fi

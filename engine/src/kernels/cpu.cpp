@@ -4,6 +4,7 @@
 
 #include <stdint.h>
 
+// MinGW's headers define _M_X64 too, so the compiler is asked first.
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <cpuid.h>
 #elif defined(_M_X64)
@@ -22,7 +23,7 @@ struct Leaf {
 // All zero when the processor does not know the leaf.
 Leaf cpuid(uint32_t leaf, uint32_t subleaf) {
   Leaf r;
-#if defined(_M_X64)
+#if !defined(__GNUC__)
   int words[4];
   __cpuid(words, 0);
   if (static_cast<uint32_t>(words[0]) < leaf) return r;
@@ -36,7 +37,7 @@ Leaf cpuid(uint32_t leaf, uint32_t subleaf) {
 }
 
 uint64_t saved_registers() {
-#if defined(_M_X64)
+#if !defined(__GNUC__)
   return _xgetbv(0);
 #else
   uint32_t low, high;
