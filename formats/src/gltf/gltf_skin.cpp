@@ -378,8 +378,7 @@ class SkinWriter {
     for (int c = 0; c < 8; ++c)
       box_corners_.push_back({(c & 1) != 0 ? box.high.x : box.low.x, (c & 2) != 0 ? box.high.y : box.low.y,
                               (c & 4) != 0 ? box.high.z : box.low.z});
-    box_size_ = static_cast<double>(
-        std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z));
+    box_size_ = static_cast<double>(std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z));
   }
 
   // Of a joint's and a skin's transform, over the character's box (see bind_pose.hpp).
@@ -489,7 +488,7 @@ class SkinWriter {
   std::map<int, Affine> mesh_worlds_;            // new skins
   std::vector<Vec3> box_corners_;                // of the character
   double box_size_ = 0;
-  std::map<int, std::set<int>> weighted_;        // skins -> nodes of the joints that have weight now
+  std::map<int, std::set<int>> weighted_;  // skins -> nodes of the joints that have weight now
   std::map<std::vector<uint32_t>, int> confidences_;
   std::vector<int> orphans_;  // accessors that lost a user
 };

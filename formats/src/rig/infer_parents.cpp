@@ -38,7 +38,8 @@ double edge_cost(const Joint& a, const Place& at_a, const Joint& b, const Place&
   const bool row = at_a.stem == at_b.stem && at_a.side == at_b.side && at_a.number >= 0 && at_b.number >= 0 &&
                    std::abs(at_a.number - at_b.number) == 1;
   if (row) return distance * 0.25;
-  return at_a.side == at_b.side && at_a.side != 0 ? distance * 0.8 : distance;
+  if (at_a.side != at_b.side) return distance * 1.2;  // the middle hangs on the middle
+  return at_a.side != 0 ? distance * 0.9 : distance;
 }
 
 // The middle of a body by its name; otherwise the joint from which the largest branch is smallest.
@@ -49,14 +50,16 @@ size_t choose_root(const std::vector<Joint>& joints, const std::vector<std::vect
       if (place_of(joints[j].name).side == 0 && std::find(words.begin(), words.end(), wanted) != words.end()) return j;
     }
   }
-  std::vector<size_t> order = {0}, parent(joints.size(), SIZE_MAX), below(joints.size(), 1);
+  std::vector<size_t> order, parent(joints.size(), SIZE_MAX), below(joints.size(), 1);
+  for (size_t j = 0; j < joints.size() && order.empty(); ++j)
+    if (!neighbours[j].empty()) order.push_back(j);
   for (size_t next = 0; next < order.size(); ++next)
     for (const size_t k : neighbours[order[next]])
       if (k != parent[order[next]]) parent[k] = order[next], order.push_back(k);
   size_t best = 0, smallest = SIZE_MAX;
   for (size_t i = order.size(); i-- > 0;) {
     const size_t j = order[i];
-    size_t largest = joints.size();
+    size_t largest = order.size();
     for (const size_t k : neighbours[j])
       if (k != parent[j]) below[j] += below[k];
     largest -= below[j];
@@ -73,13 +76,28 @@ size_t top_of(const std::vector<Joint>& joints, size_t joint) {
   return joint;
 }
 
+// Leaves with a parent that only end its bone: what a flat list may have of a hierarchy, and nothing to hang others on.
+std::vector<char> tips_of(const std::vector<Joint>& joints) {
+  std::vector<char> tips(joints.size(), 0);
+  for (size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j].parent < 0) continue;
+    for (const std::string& word : words_of(joints[j].name))
+      if (word == "end" || word == "nub" || word == "tip") tips[j] = 1;
+  }
+  for (const Joint& joint : joints)
+    if (joint.parent >= 0) tips[static_cast<size_t>(joint.parent)] = 0;
+  return tips;
+}
+
 }  // namespace
 
 size_t infer_parents(std::vector<Joint>* joints) {
   const size_t count = joints->size();
+  const std::vector<char> tips = tips_of(*joints);
+  const size_t tip_count = static_cast<size_t>(std::count(tips.begin(), tips.end(), char{1}));
   const size_t tops = static_cast<size_t>(
       std::count_if(joints->begin(), joints->end(), [](const Joint& joint) { return joint.parent < 0; }));
-  if (count < 4 || tops * 2 <= count) return 0;
+  if (count - tip_count < 4 || tops * 2 <= count - tip_count) return 0;
   std::vector<Place> places;
   for (const Joint& joint : *joints) places.push_back(place_of(joint.name));
 
@@ -87,9 +105,9 @@ size_t infer_parents(std::vector<Joint>* joints) {
   std::vector<std::vector<size_t>> neighbours(count);
   std::vector<double> cost(count, std::numeric_limits<double>::infinity());
   std::vector<size_t> from(count, SIZE_MAX);
-  std::vector<char> done(count, 0);
-  size_t next = 0;
-  for (size_t step = 0; step < count; ++step) {
+  std::vector<char> done = tips;
+  size_t next = static_cast<size_t>(std::find(tips.begin(), tips.end(), char{0}) - tips.begin());
+  for (size_t step = tip_count; step < count; ++step) {
     done[next] = 1;
     if (from[next] != SIZE_MAX) {
       neighbours[next].push_back(from[next]);

@@ -32,13 +32,61 @@ TEST(GltfRead, SkinMovesVerticesToWhereTheirJointsAre) {
   EXPECT_EQ(c.corner_normals[0].z, 1);
 }
 
-TEST(GltfRead, PosedJointsMoveTheMesh) {
+// The knee of the strip turned by 90 degrees about Z: a file saved in a frame of an animation.
+GlbBuilder posed_strip() {
   GlbBuilder builder = two_joint_strip();
-  builder.document["nodes"][1]["rotation"] = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};  // knee by 90 degrees about Z
+  builder.document["nodes"][1]["rotation"] = {0, 0, std::sqrt(0.5), std::sqrt(0.5)};
+  return builder;
+}
+
+TEST(GltfRead, AFileSavedInAPoseIsReadAsItWasBound) {
+  const Character c = read(posed_strip()), bound = read(two_joint_strip());
+  ASSERT_EQ(c.vertices.size(), bound.vertices.size());
+  for (size_t v = 0; v < c.vertices.size(); ++v) {
+    EXPECT_NEAR(c.vertices[v].x, bound.vertices[v].x, 1e-5);
+    EXPECT_NEAR(c.vertices[v].y, bound.vertices[v].y, 1e-5);
+  }
+  EXPECT_NEAR(c.joints[1].position.y, bound.joints[1].position.y, 1e-5);
+}
+
+TEST(GltfRead, WhereMatricesKnowNoCommonPoseTheMeshStandsAsItIsHeld) {
+  GlbBuilder builder = posed_strip();
+  const float far[32] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 900, 0,   0, 1,
+                         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,   900, 0, 1};
+  const size_t accessor = builder.document["skins"][0]["inverseBindMatrices"];
+  const size_t view = builder.document["accessors"][accessor]["bufferView"];
+  std::memcpy(&builder.bytes[builder.document["bufferViews"][view]["byteOffset"].get<size_t>()], far, sizeof far);
   const Character c = read(builder);
-  // The top vertex (0, 4) belongs to the knee alone: 2 above it, now 2 to its left.
-  EXPECT_NEAR(c.vertices[8].x, 8, 1e-5);
-  EXPECT_NEAR(c.vertices[8].y, 2, 1e-5);
+  // The top vertex (0, 4) belongs to the knee alone: 4 + 900 above it, turned to its left.
+  EXPECT_NEAR(c.vertices[8].x, 10 - 904, 1e-3);
+  EXPECT_NEAR(c.vertices[8].y, 2, 1e-3);
+  // New weights leave it there.
+  Character again = c;
+  for (auto& row : again.influences) row = {{0, 0.5f}, {1, 0.5f}};
+  const Character back = reread(written(again));
+  for (size_t v = 0; v < c.vertices.size(); ++v) {
+    EXPECT_NEAR(back.vertices[v].x, c.vertices[v].x, 1e-3);
+    EXPECT_NEAR(back.vertices[v].y, c.vertices[v].y, 1e-3);
+  }
+}
+
+TEST(GltfRead, MeshesAndWhatDeforms) {
+  GlbBuilder builder = with_parts();
+  builder.document["nodes"][0]["extras"] = {{"use_deform", false}};
+  builder.document["nodes"][1]["extras"] = {{"deform", 1}};
+  const Character c = read(builder);
+  ASSERT_EQ(c.meshes.size(), 3u);
+  EXPECT_TRUE(c.meshes[0].skinned);
+  EXPECT_EQ(c.meshes[1].name, "lamp");
+  EXPECT_FALSE(c.meshes[1].skinned);
+  EXPECT_EQ(c.meshes[1].carrier, 1);
+  EXPECT_EQ(c.meshes[2].carrier, -1);
+  ASSERT_EQ(c.vertex_meshes.size(), c.vertices.size());
+  EXPECT_EQ(c.vertex_meshes.front(), 0u);
+  EXPECT_EQ(c.vertex_meshes.back(), 2u);
+  EXPECT_EQ(c.joints[0].deforms, std::optional<bool>(false));
+  EXPECT_EQ(c.joints[1].deforms, std::optional<bool>(true));
+  EXPECT_EQ(read(two_joint_strip()).joints[0].deforms, std::nullopt);
 }
 
 TEST(GltfRead, SeamsAreWeldedAndWrittenBackApart) {

@@ -108,6 +108,33 @@ TEST(GltfSkin, UnormWeightsSurviveAnyNumberOfRounds) {
   EXPECT_EQ(once, twice);
 }
 
+// Joints that nobody followed often have matrices that were never set.
+TEST(GltfSkin, AMatrixThatNeverMatteredIsMendedWhenItDoes) {
+  GlbBuilder builder = two_joint_strip();
+  const int control = builder.add("nodes", {{"name", "control"}, {"translation", {0, 1, 5}}});
+  builder.document["nodes"][0]["children"].push_back(control);
+  builder.document["skins"][0]["joints"].push_back(control);
+  std::vector<float> binds = {1, 0, 0, 0, 0, 1,  0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0,   1, 0, 0,
+                              0, 0, 1, 0, 0, -2, 0, 1, 0, 7, 0, 0, 7, 0, 0, 0, 0, 0, 7, 0, 300, 0, 0, 1};
+  builder.document["skins"][0]["inverseBindMatrices"] = builder.accessor(binds, "MAT4");
+  Character c = read(builder);
+  ASSERT_EQ(c.joints.size(), 3u);
+  for (auto& row : c.influences) row = {{0, 0.5f}, {2, 0.5f}};
+  const std::string glb = written(c);
+  const json out = json_of_glb(glb);
+  const auto matrices = values_of<float>(glb, out, out["skins"][0]["inverseBindMatrices"].get<int>(), 16);
+  EXPECT_EQ(std::vector<float>(matrices.begin(), matrices.begin() + 32),
+            std::vector<float>(binds.begin(), binds.begin() + 32));
+  EXPECT_EQ(matrices[32], 1);
+  EXPECT_EQ(matrices[45], -1);
+  EXPECT_EQ(matrices[46], -5);
+  const Character again = reread(glb);
+  for (size_t v = 0; v < c.vertices.size(); ++v) {
+    EXPECT_NEAR(again.vertices[v].x, c.vertices[v].x, 1e-5);
+    EXPECT_NEAR(again.vertices[v].y, c.vertices[v].y, 1e-5);
+  }
+}
+
 TEST(GltfSkin, AnotherSkeletonBecomesNodesAndASkin) {
   const TempFolder folder;
   Character c = read(two_joint_strip());
