@@ -173,6 +173,31 @@ const std::atomic<bool>& stop_on_signals() {
   return stop_requested;
 }
 
+std::vector<FoundCharacter> characters_in(const std::string& folder) {
+  const std::vector<std::string> paths = list_characters(folder);
+  if (paths.empty())
+    throw Error(folder + ": no characters in it nor below it; expected NAME.obj with NAME.rig.txt, or .glb files");
+  const std::vector<std::string> names = character_names(folder, paths);
+  std::vector<FoundCharacter> found;
+  for (size_t i = 0; i < paths.size(); ++i)
+    found.push_back({paths[i], names[i], fs::path(paths[i]).lexically_relative(folder).parent_path().string()});
+  return found;
+}
+
+Character read_found(const FoundCharacter& found) {
+  Character character = read_character(found.path);
+  character.name = found.name;
+  return character;
+}
+
+std::string printable(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 32 || byte == 127) c = c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
+  }
+  return text;
+}
+
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
 }  // namespace sinew::cli

@@ -86,7 +86,7 @@ void add_train(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("train", "Train a float network on rigged characters");
   auto s = std::make_shared<Settings>();
   s->options.threads = std::max(1u, std::thread::hardware_concurrency());
-  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files")
+  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
       ->type_name("DIR");
   sub->add_option("-o,--output", s->options.output,
                   "Checkpoint to write (.sinewckpt or .ckpt); the log goes beside it as .csv")
