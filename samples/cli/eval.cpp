@@ -208,7 +208,7 @@ std::vector<Variant> make_variants(const Settings& s) {
     variants.push_back(s.method == "heat" ? heat_variant(s) : nearest_variant(s));
     variants[0].label = s.label.empty() ? s.method : s.label;
   } else {
-    const std::string label = !s.label.empty() ? s.label : s.model.empty() ? "bundled model" : file_name(s.model);
+    const std::string label = !s.label.empty() ? s.label : model_label(s.model);
     variants.push_back(model_variant(s, label, load_model(s.model)));
   }
   if (!s.report.empty() && s.method != "heat") variants.push_back(heat_variant(s));
@@ -400,8 +400,7 @@ class Evaluation {
       data.facts.emplace_back("bytes at 12, 10 and 8 bits", "as if weights were packed");
     } else if (s_.method.empty()) {
       const std::unique_ptr<LoadedModel> model = load_model(s_.model);
-      data.facts.emplace_back("model", (s_.model.empty() ? std::string("bundled") : file_name(s_.model)) +
-                                           print(", checksum %08x", model->model.checksum));
+      data.facts.emplace_back("model", model_label(s_.model) + print(", checksum %08x", model->model.checksum));
     }
     const std::string date = build_date();
     if (!date.empty()) data.facts.emplace_back("date", date);
@@ -503,7 +502,8 @@ void add_eval(CLI::App& app) {
   sub->add_option("dir", s->folder, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files, sub-folders too")
       ->required()
       ->type_name("DIR");
-  auto* model = sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
+  auto* model = sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")
+                    ->type_name("FILE");
   auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
                          ->type_name("FILE")
                          ->excludes(model);

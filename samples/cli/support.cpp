@@ -98,8 +98,16 @@ std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes,
 
 bool has_bundled_model() { return kBundledModelSize > 0; }
 
+namespace {
+
+bool is_bundled(const std::string& path) { return path.empty() || path == "bundled"; }
+
+}  // namespace
+
+std::string model_label(const std::string& path) { return is_bundled(path) ? "bundled model" : file_name(path); }
+
 std::unique_ptr<LoadedModel> load_model(const std::string& path) {
-  if (!path.empty()) return model_from_bytes(read_file(path), path);
+  if (!is_bundled(path)) return model_from_bytes(read_file(path), path);
   if (!has_bundled_model()) throw Error("no bundled model: give --model or --method heat");
   auto loaded = std::make_unique<LoadedModel>();
   const sinew_status status = sinew_model_open(kBundledModel, kBundledModelSize, &loaded->model);

@@ -38,8 +38,9 @@ struct LoadedModel {
   sinew::Workspace packed;        // its weights for the processor's kernels
   sinew_model model{};
 };
-// `path` empty: the model built into the program. Throws Error.
+// `path` empty or "bundled": the model built into the program. Throws Error.
 std::unique_ptr<LoadedModel> load_model(const std::string& path);
+std::string model_label(const std::string& path);  // "bundled model" or the file's name
 std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what);
 bool has_bundled_model();
 
