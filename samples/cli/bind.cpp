@@ -60,7 +60,7 @@ LoadedBinder load_binder(const Settings& s) {
   LoadedBinder loaded;
   if (s.method == "heat") return loaded;
   loaded.model = load_model(s.model);
-  loaded.binder = {&loaded.model->model, s.model.empty() ? "bundled model" : file_name(s.model)};
+  loaded.binder = {&loaded.model->model, model_label(s.model)};
   return loaded;
 }
 
@@ -76,7 +76,8 @@ void check_folder(const Settings& s) {
   const std::pair<const char*, bool> options[] = {{"--png", !s.one.png.empty()},
                                                   {"--png-confidence", !s.one.png_confidence.empty()},
                                                   {"--hints", !s.one.hints.empty()},
-                                                  {"--lock", !s.one.lock.empty()}};
+                                                  {"--lock", !s.one.lock.empty()},
+                                                  {"--compare without --json", s.one.compare && !s.json}};
   for (const auto& [name, given] : options) {
     if (given) throw UsageError(std::string(name) + " is for one mesh, and " + s.one.mesh + " is a folder");
   }
@@ -147,7 +148,7 @@ void add_bind(CLI::App& app) {
       ->type_name("PAGE.html");
   sub->add_option("--format", s->format, "With a folder: what to write [glb]")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(kFormats), std::end(kFormats))));
-  sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
+  sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")->type_name("FILE");
   sub->add_option("--method", s->method, "heat: heat fields alone, no model; model: the network")
       ->check(CLI::IsMember({"heat", "model"}));
   sub->add_option("--influences", s->one.influences, "Most joints per vertex")
@@ -186,6 +187,9 @@ void add_bind(CLI::App& app) {
   sub->add_flag("--symmetric", s->one.symmetric,
                 "Vertices and joints that are mirror images get mirrored weights, to the last bit; says so when the "
                 "character has no mirror plane x = c");
+  sub->add_flag(
+      "--compare", s->one.compare,
+      "List the ten joints whose vertices changed most from the weights that the file (or the skeleton's) has");
   sub->add_flag("--confidence", s->one.confidence,
                 "Also write how sure each vertex is, 0 to 1, as the attribute _CONFIDENCE of a .glb");
   sub->add_option("--png-confidence", s->one.png_confidence,

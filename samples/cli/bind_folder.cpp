@@ -91,6 +91,7 @@ BoundRow row_of(const Task& task, const BindSummary& summary) {
   row.seconds = summary.seconds;
   row.doubts = doubts_text(summary.doubts);
   row.notes = summary.notes;
+  if (summary.replaced.vertices > 0) row.notes.insert(row.notes.begin(), replaced_text(summary.replaced));
   return row;
 }
 
