@@ -163,7 +163,7 @@ class Teller {
   void tell(const Done& done) {
     if (!done.row.error.empty()) progress_.say(stderr, "sinew: error: " + done.row.error);
     if (settings_.json) {
-      progress_.say(stdout, done.json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+      progress_.say(stdout, json_line(done.json));
     } else if (done.row.error.empty()) {
       progress_.say(stdout, line_of(done.row));
     }

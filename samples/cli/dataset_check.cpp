@@ -151,7 +151,6 @@ void say(const std::string& path, const Checked& checked, Progress* progress) {
 
 void check(const Settings& s) {
   if (!s.pictures.empty()) make_folder(s.pictures);
-  Json all = Json::array();
   size_t bad = 0;
   const std::vector<FoundCharacter> inputs = expand(s.inputs);
   {
@@ -160,14 +159,14 @@ void check(const Settings& s) {
       const Checked checked = check_one(found, s.pictures);
       bad += checked.failed() ? 1 : 0;
       if (s.json) {
-        all.push_back(as_json(found.path, checked.report, checked.unreadable, checked.failed()));
+        const Json json = as_json(found.path, checked.report, checked.unreadable, checked.failed());
+        progress.say(stdout, json_line(json));
       } else {
         say(found.path, checked, &progress);
       }
       progress.step();
     }
   }
-  if (s.json) std::printf("%s\n", all.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
   if (bad > 0) throw Error(print("%zu of %zu characters have errors", bad, inputs.size()));
 }
 
@@ -179,7 +178,8 @@ void add_dataset_check(CLI::App* parent) {
   sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them, sub-folders too")
       ->required()
       ->type_name("FILE|DIR");
-  sub->add_flag("--json", s->json, "Print JSON, with all vertices of findings about weights");
+  sub->add_flag("--json", s->json,
+                "Print a line of JSON for every character, with all vertices of findings about weights");
   sub->add_option("--png", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
       ->type_name("FOLDER");
   sub->footer(

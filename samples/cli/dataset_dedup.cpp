@@ -49,7 +49,6 @@ void dedup(const DedupSettings& s) {
   const std::vector<FoundCharacter> found = expand(s.inputs);
   const std::vector<DuplicateGroup> groups = find_copies(found);
 
-  Json all = Json::array();
   std::set<size_t> dropped;
   for (const DuplicateGroup& group : groups) {
     Json members = Json::array();
@@ -71,17 +70,14 @@ void dedup(const DedupSettings& s) {
       if (m.like != m.index && m.like != group.members[0].index) std::printf(" as %s", found[m.like].path.c_str());
       std::printf("\n");
     }
-    all.push_back({{"members", members}});
+    if (s.json) std::printf("%s\n", json_line({{"members", members}}).c_str());
   }
   if (!s.output.empty()) {
     make_folder(s.output);
     for (size_t i = 0; i < found.size(); ++i)
       if (dropped.count(i) == 0) place(found[i], s.output);
   }
-  if (s.json) {
-    std::printf("%s\n", all.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
-    return;
-  }
+  if (s.json) return;
   std::printf(
       "%zu characters, %zu groups with one mesh, %zu to drop%s\n", found.size(), groups.size(), dropped.size(),
       s.output.empty() ? "" : print(", %zu placed in ", found.size() - dropped.size()).append(s.output).c_str());
@@ -149,7 +145,7 @@ void add_dataset_dedup(CLI::App* parent) {
   sub->add_option("-o,--output", s->output, "Folder for one of each, as hard links where possible")
       ->type_name("OUTDIR");
   sub->add_flag("--one-per-mesh", s->one_per_mesh, "Keep one of characters whose mesh alone is the same, too");
-  sub->add_flag("--json", s->json, "Print JSON");
+  sub->add_flag("--json", s->json, "Print a line of JSON for every group with one mesh");
   sub->footer(
       "Examples:\n  sinew dataset dedup characters/train -o characters/unique\n"
       "  sinew dataset dedup characters/train characters/val      # does val hold a copy of train?\n"

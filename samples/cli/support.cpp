@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "bundled_model.hpp"
@@ -196,6 +197,10 @@ Character read_found(const FoundCharacter& found) {
   Character character = read_character(found.path);
   character.name = found.name;
   return character;
+}
+
+std::string json_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 std::string printable(std::string text) {

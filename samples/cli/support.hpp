@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,8 @@ Character read_found(const FoundCharacter& found);
 const std::atomic<bool>& stop_on_signals();
 
 std::string file_name(const std::string& path);  // without its folders
+// Without line breaks: commands that tell of many things print JSON Lines.
+std::string json_line(const nlohmann::ordered_json& json);
 // One line, without a byte of a broken file that a terminal would obey.
 std::string printable(std::string text);
 
