@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // sinew bind: one mesh, one skeleton, weights out; the options.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "bind_folder.hpp"
 #include "bind_one.hpp"
 #include "commands.hpp"
+#include "progress.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "style_options.hpp"
 #include "support.hpp"
@@ -17,9 +19,12 @@
 namespace sinew::cli {
 namespace {
 
+constexpr const char* kFormats[] = {"glb", "rig.txt"};
+
 struct Settings {
   BindSettings one;
-  std::string model, method;
+  std::string model, method, report, format;
+  unsigned jobs = 0;  // 0: not said
   bool json = false, all_joints = false;
 };
 
@@ -28,7 +33,6 @@ void check(const Settings& s) {
   check_output(s.one.output, {".glb", ".rig.txt"}, true);
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
-  if (s.method == "heat" && !s.model.empty()) throw UsageError("--method heat uses no model: leave out --model");
   if (s.one.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the weights a file name");
 }
@@ -46,18 +50,69 @@ void settle_joints(Settings* s) {
   one.deform = std::exchange(one.joints, "");
 }
 
-void run(Settings s) {
-  settle_joints(&s);
-  if (s.one.output.empty()) s.one.output = stem_of(s.one.mesh) + ".bound.glb";
-  check(s);
+// A binder and what it stands on.
+struct LoadedBinder {
   std::unique_ptr<LoadedModel> model;
   Binder binder;
-  if (s.method != "heat") {
-    model = load_model(s.model);
-    binder.model = &model->model;
-    binder.name = s.model.empty() ? "bundled model" : file_name(s.model);
+};
+
+LoadedBinder load_binder(const Settings& s) {
+  LoadedBinder loaded;
+  if (s.method == "heat") return loaded;
+  loaded.model = load_model(s.model);
+  loaded.binder = {&loaded.model->model, model_label(s.model)};
+  return loaded;
+}
+
+void refuse_folder_options(const Settings& s) {
+  const std::pair<const char*, bool> options[] = {
+      {"--jobs", s.jobs > 0}, {"--report", !s.report.empty()}, {"--format", !s.format.empty()}};
+  for (const auto& [name, given] : options) {
+    if (given) throw UsageError(std::string(name) + " is for a folder of meshes, and " + s.one.mesh + " is none");
   }
-  const BindSummary summary = bind_one(s.one, binder, isatty(STDERR_FILENO) != 0).summary;
+}
+
+void check_folder(const Settings& s) {
+  const std::pair<const char*, bool> options[] = {{"--png", !s.one.png.empty()},
+                                                  {"--png-confidence", !s.one.png_confidence.empty()},
+                                                  {"--hints", !s.one.hints.empty()},
+                                                  {"--lock", !s.one.lock.empty()},
+                                                  {"--compare without --json", s.one.compare && !s.json}};
+  for (const auto& [name, given] : options) {
+    if (given) throw UsageError(std::string(name) + " is for one mesh, and " + s.one.mesh + " is a folder");
+  }
+  if (s.one.output.empty()) throw UsageError(s.one.mesh + " is a folder: say with -o OUTDIR where its files go");
+  std::error_code ignored;
+  const bool is_file = has_extension(s.one.output, ".glb") || has_extension(s.one.output, ".rig.txt") ||
+                       std::filesystem::is_regular_file(s.one.output, ignored);
+  if (s.one.output == "-" || is_file)
+    throw UsageError("-o " + s.one.output + ": " + s.one.mesh + " is a folder, expected a folder for its files");
+  if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
+}
+
+void run_folder(const Settings& s) {
+  check_folder(s);
+  FolderSettings folder;
+  folder.each = s.one;
+  folder.folder = s.one.mesh;
+  folder.output_folder = s.one.output;
+  if (!s.format.empty()) folder.extension = "." + s.format;
+  folder.report = s.report;
+  folder.jobs = std::max(1u, s.jobs);
+  folder.json = s.json;
+  bind_folder(folder, load_binder(s).binder);
+}
+
+void run(Settings s) {
+  settle_joints(&s);
+  if (s.method == "heat" && !s.model.empty()) throw UsageError("--method heat uses no model: leave out --model");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(s.one.mesh, ignored)) return run_folder(s);
+  refuse_folder_options(s);
+  if (s.one.output.empty()) s.one.output = stem_of(s.one.mesh) + ".bound.glb";
+  check(s);
+  const LoadedBinder loaded = load_binder(s);
+  const BindSummary summary = bind_one(s.one, loaded.binder, stderr_is_terminal()).summary;
   if (s.json) {
     std::printf("%s\n", summary_json(summary).dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     return;
@@ -71,16 +126,29 @@ void run(Settings s) {
 void add_bind(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("bind", "Predict the skin weights of a mesh for a skeleton");
   auto s = std::make_shared<Settings>();
-  sub->add_option("mesh", s->one.mesh, "Mesh: .obj, .gltf, .glb, .vrm, or - for an OBJ on standard input")
+  sub->add_option(
+         "mesh", s->one.mesh,
+         "Mesh: .obj, .gltf, .glb, .vrm, or - for an OBJ on standard input; or a folder: every mesh in it and below it")
       ->required()
-      ->type_name("MESH");
-  sub->add_option("--skeleton", s->one.skeleton,
-                  "Skeleton: .rig.txt, .gltf, .glb or .vrm. Not needed when the mesh has its own")
+      ->type_name("MESH|DIR");
+  sub->add_option(
+         "--skeleton", s->one.skeleton,
+         "Skeleton: .rig.txt, .gltf, .glb or .vrm. Not needed when the mesh has its own; in a folder, NAME.rig.txt "
+         "beside NAME.obj is found")
       ->type_name("FILE");
-  sub->add_option("-o,--output", s->one.output,
-                  "Output: .glb or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]")
+  sub->add_option(
+         "-o,--output", s->one.output,
+         "Output: .glb or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]; for a folder another folder, "
+         "which gets NAME.glb for every mesh, below the same sub-folders")
       ->type_name("OUT");
-  sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
+  sub->add_option("--jobs", s->jobs, "With a folder: meshes at the same time; the same bytes for any N [1]")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  sub->add_option("--report", s->report, "With a folder: a page with a picture and a row of every mesh")
+      ->type_name("PAGE.html");
+  sub->add_option("--format", s->format, "With a folder: what to write [glb]")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kFormats), std::end(kFormats))));
+  sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")->type_name("FILE");
   sub->add_option("--method", s->method, "heat: heat fields alone, no model; model: the network")
       ->check(CLI::IsMember({"heat", "model"}));
   sub->add_option("--influences", s->one.influences, "Most joints per vertex")
@@ -119,16 +187,20 @@ void add_bind(CLI::App& app) {
   sub->add_flag("--symmetric", s->one.symmetric,
                 "Vertices and joints that are mirror images get mirrored weights, to the last bit; says so when the "
                 "character has no mirror plane x = c");
+  sub->add_flag(
+      "--compare", s->one.compare,
+      "List the ten joints whose vertices changed most from the weights that the file (or the skeleton's) has");
   sub->add_flag("--confidence", s->one.confidence,
                 "Also write how sure each vertex is, 0 to 1, as the attribute _CONFIDENCE of a .glb");
   sub->add_option("--png-confidence", s->one.png_confidence,
                   "Also draw where to look: dark blue = sure, yellow = half, red = not at all")
       ->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print the summary as JSON");
+  sub->add_flag("--json", s->json, "Print the summary as JSON; with a folder one line of JSON for every mesh");
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
       "  sinew bind hero.obj --skeleton hero.rig.txt --hints painted.rig.txt -o hero.glb\n"
+      "  sinew bind characters -o bound --jobs 4 --report bound.html\n"
       "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
   sub->callback([s] { run(*s); });
 }

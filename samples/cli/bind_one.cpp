@@ -196,10 +196,24 @@ void fit_skeleton(const BindSettings& settings, Character* character) {
   }
 }
 
+// What the file says before it is bound anew.
+struct WeightsBefore {
+  std::vector<std::vector<Influence>> rows;
+  std::vector<uint8_t> kept;  // [V] locked; or empty
+};
+
+WeightsBefore weights_before(const BindSettings& settings, const Character& character) {
+  WeightsBefore before{character.influences, {}};
+  set_locks(settings, character, &before.kept);
+  return before;
+}
+
 }  // namespace
 
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
-  Character character = read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty());
+  Character character =
+      read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare);
+  const WeightsBefore before = weights_before(settings, character);
   fit_skeleton(settings, &character);
   JointChoice choice;
   CharacterBind result = bind_with(settings, binder, progress, &character, &choice);
@@ -210,6 +224,8 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   BindSummary summary = summarise(settings, binder, character, result);
   summary.notes.insert(summary.notes.end(), character.notes.begin(), character.notes.end());
   add_notes(character, choice, result, &summary);
+  summary.compare = settings.compare;
+  summary.replaced = compare_weights(character.joints, before.rows, character.influences, before.kept);
   return {std::move(character), std::move(summary)};
 }
 

@@ -24,6 +24,7 @@ struct BindSettings {
   StyleOptions style;
   bool keep_tips = false, bind_props = false, fit = false;
   bool symmetric = false, confidence = false;
+  bool compare = false;  // with the weights that the file, or the skeleton's file, has
 };
 
 // Who binds: the model with the name that the summary gives it, or heat alone where `model` is null.

@@ -61,6 +61,13 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
   lines.push_back(print("bound with %s in %.3f s, %.1f MB workspace (%.1f MB used), %.2f influences per vertex",
                         s.method.c_str(), s.seconds, static_cast<double>(s.workspace_bytes) / 1e6,
                         static_cast<double>(s.workspace_used_bytes) / 1e6, s.mean_influences));
+  if (s.replaced.vertices > 0) lines.push_back(replaced_text(s.replaced));
+  if (s.compare && s.replaced.vertices > 0) {
+    const std::vector<std::string> changes = change_lines(s.replaced);
+    lines.insert(lines.end(), changes.begin(), changes.end());
+  } else if (s.compare) {
+    lines.push_back("nothing to compare with: the file had no weights");
+  }
   lines.insert(lines.end(), s.notes.begin(), s.notes.end());
   if (s.symmetric && s.symmetric_vertices > 0) {
     lines.push_back(print("%zu of %zu vertices mirrored", s.symmetric_vertices, s.vertices));
@@ -91,6 +98,7 @@ nlohmann::ordered_json summary_json(const BindSummary& s) {
   if (!s.png_confidence.empty()) json["png_confidence"] = s.png_confidence;
   json["to_look_at"] = {{"vertices", s.doubts.vertices}, {"joints", s.doubts.joints}};
   if (s.symmetric) json["symmetric_vertices"] = s.symmetric_vertices;
+  if (s.replaced.vertices > 0) json["replaced"] = replaced_json(s.replaced, s.compare);
   if (!s.notes.empty()) json["notes"] = s.notes;
   return json;
 }

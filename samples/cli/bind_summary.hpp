@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sinew_formats/character.hpp"
+#include "weights_replaced.hpp"
 
 namespace sinew::cli {
 
@@ -32,6 +33,8 @@ struct BindSummary {
   size_t workspace_bytes = 0, workspace_used_bytes = 0;
   bool symmetric = false;  // was asked for
   size_t symmetric_vertices = 0;
+  WeightsReplaced replaced;
+  bool compare = false;  // joints that changed most were asked for
   Doubts doubts;
   std::vector<std::string> notes;  // what the user should know about this file, a line each
 };

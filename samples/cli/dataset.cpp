@@ -135,19 +135,18 @@ void add_synthesize(CLI::App* parent) {
 
 }  // namespace
 
-std::vector<std::string> expand(const std::vector<std::string>& inputs) {
-  std::vector<std::string> paths;
+std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs) {
+  std::vector<FoundCharacter> found;
   for (const std::string& input : inputs) {
     std::error_code ignored;
     if (!fs::is_directory(input, ignored)) {
-      paths.push_back(input);
+      found.push_back({input, stem_of(input), ""});
       continue;
     }
-    const std::vector<std::string> inside = list_characters(input);
-    if (inside.empty()) throw Error(input + ": no characters; expected NAME.obj with NAME.rig.txt, or .glb files");
-    paths.insert(paths.end(), inside.begin(), inside.end());
+    const std::vector<FoundCharacter> inside = characters_in(input);
+    found.insert(found.end(), inside.begin(), inside.end());
   }
-  return paths;
+  return found;
 }
 
 Character read_any(const std::string& path) {

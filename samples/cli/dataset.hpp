@@ -8,13 +8,16 @@
 #include <vector>
 
 #include "sinew_formats/character.hpp"
+#include "support.hpp"
 
 namespace sinew::cli {
 
-// Files as they are; a folder stands for its characters. Throws Error for a folder without any.
-std::vector<std::string> expand(const std::vector<std::string>& inputs);
+// Files as they are; a folder stands for its characters and those of the folders below it. Throws Error for a folder
+// without any.
+std::vector<FoundCharacter> expand(const std::vector<std::string>& inputs);
 // A bare mesh is a character without joints.
 Character read_any(const std::string& path);
+// With those above it.
 void make_folder(const std::string& path);
 
 void add_dataset_check(CLI::App* parent);

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "dataset.hpp"
+#include "progress.hpp"
 #include "sinew_datasets/dataset.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/box.hpp"
@@ -107,43 +108,66 @@ void write_picture(const std::string& path, const Character& character, const Ch
   write_file(path, encode_png(beside(images)));
 }
 
+struct Checked {
+  CheckReport report;
+  std::string unreadable;
+  bool failed() const {
+    return !unreadable.empty() ||
+           std::any_of(report.findings.begin(), report.findings.end(),
+                       [](const CheckFinding& finding) { return finding.level == CheckFinding::Level::kError; });
+  }
+};
+
+Checked check_one(const FoundCharacter& found, const std::string& pictures) {
+  Checked checked;
+  Character character;
+  try {
+    character = read_any(found.path);
+    checked.report = check_character(character);
+  } catch (const Error& error) {
+    checked.unreadable = error.what();
+  }
+  if (!checked.failed() && !pictures.empty()) {
+    const fs::path picture = fs::path(pictures) / (found.name + ".png");
+    make_folder(picture.parent_path().string());
+    write_picture(picture.string(), character, checked.report);
+  }
+  return checked;
+}
+
+void say(const std::string& path, const Checked& checked, Progress* progress) {
+  if (!checked.unreadable.empty()) {
+    progress->say(stdout, path + "\n  error    unreadable: " + checked.unreadable);
+    return;
+  }
+  const CheckReport& report = checked.report;
+  std::string text = print("%s: %zu vertices, %zu faces, %zu joints, %zu parts", path.c_str(), report.vertices,
+                           report.faces, report.joints, report.parts);
+  for (const CheckFinding& finding : report.findings)
+    text +=
+        print("\n  %-8s %s: %s", kLevels[static_cast<int>(finding.level)], finding.code.c_str(), finding.text.c_str());
+  progress->say(stdout, text);
+}
+
 void check(const Settings& s) {
   if (!s.pictures.empty()) make_folder(s.pictures);
-  Json all = Json::array();
-  size_t bad = 0, total = 0;
-  for (const std::string& path : expand(s.inputs)) {
-    ++total;
-    Character character;
-    CheckReport report;
-    std::string unreadable;
-    try {
-      character = read_any(path);
-      report = check_character(character);
-    } catch (const Error& error) {
-      unreadable = error.what();
-    }
-    bool failed = !unreadable.empty();
-    for (const CheckFinding& finding : report.findings) failed = failed || finding.level == CheckFinding::Level::kError;
-    bad += failed ? 1 : 0;
-    if (!failed && !s.pictures.empty())
-      write_picture((fs::path(s.pictures) / (character.name + ".png")).string(), character, report);
-    if (s.json) {
-      all.push_back(as_json(path, report, unreadable, failed));
-      continue;
-    }
-    if (!unreadable.empty()) {
-      std::printf("%s\n  error    unreadable: %s\n", path.c_str(), unreadable.c_str());
-      continue;
-    }
-    std::printf("%s: %zu vertices, %zu faces, %zu joints, %zu parts\n", path.c_str(), report.vertices, report.faces,
-                report.joints, report.parts);
-    for (const CheckFinding& finding : report.findings) {
-      std::printf("  %-8s %s: %s\n", kLevels[static_cast<int>(finding.level)], finding.code.c_str(),
-                  finding.text.c_str());
+  size_t bad = 0;
+  const std::vector<FoundCharacter> inputs = expand(s.inputs);
+  {
+    Progress progress(inputs.size(), "characters");
+    for (const FoundCharacter& found : inputs) {
+      const Checked checked = check_one(found, s.pictures);
+      bad += checked.failed() ? 1 : 0;
+      if (s.json) {
+        const Json json = as_json(found.path, checked.report, checked.unreadable, checked.failed());
+        progress.say(stdout, json_line(json));
+      } else {
+        say(found.path, checked, &progress);
+      }
+      progress.step();
     }
   }
-  if (s.json) std::printf("%s\n", all.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
-  if (bad > 0) throw Error(print("%zu of %zu characters have errors", bad, total));
+  if (bad > 0) throw Error(print("%zu of %zu characters have errors", bad, inputs.size()));
 }
 
 }  // namespace
@@ -151,8 +175,11 @@ void check(const Settings& s) {
 void add_dataset_check(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("check", "Look for defects of meshes, skeletons and weights");
   auto s = std::make_shared<Settings>();
-  sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them")->required()->type_name("FILE|DIR");
-  sub->add_flag("--json", s->json, "Print JSON, with all vertices of findings about weights");
+  sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them, sub-folders too")
+      ->required()
+      ->type_name("FILE|DIR");
+  sub->add_flag("--json", s->json,
+                "Print a line of JSON for every character, with all vertices of findings about weights");
   sub->add_option("--png", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
       ->type_name("FOLDER");
   sub->footer(

@@ -10,9 +10,9 @@
 #include <string>
 
 #include "dataset.hpp"
+#include "progress.hpp"
 #include "sinew_datasets/dedup.hpp"
 #include "sinew_datasets/split.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/family_groups.hpp"
@@ -31,13 +31,24 @@ struct DedupSettings {
   bool one_per_mesh = false, json = false;
 };
 
-void dedup(const DedupSettings& s) {
-  const std::vector<std::string> paths = expand(s.inputs);
+std::vector<DuplicateGroup> find_copies(const std::vector<FoundCharacter>& found) {
   DuplicateFinder finder;
-  for (const std::string& path : paths) finder.add(read_character(path));
-  const std::vector<DuplicateGroup> groups = finder.groups();
+  Progress progress(found.size(), "characters");
+  for (const FoundCharacter& one : found) {
+    finder.add(read_character(one.path));
+    progress.step();
+  }
+  return finder.groups();
+}
 
-  Json all = Json::array();
+void place(const FoundCharacter& found, const std::string& folder) {
+  place_character(found.path, (fs::path(folder) / found.below).string());
+}
+
+void dedup(const DedupSettings& s) {
+  const std::vector<FoundCharacter> found = expand(s.inputs);
+  const std::vector<DuplicateGroup> groups = find_copies(found);
+
   std::set<size_t> dropped;
   for (const DuplicateGroup& group : groups) {
     Json members = Json::array();
@@ -47,32 +58,29 @@ void dedup(const DedupSettings& s) {
       const bool drop = m.like != m.index || (s.one_per_mesh && !first);
       if (drop) dropped.insert(m.index);
       const std::string what = first ? "" : likeness_text(m.likeness);
-      members.push_back({{"file", paths[m.index]},
+      members.push_back({{"file", found[m.index].path},
                          {"drop", drop},
                          {"likeness", first ? "first" : what},
-                         {"copy_of", paths[m.like]},
+                         {"copy_of", found[m.like].path},
                          {"position", m.position},
                          {"weights_l1", m.weights}});
       if (s.json) continue;
-      std::printf("  %s  %s", drop ? "drop" : "keep", paths[m.index].c_str());
+      std::printf("  %s  %s", drop ? "drop" : "keep", found[m.index].path.c_str());
       if (!first) std::printf("  %s (positions %.5f, weights L1 %.3f)", what.c_str(), m.position, m.weights);
-      if (m.like != m.index && m.like != group.members[0].index) std::printf(" as %s", paths[m.like].c_str());
+      if (m.like != m.index && m.like != group.members[0].index) std::printf(" as %s", found[m.like].path.c_str());
       std::printf("\n");
     }
-    all.push_back({{"members", members}});
+    if (s.json) std::printf("%s\n", json_line({{"members", members}}).c_str());
   }
   if (!s.output.empty()) {
     make_folder(s.output);
-    for (size_t i = 0; i < paths.size(); ++i)
-      if (dropped.count(i) == 0) place_character(paths[i], s.output);
+    for (size_t i = 0; i < found.size(); ++i)
+      if (dropped.count(i) == 0) place(found[i], s.output);
   }
-  if (s.json) {
-    std::printf("%s\n", all.dump(1, ' ', false, Json::error_handler_t::replace).c_str());
-    return;
-  }
+  if (s.json) return;
   std::printf(
-      "%zu characters, %zu groups with one mesh, %zu to drop%s\n", paths.size(), groups.size(), dropped.size(),
-      s.output.empty() ? "" : print(", %zu placed in ", paths.size() - dropped.size()).append(s.output).c_str());
+      "%zu characters, %zu groups with one mesh, %zu to drop%s\n", found.size(), groups.size(), dropped.size(),
+      s.output.empty() ? "" : print(", %zu placed in ", found.size() - dropped.size()).append(s.output).c_str());
 }
 
 struct SplitSettings {
@@ -92,16 +100,16 @@ void split(const SplitSettings& s) {
   if (!s.groups.empty() && s.by != "family") throw UsageError("--groups belongs to --by family");
   std::optional<FamilyGroups> groups;
   if (!s.groups.empty()) groups = read_family_groups(s.groups);
-  const std::vector<std::string> paths = expand({s.folder});
+  const std::vector<FoundCharacter> found = characters_in(s.folder);
   std::vector<std::string> keys;
-  for (const std::string& path : paths) {
-    const std::string family = family_of(stem_of(path));
-    keys.push_back(s.by == "character" ? stem_of(path) : groups ? groups->group(family) : family);
+  for (const FoundCharacter& one : found) {
+    const std::string family = family_of(one.name);
+    keys.push_back(s.by == "character" ? one.name : groups ? groups->group(family) : family);
   }
   const std::vector<SplitUnit> units = split_units(keys);
   const std::vector<bool> chosen = choose_validation(units, s.share, s.seed);
 
-  std::vector<uint8_t> side(paths.size(), 0);
+  std::vector<uint8_t> side(found.size(), 0);
   for (size_t u = 0; u < units.size(); ++u)
     for (const size_t i : units[u].members) side[i] = chosen[u] ? 1 : 0;
   const char* const sides[] = {"train", "val"};
@@ -111,18 +119,18 @@ void split(const SplitSettings& s) {
   size_t counts[2] = {0, 0};
   for (const size_t which : {size_t{0}, size_t{1}}) {
     std::string list;
-    for (size_t i = 0; i < paths.size(); ++i) {
+    for (size_t i = 0; i < found.size(); ++i) {
       if (side[i] != which) continue;
       ++counts[which];
-      list += paths[i] + "\n";
-      if (!s.lists) place_character(paths[i], (fs::path(s.output) / sides[which]).string());
+      list += found[i].path + "\n";
+      if (!s.lists) place(found[i], (fs::path(s.output) / sides[which]).string());
     }
     if (s.lists) write_text_file((fs::path(s.output) / (std::string(sides[which]) + ".txt")).string(), list);
   }
   for (size_t u = 0; u < units.size() && s.by == "family"; ++u)
     std::printf("%-5s %4zu  %s\n", sides[chosen[u] ? 1 : 0], units[u].members.size(), units[u].name.c_str());
   std::printf("%zu characters for training, %zu for validation (%.1f %%)\n", counts[0], counts[1],
-              100.0 * static_cast<double>(counts[1]) / static_cast<double>(paths.size()));
+              100.0 * static_cast<double>(counts[1]) / static_cast<double>(found.size()));
 }
 
 }  // namespace
@@ -130,13 +138,14 @@ void split(const SplitSettings& s) {
 void add_dataset_dedup(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("dedup", "Find copies: same character, or same mesh with another skeleton");
   auto s = std::make_shared<DedupSettings>();
-  sub->add_option("inputs", s->inputs, "Characters and folders of them; the first of several copies is kept")
+  sub->add_option("inputs", s->inputs,
+                  "Characters and folders of them, sub-folders too; the first of several copies is kept")
       ->required()
       ->type_name("FILE|DIR");
   sub->add_option("-o,--output", s->output, "Folder for one of each, as hard links where possible")
       ->type_name("OUTDIR");
   sub->add_flag("--one-per-mesh", s->one_per_mesh, "Keep one of characters whose mesh alone is the same, too");
-  sub->add_flag("--json", s->json, "Print JSON");
+  sub->add_flag("--json", s->json, "Print a line of JSON for every group with one mesh");
   sub->footer(
       "Examples:\n  sinew dataset dedup characters/train -o characters/unique\n"
       "  sinew dataset dedup characters/train characters/val      # does val hold a copy of train?\n"
@@ -148,7 +157,7 @@ void add_dataset_dedup(CLI::App* parent) {
 void add_dataset_split(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("split", "Divide a folder into train and val, families together");
   auto s = std::make_shared<SplitSettings>();
-  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters")->required()->type_name("DIR");
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, sub-folders too")->required()->type_name("DIR");
   sub->add_option("--val", s->share, "Share of the characters for validation; whole units come as close as they can")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "dataset.hpp"
+#include "progress.hpp"
 #include "sinew_datasets/dataset_page.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/io.hpp"
@@ -28,39 +29,53 @@ struct Settings {
   bool json = false, no_recall = false;
 };
 
-void stats(const Settings& s) {
-  if (!s.page.empty()) check_output(s.page, {".html", ".htm"});
-  const std::vector<std::string> paths = expand({s.folder});
+// Of one character; what cannot be read is told in `failure`.
+std::optional<CharacterStats> stats_of(const Settings& s, const FoundCharacter& found,
+                                       const std::vector<uint32_t>& candidate_counts, std::string* failure) {
+  try {
+    const Character character = read_found(found);
+    CharacterStats one = character_stats(character);
+    if (!s.no_recall && !character.influences.empty())
+      one.recall = candidate_recall(character, candidate_counts, kGrid);
+    if (!s.page.empty()) {
+      RenderOptions options;
+      options.width = options.height = s.picture;
+      options.draw_skeleton = false;
+      one.png = encode_png(render(character, weight_colours(character), options));
+    }
+    return one;
+  } catch (const Error& error) {
+    *failure = error.what();
+    return std::nullopt;
+  }
+}
+
+DatasetStats measure_folder(const Settings& s, const std::vector<FoundCharacter>& found) {
   DatasetStats all;
   all.folder = s.folder;
   if (!s.no_recall) all.candidate_counts = {6, 8, 12, 16};
-  std::vector<std::optional<CharacterStats>> found(paths.size());
-  std::vector<std::string> failures(paths.size());
-  parallel_for(paths.size(), s.jobs, [&](size_t i, unsigned) {
-    try {
-      const Character character = read_character(paths[i]);
-      CharacterStats one = character_stats(character);
-      if (!s.no_recall && !character.influences.empty())
-        one.recall = candidate_recall(character, all.candidate_counts, kGrid);
-      if (!s.page.empty()) {
-        RenderOptions options;
-        options.width = options.height = s.picture;
-        options.draw_skeleton = false;
-        one.png = encode_png(render(character, weight_colours(character), options));
-      }
-      found[i] = std::move(one);
-    } catch (const Error& error) {
-      failures[i] = error.what();
-    }
+  std::vector<std::optional<CharacterStats>> measured(found.size());
+  std::vector<std::string> failures(found.size());
+  Progress progress(found.size(), "characters");
+  parallel_for(found.size(), s.jobs, [&](size_t i, unsigned) {
+    measured[i] = stats_of(s, found[i], all.candidate_counts, &failures[i]);
+    progress.step();
   });
-  for (size_t i = 0; i < paths.size(); ++i) {
-    if (found[i]) all.characters.push_back(std::move(*found[i]));
-    if (!failures[i].empty()) all.unreadable.emplace_back(file_name(paths[i]), failures[i]);
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (measured[i]) all.characters.push_back(std::move(*measured[i]));
+    if (!failures[i].empty()) all.unreadable.emplace_back(found[i].name, failures[i]);
   }
+  return all;
+}
+
+void stats(const Settings& s) {
+  if (!s.page.empty()) check_output(s.page, {".html", ".htm"});
+  const std::vector<FoundCharacter> found = characters_in(s.folder);
+  const DatasetStats all = measure_folder(s, found);
   std::fputs((s.json ? dataset_json(all) : dataset_table(all)).c_str(), stdout);
   if (!s.page.empty()) write_text_file(s.page, dataset_html(all));
   if (!all.unreadable.empty())
-    throw Error(print("%zu of %zu characters cannot be read; the first: ", all.unreadable.size(), paths.size()) +
+    throw Error(print("%zu of %zu characters cannot be read; the first: ", all.unreadable.size(), found.size()) +
                 all.unreadable[0].second);
 }
 
@@ -70,7 +85,7 @@ void add_dataset_stats(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("stats", "Sizes, influences and candidates' recall of the families; a page");
   auto s = std::make_shared<Settings>();
   s->jobs = std::max(1u, std::thread::hardware_concurrency());
-  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters")->required()->type_name("DIR");
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, sub-folders too")->required()->type_name("DIR");
   sub->add_option("-o,--output", s->page, "One page with plots and a picture of every character, with its warnings")
       ->type_name("PAGE.html");
   sub->add_option("--picture", s->picture, "Side of the pictures in pixels")

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew eval: binds every character of a folder and compares the weights with the reference; the accuracy report.
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -20,10 +17,11 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "dataset.hpp"
 #include "eval_studies.hpp"
 #include "model/layout.hpp"
+#include "progress.hpp"
 #include "sinew_formats/bind.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_quant/quantize.hpp"
@@ -210,7 +208,7 @@ std::vector<Variant> make_variants(const Settings& s) {
     variants.push_back(s.method == "heat" ? heat_variant(s) : nearest_variant(s));
     variants[0].label = s.label.empty() ? s.method : s.label;
   } else {
-    const std::string label = !s.label.empty() ? s.label : s.model.empty() ? "bundled model" : file_name(s.model);
+    const std::string label = !s.label.empty() ? s.label : model_label(s.model);
     variants.push_back(model_variant(s, label, load_model(s.model)));
   }
   if (!s.report.empty() && s.method != "heat") variants.push_back(heat_variant(s));
@@ -255,8 +253,7 @@ std::string build_date() {
 
 class Evaluation {
  public:
-  explicit Evaluation(const Settings& s) : s_(s), paths_(list_characters(s.folder)), variants_(make_variants(s)) {
-    if (paths_.empty()) throw Error(s.folder + ": no characters; expected NAME.obj with NAME.rig.txt, or .glb files");
+  explicit Evaluation(const Settings& s) : s_(s), found_(characters_in(s.folder)), variants_(make_variants(s)) {
     main_ = 0;
     for (size_t i = 0; i < variants_.size(); ++i) {
       if (variants_[i].label == "int16 model") main_ = i;  // the report shows what ships
@@ -265,29 +262,28 @@ class Evaluation {
 
   void run() {
     if (!s_.predictions.empty()) std::filesystem::create_directories(s_.predictions);
-    std::atomic<size_t> done{0};
-    const bool show = isatty(STDERR_FILENO) != 0;
-    parallel_for(paths_.size(), s_.jobs, [&](size_t i, unsigned) {
-      const std::string name = stem_of(paths_[i]);
-      try {
-        one(paths_[i], name);
-      } catch (const Error& error) {
-        const std::lock_guard<std::mutex> guard(lock_);
-        failures_[name] = error.what();
-      }
-      const size_t now = ++done;
-      if (show) {
-        std::fprintf(stderr, "\r%zu of %zu characters", now, paths_.size());
-        if (now == paths_.size()) std::fprintf(stderr, "\r                              \r");
-      }
-    });
+    bind_all();
     finish();
   }
 
  private:
-  void one(const std::string& path, const std::string& name) {
-    const Character character = read_character(path);
-    if (character.influences.empty()) throw Error(path + ": has no reference weights to compare with");
+  void bind_all() {
+    Progress progress(found_.size(), "characters");
+    parallel_for(found_.size(), s_.jobs, [&](size_t i, unsigned) {
+      try {
+        one(found_[i]);
+      } catch (const Error& error) {
+        const std::lock_guard<std::mutex> guard(lock_);
+        failures_[found_[i].name] = error.what();
+      }
+      progress.step();
+    });
+  }
+
+  void one(const FoundCharacter& found) {
+    const Character character = read_found(found);
+    const std::string& name = found.name;
+    if (character.influences.empty()) throw Error(found.path + ": has no reference weights to compare with");
     std::unique_ptr<Sample> sample;
     double sample_seconds = 0;
     for (const Variant& variant : variants_) {
@@ -310,7 +306,9 @@ class Evaluation {
     if (!s_.predictions.empty()) {
       Character predicted = character;
       predicted.influences = predictions[0].rows;
-      write_rig((std::filesystem::path(s_.predictions) / (name + ".rig.txt")).string(), predicted);
+      const std::filesystem::path path = std::filesystem::path(s_.predictions) / (name + ".rig.txt");
+      make_folder(path.parent_path().string());
+      write_rig(path.string(), predicted);
     }
     const Prediction& main = predictions[main_];
     JudgedConfidence judged;
@@ -329,7 +327,7 @@ class Evaluation {
     if (s_.report.empty()) return;
     // Kept by name: sums of doubles must not depend on which thread was first.
     confidence_[name] = judged;
-    drawn_[name] = {path, std::move(predictions[main_].rows)};
+    drawn_[name] = {found.path, std::move(predictions[main_].rows)};
   }
 
   void finish() {
@@ -351,7 +349,7 @@ class Evaluation {
     }
     if (!s_.json.empty()) write_json(scores);
     if (!failures_.empty()) {
-      throw Error(print("%zu of %zu characters failed; the first: ", failures_.size(), paths_.size()) +
+      throw Error(print("%zu of %zu characters failed; the first: ", failures_.size(), found_.size()) +
                   failures_.begin()->first + ": " + failures_.begin()->second);
     }
   }
@@ -402,8 +400,7 @@ class Evaluation {
       data.facts.emplace_back("bytes at 12, 10 and 8 bits", "as if weights were packed");
     } else if (s_.method.empty()) {
       const std::unique_ptr<LoadedModel> model = load_model(s_.model);
-      data.facts.emplace_back("model", (s_.model.empty() ? std::string("bundled") : file_name(s_.model)) +
-                                           print(", checksum %08x", model->model.checksum));
+      data.facts.emplace_back("model", model_label(s_.model) + print(", checksum %08x", model->model.checksum));
     }
     const std::string date = build_date();
     if (!date.empty()) data.facts.emplace_back("date", date);
@@ -442,7 +439,7 @@ class Evaluation {
   }
 
   const Settings& s_;
-  std::vector<std::string> paths_;
+  std::vector<FoundCharacter> found_;
   std::vector<Variant> variants_;
   size_t main_ = 0;
   std::mutex lock_;
@@ -502,10 +499,11 @@ void add_eval(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("eval", "Bind every character of a folder and compare with the reference weights");
   auto s = std::make_shared<Settings>();
   s->jobs = std::max(1u, std::thread::hardware_concurrency());
-  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")
+  sub->add_option("dir", s->folder, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files, sub-folders too")
       ->required()
       ->type_name("DIR");
-  auto* model = sub->add_option("--model", s->model, "Model file [the bundled one]")->type_name("FILE");
+  auto* model = sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")
+                    ->type_name("FILE");
   auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
                          ->type_name("FILE")
                          ->excludes(model);

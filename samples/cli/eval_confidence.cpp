@@ -3,29 +3,30 @@
 #include <cstdio>
 
 #include "eval_studies.hpp"
+#include "progress.hpp"
 #include "sinew_formats/bind.hpp"
-#include "sinew_formats/io.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 
 std::vector<JudgedConfidence> judge_folder(const Study& study) {
-  const std::vector<std::string> paths = list_characters(study.folder);
-  if (paths.empty()) throw Error(study.folder + ": no characters; expected NAME.obj with NAME.rig.txt, or .glb files");
+  const std::vector<FoundCharacter> found = characters_in(study.folder);
   sinew_model model = {};
   if (study.model != nullptr) model = *study.model;
   model.confidence_count = 0;  // the share itself
-  std::vector<JudgedConfidence> judged(paths.size());
-  parallel_for(paths.size(), study.jobs, [&](size_t i, unsigned) {
-    const Character c = read_character(paths[i]);
-    if (c.influences.empty()) throw Error(paths[i] + ": has no reference weights to compare with");
+  std::vector<JudgedConfidence> judged(found.size());
+  Progress progress(found.size(), "characters");
+  parallel_for(found.size(), study.jobs, [&](size_t i, unsigned) {
+    const Character c = read_found(found[i]);
+    if (c.influences.empty()) throw Error(found[i].path + ": has no reference weights to compare with");
     BindOptions options;
     options.method = study.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
     options.model = &model;
     options.influence_count = study.influences;
     const BindResult result = bind(c, options);
     judged[i] = judge_confidence(c, result.influences, result.confidence);
+    progress.step();
   });
   return judged;
 }

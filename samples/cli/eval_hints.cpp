@@ -7,8 +7,8 @@
 #include <random>
 
 #include "eval_studies.hpp"
+#include "progress.hpp"
 #include "sinew_formats/bind.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/parallel.hpp"
@@ -119,18 +119,21 @@ void print_row(const std::string& name, const Gain& sum) {
 }  // namespace
 
 void study_hints(const Study& study, const std::string& kind, double share) {
-  const std::vector<std::string> paths = list_characters(study.folder);
-  if (paths.empty()) throw Error(study.folder + ": no characters; expected NAME.obj with NAME.rig.txt, or .glb files");
-  std::vector<Gain> gains(paths.size());
-  parallel_for(paths.size(), study.jobs, [&](size_t i, unsigned) {
-    const Character c = read_character(paths[i]);
-    if (c.influences.empty()) throw Error(paths[i] + ": has no reference weights to take hints from");
-    gains[i] = gain_of(study, c, kind, share);
-  });
+  const std::vector<FoundCharacter> found = characters_in(study.folder);
+  std::vector<Gain> gains(found.size());
+  {
+    Progress progress(found.size(), "characters");
+    parallel_for(found.size(), study.jobs, [&](size_t i, unsigned) {
+      const Character c = read_found(found[i]);
+      if (c.influences.empty()) throw Error(found[i].path + ": has no reference weights to take hints from");
+      gains[i] = gain_of(study, c, kind, share);
+      progress.step();
+    });
+  }
   std::map<std::string, Gain> families;
   Gain all, family_mean;
-  for (size_t i = 0; i < paths.size(); ++i) {
-    families[family_of(stem_of(paths[i]))].add(gains[i]);
+  for (size_t i = 0; i < found.size(); ++i) {
+    families[family_of(found[i].name)].add(gains[i]);
     all.add(gains[i]);
   }
   std::printf(

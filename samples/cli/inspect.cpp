@@ -4,22 +4,29 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands.hpp"
 #include "features/features.hpp"
+#include "inspect_parts.hpp"
 #include "model/layers.hpp"
-#include "sinew_datasets/dataset.hpp"
-#include "sinew_formats/box.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string path;
+  bool json = false;
+};
 
 const char* layer_name(LayerKind kind) {
   switch (kind) {
@@ -53,14 +60,44 @@ std::string feature_set_text(uint32_t set) {
   return std::to_string(set & ~kFeatureFlags) + ((set & kSpectralFlag) != 0 ? " with spectral signatures" : "");
 }
 
-void inspect_checkpoint(const std::string& path) {
-  const Checkpoint checkpoint = read_checkpoint(path);
-  const FloatNetwork& network = checkpoint.network;
+void print_json(const Json& json) {
+  std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+size_t parameter_count(const FloatNetwork& network) {
   size_t parameters = 0;
   for (const LinearParameters& p : network.parameters) parameters += p.weights.size() + p.bias.size();
+  return parameters;
+}
+
+Json checkpoint_json(const std::string& path, const Checkpoint& checkpoint) {
+  const FloatNetwork& network = checkpoint.network;
+  Json json = {{"file", path},
+               {"kind", "checkpoint"},
+               {"architecture", network.architecture},
+               {"parameters", parameter_count(network)},
+               {"candidates", network.candidate_count},
+               {"grid", network.grid_size},
+               {"feature_set", feature_set_text(network.feature_set)},
+               {"steps", checkpoint.state.step},
+               {"seconds", checkpoint.state.seconds}};
+  if (checkpoint.state.best_score < 1e9) json["best_score"] = checkpoint.state.best_score;
+  json["layers"] = Json::array();
+  for (const Layer& layer : network.layers)
+    json["layers"].push_back(
+        {{"kind", layer_name(layer.kind)}, {"in", layer.in.channels}, {"out", layer.out.channels}});
+  json["config"] = Json::parse(checkpoint.state.config_json, nullptr, false);
+  return json;
+}
+
+void inspect_checkpoint(const Settings& s) {
+  const std::string& path = s.path;
+  const Checkpoint checkpoint = read_checkpoint(path);
+  if (s.json) return print_json(checkpoint_json(path, checkpoint));
+  const FloatNetwork& network = checkpoint.network;
   std::printf("%s: checkpoint, float network\n", path.c_str());
   std::printf("architecture  %s\nparameters    %zu\ncandidates    %u\ngrid          %u cells\nfeature set   %s\n",
-              network.architecture.c_str(), parameters, network.candidate_count, network.grid_size,
+              network.architecture.c_str(), parameter_count(network), network.candidate_count, network.grid_size,
               feature_set_text(network.feature_set).c_str());
   std::printf("trained       %llu steps, %.0f s", static_cast<unsigned long long>(checkpoint.state.step),
               checkpoint.state.seconds);
@@ -77,10 +114,23 @@ void inspect_checkpoint(const std::string& path) {
   std::printf("config        %s\n", checkpoint.state.config_json.c_str());
 }
 
-void inspect_model(const std::string& path) {
-  const std::unique_ptr<LoadedModel> loaded = load_model(path);
+void inspect_model(const Settings& s) {
+  const std::unique_ptr<LoadedModel> loaded = load_model(s.path);
   const sinew_model& model = loaded->model;
-  std::printf("%s: int16 model, all checks passed\n", path.empty() ? "bundled model" : path.c_str());
+  if (s.json) {
+    return print_json({{"file", s.path},
+                       {"kind", "model"},
+                       {"format", model.format_version},
+                       {"bytes", model.size_bytes},
+                       {"parameters", model.parameter_count},
+                       {"layers", model.layer_count},
+                       {"candidates", model.candidate_count},
+                       {"grid", model.grid_size},
+                       {"feature_set", feature_set_text(model.feature_set)},
+                       {"confidence_entries", model.confidence_count},
+                       {"checksum", print("%08x", model.checksum)}});
+  }
+  std::printf("%s: int16 model, all checks passed\n", s.path == "bundled" ? "bundled model" : s.path.c_str());
   std::printf(
       "format        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    %u\ngrid          %u "
       "cells\nfeature set   %s\nchecksum      %08x\n",
@@ -88,102 +138,79 @@ void inspect_model(const std::string& path) {
       model.grid_size, feature_set_text(model.feature_set).c_str(), model.checksum);
 }
 
-void print_joints(const Character& character) {
-  std::vector<std::vector<size_t>> children(character.joints.size());
-  std::vector<double> share(character.joints.size(), 0.0);
-  std::vector<std::pair<size_t, int>> stack;
-  for (size_t j = character.joints.size(); j-- > 0;) {
-    const int parent = character.joints[j].parent;
-    if (parent < 0) {
-      stack.emplace_back(j, 0);
-    } else {
-      children[static_cast<size_t>(parent)].push_back(j);
-    }
-  }
-  for (const auto& row : character.influences) {
-    for (const Influence& i : row) share[i.joint] += static_cast<double>(i.weight);
-  }
-  while (!stack.empty()) {
-    const auto [j, depth] = stack.back();
-    stack.pop_back();
-    const Joint& joint = character.joints[j];
-    std::printf("  %*s%s  (%.4g, %.4g, %.4g)", 2 * std::min(depth, 30), "", joint.name.c_str(),
-                static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
-                static_cast<double>(joint.position.z));
-    if (!character.influences.empty()) std::printf("  %.1f vertices", share[j]);
-    std::printf("\n");
-    for (size_t child : children[j]) stack.emplace_back(child, depth + 1);
-  }
+bool is_gltf(const std::string& path) {
+  return has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm");
 }
 
-void inspect_character(const std::string& path) {
-  // A mesh alone is fine here; a rig beside an OBJ belongs to it.
-  Character character;
+// A mesh alone is fine here; a rig beside an OBJ belongs to it.
+Character read_what_is_there(const std::string& path) {
   const bool is_rig = has_extension(path, ".rig.txt");
   std::error_code ignored;
   const bool has_rig = has_extension(path, ".obj") && std::filesystem::exists(rig_path_beside(path), ignored);
   if (is_rig && !std::filesystem::exists(path.substr(0, path.size() - 8) + ".obj", ignored)) {
+    Character character;
     read_skeleton(path, false, &character);
     character.name = stem_of(path);
-  } else {
-    character = is_rig || has_rig ? read_character(path) : read_mesh(path);
+    return character;
   }
-  std::printf("%s: %s\n", path.c_str(),
-              character.vertices.empty()     ? "skeleton"
-              : character.joints.empty()     ? "mesh"
-              : character.influences.empty() ? "mesh and skeleton"
-                                             : "character");
-  if (!character.vertices.empty()) {
-    const auto [low, high] = box_of(character.vertices);
-    const CheckReport report = check_character(character);
-    std::map<size_t, size_t> corners;
-    for (size_t f = 0; f < character.face_count(); ++f)
-      ++corners[character.face_offsets[f + 1] - character.face_offsets[f]];
-    std::printf("vertices      %zu\nfaces         %zu (", character.vertices.size(), character.face_count());
-    const char* comma = "";
-    for (const auto& [count, faces] : corners) {
-      std::printf("%s%zu with %zu corners", comma, faces, count);
-      comma = ", ";
-    }
-    std::printf(")\nbox           (%.4g, %.4g, %.4g) .. (%.4g, %.4g, %.4g)\n", static_cast<double>(low.x),
-                static_cast<double>(low.y), static_cast<double>(low.z), static_cast<double>(high.x),
-                static_cast<double>(high.y), static_cast<double>(high.z));
-    std::printf("parts         %zu\nboundary      %zu edges\nnon-manifold  %zu edges\n", report.parts,
-                report.boundary_edges, report.non_manifold_edges);
-    if (!character.material_names.empty()) std::printf("materials     %zu\n", character.material_names.size());
-    if (!character.influences.empty())
-      std::printf("influences    at most %zu per vertex, %zu vertices unbound\n", report.max_influences,
-                  report.unbound_vertices);
-  }
-  if (!character.joints.empty()) {
-    std::printf("joints        %zu\n", character.joints.size());
-    print_joints(character);
-  }
+  return is_rig || has_rig ? read_character(path) : read_mesh(path);
 }
 
-void run(const std::string& path) {
-  if (path == "bundled") return inspect_model("");
-  if (has_extension(path, ".obj") || has_extension(path, ".txt") || has_extension(path, ".glb") ||
-      has_extension(path, ".gltf") || has_extension(path, ".vrm") || path == "-") {
-    return inspect_character(path);
+void inspect_gltf(const Settings& s) {
+  const GltfSummary summary = summarise_gltf(s.path);
+  const bool has_mesh = std::any_of(summary.meshes.begin(), summary.meshes.end(),
+                                    [](const GltfMeshSummary& mesh) { return mesh.in_scene && mesh.vertices > 0; });
+  Character character;
+  if (has_mesh) character = read_mesh(s.path);
+  const std::string kind = has_mesh ? character_kind(character) : "glTF without a mesh";
+  if (s.json) {
+    Json json = {{"file", s.path}, {"kind", kind}};
+    if (has_mesh) json.update(character_json(character));
+    json["gltf"] = gltf_json(summary);
+    return print_json(json);
   }
-  if (has_extension(path, ".sinew")) return inspect_model(path);
-  read_file(path);  // a missing file is told as such, not as an unknown kind
-  if (is_checkpoint(path)) return inspect_checkpoint(path);
-  throw Error(path + ": neither a mesh (.obj, .gltf, .glb, .vrm), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
+  std::printf("%s: %s\n", s.path.c_str(), kind.c_str());
+  print_gltf(summary);
+  if (has_mesh) print_character(character);
+}
+
+void inspect_character(const Settings& s) {
+  const Character character = read_what_is_there(s.path);
+  const std::string kind = character_kind(character);
+  if (s.json) {
+    Json json = {{"file", s.path}, {"kind", kind}};
+    json.update(character_json(character));
+    return print_json(json);
+  }
+  std::printf("%s: %s\n", s.path.c_str(), kind.c_str());
+  print_character(character);
+}
+
+void run(const Settings& s) {
+  if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
+  if (is_gltf(s.path)) return inspect_gltf(s);
+  if (has_extension(s.path, ".obj") || has_extension(s.path, ".txt") || s.path == "-") return inspect_character(s);
+  read_file(s.path);  // a missing file is told as such, not as an unknown kind
+  if (is_checkpoint(s.path)) return inspect_checkpoint(s);
+  throw Error(s.path +
+              ": neither a mesh (.obj, .gltf, .glb, .vrm), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
 }
 
 }  // namespace
 
 void add_inspect(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, checkpoint or model");
-  auto path = std::make_shared<std::string>();
-  sub->add_option("file", *path,
+  auto s = std::make_shared<Settings>();
+  sub->add_option("file", s->path,
                   "A mesh, rig, character, checkpoint or model; bundled = the model built into the program")
       ->required()
       ->type_name("FILE");
-  sub->footer("Example:\n  sinew inspect hero.glb");
-  sub->callback([path] { run(*path); });
+  sub->add_flag("--json", s->json, "Print JSON");
+  sub->footer(
+      "Example:\n  sinew inspect hero.glb\n"
+      "Of a glTF also: meshes and their skins, materials, images, animations, morph targets, extensions, and whether\n"
+      "the inverse bind matrices agree with where the nodes stand now.");
+  sub->callback([s] { run(*s); });
 }
 
 }  // namespace sinew::cli

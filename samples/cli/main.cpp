@@ -17,13 +17,8 @@
 namespace {
 
 int fail(const std::string& text, int status) {
-  std::string line = text;
-  for (char& c : line) {  // one line, and no byte of a broken file that a terminal would obey
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 32 || byte == 127) c = c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
-  }
   std::fflush(stdout);
-  std::fprintf(stderr, "sinew: error: %s\n", line.c_str());
+  std::fprintf(stderr, "sinew: error: %s\n", sinew::cli::printable(text).c_str());
   return status;
 }
 

@@ -6,13 +6,19 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "commands.hpp"
 #include "eval_studies.hpp"
+#include "progress.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "sinew_trainer/calibrate.hpp"
+#include "sinew_trainer/engine_logits.hpp"
+#include "sinew_trainer/network.hpp"
+#include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -25,23 +31,81 @@ struct Settings {
   bool quiet = false;
 };
 
-void add_confidence(const Settings& s, std::vector<uint8_t>* bytes) {
+// Returns what was done, a line.
+std::string add_confidence(const Settings& s, std::vector<uint8_t>* bytes) {
   const std::unique_ptr<LoadedModel> plain = model_from_bytes(*bytes, "the quantised network");
   const std::vector<JudgedConfidence> judged =
       judge_folder({s.confidence, &plain->model, 4, std::max(1u, std::thread::hardware_concurrency())});
   std::vector<ConfidenceEntry> entries;
   for (const auto& [share, hits] : fit_confidence(judged)) entries.push_back({share, hits});
   *bytes = with_confidence(*bytes, entries);
-  if (!s.quiet) std::printf("confidence fitted on %zu characters: %zu entries\n", judged.size(), entries.size());
+  return print("confidence fitted on %zu characters: %zu entries\n", judged.size(), entries.size());
+}
+
+std::vector<Sample> load_calibration(const Settings& s, const FloatNetwork& network) {
+  std::optional<Progress> progress;
+  return calibration_samples(s.folder, s.characters, network.candidate_count, network.grid_size, network.feature_set,
+                             [&](size_t, size_t total) {
+                               if (!progress) progress.emplace(total, "characters to calibrate on");
+                               progress->step();
+                             });
+}
+
+// What integers change beside the float network.
+struct Loss {
+  size_t characters = 0;
+  WeightDifference all;
+  double worst_flips = 0;  // share of a character's vertices whose strongest joint differs
+  std::string worst;
+};
+
+Loss measure_loss(const FloatNetwork& network, const sinew_model& model, const std::vector<Sample>& samples) {
+  constexpr size_t kMost = 16;  // characters; more say the same
+  constexpr uint32_t kInfluences = 4;
+  Loss loss;
+  loss.characters = std::min(kMost, samples.size());
+  Progress progress(loss.characters, "characters compared");
+  for (size_t i = 0; i < loss.characters; ++i) {
+    const Sample& sample = samples[i * samples.size() / loss.characters];
+    const auto exact = sample_influences(sample, softmax(sample, forward(network, sample)), kInfluences);
+    const auto integers = sample_influences(sample, softmax(sample, engine_logits(model, sample)), kInfluences);
+    WeightDifference one;
+    one.add(exact, integers);
+    loss.all.add(exact, integers);
+    if (i == 0 || one.flip_share() > loss.worst_flips) {
+      loss.worst_flips = one.flip_share();
+      loss.worst = sample.name;
+    }
+    progress.step();
+  }
+  return loss;
+}
+
+void say(const Settings& s, const QuantizedModel& model, size_t calibrated, const Loss& loss,
+         const std::string& confidence) {
+  std::printf(
+      "%s: %zu bytes; beside the float network %.2f %% of the vertices go to another joint (at most %.2f %%, %s), "
+      "%.2f %% of the weights differ by more than 1/255\n",
+      s.output.c_str(), model.bytes.size(), 100 * loss.all.flip_share(), 100 * loss.worst_flips, loss.worst.c_str(),
+      100 * (1 - loss.all.close_share()));
+  std::printf("calibrated on %zu characters, compared on %zu\n%s\n", calibrated, loss.characters, confidence.c_str());
+  std::printf("%-4s %-24s %16s %6s  %s\n", "", "layer", "|accumulator| <=", "class", "shifts");
+  for (size_t l = 0; l < model.layers.size(); ++l) {
+    const QuantizeLayerReport& layer = model.layers[l];
+    std::printf("%-4zu %-24s %16lld %6s  %d..%d\n", l, layer.what.c_str(), static_cast<long long>(layer.bound),
+                layer.wide ? "W" : "N", layer.min_shift, layer.max_shift);
+  }
+  std::printf("\nnext: sinew eval %s --model %s\n", s.confidence.empty() ? s.folder.c_str() : s.confidence.c_str(),
+              s.output.c_str());
 }
 
 void run(const Settings& s) {
   check_output(s.output, {".sinew"});
   const Checkpoint checkpoint = read_checkpoint(s.checkpoint);
-  const std::vector<Sample> samples = calibration_samples(s.folder, s.characters, checkpoint.network.candidate_count,
-                                                          checkpoint.network.grid_size, checkpoint.network.feature_set);
+  const std::vector<Sample> samples = load_calibration(s, checkpoint.network);
   QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
-  if (!s.confidence.empty()) add_confidence(s, &model.bytes);
+  std::string confidence;
+  if (!s.confidence.empty()) confidence = add_confidence(s, &model.bytes);
   write_file(s.output, model.bytes);
   if (!s.release.empty()) {
     Checkpoint weights;
@@ -49,14 +113,8 @@ void run(const Settings& s) {
     write_checkpoint(s.release, weights);
   }
   if (s.quiet) return;
-  std::printf("%-4s %-24s %16s %6s  %s\n", "", "layer", "|accumulator| <=", "class", "shifts");
-  for (size_t l = 0; l < model.layers.size(); ++l) {
-    const QuantizeLayerReport& layer = model.layers[l];
-    std::printf("%-4zu %-24s %16lld %6s  %d..%d\n", l, layer.what.c_str(), static_cast<long long>(layer.bound),
-                layer.wide ? "W" : "N", layer.min_shift, layer.max_shift);
-  }
-  std::printf("calibrated on %zu characters, wrote %s, %zu bytes\n", samples.size(), s.output.c_str(),
-              model.bytes.size());
+  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output);
+  say(s, model, samples.size(), measure_loss(checkpoint.network, loaded->model, samples), confidence);
 }
 
 }  // namespace

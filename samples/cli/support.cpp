@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "bundled_model.hpp"
@@ -98,8 +99,16 @@ std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes,
 
 bool has_bundled_model() { return kBundledModelSize > 0; }
 
+namespace {
+
+bool is_bundled(const std::string& path) { return path.empty() || path == "bundled"; }
+
+}  // namespace
+
+std::string model_label(const std::string& path) { return is_bundled(path) ? "bundled model" : file_name(path); }
+
 std::unique_ptr<LoadedModel> load_model(const std::string& path) {
-  if (!path.empty()) return model_from_bytes(read_file(path), path);
+  if (!is_bundled(path)) return model_from_bytes(read_file(path), path);
   if (!has_bundled_model()) throw Error("no bundled model: give --model or --method heat");
   auto loaded = std::make_unique<LoadedModel>();
   const sinew_status status = sinew_model_open(kBundledModel, kBundledModelSize, &loaded->model);
@@ -171,6 +180,35 @@ std::atomic<bool> stop_requested = false;
 const std::atomic<bool>& stop_on_signals() {
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { stop_requested = true; });
   return stop_requested;
+}
+
+std::vector<FoundCharacter> characters_in(const std::string& folder) {
+  const std::vector<std::string> paths = list_characters(folder);
+  if (paths.empty())
+    throw Error(folder + ": no characters in it nor below it; expected NAME.obj with NAME.rig.txt, or .glb files");
+  const std::vector<std::string> names = character_names(folder, paths);
+  std::vector<FoundCharacter> found;
+  for (size_t i = 0; i < paths.size(); ++i)
+    found.push_back({paths[i], names[i], fs::path(paths[i]).lexically_relative(folder).parent_path().string()});
+  return found;
+}
+
+Character read_found(const FoundCharacter& found) {
+  Character character = read_character(found.path);
+  character.name = found.name;
+  return character;
+}
+
+std::string json_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string printable(std::string text) {
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 32 || byte == 127) c = c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
+  }
+  return text;
 }
 
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }

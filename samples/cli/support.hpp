@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,9 @@ struct LoadedModel {
   sinew::Workspace packed;        // its weights for the processor's kernels
   sinew_model model{};
 };
-// `path` empty: the model built into the program. Throws Error.
+// `path` empty or "bundled": the model built into the program. Throws Error.
 std::unique_ptr<LoadedModel> load_model(const std::string& path);
+std::string model_label(const std::string& path);  // "bundled model" or the file's name
 std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what);
 bool has_bundled_model();
 
@@ -48,11 +50,24 @@ bool has_bundled_model();
 std::vector<size_t> read_joint_list(const std::string& path, const Character& character);
 std::vector<size_t> read_vertex_list(const std::string& path, const Character& character);
 
+// A character of a folder, under a name that tells it apart from the others there.
+struct FoundCharacter {
+  std::string path, name;
+  std::string below;  // folders from the one that was searched to its file; empty: none
+};
+// All of a folder and of the folders below it. Throws Error when there are none.
+std::vector<FoundCharacter> characters_in(const std::string& folder);
+Character read_found(const FoundCharacter& found);
+
 // Set by Ctrl-C and by what mpirun and job schedulers send, from this call on: the run ends after its step, with
 // everything on disk that --resume needs.
 const std::atomic<bool>& stop_on_signals();
 
 std::string file_name(const std::string& path);  // without its folders
+// Without line breaks: commands that tell of many things print JSON Lines.
+std::string json_line(const nlohmann::ordered_json& json);
+// One line, without a byte of a broken file that a terminal would obey.
+std::string printable(std::string text);
 
 }  // namespace sinew::cli
 #endif

@@ -5,13 +5,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
 #include <utility>
 
 #include "commands.hpp"
+#include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
 #include "sinew_trainer/ranks.hpp"
 #include "support.hpp"
 
@@ -46,6 +49,17 @@ void fill_cache(const Settings& s, const TrainConfig& config, const TrainOptions
   }
 }
 
+void say_next(const TrainOptions& options) {
+  const TrainingState state = read_checkpoint(options.output).state;
+  std::string line = print("wrote %s: %llu steps in %.0f s", options.output.c_str(),
+                           static_cast<unsigned long long>(state.step), state.seconds);
+  if (state.best_score < 1e9) line += print(", best score %.4f on val", state.best_score);
+  std::printf("%s; log %s.csv\n", line.c_str(), options.output.c_str());
+  const std::string model = std::filesystem::path(options.output).replace_extension(".sinew").string();
+  std::printf("next: sinew quantize %s --calibrate %s -o %s\n", options.output.c_str(), options.data_dir.c_str(),
+              model.c_str());
+}
+
 // Under mpirun every rank comes here with the same command line.
 void run_ranks(const Settings& s, Ranks* ranks) {
   TrainConfig config;
@@ -63,8 +77,12 @@ void run_ranks(const Settings& s, Ranks* ranks) {
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train(config, options);
-  if (*options.stop && ranks->rank() == 0)
+  if (ranks->rank() > 0) return;
+  if (*options.stop) {
     std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", options.output.c_str());
+  } else if (!options.quiet) {
+    say_next(options);
+  }
 }
 
 void run(const Settings& s) {
@@ -86,7 +104,7 @@ void add_train(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("train", "Train a float network on rigged characters");
   auto s = std::make_shared<Settings>();
   s->options.threads = std::max(1u, std::thread::hardware_concurrency());
-  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files")
+  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
       ->type_name("DIR");
   sub->add_option("-o,--output", s->options.output,
                   "Checkpoint to write (.sinewckpt or .ckpt); the log goes beside it as .csv")
@@ -112,7 +130,7 @@ void add_train(CLI::App& app) {
                       ->check(CLI::Range(1, 256))
                       ->capture_default_str()
                       ->type_name("N");
-  sub->add_flag("--quiet", s->options.quiet, "No progress bar");
+  sub->add_flag("--quiet", s->options.quiet, "No progress bar and no last words");
   sub->footer(
       "Example:\n  sinew train characters/train --val characters/val -o run.sinewckpt --minutes 60\n"
       "then\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"

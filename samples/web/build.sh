@@ -15,13 +15,17 @@ mkdir -p "$out" "$out.build"
 out=$(cd "$out" && pwd) build=$(cd "$out.build" && pwd)
 . "$root/tests/wasm/emscripten.sh"
 
+step() { echo "web: $*" >&2; }
+
 for kind in simd scalar; do
+  step "engine to WebAssembly, $kind"
   simd=$([ $kind = simd ] && echo ON || echo OFF)
   emcmake cmake -S "$here/wasm" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -DSINEW_WEB_SIMD="$simd" >"$build/$kind.log" 2>&1 &&
     cmake --build "$build/$kind" -j "$(nproc)" >>"$build/$kind.log" 2>&1 || { cat "$build/$kind.log" >&2; exit 1; }
   cp "$build/$kind/sinew_web.wasm" "$out/sinew-$kind.wasm"
 done
 
+step "scripts and pages"
 [ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 node_modules/.bin/esbuild src/main.js src/worker.js --bundle --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 if(TARGET sinew_cli)
-  sinew_test(cli_test SOURCES integration/cli_test.cpp LIBS sinew::formats LABELS integration)
+  find_package(nlohmann_json REQUIRED)
+  sinew_test(cli_test SOURCES integration/cli_test.cpp integration/cli_folders_test.cpp integration/cli_tells_test.cpp
+    LIBS sinew::formats nlohmann_json::nlohmann_json LABELS integration)
   add_dependencies(cli_test sinew_cli)
 endif()
 if(TARGET sinew_hello_c)

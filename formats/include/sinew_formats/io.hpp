@@ -23,10 +23,15 @@ Character read_gltf(const std::string& path);
 void read_skeleton(const std::string& path, bool with_skin, Character* character);
 // Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
 Character read_character(const std::string& path);
-// All NAME.obj + NAME.rig.txt pairs and .glb/.vrm/.gltf files of a folder, sorted by name; not recursive. Paths of mesh
-// files.
+// All NAME.obj + NAME.rig.txt pairs and .glb/.vrm/.gltf files of a folder and of the folders below it, sorted by name.
+// Paths of mesh files. Hidden files and folders (.NAME) are left out; links to folders are followed, each folder once.
 std::vector<std::string> list_characters(const std::string& folder);
-// FAMILY of FAMILY__NAME, "all" without "__".
+// All mesh files, with or without a skeleton, sorted by path; otherwise the same.
+std::vector<std::string> list_meshes(const std::string& folder);
+// A name for each of the `paths` that were found below `folder`: NAME, or FOLDERS/NAME where several have that name, or
+// FOLDERS/NAME.EXTENSION where that is not enough.
+std::vector<std::string> character_names(const std::string& folder, const std::vector<std::string>& paths);
+// FAMILY of FAMILY__NAME (folders before it do not count), "all" without "__".
 std::string family_of(const std::string& character_name);
 
 void write_obj(const std::string& path, const Character& character);

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "files/folders.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -129,30 +130,27 @@ void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
 void write_text_file(const std::string& path, const std::string& text) { write_bytes(path, text.data(), text.size()); }
 
 std::vector<std::string> list_characters(const std::string& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error)) throw Error(folder + ": expected a folder of characters, found no such folder");
   std::vector<std::pair<std::string, std::string>> found;  // name, path
-  const auto is_file = [](const std::string& path) {
+  for (const std::string& path : files_below(folder)) {
     std::error_code absent;  // no failure of the folder's
-    return fs::is_regular_file(path, absent);
-  };
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    const std::string path = entry->path().string();
-    if (!is_file(path)) continue;
-    const bool pair = has_extension(path, ".obj") && is_file(rig_path_beside(path));
+    const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), absent);
     if (pair || has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm"))
       found.emplace_back(stem_of(path), path);
   }
-  if (error) throw Error(folder + ": cannot read the folder: " + error.message());
   std::sort(found.begin(), found.end());
   std::vector<std::string> paths;
   for (auto& [name, path] : found) paths.push_back(std::move(path));
   return paths;
 }
 
-std::string family_of(const std::string& character_name) {
-  const size_t at = character_name.find("__");
-  return at == std::string::npos || at == 0 ? "all" : character_name.substr(0, at);
+std::vector<std::string> list_meshes(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const std::string& path : files_below(folder)) {
+    if (has_extension(path, ".obj") || has_extension(path, ".glb") || has_extension(path, ".gltf") ||
+        has_extension(path, ".vrm"))
+      paths.push_back(path);
+  }
+  return paths;
 }
 
 std::string rig_path_beside(const std::string& mesh_path) {

@@ -3,6 +3,7 @@
 #ifndef SINEW_TRAINER_CALIBRATE_HPP
 #define SINEW_TRAINER_CALIBRATE_HPP
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,10 @@ Calibration calibrate(const FloatNetwork& network, const std::vector<const Netwo
 Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& samples);
 
 // Samples of at most `limit` characters spread evenly over a folder's sorted list (0 = all). Characters that the engine
-// refuses are left out; throws Error when none is left.
+// refuses are left out; throws Error when none is left. `progress`, if there is one, hears how many of how many are done.
 std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid,
-                                        uint32_t feature_set);
+                                        uint32_t feature_set,
+                                        const std::function<void(size_t done, size_t total)>& progress = {});
 
 }  // namespace sinew
 #endif

@@ -2,6 +2,8 @@
 // Loads training samples through a cache of one file per sample, filled by several threads.
 #include "data/sample_cache.hpp"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/string.hpp>
@@ -169,6 +171,39 @@ Sample make_cached(Ingredients&& from, const SampleRequest& request, const Sampl
   return sample;
 }
 
+// Counts on stderr: on a terminal a line that is written over, else every 25th sample.
+class FeatureProgress {
+ public:
+  FeatureProgress(const SampleSource& source, size_t total, const char* by)
+      : quiet_(source.quiet), silent_(source.silent), terminal_(isatty(STDERR_FILENO) != 0), total_(total), by_(by) {}
+
+  void made() {
+    const std::lock_guard<std::mutex> lock(lock_);
+    ++made_;
+  }
+  void left_out(const char* why) {
+    const std::lock_guard<std::mutex> lock(lock_);
+    if (!silent_) std::fprintf(stderr, "%sleft out: %s\n", terminal_ && done_ > 0 && !quiet_ ? "\n" : "", why);
+  }
+  void step() {
+    const std::lock_guard<std::mutex> lock(lock_);
+    ++done_;
+    const bool last = done_ == total_;
+    if (quiet_ || !(terminal_ || last || done_ % 25 == 0)) return;
+    std::fprintf(stderr, "%sfeatures: %zu of %zu samples, %zu made %s%s", terminal_ ? "\r" : "", done_, total_, made_,
+                 by_, last || !terminal_ ? "\n" : "");
+    std::fflush(stderr);
+  }
+  size_t made_count() const { return made_; }  // when all threads are done
+
+ private:
+  const bool quiet_, silent_, terminal_;
+  const size_t total_;
+  const char* const by_;
+  std::mutex lock_;
+  size_t done_ = 0, made_ = 0;
+};
+
 void make_cache_folder(const SampleSource& source) {
   std::error_code failure;
   std::filesystem::create_directories(source.cache_dir, failure);
@@ -188,8 +223,8 @@ size_t fill_cache(const std::vector<SampleRequest>& requests, const SampleSource
   for (size_t i = requests.size(); i-- > 0;) {
     if (i % parts != part) order.push_back(i);
   }
-  std::atomic<size_t> done{0}, made{0}, failed{0};
-  std::mutex print;
+  std::atomic<size_t> failed{0};
+  FeatureProgress progress(source, requests.size(), "by this process");
   parallel_for(order.size(), source.threads, [&](size_t item, unsigned) {
     const SampleRequest& request = requests[order[item]];
     try {
@@ -197,32 +232,25 @@ size_t fill_cache(const std::vector<SampleRequest>& requests, const SampleSource
       const std::string path = cache_path(from, request, source);
       if (read_sound(path).empty()) {
         make_cached(std::move(from), request, source, path);
-        ++made;
+        progress.made();
       }
     } catch (const Error& error) {
       ++failed;
-      const std::lock_guard<std::mutex> lock(print);
-      if (!source.silent) std::fprintf(stderr, "left out: %s\n", error.what());
+      progress.left_out(error.what());
     }
-    const size_t count = ++done;
-    if (!source.quiet && (count % 25 == 0 || count == requests.size())) {
-      const std::lock_guard<std::mutex> lock(print);
-      std::fprintf(stderr, "features: %zu of %zu samples, %zu made by this process\n", count, requests.size(),
-                   made.load());
-    }
+    progress.step();
   });
   if (failed == requests.size() && !requests.empty()) {
     throw Error(requests[0].mesh_path + ": neither this nor any other of the " + std::to_string(requests.size()) +
                 " characters could be used; see the lines above");
   }
-  return made;
+  return progress.made_count();
 }
 
 std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, const SampleSource& source) {
   make_cache_folder(source);
   std::vector<std::optional<Sample>> loaded(requests.size());
-  std::atomic<size_t> done{0}, made{0};
-  std::mutex print;
+  FeatureProgress progress(source, requests.size(), "anew");
   parallel_for(requests.size(), source.threads, [&](size_t item, unsigned) {
     const SampleRequest& request = requests[item];
     try {
@@ -231,17 +259,13 @@ std::vector<Sample> load_requests(const std::vector<SampleRequest>& requests, co
       loaded[item] = read_cached(path);
       if (!loaded[item]) {
         loaded[item] = make_cached(std::move(from), request, source, path);
-        ++made;
+        progress.made();
       }
     } catch (const Error& error) {
-      const std::lock_guard<std::mutex> lock(print);
-      if (!source.silent) std::fprintf(stderr, "left out: %s\n", error.what());
+      progress.left_out(error.what());
     }
-    const size_t count = ++done;
-    if (!source.quiet && (count % 25 == 0 || count == requests.size())) {
-      const std::lock_guard<std::mutex> lock(print);
-      std::fprintf(stderr, "features: %zu of %zu samples, %zu made anew\n", count, requests.size(), made.load());
-    }
+    if (loaded[item] && !request.name.empty()) loaded[item]->name = request.name;
+    progress.step();
   });
   std::vector<Sample> samples;
   for (std::optional<Sample>& sample : loaded) {

@@ -13,6 +13,7 @@ namespace sinew {
 
 struct SampleRequest {
   std::string mesh_path;             // as list_characters() gives it; empty: a synthetic character
+  std::string name;                  // of the sample; empty: the character's own
   uint32_t variant = 0;              // 0 = the character itself, n = its n-th augmented variant
   BodyPlan plan = BodyPlan::kBiped;  // of a synthetic character
   uint64_t synthetic_seed = 0;

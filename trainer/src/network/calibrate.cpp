@@ -39,7 +39,8 @@ Calibration calibrate(const FloatNetwork& network, const std::vector<Sample>& sa
 }
 
 std::vector<Sample> calibration_samples(const std::string& folder, size_t limit, uint32_t candidates, uint32_t grid,
-                                        uint32_t feature_set) {
+                                        uint32_t feature_set,
+                                        const std::function<void(size_t done, size_t total)>& progress) {
   const std::vector<std::string> paths = list_characters(folder);
   const size_t count = limit == 0 ? paths.size() : std::min(limit, paths.size());
   std::vector<Sample> samples;
@@ -50,6 +51,7 @@ std::vector<Sample> calibration_samples(const std::string& folder, size_t limit,
     } catch (const Error& error) {
       last_failure = error.what();
     }
+    if (progress) progress(i + 1, count);
   }
   if (samples.empty()) {
     throw Error(folder + ": no character to calibrate on" + (last_failure.empty() ? "" : " (" + last_failure + ")"));

@@ -13,7 +13,6 @@
 #include <set>
 
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/parallel.hpp"
 
@@ -43,7 +42,8 @@ std::string path_in(const CrossvalOptions& options, const std::string& name) {
 
 std::map<std::string, std::string> paths_by_name(const std::string& folder) {
   std::map<std::string, std::string> paths;
-  for (const std::string& path : list_characters(folder)) paths[stem_of(path)] = path;
+  const std::vector<std::string> found = list_characters(folder), names = character_names(folder, found);
+  for (size_t i = 0; i < found.size(); ++i) paths[names[i]] = found[i];
   return paths;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -38,18 +39,32 @@ SampleSource sample_source(const TrainConfig& config, const TrainOptions& option
 
 namespace {
 
+// The characters of a folder themselves, without variants.
+std::vector<SampleRequest> character_requests(const std::string& folder) {
+  const std::vector<std::string> paths = list_characters(folder), names = character_names(folder, paths);
+  std::vector<SampleRequest> requests(paths.size());
+  for (size_t i = 0; i < paths.size(); ++i) {
+    requests[i].mesh_path = paths[i];
+    requests[i].name = names[i];
+  }
+  return requests;
+}
+
 std::vector<SampleRequest> training_requests(const TrainConfig& config, const std::string& folder) {
-  const std::vector<std::string> paths = list_characters(folder);
-  if (paths.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
+  const std::vector<SampleRequest> characters = character_requests(folder);
+  if (characters.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
   // Variants are optional extras: one that fails (say, because decimation leaves nothing) is only left out.
   std::vector<SampleRequest> requests;
   for (uint32_t variant = 0; variant <= (config.variant_share > 0 ? config.variants : 0); ++variant) {
-    for (const std::string& path : paths) requests.push_back({path, variant});
+    for (SampleRequest request : characters) {
+      request.variant = variant;
+      requests.push_back(std::move(request));
+    }
   }
   for (const BodyPlan plan :
        {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged}) {
     // Far from the small seeds that people look at and test with.
-    for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", 0, plan, 1000 + i});
+    for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", "", 0, plan, 1000 + i});
   }
   return requests;
 }
@@ -66,9 +81,7 @@ SampleSource training_source(const TrainConfig& config, const TrainOptions& opti
 size_t fill_feature_cache(const TrainConfig& config, const TrainOptions& options, uint32_t part, uint32_t parts) {
   size_t made = fill_cache(training_requests(config, options.data_dir), training_source(config, options), part, parts);
   if (options.val_dir.empty()) return made;
-  std::vector<SampleRequest> requests;
-  for (const std::string& path : list_characters(options.val_dir)) requests.push_back({path, 0});
-  return made + fill_cache(requests, sample_source(config, options), part, parts);
+  return made + fill_cache(character_requests(options.val_dir), sample_source(config, options), part, parts);
 }
 
 TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& options) {
@@ -92,8 +105,7 @@ TrainingSet load_training_set(const TrainConfig& config, const TrainOptions& opt
 
 std::vector<Sample> load_samples(const std::string& folder, uint32_t candidates, uint32_t grid,
                                  const std::string& cache_dir, uint32_t threads, bool quiet, uint32_t feature_flags) {
-  std::vector<SampleRequest> requests;
-  for (const std::string& path : list_characters(folder)) requests.push_back({path, 0});
+  const std::vector<SampleRequest> requests = character_requests(folder);
   if (requests.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
   SampleSource source;
   source.candidates = candidates;

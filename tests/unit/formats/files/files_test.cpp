@@ -76,7 +76,27 @@ TEST(Folders, ListsPairsAndGltfSortedByName) {
   EXPECT_EQ(found[1], folder.file("b__2.obj"));
   EXPECT_EQ(family_of("b__2"), "b");
   EXPECT_EQ(family_of("b_2"), "all");
+  EXPECT_EQ(family_of("x__y/b__2"), "b");
   EXPECT_ERROR(list_characters(folder.file("nowhere")), "nowhere");
+}
+
+TEST(Folders, LooksBelowOnceAndPastHiddenOnes) {
+  const TempFolder folder;
+  for (const char* below : {"b/deep", ".git"}) std::filesystem::create_directories(folder.file(below));
+  for (const char* name : {"z.glb", "b/deep/a.glb", "b/deep/m.obj", ".git/hidden.glb", "b/._a.glb"})
+    folder.write(name, "x");
+  std::filesystem::create_directory_symlink("..", folder.file("b/up"));
+  std::filesystem::create_directory_symlink("b/deep", folder.file("c"));
+  using Paths = std::vector<std::string>;
+  EXPECT_EQ(list_characters(folder.path()), (Paths{folder.file("b/deep/a.glb"), folder.file("z.glb")}));
+  EXPECT_EQ(list_meshes(folder.path()),
+            (Paths{folder.file("b/deep/a.glb"), folder.file("b/deep/m.obj"), folder.file("z.glb")}));
+}
+
+TEST(Folders, NamesTellCharactersApart) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(character_names("in", {"in/a.glb", "in/x/a.glb", "in/x/b.obj", "in/y/c.glb", "in/y/c.obj"}),
+            (Names{"a", "x/a", "b", "y/c.glb", "y/c.obj"}));
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What a glTF file holds, counted and named: for people who look before they bind.
+#ifndef SINEW_FORMATS_GLTF_SUMMARY_HPP
+#define SINEW_FORMATS_GLTF_SUMMARY_HPP
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+// One mesh as one node shows it; a mesh that several nodes show is there several times.
+struct GltfMeshSummary {
+  std::string name, node;  // node empty: no node shows it
+  bool in_scene = false;   // the scene that is read
+  size_t vertices = 0;     // as the file counts them, seams apart
+  size_t primitives = 0;
+  std::vector<std::string> morph_targets;
+  int skin = -1;      // index into GltfSummary::skins
+  std::string joint;  // without a skin: the joint above its node, which carries it whole; empty: none
+};
+
+struct GltfSkinSummary {
+  std::string name;
+  size_t joints = 0, joints_with_weight = 0;
+  size_t meshes = 0;  // nodes of the scene that use it
+  // Rest against bind pose: where the inverse bind matrices and the nodes' present transforms agree, all of world x
+  // inverse bind are one matrix. The deviation of a joint is how far its vertices (its own place, when it has none)
+  // would stand apart from where the matrix of most joints puts them, in longest sides of the skin's meshes.
+  double deviation = 0;     // largest
+  std::string farthest;     // its joint
+  size_t joints_apart = 0;  // by more than kGltfPoseTolerance
+};
+constexpr double kGltfPoseTolerance = 0.001;
+
+struct GltfAnimationSummary {
+  std::string name;
+  double seconds = 0;  // last key
+  size_t channels = 0;
+};
+
+struct GltfImageSummary {
+  std::string name;  // or its file
+  size_t bytes = 0;  // 0: the file beside is missing
+};
+
+struct GltfSummary {
+  std::string generator;
+  size_t nodes = 0;
+  std::vector<GltfMeshSummary> meshes;
+  std::vector<GltfSkinSummary> skins;
+  std::vector<std::string> materials;
+  std::vector<GltfImageSummary> images;
+  std::vector<GltfAnimationSummary> animations;
+  std::vector<std::string> extensions_used, extensions_required;
+};
+
+// Reads a .gltf, .glb or .vrm. Throws Error as read_gltf does, but a file without a mesh is fine.
+GltfSummary summarise_gltf(const std::string& path);
+
+}  // namespace sinew
+#endif

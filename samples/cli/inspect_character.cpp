@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// sinew inspect: a mesh, a skeleton or a character.
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "inspect_parts.hpp"
+#include "sinew_datasets/dataset.hpp"
+#include "sinew_formats/box.hpp"
+
+namespace sinew::cli {
+namespace {
+
+// Weight of each joint, summed over the vertices.
+std::vector<double> joint_shares(const Character& character) {
+  std::vector<double> share(character.joints.size(), 0.0);
+  for (const auto& row : character.influences) {
+    for (const Influence& i : row) share[i.joint] += static_cast<double>(i.weight);
+  }
+  return share;
+}
+
+// Faces of each number of corners.
+std::map<size_t, size_t> face_sizes(const Character& character) {
+  std::map<size_t, size_t> sizes;
+  for (size_t f = 0; f < character.face_count(); ++f)
+    ++sizes[character.face_offsets[f + 1] - character.face_offsets[f]];
+  return sizes;
+}
+
+void print_joints(const Character& character) {
+  std::vector<std::vector<size_t>> children(character.joints.size());
+  const std::vector<double> share = joint_shares(character);
+  std::vector<std::pair<size_t, int>> stack;
+  for (size_t j = character.joints.size(); j-- > 0;) {
+    const int parent = character.joints[j].parent;
+    if (parent < 0) {
+      stack.emplace_back(j, 0);
+    } else {
+      children[static_cast<size_t>(parent)].push_back(j);
+    }
+  }
+  while (!stack.empty()) {
+    const auto [j, depth] = stack.back();
+    stack.pop_back();
+    const Joint& joint = character.joints[j];
+    std::printf("  %*s%s  (%.4g, %.4g, %.4g)", 2 * std::min(depth, 30), "", joint.name.c_str(),
+                static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
+                static_cast<double>(joint.position.z));
+    if (!character.influences.empty()) std::printf("  %.1f vertices", share[j]);
+    std::printf("\n");
+    for (size_t child : children[j]) stack.emplace_back(child, depth + 1);
+  }
+}
+
+nlohmann::ordered_json point(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+}  // namespace
+
+std::string character_kind(const Character& character) {
+  return character.vertices.empty()     ? "skeleton"
+         : character.joints.empty()     ? "mesh"
+         : character.influences.empty() ? "mesh and skeleton"
+                                        : "character";
+}
+
+void print_character(const Character& character) {
+  if (!character.vertices.empty()) {
+    const auto [low, high] = box_of(character.vertices);
+    const CheckReport report = check_character(character);
+    std::printf("vertices      %zu\nfaces         %zu (", character.vertices.size(), character.face_count());
+    const char* comma = "";
+    for (const auto& [count, faces] : face_sizes(character)) {
+      std::printf("%s%zu with %zu corners", comma, faces, count);
+      comma = ", ";
+    }
+    std::printf(")\nbox           (%.4g, %.4g, %.4g) .. (%.4g, %.4g, %.4g)\n", static_cast<double>(low.x),
+                static_cast<double>(low.y), static_cast<double>(low.z), static_cast<double>(high.x),
+                static_cast<double>(high.y), static_cast<double>(high.z));
+    std::printf("parts         %zu\nboundary      %zu edges\nnon-manifold  %zu edges\n", report.parts,
+                report.boundary_edges, report.non_manifold_edges);
+    const char* before = "materials     ";
+    for (const std::string& material : character.material_names) {
+      std::printf("%s%s", before, material.c_str());
+      before = ", ";
+    }
+    if (!character.material_names.empty()) std::printf("\n");
+    if (!character.influences.empty())
+      std::printf("influences    at most %zu per vertex, %zu vertices unbound\n", report.max_influences,
+                  report.unbound_vertices);
+  }
+  if (!character.joints.empty()) {
+    std::printf("joints        %zu\n", character.joints.size());
+    print_joints(character);
+  }
+}
+
+nlohmann::ordered_json character_json(const Character& character) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (!character.vertices.empty()) {
+    const auto [low, high] = box_of(character.vertices);
+    const CheckReport report = check_character(character);
+    json["vertices"] = character.vertices.size();
+    json["faces"] = character.face_count();
+    for (const auto& [corners, faces] : face_sizes(character))
+      json["faces_by_corners"][std::to_string(corners)] = faces;
+    json["box"] = {point(low), point(high)};
+    json["parts"] = report.parts;
+    json["boundary_edges"] = report.boundary_edges;
+    json["non_manifold_edges"] = report.non_manifold_edges;
+    json["materials"] = character.material_names;
+    if (!character.influences.empty()) {
+      json["max_influences"] = report.max_influences;
+      json["unbound_vertices"] = report.unbound_vertices;
+    }
+  }
+  const std::vector<double> share = joint_shares(character);
+  json["joints"] = nlohmann::ordered_json::array();
+  for (size_t j = 0; j < character.joints.size(); ++j) {
+    const Joint& joint = character.joints[j];
+    nlohmann::ordered_json one = {{"name", joint.name}, {"parent", joint.parent}, {"position", point(joint.position)}};
+    if (!character.influences.empty()) one["vertices"] = share[j];
+    json["joints"].push_back(std::move(one));
+  }
+  return json;
+}
+
+}  // namespace sinew::cli

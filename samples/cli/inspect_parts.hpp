@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the files of `sinew inspect` share: one kind of content each, as text on standard output or as JSON.
+#ifndef SINEW_CLI_INSPECT_PARTS_HPP
+#define SINEW_CLI_INSPECT_PARTS_HPP
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/gltf_summary.hpp"
+
+namespace sinew::cli {
+
+std::string character_kind(const Character& character);  // character, mesh and skeleton, mesh, skeleton
+void print_character(const Character& character);
+nlohmann::ordered_json character_json(const Character& character);
+
+void print_gltf(const GltfSummary& summary);
+nlohmann::ordered_json gltf_json(const GltfSummary& summary);
+
+}  // namespace sinew::cli
+#endif
