@@ -154,10 +154,6 @@ BindSummary summarise(const BindSettings& settings, const Binder& binder, const 
   return summary;
 }
 
-}  // namespace
-
-namespace {
-
 // "slot: handslot.l, handslot.r; root: root", the reasons in the order of their first joint.
 std::string left_out_text(const Character& character, const JointChoice& choice) {
   std::vector<std::pair<std::string, std::string>> names;
@@ -174,6 +170,8 @@ std::string left_out_text(const Character& character, const JointChoice& choice)
 void add_notes(const Character& character, const JointChoice& choice, const CharacterBind& result,
                BindSummary* summary) {
   std::vector<std::string>& notes = summary->notes;
+  for (const LeftOutJoint& left : choice.left_out)
+    summary->left_out.emplace_back(character.joints[left.joint].name, left.why);
   if (!choice.left_out.empty())
     notes.push_back(std::to_string(choice.left_out.size()) + " joints get no weight (" +
                     left_out_text(character, choice) + "); --all-joints gives it to all");

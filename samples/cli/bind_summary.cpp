@@ -99,6 +99,7 @@ nlohmann::ordered_json summary_json(const BindSummary& s) {
   json["to_look_at"] = {{"vertices", s.doubts.vertices}, {"joints", s.doubts.joints}};
   if (s.symmetric) json["symmetric_vertices"] = s.symmetric_vertices;
   if (s.replaced.vertices > 0) json["replaced"] = replaced_json(s.replaced, s.compare);
+  for (const auto& [joint, why] : s.left_out) json["left_out"].push_back({{"joint", joint}, {"why", why}});
   if (!s.notes.empty()) json["notes"] = s.notes;
   return json;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sinew_formats/character.hpp"
@@ -36,6 +37,7 @@ struct BindSummary {
   WeightsReplaced replaced;
   bool compare = false;  // joints that changed most were asked for
   Doubts doubts;
+  std::vector<std::pair<std::string, std::string>> left_out;  // joints that may get no weight, and why
   std::vector<std::string> notes;  // what the user should know about this file, a line each
 };
 

@@ -21,7 +21,7 @@
 #include "eval_studies.hpp"
 #include "model/layout.hpp"
 #include "progress.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_quant/quantize.hpp"
@@ -44,7 +44,7 @@ constexpr const char* kNearest = "nearest bone";
 using Rows = std::vector<std::vector<Influence>>;
 
 struct Settings {
-  std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints;
+  std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints, joints;
   std::vector<std::string> peers;  // NAME=DIR
   StyleOptions style;              // of what is evaluated, not of heat beside it
   unsigned influences = 4, jobs = 1;
@@ -89,7 +89,15 @@ Prediction bind_with(const Settings& s, const sinew_model* model, const Characte
   options.influence_count = s.influences;
   if (s.known) options.joint_flags = known_joints(character);
   if (model != nullptr || s.method == "heat") apply_style(s.style, &options);
-  BindResult result = bind(character, options);
+  if (s.joints.empty() || s.joints == "all") {
+    BindResult result = bind(character, options);
+    return {std::move(result.influences), result.seconds, {}, std::move(result.confidence)};
+  }
+  const JointChoice choice =
+      choose_joints(character, s.joints == "own" ? JointsFrom::kOwn : JointsFrom::kNames, options.joint_flags);
+  CharacterBindOptions whole;
+  whole.bind = options;
+  CharacterBind result = bind_character(character, choice, whole);
   return {std::move(result.influences), result.seconds, {}, std::move(result.confidence)};
 }
 
@@ -229,6 +237,7 @@ std::string command_line(const Settings& s) {
   add("--calibrate", s.calibrate);
   if (s.influences != 4) add("--influences", std::to_string(s.influences));
   if (s.known) line += " --known";
+  add("--joints", s.joints);
   line += style_text(s.style);
   for (const std::string& peer : s.peers) add("--with", peer);
   add("--report", s.report);
@@ -481,6 +490,8 @@ void check_style(const Settings& s) {
 void run(const Settings& s) {
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
+  if (!s.joints.empty() && (s.known || !s.checkpoint.empty() || s.method == "nearest"))
+    throw UsageError("--joints works with --model and --method heat only, and without --known");
   if (s.known && !s.checkpoint.empty()) throw UsageError("--known works with --model and --method only");
   if (!style_text(s.style).empty()) check_style(s);
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
@@ -533,6 +544,10 @@ void add_eval(CLI::App& app) {
       ->check(CLI::Range(1, 12))
       ->capture_default_str()
       ->type_name("N");
+  sub->add_option("--joints", s->joints,
+                  "Which joints may get weight, as in sinew bind: own (those of the reference, mesh by mesh), names, "
+                  "all [all]")
+      ->check(CLI::IsMember({"own", "names", "all"}));
   sub->add_flag("--known", s->known, "Tell the binder which joints have reference weight");
   add_style_options(sub, &s->style);
   sub->add_flag("--confidence", s->confidence,

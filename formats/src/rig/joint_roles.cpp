@@ -39,9 +39,19 @@ bool says_slot(const Words& words) {
                             "locator", "camera", "light", "marker", "interaction"});
 }
 bool says_tip(const Words& words) { return has_word(words, {"end", "nub", "tip", "null", "effector"}); }
+// Root, b_Root_00, Armature_rootJoint, MASTER: nothing else may be in the name (thigh_Armature, tail_root).
 bool says_root(const Words& words) {
-  return has_ending(words, {"root", "rootjoint", "armature", "master", "world", "global", "trajectory", "origin",
-                            "reference", "footsteps", "motion"});
+  const auto is_root = [](const std::string& word) {
+    return has_word({word}, {"root", "rootjoint", "rootnode", "master", "world", "global", "trajectory", "origin",
+                             "reference", "footsteps", "motion", "rootmotion"});
+  };
+  const auto is_filler = [](const std::string& word) {
+    return has_word({word},
+                    {"armature", "skeleton", "rig", "bone", "joint", "jnt", "jt", "node", "b", "c", "m", "mid"});
+  };
+  return std::any_of(words.begin(), words.end(), is_root) &&
+         std::all_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return is_root(word) || is_filler(word); });
 }
 bool says_finger(const Words& words) {
   return has_ending(words, {"thumb", "index", "middle", "ring", "pinky", "little"});
