@@ -197,12 +197,17 @@ void fit_skeleton(const BindSettings& settings, Character* character) {
 // What the file says before it is bound anew.
 struct WeightsBefore {
   std::vector<std::vector<Influence>> rows;
-  std::vector<uint8_t> kept;  // [V] locked; or empty
+  std::vector<uint8_t> kept;  // [V] locked, or of an attached mesh; or empty
 };
 
 WeightsBefore weights_before(const BindSettings& settings, const Character& character) {
   WeightsBefore before{character.influences, {}};
   set_locks(settings, character, &before.kept);
+  if (character.vertex_meshes.empty()) return before;
+  const std::vector<bool> kept = kept_meshes(character, settings.bind_props);
+  before.kept.resize(character.vertices.size(), 0);
+  for (size_t v = 0; v < before.kept.size(); ++v)
+    if (kept[character.vertex_meshes[v]]) before.kept[v] = 1;
   return before;
 }
 

@@ -130,6 +130,11 @@ TEST_F(CliFolders, DatasetCommandsLookBelow) {
       R"({"steps": 2, "validate_every": 2, "variants": 0, "synthetic": 0, "field": {"width": 8, "rounds": 1}})");
   const Outcome train = good("train set --config config.json -o run.ckpt");
   EXPECT_NE(train.error.find("features: 3 of 3 samples"), std::string::npos) << train.error;
+  fs::create_directories(in("set/c"));
+  fs::copy(in("set/a/snake__0001.obj"), in("set/c"));
+  put(in("set/c/snake__0001.rig.txt"), "joints a 0 0 0\nroot a\n");
+  const Outcome bare = good("train set --config config.json -o run2.ckpt");
+  EXPECT_NE(bare.error.find("left out: c/snake__0001: no vertex"), std::string::npos) << bare.error;
 }
 
 }  // namespace

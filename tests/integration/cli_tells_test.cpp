@@ -10,7 +10,7 @@
 #include <string>
 
 #include "cli_fixture.hpp"
-#include "make_glb.hpp"
+#include "glb_round.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace sinew {
@@ -97,6 +97,10 @@ TEST_F(CliTells, WhatBecameOfOldWeights) {
   const std::string table = good("bind " + kCaped + " --method heat -o new.glb --compare").out;
   EXPECT_TRUE(has(table, "\n  joint")) << table;
   EXPECT_TRUE(has(table, "vertices  mean L1\n  " + replaced["joints"][0]["joint"].get<std::string>())) << table;
+
+  // What hangs on a joint without a skin is not bound, so that nothing of it is replaced.
+  put(in("lamp.glb"), with_parts().glb());
+  EXPECT_TRUE(has(good("bind lamp.glb --method heat -o lit.glb").out, "replaced the weights of 10 vertices"));
 
   // A rig's weights are read for the comparison alone; locked vertices are not replaced.
   const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat -o snake.glb";
