@@ -91,8 +91,9 @@ void add_convert(CLI::App* parent, bool decimates) {
   sub->add_option("input", s->input, "Character: .glb, .gltf, .vrm, or NAME.obj (NAME.rig.txt beside it is read too)")
       ->required()
       ->type_name("IN");
-  sub->add_option("output,-o,--output", s->output,
-                  "Output: .glb, .rig.txt, or .obj (a .rig.txt goes beside it); - for rig.txt on standard output")
+  sub->add_option(
+         "output,-o,--output", s->output,
+         "Output: .glb, .gltf, .vrm, .rig.txt, or .obj (a .rig.txt goes beside it); - for rig.txt on standard output")
       ->required()
       ->type_name("OUT");
   sub->add_option("--skeleton", s->skeleton, "Skeleton and weights of another file")->type_name("FILE");

@@ -39,13 +39,13 @@ void check_output(const std::string& path, const std::vector<std::string>& exten
   throw UsageError("output " + path + ": unknown extension, expected " + known);
 }
 
-std::vector<std::string> character_outputs() { return {".glb", ".obj", ".rig.txt"}; }
+std::vector<std::string> character_outputs() { return {".glb", ".gltf", ".vrm", ".obj", ".rig.txt"}; }
 
 void write_character(const std::string& path, const Character& character) {
   if (path == "-" || has_extension(path, ".rig.txt")) {
     write_rig(path, character);
-  } else if (has_extension(path, ".glb")) {
-    write_glb(path, character);
+  } else if (!has_extension(path, ".obj")) {
+    write_gltf(path, character);
   } else {
     write_obj(path, character);
     if (!character.joints.empty()) write_rig(rig_path_beside(path), character);

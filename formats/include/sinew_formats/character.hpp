@@ -64,6 +64,8 @@ struct Character {
   std::vector<int> face_groups;             // [F] index into group_names or -1
   std::shared_ptr<const GltfSource> gltf;   // set by the glTF reader only
 
+  std::vector<std::string> notes;  // one-line remarks of the reader for the user: what is not as the file has it
+
   size_t face_count() const { return face_offsets.size() - 1; }
 };
 

@@ -34,40 +34,61 @@ void write_all(const std::string& path, std::FILE* file, const void* bytes, size
     throw Error(path + ": cannot write " + std::to_string(size) + " bytes: " + system_error());
 }
 
-void write_bytes(const std::string& path, const void* bytes, size_t size) {
-  if (path == "-") return write_all("standard output", stdout, bytes, size);
-  std::error_code ignored;
-  fs::path target = path;
-  if (fs::is_symlink(target, ignored)) {  // the link stays, what it points to is replaced
-    const fs::path pointed = fs::weakly_canonical(target, ignored);
-    if (!pointed.empty()) target = pointed;
-  }
-  const fs::file_status status = fs::status(target, ignored);
-  if (fs::is_directory(status)) throw Error(path + ": cannot write, it is a directory; give a file name");
-  if (fs::exists(status) && !fs::is_regular_file(status)) {  // a pipe or a device cannot be renamed over
-    const File file(std::fopen(target.c_str(), "wb"));
-    if (!file) throw Error(path + ": cannot write: " + system_error());
-    return write_all(path, file.get(), bytes, size);
-  }
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ignored))
-    throw Error(path + ": cannot write, the folder " + folder.string() + " does not exist; create it first");
+// Bytes in a temporary file beside their target, which replace() puts in its place; without that, it is removed.
+class PendingFile {
+ public:
+  PendingFile(const std::string& path, const void* bytes, size_t size) : path_(path), target_(path) {
+    std::error_code ignored;
+    if (fs::is_symlink(target_, ignored)) {  // the link stays, what it points to is replaced
+      const fs::path pointed = fs::weakly_canonical(target_, ignored);
+      if (!pointed.empty()) target_ = pointed;
+    }
+    const fs::file_status status = fs::status(target_, ignored);
+    if (fs::is_directory(status)) throw Error(path + ": cannot write, it is a directory; give a file name");
+    if (fs::exists(status) && !fs::is_regular_file(status)) {  // a pipe or a device cannot be renamed over
+      const File file(std::fopen(target_.c_str(), "wb"));
+      if (!file) throw Error(path + ": cannot write: " + system_error());
+      write_all(path, file.get(), bytes, size);
+      return;
+    }
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored))
+      throw Error(path + ": cannot write, the folder " + folder.string() + " does not exist; create it first");
 
-  static std::atomic<unsigned> counter{0};  // several threads may write files of one folder
-  const fs::path temporary = target.string() + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(counter++);
-  try {
-    {
-      File file(std::fopen(temporary.c_str(), "wbx"));
+    static std::atomic<unsigned> counter{0};  // several threads may write files of one folder
+    temporary_ = target_.string() + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(counter++);
+    try {
+      File file(std::fopen(temporary_.c_str(), "wbx"));
       if (!file) throw Error(path + ": cannot write in " + folder.string() + ": " + system_error());
       write_all(path, file.get(), bytes, size);
       if (std::fclose(file.release()) != 0) throw Error(path + ": cannot write: " + system_error());
+    } catch (...) {
+      std::remove(temporary_.c_str());
+      throw;
     }
-    if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
-    if (std::rename(temporary.c_str(), target.c_str()) != 0) throw Error(path + ": cannot replace: " + system_error());
-  } catch (...) {
-    std::remove(temporary.c_str());
-    throw;
+    if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);
   }
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile() {
+    if (!temporary_.empty()) std::remove(temporary_.c_str());
+  }
+
+  void replace() {
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
+      throw Error(path_ + ": cannot replace: " + system_error());
+    temporary_.clear();
+  }
+
+ private:
+  std::string path_, temporary_;
+  fs::path target_;
+};
+
+void write_bytes(const std::string& path, const void* bytes, size_t size) {
+  if (path == "-") return write_all("standard output", stdout, bytes, size);
+  PendingFile(path, bytes, size).replace();
 }
 
 std::string lower(std::string text) {
@@ -125,6 +146,13 @@ std::string read_text_file(const std::string& path) {
 
 void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
   write_bytes(path, bytes.data(), bytes.size());
+}
+
+void write_files(const std::vector<NamedBytes>& files) {
+  std::vector<std::unique_ptr<PendingFile>> pending;
+  for (const NamedBytes& file : files)
+    pending.push_back(std::make_unique<PendingFile>(file.path, file.bytes.data(), file.bytes.size()));
+  for (const auto& file : pending) file->replace();
 }
 
 void write_text_file(const std::string& path, const std::string& text) { write_bytes(path, text.data(), text.size()); }

@@ -60,6 +60,7 @@ class GltfReader {
       character_.notes.push_back(parents_note(given));
     source_->joints = character_.joints;
     source_->vertex_count = character_.vertices.size();
+    character_.notes = source_->notes;
     character_.gltf = source_;
     return std::move(character_);
   }
@@ -248,10 +249,6 @@ class GltfReader {
     const tinygltf::Node& node = model().nodes[node_index];
     const tinygltf::Primitive& primitive = model().meshes[static_cast<size_t>(node.mesh)].primitives[primitive_index];
     const auto position_at = primitive.attributes.find("POSITION");
-    if (primitive.extensions.count("KHR_draco_mesh_compression") != 0 && position_at != primitive.attributes.end() &&
-        position_at->second >= 0 && static_cast<size_t>(position_at->second) < model().accessors.size() &&
-        model().accessors[static_cast<size_t>(position_at->second)].bufferView < 0)
-      throw Error(where + ": expected uncompressed geometry, found KHR_draco_mesh_compression; decode it first");
     if (position_at == primitive.attributes.end()) return;  // the specification: nothing to draw
     if (primitive.mode == TINYGLTF_MODE_POINTS || primitive.mode == TINYGLTF_MODE_LINE ||
         primitive.mode == TINYGLTF_MODE_LINE_LOOP || primitive.mode == TINYGLTF_MODE_LINE_STRIP)
