@@ -78,8 +78,6 @@ struct Character {
   std::vector<std::array<float, 3>> vertex_colors;  // [V] linear RGB 0..1 or empty
   std::shared_ptr<const GltfSource> gltf;           // set by the glTF reader only
 
-  std::vector<std::string> notes;  // one-line remarks of the reader for the user: what is not as the file has it
-
   size_t face_count() const { return face_offsets.size() - 1; }
 };
 

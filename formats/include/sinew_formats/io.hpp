@@ -12,19 +12,20 @@
 
 namespace sinew {
 
-// By extension: .obj, .gltf, .glb, .vrm. An OBJ has no joints; "-" reads OBJ from standard input. Reads NAME.rig.txt
-// beside NAME.obj only when asked (read_character).
+// By extension: .obj, .gltf, .glb, .vrm, .fbx, .dae. An OBJ has no joints; "-" reads OBJ from standard input. Reads
+// NAME.rig.txt beside NAME.obj only when asked (read_character). read_gltf() takes .fbx and .dae too, which Assimp reads
+// (Error naming the package where it is not built in).
 Character read_mesh(const std::string& path);
 Character read_obj(const std::string& path);
 Character read_gltf(const std::string& path);
 
-// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm (its
-// skin's joints, world positions).
+// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm/.fbx/.dae
+// (its skin's joints, world positions).
 void read_skeleton(const std::string& path, bool with_skin, Character* character);
 // Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
 Character read_character(const std::string& path);
-// All NAME.obj + NAME.rig.txt pairs and .glb/.vrm/.gltf files of a folder and of the folders below it, sorted by name.
-// Paths of mesh files. Hidden files and folders (.NAME) are left out; links to folders are followed, each folder once.
+// All NAME.obj + NAME.rig.txt pairs and whole files (.glb, .gltf, .vrm, .fbx, .dae) of a folder and of the folders below it,
+// sorted by name. Paths of mesh files. Hidden files and folders (.NAME) are left out; links to folders are followed, each folder once.
 std::vector<std::string> list_characters(const std::string& folder);
 // All mesh files, with or without a skeleton, sorted by path; otherwise the same.
 std::vector<std::string> list_meshes(const std::string& folder);

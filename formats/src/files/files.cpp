@@ -97,6 +97,13 @@ std::string lower(std::string text) {
   return text;
 }
 
+// Files that bring mesh and skeleton.
+bool is_whole(const std::string& path) {
+  for (const char* extension : {".glb", ".gltf", ".vrm", ".fbx", ".dae"})
+    if (has_extension(path, extension)) return true;
+  return false;
+}
+
 }  // namespace
 
 bool has_extension(const std::string& path, const char* extension) {
@@ -107,7 +114,7 @@ bool has_extension(const std::string& path, const char* extension) {
 std::string stem_of(const std::string& path) {
   if (path == "-") return "stdin";
   std::string name = fs::path(path).filename().string();
-  for (const char* extension : {".rig.txt", ".obj", ".gltf", ".glb", ".vrm", ".txt"})
+  for (const char* extension : {".rig.txt", ".obj", ".gltf", ".glb", ".vrm", ".fbx", ".dae", ".txt"})
     if (has_extension(name, extension)) return name.substr(0, name.size() - std::strlen(extension));
   return fs::path(name).stem().string();
 }
@@ -162,8 +169,7 @@ std::vector<std::string> list_characters(const std::string& folder) {
   for (const std::string& path : files_below(folder)) {
     std::error_code absent;  // no failure of the folder's
     const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), absent);
-    if (pair || has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm"))
-      found.emplace_back(stem_of(path), path);
+    if (pair || is_whole(path)) found.emplace_back(stem_of(path), path);
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> paths;
@@ -174,9 +180,7 @@ std::vector<std::string> list_characters(const std::string& folder) {
 std::vector<std::string> list_meshes(const std::string& folder) {
   std::vector<std::string> paths;
   for (const std::string& path : files_below(folder)) {
-    if (has_extension(path, ".obj") || has_extension(path, ".glb") || has_extension(path, ".gltf") ||
-        has_extension(path, ".vrm"))
-      paths.push_back(path);
+    if (has_extension(path, ".obj") || is_whole(path)) paths.push_back(path);
   }
   return paths;
 }

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "gltf/bind_pose.hpp"
+#include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -39,7 +40,9 @@ class GltfReader {
   GltfReader(std::string path, bool need_mesh) : path_(std::move(path)), need_mesh_(need_mesh) {}
 
   Character read() {
-    source_ = std::make_shared<GltfSource>(load_gltf(path_, read_file(path_)));
+    source_ = std::make_shared<GltfSource>(is_scene_file(path_) ? gltf_from_scene(path_)
+                                                                : load_gltf(path_, read_file(path_)));
+    character_.notes = source_->notes;
     nodes_ = gltf_nodes(path_, model());
     character_.name = stem_of(path_);
     for (size_t node = 0; node < model().nodes.size(); ++node) check_references(node);
@@ -60,7 +63,6 @@ class GltfReader {
       character_.notes.push_back(parents_note(given));
     source_->joints = character_.joints;
     source_->vertex_count = character_.vertices.size();
-    character_.notes = source_->notes;
     character_.gltf = source_;
     return std::move(character_);
   }
