@@ -40,6 +40,7 @@ void convert(const ConvertSettings& s) {
   if (s.output != "-") {
     std::printf("%s: %zu vertices, %zu faces, %zu joints, wrote %s\n", character.name.c_str(),
                 character.vertices.size(), character.face_count(), character.joints.size(), s.output.c_str());
+    for (const std::string& note : character.notes) std::printf("%s\n", note.c_str());
   }
 }
 

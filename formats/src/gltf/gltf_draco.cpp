@@ -29,15 +29,7 @@ constexpr const char* kDraco = "KHR_draco_mesh_compression";
 
 }  // namespace
 
-#ifndef SINEW_HAS_DRACO
-
-void decode_draco(CompressedGltf* gltf) {
-  throw Error(gltf->path + ": cannot read " + kDraco +
-              ", this sinew was built without Draco; install libdraco-dev and build again, or decode the file first "
-              "(gltf-transform copy)");
-}
-
-#else
+#ifdef SINEW_HAS_DRACO
 
 namespace {
 
@@ -84,6 +76,12 @@ size_t pad_elements(size_t count, std::vector<uint8_t>* bytes) {
   *bytes = std::move(padded);
   return stride;
 }
+
+}  // namespace
+
+#endif
+
+namespace {
 
 class DracoDecoder {
  public:
@@ -135,6 +133,14 @@ class DracoDecoder {
     return true;
   }
 
+#ifndef SINEW_HAS_DRACO
+  void decode_primitive(const Json&, Json*) {
+    throw Error(
+        where_ +
+        ": cannot read, this sinew was built without Draco; install libdraco-dev and build again, or decode the "
+        "file first (gltf-transform copy)");
+  }
+#else
   // Gives the accessor its bytes. One that has some already (of another mesh, or for readers without Draco) stays, and a
   // copy takes them; one that came with the same vertices before is left.
   Json fill(const Json& number, Json made, std::vector<uint8_t> bytes, size_t stride, int target) {
@@ -233,6 +239,8 @@ class DracoDecoder {
     (*made)["max"] = high;
   }
 
+#endif
+
   CompressedGltf& gltf_;
   Json& document_;
   std::string where_;
@@ -243,7 +251,5 @@ class DracoDecoder {
 }  // namespace
 
 void decode_draco(CompressedGltf* gltf) { DracoDecoder(gltf).decode(); }
-
-#endif
 
 }  // namespace sinew

@@ -11,15 +11,7 @@
 
 namespace sinew {
 
-#ifndef SINEW_HAS_MESHOPT
-
-void decode_meshopt(const std::string& name, CompressedGltf* gltf) {
-  throw Error(gltf->path + ": cannot read " + name +
-              ", this sinew was built without meshoptimizer; install libmeshoptimizer-dev and build again, or decode "
-              "the file first (gltf-transform copy)");
-}
-
-#else
+#ifdef SINEW_HAS_MESHOPT
 
 namespace {
 
@@ -76,25 +68,40 @@ std::vector<uint8_t> decode_view(const std::string& where, const Json& extension
   return bytes;
 }
 
+// Checks that belong to the view around the packed data.
+std::vector<uint8_t> decode_view_of(const std::string& where, const Json& view, const Json& extension,
+                                    ByteRange packed) {
+  if (view.contains("byteStride") && view["byteStride"] != extension.at("byteStride"))
+    fail(where, "the byteStride of its view, " + view["byteStride"].dump(), extension["byteStride"].dump());
+  return decode_view(where, extension, packed);
+}
+
 }  // namespace
 
+#endif
+
 void decode_meshopt(const std::string& name, CompressedGltf* gltf) {
-  Json& views = gltf->document["bufferViews"];
+  nlohmann::json& views = gltf->document["bufferViews"];
   for (size_t i = 0; i < views.size(); ++i) {
     if (!views[i].contains("extensions") || !views[i]["extensions"].contains(name)) continue;
     const std::string where = gltf->path + ": buffer view " + std::to_string(i) + ", " + name;
-    const Json extension = views[i]["extensions"][name];
-    const ByteRange packed = bytes_of(*gltf, where, extension);
-    gltf->views[i] = decode_view(where, extension, packed);
-    gltf->packed_bytes += packed.size;
-    gltf->plain_bytes += gltf->views[i]->size();
-    if (views[i].contains("byteStride") && views[i]["byteStride"] != extension["byteStride"])
-      fail(where, "the byteStride of its view, " + views[i]["byteStride"].dump(), extension["byteStride"].dump());
+    const nlohmann::json extension = views[i]["extensions"][name];
     views[i]["extensions"].erase(name);
     if (views[i]["extensions"].empty()) views[i].erase("extensions");
+#ifdef SINEW_HAS_MESHOPT
+    const ByteRange packed = bytes_of(*gltf, where, extension);
+    gltf->views[i] = decode_view_of(where, views[i], extension, packed);
+    gltf->packed_bytes += packed.size;
+    gltf->plain_bytes += gltf->views[i]->size();
+#else
+    // The same bytes may lie there plain, for readers like this one.
+    const size_t buffer = views[i].at("buffer").get<size_t>();
+    if (buffer < gltf->buffers.size() && !gltf->buffers[buffer].empty()) continue;
+    throw Error(where +
+                ": cannot read, this sinew was built without meshoptimizer; install libmeshoptimizer-dev and build "
+                "again, or decode the file first (gltf-transform copy)");
+#endif
   }
 }
-
-#endif
 
 }  // namespace sinew
