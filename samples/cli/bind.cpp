@@ -19,7 +19,7 @@
 namespace sinew::cli {
 namespace {
 
-constexpr const char* kFormats[] = {"glb", "rig.txt"};
+constexpr const char* kFormats[] = {"glb", "gltf", "rig.txt"};
 
 struct Settings {
   BindSettings one;
@@ -30,7 +30,7 @@ struct Settings {
 
 // The options that no bind can be done with.
 void check(const Settings& s) {
-  check_output(s.one.output, {".glb", ".rig.txt"}, true);
+  check_output(s.one.output, {".glb", ".gltf", ".vrm", ".rig.txt"}, true);
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
   if (s.one.output == "-" && s.json)
@@ -83,7 +83,8 @@ void check_folder(const Settings& s) {
   }
   if (s.one.output.empty()) throw UsageError(s.one.mesh + " is a folder: say with -o OUTDIR where its files go");
   std::error_code ignored;
-  const bool is_file = has_extension(s.one.output, ".glb") || has_extension(s.one.output, ".rig.txt") ||
+  const bool is_file = has_extension(s.one.output, ".glb") || has_extension(s.one.output, ".gltf") ||
+                       has_extension(s.one.output, ".vrm") || has_extension(s.one.output, ".rig.txt") ||
                        std::filesystem::is_regular_file(s.one.output, ignored);
   if (s.one.output == "-" || is_file)
     throw UsageError("-o " + s.one.output + ": " + s.one.mesh + " is a folder, expected a folder for its files");
@@ -128,17 +129,17 @@ void add_bind(CLI::App& app) {
   auto s = std::make_shared<Settings>();
   sub->add_option(
          "mesh", s->one.mesh,
-         "Mesh: .obj, .gltf, .glb, .vrm, or - for an OBJ on standard input; or a folder: every mesh in it and below it")
+         "Mesh: .obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input; or a folder: every mesh in it and below it")
       ->required()
       ->type_name("MESH|DIR");
   sub->add_option(
          "--skeleton", s->one.skeleton,
-         "Skeleton: .rig.txt, .gltf, .glb or .vrm. Not needed when the mesh has its own; in a folder, NAME.rig.txt "
+         "Skeleton: .rig.txt, .gltf, .glb, .vrm, .fbx or .dae. Not needed when the mesh has its own; in a folder, NAME.rig.txt "
          "beside NAME.obj is found")
       ->type_name("FILE");
   sub->add_option(
          "-o,--output", s->one.output,
-         "Output: .glb or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]; for a folder another folder, "
+         "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]; for a folder another folder, "
          "which gets NAME.glb for every mesh, below the same sub-folders")
       ->type_name("OUT");
   sub->add_option("--jobs", s->jobs, "With a folder: meshes at the same time; the same bytes for any N [1]")

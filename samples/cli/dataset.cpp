@@ -40,6 +40,7 @@ void convert(const ConvertSettings& s) {
   if (s.output != "-") {
     std::printf("%s: %zu vertices, %zu faces, %zu joints, wrote %s\n", character.name.c_str(),
                 character.vertices.size(), character.face_count(), character.joints.size(), s.output.c_str());
+    for (const std::string& note : character.notes) std::printf("%s\n", note.c_str());
   }
 }
 
@@ -91,8 +92,9 @@ void add_convert(CLI::App* parent, bool decimates) {
   sub->add_option("input", s->input, "Character: .glb, .gltf, .vrm, or NAME.obj (NAME.rig.txt beside it is read too)")
       ->required()
       ->type_name("IN");
-  sub->add_option("output,-o,--output", s->output,
-                  "Output: .glb, .rig.txt, or .obj (a .rig.txt goes beside it); - for rig.txt on standard output")
+  sub->add_option(
+         "output,-o,--output", s->output,
+         "Output: .glb, .gltf, .vrm, .rig.txt, or .obj (a .rig.txt goes beside it); - for rig.txt on standard output")
       ->required()
       ->type_name("OUT");
   sub->add_option("--skeleton", s->skeleton, "Skeleton and weights of another file")->type_name("FILE");

@@ -189,11 +189,13 @@ void inspect_character(const Settings& s) {
 void run(const Settings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
   if (is_gltf(s.path)) return inspect_gltf(s);
-  if (has_extension(s.path, ".obj") || has_extension(s.path, ".txt") || s.path == "-") return inspect_character(s);
+  for (const char* extension : {".obj", ".txt", ".fbx", ".dae"})
+    if (has_extension(s.path, extension)) return inspect_character(s);
+  if (s.path == "-") return inspect_character(s);
   read_file(s.path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
   throw Error(s.path +
-              ": neither a mesh (.obj, .gltf, .glb, .vrm), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
+              ": neither a mesh (.obj, .gltf, .glb, .vrm, .fbx, .dae), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
 }
 
 }  // namespace

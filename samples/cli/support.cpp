@@ -36,16 +36,18 @@ void check_output(const std::string& path, const std::vector<std::string>& exten
     }
     known += (known.empty() ? "" : ", ") + extension;
   }
+  if (has_extension(path, ".fbx") || has_extension(path, ".dae"))
+    throw UsageError("output " + path + ": sinew reads this format but does not write it; write .glb and import that");
   throw UsageError("output " + path + ": unknown extension, expected " + known);
 }
 
-std::vector<std::string> character_outputs() { return {".glb", ".obj", ".rig.txt"}; }
+std::vector<std::string> character_outputs() { return {".glb", ".gltf", ".vrm", ".obj", ".rig.txt"}; }
 
 void write_character(const std::string& path, const Character& character) {
   if (path == "-" || has_extension(path, ".rig.txt")) {
     write_rig(path, character);
-  } else if (has_extension(path, ".glb")) {
-    write_glb(path, character);
+  } else if (!has_extension(path, ".obj")) {
+    write_gltf(path, character);
   } else {
     write_obj(path, character);
     if (!character.joints.empty()) write_rig(rig_path_beside(path), character);
@@ -58,7 +60,8 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
         mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
   }
   if (has_extension(skeleton, ".obj")) {
-    throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb or .vrm");
+    throw UsageError("--skeleton " + skeleton +
+                     ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb, .vrm, .fbx or .dae");
   }
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) {

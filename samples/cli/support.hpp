@@ -27,7 +27,7 @@ class UsageError : public Error {
 // missing or it is a folder itself. Called before any work.
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed = false);
 
-// .glb, .obj (with .rig.txt beside it when there are joints), .rig.txt / .txt; "-" is rig.txt on standard output.
+// .glb, .gltf, .vrm, .obj (with .rig.txt beside it when there are joints), .rig.txt / .txt; "-" is rig.txt on standard output.
 void write_character(const std::string& path, const Character& character);
 std::vector<std::string> character_outputs();
 // A mesh, with the skeleton of another file when `skeleton` is not empty. UsageError when the two are swapped.

@@ -7,6 +7,12 @@
 #include "make_glb.hpp"
 #include "network_fixture.hpp"
 #include "sinew_formats/io.hpp"
+#ifdef SINEW_HAS_MESHOPT
+#include "meshopt_glb.hpp"
+#endif
+#ifdef SINEW_HAS_DRACO
+#include "draco_glb.hpp"
+#endif
 
 namespace {
 
@@ -102,6 +108,12 @@ void write_glbs(const std::string& folder) {
              nlohmann::json::array({{{"attributes", {{"POSITION", bare.positions({0, 0, 0, 1, 0, 0, 0, 1, 0})}}}}})}});
   bare.root({{"mesh", 0}, {"scale", {2, 2, 2}}});
   write(folder + "/bare.glb", bare.glb());
+#ifdef SINEW_HAS_MESHOPT
+  write(folder + "/meshopt.glb", meshopt_packed(two_joint_strip()).glb());
+#endif
+#ifdef SINEW_HAS_DRACO
+  write(folder + "/draco.glb", draco_packed(two_joint_strip()).glb());
+#endif
 }
 
 // Calls as bind_fuzz.cpp reads them: shape, extras, counts, then options, joints and positions; zeros behind the end.

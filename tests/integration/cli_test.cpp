@@ -166,6 +166,19 @@ TEST_F(Cli, BindWritesWhatIsAsked) {
     EXPECT_NE(json.out.find(key), std::string::npos) << key << "\n" << json.out;
   }
   expect_bound(read_character(in("out.glb")), 4);
+  good(pair + "-o text.gltf");
+  EXPECT_TRUE(fs::exists(in("text.bin")));
+  expect_bound(read_character(in("text.gltf")), 4);
+  EXPECT_NE(bad(1, pair + "-o out.vrm").error.find("VRM"), std::string::npos);
+  EXPECT_NE(bad(2, pair + "-o out.fbx").error.find("write .glb"), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("out.vrm")));
+}
+
+TEST_F(Cli, BindTellsWhatTheReaderLeftOut) {
+  put(in("snake.obj"), "mtllib gone.mtl\nusemtl scales\n" + slurp(kSnake));
+  const std::string bind = "bind snake.obj --skeleton " + kSnakeRig + " --method heat ";
+  EXPECT_NE(good(bind).out.find("'gone.mtl' were not found"), std::string::npos);
+  EXPECT_NE(good(bind + "--json").out.find("\"notes\""), std::string::npos);
 }
 
 TEST_F(Cli, BindReadsAndWritesStreams) {

@@ -8,8 +8,15 @@
 
 #include "make_glb.hpp"
 #include "random_character.hpp"
+#include "scene_files.hpp"
 #include "sinew_formats/io.hpp"
 #include "temp_folder.hpp"
+#ifdef SINEW_HAS_MESHOPT
+#include "meshopt_glb.hpp"
+#endif
+#ifdef SINEW_HAS_DRACO
+#include "draco_glb.hpp"
+#endif
 
 using namespace sinew;
 using nlohmann::json;
@@ -121,6 +128,48 @@ TEST_F(Writes, TwoSkinsInTwoTrees) {
   const Character again = read_gltf(files_.back());
   ASSERT_EQ(again.vertices.size(), c.vertices.size());
   for (size_t v = 0; v < c.vertices.size(); ++v) EXPECT_NEAR(again.vertices[v].x, c.vertices[v].x, 1e-5);
+  validate();
+}
+
+TEST_F(Writes, ObjectsPicturesAndColours) {
+  // The smallest PNG: one red pixel.
+  const unsigned char pixel[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48,
+                                 0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x02, 0x00, 0x00,
+                                 0x00, 0x90, 0x77, 0x53, 0xde, 0x00, 0x00, 0x00, 0x0c, 0x49, 0x44, 0x41, 0x54, 0x78,
+                                 0x9c, 0x63, 0xf8, 0xcf, 0xc0, 0x00, 0x00, 0x03, 0x01, 0x01, 0x00, 0xc9, 0xfe, 0x92,
+                                 0xef, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  folder_.write("red.png", {reinterpret_cast<const char*>(pixel), sizeof pixel});
+  folder_.write("two.mtl", "newmtl a\nmap_Kd red.png\nd 0.5\nnewmtl b\nKd 0 1 0\nKe 1 1 0\n");
+  Character c =
+      obj("mtllib two.mtl\nv 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1 1 1 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
+          "o one\nusemtl a\nf 1/1 2/2 3/3\no two\nusemtl b\nf 1/1 3/2 4/3\nusemtl a\nf 2/1 3/2 4/3\n");
+  save(c);
+  c.joints = {{"root", {0, 0, 0}, -1}, {"tip", {0, 1, 0}, 0}};
+  c.influences.assign(4, {{0, 0.25f}, {1, 0.75f}});
+  save(c);
+  files_.push_back(folder_.file("text.gltf"));
+  write_gltf(files_.back(), c);
+  validate();
+}
+
+TEST_F(Writes, CompressedInputs) {
+  std::vector<Character> read_back;
+#ifdef SINEW_HAS_MESHOPT
+  read_back.push_back(read(meshopt_packed(two_joint_strip(true))));
+#endif
+#ifdef SINEW_HAS_DRACO
+  read_back.push_back(read(draco_packed(two_joint_strip(true), false)));
+#endif
+#ifdef SINEW_HAS_ASSIMP
+  read_back.push_back(read_mesh(folder_.write("strip.fbx", strip_fbx())));
+  read_back.push_back(read_mesh(folder_.write("strip.dae", strip_dae())));
+#endif
+  if (read_back.empty()) GTEST_SKIP() << "built without meshoptimizer, Draco and Assimp";
+  for (Character& c : read_back) {
+    save(c);
+    for (auto& row : c.influences) row = {{0, 0.5f}, {1, 0.5f}};
+    save(c);
+  }
   validate();
 }
 

@@ -23,7 +23,9 @@ struct GlbBuilder {
     return static_cast<int>(document["bufferViews"].size()) - 1;
   }
   static int component_type(float) { return 5126; }
+  static int component_type(int8_t) { return 5120; }
   static int component_type(uint8_t) { return 5121; }
+  static int component_type(int16_t) { return 5122; }
   static int component_type(uint16_t) { return 5123; }
   static int component_type(uint32_t) { return 5125; }
   template <class T>
@@ -64,7 +66,12 @@ struct GlbBuilder {
     nlohmann::json whole = document;
     std::string binary = bytes;
     binary.resize((binary.size() + 3) / 4 * 4);
-    if (!binary.empty()) whole["buffers"] = {{{"byteLength", bytes.size()}}};
+    // Buffers of the document stand behind the one that is built here.
+    if (!binary.empty()) {
+      whole["buffers"] = {{{"byteLength", bytes.size()}}};
+      for (const nlohmann::json& other : document.value("buffers", nlohmann::json::array()))
+        whole["buffers"].push_back(other);
+    }
     std::string text = whole.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string out = "glTF";

@@ -35,6 +35,16 @@ struct CharacterMesh {
   int carrier = -1;  // of a mesh without a skin: the joint that it hangs on (itself or the nearest above), or -1
 };
 
+// A PNG or JPEG file's bytes, shared by the materials that show it.
+using Picture = std::shared_ptr<const std::vector<uint8_t>>;
+
+// Of an OBJ's .mtl; a glTF document keeps its own.
+struct Material {
+  std::array<float, 4> base_color = {1, 1, 1, 1};  // linear RGB 0..1, opacity
+  std::array<float, 3> emissive = {0, 0, 0};       // linear RGB 0..1
+  Picture base_color_texture, normal_texture;      // null = none
+};
+
 struct GltfSource;  // the parsed input document and the map back to its vertices (formats/src/gltf/gltf_source.hpp)
 
 // Vertices are what the file calls vertices for OBJ; for glTF they are welded across seams (same position, and same
@@ -62,7 +72,11 @@ struct Character {
   std::vector<int> face_materials;          // [F] index into material_names or -1
   std::vector<std::string> group_names;     // OBJ o/g names
   std::vector<int> face_groups;             // [F] index into group_names or -1
-  std::shared_ptr<const GltfSource> gltf;   // set by the glTF reader only
+  std::vector<Material> materials;          // [material_names] or empty
+  std::vector<std::string> object_names;    // OBJ: the artist's objects (o, else g), each a node of a written glTF
+  std::vector<int> face_objects;            // [F] index into object_names or -1
+  std::vector<std::array<float, 3>> vertex_colors;  // [V] linear RGB 0..1 or empty
+  std::shared_ptr<const GltfSource> gltf;           // set by the glTF reader only
 
   size_t face_count() const { return face_offsets.size() - 1; }
 };

@@ -12,19 +12,20 @@
 
 namespace sinew {
 
-// By extension: .obj, .gltf, .glb, .vrm. An OBJ has no joints; "-" reads OBJ from standard input. Reads NAME.rig.txt
-// beside NAME.obj only when asked (read_character).
+// By extension: .obj, .gltf, .glb, .vrm, .fbx, .dae. An OBJ has no joints; "-" reads OBJ from standard input. Reads
+// NAME.rig.txt beside NAME.obj only when asked (read_character). read_gltf() takes .fbx and .dae too, which Assimp reads
+// (Error naming the package where it is not built in).
 Character read_mesh(const std::string& path);
 Character read_obj(const std::string& path);
 Character read_gltf(const std::string& path);
 
-// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm (its
-// skin's joints, world positions).
+// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm/.fbx/.dae
+// (its skin's joints, world positions).
 void read_skeleton(const std::string& path, bool with_skin, Character* character);
 // Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
 Character read_character(const std::string& path);
-// All NAME.obj + NAME.rig.txt pairs and .glb/.vrm/.gltf files of a folder and of the folders below it, sorted by name.
-// Paths of mesh files. Hidden files and folders (.NAME) are left out; links to folders are followed, each folder once.
+// All NAME.obj + NAME.rig.txt pairs and whole files (.glb, .gltf, .vrm, .fbx, .dae) of a folder and of the folders below it,
+// sorted by name. Paths of mesh files. Hidden files and folders (.NAME) are left out; links to folders are followed, each folder once.
 std::vector<std::string> list_characters(const std::string& folder);
 // All mesh files, with or without a skeleton, sorted by path; otherwise the same.
 std::vector<std::string> list_meshes(const std::string& folder);
@@ -37,19 +38,30 @@ std::string family_of(const std::string& character_name);
 void write_obj(const std::string& path, const Character& character);
 // The text form of RigNet's data: joints / root / skin / hier. Weights are printed with 6 digits.
 void write_rig(const std::string& path, const Character& character);
-// A skinned GLB. From a glTF input: the input's own vertices, UVs, normals, materials and nodes back, with skin. From
-// OBJ: its corner UVs and normals (vertices split at seams), or smooth normals. Weights unorm16 with exact sums (unorm8
-// when `unorm8`), sorted, JOINTS_0.. as many sets as needed.
+// Skinned glTF by extension: .gltf with NAME.bin beside it (pictures that are files of this very folder stay files, all
+// others lie in the .bin), .vrm where the input was one (Error otherwise), else GLB. From a glTF input: the input's own
+// vertices, UVs, normals, materials and nodes back, with skin. From OBJ: its objects, corner UVs and normals (vertices
+// split at seams), or smooth normals. Weights unorm16 with exact sums (unorm8 when `unorm8`), sorted, JOINTS_0.. as many
+// sets as needed.
 struct GlbOptions {
   bool unorm8 = false;
 };
-void write_glb(const std::string& path, const Character& character, const GlbOptions& options = {});
+void write_gltf(const std::string& path, const Character& character, const GlbOptions& options = {});
+inline void write_glb(const std::string& path, const Character& character, const GlbOptions& options = {}) {
+  write_gltf(path, character, options);
+}
 
 // Whole files; write goes through a temporary file and rename. "-" is standard input / output.
 std::vector<uint8_t> read_file(const std::string& path);
 std::string read_text_file(const std::string& path);
 void write_file(const std::string& path, const std::vector<uint8_t>& bytes);
 void write_text_file(const std::string& path, const std::string& text);
+// Several files of one thing: all are whole on disk before the first target is replaced, in this order.
+struct NamedBytes {
+  std::string path;
+  std::vector<uint8_t> bytes;
+};
+void write_files(const std::vector<NamedBytes>& files);
 
 }  // namespace sinew
 #endif

@@ -34,46 +34,74 @@ void write_all(const std::string& path, std::FILE* file, const void* bytes, size
     throw Error(path + ": cannot write " + std::to_string(size) + " bytes: " + system_error());
 }
 
-void write_bytes(const std::string& path, const void* bytes, size_t size) {
-  if (path == "-") return write_all("standard output", stdout, bytes, size);
-  std::error_code ignored;
-  fs::path target = path;
-  if (fs::is_symlink(target, ignored)) {  // the link stays, what it points to is replaced
-    const fs::path pointed = fs::weakly_canonical(target, ignored);
-    if (!pointed.empty()) target = pointed;
-  }
-  const fs::file_status status = fs::status(target, ignored);
-  if (fs::is_directory(status)) throw Error(path + ": cannot write, it is a directory; give a file name");
-  if (fs::exists(status) && !fs::is_regular_file(status)) {  // a pipe or a device cannot be renamed over
-    const File file(std::fopen(target.c_str(), "wb"));
-    if (!file) throw Error(path + ": cannot write: " + system_error());
-    return write_all(path, file.get(), bytes, size);
-  }
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, ignored))
-    throw Error(path + ": cannot write, the folder " + folder.string() + " does not exist; create it first");
+// Bytes in a temporary file beside their target, which replace() puts in its place; without that, it is removed.
+class PendingFile {
+ public:
+  PendingFile(const std::string& path, const void* bytes, size_t size) : path_(path), target_(path) {
+    std::error_code ignored;
+    if (fs::is_symlink(target_, ignored)) {  // the link stays, what it points to is replaced
+      const fs::path pointed = fs::weakly_canonical(target_, ignored);
+      if (!pointed.empty()) target_ = pointed;
+    }
+    const fs::file_status status = fs::status(target_, ignored);
+    if (fs::is_directory(status)) throw Error(path + ": cannot write, it is a directory; give a file name");
+    if (fs::exists(status) && !fs::is_regular_file(status)) {  // a pipe or a device cannot be renamed over
+      const File file(std::fopen(target_.c_str(), "wb"));
+      if (!file) throw Error(path + ": cannot write: " + system_error());
+      write_all(path, file.get(), bytes, size);
+      return;
+    }
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored))
+      throw Error(path + ": cannot write, the folder " + folder.string() + " does not exist; create it first");
 
-  static std::atomic<unsigned> counter{0};  // several threads may write files of one folder
-  const fs::path temporary = target.string() + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(counter++);
-  try {
-    {
-      File file(std::fopen(temporary.c_str(), "wbx"));
+    static std::atomic<unsigned> counter{0};  // several threads may write files of one folder
+    temporary_ = target_.string() + ".tmp" + std::to_string(::getpid()) + "." + std::to_string(counter++);
+    try {
+      File file(std::fopen(temporary_.c_str(), "wbx"));
       if (!file) throw Error(path + ": cannot write in " + folder.string() + ": " + system_error());
       write_all(path, file.get(), bytes, size);
       if (std::fclose(file.release()) != 0) throw Error(path + ": cannot write: " + system_error());
+    } catch (...) {
+      std::remove(temporary_.c_str());
+      throw;
     }
-    if (fs::exists(status)) fs::permissions(temporary, status.permissions(), ignored);
-    if (std::rename(temporary.c_str(), target.c_str()) != 0) throw Error(path + ": cannot replace: " + system_error());
-  } catch (...) {
-    std::remove(temporary.c_str());
-    throw;
+    if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), ignored);
   }
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile() {
+    if (!temporary_.empty()) std::remove(temporary_.c_str());
+  }
+
+  void replace() {
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0)
+      throw Error(path_ + ": cannot replace: " + system_error());
+    temporary_.clear();
+  }
+
+ private:
+  std::string path_, temporary_;
+  fs::path target_;
+};
+
+void write_bytes(const std::string& path, const void* bytes, size_t size) {
+  if (path == "-") return write_all("standard output", stdout, bytes, size);
+  PendingFile(path, bytes, size).replace();
 }
 
 std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
+}
+
+// Files that bring mesh and skeleton.
+bool is_whole(const std::string& path) {
+  for (const char* extension : {".glb", ".gltf", ".vrm", ".fbx", ".dae"})
+    if (has_extension(path, extension)) return true;
+  return false;
 }
 
 }  // namespace
@@ -86,7 +114,7 @@ bool has_extension(const std::string& path, const char* extension) {
 std::string stem_of(const std::string& path) {
   if (path == "-") return "stdin";
   std::string name = fs::path(path).filename().string();
-  for (const char* extension : {".rig.txt", ".obj", ".gltf", ".glb", ".vrm", ".txt"})
+  for (const char* extension : {".rig.txt", ".obj", ".gltf", ".glb", ".vrm", ".fbx", ".dae", ".txt"})
     if (has_extension(name, extension)) return name.substr(0, name.size() - std::strlen(extension));
   return fs::path(name).stem().string();
 }
@@ -127,6 +155,13 @@ void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
   write_bytes(path, bytes.data(), bytes.size());
 }
 
+void write_files(const std::vector<NamedBytes>& files) {
+  std::vector<std::unique_ptr<PendingFile>> pending;
+  for (const NamedBytes& file : files)
+    pending.push_back(std::make_unique<PendingFile>(file.path, file.bytes.data(), file.bytes.size()));
+  for (const auto& file : pending) file->replace();
+}
+
 void write_text_file(const std::string& path, const std::string& text) { write_bytes(path, text.data(), text.size()); }
 
 std::vector<std::string> list_characters(const std::string& folder) {
@@ -134,8 +169,7 @@ std::vector<std::string> list_characters(const std::string& folder) {
   for (const std::string& path : files_below(folder)) {
     std::error_code absent;  // no failure of the folder's
     const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), absent);
-    if (pair || has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm"))
-      found.emplace_back(stem_of(path), path);
+    if (pair || is_whole(path)) found.emplace_back(stem_of(path), path);
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> paths;
@@ -146,9 +180,7 @@ std::vector<std::string> list_characters(const std::string& folder) {
 std::vector<std::string> list_meshes(const std::string& folder) {
   std::vector<std::string> paths;
   for (const std::string& path : files_below(folder)) {
-    if (has_extension(path, ".obj") || has_extension(path, ".glb") || has_extension(path, ".gltf") ||
-        has_extension(path, ".vrm"))
-      paths.push_back(path);
+    if (has_extension(path, ".obj") || is_whole(path)) paths.push_back(path);
   }
   return paths;
 }

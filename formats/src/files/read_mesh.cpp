@@ -2,6 +2,7 @@
 // The ways in by file name: which reader, and which skeleton belongs to which mesh.
 #include <filesystem>
 
+#include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_read.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -11,25 +12,53 @@
 namespace sinew {
 namespace {
 
-bool is_gltf(const std::string& path) {
-  return has_extension(path, ".gltf") || has_extension(path, ".glb") || has_extension(path, ".vrm");
+// Read as glTF, or turned into one.
+bool is_scene(const std::string& path) {
+  return has_extension(path, ".gltf") || has_extension(path, ".glb") || has_extension(path, ".vrm") ||
+         is_scene_file(path);
+}
+
+// What to do about files of other programs; the words go behind "found another extension".
+std::string way_out(const std::string& path) {
+  const std::string glb = stem_of(path) + ".glb";
+  const std::string export_glb = "bpy.ops.export_scene.gltf(filepath='" + glb + "')\"";
+  if (has_extension(path, ".blend"))
+    return "; in Blender: File > Export > glTF 2.0, or: blender --background " + path +
+           " --python-expr \"import bpy; " + export_glb;
+  for (const char* extension : {".usd", ".usda", ".usdc", ".usdz"})
+    if (has_extension(path, extension))
+      return "; Blender makes a .glb of it: blender --background --python-expr \"import bpy; "
+             "bpy.ops.wm.usd_import(filepath='" +
+             path + "'); " + export_glb;
+  if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
+  if (has_extension(path, ".ma") || has_extension(path, ".mb"))
+    return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";
+  if (has_extension(path, ".c4d")) return "; in Cinema 4D: File > Export > glTF or FBX";
+  for (const char* extension : {".3ds", ".stl", ".ply", ".x", ".lwo", ".abc", ".x3d", ".pmx", ".bvh"})
+    if (has_extension(path, extension)) return "; import it in Blender and export it: File > Export > glTF 2.0 or OBJ";
+  return "";
 }
 
 }  // namespace
 
 Character read_mesh(const std::string& path) {
   if (path == "-" || has_extension(path, ".obj")) return read_obj(path);
-  if (is_gltf(path)) return read_gltf(path);
+  if (is_scene(path)) return read_gltf(path);
   throw Error(
-      path + ": expected a mesh (.obj, .gltf, .glb, .vrm, or - for an OBJ on standard input), found another extension");
+      path +
+      ": expected a mesh (.obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input), found another "
+      "extension" +
+      way_out(path));
 }
 
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
   character->meshes.clear();  // they hung on the joints of another skeleton
   character->vertex_meshes.clear();
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
-  if (!is_gltf(path))
-    throw Error(path + ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm), found another extension");
+  if (!is_scene(path))
+    throw Error(path +
+                ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm, .fbx, .dae), found another extension" +
+                way_out(path));
   Character other = read_gltf_character(path, with_skin);
   if (other.joints.empty()) throw Error(path + ": expected a skeleton, found a file without a skin");
   if (with_skin && other.vertices.size() != character->vertices.size())
@@ -40,7 +69,7 @@ void read_skeleton(const std::string& path, bool with_skin, Character* character
 }
 
 Character read_character(const std::string& path) {
-  if (is_gltf(path)) {
+  if (is_scene(path)) {
     Character character = read_gltf(path);
     if (character.joints.empty()) throw Error(path + ": expected a rigged character, found a mesh without a skin");
     return character;
@@ -49,8 +78,10 @@ Character read_character(const std::string& path) {
   if (has_extension(path, ".rig.txt"))
     obj = (std::filesystem::path(path).parent_path() / (stem_of(path) + ".obj")).string();
   else if (!has_extension(path, ".obj"))
-    throw Error(path +
-                ": expected a character (.obj or .rig.txt of a pair, .gltf, .glb, .vrm), found another extension");
+    throw Error(
+        path +
+        ": expected a character (.obj or .rig.txt of a pair, .gltf, .glb, .vrm, .fbx, .dae), found another extension" +
+        way_out(path));
   Character character = read_obj(obj);
   read_rig(rig_path_beside(obj), true, &character);
   return character;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "gltf/gltf_decompress.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -50,31 +51,12 @@ bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, i
   return true;
 }
 
-const char* image_type(const std::vector<unsigned char>& bytes) {
-  const auto begins = [&](const char* magic, size_t size, size_t at) {
-    return bytes.size() >= at + size && std::memcmp(bytes.data() + at, magic, size) == 0;
-  };
-  if (begins("\x89PNG", 4, 0)) return "image/png";
-  if (begins("\xff\xd8\xff", 3, 0)) return "image/jpeg";
-  if (begins("WEBP", 4, 8)) return "image/webp";
-  if (begins("\xabKTX 20", 7, 0)) return "image/ktx2";
-  return nullptr;
-}
-
 uint32_t read_u32(const std::vector<uint8_t>& bytes, size_t at) {
   return static_cast<uint32_t>(bytes[at]) | static_cast<uint32_t>(bytes[at + 1]) << 8 |
          static_cast<uint32_t>(bytes[at + 2]) << 16 | static_cast<uint32_t>(bytes[at + 3]) << 24;
 }
 
-void refuse_compressed(const std::string& path, const tinygltf::Model& model) {
-  for (const std::string& name : model.extensionsRequired)
-    for (const char* compressed : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"})
-      if (name == compressed)
-        throw Error(path + ": expected uncompressed geometry, found the extension " + name +
-                    "; decode it first (gltf-transform copy, or export without compression)");
-}
-
-// Puts all buffers behind one another and images beside them, so that the file is whole in itself.
+// Puts all buffers behind one another.
 void gather_buffers(GltfSource* source) {
   const tinygltf::Model& model = source->model;
   Json& document = source->document;
@@ -101,20 +83,6 @@ void gather_buffers(GltfSource* source) {
     Json buffer = document["buffers"][0];
     buffer.erase("uri");
     document["buffers"] = Json::array({buffer});
-  }
-  for (size_t i = 0; i < model.images.size(); ++i) {
-    Json& image = document["images"][i];
-    const std::vector<unsigned char>& bytes = model.images[i].image;
-    const char* type = image_type(bytes);
-    if (!image.contains("uri") || bytes.empty() || type == nullptr) continue;
-    source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
-    document["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", bytes.size()}});
-    source->bytes.insert(source->bytes.end(), bytes.begin(), bytes.end());
-    image.erase("uri");
-    image["bufferView"] = document["bufferViews"].size() - 1;
-    image["mimeType"] = type;
-    if (!document.contains("buffers")) document["buffers"] = Json::array({Json::object()});
   }
 }
 
@@ -162,6 +130,17 @@ void refuse_fractions(const std::string& path, const Json& value, const std::str
 
 }  // namespace
 
+const char* image_type(const std::vector<unsigned char>& bytes) {
+  const auto begins = [&](const char* magic, size_t size, size_t at) {
+    return bytes.size() >= at + size && std::memcmp(bytes.data() + at, magic, size) == 0;
+  };
+  if (begins("\x89PNG", 4, 0)) return "image/png";
+  if (begins("\xff\xd8\xff", 3, 0)) return "image/jpeg";
+  if (begins("WEBP", 4, 8)) return "image/webp";
+  if (begins("\xabKTX 20", 7, 0)) return "image/ktx2";
+  return nullptr;
+}
+
 GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) {
   if (file.empty()) throw Error(path + ": expected a glTF file, found an empty file");
   if (file.size() > UINT32_MAX)
@@ -175,7 +154,15 @@ GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) 
     throw Error(path + ": truncated GLB, expected " + std::to_string(read_u32(file, 8)) + " bytes, found " +
                 std::to_string(file.size()));
 
+  std::vector<std::string> notes;
+  if (const std::optional<std::vector<uint8_t>> plain = decompress_gltf(path, file, &notes)) {
+    GltfSource source = load_gltf(path, *plain);
+    source.notes = std::move(notes);
+    return source;
+  }
+
   GltfSource source;
+  source.path = path;
   std::string problem, warning;
   bool ok = false;
   try {
@@ -196,7 +183,6 @@ GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) 
     ok = false;
   }
   if (!ok) throw Error(path + ": expected a glTF 2.0 file, found one that does not parse: " + one_line(problem));
-  refuse_compressed(path, source.model);
   refuse_fractions(path, source.document, "", false);
   try {
     gather_buffers(&source);

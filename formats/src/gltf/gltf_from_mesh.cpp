@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A glTF document for a mesh that has none (an OBJ): vertices split where UVs or normals differ, one primitive per
-// material.
+// A glTF document for a mesh that has none (an OBJ): a node per object, vertices split where UVs or normals differ, one
+// primitive per material.
 #include <array>
 #include <cmath>
 #include <map>
 #include <sstream>
 #include <unordered_map>
 
+#include "files/picture_files.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -101,6 +102,72 @@ int add_floats(tinygltf::Model* model, const std::vector<float>& values, int com
   return static_cast<int>(model->accessors.size()) - 1;
 }
 
+// COLOR_0 in 16 bits: linear light has its steps where eyes see them least.
+int add_colours(tinygltf::Model* model, const Character& character, const SplitPrimitive& split) {
+  std::vector<uint16_t> values;
+  for (const SplitVertex& v : split.vertices) {
+    for (const float channel : character.vertex_colors[v.vertex])
+      values.push_back(static_cast<uint16_t>(std::lround(channel * 65535.0f)));
+    values.push_back(65535);
+  }
+  tinygltf::Accessor accessor;
+  accessor.bufferView = add_view(model, values.data(), values.size() * 2, TINYGLTF_TARGET_ARRAY_BUFFER);
+  accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
+  accessor.normalized = true;
+  accessor.type = TINYGLTF_TYPE_VEC4;
+  accessor.count = split.vertices.size();
+  model->accessors.push_back(std::move(accessor));
+  return static_cast<int>(model->accessors.size()) - 1;
+}
+
+// Materials of a document being made, each picture in it once.
+class Materials {
+ public:
+  Materials(const Character& character, tinygltf::Model* model) : character_(character), model_(*model) {}
+
+  int number_of(int material) {
+    if (material < 0 || static_cast<size_t>(material) >= character_.material_names.size()) return -1;
+    const auto [at, is_new] = numbers_.try_emplace(material, static_cast<int>(model_.materials.size()));
+    if (!is_new) return at->second;
+    tinygltf::Material made;
+    made.name = character_.material_names[static_cast<size_t>(material)];
+    made.pbrMetallicRoughness.metallicFactor = 0;
+    made.pbrMetallicRoughness.roughnessFactor = 0.9;
+    if (character_.materials.size() == character_.material_names.size())
+      describe(character_.materials[static_cast<size_t>(material)], &made);
+    model_.materials.push_back(std::move(made));
+    return at->second;
+  }
+
+ private:
+  void describe(const Material& material, tinygltf::Material* made) {
+    made->pbrMetallicRoughness.baseColorFactor.assign(material.base_color.begin(), material.base_color.end());
+    made->emissiveFactor.assign(material.emissive.begin(), material.emissive.end());
+    if (material.base_color[3] < 1) made->alphaMode = "BLEND";
+    made->pbrMetallicRoughness.baseColorTexture.index = texture_of(material.base_color_texture);
+    made->normalTexture.index = texture_of(material.normal_texture);
+  }
+
+  int texture_of(const Picture& picture) {
+    if (!picture) return -1;
+    const auto [at, is_new] = textures_.try_emplace(picture.get(), static_cast<int>(model_.textures.size()));
+    if (!is_new) return at->second;
+    tinygltf::Image image;
+    image.mimeType = png_or_jpeg(picture->data(), picture->size());
+    image.bufferView = add_view(&model_, picture->data(), picture->size(), 0);
+    tinygltf::Texture texture;
+    texture.source = static_cast<int>(model_.images.size());
+    model_.images.push_back(std::move(image));
+    model_.textures.push_back(std::move(texture));
+    return at->second;
+  }
+
+  const Character& character_;
+  tinygltf::Model& model_;
+  std::map<int, int> numbers_;
+  std::map<const void*, int> textures_;
+};
+
 tinygltf::Primitive add_primitive(tinygltf::Model* model, const Character& character, const SplitPrimitive& split,
                                   bool has_uvs, int material) {
   std::vector<float> positions, normals, uvs;
@@ -116,6 +183,8 @@ tinygltf::Primitive add_primitive(tinygltf::Model* model, const Character& chara
   primitive.attributes["POSITION"] = add_floats(model, positions, 3, true);
   primitive.attributes["NORMAL"] = add_floats(model, normals, 3, false);
   if (has_uvs) primitive.attributes["TEXCOORD_0"] = add_floats(model, uvs, 2, false);
+  if (character.vertex_colors.size() == character.vertices.size())
+    primitive.attributes["COLOR_0"] = add_colours(model, character, split);
 
   tinygltf::Accessor accessor;
   if (split.vertices.size() < 65535) {
@@ -143,10 +212,12 @@ GltfSource gltf_from_mesh(const std::string& path, const Character& character) {
              has_normals = character.corner_normals.size() == corner_count;
   const std::vector<Vec3> smooth = smooth_normals(character);
 
-  std::map<int, SplitPrimitive> primitives;  // by material; -1 = none
+  std::map<int, std::map<int, SplitPrimitive>> objects;  // by object and material; -1 = none
+  const auto number_at = [face_count](const std::vector<int>& of, size_t f) {
+    return of.size() == face_count ? of[f] : -1;
+  };
   for (size_t f = 0; f < face_count; ++f) {
-    SplitPrimitive& split =
-        primitives[character.face_materials.size() == face_count ? character.face_materials[f] : -1];
+    SplitPrimitive& split = objects[number_at(character.face_objects, f)][number_at(character.face_materials, f)];
     std::vector<uint32_t> corners;
     for (size_t c = character.face_offsets[f]; c < character.face_offsets[f + 1]; ++c) {
       SplitVertex v{character.face_vertices[c], {}};
@@ -170,31 +241,27 @@ GltfSource gltf_from_mesh(const std::string& path, const Character& character) {
   model.asset.version = "2.0";
   model.asset.generator = "sinew";
   model.buffers.emplace_back();
-  tinygltf::Mesh mesh;
-  mesh.name = character.name;
-  GltfSource parts;
-  for (const auto& [material, split] : primitives) {
-    int number = -1;
-    if (material >= 0 && static_cast<size_t>(material) < character.material_names.size()) {
-      tinygltf::Material made;
-      made.name = character.material_names[static_cast<size_t>(material)];
-      made.pbrMetallicRoughness.metallicFactor = 0;
-      made.pbrMetallicRoughness.roughnessFactor = 0.9;
-      number = static_cast<int>(model.materials.size());
-      model.materials.push_back(std::move(made));
-    }
-    GltfPart part{0, static_cast<int>(mesh.primitives.size()), {}};
-    for (const SplitVertex& v : split.vertices) part.vertex_of.push_back(v.vertex);
-    parts.parts.push_back(std::move(part));
-    mesh.primitives.push_back(add_primitive(&model, character, split, has_uvs, number));
-  }
-  model.meshes.push_back(std::move(mesh));
-  tinygltf::Node node;
-  node.name = character.name;
-  node.mesh = 0;
-  model.nodes.push_back(std::move(node));
   tinygltf::Scene scene;
-  scene.nodes = {0};
+  GltfSource parts;
+  Materials materials(character, &model);
+  for (const auto& [object, primitives] : objects) {
+    tinygltf::Mesh mesh;
+    const bool named = object >= 0 && static_cast<size_t>(object) < character.object_names.size();
+    mesh.name = named ? character.object_names[static_cast<size_t>(object)] : character.name;
+    const int node_number = static_cast<int>(model.nodes.size());
+    for (const auto& [material, split] : primitives) {
+      GltfPart part{node_number, static_cast<int>(mesh.primitives.size()), {}};
+      for (const SplitVertex& v : split.vertices) part.vertex_of.push_back(v.vertex);
+      parts.parts.push_back(std::move(part));
+      mesh.primitives.push_back(add_primitive(&model, character, split, has_uvs, materials.number_of(material)));
+    }
+    tinygltf::Node node;
+    node.name = mesh.name;
+    node.mesh = static_cast<int>(model.meshes.size());
+    model.meshes.push_back(std::move(mesh));
+    model.nodes.push_back(std::move(node));
+    scene.nodes.push_back(node_number);
+  }
   model.scenes.push_back(std::move(scene));
   model.defaultScene = 0;
 

@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "gltf/bind_pose.hpp"
+#include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -39,7 +40,9 @@ class GltfReader {
   GltfReader(std::string path, bool need_mesh) : path_(std::move(path)), need_mesh_(need_mesh) {}
 
   Character read() {
-    source_ = std::make_shared<GltfSource>(load_gltf(path_, read_file(path_)));
+    source_ = std::make_shared<GltfSource>(is_scene_file(path_) ? gltf_from_scene(path_)
+                                                                : load_gltf(path_, read_file(path_)));
+    character_.notes = source_->notes;
     nodes_ = gltf_nodes(path_, model());
     character_.name = stem_of(path_);
     for (size_t node = 0; node < model().nodes.size(); ++node) check_references(node);
@@ -248,10 +251,6 @@ class GltfReader {
     const tinygltf::Node& node = model().nodes[node_index];
     const tinygltf::Primitive& primitive = model().meshes[static_cast<size_t>(node.mesh)].primitives[primitive_index];
     const auto position_at = primitive.attributes.find("POSITION");
-    if (primitive.extensions.count("KHR_draco_mesh_compression") != 0 && position_at != primitive.attributes.end() &&
-        position_at->second >= 0 && static_cast<size_t>(position_at->second) < model().accessors.size() &&
-        model().accessors[static_cast<size_t>(position_at->second)].bufferView < 0)
-      throw Error(where + ": expected uncompressed geometry, found KHR_draco_mesh_compression; decode it first");
     if (position_at == primitive.attributes.end()) return;  // the specification: nothing to draw
     if (primitive.mode == TINYGLTF_MODE_POINTS || primitive.mode == TINYGLTF_MODE_LINE ||
         primitive.mode == TINYGLTF_MODE_LINE_LOOP || primitive.mode == TINYGLTF_MODE_LINE_STRIP)

@@ -4,13 +4,12 @@
 #ifndef SINEW_FORMATS_GLTF_GLTF_SOURCE_HPP
 #define SINEW_FORMATS_GLTF_GLTF_SOURCE_HPP
 
-#include <tiny_gltf.h>
-
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "gltf/tinygltf.hpp"
 #include "sinew_formats/affine.hpp"
 #include "sinew_formats/character.hpp"
 
@@ -38,18 +37,23 @@ struct GltfBindPose {
 // changes the JSON.
 struct GltfSource {
   tinygltf::Model model;  // as read
-  Json document;          // the same; all buffer views lie in buffer 0, images that could be loaded are buffer views
+  Json document;          // the same; all buffer views lie in buffer 0; pictures of other files stay in model.images
   std::vector<uint8_t> bytes;  // buffer 0
   std::vector<GltfPart> parts;
   std::vector<int> joint_nodes;  // [J] node of each joint
   GltfBindPose bind_pose;
-  size_t vertex_count = 0;    // of the Character
-  std::vector<Joint> joints;  // as read: a Character whose joints differ has its skeleton from elsewhere
+  size_t vertex_count = 0;         // of the Character
+  std::vector<Joint> joints;       // as read: a Character whose joints differ has its skeleton from elsewhere
+  std::string path;                // of the file that uris of pictures are relative to; empty when there is none
+  std::vector<std::string> notes;  // one-line remarks for the user
 };
 
-// Parses a .gltf, .glb or .vrm file (or the bytes of one) with its buffers; pictures stay undecoded. Parts and joints
-// are left empty.
+// Parses a .gltf, .glb or .vrm file (or the bytes of one) with its buffers; compressed geometry is decoded, pictures are
+// not. Parts and joints are left empty.
 GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file);
+
+// "image/png", "image/jpeg", "image/webp", "image/ktx2" by the first bytes; nullptr for anything else.
+const char* image_type(const std::vector<unsigned char>& bytes);
 
 // The node tree. Throws Error when it is none.
 struct GltfNodes {
@@ -81,6 +85,8 @@ int add_accessor(GltfSource* source, const void* values, size_t size_bytes, cons
                  size_t count, bool vertex_attribute, bool normalized);
 // Removes the accessors of `candidates` and their buffer views and bytes where nothing else refers to them.
 void drop_unused_accessors(std::vector<int> candidates, GltfSource* source);
+// Removes one buffer view, not its bytes; false where something refers to it, or an extension may.
+bool drop_unused_view(size_t view, Json* document);
 
 }  // namespace sinew
 #endif

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Character to a skinned GLB: the input's own document or a new one, with the skin put in, as one file.
+// Character to a skinned GLB, VRM or .gltf with .bin: the input's own document or a new one, with the skin put in.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <set>
 
+#include "gltf/gltf_container.hpp"
 #include "gltf/gltf_source.hpp"
+#include "gltf/gltf_uri.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
+
+namespace fs = std::filesystem;
 
 namespace sinew {
 namespace {
@@ -134,33 +140,69 @@ void pack_bytes(GltfSource* source) {
   source->bytes = std::move(packed);
 }
 
-std::vector<uint8_t> to_glb(const std::string& path, GltfSource* source) {
+// Pictures that are files beside the input, or data URIs, become parts of the buffer; those that were not found stay
+// names. Without `files_too`, files stay files.
+void embed_images(bool files_too, GltfSource* source) {
   Json& document = source->document;
-  if (document.contains("buffers") && !document["buffers"].empty())
-    document["buffers"][0]["byteLength"] = source->bytes.size();
-  std::string text = document.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
-  const uint64_t total = 12 + 8 + text.size() + (source->bytes.empty() ? 0 : 8 + source->bytes.size());
-  if (total > UINT32_MAX)
-    throw Error(path + ": cannot write, a GLB holds at most 4 GiB, this one needs " + std::to_string(total) + " bytes");
-  std::vector<uint8_t> glb;
-  glb.reserve(static_cast<size_t>(total));
-  const auto put = [&](size_t value) {
-    for (size_t i = 0; i < 4; ++i) glb.push_back(static_cast<uint8_t>(value >> (8 * i)));
-  };
-  put(0x46546c67);  // "glTF"
-  put(2);
-  put(static_cast<size_t>(total));
-  put(text.size());
-  put(0x4e4f534a);  // "JSON"
-  glb.insert(glb.end(), text.begin(), text.end());
-  if (!source->bytes.empty()) {
-    put(source->bytes.size());
-    put(0x004e4942);  // "BIN"
-    glb.insert(glb.end(), source->bytes.begin(), source->bytes.end());
+  for (size_t i = 0; i < source->model.images.size(); ++i) {
+    Json& image = document["images"][i];
+    const std::vector<unsigned char>& bytes = source->model.images[i].image;
+    const char* type = image_type(bytes);
+    if (!image.contains("uri") || bytes.empty() || type == nullptr) continue;
+    if (!files_too && !tinygltf::IsDataURI(image["uri"].get<std::string>())) continue;
+    source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
+    document["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", bytes.size()}});
+    source->bytes.insert(source->bytes.end(), bytes.begin(), bytes.end());
+    image.erase("uri");
+    image["bufferView"] = document["bufferViews"].size() - 1;
+    image["mimeType"] = type;
+    if (!document.contains("buffers")) document["buffers"] = Json::array({Json::object()});
   }
-  return glb;
+}
+
+bool same_folder(const std::string& a, const std::string& b) {
+  std::error_code first, second;
+  const fs::path x = fs::weakly_canonical(fs::absolute(a).parent_path(), first),
+                 y = fs::weakly_canonical(fs::absolute(b).parent_path(), second);
+  return !first && !second && x == y;
+}
+
+// The document with the character's skin; pictures are not yet in it.
+GltfSource skinned_document(const std::string& path, const Character& character, const GlbOptions& options) {
+  const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
+  GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
+  if (!character.influences.empty() && !character.joints.empty()) {
+    if (character.influences.size() != character.vertices.size())
+      throw Error(path + ": cannot write, expected influences for " + std::to_string(character.vertices.size()) +
+                  " vertices, found " + std::to_string(character.influences.size()));
+    write_gltf_skin(path, character, options.unorm8, &source);
+  } else if (!has_document) {
+    add_joint_nodes(path, character.joints, &source.document);
+  }
+  Json& asset = source.document["asset"];
+  if (!asset.contains("generator")) asset["generator"] = "sinew";
+  return source;
+}
+
+void write_text_form(const std::string& path, GltfSource* source) {
+  const fs::path target = path;
+  const fs::path binary = target.parent_path() / (stem_of(path) + ".bin");
+  std::vector<NamedBytes> files;
+  if (!source->bytes.empty()) {
+    source->document["buffers"][0]["byteLength"] = source->bytes.size();
+    source->document["buffers"][0]["uri"] = percent_encoded(binary.filename().string());
+    files.push_back({binary.string(), std::move(source->bytes)});
+  }
+  const std::string text = source->document.dump(2) + "\n";
+  files.push_back({path, {text.begin(), text.end()}});
+  write_files(files);
+}
+
+bool is_vrm(const GltfSource& source) {
+  if (!source.document.contains("extensions")) return false;
+  const Json& extensions = source.document["extensions"];
+  return extensions.contains("VRM") || extensions.contains("VRMC_vrm");
 }
 
 }  // namespace
@@ -181,26 +223,28 @@ void drop_unused_accessors(std::vector<int> candidates, GltfSource* source) {
   pack_bytes(source);
 }
 
-void write_glb(const std::string& path, const Character& character, const GlbOptions& options) {
-  const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
-  GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
-  if (!character.influences.empty() && !character.joints.empty()) {
-    if (character.influences.size() != character.vertices.size())
-      throw Error(path + ": cannot write, expected influences for " + std::to_string(character.vertices.size()) +
-                  " vertices, found " + std::to_string(character.influences.size()));
-    write_gltf_skin(path, character, options.unorm8, &source);
-  } else if (!has_document) {
-    add_joint_nodes(path, character.joints, &source.document);
-  }
-  Json& asset = source.document["asset"];
-  if (!asset.contains("generator")) asset["generator"] = "sinew";
-  std::vector<uint8_t> glb;
+bool drop_unused_view(size_t view, Json* document) {
+  if (!numbers_may_change(*document) || !numbers_exist(document)) return false;
+  std::set<size_t> views = {view};
+  visit_view_numbers(document, [&](Json* number) { views.erase(number->get<size_t>()); });
+  if (views.empty()) return false;
+  remove_elements(document, "bufferViews", views, [&](const Visit& each) { visit_view_numbers(document, each); });
+  return true;
+}
+
+void write_gltf(const std::string& path, const Character& character, const GlbOptions& options) {
+  const bool as_text = has_extension(path, ".gltf");
+  GltfSource source = skinned_document(path, character, options);
+  if (has_extension(path, ".vrm") && !is_vrm(source))
+    throw Error(path + ": cannot write a VRM, " + character.name +
+                " has none of its data (extension VRM or VRMC_vrm); write a .glb");
   try {
-    glb = to_glb(path, &source);
+    embed_images(!as_text || source.path.empty() || !same_folder(path, source.path), &source);
+    if (as_text) return write_text_form(path, &source);
+    write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));
   }
-  write_file(path, glb);
 }
 
 }  // namespace sinew

@@ -16,6 +16,7 @@
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/decimal.hpp"
+#include "text/mtl.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
@@ -23,10 +24,10 @@ namespace {
 
 // Statements of the OBJ specification (and `tw`, `vw` and `t` of common tools) that say nothing about faces.
 constexpr std::string_view kOtherStatements[] = {
-    "g",      "o",    "s",    "usemtl", "mtllib", "l",          "p",         "vp",      "cstype", "deg",
-    "bmat",   "step", "curv", "curv2",  "surf",   "parm",       "trim",      "hole",    "scrv",   "sp",
-    "end",    "con",  "mg",   "bevel",  "lod",    "c_interp",   "usemap",    "t",       "tw",     "vw",
-    "maplib", "call", "csh",  "ctech",  "stech",  "shadow_obj", "trace_obj", "d_interp"};
+    "g",    "o",    "s",     "usemtl", "l",          "p",         "vp",      "cstype", "deg", "bmat",
+    "step", "curv", "curv2", "surf",   "parm",       "trim",      "hole",    "scrv",   "sp",  "end",
+    "con",  "mg",   "bevel", "lod",    "c_interp",   "usemap",    "t",       "tw",     "vw",  "maplib",
+    "call", "csh",  "ctech", "stech",  "shadow_obj", "trace_obj", "d_interp"};
 
 struct ObjCounts {
   size_t vertices = 0, uvs = 0, normals = 0, corners = 0, faces = 0;
@@ -87,7 +88,39 @@ std::string join_continued_lines(const std::string& text) {
   return out;
 }
 
-ObjCounts check_lines(const std::string& name, std::string_view text) {
+// What the loader does not hand on.
+struct ObjExtras {
+  std::vector<std::array<float, 3>> colours;  // [V] once a vertex has one; white where it has none
+  std::vector<std::string> libraries;         // after mtllib
+};
+
+// Colours of vertices are written as screens show them (sRGB); glTF wants light (IEC 61966-2-1).
+float linear_light(float shown) {
+  const float value = std::clamp(shown, 0.0f, 1.0f);
+  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+void read_colour(const std::vector<std::string_view>& words, size_t vertex, ObjExtras* extras) {
+  if (words.size() < 7) return;  // "v x y z r g b", perhaps with an opacity
+  extras->colours.resize(vertex, {1, 1, 1});
+  std::array<float, 3> colour{};
+  for (size_t c = 0; c < 3; ++c) colour[c] = linear_light(to_finite_float(words[c + 4]).value_or(1.0f));
+  extras->colours.push_back(colour);
+}
+
+// File names may hold blanks: the words after mtllib are one name, unless it takes several to end in .mtl each.
+void read_libraries(const std::vector<std::string_view>& words, ObjExtras* extras) {
+  std::string name;
+  for (size_t i = 1; i < words.size(); ++i) {
+    name.append(name.empty() ? "" : " ").append(words[i]);
+    if (i + 1 < words.size() && !has_extension(name, ".mtl")) continue;
+    if (std::find(extras->libraries.begin(), extras->libraries.end(), name) == extras->libraries.end())
+      extras->libraries.push_back(name);
+    name.clear();
+  }
+}
+
+ObjCounts check_lines(const std::string& name, std::string_view text, ObjExtras* extras) {
   ObjCounts counts;
   LargestIndex vertex, uv, normal;
   TextLines lines(name, text);
@@ -97,6 +130,7 @@ ObjCounts check_lines(const std::string& name, std::string_view text) {
     const std::string_view keyword = words[0];
     if (keyword == "v") {
       check_numbers(lines, 3, 7);  // w or a colour may follow
+      read_colour(words, counts.vertices, extras);
       ++counts.vertices;
     } else if (keyword == "vt") {
       check_numbers(lines, 1, 3);
@@ -119,6 +153,8 @@ ObjCounts check_lines(const std::string& name, std::string_view text) {
       }
       counts.corners += words.size() - 1;
       ++counts.faces;
+    } else if (keyword == "mtllib") {
+      read_libraries(words, extras);
     } else if (std::find(std::begin(kOtherStatements), std::end(kOtherStatements), keyword) ==
                std::end(kOtherStatements)) {
       lines.fail("an OBJ statement (v, vt, vn, f, g, o, ...)", keyword);
@@ -147,8 +183,8 @@ struct ObjCollector {
   std::vector<std::array<float, 2>> uvs;
   std::vector<Vec3> normals;
   std::vector<int64_t> corner_uvs, corner_normals;  // [corners] numbers from 0: a face may come before what it names
-  std::unordered_map<std::string, int> materials, groups;
-  int material = -1, group = -1;
+  std::unordered_map<std::string, int> materials, groups, objects;
+  int material = -1, group = -1, object = -1;
 };
 
 int number_of(std::string name, std::unordered_map<std::string, int>* numbers, std::vector<std::string>* names) {
@@ -180,6 +216,7 @@ void add_face(ObjCollector* to, const tinyobj::index_t* corners, int count) {
   character.face_offsets.push_back(static_cast<uint32_t>(character.face_vertices.size()));
   character.face_materials.push_back(to->material);
   character.face_groups.push_back(to->group);
+  character.face_objects.push_back(to->object);
 }
 
 tinyobj::callback_t collector_callbacks() {
@@ -209,6 +246,7 @@ tinyobj::callback_t collector_callbacks() {
   callbacks.object_cb = [](void* to, const char* name) {
     ObjCollector& collector = *static_cast<ObjCollector*>(to);
     collector.group = number_of(name, &collector.groups, &collector.character->group_names);
+    collector.object = number_of(name, &collector.objects, &collector.character->object_names);
   };
   return callbacks;
 }
@@ -225,6 +263,10 @@ void finish(ObjCollector* from) {
       character.corner_normals.push_back(given(index) ? from->normals[static_cast<size_t>(index)] : Vec3{0, 0, 0});
   if (character.material_names.empty()) character.face_materials.clear();
   if (character.group_names.empty()) character.face_groups.clear();
+  if (character.object_names.empty()) {
+    character.object_names = character.group_names;
+    character.face_objects = character.face_groups;
+  }
 }
 
 void append_number(std::string* out, float value) {
@@ -267,7 +309,8 @@ Character read_obj(const std::string& path) {
   // They part words here; the loader takes them for letters.
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == '\f' || c == '\v'; }, ' ');
-  const ObjCounts counts = check_lines(name, text);
+  ObjExtras extras;
+  const ObjCounts counts = check_lines(name, text, &extras);
 
   Character character;
   character.name = stem_of(path);
@@ -287,6 +330,11 @@ Character read_obj(const std::string& path) {
                 std::to_string(character.vertices.size()) + " and " + std::to_string(character.face_count()) + " " +
                 problem);
   finish(&collector);
+  if (!extras.colours.empty()) {
+    extras.colours.resize(counts.vertices, {1, 1, 1});
+    character.vertex_colors = std::move(extras.colours);
+  }
+  read_materials(path, extras.libraries, &character);
   return character;
 }
 

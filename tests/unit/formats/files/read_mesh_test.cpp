@@ -15,5 +15,15 @@ TEST(ReadCharacter, WithoutItsRigIsAnError) {
                "no such file");
 }
 
+TEST(ReadMesh, FilesOfOtherProgramsAreShownTheWayOut) {
+  EXPECT_ERROR(read_mesh("art/cat.blend"), "art/cat.blend", "blender --background art/cat.blend", "filepath='cat.glb'");
+  EXPECT_ERROR(read_mesh("cat.usdz"), "usd_import(filepath='cat.usdz')");
+  EXPECT_ERROR(read_mesh("cat.max"), "3ds Max");
+  EXPECT_ERROR(read_character("cat.MB"), "Maya", "FBX");
+  EXPECT_ERROR(read_mesh("cat.stl"), "Blender");
+  Character c;
+  EXPECT_ERROR(read_skeleton("cat.bvh", false, &c), "expected a skeleton", "Blender");
+}
+
 }  // namespace
 }  // namespace sinew

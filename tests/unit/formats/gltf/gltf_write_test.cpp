@@ -71,6 +71,53 @@ TEST(GltfWrite, TheDocumentComesBackWithOnlyTheSkinChanged) {
   EXPECT_EQ(weights[1], 19660);
 }
 
+TEST(GltfWrite, TextFormHasItsBytesBesideIt) {
+  const TempFolder folder;
+  const Character c = read(two_joint_strip(true));
+  write_gltf(folder.file("strip 2.gltf"), c);
+  const json out = json::parse(folder.text_of("strip 2.gltf"));
+  EXPECT_EQ(out["buffers"][0]["uri"], "strip%202.bin");
+  EXPECT_EQ(out["buffers"][0]["byteLength"], folder.text_of("strip 2.bin").size());
+  EXPECT_EQ(folder.file_count(), 2u);
+  const Character again = read_gltf(folder.file("strip 2.gltf"));
+  ASSERT_EQ(again.vertices.size(), c.vertices.size());
+  for (size_t v = 0; v < c.vertices.size(); ++v) EXPECT_EQ(again.vertices[v].y, c.vertices[v].y);
+
+  std::filesystem::create_directories(folder.file("blocked.bin"));
+  EXPECT_ERROR(write_gltf(folder.file("blocked.gltf"), c), "blocked.bin", "directory");
+  EXPECT_EQ(folder.file_count(), 3u);
+}
+
+TEST(GltfWrite, PicturesOfTheSameFolderStayFiles) {
+  const TempFolder folder, other;
+  const std::string png = "\x89PNG\r\n\x1a\n....picture";
+  folder.write("skin.png", png);
+  GlbBuilder builder = two_joint_strip();
+  builder.add("images", {{"uri", "skin.png"}});
+  builder.add("textures", {{"source", 0}});
+  builder.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+  const Character c = read_gltf(folder.write("in.glb", builder.glb()));
+  write_gltf(folder.file("out.gltf"), c);
+  EXPECT_EQ(json::parse(folder.text_of("out.gltf"))["images"][0], json({{"uri", "skin.png"}}));
+  EXPECT_EQ(folder.text_of("out.bin").find(png), std::string::npos);
+  write_gltf(other.file("out.gltf"), c);
+  EXPECT_TRUE(json::parse(other.text_of("out.gltf"))["images"][0].contains("bufferView"));
+  EXPECT_NE(other.text_of("out.bin").find(png), std::string::npos);
+  write_gltf(folder.file("out.glb"), c);
+  EXPECT_NE(folder.text_of("out.glb").find(png), std::string::npos);
+}
+
+TEST(GltfWrite, OnlyAVrmBecomesAVrm) {
+  const TempFolder folder;
+  GlbBuilder builder = two_joint_strip();
+  EXPECT_ERROR(write_gltf(folder.file("out.vrm"), read(builder)), "out.vrm", "VRMC_vrm", ".glb");
+  EXPECT_EQ(folder.file_count(), 0u);
+  builder.document["extensionsUsed"] = {"VRMC_vrm"};
+  builder.document["extensions"]["VRMC_vrm"] = {{"specVersion", "1.0"}};
+  write_gltf(folder.file("out.vrm"), read(builder));
+  EXPECT_EQ(json_of_glb(folder.text_of("out.vrm"))["extensions"], builder.document["extensions"]);
+}
+
 TEST(GltfWrite, RefusesBrokenCharacters) {
   const TempFolder folder;
   Character c = read(two_joint_strip());

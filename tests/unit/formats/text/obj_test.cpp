@@ -105,7 +105,7 @@ TEST(Obj, ErrorsNameFileLineExpectedAndFound) {
   const TempFolder folder;
   EXPECT_ERROR(read_obj(folder.path()), folder.path(), "directory");
   EXPECT_ERROR(read_obj(folder.file("no.obj")), "no.obj", "no such file");
-  EXPECT_ERROR(read_mesh(folder.write("a.fbx", "x")), "a.fbx", "extension");
+  EXPECT_ERROR(read_mesh(folder.write("a.xyz", "x")), "a.xyz", "extension");
 }
 
 TEST(Obj, AcceptsNumbersInEveryUsualForm) {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A glTF file taken apart into its JSON and the bytes of its buffers, and put together again.
+#ifndef SINEW_FORMATS_GLTF_GLTF_CONTAINER_HPP
+#define SINEW_FORMATS_GLTF_GLTF_CONTAINER_HPP
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sinew {
+
+// The JSON text of a GLB or .gltf; empty when a GLB's header promises more than there is.
+std::string_view gltf_text(const std::vector<uint8_t>& file);
+
+// Bytes of every buffer of a parsed document: the GLB's chunk, data URIs, files beside `path`. Buffers for readers
+// without a compression (`fallback` in its extension, no uri) are empty. Throws Error naming `path` and the buffer.
+std::vector<std::vector<uint8_t>> load_buffers(const std::string& path, const std::vector<uint8_t>& file,
+                                               const nlohmann::json& document);
+
+// One GLB of a document whose buffer 0 holds `bytes`; sets that buffer's byteLength. Throws Error naming `path` above
+// 4 GiB, json::exception when a name is not UTF-8.
+std::vector<uint8_t> pack_glb(const std::string& path, nlohmann::json* document, std::vector<uint8_t> bytes);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "gltf/gltf_decompress.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "gltf/gltf_container.hpp"
+#include "gltf/gltf_source.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/print.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr std::array<const char*, 3> kCompressions = {"EXT_meshopt_compression", "KHR_meshopt_compression",
+                                                      "KHR_draco_mesh_compression"};
+
+// The extensions of kCompressions in `list` go out of it.
+void remove_from(Json* document, const char* list, const std::string& name) {
+  if (!document->contains(list)) return;
+  Json kept = Json::array();
+  for (const Json& used : (*document)[list])
+    if (used != name) kept.push_back(used);
+  if (kept.empty())
+    document->erase(list);
+  else
+    (*document)[list] = std::move(kept);
+}
+
+// All bytes that a view names into one buffer; what was compressed, or stood in for it, is left behind.
+std::vector<uint8_t> gather(CompressedGltf* gltf) {
+  std::vector<uint8_t> bytes;
+  std::map<std::array<size_t, 3>, size_t> known;  // buffer, offset, length: views that show the same bytes
+  Json& views = gltf->document["bufferViews"];
+  for (size_t i = 0; i < views.size(); ++i) {
+    Json& view = views[i];
+    const ByteRange from = gltf->views[i] ? ByteRange{gltf->views[i]->data(), gltf->views[i]->size()}
+                                          : bytes_of(*gltf, gltf->path + ": buffer view " + std::to_string(i), view);
+    if (bytes.size() + from.size > UINT32_MAX - (size_t{1} << 20))
+      throw Error(gltf->path + ": expected less than 4 GiB of geometry once decompressed, found more");
+    const size_t buffer = gltf->views[i] ? SIZE_MAX - i : view.at("buffer").get<size_t>();
+    const auto [at, is_new] = known.try_emplace({buffer, view.value("byteOffset", size_t{0}), from.size}, 0);
+    if (is_new) {
+      bytes.resize((bytes.size() + 7) / 8 * 8);
+      at->second = bytes.size();
+      bytes.insert(bytes.end(), from.first, from.first + from.size);
+    }
+    view["buffer"] = 0;
+    view["byteOffset"] = at->second;
+    view["byteLength"] = from.size;
+  }
+  gltf->document["buffers"] = Json::array({Json::object()});
+  return bytes;
+}
+
+}  // namespace
+
+ByteRange bytes_of(const CompressedGltf& gltf, const std::string& where, const Json& view) {
+  const size_t buffer = view.at("buffer").get<size_t>();
+  const size_t offset = view.value("byteOffset", size_t{0}), length = view.at("byteLength").get<size_t>();
+  if (buffer >= gltf.buffers.size())
+    throw Error(where + ": expected a buffer below " + std::to_string(gltf.buffers.size()) + ", found " +
+                std::to_string(buffer));
+  const std::vector<uint8_t>& bytes = gltf.buffers[buffer];
+  if (offset > bytes.size() || length > bytes.size() - offset)
+    throw Error(where + ": expected bytes inside of buffer " + std::to_string(buffer) + " of " +
+                std::to_string(bytes.size()) + " bytes, found " + std::to_string(offset) + " + " +
+                std::to_string(length));
+  return {bytes.data() + offset, length};
+}
+
+std::optional<std::vector<uint8_t>> decompress_gltf(const std::string& path, const std::vector<uint8_t>& file,
+                                                    std::vector<std::string>* notes) {
+  const std::string_view text = gltf_text(file);
+  const auto named = [&](const char* name) { return text.find(name) != std::string_view::npos; };
+  if (std::none_of(kCompressions.begin(), kCompressions.end(), named)) return std::nullopt;
+  CompressedGltf gltf;
+  gltf.path = path;
+  gltf.document = Json::parse(text.begin(), text.end(), nullptr, false);
+  if (!gltf.document.is_object()) return std::nullopt;  // the loader says what is wrong with it
+  try {
+    std::string found;
+    for (const char* name : kCompressions) {
+      const Json used = gltf.document.value("extensionsUsed", Json::array());
+      if (std::find(used.begin(), used.end(), name) == used.end()) continue;
+      if (found.empty()) {
+        gltf.buffers = load_buffers(path, file, gltf.document);
+        if (!gltf.document.contains("bufferViews")) gltf.document["bufferViews"] = Json::array();
+        gltf.views.resize(gltf.document["bufferViews"].size());
+      }
+      remove_from(&gltf.document, "extensionsUsed", name);
+      remove_from(&gltf.document, "extensionsRequired", name);
+      if (name == std::string("KHR_draco_mesh_compression"))
+        decode_draco(&gltf);
+      else
+        decode_meshopt(name, &gltf);
+      found.append(found.empty() ? "" : " and ").append(name);
+    }
+    if (found.empty()) return std::nullopt;
+    std::vector<uint8_t> bytes = gather(&gltf);
+    notes->push_back(
+        print("%s: read; a glTF output is written without it, %.0f kB of geometry instead of %.0f kB (%.1f "
+              "times as much)",
+              found.c_str(), static_cast<double>(gltf.plain_bytes) / 1e3, static_cast<double>(gltf.packed_bytes) / 1e3,
+              static_cast<double>(gltf.plain_bytes) / static_cast<double>(std::max<size_t>(1, gltf.packed_bytes))));
+    return pack_glb(path, &gltf.document, std::move(bytes));
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(path + ": expected the fields of compressed glTF, found others: " + one_line(error.what()));
+  } catch (const std::bad_alloc&) {
+    throw OutOfMemory(path + ": expected compressed geometry that fits into memory, found more");
+  }
+}
+
+}  // namespace sinew

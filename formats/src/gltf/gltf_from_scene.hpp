@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// FBX and COLLADA as a glTF document, through Assimp where the build has it.
+#ifndef SINEW_FORMATS_GLTF_GLTF_FROM_SCENE_HPP
+#define SINEW_FORMATS_GLTF_GLTF_FROM_SCENE_HPP
+
+#include <string>
+
+#include "gltf/gltf_source.hpp"
+
+namespace sinew {
+
+bool is_scene_file(const std::string& path);  // .fbx, .dae
+
+// Mesh nodes, joints with their bind matrices, weights, UVs, normals, colours, blend shapes, materials with PNG and JPEG
+// pictures; in metres, Y up. What is not carried over is in the notes. Joints are the nodes that move vertices, what
+// lies between them, and the leaves below them. Throws Error for what Assimp cannot read, and where it is not built in.
+GltfSource gltf_from_scene(const std::string& path);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+// The one place where tinygltf's functions are compiled.
+#define TINYGLTF_IMPLEMENTATION
+#include "gltf/tinygltf.hpp"

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// FBX and COLLADA in: mesh, joints, weights, units and axes; broken files and builds without Assimp.
+#include "gltf/gltf_from_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "expect_error.hpp"
+#include "glb_round.hpp"
+#include "scene_files.hpp"
+
+namespace sinew {
+namespace {
+
+#ifdef SINEW_HAS_ASSIMP
+
+const std::string kPng = std::string("\x89PNG\r\n\x1a\n", 8) + std::string(17, '\0') + "\2 picture";
+
+// 1 wide and 4 high, upright, with the weights of the file.
+void expect_strip(const Character& c) {
+  ASSERT_EQ(c.joints.size(), 3u);
+  EXPECT_EQ(c.joints[0].name, "hip");
+  EXPECT_EQ(c.joints[0].parent, -1);
+  EXPECT_EQ(c.joints[1].name, "knee");
+  EXPECT_EQ(c.joints[1].parent, 0);
+  EXPECT_EQ(c.joints[2].name, "tip");
+  EXPECT_EQ(c.joints[2].parent, 1);
+  EXPECT_NEAR(c.joints[1].position.y, 2, 1e-5);
+  EXPECT_NEAR(c.joints[2].position.y, 4, 1e-5);
+  EXPECT_NEAR(c.joints[2].position.z, 0, 1e-5);
+  ASSERT_GE(c.vertices.size(), 10u);
+  for (size_t v = 0, found = 0; v < c.vertices.size(); ++v) {
+    const float y = c.vertices[v].y;
+    const bool of_strip = c.influences[v].size() == 2 || std::abs(y - std::round(y)) < 1e-5f;
+    if (!of_strip || found++ >= 10) continue;
+    EXPECT_NEAR(c.vertices[v].z, 0, 1e-5);
+    EXPECT_NEAR(row(c, v)[1], y / 4, 2e-5) << v;
+    EXPECT_NEAR(row(c, v)[0], 1 - y / 4, 2e-5) << v;
+  }
+}
+
+TEST(GltfFromScene, Fbx) {
+  const TempFolder folder;
+  const Character c = read_mesh(folder.write("strip.fbx", strip_fbx()));
+  expect_strip(c);
+  EXPECT_EQ(c.vertices.size(), 13u);
+  EXPECT_EQ(c.face_count(), 9u);
+  EXPECT_EQ(row(c, 12), (std::map<uint32_t, float>{{1, 1.0f}}));  // the lamp hangs on the knee
+  const Character again = reread(written(c));
+  expect_strip(again);
+  const nlohmann::json out = json_of_glb(written(c));
+  const nlohmann::json& body = out["meshes"][0];
+  EXPECT_EQ(body["name"], "body");
+  const nlohmann::json& red = out["materials"][body["primitives"][0]["material"].get<size_t>()];
+  EXPECT_EQ(red["name"], "red");
+  EXPECT_EQ(red["pbrMetallicRoughness"]["baseColorFactor"], nlohmann::json({1, 0, 0, 1}));
+}
+
+TEST(GltfFromScene, Collada) {
+  const TempFolder folder;
+  const std::string path = folder.write("strip.dae", strip_dae());
+  Character c = read_character(path);
+  expect_strip(c);
+  EXPECT_EQ(c.vertices.size(), 10u);
+  ASSERT_EQ(c.notes.size(), 1u);
+  EXPECT_NE(c.notes[0].find("skin.png"), std::string::npos) << c.notes[0];
+  folder.write("skin.png", kPng);
+  c = read_character(path);
+  EXPECT_TRUE(c.notes.empty());
+  const std::string glb = written(c);
+  EXPECT_EQ(json_of_glb(glb)["images"].size(), 1u);
+  EXPECT_NE(glb.find(kPng), std::string::npos);
+  EXPECT_EQ(list_characters(folder.path()), std::vector<std::string>{path});
+}
+
+TEST(GltfFromScene, BrokenFilesAreOneLine) {
+  const TempFolder folder;
+  EXPECT_ERROR(read_mesh(folder.file("none.fbx")), "none.fbx", "no such file");
+  EXPECT_ERROR(read_mesh(folder.write("a.fbx", "")), "a.fbx", "empty");
+  EXPECT_ERROR(read_mesh(folder.write("a.fbx", "rubbish")), "a.fbx", "expected an FBX file");
+  EXPECT_ERROR(read_mesh(folder.write("a.dae", "<COLLADA>")), "a.dae", "expected a COLLADA file");
+  for (const std::string& whole : {strip_fbx(), strip_dae()}) {
+    const char* name = whole[0] == ';' ? "cut.fbx" : "cut.dae";
+    for (size_t length = 16; length < whole.size(); length += whole.size() / 40) {
+      try {
+        (void)read_mesh(folder.write(name, whole.substr(0, length)));
+      } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        EXPECT_EQ(std::string(error.what()).rfind(folder.file(name), 0), 0u) << error.what();
+      }
+    }
+  }
+}
+
+#else
+
+TEST(GltfFromScene, WithoutAssimpTheLineSaysWhatToInstall) {
+  const TempFolder folder;
+  EXPECT_ERROR(read_mesh(folder.write("a.fbx", strip_fbx())), "a.fbx", "libassimp-dev", ".glb");
+}
+
+#endif
+
+}  // namespace
+}  // namespace sinew
