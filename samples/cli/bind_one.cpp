@@ -95,6 +95,17 @@ JointsFrom joints_from(const BindSettings& settings) {
   return settings.skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames;
 }
 
+std::vector<size_t> joints_of_hints(const Character& character, const std::vector<uint8_t>& hints) {
+  std::vector<size_t> joints;
+  for (size_t v = 0; v < hints.size(); ++v) {
+    if (hints[v] == 0) continue;
+    for (const Influence& influence : character.influences[v]) joints.push_back(influence.joint);
+  }
+  std::sort(joints.begin(), joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  return joints;
+}
+
 CharacterBind bind_with(const BindSettings& settings, const Binder& binder, bool progress, Character* character,
                         JointChoice* choice) {
   CharacterBindOptions character_options;
@@ -110,6 +121,7 @@ CharacterBind bind_with(const BindSettings& settings, const Binder& binder, bool
   *choice = choose_joints(*character, joints_from(settings), said);
   set_locks(settings, *character, &options.locked);
   set_hints(settings, character, &options.hints);
+  take_back_joints(joints_of_hints(*character, options.hints), said, choice);
   options.symmetric = settings.symmetric;
   apply_style(settings.style, &options);
   uint32_t shown = 0;

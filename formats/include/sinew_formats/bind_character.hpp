@@ -47,6 +47,10 @@ struct CharacterBindOptions {
 // with joints that deform these and no others do, and joints that never do are left out beside the rest.
 JointChoice choose_joints(const Character& character, JointsFrom from, const std::vector<uint8_t>& said = {});
 
+// Takes joints back that were left out or are tips, because the user binds vertices to them: in hints, say. Those that
+// the user forbids stay out.
+void take_back_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& said, JointChoice* choice);
+
 // Whether a mesh stays as it is: one without a skin that hangs on a joint, or whose neighbours have skins. [meshes]
 std::vector<bool> kept_meshes(const Character& character, bool bind_props);
 

@@ -114,6 +114,19 @@ JointChoice choose_joints(const Character& character, JointsFrom from, const std
   return choice;
 }
 
+void take_back_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& said, JointChoice* choice) {
+  for (const size_t joint : joints) {
+    if (!said.empty() && (choice->flags == said || (said[joint] & SINEW_JOINT_NEVER) != 0)) continue;
+    choice->flags[joint] &= static_cast<uint8_t>(~SINEW_JOINT_NEVER);
+    choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), joint), choice->tips.end());
+    choice->left_out.erase(std::remove_if(choice->left_out.begin(), choice->left_out.end(),
+                                          [joint](const LeftOutJoint& left) { return left.joint == joint; }),
+                           choice->left_out.end());
+    for (std::vector<size_t>& set : choice->sets)
+      if (std::find(set.begin(), set.end(), joint) == set.end()) set.push_back(joint);
+  }
+}
+
 std::vector<bool> kept_meshes(const Character& character, bool bind_props) {
   std::vector<bool> kept(character.meshes.size(), false);
   if (bind_props) return kept;
