@@ -194,7 +194,7 @@ void add_bind(CLI::App& app) {
   sub->add_flag("--confidence", s->one.confidence,
                 "Also write how sure each vertex is, 0 to 1, as the attribute _CONFIDENCE of a .glb");
   sub->add_option("--png-confidence", s->one.png_confidence,
-                  "Also draw where to look: dark blue = sure, yellow = half, red = not at all")
+                  "Also draw where to look: dark blue = sure, red = the least sure of this character")
       ->type_name("FILE");
   sub->add_flag("--json", s->json, "Print the summary as JSON; with a folder one line of JSON for every mesh");
   sub->footer(

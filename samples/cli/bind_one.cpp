@@ -141,9 +141,13 @@ void draw(const BindSettings& settings, const Character& character, const std::v
   view.up_z = settings.up == "z";
   if (!settings.png.empty()) write_file(settings.png, encode_png(render(character, weight_colours(character), view)));
   if (settings.png_confidence.empty()) return;
+  // Red is the least sure vertex of this character: a table of measured hits has few low entries.
+  constexpr float kLeastScale = 0.1f;
   std::vector<float> doubt;
   for (const uint8_t c : confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
-  write_file(settings.png_confidence, encode_png(render(character, heat_colours(doubt, 1.0f), view)));
+  float largest = kLeastScale;
+  for (const float d : doubt) largest = std::max(largest, d);
+  write_file(settings.png_confidence, encode_png(render(character, heat_colours(doubt, largest), view)));
 }
 
 BindSummary summarise(const BindSettings& settings, const Binder& binder, const Character& character,

@@ -3,6 +3,7 @@
 #include "bind_summary.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "sinew_formats/print.hpp"
@@ -10,14 +11,23 @@
 namespace sinew::cli {
 
 Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confidence) {
+  constexpr double kSureEnough = 0.98;
   Doubts doubts;
+  std::vector<std::tuple<uint8_t, float, size_t>> order;
+  for (size_t v = 0; v < confidence.size(); ++v) {
+    if (!character.influences[v].empty()) order.emplace_back(confidence[v], character.influences[v][0].weight, v);
+  }
+  const size_t tenth = (order.size() + 9) / 10;
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(tenth), order.end());
   std::vector<std::pair<size_t, size_t>> counts(character.joints.size());  // vertices, joints in reverse for ties
   for (size_t j = 0; j < counts.size(); ++j) counts[j].second = counts.size() - 1 - j;
-  for (size_t v = 0; v < confidence.size(); ++v) {
-    if (confidence[v] >= 128 || character.influences[v].empty()) continue;
-    ++doubts.vertices;
-    ++counts[character.influences[v][0].joint].first;
+  for (size_t i = 0; i < tenth; ++i) {
+    const auto& [sure, weight, vertex] = order[i];
+    doubts.vertices.push_back(vertex);
+    doubts.sure += sure / 255.0 / static_cast<double>(tenth);
+    ++counts[character.influences[vertex][0].joint].first;
   }
+  if (doubts.sure >= kSureEnough) return {};
   std::sort(counts.rbegin(), counts.rend());
   for (size_t i = 0; i < counts.size() && i < 3 && counts[i].first > 0; ++i)
     doubts.joints.push_back(character.joints[counts.size() - 1 - counts[i].second].name);
@@ -50,8 +60,10 @@ std::string joined(const std::vector<std::string>& names) {
 }  // namespace
 
 std::string doubts_text(const Doubts& doubts) {
-  if (doubts.vertices == 0) return "";
-  return print("%zu vertices to look at (less than half sure), mostly on ", doubts.vertices) + joined(doubts.joints);
+  if (doubts.vertices.empty()) return "";
+  return print("look first at %zu vertices (the least sure tenth; %.0f %% sure on average), mostly on ",
+               doubts.vertices.size(), 100 * doubts.sure) +
+         joined(doubts.joints);
 }
 
 std::vector<std::string> summary_lines(const BindSummary& s) {
@@ -74,7 +86,7 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
   } else if (s.symmetric) {
     lines.push_back("not symmetric: too few vertices or joints have a mirror image, nothing was mirrored");
   }
-  if (s.doubts.vertices > 0) lines.push_back(doubts_text(s.doubts));
+  if (!s.doubts.vertices.empty()) lines.push_back(doubts_text(s.doubts));
   std::string written = s.output == "-" ? "standard output" : s.output;
   for (const std::string& picture : {s.png, s.png_confidence}) written += picture.empty() ? "" : " and " + picture;
   lines.push_back("wrote " + written);
@@ -96,7 +108,13 @@ nlohmann::ordered_json summary_json(const BindSummary& s) {
                                  {"output", s.output}};
   if (!s.png.empty()) json["png"] = s.png;
   if (!s.png_confidence.empty()) json["png_confidence"] = s.png_confidence;
-  json["to_look_at"] = {{"vertices", s.doubts.vertices}, {"joints", s.doubts.joints}};
+  constexpr size_t kMostListed = 1000;
+  std::vector<size_t> first = s.doubts.vertices;
+  if (first.size() > kMostListed) first.resize(kMostListed);
+  json["to_look_at"] = {{"vertices", s.doubts.vertices.size()},
+                        {"sure", s.doubts.sure},
+                        {"joints", s.doubts.joints},
+                        {"first", std::move(first)}};
   if (s.symmetric) json["symmetric_vertices"] = s.symmetric_vertices;
   if (s.replaced.vertices > 0) json["replaced"] = replaced_json(s.replaced, s.compare);
   for (const auto& [joint, why] : s.left_out) json["left_out"].push_back({{"joint", joint}, {"why", why}});

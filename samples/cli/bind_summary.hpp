@@ -15,9 +15,11 @@
 
 namespace sinew::cli {
 
-// Vertices that are more likely wrong than right, and the joints that most of them went to.
+// The least sure tenth of a character's vertices, and the joints that most of them went to. Relative to the character,
+// because that is where looking pays: how sure the others are changes nothing.
 struct Doubts {
-  size_t vertices = 0;
+  std::vector<size_t> vertices;     // least sure first
+  double sure = 0;                  // their mean confidence, 0 to 1
   std::vector<std::string> joints;  // three at most, by falling number of vertices
 };
 
@@ -42,8 +44,9 @@ struct BindSummary {
 };
 
 //   confidence  [V] 0..255; weights are character.influences
+// Of equally sure vertices those with the smaller largest weight come first. Empty where even the tenth is 98 % sure.
 Doubts find_doubts(const Character& character, const std::vector<uint8_t>& confidence);
-// "120 vertices to look at (less than half sure), mostly on hand.L"; empty without doubts.
+// "look first at 120 vertices (the least sure tenth; 31 % sure on average), mostly on hand.L"; empty without doubts.
 std::string doubts_text(const Doubts& doubts);
 // Counts of the character and of its weights.
 void count_weights(const Character& character, BindSummary* summary);

@@ -43,11 +43,27 @@ void print_reliability(const std::string& title, const Reliability& r) {
   std::printf("\n");
 }
 
+namespace {
+
+void print_lift(const std::vector<JudgedConfidence>& judged) {
+  const DoubtLift lift = doubt_lift(judged);
+  std::printf(
+      "doubt: among the least sure tenth of a character %.1f %% of the strongest joints are wrong, %.2f x the average "
+      "(%.1f %%; means of %zu characters)\n\n",
+      100 * lift.wrong_first, lift.times_average, 100 * lift.wrong, lift.characters);
+}
+
+}  // namespace
+
 void study_confidence(const Study& study) {
   const std::vector<JudgedConfidence> judged = judge_folder(study);
   print_reliability("strongest joint's share, no table", reliability(judged));
-  if (study.model != nullptr && study.model->confidence_count > 0)
-    print_reliability("the model's table", reliability(apply_confidence(judged, table_of(*study.model))));
+  print_lift(judged);
+  if (study.model != nullptr && study.model->confidence_count > 0) {
+    const std::vector<JudgedConfidence> mapped = apply_confidence(judged, table_of(*study.model));
+    print_reliability("the model's table", reliability(mapped));
+    print_lift(mapped);
+  }
   print_reliability("table fitted on the other half of the families", reliability_across_families(judged));
 }
 

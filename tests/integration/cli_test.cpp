@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -302,17 +303,50 @@ TEST_F(Cli, BindMirrors) {
   EXPECT_NE(snake.out.find("not symmetric"), std::string::npos) << snake.out;
 }
 
+Character with_skin(const std::string& mesh, const std::string& rig) {
+  Character character = read_mesh(mesh);
+  read_skeleton(rig, true, &character);
+  return character;
+}
+
 TEST_F(Cli, BindTellsWhereToLook) {
   const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat ";
   const Outcome plain = good(pair + "-o plain.glb");
   const Outcome told = good(pair + "-o told.glb --confidence --png-confidence doubts.png");
-  EXPECT_NE(told.out.find("vertices to look at (less than half sure), mostly on "), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("look first at "), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find(" vertices (the least sure tenth; "), std::string::npos) << told.out;
   EXPECT_NE(told.out.find("doubts.png"), std::string::npos) << told.out;
   EXPECT_EQ(slurp(in("doubts.png")).substr(1, 3), "PNG");
   EXPECT_NE(slurp(in("told.glb")).find("_CONFIDENCE"), std::string::npos);
   EXPECT_EQ(slurp(in("plain.glb")).find("_CONFIDENCE"), std::string::npos);
   const Outcome json = good(pair + "-o out.glb --json");
   EXPECT_NE(json.out.find("\"to_look_at\""), std::string::npos) << json.out;
+}
+
+// Vertices whose strongest joint is not the artist's are three times as many among those to look at as elsewhere.
+TEST_F(Cli, WrongVerticesAreAmongThoseToLookAtFirst) {
+  const std::string name = kData + "/biped__robed";
+  const Outcome told = good("bind " + name + ".obj --skeleton " + name + ".rig.txt -o robed.rig.txt --json");
+  const Character artist = read_character(name + ".obj"), bound = with_skin(name + ".obj", in("robed.rig.txt"));
+  const auto wrong = [&](size_t v) {
+    const auto less = [](const Influence& a, const Influence& b) { return a.weight < b.weight; };
+    const auto best = [&](const Character& c) {
+      return c.joints[std::max_element(c.influences[v].begin(), c.influences[v].end(), less)->joint].name;
+    };
+    return best(artist) != best(bound);
+  };
+  size_t all = 0, shown = 0, wrong_shown = 0;
+  for (size_t v = 0; v < artist.vertices.size(); ++v) all += wrong(v) ? 1 : 0;
+  const std::string key = "\"first\": [";
+  const size_t list = told.out.find(key);
+  ASSERT_NE(list, std::string::npos) << told.out;
+  std::string numbers = told.out.substr(list + key.size(), told.out.find(']', list) - list - key.size());
+  std::replace(numbers.begin(), numbers.end(), ',', ' ');
+  std::istringstream in_order(numbers);
+  for (size_t v; in_order >> v; ++shown) wrong_shown += wrong(v) ? 1 : 0;
+  EXPECT_EQ(shown, (artist.vertices.size() + 9) / 10);
+  EXPECT_GE(wrong_shown, 1u);
+  EXPECT_GE(wrong_shown * artist.vertices.size(), 3 * all * shown);
 }
 
 TEST_F(Cli, EvalStudies) {

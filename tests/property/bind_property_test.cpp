@@ -241,6 +241,29 @@ TEST(BindProperty, RenumberingChangesNothing) {
   }
 }
 
+// Every face with its corners in reverse order, as engines with clockwise fronts and mirrored objects have them.
+TEST(BindProperty, InsideOutIsTheSame) {
+  for (int i = 0; i < 100; ++i) {
+    Random random(static_cast<uint64_t>(i) + 900);
+    const Scene scene = random_scene(random);
+    Scene other = scene;
+    for (size_t f = 0; f + 1 < scene.offsets.size(); ++f) {
+      std::reverse(other.corners.begin() + static_cast<std::ptrdiff_t>(scene.offsets[f]),
+                   other.corners.begin() + static_cast<std::ptrdiff_t>(scene.offsets[f + 1]));
+    }
+    sinew_options options = sinew_options_init();
+    options.grid_size = 32;
+    options.surface_vertices = i % 2 != 0 ? 16 : 0;
+    options.symmetric = i % 3 == 0 ? 1 : 0;
+    for (const sinew_model* model : {static_cast<const sinew_model*>(nullptr), bundled_model()}) {
+      const Rows a = bind(scene, model, options), b = bind(other, model, options);
+      ASSERT_EQ(a.status, SINEW_OK);
+      ASSERT_EQ(a.joints, b.joints) << "scene " << i;
+      ASSERT_EQ(a.weights, b.weights) << "scene " << i;
+    }
+  }
+}
+
 // Powers of two and exact offsets lose no bit, so the result must not change at all.
 TEST(BindProperty, MovedAndScaledIsTheSame) {
   Random random(77);

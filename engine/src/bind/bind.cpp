@@ -37,7 +37,8 @@ sinew_status run_stages(const BindPlan& plan, const sinew_mesh& mesh, const sine
                                  p.features.joints,
                                  plan.counts.candidates,
                                  kernels.softmax,
-                                 plan.with_network ? &plan.model : nullptr};
+                                 plan.with_network ? &plan.model : nullptr,
+                                 p.part_owners};
   EditedRows edited;
   if (edits) {
     if (!edited.allocate(arena, plan.counts, plan.rows)) return SINEW_ERROR_WORKSPACE;

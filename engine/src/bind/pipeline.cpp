@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "bind/progress.hpp"
+#include "candidates/own_parts.hpp"
 #include "heat/source_joints.hpp"
 #include "spectral/spectral.hpp"
 
@@ -79,8 +80,10 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   (void)out->mesh.allocate(arena, counts);
   (void)out->skeleton.allocate(arena, counts);
   out->source_joints = arena.alloc<uint8_t>(counts.joints);
+  out->part_owners = arena.alloc<uint16_t>(counts.vertices);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   sinew_status status = build_mesh_and_skeleton(mesh, skeleton, up_axis, counts, arena, &out->mesh, &out->skeleton);
+  if (status == SINEW_OK) status = find_own_parts(out->mesh, counts, arena, &out->skeleton, out->part_owners);
   if (status != SINEW_OK) return status;
   if (!arena.measuring()) choose_source_joints(out->mesh, out->skeleton, out->source_joints);
   if (!progress.report(ends_at::kMesh)) return SINEW_ERROR_CANCELLED;

@@ -19,6 +19,7 @@ struct Prepared {
   Mesh mesh;
   Skeleton skeleton;
   uint8_t* source_joints = nullptr;  // [J] of the heat stage
+  uint16_t* part_owners = nullptr;   // [parts of `mesh`] the joint whose the part is alone, or kNoJoint
   Reduction reduction;
   Candidates candidates;
   HeatFields heat;

@@ -30,6 +30,8 @@ struct Vec3l {
 inline int64_t dot(Vec3i a, Vec3i b) {
   return static_cast<int64_t>(a.x) * b.x + static_cast<int64_t>(a.y) * b.y + static_cast<int64_t>(a.z) * b.z;
 }
+// The caller sees to it that the sum and its terms fit.
+SINEW_ONCE inline int64_t dot(Vec3l a, Vec3i b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 SINEW_ONCE inline Vec3l cross(Vec3i a, Vec3i b) {
   return {static_cast<int64_t>(a.y) * b.z - static_cast<int64_t>(a.z) * b.y,
           static_cast<int64_t>(a.z) * b.x - static_cast<int64_t>(a.x) * b.z,

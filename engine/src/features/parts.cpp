@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+#include "core/vector_math.hpp"
+
 namespace sinew {
 namespace {
 
@@ -41,15 +43,6 @@ struct Scratch {
     return arena.ok();
   }
 };
-
-void grow(Vec3i p, Vec3i* lo, Vec3i* hi) {
-  lo->x = p.x < lo->x ? p.x : lo->x;
-  lo->y = p.y < lo->y ? p.y : lo->y;
-  lo->z = p.z < lo->z ? p.z : lo->z;
-  hi->x = p.x > hi->x ? p.x : hi->x;
-  hi->y = p.y > hi->y ? p.y : hi->y;
-  hi->z = p.z > hi->z ? p.z : hi->z;
-}
 
 uint64_t gap(int32_t lo, int32_t hi, int32_t other_lo, int32_t other_hi) {
   const int32_t under = lo - other_hi, over = other_lo - hi;

@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "core/build.hpp"
 #include "core/vector_math.hpp"
 
 namespace sinew {
@@ -145,7 +146,7 @@ int32_t quantize_long(const GridQuantizer& quantizer, uint32_t word, int axis) {
 int32_t quantize_value(const GridQuantizer& quantizer, uint32_t word, int axis) {
   int64_t value = 0;
   bool exact = quantizer.short_exact[axis];
-  if (quantizer.short_ok[axis] && short_of(word, quantizer.unit, &value, &exact)) {
+  if (!kSmallCode && quantizer.short_ok[axis] && short_of(word, quantizer.unit, &value, &exact)) {
     const int64_t centred = 2 * value - quantizer.short_sum[axis];  // below 2^62 + 2^61
     if (abs64(centred) <= static_cast<int64_t>(1) << 39) {
       // Flooring moved the numerator by less than 2^21 + 1 and, through the side, by less than 2 |quotient| <= 2^25
@@ -211,6 +212,7 @@ sinew_status make_grid_quantizer(const float* positions, size_t count, uint32_t 
     q.side = wide_of(0x3F800000u);  // 1.0
     side_bits = bit_length(q.side);
   }
+  if (kSmallCode) return SINEW_OK;  // the definition alone: an eighth more instructions a bind, 0.8 KB less
   q.unit = side_bits - kShortSideBits;
   WideInt shortened = q.unit < 0 ? shift_left(q.side, -q.unit) : q.side;
   bool side_exact = true;

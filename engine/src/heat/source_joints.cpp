@@ -7,6 +7,7 @@ namespace {
 
 constexpr int64_t kFloorPercent = 3;  // a root this low stands on the floor
 constexpr uint16_t kFloorRootChildren = 4;
+constexpr uint32_t kFewJoints = 2;  // a lamp or a door, each of whose joints moves something
 
 }  // namespace
 
@@ -17,8 +18,8 @@ void choose_source_joints(const Mesh& mesh, const Skeleton& skeleton, uint8_t* s
   }
   bool any = false;
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
-    const bool floor_root = !skeleton.deform_known && skeleton.parents[j] < 0 && skeleton.child_count[j] >= 1 &&
-                            skeleton.child_count[j] <= kFloorRootChildren &&
+    const bool floor_root = !skeleton.deform_known && skeleton.joint_count > kFewJoints && skeleton.parents[j] < 0 &&
+                            skeleton.child_count[j] >= 1 && skeleton.child_count[j] <= kFloorRootChildren &&
                             100 * static_cast<int64_t>(skeleton.positions[j].y) <= kFloorPercent * height;
     source_joints[j] = skeleton.usable[j] != 0 && !floor_root ? 1 : 0;
     any = any || source_joints[j] != 0;

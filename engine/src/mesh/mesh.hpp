@@ -46,8 +46,11 @@ struct Mesh {
 
 // Fills a mesh, allocated beforehand, from the caller's view. The quantizer was made from all of its vertices. Faces
 // are checked: every corner names a vertex, face_offsets start at 0, never fall and end at corner_count; without them
-// corner_count is 3 face_count. Faces of two corners are legal and ignored, of fewer not. Scratch beyond the struct is
-// taken from `arena` and released. The counts were checked by the caller.
+// corner_count is 3 face_count. Faces of two corners are legal and ignored, of fewer not. Parts whose faces are turned
+// inwards are read backwards, so that the mesh whose every face has its corners in reverse order is the same: the
+// sign of the exact volume over the middle of the floor decides for all parts, and a closed part (one whose vector area
+// is 0) of at least a 16384th of that goes by its own. Where the whole's volume is 0, faces stay as they are.
+// Scratch beyond the struct is taken from `arena` and released. The counts were checked by the caller.
 // Returns SINEW_OK, SINEW_ERROR_INDEX for a face that breaks these rules, or SINEW_ERROR_WORKSPACE.
 sinew_status build_mesh(const sinew_mesh& input, const GridQuantizer& quantizer, const Counts& counts, Arena& arena,
                         Mesh* mesh);

@@ -11,6 +11,11 @@ namespace sinew {
 // 21-bit coordinate to every third bit and back.
 inline uint64_t spread_bits(uint32_t value) {
   uint64_t v = value;
+  if (kSmallCode) {
+    v = 0;
+    for (int bit = 0; bit <= kGridBits; ++bit) v |= static_cast<uint64_t>(value >> bit & 1) << (3 * bit);
+    return v;
+  }
   v = (v | (v << 32)) & 0x001F00000000FFFFull;
   v = (v | (v << 16)) & 0x001F0000FF0000FFull;
   v = (v | (v << 8)) & 0x100F00F00F00F00Full;
@@ -19,6 +24,11 @@ inline uint64_t spread_bits(uint32_t value) {
   return v;
 }
 inline uint32_t gather_bits(uint64_t key) {
+  if (kSmallCode) {
+    uint32_t value = 0;
+    for (int bit = kGridBits; bit >= 0; --bit) value = 2 * value + (static_cast<uint32_t>(key >> (3 * bit)) & 1);
+    return value;
+  }
   uint64_t v = key & 0x1249249249249249ull;
   v = (v | (v >> 2)) & 0x10C30C30C30C30C3ull;
   v = (v | (v >> 4)) & 0x100F00F00F00F00Full;

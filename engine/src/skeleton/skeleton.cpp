@@ -58,13 +58,8 @@ bool find_usable(const uint8_t* flags, Skeleton* skeleton) {
 // Longest side of the joints' box.
 int64_t skeleton_size(const Skeleton& skeleton) {
   Vec3i low = skeleton.positions[0], high = low;
-  for (uint32_t j = 1; j < skeleton.joint_count; ++j) {
-    const Vec3i p = skeleton.positions[j];
-    low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
-    high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
-  }
-  const Vec3i side = high - low;
-  return side.x > side.y ? (side.x > side.z ? side.x : side.z) : (side.y > side.z ? side.y : side.z);
+  for (uint32_t j = 1; j < skeleton.joint_count; ++j) grow(skeleton.positions[j], &low, &high);
+  return extent(high - low);
 }
 
 // A leaf's bone: half its parent bone on in the same direction, at most a tenth of the skeleton's size.
@@ -78,9 +73,7 @@ Vec3i leaf_tail(const Skeleton& skeleton, uint32_t leaf, int64_t size) {
   const bool limited = 5 * bone > size;
   const int64_t numerator = limited ? size : 1;
   const int64_t denominator = limited ? 10 * bone : 2;
-  return {head.x + static_cast<int32_t>(round_div(along.x * numerator, denominator)),
-          head.y + static_cast<int32_t>(round_div(along.y * numerator, denominator)),
-          head.z + static_cast<int32_t>(round_div(along.z * numerator, denominator))};
+  return head + round_div(Vec3l{along.x * numerator, along.y * numerator, along.z * numerator}, denominator);
 }
 
 // 4095 children of 2^22 units pass 32 bits, so the sum is 64-bit and local. The search stops at the last child; even
@@ -95,9 +88,7 @@ Vec3i mean_of_children(const Skeleton& skeleton, uint32_t joint) {
     sum.z += skeleton.positions[j].z;
     --left;
   }
-  const int64_t count = skeleton.child_count[joint];
-  return {static_cast<int32_t>(round_div(sum.x, count)), static_cast<int32_t>(round_div(sum.y, count)),
-          static_cast<int32_t>(round_div(sum.z, count))};
+  return round_div(sum, skeleton.child_count[joint]);
 }
 
 void lay_bones(Skeleton* skeleton) {

@@ -54,6 +54,16 @@ void full_row(const Prediction& p, uint32_t vertex, const Row& row, uint16_t* jo
   blend.take(joints, weights);
 }
 
+// The row of a vertex in a part that a joint owns.
+void own_row(const Prediction& p, uint32_t vertex, uint16_t* joints, uint32_t* weights) {
+  const uint16_t owner = p.owners == nullptr ? kNoJoint : p.owners[p.mesh.part[vertex]];
+  if (owner == kNoJoint) return;
+  for (uint32_t i = 0; i < kRowSlots; ++i) {
+    joints[i] = i == 0 ? owner : kNoJoint;
+    weights[i] = i == 0 ? kWholeRow : 0;
+  }
+}
+
 // The same from the prediction.
 void predicted_row(const Prediction& p, const RowOptions& options, uint32_t vertex, uint16_t* joints,
                    uint32_t* weights) {
@@ -63,6 +73,7 @@ void predicted_row(const Prediction& p, const RowOptions& options, uint32_t vert
         surface_row(p, options, v, row_joints, row_weights);
       },
       joints, weights);
+  own_row(p, vertex, joints, weights);
 }
 
 // Rows of all vertices of the surface.
@@ -72,14 +83,19 @@ void predict_rows(const Prediction& p, const RowOptions& options, const Threads&
   });
 }
 
-// Rows of all welded vertices from those of the surface.
+// Rows of all welded vertices from those of the surface, and of parts that a joint owns.
 void fill_rows(const Prediction& p, const Threads& threads, const EditedRows& edited) {
   const auto row = [&](uint32_t v, uint16_t* joints, uint32_t* weights) {
     memcpy(joints, edited.surface.joints_of(v), kRowSlots * sizeof(uint16_t));
     memcpy(weights, edited.surface.weights_of(v), kRowSlots * sizeof(uint32_t));
   };
   threads.ranges(p.mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-    for (uint32_t v = begin; v < end; ++v) full_row(p, v, row, edited.rows.joints_of(v), edited.rows.weights_of(v));
+    for (uint32_t v = begin; v < end; ++v) {
+      uint16_t* const joints = edited.rows.joints_of(v);
+      uint32_t* const weights = edited.rows.weights_of(v);
+      if (edited.surface.joints != edited.rows.joints) full_row(p, v, row, joints, weights);
+      own_row(p, v, joints, weights);
+    }
   });
 }
 
@@ -189,7 +205,7 @@ sinew_status edit_rows(const Prediction& p, const RowOptions& options, const Cou
     if (status != SINEW_OK) return status;
   }
   if (!arena.measuring()) {
-    if (edited->surface.joints != edited->rows.joints) fill_rows(p, counts.threads, *edited);
+    fill_rows(p, counts.threads, *edited);
     gather_given_rows(p.mesh, options.locked, options.hints, joints, weights, options.weight_format,
                       options.influence_count, &edited->given);
   }

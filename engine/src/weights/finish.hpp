@@ -47,7 +47,8 @@ struct Prediction {
   const uint16_t* joints;      // [U x K] the joint of each logit
   uint32_t candidates;         // K
   SoftmaxKernel softmax;
-  const sinew_model* model;  // the one that the logits are from, for its table of confidence; or null
+  const sinew_model* model;          // the one that the logits are from, for its table of confidence; or null
+  const uint16_t* owners = nullptr;  // [parts of mesh] the joint that is the row of the part's vertices, or kNoJoint
 };
 
 // Rows of which something was edited, in the workspace.

@@ -33,6 +33,15 @@ struct Reliability {
 // Families weigh the same, vertices of a family too.
 Reliability reliability(const std::vector<JudgedConfidence>& judged);
 
+// How much looking at the least sure tenth of a character's vertices finds. Of equally sure ones a fair share counts.
+struct DoubtLift {
+  double wrong = 0;          // share of vertices with a wrong strongest joint
+  double wrong_first = 0;    // the same among the least sure tenth
+  double times_average = 0;  // the second over the first, of every character
+  size_t characters = 0;     // that have a wrong vertex: all are means over these
+};
+DoubtLift doubt_lift(const std::vector<JudgedConfidence>& judged);
+
 // Share of the strongest joint and share of hits, both 65535 = 1: the entries of a model's confidence table.
 using ConfidenceTable = std::vector<std::pair<uint16_t, uint16_t>>;
 // Isotonic regression (pool adjacent violators) over at most `bins` bins of equal weight, families weighing the same.

@@ -97,6 +97,37 @@ Reliability reliability(const std::vector<JudgedConfidence>& judged) {
   return r;
 }
 
+DoubtLift doubt_lift(const std::vector<JudgedConfidence>& judged) {
+  DoubtLift lift;
+  for (const JudgedConfidence& j : judged) {
+    std::array<double, 256> count = {}, wrong = {};
+    double all = 0, all_wrong = 0;
+    for (size_t v = 0; v < j.confidence.size(); ++v) {
+      const double miss = j.right[v] != 0 ? 0 : 1;
+      ++count[j.confidence[v]];
+      wrong[j.confidence[v]] += miss;
+      ++all;
+      all_wrong += miss;
+    }
+    if (all_wrong <= 0) continue;
+    double left = all / 10, found = 0;
+    for (size_t value = 0; value < 256 && left > 0; ++value) {
+      if (count[value] <= 0) continue;
+      const double taken = std::min(left, count[value]);
+      found += wrong[value] * taken / count[value];
+      left -= taken;
+    }
+    ++lift.characters;
+    lift.wrong += all_wrong / all;
+    lift.wrong_first += 10 * found / all;
+    lift.times_average += 10 * found / all_wrong;
+  }
+  if (lift.characters == 0) return lift;
+  for (double* mean : {&lift.wrong, &lift.wrong_first, &lift.times_average})
+    *mean /= static_cast<double>(lift.characters);
+  return lift;
+}
+
 ConfidenceTable fit_confidence(const std::vector<JudgedConfidence>& judged, size_t bins) {
   const Histogram h = histogram(judged);
   double total = 0;

@@ -35,6 +35,7 @@ TEST(SourceJoints, ARootOnTheFloorIsNone) {
     scene.add_joint(0, height, 0, -1);
     for (int i = 0; i < children; ++i) scene.add_joint(0, 5, static_cast<float>(i), 0);
     if (children == 0) scene.add_joint(0, 5, 0, -1);
+    scene.add_joint(0, 8, 0, 1);  // no child of it
     if (flag != 0) scene.flags.assign(scene.parents.size(), flag);
     const std::vector<uint8_t> sources = source_joints(scene);
     EXPECT_EQ(sources[1], 1);
@@ -48,12 +49,20 @@ TEST(SourceJoints, ARootOnTheFloorIsNone) {
   EXPECT_EQ(root(0.0f, 2, SINEW_JOINT_DEFORMS), 1);
 }
 
+TEST(SourceJoints, OneOfTwoJointsIsAlwaysOne) {
+  MeshScene scene = tall_box();
+  scene.add_joint(0, 0, 0, -1);
+  scene.add_joint(0, 5, 0, 0);
+  EXPECT_EQ(source_joints(scene), (std::vector<uint8_t>{1, 1}));
+}
+
 TEST(SourceJoints, TheLastUsableJointStaysOne) {
   MeshScene scene = tall_box();
   scene.add_joint(0, 0, 0, -1);
   scene.add_joint(0, 5, 0, 0);
-  scene.flags = {0, SINEW_JOINT_NEVER};
-  EXPECT_EQ(source_joints(scene), (std::vector<uint8_t>{1, 0}));
+  scene.add_joint(0, 9, 0, 1);
+  scene.flags = {0, SINEW_JOINT_NEVER, SINEW_JOINT_NEVER};
+  EXPECT_EQ(source_joints(scene), (std::vector<uint8_t>{1, 0, 0}));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(Mesh, DropsDegenerateAndDuplicateTriangles) {
   scene.add_face({0, 1, 2});     // zero area
   scene.add_face({0, 0, 5});     // repeated vertex
   scene.add_face({3, 6});        // an edge
-  scene.add_face({1, 3, 6, 5});  // a fan of two
+  scene.add_face({1, 5, 6, 3});  // a fan of two
   const MeshRun run(with_joint(scene));
   ASSERT_EQ(run.status, SINEW_OK);
   ASSERT_EQ(run.mesh.triangle_count, 3u);
@@ -302,6 +302,77 @@ TEST(Mesh, TakesExactlyWhatItMeasured) {
   EXPECT_EQ(run.status, SINEW_OK);
   EXPECT_EQ(run.used, run.measured);
   EXPECT_EQ(MeshRun(scene, 0, 8, 64, false, 64).status, SINEW_ERROR_WORKSPACE);
+}
+
+// A sphere that holds a cube and stands on the floor, a cube beside it and a plate before both.
+MeshScene objects(bool first_inward, bool second_inward, bool plate_inward) {
+  const auto scene_of = [](bool inward, const auto& add) {
+    MeshScene scene;
+    add(&scene);
+    for (size_t f = 0; inward && f + 1 < scene.offsets.size(); ++f)
+      std::reverse(scene.corners.begin() + scene.offsets[f], scene.corners.begin() + scene.offsets[f + 1]);
+    return scene;
+  };
+  MeshScene all = cube_sphere(6);
+  const auto append = [&](const MeshScene& scene) {
+    const uint32_t first = all.vertex_count();
+    all.positions.insert(all.positions.end(), scene.positions.begin(), scene.positions.end());
+    for (size_t f = 0; f + 1 < scene.offsets.size(); ++f) {
+      std::vector<uint32_t> face(scene.corners.begin() + scene.offsets[f],
+                                 scene.corners.begin() + scene.offsets[f + 1]);
+      for (uint32_t& corner : face) corner += first;
+      all.add_face(face);
+    }
+  };
+  append(scene_of(first_inward, [](MeshScene* s) { add_cube(s, 2, 0, 0); }));
+  append(scene_of(second_inward, [](MeshScene* s) { add_cube(s, -0.01f, 0, 0, 0.02f); }));
+  append(scene_of(plate_inward, [](MeshScene* s) {
+    for (int i = 0; i < 4; ++i) s->add_vertex(static_cast<float>(i & 1), static_cast<float>(i >> 1), 3);
+    s->add_face({0, 1, 3, 2});
+  }));
+  return all;
+}
+
+MeshScene inside_out(MeshScene scene) {
+  for (size_t f = 0; f + 1 < scene.offsets.size(); ++f)
+    std::reverse(scene.corners.begin() + scene.offsets[f], scene.corners.begin() + scene.offsets[f + 1]);
+  return scene;
+}
+
+std::vector<uint32_t> triangles_of(const MeshRun& run) {
+  EXPECT_EQ(run.status, SINEW_OK);
+  return {run.mesh.triangles, run.mesh.triangles + 3 * static_cast<size_t>(run.mesh.triangle_count)};
+}
+
+TEST(Mesh, InsideOutIsTheSame) {
+  // The middle quad of each is not flat: a fan around another corner would be another surface.
+  MeshScene bent = objects(false, false, false);
+  for (size_t i = 0; i < bent.positions.size(); i += 7) bent.positions[i] *= 1.03f;
+  const MeshRun a(bent), b(inside_out(bent));
+  EXPECT_EQ(triangles_of(a), triangles_of(b));
+  for (uint32_t v = 0; v < a.mesh.welded_count; ++v) {
+    ASSERT_EQ(a.mesh.normals[v], b.mesh.normals[v]);
+    ASSERT_EQ(a.mesh.mean_curvature[v], b.mesh.mean_curvature[v]);
+    ASSERT_EQ(ring(a.mesh, v), ring(b.mesh, v));
+  }
+  const sinew::Vec3i top = a.mesh.normals[a.mesh.welded_count - 1];
+  EXPECT_GT(top.x + top.y + top.z, 0);  // the last in Morton order lies at the far corner
+}
+
+TEST(Mesh, AClosedPartThatIsTurnedInwardsIsTurned) {
+  EXPECT_EQ(triangles_of(MeshRun(objects(true, false, false))), triangles_of(MeshRun(objects(false, false, false))));
+}
+
+TEST(Mesh, ACavityStaysTurnedInwards) {
+  EXPECT_NE(triangles_of(MeshRun(objects(false, true, false))), triangles_of(MeshRun(objects(false, false, false))));
+  EXPECT_EQ(triangles_of(MeshRun(inside_out(objects(false, true, false)))),
+            triangles_of(MeshRun(objects(false, true, false))));
+}
+
+TEST(Mesh, AnOpenPartGoesWithTheWhole) {
+  EXPECT_NE(triangles_of(MeshRun(objects(false, false, true))), triangles_of(MeshRun(objects(false, false, false))));
+  EXPECT_EQ(triangles_of(MeshRun(inside_out(objects(true, false, true)))),
+            triangles_of(MeshRun(objects(false, false, true))));
 }
 
 }  // namespace

@@ -120,6 +120,24 @@ TEST(WriteRows, WithoutLogitsRowsAreTheHeatFields) {
   EXPECT_EQ(weights, (std::vector<uint16_t>{65535, 0, 65535, 0, 49152, 16383}));
 }
 
+TEST(WriteRows, APartThatAJointOwnsIsItsAlone) {
+  Predicted p;
+  const std::vector<uint32_t> part = {0, 1};
+  const std::vector<uint16_t> owners = {kNoJoint, 3};
+  p.mesh.part = const_cast<uint32_t*>(part.data());
+  p.prediction.owners = owners.data();
+  std::vector<uint8_t> confidence(3, 0);
+  p.confidence = confidence.data();
+  std::vector<uint16_t> joints, weights, before;
+  p.write(&joints, &weights);
+  for (uint32_t v = 0; v < 3; ++v) {
+    EXPECT_EQ(joints[2 * v] == 3, p.vertex_to_welded[v] == 1);
+    if (p.vertex_to_welded[v] != 1) continue;
+    EXPECT_EQ(weights[2 * v], 65535);
+    EXPECT_EQ(confidence[v], 255);
+  }
+}
+
 TEST(CheckGivenRows, LooksAtGivenRowsAlone) {
   RowOptions options;
   options.influence_count = 2;
