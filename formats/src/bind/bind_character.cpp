@@ -167,8 +167,12 @@ class CharacterBinder {
   void fold_tips() {
     std::vector<uint32_t> to(whole_.joints.size());
     for (size_t j = 0; j < to.size(); ++j) to[j] = static_cast<uint32_t>(j);
+    std::vector<char> is_tip(to.size(), 0);
+    for (const size_t tip : choice_.tips) is_tip[tip] = 1;
     for (const size_t tip : choice_.tips) {
-      const int parent = whole_.joints[tip].parent;
+      int parent = whole_.joints[tip].parent;
+      while (parent >= 0 && is_tip[static_cast<size_t>(parent)] != 0)
+        parent = whole_.joints[static_cast<size_t>(parent)].parent;
       if (parent < 0 || (choice_.flags[static_cast<size_t>(parent)] & SINEW_JOINT_NEVER) != 0) continue;
       to[tip] = static_cast<uint32_t>(parent);
     }

@@ -38,7 +38,7 @@ bool says_slot(const Words& words) {
   return has_ending(words, {"slot", "socket", "attach", "attachment", "mount", "weapon", "prop", "anchor", "holster",
                             "locator", "camera", "light", "marker", "interaction"});
 }
-bool says_tip(const Words& words) { return has_word(words, {"end", "nub", "tip", "null", "effector"}); }
+bool says_tip(const Words& words) { return has_word(words, {"end", "nub", "tip", "null", "stub", "effector"}); }
 // Root, b_Root_00, Armature_rootJoint, MASTER: nothing else may be in the name (thigh_Armature, tail_root).
 bool says_root(const Words& words) {
   const auto is_root = [](const std::string& word) {
@@ -106,7 +106,22 @@ class RoleFinder {
 
   void find_tips() {
     for (size_t j = 0; j < joints_.size(); ++j)
-      if (is_leaf(j) && joints_[j].parent >= 0 && (says_tip(words_[j]) || is_fingertip(j))) roles_[j] = JointRole::kTip;
+      if (is_leaf(j) && joints_[j].parent >= 0 && ((says_tip(words_[j]) && !has_start(j)) || is_fingertip(j)))
+        roles_[j] = JointRole::kTip;
+    // thumb_null with thumb_null_end: a tip that has got a tip.
+    for (size_t j = 0; j < joints_.size(); ++j)
+      if (deforms(j) && !is_leaf(j) && joints_[j].parent >= 0 && has_word(words_[j], {"null", "nub", "stub"}) &&
+          std::all_of(children_[j].begin(), children_[j].end(),
+                      [&](size_t child) { return roles_[child] == JointRole::kTip; }))
+        roles_[j] = JointRole::kTip;
+  }
+
+  // tail_start and tail_end are two bones.
+  bool has_start(size_t j) const {
+    return has_word(words_[static_cast<size_t>(joints_[j].parent)], {"start", "begin", "base"}) &&
+           has_word(words_[j], {"end"}) && words_[j].size() > 1 &&
+           words_[j].front() == words_[static_cast<size_t>(joints_[j].parent)].front() &&
+           !has_word(words_[j], {"start", "begin", "base"});
   }
 
   // Fingers have three bones: the fourth of LeftHandIndex1 to 4 ends the third.

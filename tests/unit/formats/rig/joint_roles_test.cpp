@@ -63,6 +63,15 @@ TEST(JointRoles, RootsAndTips) {
   EXPECT_EQ(rig.role("backend"), JointRole::kDeforms);  // neither the word nor a leaf
 }
 
+TEST(JointRoles, AnEndWithAStartIsABoneAndATipMayHaveATip) {
+  Rig rig;
+  rig.add("tail_end", rig.add("tail_start", 1, {0, 1, -1}), {0, 1, -2});
+  rig.add("thumb_null_end", rig.add("thumb_null", 7, {-0.9f, 1.4f, 0}), {-1, 1.4f, 0});
+  EXPECT_EQ(rig.role("tail_end"), JointRole::kDeforms);
+  EXPECT_EQ(rig.role("thumb_null"), JointRole::kTip);
+  EXPECT_EQ(rig.role("thumb_null_end"), JointRole::kTip);
+}
+
 TEST(JointRoles, ARigOfTwoJointsDeformsWithItsRoot) {
   Rig rig;
   rig.joints = {{"root", {0, 0, 0}, -1}, {"lid", {0, 1, 0}, 0}};
