@@ -127,20 +127,20 @@ void run(Settings s) {
 void add_bind(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("bind", "Predict the skin weights of a mesh for a skeleton");
   auto s = std::make_shared<Settings>();
-  sub->add_option(
-         "mesh", s->one.mesh,
-         "Mesh: .obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input; or a folder: every mesh in it and below it")
+  sub->add_option("mesh", s->one.mesh,
+                  "Mesh: .obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input; or a folder: every "
+                  "mesh in it and below it")
       ->required()
       ->type_name("MESH|DIR");
-  sub->add_option(
-         "--skeleton", s->one.skeleton,
-         "Skeleton: .rig.txt, .gltf, .glb, .vrm, .fbx or .dae. Not needed when the mesh has its own; in a folder, NAME.rig.txt "
-         "beside NAME.obj is found")
+  sub->add_option("--skeleton", s->one.skeleton,
+                  "Skeleton: .rig.txt, .gltf, .glb, .vrm, .fbx or .dae. Not needed when the mesh has its own; in a "
+                  "folder, NAME.rig.txt "
+                  "beside NAME.obj is found")
       ->type_name("FILE");
-  sub->add_option(
-         "-o,--output", s->one.output,
-         "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]; for a folder another folder, "
-         "which gets NAME.glb for every mesh, below the same sub-folders")
+  sub->add_option("-o,--output", s->one.output,
+                  "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]; "
+                  "for a folder another folder, "
+                  "which gets NAME.glb for every mesh, below the same sub-folders")
       ->type_name("OUT");
   sub->add_option("--jobs", s->jobs, "With a folder: meshes at the same time; the same bytes for any N [1]")
       ->check(CLI::Range(1, 256))

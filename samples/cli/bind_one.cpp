@@ -161,6 +161,7 @@ BindSummary summarise(const BindSettings& settings, const Binder& binder, const 
   summary.png_confidence = settings.png_confidence;
   count_weights(character, &summary);
   summary.influences = settings.influences;
+  summary.hash = bind_hash(character.influences, settings.influences);
   summary.seconds = result.seconds;
   summary.workspace_bytes = result.workspace_bytes;
   summary.workspace_used_bytes = result.used_bytes;

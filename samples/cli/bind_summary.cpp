@@ -105,6 +105,7 @@ nlohmann::ordered_json summary_json(const BindSummary& s) {
                                  {"seconds", s.seconds},
                                  {"workspace_bytes", s.workspace_bytes},
                                  {"workspace_used_bytes", s.workspace_used_bytes},
+                                 {"hash", s.hash},
                                  {"output", s.output}};
   if (!s.png.empty()) json["png"] = s.png;
   if (!s.png_confidence.empty()) json["png_confidence"] = s.png_confidence;

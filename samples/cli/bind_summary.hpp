@@ -38,9 +38,10 @@ struct BindSummary {
   size_t symmetric_vertices = 0;
   WeightsReplaced replaced;
   bool compare = false;  // joints that changed most were asked for
+  std::string hash;      // bind_hash()
   Doubts doubts;
   std::vector<std::pair<std::string, std::string>> left_out;  // joints that may get no weight, and why
-  std::vector<std::string> notes;  // what the user should know about this file, a line each
+  std::vector<std::string> notes;                             // what the user should know about this file, a line each
 };
 
 //   confidence  [V] 0..255; weights are character.influences

@@ -4,7 +4,7 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_formats/bind_character.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "support.hpp"
 
@@ -20,11 +20,11 @@ std::vector<JudgedConfidence> judge_folder(const Study& study) {
   parallel_for(found.size(), study.jobs, [&](size_t i, unsigned) {
     const Character c = read_found(found[i]);
     if (c.influences.empty()) throw Error(found[i].path + ": has no reference weights to compare with");
-    BindOptions options;
-    options.method = study.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
-    options.model = &model;
-    options.influence_count = study.influences;
-    const BindResult result = bind(c, options);
+    CharacterBindOptions options;  // as sinew bind without the weights of the file
+    options.bind.method = study.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+    options.bind.model = &model;
+    options.bind.influence_count = study.influences;
+    const CharacterBind result = bind_character(c, choose_joints(c, JointsFrom::kNames), options);
     judged[i] = judge_confidence(c, result.influences, result.confidence);
     progress.step();
   });

@@ -194,8 +194,9 @@ void run(const Settings& s) {
   if (s.path == "-") return inspect_character(s);
   read_file(s.path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
-  throw Error(s.path +
-              ": neither a mesh (.obj, .gltf, .glb, .vrm, .fbx, .dae), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
+  throw Error(
+      s.path +
+      ": neither a mesh (.obj, .gltf, .glb, .vrm, .fbx, .dae), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
 }
 
 }  // namespace

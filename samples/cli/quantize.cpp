@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "eval_studies.hpp"
 #include "progress.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/calibrate.hpp"
@@ -99,8 +100,22 @@ void say(const Settings& s, const QuantizedModel& model, size_t calibrated, cons
               s.output.c_str());
 }
 
+// A model stays as it is but for its table of confidences.
+void fit_model(const Settings& s) {
+  if (s.confidence.empty() || !s.folder.empty() || !s.release.empty())
+    throw UsageError(s.checkpoint +
+                     " is a model already: all that can change is its table, with --confidence DIR alone");
+  std::vector<uint8_t> bytes = read_file(s.checkpoint);
+  (void)model_from_bytes(bytes, s.checkpoint);
+  const std::string confidence = add_confidence(s, &bytes);
+  write_file(s.output, bytes);
+  if (!s.quiet) std::printf("%s: %zu bytes\n%s", s.output.c_str(), bytes.size(), confidence.c_str());
+}
+
 void run(const Settings& s) {
   check_output(s.output, {".sinew"});
+  if (has_extension(s.checkpoint, ".sinew")) return fit_model(s);
+  if (s.folder.empty()) throw UsageError("--calibrate DIR is needed: the characters that the ranges are measured on");
   const Checkpoint checkpoint = read_checkpoint(s.checkpoint);
   const std::vector<Sample> samples = load_calibration(s, checkpoint.network);
   QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
@@ -122,10 +137,10 @@ void run(const Settings& s) {
 void add_quantize(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("quantize", "Turn a checkpoint into an int16 model");
   auto s = std::make_shared<Settings>();
-  sub->add_option("checkpoint", s->checkpoint, "Checkpoint of sinew train")->required()->type_name("CKPT");
-  sub->add_option("--calibrate", s->folder, "Folder of characters that the ranges are measured on")
+  sub->add_option("checkpoint", s->checkpoint, "Checkpoint of sinew train; or a model, with --confidence alone")
       ->required()
-      ->type_name("DIR");
+      ->type_name("CKPT");
+  sub->add_option("--calibrate", s->folder, "Folder of characters that the ranges are measured on")->type_name("DIR");
   sub->add_option("-o,--output", s->output, "Model to write (.sinew)")->required()->type_name("MODEL");
   sub->add_option("--characters", s->characters, "Characters to calibrate on, spread over the folder; 0 = all")
       ->capture_default_str()
@@ -145,7 +160,9 @@ void add_quantize(CLI::App& app) {
                   "strongest joint is right (sinew eval --confidence tells how well that carries over)")
       ->type_name("DIR");
   sub->add_flag("--quiet", s->quiet, "Print nothing");
-  sub->footer("Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew");
+  sub->footer(
+      "Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"
+      "  sinew quantize run.sinew --confidence characters/others -o run.sinew");
   sub->callback([s] { run(*s); });
 }
 

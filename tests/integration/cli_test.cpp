@@ -463,7 +463,9 @@ TEST_F(Cli, TrainQuantizeEvalBind) {
 
   put(in("wrong.json"), R"({"stepz": 4})");
   EXPECT_NE(bad(1, "train set --config wrong.json -o x.ckpt").error.find("stepz"), std::string::npos);
-  bad(1, "quantize run.sinew --calibrate set -o x.sinew");
+  bad(2, "quantize run.sinew --calibrate set -o x.sinew");  // a model: its table is all that can change
+  good("quantize run.sinew --confidence " + kData + " -o refitted.sinew");
+  EXPECT_TRUE(slurp(in("refitted.sinew")) == slurp(in("sure.sinew")));
   bad(1, "eval set --model run.ckpt");
   bad(1, "eval set --checkpoint run.sinew");
   std::string broken = slurp(in("run.sinew"));

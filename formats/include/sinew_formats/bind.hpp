@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "sinew/sinew.h"
@@ -45,6 +46,10 @@ struct BindResult {
 // Binds through sinew.h alone. Throws Error with the character's name and the status' text, and OutOfMemory when there
 // is no memory for the workspace.
 BindResult bind(const Character& character, const BindOptions& options);
+
+// FNV-1a in hexadecimal over the joints, then the weights of all rows as sinew_bind() writes them (unorm16, N influences
+// each, low byte first): the same for the same weights wherever they were made.
+std::string bind_hash(const std::vector<std::vector<Influence>>& rows, uint32_t influence_count);
 
 // sinew_kernel that the environment variable SINEW_KERNEL names (ref, avx2, vnni, ...); AUTO without it. Throws Error,
 // naming those that run here, for one that is unknown or that this build or processor lacks.

@@ -10,6 +10,7 @@
 #include "sinew/sinew.hpp"
 #include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/print.hpp"
 
 namespace sinew {
 
@@ -103,6 +104,22 @@ BindResult bind(const Character& character, const BindOptions& options) {
     }
   }
   return result;
+}
+
+std::string bind_hash(const std::vector<std::vector<Influence>>& rows, uint32_t influence_count) {
+  uint64_t hash = 1469598103934665603ull;
+  const auto add = [&hash](uint32_t value) {
+    for (const uint32_t byte : {value & 0xFFu, value >> 8}) hash = (hash ^ byte) * 1099511628211ull;
+  };
+  for (const bool weights : {false, true})
+    for (const std::vector<Influence>& row : rows)
+      for (uint32_t i = 0; i < influence_count; ++i) {
+        if (i >= row.size())
+          add(0);
+        else
+          add(weights ? static_cast<uint32_t>(std::lround(row[i].weight * 65535.0f)) : row[i].joint);
+      }
+  return print("%016llx", static_cast<unsigned long long>(hash));
 }
 
 }  // namespace sinew

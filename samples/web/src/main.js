@@ -244,7 +244,9 @@ function showFacts() {
     const { result } = character;
     if (result) {
       add("bound in ", milliseconds(result.seconds), `${milliseconds(result.wallSeconds)} with the way to the worker and back; ${bytes(result.usedBytes)} of memory`);
-      add("to look at ", `${number.format(result.unsureVertices)} vertices`, "Vertices that are less than half sure of their strongest joint; Doubt shows them");
+      add("look first at ", `${number.format(result.lookFirst)} vertices`, `The least sure tenth, ${Math.round(100 * result.lookFirstSure)} % sure on average; Doubt shows them`);
+      if (result.leftOut.length) add("no weight for ", `${result.leftOut.length} joints`, result.leftOut.join("\n"));
+      if (result.keptMeshes) add("kept ", `${result.keptMeshes} attached meshes`, "They follow the joints that they hang on");
     } else {
       add("", "binding…");
     }

@@ -4,7 +4,9 @@
 // says they lie.
 #include <emscripten.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -13,7 +15,7 @@
 
 #include "sinew/sinew.h"
 #include "sinew_datasets/image.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
@@ -38,6 +40,7 @@ struct Session {
   std::vector<uint64_t> model_bytes;
   sinew_model model = {};
   Character character;
+  JointChoice choice;  // of the weights that the file had
   web::Surface surface;
   std::vector<float> rest;                // [V x 3]
   std::vector<uint16_t> joints, weights;  // [V x kInfluences]
@@ -75,19 +78,6 @@ void check(const std::string& what, sinew_status status) {
   if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status));
 }
 
-// FNV-1a over joints, then weights, low byte first: the line "bind-model" of tests/golden/samples.txt.
-std::string result_hash(const Session& s) {
-  uint64_t hash = 1469598103934665603ull;
-  const auto add = [&](const std::vector<uint16_t>& values) {
-    for (const uint16_t v : values) {
-      for (const uint32_t byte : {v & 0xFFu, static_cast<uint32_t>(v >> 8)}) hash = (hash ^ byte) * 1099511628211ull;
-    }
-  };
-  add(s.joints);
-  add(s.weights);
-  return print("%016llx", static_cast<unsigned long long>(hash));
-}
-
 void show(Session& s) {
   const size_t shown = s.surface.vertex_of.size();
   s.shown_positions.resize(shown * 3);
@@ -101,21 +91,42 @@ int progress(void*, uint32_t permille) {
   return 0;
 }
 
-Json bind(Session& s, uint32_t method, uint32_t up_axis) {
-  BindOptions options;
-  options.method = static_cast<sinew_method>(method);
-  if (options.method == SINEW_METHOD_MODEL) {
-    if (s.model.bytes == nullptr) throw Error("no model is loaded");
-    options.model = &s.model;
+// The rows as skin() takes them: [V x N], unused slots 0.
+void fill_slots(Session& s) {
+  s.joints.assign(s.character.vertices.size() * kInfluences, 0);
+  s.weights.assign(s.joints.size(), 0);
+  for (size_t v = 0; v < s.character.influences.size(); ++v) {
+    const std::vector<Influence>& row = s.character.influences[v];
+    for (size_t i = 0; i < row.size() && i < kInfluences; ++i) {
+      s.joints[v * kInfluences + i] = static_cast<uint16_t>(row[i].joint);
+      s.weights[v * kInfluences + i] = static_cast<uint16_t>(std::lround(row[i].weight * 65535.0f));
+    }
   }
-  options.influence_count = kInfluences;
-  options.up_axis = up_axis;
-  options.progress = progress;
-  BindResult result = sinew::bind(s.character, options);
-  s.joints = std::move(result.joints);
-  s.weights = std::move(result.weights);
+}
+
+// How sure the least sure tenth is on average, 0 to 1.
+double sure_of_least_tenth(std::vector<uint8_t> confidence) {
+  const size_t tenth = (confidence.size() + 9) / 10;
+  std::partial_sort(confidence.begin(), confidence.begin() + static_cast<std::ptrdiff_t>(tenth), confidence.end());
+  double sum = 0;
+  for (size_t i = 0; i < tenth; ++i) sum += confidence[i] / 255.0;
+  return sum / static_cast<double>(tenth);
+}
+
+Json bind(Session& s, uint32_t method, uint32_t up_axis) {
+  CharacterBindOptions options;
+  options.bind.method = static_cast<sinew_method>(method);
+  if (options.bind.method == SINEW_METHOD_MODEL) {
+    if (s.model.bytes == nullptr) throw Error("no model is loaded");
+    options.bind.model = &s.model;
+  }
+  options.bind.influence_count = kInfluences;
+  options.bind.up_axis = up_axis;
+  options.bind.progress = progress;
+  CharacterBind result = bind_character(s.character, s.choice, options);
   s.confidence = std::move(result.confidence);
   s.character.influences = std::move(result.influences);
+  fill_slots(s);
   std::vector<double> sums(s.character.joints.size(), 0);
   size_t pairs = 0;
   for (const std::vector<Influence>& row : s.character.influences) {
@@ -125,14 +136,18 @@ Json bind(Session& s, uint32_t method, uint32_t up_axis) {
   s.strongest.resize(s.surface.vertex_of.size());
   for (size_t i = 0; i < s.strongest.size(); ++i)
     s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * kInfluences];
-  size_t unsure = 0;
-  for (const uint8_t c : s.confidence) unsure += c < 128 ? 1 : 0;
+  Json left_out = Json::array();
+  for (const LeftOutJoint& left : s.choice.left_out)
+    left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
   return {{"seconds", result.seconds},
           {"workspaceBytes", result.workspace_bytes},
           {"usedBytes", result.used_bytes},
-          {"hash", result_hash(s)},
+          {"hash", bind_hash(s.character.influences, kInfluences)},
           {"jointWeights", sums},
-          {"unsureVertices", unsure},
+          {"leftOut", left_out},
+          {"keptMeshes", result.kept_meshes},
+          {"lookFirst", (s.confidence.size() + 9) / 10},
+          {"lookFirstSure", sure_of_least_tenth(s.confidence)},
           {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(s.character.vertices.size())}};
 }
 
@@ -143,6 +158,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
   if (character.joints.empty())
     throw Error(mesh + ": has no skeleton; drop a rig.txt or a GLB with one together with it");
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
+  s.choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
   character.influences.clear();
   s.surface = web::make_surface(character);
   s.character = std::move(character);
