@@ -11,6 +11,7 @@
 
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/bind_character.hpp"
+#include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/skeleton_repair.hpp"
 #include "support.hpp"
@@ -233,6 +234,7 @@ WeightsBefore weights_before(const BindSettings& settings, const Character& char
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
   Character character =
       read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare);
+  check_bindable(character);  // before anything that takes longer the more joints there are
   const WeightsBefore before = weights_before(settings, character);
   fit_skeleton(settings, &character);
   JointChoice choice;

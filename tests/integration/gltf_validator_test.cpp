@@ -8,6 +8,7 @@
 
 #include "make_glb.hpp"
 #include "random_character.hpp"
+#include "rest_pose.hpp"
 #include "scene_files.hpp"
 #include "sinew_formats/io.hpp"
 #include "temp_folder.hpp"
@@ -30,6 +31,7 @@ class Writes : public ::testing::Test {
   void save(const Character& character, const GlbOptions& options = {}) {
     files_.push_back(folder_.file("out" + std::to_string(files_.size()) + ".glb"));
     write_glb(files_.back(), character, options);
+    expect_same_rest(character, files_.back());
   }
   // The validator starts slowly: once per test.
   void validate() { SINEW_EXPECT_VALID_GLTF(files_); }

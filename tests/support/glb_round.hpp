@@ -9,6 +9,9 @@
 #include "make_glb.hpp"
 #include "sinew_formats/io.hpp"
 #include "temp_folder.hpp"
+#if __has_include("gltf/gltf_source.hpp")  // tests that see the sources of formats
+#include "rest_pose.hpp"
+#endif
 
 inline sinew::Character read(const GlbBuilder& builder) {
   const TempFolder folder;
@@ -18,6 +21,9 @@ inline sinew::Character read(const GlbBuilder& builder) {
 inline std::string written(const sinew::Character& character, const sinew::GlbOptions& options = {}) {
   const TempFolder folder;
   sinew::write_glb(folder.file("out.glb"), character, options);
+#if __has_include("gltf/gltf_source.hpp")
+  expect_same_rest(character, folder.file("out.glb"));
+#endif
   return folder.text_of("out.glb");
 }
 

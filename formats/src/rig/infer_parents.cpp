@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "rig/joint_words.hpp"
+#include "sinew/sinew.h"
 #include "sinew_formats/skeleton_repair.hpp"
 
 namespace sinew {
@@ -97,7 +98,7 @@ size_t infer_parents(std::vector<Joint>* joints) {
   const size_t tip_count = static_cast<size_t>(std::count(tips.begin(), tips.end(), char{1}));
   const size_t tops = static_cast<size_t>(
       std::count_if(joints->begin(), joints->end(), [](const Joint& joint) { return joint.parent < 0; }));
-  if (count - tip_count < 4 || tops * 2 <= count - tip_count) return 0;
+  if (count - tip_count < 4 || tops * 2 <= count - tip_count || count > SINEW_MAX_JOINTS) return 0;
   std::vector<Place> places;
   for (const Joint& joint : *joints) places.push_back(place_of(joint.name));
 

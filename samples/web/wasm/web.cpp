@@ -16,6 +16,7 @@
 #include "sinew/sinew.h"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/bind_character.hpp"
+#include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
@@ -158,6 +159,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
   if (character.joints.empty())
     throw Error(mesh + ": has no skeleton; drop a rig.txt or a GLB with one together with it");
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
+  check_bindable(character);
   s.choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
   character.influences.clear();
   s.surface = web::make_surface(character);
