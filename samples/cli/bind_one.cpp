@@ -172,16 +172,21 @@ BindSummary summarise(const BindSettings& settings, const Binder& binder, const 
   return summary;
 }
 
-// "slot: handslot.l, handslot.r; root: root", the reasons in the order of their first joint.
+// "slot: handslot.l, handslot.r; root: root", the reasons in the order of their first joint; --json names every joint.
 std::string left_out_text(const Character& character, const JointChoice& choice) {
-  std::vector<std::pair<std::string, std::string>> names;
+  constexpr size_t kMostNames = 200;  // of a reason
+  std::vector<std::pair<std::string, std::vector<std::string>>> names;
   for (const LeftOutJoint& left : choice.left_out) {
     auto at = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == left.why; });
-    if (at == names.end()) at = names.insert(names.end(), {left.why, ""});
-    at->second += (at->second.empty() ? "" : ", ") + character.joints[left.joint].name;
+    if (at == names.end()) at = names.insert(names.end(), {left.why, {}});
+    at->second.push_back(character.joints[left.joint].name);
   }
   std::string text;
-  for (const auto& [why, joints] : names) text += (text.empty() ? "" : "; ") + why + ": " + joints;
+  for (const auto& [why, joints] : names) {
+    text += (text.empty() ? "" : "; ") + why + ": ";
+    for (size_t j = 0; j < joints.size() && j < kMostNames; ++j) text += (j == 0 ? "" : ", ") + joints[j];
+    if (joints.size() > kMostNames) text += " and " + std::to_string(joints.size() - kMostNames) + " more";
+  }
   return text;
 }
 
