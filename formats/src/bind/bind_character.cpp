@@ -193,7 +193,8 @@ class CharacterBinder {
     out_.folded_tips = static_cast<size_t>(std::count(folded.begin(), folded.end(), char{1}));
   }
 
-  // Tips that most of a connected piece of the mesh belongs to: a horn or a shoe of its own.
+  // Tips that most of a connected piece of the mesh belongs to, a horn or a shoe of its own, and whose parents have more
+  // of the mesh without them: a head in one piece is the head's, even where head_end is in its middle.
   std::vector<uint32_t> tips_with_a_part() const {
     std::vector<uint32_t> part(whole_.vertices.size());
     for (size_t v = 0; v < part.size(); ++v) part[v] = static_cast<uint32_t>(v);
@@ -206,18 +207,23 @@ class CharacterBinder {
         part[top(whole_.face_vertices[c])] = top(whole_.face_vertices[whole_.face_offsets[f]]);
     std::map<uint32_t, std::map<uint32_t, size_t>> strongest;  // part -> joint -> vertices
     std::map<uint32_t, size_t> sizes;
+    std::vector<double> sums(whole_.joints.size(), 0);
     for (size_t v = 0; v < part.size(); ++v) {
       const uint32_t at = top(static_cast<uint32_t>(v));
       ++sizes[at];
+      for (const Influence& influence : out_.influences[v])
+        sums[influence.joint] += static_cast<double>(influence.weight);
       if (!out_.influences[v].empty()) ++strongest[at][out_.influences[v].front().joint];
     }
     std::vector<uint32_t> tips;
-    for (const size_t tip : choice_.tips)
+    for (const size_t tip : choice_.tips) {
+      if (sums[tip] >= sums[static_cast<size_t>(whole_.joints[tip].parent)]) continue;
       for (const auto& [at, joints] : strongest) {
         const auto mine = joints.find(static_cast<uint32_t>(tip));
         if (mine != joints.end() && mine->second * 2 > sizes[at] && sizes[at] > 3)
           tips.push_back(static_cast<uint32_t>(tip));
       }
+    }
     return tips;
   }
 

@@ -164,6 +164,15 @@ TEST(BindCharacter, ATipWithAPartOfItsOwnKeepsIt) {
   EXPECT_EQ(result.influences[a].front().joint, 5u);
 }
 
+TEST(BindCharacter, ATipInTheMiddleOfItsParentsPartDoesNot) {
+  Character c = two_bars();
+  c.joints[4].position = {0.4f, 0.5f, 0};
+  c.joints[5].position = {0.6f, 0.5f, 0};  // the far end of the bar, most of it, is b_end's; b2 has hardly any without
+  const CharacterBind result = bound(c);
+  EXPECT_EQ(result.folded_tips, 1u);
+  EXPECT_EQ(weight_of_joints(c, result, 1)[5], 0);
+}
+
 TEST(BindCharacter, AttachedMeshesStay) {
   Character c = two_bars();
   c.meshes[1].skinned = false;
