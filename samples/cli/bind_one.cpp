@@ -241,6 +241,9 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
       read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare);
   check_bindable(character);  // before anything that takes longer the more joints there are
   const WeightsBefore before = weights_before(settings, character);
+  if (const size_t given = infer_parents(&character.joints); given > 0)
+    character.notes.push_back(std::to_string(given) +
+                              " joints had no parent and got the nearest one along the body; check the hierarchy");
   fit_skeleton(settings, &character);
   JointChoice choice;
   CharacterBind result = bind_with(settings, binder, progress, &character, &choice);

@@ -24,6 +24,7 @@
 #include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
+#include "sinew_formats/skeleton_repair.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
@@ -93,11 +94,13 @@ Prediction bind_with(const Settings& s, const sinew_model* model, const Characte
     BindResult result = bind(character, options);
     return {std::move(result.influences), result.seconds, {}, std::move(result.confidence)};
   }
+  Character whole_body = character;
+  (void)infer_parents(&whole_body.joints);
   const JointChoice choice =
-      choose_joints(character, s.joints == "own" ? JointsFrom::kOwn : JointsFrom::kNames, options.joint_flags);
+      choose_joints(whole_body, s.joints == "own" ? JointsFrom::kOwn : JointsFrom::kNames, options.joint_flags);
   CharacterBindOptions whole;
   whole.bind = options;
-  CharacterBind result = bind_character(character, choice, whole);
+  CharacterBind result = bind_character(whole_body, choice, whole);
   return {std::move(result.influences), result.seconds, {}, std::move(result.confidence)};
 }
 

@@ -14,8 +14,8 @@ namespace sinew {
 
 // Gives joints without a parent one when most have none: along the shortest tree that joins all joints, in which joints
 // that are numbered in a row or lie on the same side of the body are closer. Returns how many got one (0: nothing to do).
+// Writers take the joints of a file with parents that it did not have as its own.
 size_t infer_parents(std::vector<Joint>* joints);
-std::string parents_note(size_t given);  // for Character::notes
 
 // What would bring a skeleton into its mesh: p -> turn (scale p) + shift, in the mesh's units.
 struct SkeletonFit {

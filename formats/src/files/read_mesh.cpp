@@ -7,7 +7,6 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/skeleton_repair.hpp"
 #include "text/rig.hpp"
 
 namespace sinew {
@@ -55,12 +54,7 @@ Character read_mesh(const std::string& path) {
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
   character->meshes.clear();  // they hung on the joints of another skeleton
   character->vertex_meshes.clear();
-  if (has_extension(path, ".txt")) {
-    read_rig(path, with_skin, character);
-    if (const size_t given = infer_parents(&character->joints); given > 0)
-      character->notes.push_back(parents_note(given));
-    return;
-  }
+  if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
   if (!is_scene(path))
     throw Error(path +
                 ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm, .fbx, .dae), found another extension" +

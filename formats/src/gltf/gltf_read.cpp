@@ -13,7 +13,6 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/skeleton_repair.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"
 
@@ -59,8 +58,6 @@ class GltfReader {
       throw Error(path_ + ": expected a scene with a mesh, found none in " + std::to_string(model().nodes.size()) +
                   " nodes");
     finish_names();
-    if (const size_t given = infer_parents(&character_.joints); given > 0)
-      character_.notes.push_back(parents_note(given));
     source_->joints = character_.joints;
     source_->vertex_count = character_.vertices.size();
     character_.gltf = source_;

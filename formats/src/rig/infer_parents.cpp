@@ -145,8 +145,4 @@ size_t infer_parents(std::vector<Joint>* joints) {
   return given;
 }
 
-std::string parents_note(size_t given) {
-  return std::to_string(given) + " joints had no parent and got the nearest one along the body; check the hierarchy";
-}
-
 }  // namespace sinew

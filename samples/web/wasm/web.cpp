@@ -21,6 +21,7 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
 #include "sinew_formats/print.hpp"
+#include "sinew_formats/skeleton_repair.hpp"
 #include "surface.hpp"
 
 using Json = nlohmann::ordered_json;
@@ -160,6 +161,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
     throw Error(mesh + ": has no skeleton; drop a rig.txt or a GLB with one together with it");
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
   check_bindable(character);
+  (void)infer_parents(&character.joints);
   s.choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
   character.influences.clear();
   s.surface = web::make_surface(character);
