@@ -171,7 +171,7 @@ try {
     await page.keyboard.press("Escape");
     await page.mouse.click(head.x, head.y - 25);
     await settled();
-    assert.equal(await page.locator("#joint-name").innerText(), "head_end");
+    assert.equal(await page.locator("#joint-name").innerText(), "head");
     await page.keyboard.press("s");
     await page.keyboard.press("3");
     await settled();
