@@ -4,6 +4,7 @@
 #define SINEW_FORMATS_BOX_HPP
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sinew_formats/character.hpp"
@@ -15,6 +16,14 @@ struct Box {
   void add(const Vec3& p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  float diagonal() const { return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z); }
+  // low first, high last.
+  std::vector<Vec3> corners() const {
+    std::vector<Vec3> out;
+    for (int c = 0; c < 8; ++c)
+      out.push_back({(c & 1) != 0 ? high.x : low.x, (c & 2) != 0 ? high.y : low.y, (c & 4) != 0 ? high.z : low.z});
+    return out;
   }
   float longest_side() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
 };

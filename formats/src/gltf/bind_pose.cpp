@@ -25,12 +25,7 @@ std::vector<Vec3> box_corners(const std::string& path, const tinygltf::Model& mo
     }
   }
   if (points.empty()) return {};
-  const Box box = box_of(points);
-  std::vector<Vec3> corners;
-  for (int c = 0; c < 8; ++c)
-    corners.push_back({(c & 1) != 0 ? box.high.x : box.low.x, (c & 2) != 0 ? box.high.y : box.low.y,
-                       (c & 4) != 0 ? box.high.z : box.low.z});
-  return corners;
+  return box_of(points).corners();
 }
 
 std::array<double, 3> image(const Affine& m, const Vec3& p) {

@@ -376,10 +376,8 @@ class SkinWriter {
 
   void measure_box() {
     const Box box = box_of(character_.vertices);
-    for (int c = 0; c < 8; ++c)
-      box_corners_.push_back({(c & 1) != 0 ? box.high.x : box.low.x, (c & 2) != 0 ? box.high.y : box.low.y,
-                              (c & 4) != 0 ? box.high.z : box.low.z});
-    box_size_ = static_cast<double>(std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z));
+    box_corners_ = box.corners();
+    box_size_ = static_cast<double>(box.diagonal());
   }
 
   // Of a joint's and a skin's transform, over the character's box (see bind_pose.hpp).

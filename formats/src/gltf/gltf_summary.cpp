@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "gltf/bind_pose.hpp"
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -184,9 +185,7 @@ class Summariser {
   void compare_poses(size_t s, const SkinVertices& vertices, const std::vector<char>& has_weight,
                      GltfSkinSummary* out) const {
     const std::vector<Affine> binds = inverse_bind_matrices(skin_name(s), model(), model().skins[s]);
-    std::vector<Affine> palette;
-    for (size_t j = 0; j < binds.size(); ++j)
-      palette.push_back(multiply(nodes_.worlds[static_cast<size_t>(model().skins[s].joints[j])], binds[j]));
+    const std::vector<Affine> palette = skin_palette(skin_name(s), model(), nodes_, static_cast<int>(s));
     const double mesh_size = longest_side(vertices.points, kIdentity);
     const Affine& common = palette[most_agreed(palette, mesh_size)];
     const double size = longest_side(vertices.points, common);

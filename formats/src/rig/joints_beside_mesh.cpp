@@ -50,8 +50,7 @@ int directions_with_mesh(const Character& character, const Vec3& p) {
 
 void find_joints_beside_mesh(const Character& character, std::vector<JointRole>* roles) {
   if (character.vertices.empty()) return;
-  const Box box = box_of(character.vertices);
-  const float size = std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
+  const float size = box_of(character.vertices).diagonal();
   const size_t count = character.joints.size();
   std::vector<char> beside(count, 0);
   for (size_t j = 0; j < count; ++j) {

@@ -14,9 +14,7 @@ constexpr double kRoom = 0.1;        // of the mesh's diagonal: how far outside 
 constexpr double kMostInside = 0.6;  // a skeleton fits with this share of its joints inside
 constexpr double kSmallest = 0.2;    // and with a box of at least this share of the mesh's diagonal
 
-double diagonal(const Box& box) {
-  return static_cast<double>(std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z));
-}
+double diagonal(const Box& box) { return static_cast<double>(box.diagonal()); }
 
 Vec3 moved(const SkeletonFit& fit, const Vec3& p) {
   const std::array<double, 3> scaled = {fit.scale * static_cast<double>(p.x), fit.scale * static_cast<double>(p.y),
