@@ -42,18 +42,20 @@ void set_flags(const BindSettings& settings, const Character& character, std::ve
   }
 }
 
-void set_locks(const BindSettings& settings, const Character& character, std::vector<uint8_t>* locked) {
-  if (settings.lock.empty()) return;
+// [V] non-zero: keeps its weights; empty without --lock.
+std::vector<uint8_t> read_locks(const BindSettings& settings, const Character& character) {
+  if (settings.lock.empty()) return {};
   if (character.influences.empty()) {
     throw Error(settings.lock + ": vertices can keep only weights they have, and neither " + settings.mesh +
                 " nor its skeleton file brings any");
   }
-  locked->assign(character.vertices.size(), 0);
+  std::vector<uint8_t> locked(character.vertices.size(), 0);
   for (size_t v : read_vertex_list(settings.lock, character)) {
     if (character.influences[v].empty())
       throw Error(settings.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
-    (*locked)[v] = 1;
+    locked[v] = 1;
   }
+  return locked;
 }
 
 // Rows of the hint file go where the mesh's own are; joints are matched by name.
@@ -107,8 +109,8 @@ std::vector<size_t> joints_of_hints(const Character& character, const std::vecto
   return joints;
 }
 
-CharacterBind bind_with(const BindSettings& settings, const Binder& binder, bool progress, Character* character,
-                        JointChoice* choice) {
+CharacterBind bind_with(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
+                        bool progress, Character* character, JointChoice* choice) {
   CharacterBindOptions character_options;
   character_options.keep_tips = settings.keep_tips;
   character_options.bind_props = settings.bind_props;
@@ -120,7 +122,7 @@ CharacterBind bind_with(const BindSettings& settings, const Binder& binder, bool
   std::vector<uint8_t> said;
   set_flags(settings, *character, &said);
   *choice = choose_joints(*character, joints_from(settings), said);
-  set_locks(settings, *character, &options.locked);
+  options.locked = locked;
   set_hints(settings, character, &options.hints);
   take_back_joints(joints_of_hints(*character, options.hints), said, choice);
   options.symmetric = settings.symmetric;
@@ -223,9 +225,9 @@ struct WeightsBefore {
   std::vector<uint8_t> kept;  // [V] locked, or of an attached mesh; or empty
 };
 
-WeightsBefore weights_before(const BindSettings& settings, const Character& character) {
-  WeightsBefore before{character.influences, {}};
-  set_locks(settings, character, &before.kept);
+WeightsBefore weights_before(const BindSettings& settings, const Character& character,
+                             const std::vector<uint8_t>& locked) {
+  WeightsBefore before{character.influences, locked};
   if (character.vertex_meshes.empty()) return before;
   const std::vector<bool> kept = kept_meshes(character, settings.bind_props);
   before.kept.resize(character.vertices.size(), 0);
@@ -240,13 +242,14 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   Character character =
       read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare);
   check_bindable(character);  // before anything that takes longer the more joints there are
-  const WeightsBefore before = weights_before(settings, character);
+  const std::vector<uint8_t> locked = read_locks(settings, character);
+  const WeightsBefore before = weights_before(settings, character, locked);
   if (const size_t given = infer_parents(&character.joints); given > 0)
     character.notes.push_back(std::to_string(given) +
                               " joints had no parent and got the nearest one along the body; check the hierarchy");
   fit_skeleton(settings, &character);
   JointChoice choice;
-  CharacterBind result = bind_with(settings, binder, progress, &character, &choice);
+  CharacterBind result = bind_with(settings, binder, locked, progress, &character, &choice);
   character.influences = std::move(result.influences);
   if (settings.confidence) character.confidence = result.confidence;
   write_character(settings.output, character);
