@@ -21,8 +21,8 @@ static_assert(sizeof(sinew_model) == (sizeof(void*) == 8 ? 128 : 116), "new memb
 constexpr uint32_t kFirstOutputsSize = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
 
 // No padding: the bytes behind a struct that an older library knows belong to members, so that 0 means "not set".
-static_assert(sizeof(sinew_options) == 14 * sizeof(uint32_t) + 6 * sizeof(void*), "a hole in sinew_options");
-static_assert(sizeof(sinew_bind_outputs) == 2 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_bind_outputs");
+static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
+static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
 
 extern "C" {
 
@@ -140,6 +140,7 @@ sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const 
   status = sinew::plan_bind(model, mesh->vertex_count, mesh->face_count, mesh->corner_count, skeleton->joint_count,
                             options, &plan);
   if (status != SINEW_OK) return status;
+  if (plan.rows.question_count > 0 && own.questions == nullptr) return SINEW_ERROR_ARGUMENT;
   if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
   status = sinew::run_bind(plan, *mesh, *skeleton, workspace, workspace_bytes, &own);
   if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);

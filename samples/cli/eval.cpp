@@ -48,7 +48,7 @@ struct Settings {
   std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints, joints;
   std::vector<std::string> peers;  // NAME=DIR
   StyleOptions style;              // of what is evaluated, not of heat beside it
-  unsigned influences = 4, jobs = 1;
+  unsigned influences = 4, jobs = 1, questions = 0;
   bool known = false, against_nearest = false, confidence = false, robustness = false;
 };
 
@@ -460,7 +460,8 @@ class Evaluation {
   std::map<std::string, JudgedConfidence> confidence_;
 };
 
-void run_study(const Settings& s, const char* option, void (*study)(const Study&)) {
+template <class Body>
+void run_study(const Settings& s, const char* option, const Body& study) {
   if (!s.checkpoint.empty()) throw UsageError(std::string(option) + " works with --model and --method heat only");
   const std::unique_ptr<LoadedModel> model = s.method == "heat" ? nullptr : load_model(s.model);
   study({s.folder, model ? &model->model : nullptr, s.influences, s.jobs});
@@ -500,6 +501,8 @@ void run(const Settings& s) {
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
   if (s.confidence) return run_study(s, "--confidence", study_confidence);
   if (s.robustness) return run_study(s, "--robustness", study_robustness);
+  if (s.questions > 0)
+    return run_study(s, "--questions", [&](const Study& study) { study_questions(study, s.questions); });
   if (!s.hints.empty()) {
     run_hints(s);
     return;
@@ -555,6 +558,11 @@ void add_eval(CLI::App& app) {
   add_style_options(sub, &s->style);
   sub->add_flag("--confidence", s->confidence,
                 "Instead: print how often the strongest joint is right at each confidence, and the calibration error");
+  sub->add_option("--questions", s->questions,
+                  "Instead: let the reference answer the N questions of every character that are worth most (sinew bind "
+                  "--questions), and print what the answers gain")
+      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_QUESTIONS)))
+      ->type_name("N");
   sub->add_flag("--robustness", s->robustness,
                 "Instead: print how far the weights move when the same character is moved, scaled, turned, mirrored, "
                 "renumbered, unwelded, its faces split or merged, decimated, subdivided");

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sinew/model.h"
+#include "sinew/questions.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -66,6 +67,10 @@ typedef struct sinew_options {
   void* parallel_user;
   sinew_progress progress; /* called on the calling thread, between two calls of parallel_for; or null */
   void* progress_user;
+  const sinew_answer* answers; /* [answer_count] what the user said about parts; or null */
+  uint32_t answer_count;       /* 0 .. SINEW_MAX_QUESTIONS */
+  uint32_t question_count;     /* 0 .. SINEW_MAX_QUESTIONS: list at most so many parts that are worth a question, see
+                                * sinew_bind_outputs::questions. Parts with an answer are not among them */
 } sinew_options;
 
 /* Options that ask for every default. */
@@ -90,6 +95,14 @@ typedef struct sinew_bind_outputs {
                                 * of hits if it has one (sinew_model::confidence_count). 255 for locked and hinted
                                 * vertices. Null = not wanted */
   size_t used_bytes;           /* written: high-water mark of the workspace */
+  sinew_question* questions;   /* [sinew_options::question_count] what is worth asking, by falling gain; null where
+                                * question_count is 0 */
+  uint32_t* vertex_questions;  /* [vertex_count] index of the question that the vertex' part belongs to, or
+                                * SINEW_NO_QUESTION; null = not wanted */
+  uint32_t* vertex_parts;      /* [vertex_count] the part that the vertex belongs to: 0 is the one with most vertices, and
+                                * so on; null = not wanted. All three only with question_count or answers */
+  uint32_t questions_written;  /* written: how many of them there are */
+  uint32_t reserved;           /* 0 */
 } sinew_bind_outputs;
 
 /* Outputs with the two arrays that every bind fills. */
@@ -127,15 +140,16 @@ SINEW_API sinew_status sinew_bind_workspace_size(const sinew_model* model, uint3
  *
  * Returns SINEW_OK, or with outputs untouched
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the model is not open, struct_size is smaller than in the
- *                           first release (0 above all) or above 4096, an option is out of its range, or this build
- *                           is without it (SINEW_SMALL_CODE)
+ *                           first release (0 above all) or above 4096, an option or an answer's kind is out of its
+ *                           range, or this build is without it (SINEW_SMALL_CODE)
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
  *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 0
  *   SINEW_ERROR_COUNT       no vertex or joint, more of anything than the limits in sinew/types.h, or fewer than two
  *                           corners a face
  *   SINEW_ERROR_KERNEL      this library or this processor lacks sinew_options::kernel
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
- *   SINEW_ERROR_RANGE       a locked or hinted row names a joint that does not exist, or a hint's weights are no weights
+ *   SINEW_ERROR_RANGE       a locked or hinted row names a joint that does not exist, or a hint's weights are no weights;
+ *                           an answer names a vertex or a joint that does not exist, or a joint that must get no weight
  *   SINEW_ERROR_NOT_FINITE  a position of a vertex or joint is NaN or infinite
  *   SINEW_ERROR_INDEX       face_offsets do not start at 0, fall, or do not end at corner_count; corner_count is not 3
  *                           face_count without them; a face has fewer than two corners or names a vertex that does not

@@ -65,6 +65,7 @@ sinew_status run_bind(const BindPlan& plan, const sinew_mesh& mesh, const sinew_
   if (!select_kernels(plan.kernel, &kernels)) return SINEW_ERROR_KERNEL;
   sinew_status status =
       check_given_rows(plan.rows, plan.counts.vertices, skeleton.joint_count, outputs->joint_indices, outputs->weights);
+  if (status == SINEW_OK && kHasExtras) status = check_answers(plan.rows, plan.counts.vertices, skeleton);
   if (status != SINEW_OK) return status;
   Arena arena(workspace, workspace_bytes);
   status = run_stages(plan, mesh, skeleton, kernels, plan.progress, arena, outputs);

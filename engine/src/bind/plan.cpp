@@ -27,11 +27,13 @@ sinew_status check_options(const sinew_options& o) {
   if (o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES || o.up_axis > 1 ||
       o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS || kernel_name(o.kernel) == nullptr ||
       o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
-      !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) || !is_default_or_in(o.softness_percent, 25, 400)) {
+      !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) || !is_default_or_in(o.softness_percent, 25, 400) ||
+      o.answer_count > SINEW_MAX_QUESTIONS || o.question_count > SINEW_MAX_QUESTIONS ||
+      (o.answer_count > 0 && o.answers == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (!kHasExtras &&
-      (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO || o.surface_vertices != 0)) {
+  if (!kHasExtras && (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO ||
+                      o.surface_vertices != 0 || o.answer_count != 0 || o.question_count != 0)) {
     return SINEW_ERROR_ARGUMENT;
   }
   return SINEW_OK;
@@ -46,6 +48,9 @@ RowOptions row_options(const sinew_options& o) {
   rows.symmetric = o.symmetric != 0;
   rows.locked = o.locked;
   rows.hints = o.hints;
+  rows.answers = o.answers;
+  rows.answer_count = o.answer_count;
+  rows.question_count = o.question_count;
   return rows;
 }
 

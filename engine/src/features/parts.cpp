@@ -31,15 +31,13 @@ uint32_t leaf_count(uint32_t vertices) {
   return leaves;
 }
 
-struct Scratch {
-  Box* nodes = nullptr;              // [2 x leaf_count] heap order, root = 1
-  Leaf* leaves = nullptr;            // [U / kLeafVertices, rounded up]
-  uint32_t* triangles_at = nullptr;  // [U] triangles around a vertex
+struct Tree {
+  Box* nodes = nullptr;    // [2 x leaf_count] heap order, root = 1
+  Leaf* leaves = nullptr;  // [U / kLeafVertices, rounded up]
 
   bool allocate(Arena& arena, const Counts& counts) {
     nodes = arena.alloc<Box>(static_cast<size_t>(2) * leaf_count(counts.vertices));
     leaves = arena.alloc<Leaf>(counts.vertices / kLeafVertices + 1);
-    triangles_at = arena.alloc<uint32_t>(counts.vertices);
     return arena.ok();
   }
 };
@@ -58,7 +56,8 @@ uint64_t squared_difference(int32_t a, int32_t b) {
 // Finds hosts by keys, squared distance << kVertexBits | vertex: the smallest is the nearest, ties the lower index.
 class HostFinder {
  public:
-  HostFinder(const Mesh& mesh, const Scratch& scratch) : mesh_(mesh), nodes_(scratch.nodes), leaves_(scratch.leaves) {}
+  HostFinder(const Mesh& mesh, const Tree& tree, uint32_t* host_vertex, uint32_t* host_distance)
+      : mesh_(mesh), nodes_(tree.nodes), leaves_(tree.leaves), host_vertex_(host_vertex), host_distance_(host_distance) {}
 
   // The tree over the first `count` vertices in the order of parts.
   void build(uint32_t count) {
@@ -86,7 +85,7 @@ class HostFinder {
 
   // Hosts of `count` vertices among the first `limit` in the order of parts. `guess` is one of those; it changes
   // the time, never the answer.
-  void find(const uint32_t* vertices, uint32_t count, uint32_t limit, uint32_t guess, Parts* parts) {
+  void find(const uint32_t* vertices, uint32_t count, uint32_t limit, uint32_t guess) {
     Box around = kNothing;
     for (uint32_t m = 0; m < count; ++m) {
       at_[m] = mesh_.positions[vertices[m]];
@@ -123,8 +122,8 @@ class HostFinder {
       stack[depth++] = sooner;
     }
     for (uint32_t m = 0; m < count; ++m) {
-      parts->host_vertex[vertices[m]] = static_cast<uint32_t>(best_[m] & ((1u << kVertexBits) - 1));
-      parts->host_distance[vertices[m]] = isqrt64(best_[m] >> kVertexBits);
+      host_vertex_[vertices[m]] = static_cast<uint32_t>(best_[m] & ((1u << kVertexBits) - 1));
+      host_distance_[vertices[m]] = isqrt64(best_[m] >> kVertexBits);
     }
   }
 
@@ -167,6 +166,8 @@ class HostFinder {
   const Mesh& mesh_;
   Box* const nodes_;
   Leaf* const leaves_;
+  uint32_t* const host_vertex_;
+  uint32_t* const host_distance_;
   uint32_t first_leaf_ = 1;
   Vec3i at_[kGroupVertices];       // the group's vertices
   uint64_t best_[kGroupVertices];  // and their keys
@@ -184,42 +185,50 @@ bool Parts::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& counts, Arena& arena, Parts* parts) {
+sinew_status find_hosts(const Mesh& mesh, const Counts& counts, Arena& arena, uint32_t* host_vertex,
+                        uint32_t* host_distance) {
   const ArenaScope scope(arena);
-  Scratch scratch;
-  if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  Tree tree;
+  if (!tree.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
-  const uint32_t vertices = mesh.welded_count;
-
-  memset(scratch.triangles_at, 0, vertices * sizeof(uint32_t));
-  for (size_t i = 0; i < static_cast<size_t>(mesh.triangle_count) * 3; ++i) ++scratch.triangles_at[mesh.triangles[i]];
-  for (uint32_t c = 0; c < mesh.part_count; ++c) {
-    parts->source_count[c] = parts->boundary_count[c] = 0;
-    parts->box_min[c] = {kFar, kFar, kFar};
-    parts->box_max[c] = {-kFar, -kFar, -kFar};
-  }
-  for (uint32_t v = 0; v < vertices; ++v) {
-    const uint32_t c = mesh.part[v];
-    grow(mesh.positions[v], &parts->box_min[c], &parts->box_max[c]);
-    parts->source_count[c] += heat.field[kFieldRule].has_source[v];
-    // Around an inner vertex of a manifold there are as many triangles as neighbours; at a boundary one less.
-    parts->boundary_count[c] += scratch.triangles_at[v] != mesh.row_offsets[v + 1] - mesh.row_offsets[v];
-  }
-
   const uint32_t *const order = mesh.part_vertices, *const offsets = mesh.part_offsets;
   for (uint32_t i = 0; i < offsets[1]; ++i) {
-    parts->host_vertex[order[i]] = kNoVertex;
-    parts->host_distance[order[i]] = 0;
+    host_vertex[order[i]] = kNoVertex;
+    host_distance[order[i]] = 0;
   }
-  HostFinder finder(mesh, scratch);
+  HostFinder finder(mesh, tree, host_vertex, host_distance);
   if (mesh.part_count > 1) finder.build(offsets[mesh.part_count - 1]);
   for (uint32_t c = 1; c < mesh.part_count; ++c) {
     uint32_t guess = order[0];
     for (uint32_t i = offsets[c]; i < offsets[c + 1]; i += kGroupVertices) {
       const uint32_t rest = offsets[c + 1] - i, count = rest < kGroupVertices ? rest : kGroupVertices;
-      finder.find(order + i, count, offsets[c], guess, parts);
-      guess = parts->host_vertex[order[i + count - 1]];  // near the next group, which is near in Morton order
+      finder.find(order + i, count, offsets[c], guess);
+      guess = host_vertex[order[i + count - 1]];  // near the next group, which is near in Morton order
     }
+  }
+  return SINEW_OK;
+}
+
+sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& counts, Arena& arena, Parts* parts) {
+  const ArenaScope scope(arena);
+  uint32_t* const triangles_at = arena.alloc<uint32_t>(counts.vertices);  // triangles around a vertex
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  const sinew_status status = find_hosts(mesh, counts, arena, parts->host_vertex, parts->host_distance);
+  if (status != SINEW_OK || arena.measuring()) return status;
+
+  memset(triangles_at, 0, mesh.welded_count * sizeof(uint32_t));
+  for (size_t i = 0; i < static_cast<size_t>(mesh.triangle_count) * 3; ++i) ++triangles_at[mesh.triangles[i]];
+  for (uint32_t c = 0; c < mesh.part_count; ++c) {
+    parts->source_count[c] = parts->boundary_count[c] = 0;
+    parts->box_min[c] = {kFar, kFar, kFar};
+    parts->box_max[c] = {-kFar, -kFar, -kFar};
+  }
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    const uint32_t c = mesh.part[v];
+    grow(mesh.positions[v], &parts->box_min[c], &parts->box_max[c]);
+    parts->source_count[c] += heat.field[kFieldRule].has_source[v];
+    // Around an inner vertex of a manifold there are as many triangles as neighbours; at a boundary one less.
+    parts->boundary_count[c] += triangles_at[v] != mesh.row_offsets[v + 1] - mesh.row_offsets[v];
   }
   return SINEW_OK;
 }

@@ -22,6 +22,13 @@ struct Parts {
   bool allocate(Arena& arena, const Counts& counts);
 };
 
+// The nearest vertex of a larger part for every vertex, see Parts. Scratch is taken from the arena and released.
+//   host_vertex, host_distance  out [U]
+// Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
+sinew_status find_hosts(const Mesh& mesh, const Counts& counts, Arena& arena, uint32_t* host_vertex,
+                        uint32_t* host_distance);
+
+// All of it. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status find_parts(const Mesh& mesh, const HeatFields& heat, const Counts& counts, Arena& arena, Parts* parts);
 
 }  // namespace sinew

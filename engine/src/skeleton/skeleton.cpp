@@ -39,16 +39,23 @@ void order_joints(Skeleton* skeleton) {
   }
 }
 
+bool is_deform_known(const uint8_t* flags, uint32_t count) {
+  for (uint32_t j = 0; j < count && flags != nullptr; ++j) {
+    if ((flags[j] & SINEW_JOINT_DEFORMS) != 0) return true;
+  }
+  return false;
+}
+
+bool is_forbidden(uint32_t flag, bool deform_known) {
+  return (flag & SINEW_JOINT_NEVER) != 0 || (deform_known && (flag & SINEW_JOINT_DEFORMS) == 0);
+}
+
 bool find_usable(const uint8_t* flags, Skeleton* skeleton) {
   const uint32_t count = skeleton->joint_count;
-  skeleton->deform_known = false;
-  for (uint32_t j = 0; j < count && flags != nullptr; ++j) {
-    if ((flags[j] & SINEW_JOINT_DEFORMS) != 0) skeleton->deform_known = true;
-  }
+  skeleton->deform_known = is_deform_known(flags, count);
   bool any = false;
   for (uint32_t j = 0; j < count; ++j) {
-    const uint32_t flag = flags != nullptr ? flags[j] : 0;
-    const bool never = (flag & SINEW_JOINT_NEVER) != 0 || (skeleton->deform_known && (flag & SINEW_JOINT_DEFORMS) == 0);
+    const bool never = is_forbidden(flags != nullptr ? flags[j] : 0, skeleton->deform_known);
     skeleton->usable[j] = never ? 0 : 1;
     any = any || !never;
   }
@@ -116,6 +123,11 @@ bool Skeleton::allocate(Arena& arena, const Counts& counts) {
   usable = arena.alloc<uint8_t>(count);
   bone_tail = arena.alloc<Vec3i>(count);
   return arena.ok();
+}
+
+bool may_get_weight(const sinew_skeleton& input, uint32_t joint) {
+  if (joint >= input.joint_count) return false;
+  return input.flags == nullptr || !is_forbidden(input.flags[joint], is_deform_known(input.flags, input.joint_count));
 }
 
 sinew_status build_skeleton(const sinew_skeleton& input, const GridQuantizer& quantizer, Skeleton* skeleton) {

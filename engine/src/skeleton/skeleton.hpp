@@ -29,6 +29,9 @@ struct Skeleton {
   bool allocate(Arena& arena, const Counts& counts);
 };
 
+// Whether the caller's skeleton has that joint, and its flags let it get weight.
+bool may_get_weight(const sinew_skeleton& input, uint32_t joint);
+
 // Fills a skeleton, allocated beforehand, from the caller's view.
 // Returns SINEW_OK, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX for a parent that is no joint, SINEW_ERROR_HIERARCHY for
 // parents in a circle, or SINEW_ERROR_NO_JOINT when no joint may get weight.

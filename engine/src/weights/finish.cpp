@@ -4,7 +4,6 @@
 
 #include <string.h>
 
-#include "weights/blend.hpp"
 #include "weights/confidence.hpp"
 #include "weights/given.hpp"
 #include "weights/hints.hpp"
@@ -18,15 +17,10 @@ constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
 
 // What the network or the heat field says of a vertex of the surface, in kRowSlots slots.
 void surface_row(const Prediction& p, const RowOptions& options, uint32_t vertex, uint16_t* joints, uint32_t* weights) {
+  if (p.logits == nullptr) return heat_row(p.heat, vertex, joints, weights);
   for (uint32_t i = 0; i < kRowSlots; ++i) {
     joints[i] = kNoJoint;
     weights[i] = 0;
-  }
-  if (p.logits == nullptr) {
-    uint16_t row_weights[kHeatSlots];
-    const uint32_t count = finish_heat_row(p.heat, vertex, joints, row_weights);
-    for (uint32_t i = 0; i < count; ++i) weights[i] = 2u * row_weights[i];
-    return;
   }
   const uint32_t k = p.candidates;
   for (uint32_t i = 0; i < k; ++i) joints[i] = p.joints[static_cast<size_t>(vertex) * k + i];
@@ -38,20 +32,6 @@ void surface_row(const Prediction& p, const RowOptions& options, uint32_t vertex
     soften_logits(own, joints, k, options.softness_percent, softened);
     p.softmax(softened, joints, k, kSmallestKept, weights);
   }
-}
-
-// The row of a welded vertex of the full mesh, from those that row(surface vertex, joints, weights) gives.
-template <class Row>
-void full_row(const Prediction& p, uint32_t vertex, const Row& row, uint16_t* joints, uint32_t* weights) {
-  if (!kHasExtras || !p.reduction.active) return row(vertex, joints, weights);
-  const Place place = p.reduction.place(p.mesh, vertex);
-  RowBlend blend;
-  for (int i = 0; i < 3; ++i) {
-    if (place.shares[i] == 0) continue;
-    row(place.vertices[i], joints, weights);
-    blend.add(joints, weights, place.shares[i]);
-  }
-  blend.take(joints, weights);
 }
 
 // The row of a vertex in a part that a joint owns.
@@ -176,6 +156,7 @@ bool EditedRows::allocate(Arena& arena, const Counts& counts, const RowOptions& 
   if (counts.may_reduce()) (void)surface.allocate(arena, counts.surface());
   (void)given.allocate(arena, counts);
   if (options.symmetric) (void)symmetry.allocate(arena, counts);
+  if (options.asks()) (void)questions.allocate(arena, counts, options.question_count);
   return arena.ok();
 }
 
@@ -195,6 +176,16 @@ sinew_status check_given_rows(const RowOptions& options, uint32_t vertices, uint
   return SINEW_OK;
 }
 
+sinew_status check_answers(const RowOptions& options, uint32_t vertices, const sinew_skeleton& skeleton) {
+  for (uint32_t i = 0; i < options.answer_count; ++i) {
+    const sinew_answer& answer = options.answers[i];
+    if (answer.kind > SINEW_ANSWER_HOST || answer.alone > 1) return SINEW_ERROR_ARGUMENT;
+    if (answer.vertex >= vertices) return SINEW_ERROR_RANGE;
+    if (answer.kind == SINEW_ANSWER_RIGID && !may_get_weight(skeleton, answer.joint)) return SINEW_ERROR_RANGE;
+  }
+  return SINEW_OK;
+}
+
 sinew_status edit_rows(const Prediction& p, const RowOptions& options, const Counts& counts, const uint16_t* joints,
                        const void* weights, const Progress& progress, Arena& arena, EditedRows* edited) {
   if (!arena.measuring()) predict_rows(p, options, counts.threads, edited->surface);
@@ -208,6 +199,12 @@ sinew_status edit_rows(const Prediction& p, const RowOptions& options, const Cou
     fill_rows(p, counts.threads, *edited);
     gather_given_rows(p.mesh, options.locked, options.hints, joints, weights, options.weight_format,
                       options.influence_count, &edited->given);
+  }
+  if (options.asks()) {
+    const sinew_status status =
+        ask_and_answer(p, options.answers, options.answer_count, options.question_count, edited->given, counts, arena,
+                       &edited->rows, &edited->questions);
+    if (status != SINEW_OK) return status;
   }
   Symmetry& symmetry = edited->symmetry;
   if (options.symmetric) {
@@ -229,6 +226,7 @@ void write_rows(const Prediction& p, const RowOptions& options, const EditedRows
     write_range(p, options, edited, begin, end, *outputs);
   });
   outputs->symmetric_vertices = count_symmetric(p.mesh, edited.symmetry);
+  if (options.asks()) write_questions(p.mesh, edited.questions, outputs);
 }
 
 }  // namespace sinew

@@ -4,12 +4,8 @@
 #ifndef SINEW_WEIGHTS_FINISH_HPP
 #define SINEW_WEIGHTS_FINISH_HPP
 
-#include "core/build.hpp"
-#include "heat/heat.hpp"
-#include "kernels/softmax.hpp"
-#include "mesh/mesh.hpp"
-#include "reduce/reduction.hpp"
-#include "weights/rows.hpp"
+#include "weights/prediction.hpp"
+#include "weights/questions.hpp"
 #include "weights/symmetry.hpp"
 
 namespace sinew {
@@ -23,32 +19,22 @@ struct RowOptions {
   bool symmetric = false;
   const uint8_t* locked = nullptr;  // [V] or null
   const uint8_t* hints = nullptr;   // [V] or null
+  const sinew_answer* answers = nullptr;  // [answer_count] or null
+  uint32_t answer_count = 0;
+  uint32_t question_count = 0;
 
+  // Whether parts are looked at one by one.
+  bool asks() const { return kHasExtras && (answer_count > 0 || question_count > 0); }
   // Whether anything changes rows between prediction and influences. If so, edit_rows() must run before write_rows().
   bool edits_rows() const {
-    return kHasExtras && (hints != nullptr || symmetric || rigid_parts != SINEW_RIGID_PARTS_AUTO);
+    return kHasExtras && (hints != nullptr || symmetric || rigid_parts != SINEW_RIGID_PARTS_AUTO || asks());
   }
   // Whether edit_rows() reads the heat field although the rows come from a network.
-  bool reads_heat() const { return kHasExtras && rigid_parts == SINEW_RIGID_PARTS_NEVER; }
+  bool reads_heat() const { return kHasExtras && (rigid_parts == SINEW_RIGID_PARTS_NEVER || asks()); }
   // Whether the caller gave the row of a vertex, which then stays as it is.
   bool is_given(uint32_t vertex) const {
     return (locked != nullptr && locked[vertex] != 0) || (hints != nullptr && hints[vertex] != 0);
   }
-};
-
-// What rows are predicted from: logits of a network, or else a heat field, for the vertices of the surface.
-struct Prediction {
-  const Mesh& mesh;            // the caller's, welded
-  const Mesh& surface;         // the reduced mesh if there is one, else `mesh`
-  const Reduction& reduction;  // from one to the other
-  const Skeleton& skeleton;    // on the same grid
-  const HeatField& heat;       // rows come from it if there are no logits
-  const int16_t* logits;       // [U x K] log2 units Q10, or null
-  const uint16_t* joints;      // [U x K] the joint of each logit
-  uint32_t candidates;         // K
-  SoftmaxKernel softmax;
-  const sinew_model* model;          // the one that the logits are from, for its table of confidence; or null
-  const uint16_t* owners = nullptr;  // [parts of mesh] the joint that is the row of the part's vertices, or kNoJoint
 };
 
 // Rows of which something was edited, in the workspace.
@@ -57,6 +43,7 @@ struct EditedRows {
   Rows rows;     // of the welded vertices
   GivenRows given;
   Symmetry symmetry;
+  Questions questions;
 
   bool allocate(Arena& arena, const Counts& counts, const RowOptions& options);
 };
@@ -68,6 +55,10 @@ struct EditedRows {
 sinew_status check_given_rows(const RowOptions& options, uint32_t vertices, uint32_t joint_count,
                               const uint16_t* joints, const void* weights);
 
+// Checks the answers that the caller gave: SINEW_OK, SINEW_ERROR_ARGUMENT for an unknown kind, or SINEW_ERROR_RANGE
+// for a vertex or joint that does not exist, or a joint that the skeleton's flags forbid.
+sinew_status check_answers(const RowOptions& options, uint32_t vertices, const sinew_skeleton& skeleton);
+
 // Predicts the rows of all welded vertices and changes them as the options say. Only for options that edit rows.
 //   joints, weights  [V x influence_count] the caller's; the rows that the caller gave are read
 //   progress         reported from 0 to 1000 while hints are spread
@@ -78,7 +69,8 @@ sinew_status edit_rows(const Prediction& prediction, const RowOptions& options, 
                        const uint16_t* joints, const void* weights, const Progress& progress, Arena& arena,
                        EditedRows* edited);
 
-// Writes the rows of all vertices that the caller did not give, their confidence, and how many vertices are symmetric.
+// Writes the rows of all vertices that the caller did not give, their confidence, how many vertices are symmetric, and
+// what is worth asking.
 //   edited   from edit_rows() with the same options; not read if nothing edits rows
 //   outputs  in/out the caller's arrays [V x influence_count], in the caller's order and format
 void write_rows(const Prediction& prediction, const RowOptions& options, const EditedRows& edited,

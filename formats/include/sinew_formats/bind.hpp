@@ -26,6 +26,8 @@ struct BindOptions {
   uint32_t softness_percent = 100;      // of the model's weights
   uint32_t surface_vertices = 0;        // see sinew_options
   bool symmetric = false;               // mirrored vertices get mirrored rows
+  std::vector<sinew_answer> answers;    // what the user said about parts
+  uint32_t question_count = 0;          // parts that are to be asked about, 0..SINEW_MAX_QUESTIONS
   uint32_t kernel = SINEW_KERNEL_AUTO;  // AUTO asks kernel_from_environment()
   sinew_progress progress = nullptr;
   void* progress_user = nullptr;
@@ -39,6 +41,9 @@ struct BindResult {
   std::vector<uint16_t> joints, weights;           // [V x N] as sinew_bind() writes them, weights unorm16
   std::vector<uint8_t> confidence;                 // [V] 0..255, see sinew_bind_outputs
   uint32_t symmetric_vertices = 0;                 // with BindOptions::symmetric
+  std::vector<sinew_question> questions;           // by falling gain; with BindOptions::question_count
+  std::vector<uint32_t> vertex_questions;          // [V] index of a question or SINEW_NO_QUESTION, with the same
+  std::vector<uint32_t> vertex_parts;              // [V] see sinew_bind_outputs, with the same
   size_t workspace_bytes = 0, used_bytes = 0;
   double seconds = 0;  // of sinew_bind() alone
 };

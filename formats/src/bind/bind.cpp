@@ -70,6 +70,9 @@ BindResult bind(const Character& character, const BindOptions& options) {
   engine_options.thread_count = options.thread_count;
   engine_options.parallel_for = options.parallel_for;
   engine_options.parallel_user = options.parallel_user;
+  engine_options.answers = options.answers.empty() ? nullptr : options.answers.data();
+  engine_options.answer_count = static_cast<uint32_t>(options.answers.size());
+  engine_options.question_count = options.question_count;
 
   BindResult result;
   result.confidence.resize(character.vertices.size());
@@ -89,12 +92,21 @@ BindResult bind(const Character& character, const BindOptions& options) {
   }
   sinew_bind_outputs outputs = sinew_bind_outputs_init(result.joints.data(), result.weights.data());
   outputs.confidence = result.confidence.data();
+  if (options.question_count > 0) {
+    result.questions.resize(options.question_count);
+    result.vertex_questions.resize(character.vertices.size());
+    result.vertex_parts.resize(character.vertices.size());
+    outputs.questions = result.questions.data();
+    outputs.vertex_questions = result.vertex_questions.data();
+    outputs.vertex_parts = result.vertex_parts.data();
+  }
   const auto start = std::chrono::steady_clock::now();
   throw_status(character, sinew_bind(options.model, &views.mesh, &views.skeleton, &engine_options, workspace.data(),
                                      workspace.size(), &outputs));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.symmetric_vertices = outputs.symmetric_vertices;
   result.used_bytes = outputs.used_bytes;
+  result.questions.resize(outputs.questions_written);
 
   result.influences.resize(character.vertices.size());
   for (size_t v = 0; v < character.vertices.size(); ++v) {

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// sinew eval --questions: what a few answers of an artist are worth, with the reference as the artist.
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "eval_studies.hpp"
+#include "progress.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/artist.hpp"
+#include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/parallel.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+constexpr const char* kKinds[] = {"proposed", "rigid", "soft", "hard", "softer", "host"};
+
+struct Gain {
+  double before = 0, after = 0;  // L1
+  double asked = 0;              // questions
+  double covered = 0;            // share of the vertices that they are about
+  size_t characters = 0;
+  void add(const Gain& g) {
+    before += g.before;
+    after += g.after;
+    asked += g.asked;
+    covered += g.covered;
+    characters += g.characters;
+  }
+  Gain mean() const {
+    const double n = static_cast<double>(characters);
+    return {before / n, after / n, asked / n, covered / n, 1};
+  }
+};
+
+Gain gain_of(const Study& study, const Character& c, uint32_t questions, size_t* kinds) {
+  BindOptions options;
+  options.method = study.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  options.model = study.model;
+  options.influence_count = study.influences;
+  const Answered answered = ask_artist(c, options, questions);
+  Gain gain;
+  gain.before = measure(c, answered.before.influences, c.name, 0).l1;
+  gain.after = measure(c, answered.after.influences, c.name, 0).l1;
+  gain.asked = static_cast<double>(answered.answers.size());
+  for (const uint32_t question : answered.before.vertex_questions) gain.covered += question != SINEW_NO_QUESTION;
+  gain.covered /= static_cast<double>(c.vertices.size());
+  gain.characters = 1;
+  for (const sinew_answer& answer : answered.answers) ++kinds[answer.kind];
+  return gain;
+}
+
+void print_row(const std::string& name, const Gain& sum) {
+  const Gain g = sum.mean();
+  std::printf("| %s | %zu | %.4f | %.4f | %.1f %% | %.1f | %.0f %% |\n", name.c_str(), sum.characters, g.before,
+              g.after, 100 * (g.before - g.after) / std::max(g.before, 1e-12), g.asked, 100 * g.covered);
+}
+
+}  // namespace
+
+void study_questions(const Study& study, uint32_t questions) {
+  const std::vector<FoundCharacter> found = characters_in(study.folder);
+  std::vector<Gain> gains(found.size());
+  std::vector<std::vector<size_t>> kinds(found.size(), std::vector<size_t>(std::size(kKinds), 0));
+  {
+    Progress progress(found.size(), "characters");
+    parallel_for(found.size(), study.jobs, [&](size_t i, unsigned) {
+      const Character c = read_found(found[i]);
+      if (c.influences.empty()) throw Error(found[i].path + ": has no reference weights to answer by");
+      gains[i] = gain_of(study, c, questions, kinds[i].data());
+      progress.step();
+    });
+  }
+  std::map<std::string, Gain> families;
+  Gain all, family_mean;
+  std::vector<size_t> answers(std::size(kKinds), 0);
+  for (size_t i = 0; i < found.size(); ++i) {
+    families[family_of(found[i].name)].add(gains[i]);
+    all.add(gains[i]);
+    for (size_t k = 0; k < answers.size(); ++k) answers[k] += kinds[i][k];
+  }
+  std::printf(
+      "| family (up to %u questions) | characters | L1 | answered | less | questions | of the vertices |\n"
+      "|---|---|---|---|---|---|---|\n",
+      questions);
+  for (const auto& [name, sum] : families) {
+    print_row(name, sum);
+    family_mean.add(sum.mean());
+  }
+  print_row("mean of families", family_mean);
+  print_row("mean of characters", all);
+  std::printf("\nanswers:");
+  for (size_t k = 0; k < answers.size(); ++k) std::printf(" %s %zu%s", kKinds[k], answers[k], k + 1 < answers.size() ? "," : "\n");
+}
+
+}  // namespace sinew::cli
