@@ -33,6 +33,8 @@ void check(const Settings& s) {
   check_output(s.one.output, {".glb", ".gltf", ".vrm", ".rig.txt"}, true);
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
+  if (s.one.ask && s.one.mesh == "-") throw UsageError("--ask and the mesh both want standard input");
+  if (s.one.ask && s.one.output == "-") throw UsageError("--ask writes pictures beside the output: give it a file name");
   if (s.one.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the weights a file name");
 }
@@ -77,6 +79,8 @@ void check_folder(const Settings& s) {
                                                   {"--png-confidence", !s.one.png_confidence.empty()},
                                                   {"--hints", !s.one.hints.empty()},
                                                   {"--lock", !s.one.lock.empty()},
+                                                  {"--answer", !s.one.answers.empty()},
+                                                  {"--ask", s.one.ask},
                                                   {"--compare without --json", s.one.compare && !s.json}};
   for (const auto& [name, given] : options) {
     if (given) throw UsageError(std::string(name) + " is for one mesh, and " + s.one.mesh + " is a folder");
@@ -106,6 +110,8 @@ void run_folder(const Settings& s) {
 
 void run(Settings s) {
   settle_joints(&s);
+  constexpr unsigned kQuestions = 3;
+  if (s.one.ask && s.one.questions == 0) s.one.questions = kQuestions;
   if (s.method == "heat" && !s.model.empty()) throw UsageError("--method heat uses no model: leave out --model");
   std::error_code ignored;
   if (std::filesystem::is_directory(s.one.mesh, ignored)) return run_folder(s);
@@ -188,6 +194,18 @@ void add_bind(CLI::App& app) {
   sub->add_flag("--symmetric", s->one.symmetric,
                 "Vertices and joints that are mirror images get mirrored weights, to the last bit; says so when the "
                 "character has no mirror plane x = c");
+  sub->add_option("--questions", s->one.questions,
+                  "List the N parts whose weights an artist should decide about first, with alternatives for --answer")
+      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_QUESTIONS)))
+      ->type_name("N");
+  sub->add_flag("--ask", s->one.ask,
+                "Ask about these parts on the terminal, with a picture of each beside the output, and bind with the "
+                "answers [3 questions]");
+  sub->add_option("--answer", s->one.answers,
+                  "What a part moves with: rigid:JOINT, soft (as heat flows), hard (each vertex with its strongest "
+                  "joint), softer, host (as what it lies on) or proposed. PART is the number that --questions prints, or "
+                  "any vertex of the part; equal and mirrored parts get the same")
+      ->type_name("PART=ANSWER");
   sub->add_flag(
       "--compare", s->one.compare,
       "List the ten joints whose vertices changed most from the weights that the file (or the skeleton's) has");
@@ -201,6 +219,8 @@ void add_bind(CLI::App& app) {
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
       "  sinew bind hero.obj --skeleton hero.rig.txt --hints painted.rig.txt -o hero.glb\n"
+      "  sinew bind hero.glb --questions 3 -o hero.bound.glb\n"
+      "  sinew bind hero.glb --answer 812=rigid:Head --answer 40=soft -o hero.bound.glb\n"
       "  sinew bind characters -o bound --jobs 4 --report bound.html\n"
       "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
   sub->callback([s] { run(*s); });

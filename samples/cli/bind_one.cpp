@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <iostream>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "bind_questions.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/answers.hpp"
 #include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/engine_views.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/skeleton_repair.hpp"
 #include "support.hpp"
@@ -98,8 +102,12 @@ JointsFrom joints_from(const BindSettings& settings) {
   return settings.skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames;
 }
 
-std::vector<size_t> joints_of_hints(const Character& character, const std::vector<uint8_t>& hints) {
+// Joints that the user binds vertices to, by hints and by answers.
+std::vector<size_t> joints_said(const Character& character, const std::vector<uint8_t>& hints,
+                                const std::vector<sinew_answer>& answers) {
   std::vector<size_t> joints;
+  for (const sinew_answer& answer : answers)
+    if (answer.kind == SINEW_ANSWER_RIGID) joints.push_back(answer.joint);
   for (size_t v = 0; v < hints.size(); ++v) {
     if (hints[v] == 0) continue;
     for (const Influence& influence : character.influences[v]) joints.push_back(influence.joint);
@@ -110,7 +118,8 @@ std::vector<size_t> joints_of_hints(const Character& character, const std::vecto
 }
 
 CharacterBind bind_with(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
-                        bool progress, Character* character, JointChoice* choice) {
+                        const std::vector<sinew_answer>& answers, bool progress, Character* character,
+                        JointChoice* choice) {
   CharacterBindOptions character_options;
   character_options.keep_tips = settings.keep_tips;
   character_options.bind_props = settings.bind_props;
@@ -124,7 +133,14 @@ CharacterBind bind_with(const BindSettings& settings, const Binder& binder, cons
   *choice = choose_joints(*character, joints_from(settings), said);
   options.locked = locked;
   set_hints(settings, character, &options.hints);
-  take_back_joints(joints_of_hints(*character, options.hints), said, choice);
+  options.answers = answers;
+  options.question_count = settings.questions;
+  take_back_joints(joints_said(*character, options.hints, answers), said, choice);
+  for (const sinew_answer& answer : answers) {
+    if (answer.kind == SINEW_ANSWER_RIGID && (choice->flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
+      throw Error("answer rigid:" + character->joints[answer.joint].name + ": --never, or --deform for other joints, " +
+                  "says that this joint gets no weight");
+  }
   options.symmetric = settings.symmetric;
   apply_style(settings.style, &options);
   uint32_t shown = 0;
@@ -248,13 +264,23 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
     character.notes.push_back(std::to_string(given) +
                               " joints had no parent and got the nearest one along the body; check the hierarchy");
   fit_skeleton(settings, &character);
+  std::vector<sinew_answer> answers;
+  for (const std::string& answer : settings.answers) answers.push_back(parse_answer(answer, character));
   JointChoice choice;
-  CharacterBind result = bind_with(settings, binder, locked, progress, &character, &choice);
+  CharacterBind result = bind_with(settings, binder, locked, answers, progress, &character, &choice);
+  if (settings.ask && !result.questions.empty()) {
+    const std::vector<sinew_answer> more =
+        ask(character, result, stem_of(settings.output), settings.up == "z", std::cin, std::cerr);
+    answers.insert(answers.end(), more.begin(), more.end());
+    if (!more.empty()) result = bind_with(settings, binder, locked, answers, progress, &character, &choice);
+  }
   character.influences = std::move(result.influences);
   if (settings.confidence) character.confidence = result.confidence;
   write_character(settings.output, character);
   draw(settings, character, result.confidence);
   BindSummary summary = summarise(settings, binder, character, result);
+  summary.answers = answers.size();
+  if (!settings.ask) summary.questions = asked_parts(character, result);
   summary.notes.insert(summary.notes.end(), character.notes.begin(), character.notes.end());
   add_notes(character, choice, result, &summary);
   summary.compare = settings.compare;

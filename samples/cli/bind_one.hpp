@@ -4,6 +4,7 @@
 #define SINEW_CLI_BIND_ONE_HPP
 
 #include <string>
+#include <vector>
 
 #include "bind_summary.hpp"
 #include "sinew/sinew.h"
@@ -24,6 +25,9 @@ struct BindSettings {
   StyleOptions style;
   bool keep_tips = false, bind_props = false, fit = false;
   bool symmetric = false, confidence = false;
+  unsigned questions = 0;            // parts to list or, with `ask`, to ask about on the terminal
+  bool ask = false;                  // reads answers from standard input
+  std::vector<std::string> answers;  // PART=ANSWER
   bool compare = false;  // with the weights that the file, or the skeleton's file, has
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bind_questions.hpp"
 #include "sinew_formats/character.hpp"
 #include "weights_replaced.hpp"
 
@@ -40,6 +41,8 @@ struct BindSummary {
   bool compare = false;  // joints that changed most were asked for
   std::string hash;      // bind_hash()
   Doubts doubts;
+  std::vector<AskedPart> questions;  // those that were asked for
+  size_t answers = 0;                // that the bind took
   std::vector<std::pair<std::string, std::string>> left_out;  // joints that may get no weight, and why
   std::vector<std::string> notes;                             // what the user should know about this file, a line each
 };

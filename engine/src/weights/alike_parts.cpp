@@ -10,6 +10,8 @@ namespace {
 
 constexpr uint32_t kSameRadius = kSide / 256;
 constexpr uint32_t kSamePlace = kSide / 64;
+// By how much a joint of another kind has to lie better: one that the part's weight is for, and any.
+constexpr uint32_t kLikelyHandicap = kSide / 256, kOtherHandicap = kSide / 64;
 
 struct Scratch {
   uint32_t* triangles = nullptr;  // [parts]
@@ -104,21 +106,18 @@ uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alike, const ui
   if (least <= kSamePlace + wanted / 8) return joint;
   least /= 2;  // another joint has to lie clearly better
   uint16_t best = joint;
-  const auto consider = [&](uint32_t other) {
+  const auto consider = [&](uint32_t other, uint32_t handicap) {
     if (skeleton.usable[other] == 0) return;
-    const uint32_t off = difference(distance(skeleton, other, alike.centre[to]), wanted);
+    const uint32_t off = difference(distance(skeleton, other, alike.centre[to]), wanted) + handicap;
     if (off >= least) return;
     least = off;
     best = static_cast<uint16_t>(other);
   };
-  const uint16_t favourite = favourites[to];
-  if (favourite != kNoJoint) {
-    consider(favourite);
-    if (skeleton.parents[favourite] >= 0) consider(static_cast<uint32_t>(skeleton.parents[favourite]));
-  }
   for (uint32_t other = 0; other < skeleton.joint_count; ++other) {
-    if (skeleton.depth[other] == skeleton.depth[joint] && skeleton.child_count[other] == skeleton.child_count[joint])
-      consider(other);
+    const bool same_kind =
+        skeleton.depth[other] == skeleton.depth[joint] && skeleton.child_count[other] == skeleton.child_count[joint];
+    const bool likely = other == favourites[to];
+    consider(other, same_kind ? 0 : likely ? kLikelyHandicap : kOtherHandicap);
   }
   return best;
 }

@@ -24,8 +24,8 @@ struct AlikeParts {
 sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts, Arena& arena, AlikeParts* alike);
 
 // The joint that is to part `to` what `joint` is to part `from`, as told by its distance from the centre: `joint` itself
-// where that is nearly the same, else the best of favourites[to], its parent, and joints as deep in the hierarchy and
-// with as many children as `joint`; `joint` again where none of them lies better.
+// where that is nearly the same, else the joint that lies best, those as deep in the hierarchy and with as many children
+// as `joint` before favourites[to] before others; `joint` again where none lies clearly better.
 //   favourites  [parts] the joint with most of a part's weight, or kNoJoint
 uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alike, const uint16_t* favourites, uint16_t joint,
                      uint32_t from, uint32_t to);

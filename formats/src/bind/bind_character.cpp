@@ -66,6 +66,7 @@ class CharacterBinder {
     out_.kept_meshes = static_cast<size_t>(std::count(kept_.begin(), kept_.end(), true));
     out_.influences.resize(whole_.vertices.size());
     out_.confidence.assign(whole_.vertices.size(), 255);
+    if (options_.bind.question_count > 0) out_.vertex_questions.assign(whole_.vertices.size(), SINEW_NO_QUESTION);
     if (out_.kept_meshes == 0) {
       std::vector<size_t> all(whole_.vertices.size());
       for (size_t v = 0; v < all.size(); ++v) all[v] = v;
@@ -80,6 +81,7 @@ class CharacterBinder {
       follow_carriers();
     }
     if (!options_.keep_tips) fold_tips();
+    order_questions();
     return std::move(out_);
   }
 
@@ -99,7 +101,8 @@ class CharacterBinder {
     size_t number = 0;
     for (const size_t set : wanted) {
       const size_t single = single_joint(set);
-      if (single != SIZE_MAX && options_.bind.hints.empty() && options_.bind.locked.empty()) {
+      if (single != SIZE_MAX && options_.bind.hints.empty() && options_.bind.locked.empty() &&
+          options_.bind.answers.empty()) {
         for (const size_t v : vertices)
           if (choice_.set_of_mesh[mesh_of(v)] == set) out_.influences[v] = {{static_cast<uint32_t>(single), 1.0f}};
         continue;
@@ -136,6 +139,7 @@ class CharacterBinder {
     }
     options.locked = only(options_.bind.locked, vertices);
     options.hints = only(options_.bind.hints, vertices);
+    options.answers = answers_of(vertices, set);
     ShareOfProgress share{options.progress, options.progress_user, static_cast<uint32_t>(number),
                           static_cast<uint32_t>(count)};
     if (options.progress != nullptr && count > 1) {
@@ -149,10 +153,58 @@ class CharacterBinder {
       out_.influences[v] = std::move(result.influences[i]);
       out_.confidence[v] = result.confidence[i];
     }
+    take_questions(result, vertices, set);
     out_.symmetric_vertices = std::max(out_.symmetric_vertices, result.symmetric_vertices);
     out_.workspace_bytes = std::max(out_.workspace_bytes, result.workspace_bytes);
     out_.used_bytes = std::max(out_.used_bytes, result.used_bytes);
     out_.seconds += result.seconds;
+  }
+
+  // Answers about the set's meshes, by the numbers that the bind has for their vertices.
+  std::vector<sinew_answer> answers_of(const std::vector<size_t>& vertices, size_t set) const {
+    std::vector<sinew_answer> answers;
+    for (sinew_answer answer : options_.bind.answers) {
+      const auto at = std::lower_bound(vertices.begin(), vertices.end(), size_t{answer.vertex});
+      if (at == vertices.end() || *at != answer.vertex || choice_.set_of_mesh[mesh_of(*at)] != set) continue;
+      answer.vertex = static_cast<uint32_t>(at - vertices.begin());
+      answers.push_back(answer);
+    }
+    return answers;
+  }
+
+  // Questions about the set's meshes; another set's bind asks about the others.
+  void take_questions(const BindResult& result, const std::vector<size_t>& vertices, size_t set) {
+    std::vector<uint32_t> number(result.questions.size(), SINEW_NO_QUESTION);
+    for (size_t q = 0; q < number.size(); ++q) {
+      sinew_question question = result.questions[q];
+      question.vertex = static_cast<uint32_t>(vertices[question.vertex]);
+      if (choice_.set_of_mesh[mesh_of(question.vertex)] != set) continue;
+      number[q] = static_cast<uint32_t>(out_.questions.size());
+      out_.questions.push_back(question);
+    }
+    for (size_t i = 0; i < result.vertex_questions.size(); ++i) {
+      const uint32_t q = result.vertex_questions[i];
+      if (q != SINEW_NO_QUESTION && choice_.set_of_mesh[mesh_of(vertices[i])] == set)
+        out_.vertex_questions[vertices[i]] = number[q];
+    }
+  }
+
+  // Those of all binds by falling gain, no more than were asked for.
+  void order_questions() {
+    std::vector<uint32_t> order(out_.questions.size());
+    for (uint32_t q = 0; q < order.size(); ++q) order[q] = q;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](uint32_t a, uint32_t b) { return out_.questions[a].gain > out_.questions[b].gain; });
+    if (order.size() > options_.bind.question_count) order.resize(options_.bind.question_count);
+    std::vector<uint32_t> place(out_.questions.size(), SINEW_NO_QUESTION);
+    std::vector<sinew_question> questions;
+    for (const uint32_t q : order) {
+      place[q] = static_cast<uint32_t>(questions.size());
+      questions.push_back(out_.questions[q]);
+    }
+    for (uint32_t& q : out_.vertex_questions)
+      if (q != SINEW_NO_QUESTION) q = place[q];
+    out_.questions = std::move(questions);
   }
 
   // Kept meshes: rigid with their joint, so that pictures and poses show them where they are.

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Questions as text, JSON and pictures, and answers from a terminal.
+#include "bind_questions.hpp"
+
+#include <istream>
+#include <ostream>
+
+#include "sinew_datasets/image.hpp"
+#include "sinew_formats/answers.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+constexpr std::array<uint8_t, 3> kAsked = {240, 120, 20}, kRest = {170, 175, 185};
+
+void draw_question(const Character& character, const CharacterBind& bound, size_t number, bool up_z,
+                   const std::string& path) {
+  std::vector<std::array<uint8_t, 3>> colours(character.vertices.size(), kRest);
+  RenderOptions front, back;
+  for (size_t v = 0; v < colours.size(); ++v)
+    if (bound.vertex_questions[v] == number) colours[v] = kAsked;
+  front.up_z = back.up_z = up_z;
+  back.yaw_degrees += 180.0f;
+  write_file(path, encode_png(beside({render(character, colours, front), render(character, colours, back)})));
+}
+
+// What was typed as an answer; false where it is none, with the reason on `out`.
+bool read_answer(const Character& character, const AskedPart& part, const std::string& typed, std::ostream& out,
+                 sinew_answer* answer) {
+  std::string said = typed.empty() ? "proposed" : typed;
+  const bool is_number = said.find_first_not_of("0123456789") == std::string::npos;
+  if (is_number) {
+    const size_t number = said.size() < 4 ? std::stoul(said) : 0;
+    if (number == 0 || number > part.alternatives.size()) {
+      out << "expected 1 to " << part.alternatives.size() << "\n";
+      return false;
+    }
+    said = part.alternatives[number - 1].first;
+  }
+  try {
+    *answer = parse_answer(std::to_string(part.vertex) + "=" + said, character);
+    return true;
+  } catch (const Error& error) {
+    out << error.what() << "\n";
+    return false;
+  }
+}
+
+}  // namespace
+
+std::vector<AskedPart> asked_parts(const Character& character, const CharacterBind& bound) {
+  std::vector<AskedPart> parts;
+  for (const sinew_question& question : bound.questions) {
+    AskedPart part;
+    part.vertex = question.vertex;
+    part.parts = question.part_count;
+    part.vertices = question.vertex_count;
+    part.joint = character.joints[question.joint].name;
+    part.share = question.share / 65535.0;
+    part.doubt = question.doubt / 65536.0;
+    part.gain = question.gain / 65536.0;
+    for (uint32_t a = 0; a < question.alternative_count; ++a) {
+      const sinew_alternative& alternative = question.alternatives[a];
+      part.alternatives.emplace_back(answer_text(character.joints, alternative.kind, alternative.joint),
+                                     alternative.change / 65536.0);
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+std::string question_text(const AskedPart& part) {
+  std::string text = print("part %u", part.vertex);
+  if (part.parts > 1) text += print(", %u alike", part.parts);
+  text += print(", %u vertices: %.0f %% %s, %.0f %% in doubt; ", part.vertices, 100 * part.share, part.joint.c_str(),
+                100 * part.doubt);
+  for (size_t a = 0; a < part.alternatives.size(); ++a) text += (a == 0 ? "" : ", ") + part.alternatives[a].first;
+  return text;
+}
+
+nlohmann::ordered_json question_json(const AskedPart& part) {
+  nlohmann::ordered_json json = {{"part", part.vertex},   {"parts", part.parts}, {"vertices", part.vertices},
+                                 {"joint", part.joint},   {"share", part.share}, {"doubt", part.doubt},
+                                 {"gain", part.gain}};
+  for (const auto& [answer, change] : part.alternatives)
+    json["alternatives"].push_back({{"answer", answer}, {"change", change}});
+  return json;
+}
+
+std::vector<sinew_answer> ask(const Character& character, const CharacterBind& bound, const std::string& picture,
+                              bool up_z, std::istream& in, std::ostream& out) {
+  std::vector<sinew_answer> answers;
+  const std::vector<AskedPart> parts = asked_parts(character, bound);
+  for (size_t q = 0; q < parts.size(); ++q) {
+    const AskedPart& part = parts[q];
+    const std::string path = picture + ".question" + std::to_string(q + 1) + ".png";
+    draw_question(character, bound, q, up_z, path);
+    out << print("\nquestion %zu of %zu, orange in %s: %u vertices", q + 1, parts.size(), path.c_str(), part.vertices);
+    if (part.parts > 1) out << print(" in %u parts alike", part.parts);
+    out << print("\nproposed: %.0f %% %s. How does it move?\n", 100 * part.share, part.joint.c_str());
+    for (size_t a = 0; a < part.alternatives.size(); ++a)
+      out << print("  %zu  %s\n", a + 1, part.alternatives[a].first.c_str());
+    sinew_answer answer;
+    std::string typed;
+    do {
+      out << "a number, rigid:JOINT for any joint, Enter = as proposed, q = no more questions: " << std::flush;
+      if (!std::getline(in, typed) || typed == "q") {
+        out << "\n";
+        return answers;
+      }
+    } while (!read_answer(character, part, typed, out, &answer));
+    answers.push_back(answer);
+  }
+  return answers;
+}
+
+}  // namespace sinew::cli
