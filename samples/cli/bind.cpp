@@ -33,8 +33,10 @@ void check(const Settings& s) {
   check_output(s.one.output, {".glb", ".gltf", ".vrm", ".rig.txt"}, true);
   if (!s.one.png.empty()) check_output(s.one.png, {".png"});
   if (!s.one.png_confidence.empty()) check_output(s.one.png_confidence, {".png"});
+  if (!s.one.save_style.empty()) check_output(s.one.save_style, {".style"});
   if (s.one.ask && s.one.mesh == "-") throw UsageError("--ask and the mesh both want standard input");
-  if (s.one.ask && s.one.output == "-") throw UsageError("--ask writes pictures beside the output: give it a file name");
+  if (s.one.ask && s.one.output == "-")
+    throw UsageError("--ask writes pictures beside the output: give it a file name");
   if (s.one.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the weights a file name");
 }
@@ -81,6 +83,7 @@ void check_folder(const Settings& s) {
                                                   {"--lock", !s.one.lock.empty()},
                                                   {"--answer", !s.one.answers.empty()},
                                                   {"--ask", s.one.ask},
+                                                  {"--save-style", !s.one.save_style.empty()},
                                                   {"--compare without --json", s.one.compare && !s.json}};
   for (const auto& [name, given] : options) {
     if (given) throw UsageError(std::string(name) + " is for one mesh, and " + s.one.mesh + " is a folder");
@@ -201,11 +204,19 @@ void add_bind(CLI::App& app) {
   sub->add_flag("--ask", s->one.ask,
                 "Ask about these parts on the terminal, with a picture of each beside the output, and bind with the "
                 "answers [3 questions]");
-  sub->add_option("--answer", s->one.answers,
-                  "What a part moves with: rigid:JOINT, soft (as heat flows), hard (each vertex with its strongest "
-                  "joint), softer, host (as what it lies on) or proposed. PART is the number that --questions prints, or "
-                  "any vertex of the part; equal and mirrored parts get the same")
+  sub->add_option(
+         "--answer", s->one.answers,
+         "What a part moves with: rigid:JOINT, soft (as heat flows), hard (each vertex with its strongest "
+         "joint), softer, host (as what it lies on) or proposed. PART is the number that --questions prints, or "
+         "any vertex of the part; equal and mirrored parts get the same")
       ->type_name("PART=ANSWER");
+  sub->add_option("--style", s->one.studio_style,
+                  "Style file: parts like those that it has answers for are answered without asking; for folders too")
+      ->type_name("FILE.style");
+  sub->add_option(
+         "--save-style", s->one.save_style,
+         "Keep the answers of --ask and --answer for other characters of the same kind, behind those of --style")
+      ->type_name("FILE.style");
   sub->add_flag(
       "--compare", s->one.compare,
       "List the ten joints whose vertices changed most from the weights that the file (or the skeleton's) has");
@@ -221,6 +232,7 @@ void add_bind(CLI::App& app) {
       "  sinew bind hero.obj --skeleton hero.rig.txt --hints painted.rig.txt -o hero.glb\n"
       "  sinew bind hero.glb --questions 3 -o hero.bound.glb\n"
       "  sinew bind hero.glb --answer 812=rigid:Head --answer 40=soft -o hero.bound.glb\n"
+      "  sinew bind hero.glb --ask --save-style studio.style && sinew bind others -o bound --style studio.style\n"
       "  sinew bind characters -o bound --jobs 4 --report bound.html\n"
       "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
   sub->callback([s] { run(*s); });

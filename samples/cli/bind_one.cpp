@@ -18,6 +18,7 @@
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/skeleton_repair.hpp"
+#include "sinew_formats/style.hpp"
 #include "support.hpp"
 #include "thread_pool.hpp"
 
@@ -118,8 +119,8 @@ std::vector<size_t> joints_said(const Character& character, const std::vector<ui
 }
 
 CharacterBind bind_with(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
-                        const std::vector<sinew_answer>& answers, bool progress, Character* character,
-                        JointChoice* choice) {
+                        const std::vector<sinew_answer>& answers, uint32_t questions, bool progress,
+                        Character* character, JointChoice* choice) {
   CharacterBindOptions character_options;
   character_options.keep_tips = settings.keep_tips;
   character_options.bind_props = settings.bind_props;
@@ -134,7 +135,7 @@ CharacterBind bind_with(const BindSettings& settings, const Binder& binder, cons
   options.locked = locked;
   set_hints(settings, character, &options.hints);
   options.answers = answers;
-  options.question_count = settings.questions;
+  options.question_count = questions;
   take_back_joints(joints_said(*character, options.hints, answers), said, choice);
   for (const sinew_answer& answer : answers) {
     if (answer.kind == SINEW_ANSWER_RIGID && (choice->flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
@@ -254,6 +255,53 @@ WeightsBefore weights_before(const BindSettings& settings, const Character& char
 
 }  // namespace
 
+namespace {
+
+// Answers from the style file, the command line and the terminal, in this order: the later one counts.
+struct Answers {
+  std::vector<sinew_answer> given;
+  size_t by_style = 0;
+};
+
+CharacterBind bind_and_ask(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
+                           bool progress, Character* character, JointChoice* choice, Answers* answers) {
+  std::vector<sinew_answer>& given = answers->given;
+  Style style;
+  if (!settings.studio_style.empty()) style = read_style(settings.studio_style);
+  std::vector<sinew_answer> said;
+  for (const std::string& answer : settings.answers) said.push_back(parse_answer(answer, *character));
+  const auto bind_again = [&](uint32_t questions) {
+    return bind_with(settings, binder, locked, given, questions, progress, character, choice);
+  };
+  // What there could be answers for, as proposed: what a style is matched with and made of.
+  CharacterBind proposed;
+  if (!settings.studio_style.empty() || !settings.save_style.empty()) {
+    proposed = bind_again(SINEW_MAX_QUESTIONS);
+    given = answer_by_style(style, *character, {proposed.questions, proposed.vertex_parts}, choice->flags);
+    answers->by_style = given.size();
+  }
+  given.insert(given.end(), said.begin(), said.end());
+  CharacterBind result = bind_again(settings.questions);
+  if (settings.ask && !result.questions.empty()) {
+    const std::vector<sinew_answer> typed =
+        ask(*character, result, stem_of(settings.output), settings.up == "z", std::cin, std::cerr);
+    given.insert(given.end(), typed.begin(), typed.end());
+    said.insert(said.end(), typed.begin(), typed.end());
+    if (!typed.empty()) result = bind_again(settings.questions);
+  }
+  if (!settings.save_style.empty()) {
+    style.sheets.push_back(learn_style(*character, {proposed.questions, proposed.vertex_parts}, said));
+    if (style.sheets.back().rules.empty())
+      throw Error(settings.save_style +
+                  ": there is no answer to keep; give some with --ask or --answer, about parts "
+                  "that --questions lists");
+    write_style(settings.save_style, style);
+  }
+  return result;
+}
+
+}  // namespace
+
 BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool progress) {
   Character character =
       read_mesh_and_skeleton(settings.mesh, settings.skeleton, !settings.lock.empty() || settings.compare);
@@ -264,22 +312,17 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
     character.notes.push_back(std::to_string(given) +
                               " joints had no parent and got the nearest one along the body; check the hierarchy");
   fit_skeleton(settings, &character);
-  std::vector<sinew_answer> answers;
-  for (const std::string& answer : settings.answers) answers.push_back(parse_answer(answer, character));
   JointChoice choice;
-  CharacterBind result = bind_with(settings, binder, locked, answers, progress, &character, &choice);
-  if (settings.ask && !result.questions.empty()) {
-    const std::vector<sinew_answer> more =
-        ask(character, result, stem_of(settings.output), settings.up == "z", std::cin, std::cerr);
-    answers.insert(answers.end(), more.begin(), more.end());
-    if (!more.empty()) result = bind_with(settings, binder, locked, answers, progress, &character, &choice);
-  }
+  Answers answers;
+  CharacterBind result = bind_and_ask(settings, binder, locked, progress, &character, &choice, &answers);
   character.influences = std::move(result.influences);
   if (settings.confidence) character.confidence = result.confidence;
   write_character(settings.output, character);
   draw(settings, character, result.confidence);
   BindSummary summary = summarise(settings, binder, character, result);
-  summary.answers = answers.size();
+  summary.answers = answers.given.size();
+  summary.answers_by_style = answers.by_style;
+  summary.style = settings.save_style;
   if (!settings.ask) summary.questions = asked_parts(character, result);
   summary.notes.insert(summary.notes.end(), character.notes.begin(), character.notes.end());
   add_notes(character, choice, result, &summary);

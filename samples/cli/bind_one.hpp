@@ -28,7 +28,9 @@ struct BindSettings {
   unsigned questions = 0;            // parts to list or, with `ask`, to ask about on the terminal
   bool ask = false;                  // reads answers from standard input
   std::vector<std::string> answers;  // PART=ANSWER
-  bool compare = false;  // with the weights that the file, or the skeleton's file, has
+  std::string studio_style;          // a style file that answers what it knows
+  std::string save_style;            // where the answers go, with those of studio_style
+  bool compare = false;              // with the weights that the file, or the skeleton's file, has
 };
 
 // Who binds: the model with the name that the summary gives it, or heat alone where `model` is null.

@@ -83,8 +83,8 @@ std::string question_text(const AskedPart& part) {
 }
 
 nlohmann::ordered_json question_json(const AskedPart& part) {
-  nlohmann::ordered_json json = {{"part", part.vertex},   {"parts", part.parts}, {"vertices", part.vertices},
-                                 {"joint", part.joint},   {"share", part.share}, {"doubt", part.doubt},
+  nlohmann::ordered_json json = {{"part", part.vertex}, {"parts", part.parts}, {"vertices", part.vertices},
+                                 {"joint", part.joint}, {"share", part.share}, {"doubt", part.doubt},
                                  {"gain", part.gain}};
   for (const auto& [answer, change] : part.alternatives)
     json["alternatives"].push_back({{"answer", answer}, {"change", change}});

@@ -16,8 +16,8 @@ namespace sinew::cli {
 struct AskedPart {
   uint32_t vertex = 0;  // names the part in --answer
   uint32_t parts = 0, vertices = 0;
-  std::string joint;                                          // with most of it as proposed
-  double share = 0, doubt = 0, gain = 0;                      // 0 to 1; gain: doubt times share of the mesh
+  std::string joint;                                         // with most of it as proposed
+  double share = 0, doubt = 0, gain = 0;                     // 0 to 1; gain: doubt times share of the mesh
   std::vector<std::pair<std::string, double>> alternatives;  // as --answer takes them, and the L1 that they change
 };
 std::vector<AskedPart> asked_parts(const Character& character, const CharacterBind& bound);

@@ -87,13 +87,15 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
     lines.push_back("not symmetric: too few vertices or joints have a mirror image, nothing was mirrored");
   }
   if (!s.doubts.vertices.empty()) lines.push_back(doubts_text(s.doubts));
-  if (s.answers > 0) lines.push_back(print("%zu answers about parts taken", s.answers));
+  if (s.answers > 0)
+    lines.push_back(print("%zu answers about parts taken, %zu from the style file", s.answers, s.answers_by_style));
   for (const AskedPart& part : s.questions) lines.push_back(question_text(part));
   if (!s.questions.empty())
     lines.push_back(print("answer with --answer %u=%s and so on, any joint: --answer %u=rigid:JOINT",
                           s.questions[0].vertex, s.questions[0].alternatives[0].first.c_str(), s.questions[0].vertex));
   std::string written = s.output == "-" ? "standard output" : s.output;
-  for (const std::string& picture : {s.png, s.png_confidence}) written += picture.empty() ? "" : " and " + picture;
+  for (const std::string& picture : {s.png, s.png_confidence, s.style})
+    written += picture.empty() ? "" : " and " + picture;
   lines.push_back("wrote " + written);
   return lines;
 }
@@ -121,7 +123,11 @@ nlohmann::ordered_json summary_json(const BindSummary& s) {
                         {"sure", s.doubts.sure},
                         {"joints", s.doubts.joints},
                         {"first", std::move(first)}};
-  if (s.answers > 0) json["answers"] = s.answers;
+  if (s.answers > 0) {
+    json["answers"] = s.answers;
+    json["answers_by_style"] = s.answers_by_style;
+  }
+  if (!s.style.empty()) json["style"] = s.style;
   for (const AskedPart& part : s.questions) json["questions"].push_back(question_json(part));
   if (s.symmetric) json["symmetric_vertices"] = s.symmetric_vertices;
   if (s.replaced.vertices > 0) json["replaced"] = replaced_json(s.replaced, s.compare);

@@ -49,6 +49,7 @@ struct Settings {
   std::vector<std::string> peers;  // NAME=DIR
   StyleOptions style;              // of what is evaluated, not of heat beside it
   unsigned influences = 4, jobs = 1, questions = 0;
+  bool first_as_style = false;  // of each family, with `questions`
   bool known = false, against_nearest = false, confidence = false, robustness = false;
 };
 
@@ -501,8 +502,12 @@ void run(const Settings& s) {
   if (!s.calibrate.empty() && s.checkpoint.empty()) throw UsageError("--calibrate belongs to --checkpoint");
   if (s.confidence) return run_study(s, "--confidence", study_confidence);
   if (s.robustness) return run_study(s, "--robustness", study_robustness);
+  if (s.first_as_style && s.questions == 0)
+    throw UsageError("--style needs --questions N: how many the artist answers");
   if (s.questions > 0)
-    return run_study(s, "--questions", [&](const Study& study) { study_questions(study, s.questions); });
+    return run_study(s, "--questions", [&](const Study& study) {
+      s.first_as_style ? study_style(study, s.questions) : study_questions(study, s.questions);
+    });
   if (!s.hints.empty()) {
     run_hints(s);
     return;
@@ -558,11 +563,15 @@ void add_eval(CLI::App& app) {
   add_style_options(sub, &s->style);
   sub->add_flag("--confidence", s->confidence,
                 "Instead: print how often the strongest joint is right at each confidence, and the calibration error");
-  sub->add_option("--questions", s->questions,
-                  "Instead: let the reference answer the N questions of every character that are worth most (sinew bind "
-                  "--questions), and print what the answers gain")
+  sub->add_option(
+         "--questions", s->questions,
+         "Instead: let the reference answer the N questions of every character that are worth most (sinew bind "
+         "--questions), and print what the answers gain")
       ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_QUESTIONS)))
       ->type_name("N");
+  sub->add_flag("--style", s->first_as_style,
+                "With --questions: ask about each family's first character alone, and print what a style file of the "
+                "answers gains the family's others");
   sub->add_flag("--robustness", s->robustness,
                 "Instead: print how far the weights move when the same character is moved, scaled, turned, mirrored, "
                 "renumbered, unwelded, its faces split or merged, decimated, subdivided");

@@ -37,6 +37,8 @@ void study_robustness(const Study& study);
 // Lets the reference answer up to `questions` questions of every character and prints L1 without and with the answers,
 // per family.
 void study_questions(const Study& study, uint32_t questions);
+// Makes a style of the answers about each family's first character and prints L1 of the others without and with it.
+void study_style(const Study& study, uint32_t questions);
 
 }  // namespace sinew::cli
 #endif

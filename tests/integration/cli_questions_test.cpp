@@ -79,10 +79,76 @@ TEST_F(Cli, AnswersThatMakeNoSenseAreRefused) {
   EXPECT_EQ(run("bind " + kData + " -o bound --answer 0=soft").status, 2);
 }
 
+TEST_F(Cli, AnswersBecomeAStyleForTheNextCharacterOfTheKind) {
+  const nlohmann::json first =
+      json_of(run("bind " + kRobot +
+                  " --json -o first.glb --answer 0=rigid:chest --answer 1008=rigid:shin.R --save-style studio.style"));
+  EXPECT_EQ(first["answers"], 2);
+  EXPECT_EQ(first["style"], "studio.style");
+  const nlohmann::json again = json_of(run("bind " + kRobot + " --json -o again.glb --style studio.style"));
+  EXPECT_EQ(again["answers_by_style"], 2);
+  EXPECT_EQ(again["hash"], first["hash"]) << "the same character";
+  // The same robot ten times as large, and elsewhere.
+  Character twin = read_character(kData + "/biped__robot.obj");
+  for (Vec3& p : twin.vertices) p = {10 * p.x + 3, 10 * p.y, 10 * p.z - 7};
+  for (Joint& joint : twin.joints)
+    joint.position = {10 * joint.position.x + 3, 10 * joint.position.y, 10 * joint.position.z - 7};
+  twin.influences.clear();
+  write_obj((folder_ / "twin.obj").string(), twin);
+  write_rig((folder_ / "twin.rig.txt").string(), twin);
+  EXPECT_EQ(json_of(run("bind twin.obj --skeleton twin.rig.txt --json -o twin.glb --style studio.style"))["answers"],
+            2);
+  // Another rig is left alone, and an answer of one's own comes after the style's.
+  const nlohmann::json snake =
+      json_of(run("bind " + kSnake + " --skeleton " + kSnakeRig + " --json -o s.glb --style studio.style"));
+  EXPECT_FALSE(snake.contains("answers"));
+  EXPECT_EQ(run("bind " + kRobot + " -o own.rig.txt --style studio.style --answer 0=rigid:hips").status, 0);
+  Character own = read_character(kData + "/biped__robot.obj");
+  read_skeleton((folder_ / "own.rig.txt").string(), true, &own);
+  EXPECT_TRUE(is_rigid(own, 0, 56, "hips"));
+  // A second character's answers join the first's; a folder is bound with them.
+  EXPECT_EQ(run("bind " + kSnake + " --skeleton " + kSnakeRig +
+                " -o s.glb --style studio.style --save-style studio.style "
+                "--answer 0=soft")
+                .status,
+            0);
+  EXPECT_EQ(nlohmann::json::parse(slurp(folder_ / "studio.style"))["characters"].size(), 2u);
+  const Outcome folder = run("bind " + kData + " -o bound --json --style studio.style");
+  EXPECT_EQ(folder.status, 0) << folder.error;
+  EXPECT_NE(folder.out.find("answers_by_style"), std::string::npos);
+}
+
+TEST_F(Cli, StyleFilesThatMakeNoSenseAreRefused) {
+  const auto refused = [&](const std::string& text, const std::string& says) {
+    put(folder_ / "bad.style", text);
+    const Outcome outcome = run("bind " + kRobot + " -o out.glb --style bad.style");
+    EXPECT_EQ(outcome.status, 1) << text;
+    EXPECT_NE(outcome.error.find("bad.style: not a style file"), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find(says), std::string::npos) << outcome.error;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+  };
+  refused("", "expected JSON");
+  refused("{}", "sinew_style");
+  refused("[1]", "expected JSON");
+  refused(R"({"sinew_style": 2, "characters": []})", "version 2");
+  const auto rule = [](const std::string& text) {
+    return R"({"sinew_style": 1, "characters": [{"joints": [], "rules": [)" + text + "]}]}";
+  };
+  refused(rule(R"({"answer": "blurry"})"), "blurry");
+  refused(rule(R"({"answer": "soft"})"), "part");
+  refused(rule(R"({"answer": "soft", "part": {"size": 7, "radius": 0, "place": [0, 0, 0], "joint": ""}})"), "size");
+  refused(rule(R"({"answer": "soft", "part": {"size": 1, "radius": 0, "place": [0, 1e9, 0], "joint": ""}})"), "place");
+  EXPECT_EQ(run("bind " + kRobot + " -o out.glb --style missing.style").status, 1);
+  EXPECT_EQ(run("bind " + kRobot + " -o out.glb --save-style out.txt --answer 0=soft").status, 2);
+  EXPECT_EQ(run("bind " + kRobot + " -o out.glb --save-style out.style").status, 1) << "no answer to keep";
+  EXPECT_FALSE(fs::exists(folder_ / "out.style"));
+}
+
 TEST_F(Cli, EvalSaysWhatAnswersAreWorth) {
   const std::string folder = (folder_ / "set").string();
   fs::create_directories(folder);
-  for (const std::string file : {"biped__robot.obj", "biped__robot.rig.txt", "bird__winged.obj", "bird__winged.rig.txt"})
+  for (const std::string file :
+       {"biped__robot.obj", "biped__robot.rig.txt", "bird__winged.obj", "bird__winged.rig.txt"})
     fs::copy(kData + "/" + file, folder + "/" + file);
   const Outcome outcome = run("eval set --questions 3");
   ASSERT_EQ(outcome.status, 0) << outcome.error;
@@ -91,6 +157,15 @@ TEST_F(Cli, EvalSaysWhatAnswersAreWorth) {
   double before = 0, after = 0;
   ASSERT_EQ(std::sscanf(outcome.out.c_str() + at, "| mean of families | 2 | %lf | %lf", &before, &after), 2);
   EXPECT_LT(after, before) << "answers by the reference make nothing worse, and these characters gain";
+  EXPECT_EQ(run("eval set --style").status, 2);
+  EXPECT_EQ(run("eval set --style --questions 3").status, 1) << "no family has two characters";
+  fs::copy(folder + "/biped__robot.obj", folder + "/biped__robot_b.obj");
+  fs::copy(folder + "/biped__robot.rig.txt", folder + "/biped__robot_b.rig.txt");
+  const Outcome style = run("eval set --style --questions 3");
+  const size_t biped = style.out.find("| biped | 1 | ");
+  ASSERT_NE(biped, std::string::npos) << style.out << style.error;
+  ASSERT_EQ(std::sscanf(style.out.c_str() + biped, "| biped | 1 | %lf | %lf", &before, &after), 2);
+  EXPECT_LT(after, before) << "the other is the same character";
 }
 
 }  // namespace

@@ -99,10 +99,10 @@ typedef struct sinew_bind_outputs {
                                 * question_count is 0 */
   uint32_t* vertex_questions;  /* [vertex_count] index of the question that the vertex' part belongs to, or
                                 * SINEW_NO_QUESTION; null = not wanted */
-  uint32_t* vertex_parts;      /* [vertex_count] the part that the vertex belongs to: 0 is the one with most vertices, and
+  uint32_t* vertex_parts; /* [vertex_count] the part that the vertex belongs to: 0 is the one with most vertices, and
                                 * so on; null = not wanted. All three only with question_count or answers */
-  uint32_t questions_written;  /* written: how many of them there are */
-  uint32_t reserved;           /* 0 */
+  uint32_t questions_written; /* written: how many of them there are */
+  uint32_t reserved;          /* 0 */
 } sinew_bind_outputs;
 
 /* Outputs with the two arrays that every bind fills. */

@@ -57,7 +57,11 @@ uint64_t squared_difference(int32_t a, int32_t b) {
 class HostFinder {
  public:
   HostFinder(const Mesh& mesh, const Tree& tree, uint32_t* host_vertex, uint32_t* host_distance)
-      : mesh_(mesh), nodes_(tree.nodes), leaves_(tree.leaves), host_vertex_(host_vertex), host_distance_(host_distance) {}
+      : mesh_(mesh),
+        nodes_(tree.nodes),
+        leaves_(tree.leaves),
+        host_vertex_(host_vertex),
+        host_distance_(host_distance) {}
 
   // The tree over the first `count` vertices in the order of parts.
   void build(uint32_t count) {

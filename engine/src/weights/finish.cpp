@@ -201,9 +201,8 @@ sinew_status edit_rows(const Prediction& p, const RowOptions& options, const Cou
                       options.influence_count, &edited->given);
   }
   if (options.asks()) {
-    const sinew_status status =
-        ask_and_answer(p, options.answers, options.answer_count, options.question_count, edited->given, counts, arena,
-                       &edited->rows, &edited->questions);
+    const sinew_status status = ask_and_answer(p, options.answers, options.answer_count, options.question_count,
+                                               edited->given, counts, arena, &edited->rows, &edited->questions);
     if (status != SINEW_OK) return status;
   }
   Symmetry& symmetry = edited->symmetry;

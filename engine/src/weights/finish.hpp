@@ -17,8 +17,8 @@ struct RowOptions {
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO;
   uint32_t softness_percent = 100;
   bool symmetric = false;
-  const uint8_t* locked = nullptr;  // [V] or null
-  const uint8_t* hints = nullptr;   // [V] or null
+  const uint8_t* locked = nullptr;        // [V] or null
+  const uint8_t* hints = nullptr;         // [V] or null
   const sinew_answer* answers = nullptr;  // [answer_count] or null
   uint32_t answer_count = 0;
   uint32_t question_count = 0;

@@ -111,8 +111,7 @@ class PartQuestions {
       const auto put = [&](uint32_t part) {
         s_.answers[part] = {static_cast<uint8_t>(answers[i].kind), 0};
         if (answers[i].kind == SINEW_ANSWER_RIGID)
-          s_.answers[part].joint =
-              counterpart(p_.skeleton, s_.alike, s_.favourites, answers[i].joint, named, part);
+          s_.answers[part].joint = counterpart(p_.skeleton, s_.alike, s_.favourites, answers[i].joint, named, part);
       };
       if (answers[i].alone != 0) {
         put(named);

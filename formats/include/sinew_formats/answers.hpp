@@ -11,6 +11,9 @@
 
 namespace sinew {
 
+// Of each sinew_answer_kind: "proposed", "rigid", ...
+const std::vector<std::string>& answer_names();
+
 // "rigid:hand.L", "soft", "hard", "softer", "host" or "proposed".
 std::string answer_text(const std::vector<Joint>& joints, uint16_t kind, uint16_t joint);
 

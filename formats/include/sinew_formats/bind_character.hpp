@@ -59,6 +59,7 @@ struct CharacterBind {
   std::vector<uint8_t> confidence;                 // [V] 0..255, see sinew_bind_outputs
   std::vector<sinew_question> questions;           // by falling gain; with BindOptions::question_count
   std::vector<uint32_t> vertex_questions;          // [V] index of a question or SINEW_NO_QUESTION, with the same
+  std::vector<uint32_t> vertex_parts;              // [V] connected pieces, numbered in no certain order, with the same
   size_t kept_meshes = 0, folded_tips = 0;
   uint32_t symmetric_vertices = 0;
   size_t workspace_bytes = 0, used_bytes = 0;  // of the largest of its binds

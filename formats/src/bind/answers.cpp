@@ -10,7 +10,6 @@
 namespace sinew {
 namespace {
 
-constexpr const char* kKinds[] = {"proposed", "rigid", "soft", "hard", "softer", "host"};
 const std::string kRigid = "rigid:";
 constexpr const char* kExpected = "rigid:JOINT, soft, hard, softer, host or proposed";
 
@@ -20,15 +19,19 @@ uint32_t parse_vertex(const std::string& text, const std::string& number, size_t
   if (number.empty() || number[0] < '0' || number[0] > '9' || *end != 0)
     throw Error("answer " + text + ": expected PART=ANSWER, where PART is the number that sinew bind --questions " +
                 "prints or any vertex of the part, and ANSWER " + kExpected);
-  if (value >= vertices)
-    throw Error("answer " + text + ": the mesh has vertices 0 to " + std::to_string(vertices - 1));
+  if (value >= vertices) throw Error("answer " + text + ": the mesh has vertices 0 to " + std::to_string(vertices - 1));
   return static_cast<uint32_t>(value);
 }
 
 }  // namespace
 
+const std::vector<std::string>& answer_names() {
+  static const std::vector<std::string> names = {"proposed", "rigid", "soft", "hard", "softer", "host"};
+  return names;
+}
+
 std::string answer_text(const std::vector<Joint>& joints, uint16_t kind, uint16_t joint) {
-  return kind == SINEW_ANSWER_RIGID ? kRigid + joints[joint].name : kKinds[kind];
+  return kind == SINEW_ANSWER_RIGID ? kRigid + joints[joint].name : answer_names()[kind];
 }
 
 sinew_answer parse_answer(const std::string& text, const Character& character) {
@@ -47,8 +50,8 @@ sinew_answer parse_answer(const std::string& text, const Character& character) {
     answer.joint = static_cast<uint16_t>(at - character.joints.begin());
     return answer;
   }
-  for (uint16_t kind = 0; kind < std::size(kKinds); ++kind) {
-    if (kind == SINEW_ANSWER_RIGID || said != kKinds[kind]) continue;
+  for (uint16_t kind = 0; kind < answer_names().size(); ++kind) {
+    if (kind == SINEW_ANSWER_RIGID || said != answer_names()[kind]) continue;
     answer.kind = kind;
     return answer;
   }

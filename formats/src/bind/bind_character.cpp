@@ -66,7 +66,10 @@ class CharacterBinder {
     out_.kept_meshes = static_cast<size_t>(std::count(kept_.begin(), kept_.end(), true));
     out_.influences.resize(whole_.vertices.size());
     out_.confidence.assign(whole_.vertices.size(), 255);
-    if (options_.bind.question_count > 0) out_.vertex_questions.assign(whole_.vertices.size(), SINEW_NO_QUESTION);
+    if (options_.bind.question_count > 0) {
+      out_.vertex_questions.assign(whole_.vertices.size(), SINEW_NO_QUESTION);
+      out_.vertex_parts.assign(whole_.vertices.size(), 0);
+    }
     if (out_.kept_meshes == 0) {
       std::vector<size_t> all(whole_.vertices.size());
       for (size_t v = 0; v < all.size(); ++v) all[v] = v;
@@ -182,7 +185,11 @@ class CharacterBinder {
       number[q] = static_cast<uint32_t>(out_.questions.size());
       out_.questions.push_back(question);
     }
+    const uint32_t first_part = parts_;  // numbers of the binds follow one another; 0 is for vertices without one
     for (size_t i = 0; i < result.vertex_questions.size(); ++i) {
+      parts_ = std::max(parts_, first_part + result.vertex_parts[i] + 1);
+      if (choice_.set_of_mesh[mesh_of(vertices[i])] == set)
+        out_.vertex_parts[vertices[i]] = first_part + result.vertex_parts[i];
       const uint32_t q = result.vertex_questions[i];
       if (q != SINEW_NO_QUESTION && choice_.set_of_mesh[mesh_of(vertices[i])] == set)
         out_.vertex_questions[vertices[i]] = number[q];
@@ -301,6 +308,7 @@ class CharacterBinder {
   const CharacterBindOptions& options_;
   const std::vector<bool> kept_;  // [meshes]
   CharacterBind out_;
+  uint32_t parts_ = 1;  // numbers of parts given so far
 };
 
 }  // namespace

@@ -11,14 +11,14 @@
 namespace sinew {
 
 struct Answered {
-  BindResult before;                   // without answers; with the questions
-  std::vector<sinew_answer> answers;   // one for each question
-  BindResult after;                    // with them
+  BindResult before;                  // without answers; with the questions
+  std::vector<sinew_answer> answers;  // one for each question
+  BindResult after;                   // with them
 };
 
 // Binds, and answers up to `questions` of what the bind asks (1..SINEW_MAX_QUESTIONS). The artist names the joint that
 // most of the part's reference weight belongs to, looks at the part rigid with it, soft, hard, softer, as its host and
-// as proposed, and takes what has the lowest L1 over all the question's vertices. Throws Error as bind() does.
+// as proposed, and takes what has the lowest L1 over all the question's vertices, by at least 0.01 a vertex. Throws Error as bind() does.
 Answered ask_artist(const Character& reference, BindOptions options, uint32_t questions);
 
 }  // namespace sinew

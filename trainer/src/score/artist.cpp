@@ -9,6 +9,8 @@
 namespace sinew {
 namespace {
 
+constexpr double kSeen = 0.01;  // L1 of a vertex: what is less of a gain, nobody sees
+
 // L1 over the vertices of every question.
 std::vector<double> l1_of_questions(const Character& reference, const BindResult& bound, const BindResult& asked) {
   std::vector<float> l1;
@@ -46,9 +48,10 @@ Answered ask_artist(const Character& reference, BindOptions options, uint32_t qu
   out.before = bind(reference, options);
   options.question_count = 0;
   const std::vector<sinew_question>& asked = out.before.questions;
+  std::vector<double> vertices;
+  for (const sinew_question& question : asked) vertices.push_back(question.vertex_count);
   std::vector<double> best = l1_of_questions(reference, out.before, out.before);
-  for (const sinew_question& question : asked)
-    out.answers.push_back({question.vertex, SINEW_ANSWER_PROPOSED, 0, 0});
+  for (const sinew_question& question : asked) out.answers.push_back({question.vertex, SINEW_ANSWER_PROPOSED, 0, 0});
   for (const uint16_t kind :
        {SINEW_ANSWER_RIGID, SINEW_ANSWER_SOFT, SINEW_ANSWER_HARD, SINEW_ANSWER_SOFTER, SINEW_ANSWER_HOST}) {
     options.answers.clear();
@@ -61,7 +64,7 @@ Answered ask_artist(const Character& reference, BindOptions options, uint32_t qu
     }
     const std::vector<double> l1 = l1_of_questions(reference, bind(reference, options), out.before);
     for (size_t q = 0; q < asked.size(); ++q) {
-      if (l1[q] >= best[q]) continue;
+      if (l1[q] >= best[q] - kSeen * vertices[q]) continue;
       best[q] = l1[q];
       out.answers[q] = options.answers[q];
     }

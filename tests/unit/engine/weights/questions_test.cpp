@@ -246,8 +246,8 @@ TEST(Answers, LockedVerticesHaveTheLastWord) {
   options.answers = &answer;
   options.answer_count = 1;
   sinew::Workspace workspace;
-  sinew::Skin<uint16_t> skin{4, std::vector<uint16_t>(locked.size() * 4, 0), std::vector<uint16_t>(locked.size() * 4, 0),
-                             0};
+  sinew::Skin<uint16_t> skin{4, std::vector<uint16_t>(locked.size() * 4, 0),
+                             std::vector<uint16_t>(locked.size() * 4, 0), 0};
   skin.joints[size_t{kRight} * 4] = kRoot;
   skin.weights[size_t{kRight} * 4] = 65535;
   ASSERT_EQ(sinew::bind(nullptr, mesh, skeleton, options, &workspace, &skin), SINEW_OK);
