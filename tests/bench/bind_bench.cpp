@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A whole bind with the bundled model, stage by stage and with threads, on synthetic bodies of several sizes: CSV on
-// standard output.
-//   sinew_bench_bind [--kernel NAME] [--grid CELLS] [--repeats N] [VERTICES...]      default: 1000 10000 100000
+// standard output. "--grid rule": as if the model's cells followed the vertices.
+//   sinew_bench_bind [--kernel NAME] [--grid CELLS|rule] [--repeats N] [VERTICES...]      default: 1000 10000 100000
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -225,12 +225,14 @@ int main(int argc, char** argv) {
   sinew_options options = sinew_options_init();
   uint32_t& kernel = options.kernel;
   int repeats = 5;
+  bool by_rule = false;
   std::vector<double> sizes;
   for (int i = 1; i < argc; ++i) {
     if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
       repeats = std::max(1, std::atoi(argv[++i]));
     } else if (i + 1 < argc && std::strcmp(argv[i], "--grid") == 0) {
       options.grid_size = static_cast<uint32_t>(std::atoi(argv[++i]));
+      by_rule = options.grid_size == 0;
     } else if (i + 1 < argc && std::strcmp(argv[i], "--kernel") == 0) {
       const char* name = argv[++i];
       while (sinew_kernel_name(kernel) != nullptr && std::strcmp(sinew_kernel_name(kernel), name) != 0) ++kernel;
@@ -247,6 +249,7 @@ int main(int argc, char** argv) {
   const std::vector<uint64_t> bytes = read_model(&size);
   sinew_model model = {};
   check(sinew_model_open(bytes.data(), size, &model), "model");
+  if (by_rule) model.grid_size = 0;
   std::printf(
       "machine,compiler,commit,kernel,vertices,joints,stage,median_ms,share,ns_per_vertex,used_bytes,"
       "bytes_per_vertex,hash\n");

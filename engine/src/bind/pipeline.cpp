@@ -57,7 +57,7 @@ sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, ui
     return SINEW_ERROR_COUNT;
   // A vertex of a closed triangle mesh has about six corners; sixteen times that is no mesh any more.
   if (corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2) return SINEW_ERROR_COUNT;
-  if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || grid < 16 || grid > 128) return SINEW_ERROR_ARGUMENT;
+  if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || !is_legal_grid(grid)) return SINEW_ERROR_ARGUMENT;
   *counts = Counts{vertices, faces, corners, joints, candidates, grid};
   return SINEW_OK;
 }
