@@ -170,19 +170,25 @@ struct JointScratch {
   }
 };
 
-void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const JointScratch& scratch,
-               Candidates* out) {
+constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
+
+void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const Threads& threads,
+               const JointScratch& scratch, Candidates* out) {
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
     scratch.sums[j] = {0, 0, 0};
     scratch.extents[j] = 0;
     scratch.counts[j] = 0;
   }
+  threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) {
+      uint32_t nearest;
+      nearest_labels(p, mesh.positions[v], 1, &nearest);  // finds one: the vertex's own cell is solid
+      scratch.nearest[v] = static_cast<uint16_t>(nearest & kJointMask);
+    }
+  });
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    uint32_t nearest;
-    nearest_labels(p, mesh.positions[v], 1, &nearest);  // finds one: the vertex's own cell is solid
-    const uint32_t joint = nearest & kJointMask;
+    const uint32_t joint = scratch.nearest[v];
     const Vec3i way = mesh.positions[v] - skeleton.positions[joint];
-    scratch.nearest[v] = static_cast<uint16_t>(joint);
     scratch.sums[joint].x += way.x;
     scratch.sums[joint].y += way.y;
     scratch.sums[joint].z += way.z;
@@ -216,8 +222,6 @@ constexpr uint32_t kTips = 400;
 constexpr uint32_t kSecondPropagation = 600;
 constexpr uint32_t kRows = Progress::kWhole;
 }  // namespace ends_at
-
-constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
 
 void write_candidates(const Mesh& mesh, const Propagation& p, const uint32_t* starts, uint32_t begin, uint32_t end,
                       Candidates* out) {
@@ -266,7 +270,7 @@ sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const C
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) joints.starts[j] = 0;
   seed_bones(skeleton, skeleton.bone_tail, joints.starts, &propagation);
   if (!propagation.run(progress, ends_at::kFirstPropagation)) return SINEW_ERROR_CANCELLED;
-  find_tips(mesh, skeleton, propagation, joints, candidates);
+  find_tips(mesh, skeleton, propagation, counts.threads, joints, candidates);
   if (!progress.report(ends_at::kTips)) return SINEW_ERROR_CANCELLED;
 
   propagation.begin(usable < counts.candidates ? usable : counts.candidates);

@@ -47,7 +47,24 @@ struct Threads {
     });
   }
 
+  // For results that are worked out side by side and added up one after the other: make(index, slot) for a round of
+  // indices, slots from 0 to below `round`, then take(index, slot) for the same on the calling thread.
+  template <class Make, class Take>
+  void rounds(uint32_t count, uint32_t round, const Make& make, const Take& take) const {
+    for (uint32_t first = 0; first < count; first += round) {
+      const uint32_t some = count - first < round ? count - first : round;
+      ranges(some, kRoundPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+        for (uint32_t slot = begin; slot < end; ++slot) make(first + slot, slot);
+      });
+      for (uint32_t slot = 0; slot < some; ++slot) take(first + slot, slot);
+    }
+  }
+  // A round that keeps the lanes busy and its results in the cache.
+  uint32_t round_size() const { return kRoundPiece * (kHasThreads ? 8 : 1) * lane_count(); }
+
  private:
+  static constexpr uint32_t kRoundPiece = 64;
+
   template <class Body>
   struct Job {
     const Body* body;
