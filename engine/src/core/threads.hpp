@@ -76,5 +76,11 @@ struct Threads {
   };
 };
 
+// Work of another stage that a stage takes along, on a lane of its own where it has few pieces. It reports no progress.
+struct WorkBeside {
+  void (*run)(void* data) = nullptr;
+  void* data = nullptr;
+};
+
 }  // namespace sinew
 #endif

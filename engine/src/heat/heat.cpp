@@ -46,8 +46,15 @@ void copy_part(const Mesh& mesh, uint32_t part, const HeatField& from, HeatField
 // All fields of parts: those of a large part on all lanes, small parts one to a lane, on up to kFieldCount of them.
 class PartWalk {
  public:
-  PartWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch, HeatFields* fields)
-      : mesh_(mesh), all_lanes_(threads), threads_(threads), progress_(progress), scratch_(scratch), fields_(fields) {
+  PartWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch, HeatFields* fields,
+           const WorkBeside& beside)
+      : mesh_(mesh),
+        all_lanes_(threads),
+        threads_(threads),
+        progress_(progress),
+        scratch_(scratch),
+        fields_(fields),
+        beside_(beside) {
     threads_.lanes = solver_count(threads);
   }
   static uint32_t solver_count(const Threads& threads) {
@@ -61,7 +68,8 @@ class PartWalk {
         while (end < mesh_.part_count && vertices + mesh_.part_sizes[end] < kRound) {
           vertices += mesh_.part_sizes[end++];
         }
-        threads_.each(end - c, [&](uint32_t index, uint32_t lane) { solve_alone(c + index, scratch_.solvers[lane]); });
+        each_and_beside(threads_, end - c,
+                        [&](uint32_t index, uint32_t lane) { solve_alone(c + index, scratch_.solvers[lane]); });
         if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
       } else if (threads_.lane_count() > 1) {
         solve_together(c);
@@ -80,6 +88,20 @@ class PartWalk {
 
  private:
   static constexpr uint32_t kSmall = 512, kRound = 8192;  // vertices
+
+  // body(index, lane) for [0, count), and the work of another stage if it has not been done.
+  template <class Body>
+  void each_and_beside(const Threads& threads, uint32_t count, const Body& body) {
+    const WorkBeside beside = beside_;
+    beside_ = WorkBeside();
+    threads.each(beside.run != nullptr ? count + 1 : count, [&](uint32_t index, uint32_t lane) {
+      if (index == count) {
+        beside.run(beside.data);
+      } else {
+        body(index, lane);
+      }
+    });
+  }
 
   bool is_copy(uint32_t part, uint32_t field) const {
     return field == kFieldParts && same_sources(mesh_, part, scratch_.sources);
@@ -107,7 +129,7 @@ class PartWalk {
 
   // A large part: fields have a solver each, and their batches of joints a lane each. Where fronts refuse one of them,
   // those after it have to do without too: rare, and then a matter for one lane.
-  void solve_together(uint32_t part) const {
+  void solve_together(uint32_t part) {
     const bool copy = is_copy(part, kFieldParts);
     uint32_t fields[kFieldCount] = {kFieldRule, kFieldSoft, kFieldParts};
     const uint32_t count = copy ? kFieldCount - 1 : kFieldCount, at_once = threads_.lanes;
@@ -118,11 +140,11 @@ class PartWalk {
     if (copy) copy_rule(part);
   }
 
-  bool solve_fields(uint32_t part, const uint32_t* fields, uint32_t count, bool first) const {
+  bool solve_fields(uint32_t part, const uint32_t* fields, uint32_t count, bool first) {
     bool done[kFieldCount] = {};
     HeatSolver* const solvers = scratch_.solvers;
     const auto field_of = [&](uint32_t index) { return &fields_->field[fields[index]]; };
-    threads_.each(count, [&](uint32_t index, uint32_t) {
+    each_and_beside(all_lanes_, count, [&](uint32_t index, uint32_t) {
       if (first) solvers[index].begin_part(mesh_, scratch_.edges, part);
       done[index] = solvers[index].begin_fronts(scratch_.sources, fields[index], field_of(index));
     });
@@ -170,6 +192,7 @@ class PartWalk {
   const Progress& progress_;
   Scratch& scratch_;
   HeatFields* fields_;
+  WorkBeside beside_;  // none once it ran
   uint64_t done_ = 0;  // vertices of all fields
 };
 
@@ -201,7 +224,8 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
 }
 
 sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
-                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields) {
+                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields,
+                        const WorkBeside& beside) {
   const ArenaScope scope(arena);
   fields->source_joints = source_joints;
   Scratch scratch;
@@ -217,7 +241,7 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     fields->field[kFieldParts].nearest[v] = fields->field[kFieldRule].nearest[v];
   }
-  status = PartWalk(mesh, counts.threads, progress, scratch, fields).run();
+  status = PartWalk(mesh, counts.threads, progress, scratch, fields, beside).run();
   for (HeatField& field : fields->field) {
     for (uint32_t v = 0; v < mesh.welded_count; ++v) field.has_source[v] = field.has_source[v] != 0;
   }
