@@ -13,9 +13,9 @@ namespace sinew {
 
 constexpr uint16_t kNoJoint = 0xFFFF;
 
-// Voxel cells along the longest side where `grid` is 0: 8 cells of the cube for a vertex of the surface, between these.
-// Time and memory of the candidate search grow with the cube, the rest of a bind with the vertices. Candidates are as
-// good over the whole range (trainer/configs/RESULTS.md).
+// Voxel cells along the longest side where `grid` is 0: 12 cells of the cube for a vertex of the surface, between these.
+// Time and memory of the candidate search grow with the cube, the rest of a bind with the vertices. What more or fewer
+// cells do to the candidates: trainer/configs/RESULTS.md.
 constexpr uint32_t kFewestCells = 32, kMostCells = 64;
 constexpr bool is_legal_grid(uint32_t grid) { return grid == 0 || (grid >= 16 && grid <= 128); }
 
@@ -42,7 +42,7 @@ struct Counts {
   uint32_t cells_along(uint32_t surface_size) const {
     if (grid != 0) return grid;
     uint32_t cells = kFewestCells;
-    while (cells < kMostCells && (cells + 1) * (cells + 1) * (cells + 1) <= uint64_t{8} * surface_size) ++cells;
+    while (cells < kMostCells && (cells + 1) * (cells + 1) * (cells + 1) <= uint64_t{12} * surface_size) ++cells;
     return cells;
   }
   // Bounds of the mesh that the stages after the mesh run on: the reduced one, or the mesh itself.

@@ -17,11 +17,11 @@ uint32_t cells(uint32_t vertices) {
 
 TEST(Counts, CellsFollowTheVertices) {
   EXPECT_EQ(cells(1), 32u);
-  EXPECT_EQ(cells(4492), 32u);  // 33^3 / 8 = 4492.1
-  EXPECT_EQ(cells(4493), 33u);
-  EXPECT_EQ(cells(10034), 43u);
-  EXPECT_EQ(cells(32767), 63u);
-  EXPECT_EQ(cells(32768), 64u);
+  EXPECT_EQ(cells(2994), 32u);  // 33^3 / 12 = 2994.75
+  EXPECT_EQ(cells(2995), 33u);
+  EXPECT_EQ(cells(10034), 49u);
+  EXPECT_EQ(cells(21845), 63u);  // 64^3 / 12 = 21845.3
+  EXPECT_EQ(cells(21846), 64u);
   EXPECT_EQ(cells(SINEW_MAX_VERTICES), 64u);
 }
 

@@ -106,7 +106,7 @@ TEST(Voxels, CellsFollowTheWeldedVertices) {
   ASSERT_EQ(run.status, SINEW_OK);
   ASSERT_EQ(run.mesh.welded_count, 2500u);
   const Voxels v(run);
-  EXPECT_EQ(sinew::VoxelGrid::max_cells(run.counts), 36u * 36 * 36);
+  EXPECT_EQ(sinew::VoxelGrid::max_cells(run.counts), 41u * 41 * 41);
   EXPECT_EQ(v.grid.cell_size, (sinew::kSide + 31) / 32);
 }
 
