@@ -177,8 +177,11 @@ class PartWalk {
     constexpr uint32_t kRowPiece = 256;
     all_lanes_.ranges(mesh_.part_sizes[part], kRowPiece, [&](uint32_t begin, uint32_t end, uint32_t lane) {
       for (uint32_t index = 0; index < count; ++index) {
-        if (!solvers[index].are_whole(begin, end)) lanes[lane].tame = false;
-        solvers[index].finish_rows(begin, end, field_of(index));
+        if (solvers[index].close_totals(begin, end)) {
+          solvers[index].finish_rows(begin, end, field_of(index));
+        } else {
+          lanes[lane].tame = false;
+        }
       }
     });
     bool tame = true;

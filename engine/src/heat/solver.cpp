@@ -144,7 +144,8 @@ void HeatSolver::keep(const uint16_t* batch, uint32_t members, HeatField* out) {
   }
 }
 
-void HeatSolver::divide_by_totals(uint32_t begin, uint32_t end, HeatField* out) {
+// Rows are divided by their totals.
+void HeatSolver::finish_rows(uint32_t begin, uint32_t end, HeatField* out) {
   for (uint32_t k = begin; k < end; ++k) {
     const uint32_t v = ordering_.order[k];
     uint16_t* joints = out->joints + static_cast<size_t>(v) * kHeatSlots;
@@ -284,16 +285,12 @@ bool HeatSolver::keep_batch(const HeatLane& lane, uint32_t begin, uint32_t end, 
 }
 
 // What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
-bool HeatSolver::are_whole(uint32_t begin, uint32_t end) const {
+bool HeatSolver::close_totals(uint32_t begin, uint32_t end) {
   for (uint32_t k = begin; k < end; ++k) {
     if (abs64(total_[k] - kFrontOne) > kFrontOne / 256) return false;
+    total_[k] = round_shift(total_[k], kFrontSolutionBits - kSolutionBits);
   }
   return true;
-}
-
-void HeatSolver::finish_rows(uint32_t begin, uint32_t end, HeatField* out) {
-  for (uint32_t k = begin; k < end; ++k) total_[k] = round_shift(total_[k], kFrontSolutionBits - kSolutionBits);
-  divide_by_totals(begin, end, out);
 }
 
 bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
@@ -306,7 +303,7 @@ bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatFiel
       tame = keep_front(batch, place, vertices, x, out) && tame;
     });
   }
-  if (!tame || !are_whole(0, matrix_.rows)) return false;
+  if (!tame || !close_totals(0, matrix_.rows)) return false;
   finish_rows(0, matrix_.rows, out);
   return true;
 }
@@ -399,7 +396,7 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
     refinements_ = 0;
     (void)try_field(sources, field, out);
   }
-  divide_by_totals(0, matrix_.rows, out);
+  finish_rows(0, matrix_.rows, out);
 }
 
 }  // namespace sinew

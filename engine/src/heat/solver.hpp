@@ -43,14 +43,14 @@ class HeatSolver {
   //   solve_batch    one batch of batch_count(); batches may be solved at the same time
   //   keep_batch     what a solved batch has in the fronts [begin, end), into the rows. Fronts at the same time, batches
   //                  not. False where the solution is wild
-  //   are_whole      whether the rows at the places [begin, end) were solved well enough
+  //   close_totals   after the last batch: whether the rows at the places [begin, end) were solved well enough
   //   finish_rows    those rows
   bool begin_fronts(const HeatSources& sources, uint32_t field, HeatField* out);
   uint32_t batch_count() const { return (listed_ + kFrontBatch - 1) / kFrontBatch; }
   uint32_t front_count() const { return fronts_.front_count(); }
   void solve_batch(const HeatSources& sources, uint32_t field, const HeatLane& lane) const;
   bool keep_batch(const HeatLane& lane, uint32_t begin, uint32_t end, HeatField* out);
-  bool are_whole(uint32_t begin, uint32_t end) const;
+  bool close_totals(uint32_t begin, uint32_t end);
   void finish_rows(uint32_t begin, uint32_t end, HeatField* out);
 
   bool iterative() const { return iterative_; }
@@ -89,7 +89,6 @@ class HeatSolver {
   void solve_sparse(const HeatSources& sources, uint32_t field, const uint16_t* batch, uint32_t members);
   void keep(const uint16_t* batch, uint32_t members, HeatField* out);
   void strengthen_pulls();
-  void divide_by_totals(uint32_t begin, uint32_t end, HeatField* out);
 
   const Mesh* mesh_ = nullptr;
   SparseMatrix matrix_;

@@ -51,7 +51,7 @@ void add_triangles(const ShapeScratch& scratch, const Threads& threads, Mesh* me
     }
     angles_q30(out.twice_area, cosines, out.angles);
   };
-  threads.rounds(mesh->triangle_count, threads.round_size(), measure, [&](uint32_t index, uint32_t slot) {
+  threads.rounds(mesh->triangle_count, measure, [&](uint32_t index, uint32_t slot) {
     const uint32_t* t = mesh->triangles + 3 * static_cast<size_t>(index);
     const TriangleShape& own = scratch.triangles[slot];
     for (int corner = 0; corner < 3; ++corner) {

@@ -18,7 +18,7 @@ struct ShapeScratch {
   uint8_t* boundary = nullptr;         // [U] in: 1 where an edge of the vertex has only one triangle
   Vec3l* normal_sums = nullptr;        // [U]
   int64_t* angle_sums = nullptr;       // [U]
-  TriangleShape* triangles = nullptr;  // [threads.round_size()]
+  TriangleShape* triangles = nullptr;  // [round_size() of the triangles]
 };
 
 // Fills normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the CSR.

@@ -193,10 +193,12 @@ void each_table_piece(const Run& run, uint32_t stage, bool global, uint32_t tabl
       const Segment segment = segment_at(run.plan.layers, run.plan.input_count, i, layer.in, channel);
       const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
       const uint32_t step = cut && segment.count >= 2 * kPieceChannels ? kPieceChannels : segment.count;
-      for (uint32_t first = 0; first < segment.count; first += step) {
+      uint32_t first = 0;
+      do {
         const uint32_t channels = segment.count - first < step ? segment.count - first : step;
         visit(TablePiece{layer, {values.data + first, values.stride}, channels, table + first, segment.count});
-      }
+        first += step;
+      } while (kHasThreads && first < segment.count);
       table += static_cast<size_t>(segment.count) * (by_joint ? run.sizes.joints : 1u);
       channel += segment.count;
     }

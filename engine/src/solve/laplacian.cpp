@@ -48,13 +48,13 @@ struct TriangleEdges {
 struct Scratch {
   int64_t* sums = nullptr;             // [E2] of both directions
   uint32_t* faces = nullptr;           // [E2]
-  TriangleEdges* triangles = nullptr;  // [threads.round_size()]
+  TriangleEdges* triangles = nullptr;  // [round_size() of the triangles]
 
   bool allocate(Arena& arena, const Counts& counts) {
     const size_t entries = 6 * static_cast<size_t>(counts.triangles());
     sums = arena.alloc<int64_t>(entries);
     faces = arena.alloc<uint32_t>(entries);
-    triangles = arena.alloc<TriangleEdges>(counts.threads.round_size());
+    triangles = arena.alloc<TriangleEdges>(counts.threads.round_size(counts.triangles()));
     return arena.ok();
   }
 };
@@ -108,7 +108,7 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
     if (reduced) fit_obtuse_corner(own.cotangents);
   };
   const Threads& threads = counts.threads;
-  threads.rounds(mesh.triangle_count, threads.round_size(), measure, [&](uint32_t, uint32_t slot) {
+  threads.rounds(mesh.triangle_count, measure, [&](uint32_t, uint32_t slot) {
     const TriangleEdges& own = scratch.triangles[slot];
     for (uint32_t k = 0; k < 3; ++k) {
       for (const uint32_t e : own.edges[k]) {
