@@ -60,6 +60,10 @@ std::string feature_set_text(uint32_t set) {
   return std::to_string(set & ~kFeatureFlags) + ((set & kSpectralFlag) != 0 ? " with spectral signatures" : "");
 }
 
+std::string grid_text(uint32_t cells) {
+  return cells == 0 ? std::string("follows the vertices") : std::to_string(cells) + " cells";
+}
+
 void print_json(const Json& json) {
   std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
@@ -96,9 +100,9 @@ void inspect_checkpoint(const Settings& s) {
   if (s.json) return print_json(checkpoint_json(path, checkpoint));
   const FloatNetwork& network = checkpoint.network;
   std::printf("%s: checkpoint, float network\n", path.c_str());
-  std::printf("architecture  %s\nparameters    %zu\ncandidates    %u\ngrid          %u cells\nfeature set   %s\n",
-              network.architecture.c_str(), parameter_count(network), network.candidate_count, network.grid_size,
-              feature_set_text(network.feature_set).c_str());
+  std::printf("architecture  %s\nparameters    %zu\ncandidates    %u\ngrid          %s\nfeature set   %s\n",
+              network.architecture.c_str(), parameter_count(network), network.candidate_count,
+              grid_text(network.grid_size).c_str(), feature_set_text(network.feature_set).c_str());
   std::printf("trained       %llu steps, %.0f s", static_cast<unsigned long long>(checkpoint.state.step),
               checkpoint.state.seconds);
   if (checkpoint.state.best_score < 1e9) std::printf(", best score %.4f on val", checkpoint.state.best_score);
@@ -132,10 +136,10 @@ void inspect_model(const Settings& s) {
   }
   std::printf("%s: int16 model, all checks passed\n", s.path == "bundled" ? "bundled model" : s.path.c_str());
   std::printf(
-      "format        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    %u\ngrid          %u "
-      "cells\nfeature set   %s\nchecksum      %08x\n",
+      "format        %u\nbytes         %zu\nparameters    %u\nlayers        %u\ncandidates    %u\ngrid          %s\n"
+      "feature set   %s\nchecksum      %08x\n",
       model.format_version, model.size_bytes, model.parameter_count, model.layer_count, model.candidate_count,
-      model.grid_size, feature_set_text(model.feature_set).c_str(), model.checksum);
+      grid_text(model.grid_size).c_str(), feature_set_text(model.feature_set).c_str(), model.checksum);
 }
 
 bool is_gltf(const std::string& path) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A whole bind with the bundled model, stage by stage and with threads, on synthetic bodies of several sizes: CSV on
-// standard output.
-//   sinew_bench_bind [--kernel NAME] [--repeats N] [VERTICES...]      default: 1000 10000 100000
+// standard output. "--grid rule": as if the model's cells followed the vertices.
+//   sinew_bench_bind [--kernel NAME] [--grid CELLS|rule] [--repeats N] [VERTICES...]      default: 1000 10000 100000
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -57,17 +57,40 @@ Workspace touched(size_t bytes) {
   return block;
 }
 
-// The stages as run_bind() calls them, each with the time it took.
-void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std::vector<double>* seconds) {
-  sinew_options options = sinew_options_init();
-  options.kernel = kernel;
+// What threads would make of a bind, from processor time alone, so that it can be told on a busy machine too: pieces
+// run one after the other, and of every loop only the longest piece counts.
+struct Lanes {
+  double all = 0, longest = 0;
+  static void run(void* user, uint32_t count, void (*body)(void*, uint32_t), void* data) {
+    Lanes& lanes = *static_cast<Lanes*>(user);
+    double longest = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+      const double start = sinew_bench::thread_seconds();
+      body(data, i);
+      const double seconds = sinew_bench::thread_seconds() - start;
+      lanes.all += seconds;
+      longest = std::max(longest, seconds);
+    }
+    lanes.longest += longest;
+  }
+  // Of work that took `seconds` one after the other.
+  double way(double seconds) const { return seconds - all + longest; }
+};
+
+// The stages as run_bind() calls them, each with the time of its longest way, which is all of it with one thread.
+void time_stages(const Input& in, const sinew_model& model, sinew_options options, uint32_t threads,
+                 std::vector<double>* seconds) {
+  Lanes lanes;
+  options.thread_count = threads;
+  options.parallel_for = Lanes::run;
+  options.parallel_user = &lanes;
   BindPlan plan;
   check(plan_bind(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, in.skeleton.joint_count,
                   &options, &plan),
         "plan");
   const Counts &full = plan.counts, counts = full.surface();
   Kernels kernels;
-  if (!select_kernels(kernel, &kernels)) check(SINEW_ERROR_KERNEL, "kernels");
+  if (!select_kernels(options.kernel, &kernels)) check(SINEW_ERROR_KERNEL, "kernels");
   Arena measuring;  // more than a bind's: nothing is given back before the network here
   Prepared p;
   check(prepare(in.mesh, in.skeleton, 0, full, PrepareFor::kNetwork, kernels, {}, measuring, &p), "size");
@@ -76,9 +99,10 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   const Workspace block = touched(bytes);
   Arena arena(block.data(), bytes);
   const auto timed = [&](size_t stage, auto run) {
+    lanes = Lanes();
     const double start = sinew_bench::thread_seconds();
     check(run(), kStages[stage]);
-    seconds[stage].push_back(sinew_bench::thread_seconds() - start);
+    seconds[stage].push_back(lanes.way(sinew_bench::thread_seconds() - start));
   };
   p.mesh.allocate(arena, full);
   p.skeleton.allocate(arena, full);
@@ -102,24 +126,6 @@ void time_stages(const Input& in, const sinew_model& model, uint32_t kernel, std
   timed(5, [&] { return run_network(model, input, kernels, {}, arena, logits.data(), plan.network); });
 }
 
-// What threads would make of a bind, from processor time alone, so that it can be told on a busy machine too: pieces
-// run one after the other, and of every loop only the longest piece counts.
-struct Lanes {
-  double all = 0, longest = 0;
-  static void run(void* user, uint32_t count, void (*body)(void*, uint32_t), void* data) {
-    Lanes& lanes = *static_cast<Lanes*>(user);
-    double longest = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-      const double start = sinew_bench::thread_seconds();
-      body(data, i);
-      const double seconds = sinew_bench::thread_seconds() - start;
-      lanes.all += seconds;
-      longest = std::max(longest, seconds);
-    }
-    lanes.longest += longest;
-  }
-};
-
 // Rows for 2, 4 and 8 threads: the longest way through a bind, and the time on the clock with real threads.
 #if defined(__EMSCRIPTEN__)
 void measure_threads(const Input&, const sinew_model&, sinew_options, int, uint64_t) {}  // a module has none
@@ -137,14 +143,15 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
     const auto bind = [&] {
       check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, &outputs), "bind");
     };
-    std::vector<double> way, clock;
+    std::vector<double> way, clock, stages[kWhole];
     for (int i = 0; i < repeats; ++i) {
       Lanes lanes;
       options.parallel_for = Lanes::run;
       options.parallel_user = &lanes;
       const double start = sinew_bench::thread_seconds();
       bind();
-      way.push_back(sinew_bench::thread_seconds() - start - lanes.all + lanes.longest);
+      way.push_back(lanes.way(sinew_bench::thread_seconds() - start));
+      time_stages(in, model, options, threads, stages);
       sinew::cli::ThreadPool pool(threads);
       options.parallel_for = sinew::cli::ThreadPool::parallel_for;
       options.parallel_user = &pool;
@@ -155,24 +162,23 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
     uint64_t found = sinew_bench::fnv1a(sinew_bench::kHashStart, joints.data(), joints.size() * 2);
     found = sinew_bench::fnv1a(found, weights.data(), weights.size() * 2);
     if (found != hash) check(SINEW_ERROR_RANGE, "another result with threads");
-    const auto print = [&](const char* what, const std::vector<double>& seconds) {
+    const auto print = [&](const char* stage, const char* what, const std::vector<double>& seconds) {
       const double median = sinew_bench::median(seconds);
-      std::printf(
-          "%s,%s,%u,%u,whole with %u threads: %s,%.3f,,%.0f,%zu,%.0f,%016llx\n", sinew_bench::row_start().c_str(),
-          sinew_kernel_name(sinew_kernel_select(options.kernel)), in.mesh.vertex_count, in.skeleton.joint_count,
-          threads, what, median * 1e3, median * 1e9 / in.mesh.vertex_count, outputs.used_bytes,
-          static_cast<double>(outputs.used_bytes) / in.mesh.vertex_count, static_cast<unsigned long long>(found));
+      std::printf("%s,%s,%u,%u,%s with %u threads: %s,%.3f,,%.0f,%zu,%.0f,%016llx\n", sinew_bench::row_start().c_str(),
+                  sinew_kernel_name(sinew_kernel_select(options.kernel)), in.mesh.vertex_count, in.skeleton.joint_count,
+                  stage, threads, what, median * 1e3, median * 1e9 / in.mesh.vertex_count, outputs.used_bytes,
+                  static_cast<double>(outputs.used_bytes) / in.mesh.vertex_count,
+                  static_cast<unsigned long long>(found));
     };
-    print("longest way", way);
-    print("clock", clock);
+    for (size_t stage = 0; stage < kWhole; ++stage) print(kStages[stage], "longest way", stages[stage]);
+    print("whole", "longest way", way);
+    print("whole", "clock", clock);
   }
 }
 #endif
 
-void measure(double vertices, const sinew_model& model, uint32_t kernel, int repeats) {
+void measure(double vertices, const sinew_model& model, const sinew_options& options, int repeats) {
   const Input in(vertices);
-  sinew_options options = sinew_options_init();
-  options.kernel = kernel;
   size_t bytes = 0;
   check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
                                   in.skeleton.joint_count, &options, &bytes),
@@ -185,7 +191,7 @@ void measure(double vertices, const sinew_model& model, uint32_t kernel, int rep
     const double start = sinew_bench::thread_seconds();
     check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, &outputs), "bind");
     seconds[kWhole].push_back(sinew_bench::thread_seconds() - start);
-    time_stages(in, model, kernel, seconds);
+    time_stages(in, model, options, 1, seconds);
   }
   const double whole = sinew_bench::median(seconds[kWhole]);
   uint64_t hash = sinew_bench::fnv1a(sinew_bench::kHashStart, joints.data(), joints.size() * 2);
@@ -193,7 +199,7 @@ void measure(double vertices, const sinew_model& model, uint32_t kernel, int rep
   for (size_t stage = 0; stage <= kWhole; ++stage) {
     const double median = sinew_bench::median(seconds[stage]);
     std::printf("%s,%s,%u,%u,%s,%.3f,%.3f,%.0f,%zu,%.0f,%016llx\n", sinew_bench::row_start().c_str(),
-                sinew_kernel_name(sinew_kernel_select(kernel)), in.mesh.vertex_count, in.skeleton.joint_count,
+                sinew_kernel_name(sinew_kernel_select(options.kernel)), in.mesh.vertex_count, in.skeleton.joint_count,
                 kStages[stage], median * 1e3, median / whole, median * 1e9 / in.mesh.vertex_count, outputs.used_bytes,
                 static_cast<double>(outputs.used_bytes) / in.mesh.vertex_count, static_cast<unsigned long long>(hash));
   }
@@ -216,12 +222,17 @@ std::vector<uint64_t> read_model(size_t* size) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  uint32_t kernel = SINEW_KERNEL_AUTO;
+  sinew_options options = sinew_options_init();
+  uint32_t& kernel = options.kernel;
   int repeats = 5;
+  bool by_rule = false;
   std::vector<double> sizes;
   for (int i = 1; i < argc; ++i) {
     if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
       repeats = std::max(1, std::atoi(argv[++i]));
+    } else if (i + 1 < argc && std::strcmp(argv[i], "--grid") == 0) {
+      options.grid_size = static_cast<uint32_t>(std::atoi(argv[++i]));
+      by_rule = options.grid_size == 0;
     } else if (i + 1 < argc && std::strcmp(argv[i], "--kernel") == 0) {
       const char* name = argv[++i];
       while (sinew_kernel_name(kernel) != nullptr && std::strcmp(sinew_kernel_name(kernel), name) != 0) ++kernel;
@@ -238,9 +249,10 @@ int main(int argc, char** argv) {
   const std::vector<uint64_t> bytes = read_model(&size);
   sinew_model model = {};
   check(sinew_model_open(bytes.data(), size, &model), "model");
+  if (by_rule) model.grid_size = 0;
   std::printf(
       "machine,compiler,commit,kernel,vertices,joints,stage,median_ms,share,ns_per_vertex,used_bytes,"
       "bytes_per_vertex,hash\n");
-  for (const double vertices : sizes) measure(vertices, model, kernel, repeats);
+  for (const double vertices : sizes) measure(vertices, model, options, repeats);
   return 0;
 }

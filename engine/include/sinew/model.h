@@ -18,7 +18,7 @@ typedef struct sinew_model {
   const void* packed; /* its weights as vector kernels read them, by sinew_model_pack(); null = nowhere */
   uint32_t format_version;
   uint32_t candidate_count;  /* K the network was trained with */
-  uint32_t grid_size;        /* voxel cells along the longest side it was trained with */
+  uint32_t grid_size;        /* voxel cells along the longest side it was trained with; 0 = they follow the vertices */
   uint32_t feature_set;      /* version of the feature list; bit 16: spectral channels as well */
   uint32_t fixed_candidates; /* non-zero: its layers are tied to candidate_count */
   uint32_t layer_count;

@@ -23,6 +23,49 @@ void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Feature
   memmove(features->joints, from.joints, pairs * sizeof(uint16_t));
 }
 
+// The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
+sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, bool network, const Kernels& kernels,
+                                       const Progress& progress, Arena& arena, Prepared* out) {
+  if (network) {
+    if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+    const sinew_status status =
+        find_candidates(mesh, out->skeleton, surface, progress.part(ends_at::kReduction, ends_at::kCandidates), arena,
+                        &out->candidates);
+    if (status != SINEW_OK) return status;
+  }
+  if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+  const Progress heat_progress = network ? progress.part(ends_at::kCandidates, ends_at::kHeat)
+                                         : progress.part(ends_at::kReduction, ends_at::kHeatAlone);
+  return solve_heat(mesh, out->skeleton, out->source_joints, surface, kernels, heat_progress, arena, &out->heat);
+}
+
+// With threads the search, which is one queue, goes on while heat factorises, which has few pieces: more memory, less
+// time.
+sinew_status find_candidates_beside_heat(const Mesh& mesh, const Counts& surface, const Kernels& kernels,
+                                         const Progress& progress, Arena& arena, Prepared* out) {
+  (void)out->candidates.allocate(arena, surface);
+  if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+  const ArenaScope scope(arena);
+  CandidateSearch search;
+  if (!search.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+  struct Job {
+    CandidateSearch& search;
+    const Mesh& mesh;
+    Prepared& out;
+    Counts counts;
+  } job = {search, mesh, *out, surface};
+  job.counts.threads = Threads();
+  const WorkBeside beside = {[](void* data) {
+                               Job& own = *static_cast<Job*>(data);
+                               (void)own.search.run(own.mesh, own.out.skeleton, own.counts, {}, &own.out.candidates);
+                             },
+                             &job};
+  const sinew_status status = solve_heat(mesh, out->skeleton, out->source_joints, surface, kernels,
+                                         progress.part(ends_at::kReduction, ends_at::kHeat), arena, &out->heat, beside);
+  if (status == SINEW_OK && !arena.measuring()) search.write(mesh, surface.threads, &out->candidates);
+  return status;
+}
+
 }  // namespace
 
 NetworkInput largest_network_input(const Counts& counts) {
@@ -57,7 +100,7 @@ sinew_status make_counts(uint32_t vertices, uint32_t faces, uint32_t corners, ui
     return SINEW_ERROR_COUNT;
   // A vertex of a closed triangle mesh has about six corners; sixteen times that is no mesh any more.
   if (corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2) return SINEW_ERROR_COUNT;
-  if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || grid < 16 || grid > 128) return SINEW_ERROR_ARGUMENT;
+  if (candidates < 1 || candidates > SINEW_MAX_CANDIDATES || !is_legal_grid(grid)) return SINEW_ERROR_ARGUMENT;
   *counts = Counts{vertices, faces, corners, joints, candidates, grid};
   return SINEW_OK;
 }
@@ -96,21 +139,13 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const Counts surface = counts.surface();
   const Mesh& mesh_of_stages = out->surface();
 
-  // The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
   const bool network = purpose != PrepareFor::kHeat;
   const size_t mark = arena.mark();
-  if (network) {
-    if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-    status = find_candidates(mesh_of_stages, out->skeleton, surface,
-                             progress.part(ends_at::kReduction, ends_at::kCandidates), arena, &out->candidates);
-    if (status != SINEW_OK) return status;
+  if (network && kHasThreads && surface.threads.lanes > 1) {
+    status = find_candidates_beside_heat(mesh_of_stages, surface, kernels, progress, arena, out);
+  } else {
+    status = find_candidates_then_heat(mesh_of_stages, surface, network, kernels, progress, arena, out);
   }
-
-  if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-  const Progress heat_progress = network ? progress.part(ends_at::kCandidates, ends_at::kHeat)
-                                         : progress.part(ends_at::kReduction, ends_at::kHeatAlone);
-  status =
-      solve_heat(mesh_of_stages, out->skeleton, out->source_joints, surface, kernels, heat_progress, arena, &out->heat);
   if (status != SINEW_OK || !network) return status;
 
   if (!out->features.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;

@@ -153,36 +153,25 @@ SINEW_ONCE uint32_t nearest_labels(const Propagation& p, Vec3i position, uint32_
 constexpr uint64_t kTipExtentPercent = 85;
 constexpr uint32_t kLeastTerritory = 3;  // vertices below which a leaf's surroundings say nothing about its direction
 
-// Sums for the tips and starts, one per joint.
-struct JointScratch {
-  Vec3l* sums;        // [J] vertices nearest to the joint, relative to it
-  int64_t* extents;   // [J] farthest of them along their mean direction; then bone lengths
-  uint32_t* counts;   // [J]
-  uint32_t* starts;   // [J] label distance at the bone itself
-  uint16_t* nearest;  // [U]
-  bool allocate(Arena& arena, const Counts& counts_of_bind) {
-    sums = arena.alloc<Vec3l>(counts_of_bind.joints);
-    extents = arena.alloc<int64_t>(counts_of_bind.joints);
-    counts = arena.alloc<uint32_t>(counts_of_bind.joints);
-    starts = arena.alloc<uint32_t>(counts_of_bind.joints);
-    nearest = arena.alloc<uint16_t>(counts_of_bind.vertices);
-    return arena.ok();
-  }
-};
+constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
 
-void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const JointScratch& scratch,
-               Candidates* out) {
+void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p, const Threads& threads,
+               const CandidateSearch& scratch, Candidates* out) {
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) {
     scratch.sums[j] = {0, 0, 0};
     scratch.extents[j] = 0;
     scratch.counts[j] = 0;
   }
+  threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) {
+      uint32_t nearest;
+      nearest_labels(p, mesh.positions[v], 1, &nearest);  // finds one: the vertex's own cell is solid
+      scratch.nearest[v] = static_cast<uint16_t>(nearest & kJointMask);
+    }
+  });
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    uint32_t nearest;
-    nearest_labels(p, mesh.positions[v], 1, &nearest);  // finds one: the vertex's own cell is solid
-    const uint32_t joint = nearest & kJointMask;
+    const uint32_t joint = scratch.nearest[v];
     const Vec3i way = mesh.positions[v] - skeleton.positions[joint];
-    scratch.nearest[v] = static_cast<uint16_t>(joint);
     scratch.sums[joint].x += way.x;
     scratch.sums[joint].y += way.y;
     scratch.sums[joint].z += way.z;
@@ -217,8 +206,6 @@ constexpr uint32_t kSecondPropagation = 600;
 constexpr uint32_t kRows = Progress::kWhole;
 }  // namespace ends_at
 
-constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
-
 void write_candidates(const Mesh& mesh, const Propagation& p, const uint32_t* starts, uint32_t begin, uint32_t end,
                       Candidates* out) {
   for (uint32_t v = begin; v < end; ++v) {
@@ -248,34 +235,51 @@ bool Candidates::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
-                             Arena& arena, Candidates* candidates) {
-  const ArenaScope scope(arena);
-  Propagation propagation;
-  JointScratch joints;
-  propagation.allocate(arena, counts);
-  if (!joints.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
-  if (arena.measuring()) return SINEW_OK;
-  voxelise(mesh, counts, propagation.queue(), &propagation.grid);
+bool CandidateSearch::allocate(Arena& arena, const Counts& counts_of_bind) {
+  propagation.allocate(arena, counts_of_bind);
+  sums = arena.alloc<Vec3l>(counts_of_bind.joints);
+  extents = arena.alloc<int64_t>(counts_of_bind.joints);
+  counts = arena.alloc<uint32_t>(counts_of_bind.joints);
+  starts = arena.alloc<uint32_t>(counts_of_bind.joints);
+  nearest = arena.alloc<uint16_t>(counts_of_bind.vertices);
+  return arena.ok();
+}
+
+bool CandidateSearch::run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts_of_bind,
+                          const Progress& progress, Candidates* candidates) {
+  voxelise(mesh, counts_of_bind, propagation.queue(), &propagation.grid);
   propagation.survey();
-  if (!progress.report(ends_at::kVoxels)) return SINEW_ERROR_CANCELLED;
+  if (!progress.report(ends_at::kVoxels)) return false;
 
   uint32_t usable = 0;
   for (uint32_t j = 0; j < skeleton.joint_count; ++j) usable += skeleton.usable[j];
   propagation.begin(1);
-  for (uint32_t j = 0; j < skeleton.joint_count; ++j) joints.starts[j] = 0;
-  seed_bones(skeleton, skeleton.bone_tail, joints.starts, &propagation);
-  if (!propagation.run(progress, ends_at::kFirstPropagation)) return SINEW_ERROR_CANCELLED;
-  find_tips(mesh, skeleton, propagation, joints, candidates);
-  if (!progress.report(ends_at::kTips)) return SINEW_ERROR_CANCELLED;
+  for (uint32_t j = 0; j < skeleton.joint_count; ++j) starts[j] = 0;
+  seed_bones(skeleton, skeleton.bone_tail, starts, &propagation);
+  if (!propagation.run(progress, ends_at::kFirstPropagation)) return false;
+  find_tips(mesh, skeleton, propagation, counts_of_bind.threads, *this, candidates);
+  if (!progress.report(ends_at::kTips)) return false;
 
-  propagation.begin(usable < counts.candidates ? usable : counts.candidates);
-  find_starts(skeleton, candidates->tips, propagation.grid, joints.extents, joints.starts);
-  seed_bones(skeleton, candidates->tips, joints.starts, &propagation);
-  if (!propagation.run(progress, ends_at::kSecondPropagation)) return SINEW_ERROR_CANCELLED;
-  counts.threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
-    write_candidates(mesh, propagation, joints.starts, begin, end, candidates);
+  propagation.begin(usable < counts_of_bind.candidates ? usable : counts_of_bind.candidates);
+  find_starts(skeleton, candidates->tips, propagation.grid, extents, starts);
+  seed_bones(skeleton, candidates->tips, starts, &propagation);
+  return propagation.run(progress, ends_at::kSecondPropagation);
+}
+
+void CandidateSearch::write(const Mesh& mesh, const Threads& threads, Candidates* candidates) const {
+  threads.ranges(mesh.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    write_candidates(mesh, propagation, starts, begin, end, candidates);
   });
+}
+
+sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,
+                             Arena& arena, Candidates* candidates) {
+  const ArenaScope scope(arena);
+  CandidateSearch search;
+  if (!search.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
+  if (!search.run(mesh, skeleton, counts, progress, candidates)) return SINEW_ERROR_CANCELLED;
+  search.write(mesh, counts.threads, candidates);
   return progress.report(ends_at::kRows) ? SINEW_OK : SINEW_ERROR_CANCELLED;
 }
 

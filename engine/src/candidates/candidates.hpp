@@ -3,6 +3,7 @@
 #ifndef SINEW_CANDIDATES_CANDIDATES_HPP
 #define SINEW_CANDIDATES_CANDIDATES_HPP
 
+#include "candidates/propagation.hpp"
 #include "mesh/mesh.hpp"
 #include "skeleton/skeleton.hpp"
 
@@ -25,7 +26,25 @@ struct Candidates {
   bool allocate(Arena& arena, const Counts& counts);
 };
 
-// Runs both propagations. Only usable joints are labels. Cells outside the body are walked too, at four times the cost,
+// The search in two steps, for those who have something else to do beside the first one, which is one thread's.
+struct CandidateSearch {
+  Propagation propagation;
+  // Sums for the tips and starts, one per joint.
+  Vec3l* sums = nullptr;        // [J] vertices nearest to the joint, relative to it
+  int64_t* extents = nullptr;   // [J] farthest of them along their mean direction; then bone lengths
+  uint32_t* counts = nullptr;   // [J]
+  uint32_t* starts = nullptr;   // [J] label distance at the bone itself
+  uint16_t* nearest = nullptr;  // [U]
+
+  bool allocate(Arena& arena, const Counts& counts_of_bind);
+  // Both propagations, tips and territories. False when cancelled.
+  bool run(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts_of_bind, const Progress& progress,
+           Candidates* candidates);
+  // The rows of all vertices.
+  void write(const Mesh& mesh, const Threads& threads, Candidates* candidates) const;
+};
+
+// Runs the search. Only usable joints are labels. Cells outside the body are walked too, at four times the cost,
 // so every vertex gets min(K, usable joints) candidates, whether or not its part touches the body. Returns SINEW_OK,
 // SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status find_candidates(const Mesh& mesh, const Skeleton& skeleton, const Counts& counts, const Progress& progress,

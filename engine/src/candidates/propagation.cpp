@@ -88,8 +88,8 @@ void Propagation::lay_ways_beside() {
 }
 
 bool Propagation::allocate(Arena& arena, const Counts& counts) {
-  const size_t count = VoxelGrid::max_cells(counts),
-               inner = static_cast<size_t>(counts.grid) * counts.grid * counts.grid;
+  const size_t count = VoxelGrid::max_cells(counts), side = counts.cells_along(counts.vertices),
+               inner = side * side * side;
   row_size_ = counts.candidates;
   cell_bytes_ = (static_cast<uint32_t>(sizeof(Cell)) + 5 * row_size_ + 3) & ~3u;
   grid.allocate(arena, counts);

@@ -13,6 +13,12 @@ namespace sinew {
 
 constexpr uint16_t kNoJoint = 0xFFFF;
 
+// Voxel cells along the longest side where `grid` is 0: 12 cells of the cube for a vertex of the surface, between these.
+// Time and memory of the candidate search grow with the cube, the rest of a bind with the vertices. What more or fewer
+// cells do to the candidates: trainer/configs/RESULTS.md.
+constexpr uint32_t kFewestCells = 32, kMostCells = 64;
+constexpr bool is_legal_grid(uint32_t grid) { return grid == 0 || (grid >= 16 && grid <= 128); }
+
 // V, F, corners, J, K, the grid size and the lanes of one bind.
 struct Counts {
   uint32_t vertices = 0;
@@ -20,7 +26,7 @@ struct Counts {
   uint32_t corners = 0;
   uint32_t joints = 0;
   uint32_t candidates = 8;
-  uint32_t grid = 64;
+  uint32_t grid = 64;                      // voxel cells along the longest side; 0 = they follow the vertices
   uint32_t feature_flags = 0;              // optional channels, features/features.hpp
   uint32_t surface_vertices = UINT32_MAX;  // a mesh of more is reduced to as many
   Threads threads = {};                    // `lanes` is a bound like the others; the rest says how to run
@@ -31,6 +37,14 @@ struct Counts {
   uint32_t surface_triangles() const { return surface_vertices > UINT32_MAX / 4 ? UINT32_MAX : 4 * surface_vertices; }
   // Whether the mesh may have to be reduced.
   bool may_reduce() const { return kHasExtras && (vertices > surface_vertices || triangles() > surface_triangles()); }
+  // Voxel cells along the longest side for a surface of so many vertices. Never falls as they grow, so that the cells
+  // for `vertices` bound those for the welded ones.
+  uint32_t cells_along(uint32_t surface_size) const {
+    if (grid != 0) return grid;
+    uint32_t cells = kFewestCells;
+    while (cells < kMostCells && (cells + 1) * (cells + 1) * (cells + 1) <= uint64_t{12} * surface_size) ++cells;
+    return cells;
+  }
   // Bounds of the mesh that the stages after the mesh run on: the reduced one, or the mesh itself.
   Counts surface() const {
     if (!may_reduce()) return *this;

@@ -39,15 +39,45 @@ struct Threads {
   }
 
   // The same over the pieces [begin, end) of [0, count), `size` each and the last one shorter: body(begin, end, lane).
+  // Without threads it is one piece, which may be empty.
   template <class Body>
   void ranges(uint32_t count, uint32_t size, const Body& body) const {
+    if (!kHasThreads) return body(0, count, 0);
     each((count + size - 1) / size, [&](uint32_t index, uint32_t lane) {
       const uint32_t begin = index * size;
       body(begin, count - begin < size ? count : begin + size, lane);
     });
   }
 
+  // For results that are worked out side by side and added up one after the other: make(index, slot) for a round of
+  // indices, slots from 0 to below round_size(count), then take(index, slot) for the same on the calling thread.
+  template <class Make, class Take>
+  void rounds(uint32_t count, const Make& make, const Take& take) const {
+    if (!kHasThreads) {
+      for (uint32_t index = 0; index < count; ++index) {
+        make(index, 0);
+        take(index, 0);
+      }
+      return;
+    }
+    const uint32_t round = round_size(count);
+    for (uint32_t first = 0; first < count; first += round) {
+      const uint32_t some = count - first < round ? count - first : round;
+      ranges(some, kRoundPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+        for (uint32_t slot = begin; slot < end; ++slot) make(first + slot, slot);
+      });
+      for (uint32_t slot = 0; slot < some; ++slot) take(first + slot, slot);
+    }
+  }
+  // Rounds keep the lanes busy and their results in the cache. Never falls as the count grows.
+  uint32_t round_size(uint32_t count) const {
+    const uint32_t most = kHasThreads ? kRoundPiece * 8 * lane_count() : 1;
+    return count < most ? count : most;
+  }
+
  private:
+  static constexpr uint32_t kRoundPiece = 64;
+
   template <class Body>
   struct Job {
     const Body* body;
@@ -57,6 +87,12 @@ struct Threads {
       for (uint32_t index = lane; index < job.count; index += job.lanes) (*job.body)(index, lane);
     }
   };
+};
+
+// Work of another stage that a stage takes along, on a lane of its own where it has few pieces. It reports no progress.
+struct WorkBeside {
+  void (*run)(void* data) = nullptr;
+  void* data = nullptr;
 };
 
 }  // namespace sinew

@@ -14,7 +14,8 @@ constexpr uint32_t kSourcesEnd = 300;  // permille of this stage's progress
 struct Scratch {
   HeatSources sources;
   EdgeWeights edges;
-  HeatSolver solvers[kFieldCount];  // one per lane
+  HeatSolver solvers[kFieldCount];  // one per lane, as far as they go
+  HeatLane* lanes = nullptr;        // where there is more than one lane
 
   bool allocate_solvers(Arena& arena, const Counts& counts);
 };
@@ -42,12 +43,18 @@ void copy_part(const Mesh& mesh, uint32_t part, const HeatField& from, HeatField
   }
 }
 
-// All fields of parts, on up to kFieldCount lanes: those of a large part at the same time, small parts
-// one to a lane.
+// All fields of parts: those of a large part on all lanes, small parts one to a lane, on up to kFieldCount of them.
 class PartWalk {
  public:
-  PartWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch, HeatFields* fields)
-      : mesh_(mesh), threads_(threads), progress_(progress), scratch_(scratch), fields_(fields) {
+  PartWalk(const Mesh& mesh, const Threads& threads, const Progress& progress, Scratch& scratch, HeatFields* fields,
+           const WorkBeside& beside)
+      : mesh_(mesh),
+        all_lanes_(threads),
+        threads_(threads),
+        progress_(progress),
+        scratch_(scratch),
+        fields_(fields),
+        beside_(beside) {
     threads_.lanes = solver_count(threads);
   }
   static uint32_t solver_count(const Threads& threads) {
@@ -61,7 +68,8 @@ class PartWalk {
         while (end < mesh_.part_count && vertices + mesh_.part_sizes[end] < kRound) {
           vertices += mesh_.part_sizes[end++];
         }
-        threads_.each(end - c, [&](uint32_t index, uint32_t lane) { solve_alone(c + index, scratch_.solvers[lane]); });
+        each_and_beside(threads_, end - c,
+                        [&](uint32_t index, uint32_t lane) { solve_alone(c + index, scratch_.solvers[lane]); });
         if (!report(uint64_t{vertices} * kFieldCount)) return SINEW_ERROR_CANCELLED;
       } else if (threads_.lane_count() > 1) {
         solve_together(c);
@@ -80,6 +88,20 @@ class PartWalk {
 
  private:
   static constexpr uint32_t kSmall = 512, kRound = 8192;  // vertices
+
+  // body(index, lane) for [0, count), and the work of another stage if it has not been done.
+  template <class Body>
+  void each_and_beside(const Threads& threads, uint32_t count, const Body& body) {
+    const WorkBeside beside = beside_;
+    beside_ = WorkBeside();
+    threads.each(beside.run != nullptr ? count + 1 : count, [&](uint32_t index, uint32_t lane) {
+      if (index == count) {
+        beside.run(beside.data);
+      } else {
+        body(index, lane);
+      }
+    });
+  }
 
   bool is_copy(uint32_t part, uint32_t field) const {
     return field == kFieldParts && same_sources(mesh_, part, scratch_.sources);
@@ -105,33 +127,88 @@ class PartWalk {
     }
   }
 
-  void solve_together(uint32_t part) const {
-    bool begun[kFieldCount] = {}, left[kFieldCount] = {};  // by lane; by field
+  // A large part: fields have a solver each, and their batches of joints a lane each. Where fronts refuse one of them,
+  // those after it have to do without too: rare, and then a matter for one lane.
+  void solve_together(uint32_t part) {
     const bool copy = is_copy(part, kFieldParts);
-    threads_.each(kFieldCount, [&](uint32_t f, uint32_t lane) {
-      if (f == kFieldParts && copy) return;
-      HeatSolver& solver = scratch_.solvers[lane];
-      if (!begun[lane]) solver.begin_part(mesh_, scratch_.edges, part);
-      begun[lane] = true;
-      const bool fronts = solver.with_fronts();
-      solver.solve_field(scratch_.sources, f, &fields_->field[f]);
-      left[f] = fronts && !solver.with_fronts();
-    });
-    // A field that has to do without fronts makes those after it do without: rare, and then a matter for one lane.
-    if (left[kFieldRule] || left[kFieldParts]) return solve_alone(part, scratch_.solvers[0]);
+    uint32_t fields[kFieldCount] = {kFieldRule, kFieldSoft, kFieldParts};
+    const uint32_t count = copy ? kFieldCount - 1 : kFieldCount, at_once = threads_.lanes;
+    for (uint32_t first = 0; first < count; first += at_once) {
+      const uint32_t some = count - first < at_once ? count - first : at_once;
+      if (!solve_fields(part, fields + first, some, first == 0)) return solve_alone(part, scratch_.solvers[0]);
+    }
     if (copy) copy_rule(part);
   }
 
+  bool solve_fields(uint32_t part, const uint32_t* fields, uint32_t count, bool first) {
+    bool done[kFieldCount] = {};
+    HeatSolver* const solvers = scratch_.solvers;
+    const auto field_of = [&](uint32_t index) { return &fields_->field[fields[index]]; };
+    each_and_beside(all_lanes_, count, [&](uint32_t index, uint32_t) {
+      if (first) solvers[index].begin_part(mesh_, scratch_.edges, part);
+      done[index] = solvers[index].begin_fronts(scratch_.sources, fields[index], field_of(index));
+    });
+    for (uint32_t index = 0; index < count; ++index) {
+      if (!done[index]) return false;
+    }
+    HeatLane* const lanes = scratch_.lanes;
+    for (uint32_t lane = 0; lane < all_lanes_.lanes; ++lane) lanes[lane].tame = true;
+    for (uint32_t index = 0, batch = 0; index < count;) {
+      uint32_t tasks = 0;
+      for (; tasks < all_lanes_.lanes && index < count; ++tasks) {
+        lanes[tasks].solver = index;
+        lanes[tasks].batch = batch++;
+        if (batch < solvers[index].batch_count()) continue;
+        batch = 0;
+        ++index;
+      }
+      all_lanes_.each(tasks, [&](uint32_t task, uint32_t) {
+        const HeatLane& lane = lanes[task];
+        solvers[lane.solver].solve_batch(scratch_.sources, fields[lane.solver], lane);
+      });
+      constexpr uint32_t kFrontPiece = 8;
+      all_lanes_.ranges(solvers[0].front_count(), kFrontPiece, [&](uint32_t begin, uint32_t end, uint32_t lane) {
+        for (uint32_t task = 0; task < tasks; ++task) {
+          const uint32_t own = lanes[task].solver;
+          if (!solvers[own].keep_batch(lanes[task], begin, end, field_of(own))) lanes[lane].tame = false;
+        }
+      });
+    }
+    constexpr uint32_t kRowPiece = 256;
+    all_lanes_.ranges(mesh_.part_sizes[part], kRowPiece, [&](uint32_t begin, uint32_t end, uint32_t lane) {
+      for (uint32_t index = 0; index < count; ++index) {
+        if (solvers[index].close_totals(begin, end)) {
+          solvers[index].finish_rows(begin, end, field_of(index));
+        } else {
+          lanes[lane].tame = false;
+        }
+      }
+    });
+    bool tame = true;
+    for (uint32_t lane = 0; lane < all_lanes_.lanes; ++lane) tame = tame && lanes[lane].tame;
+    return tame;
+  }
+
   const Mesh& mesh_;
-  Threads threads_;
+  const Threads all_lanes_;
+  Threads threads_;  // as many as solvers
   const Progress& progress_;
   Scratch& scratch_;
   HeatFields* fields_;
+  WorkBeside beside_;  // none once it ran
   uint64_t done_ = 0;  // vertices of all fields
 };
 
 bool Scratch::allocate_solvers(Arena& arena, const Counts& counts) {
-  for (uint32_t i = 0; i < PartWalk::solver_count(counts.threads); ++i) (void)solvers[i].allocate(arena, counts);
+  const uint32_t count = PartWalk::solver_count(counts.threads), lane_count = counts.threads.lane_count();
+  for (uint32_t i = 0; i < count; ++i) (void)solvers[i].allocate(arena, counts);
+  if (lane_count == 1) return arena.ok();
+  lanes = arena.alloc<HeatLane>(lane_count);
+  for (uint32_t i = 0; i < lane_count; ++i) {
+    HeatLane lane;
+    (void)solvers[0].allocate_lane(arena, counts, i < count ? &solvers[i] : nullptr, &lane);
+    if (lanes != nullptr) lanes[i] = lane;
+  }
   return arena.ok();
 }
 
@@ -150,7 +227,8 @@ bool HeatFields::allocate(Arena& arena, const Counts& counts) {
 }
 
 sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
-                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields) {
+                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields,
+                        const WorkBeside& beside) {
   const ArenaScope scope(arena);
   fields->source_joints = source_joints;
   Scratch scratch;
@@ -166,7 +244,7 @@ sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     fields->field[kFieldParts].nearest[v] = fields->field[kFieldRule].nearest[v];
   }
-  status = PartWalk(mesh, counts.threads, progress, scratch, fields).run();
+  status = PartWalk(mesh, counts.threads, progress, scratch, fields, beside).run();
   for (HeatField& field : fields->field) {
     for (uint32_t v = 0; v < mesh.welded_count; ++v) field.has_source[v] = field.has_source[v] != 0;
   }

@@ -37,6 +37,7 @@ struct HeatFields {
 //   fields         in/out allocated by the caller with the same counts; its content is undefined unless SINEW_OK
 //   progress       reported from 0 to 1000 of this stage
 //   arena          scratch, all of it released
+//   beside         is run once, unless the stage is cancelled before
 //   kernels        inner loops of the factorisation and of visibility. The fields are the same bytes with all of them
 // Every row has at least one joint. It sums to 1 but for weights that were too small to keep. has_source follows the
 // visibility that the field used in the end, so it is 1 in every vertex of an open part. kFieldParts and kFieldSoft are
@@ -44,7 +45,8 @@ struct HeatFields {
 // (tests/integration/heat_agreement_test.cpp). The same bytes on every platform.
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_CANCELLED.
 sinew_status solve_heat(const Mesh& mesh, const Skeleton& skeleton, const uint8_t* source_joints, const Counts& counts,
-                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields);
+                        const Kernels& kernels, const Progress& progress, Arena& arena, HeatFields* fields,
+                        const WorkBeside& beside = {});
 
 // Finishes a row as the method heat does. Weights under 0.025 become 0. Weights from there to 0.05 are ramped: they
 // rise linearly from 0 to 0.05. Then the row is normalised to Q15; its sum is 32768 but for rounding. A row without

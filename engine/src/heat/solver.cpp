@@ -71,6 +71,13 @@ bool HeatSolver::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
+bool HeatSolver::allocate_lane(Arena& arena, const Counts& counts, const HeatSolver* own, HeatLane* lane) const {
+  lane->member_of = arena.alloc<uint8_t>(counts.joints);
+  if (own == nullptr) return fronts_.allocate_solve(arena, counts, &lane->front);
+  lane->front = own->fronts_.own_solve();
+  return arena.ok();
+}
+
 void HeatSolver::begin_part(const Mesh& mesh, const EdgeWeights& edges, uint32_t part) {
   mesh_ = &mesh;
   matrix_.mesh = &mesh;
@@ -137,8 +144,9 @@ void HeatSolver::keep(const uint16_t* batch, uint32_t members, HeatField* out) {
   }
 }
 
-void HeatSolver::divide_by_totals(HeatField* out) {
-  for (uint32_t k = 0; k < matrix_.rows; ++k) {
+// Rows are divided by their totals.
+void HeatSolver::finish_rows(uint32_t begin, uint32_t end, HeatField* out) {
+  for (uint32_t k = begin; k < end; ++k) {
     const uint32_t v = ordering_.order[k];
     uint16_t* joints = out->joints + static_cast<size_t>(v) * kHeatSlots;
     uint16_t* weights = out->weights + static_cast<size_t>(v) * kHeatSlots;
@@ -170,7 +178,7 @@ void HeatSolver::divide_by_totals(HeatField* out) {
   }
 }
 
-void HeatSolver::solve_batch(const HeatSources& sources, uint32_t field, const uint16_t* batch, uint32_t members) {
+void HeatSolver::solve_sparse(const HeatSources& sources, uint32_t field, const uint16_t* batch, uint32_t members) {
   fill_right_hand_sides(sources, field, batch, members);
   if (iterative_) {
     solve_iteratively(matrix_, rhs_, factor_.value, factor_.inverse, solution_);
@@ -199,10 +207,11 @@ void HeatSolver::clear_rows(HeatField* out) {
   wild_ = false;
 }
 
-void HeatSolver::keep_front(const uint16_t* batch, uint32_t members, uint32_t first, uint32_t count, const int32_t* x,
-                            HeatField* out) {
+bool HeatSolver::keep_front(uint32_t batch, uint32_t first, uint32_t count, const int32_t* x, HeatField* out) {
   constexpr int kToQ15 = kFrontSolutionBits - 15;
   constexpr int32_t kHalf = 1 << (kToQ15 - 1);
+  const uint16_t* const batch_joints = joints_ + batch * kFrontBatch;
+  const uint32_t members = members_of(batch);
   int32_t range = 0;
   for (uint32_t k = first; k < first + count; ++k, x += kFrontBatch) {
     if (k < 2 * first) {  // waiting for rows was half of the time; those before the front come next
@@ -220,43 +229,83 @@ void HeatSolver::keep_front(const uint16_t* batch, uint32_t members, uint32_t fi
       const uint32_t member = static_cast<uint32_t>(low_bit(rest));
       if (member >= members) break;
       const int64_t weight = round_shift(x[member], kToQ15);
-      insert(batch[member], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), joints, weights);
+      insert(batch_joints[member], static_cast<uint16_t>(weight > 65535 ? 65535 : weight), joints, weights);
     }
   }
-  wild_ = wild_ || range < 0;
+  return range >= 0;
 }
 
-bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
+bool HeatSolver::begin_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
+  if (!with_fronts_) return false;
+  set_pulls(sources, field);
+  matrix_.positive = false;
+  return factorise_fronts(sources, field, out);
+}
+
+// The factor of the matrix with the pulls that are set, empty rows, and the list of joints.
+bool HeatSolver::factorise_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
   add_row_pulls(sources, field);
   matrix_.assemble(total_, kFactorDiagonalBits);
   clear_rows(out);
   if (!fronts_.factorise(matrix_, kernels_)) return false;
-  const uint32_t count = list_joints(sources, field);
+  listed_ = list_joints(sources, field);
+  return true;
+}
+
+void HeatSolver::eliminate_batch(const HeatSources& sources, uint32_t field, uint32_t batch, const FrontSolve& front,
+                                 uint8_t* member_of) const {
   const uint16_t* const ties = sources.ties[HeatSources::metric_of(field)];
-  for (uint32_t first = 0; first < count; first += kFrontBatch) {
-    const uint32_t members = count - first < kFrontBatch ? count - first : kFrontBatch;
-    const uint16_t* const batch = joints_ + first;
-    for (uint32_t member = 0; member < members; ++member) member_of_[batch[member]] = static_cast<uint8_t>(member);
-    fronts_.begin();
-    for (uint32_t k = 0; k < matrix_.rows; ++k) {
-      const uint32_t v = ordering_.order[k];
-      for (uint32_t mask = sources.mask[field][v], t = 0; mask != 0; mask >>= 1, ++t) {
-        const uint8_t member = member_of_[ties[static_cast<size_t>(v) * kMaxTies + t]];
-        if ((mask & 1) != 0 && member != kNoMember) fronts_.add(k, member, pull_[k]);
-      }
-    }
-    for (uint32_t member = 0; member < members; ++member) member_of_[batch[member]] = kNoMember;
-    fronts_.eliminate(kernels_);
-    fronts_.substitute(kernels_, [&](uint32_t place, uint32_t vertices, const int32_t* x) {
-      keep_front(batch, members, place, vertices, x, out);
-    });
-  }
-  // What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
+  const uint16_t* const joints = joints_ + batch * kFrontBatch;
+  const uint32_t members = members_of(batch);
+  for (uint32_t member = 0; member < members; ++member) member_of[joints[member]] = static_cast<uint8_t>(member);
+  fronts_.begin(front);
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
+    const uint32_t v = ordering_.order[k];
+    for (uint32_t mask = sources.mask[field][v], t = 0; mask != 0; mask >>= 1, ++t) {
+      const uint8_t member = member_of[ties[static_cast<size_t>(v) * kMaxTies + t]];
+      if ((mask & 1) != 0 && member != kNoMember) fronts_.add(front, k, member, pull_[k]);
+    }
+  }
+  for (uint32_t member = 0; member < members; ++member) member_of[joints[member]] = kNoMember;
+  fronts_.eliminate(kernels_, front);
+}
+
+void HeatSolver::solve_batch(const HeatSources& sources, uint32_t field, const HeatLane& lane) const {
+  memset(lane.member_of, kNoMember, joint_count_);
+  eliminate_batch(sources, field, lane.batch, lane.front, lane.member_of);
+  fronts_.substitute(kernels_, lane.front, [](uint32_t, uint32_t, const int32_t*) {});
+}
+
+bool HeatSolver::keep_batch(const HeatLane& lane, uint32_t begin, uint32_t end, HeatField* out) {
+  bool tame = true;
+  fronts_.each_taken(lane.front, begin, end, [&](uint32_t place, uint32_t vertices, const int32_t* x) {
+    tame = keep_front(lane.batch, place, vertices, x, out) && tame;
+  });
+  return tame;
+}
+
+// What was too small to be looked at, and rounding where the sources pull weakly, is divided out.
+bool HeatSolver::close_totals(uint32_t begin, uint32_t end) {
+  for (uint32_t k = begin; k < end; ++k) {
     if (abs64(total_[k] - kFrontOne) > kFrontOne / 256) return false;
     total_[k] = round_shift(total_[k], kFrontSolutionBits - kSolutionBits);
   }
-  return !wild_;
+  return true;
+}
+
+bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatField* out) {
+  if (!factorise_fronts(sources, field, out)) return false;
+  const FrontSolve& front = fronts_.own_solve();
+  bool tame = true;
+  for (uint32_t batch = 0; batch < batch_count(); ++batch) {
+    eliminate_batch(sources, field, batch, front, member_of_);
+    fronts_.substitute(kernels_, front, [&](uint32_t place, uint32_t vertices, const int32_t* x) {
+      tame = keep_front(batch, place, vertices, x, out) && tame;
+    });
+  }
+  if (!tame || !close_totals(0, matrix_.rows)) return false;
+  finish_rows(0, matrix_.rows, out);
+  return true;
 }
 
 bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField* out) {
@@ -270,7 +319,7 @@ bool HeatSolver::try_field(const HeatSources& sources, uint32_t field, HeatField
   const uint32_t count = list_joints(sources, field);
   for (uint32_t first = 0; first < count; first += kBatch) {
     const uint32_t members = count - first < kBatch ? count - first : kBatch;
-    solve_batch(sources, field, joints_ + first, members);
+    solve_sparse(sources, field, joints_ + first, members);
     keep(joints_ + first, members, out);
   }
   for (uint32_t k = 0; k < matrix_.rows; ++k) {
@@ -331,10 +380,7 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
       matrix_.positive = true;
       done = try_fronts(sources, field, out);
     }
-    if (done) {
-      divide_by_totals(out);
-      return;
-    }
+    if (done) return;
     leave_fronts();
     set_pulls(sources, field);  // by elimination place
   }
@@ -350,7 +396,7 @@ void HeatSolver::solve_field(const HeatSources& sources, uint32_t field, HeatFie
     refinements_ = 0;
     (void)try_field(sources, field, out);
   }
-  divide_by_totals(out);
+  finish_rows(0, matrix_.rows, out);
 }
 
 }  // namespace sinew

@@ -235,29 +235,38 @@ SINEW_INLINE void divide_row(const int32_t* sums, uint32_t channels, uint32_t n,
   for (; c < channels; ++c) out[c] = mean_of_sum(sums[c], n);
 }
 
-// As the reference, with int32 sums in the scratch: 65535 * 32768 < 2^31.
+// As the reference, with int32 sums in the scratch: 65535 * 32768 < 2^31. A joint's first row is copied, so nothing is
+// cleared, and a bit for every joint tells which rows to divide.
 template <class Isa>
 void part_mean_pair(RowsView values, uint32_t channels, const uint16_t* joints, uint32_t k, const uint32_t* vertices,
                     uint32_t count, int64_t* scratch, int16_t* out) {
   if (count > 65535) return part_mean_pair_s16_ref(values, channels, joints, k, vertices, count, scratch, out);
-  constexpr int32_t kDone = INT32_MIN;  // no sum reaches it
   int32_t* const sums = static_cast<int32_t*>(static_cast<void*>(scratch));
-  for (uint32_t pass = 0; pass < 3; ++pass) {
-    for (uint32_t i = 0; i < count; ++i) {
-      const size_t first = static_cast<size_t>(vertices[i]) * k;
-      for (uint32_t slot = 0; slot < k; ++slot) {
-        const uint16_t joint = joints[first + slot];
-        if (joint == kNoJoint) continue;
-        int32_t* const joint_sums = sums + static_cast<size_t>(joint) * channels;
-        if (pass == 0) {
-          for (uint32_t c = 0; c < channels; ++c) joint_sums[c] = 0;
-        } else if (pass == 1) {
-          add_row<Isa>(values.data + (first + slot) * values.stride, channels, joint_sums);
-        } else if (joint_sums[0] != kDone) {
-          divide_row<Isa>(joint_sums, channels, count, out + static_cast<size_t>(joint) * channels);
-          joint_sums[0] = kDone;
-        }
+  constexpr uint32_t kWords = SINEW_MAX_JOINTS / 32;
+  uint32_t met[kWords];
+  for (uint32_t word = 0; word < kWords; ++word) met[word] = 0;
+  for (uint32_t i = 0; i < count; ++i) {
+    const size_t first = static_cast<size_t>(vertices[i]) * k;
+    for (uint32_t slot = 0; slot < k; ++slot) {
+      const uint32_t joint = joints[first + slot];
+      if (joint == kNoJoint) continue;
+      int32_t* const joint_sums = sums + static_cast<size_t>(joint) * channels;
+      const int16_t* const row = values.data + (first + slot) * values.stride;
+      uint32_t& word = met[joint / 32];
+      if ((word >> joint % 32 & 1) != 0) {
+        add_row<Isa>(row, channels, joint_sums);
+      } else {
+        word |= 1u << joint % 32;
+        for (uint32_t c = 0; c < channels; ++c) joint_sums[c] = row[c];
       }
+    }
+  }
+  for (uint32_t joint = 0; joint < SINEW_MAX_JOINTS; joint += 32) {
+    uint32_t rest = met[joint / 32];
+    for (uint32_t own = joint; rest != 0; ++own, rest >>= 1) {
+      if ((rest & 1) == 0) continue;
+      divide_row<Isa>(sums + static_cast<size_t>(own) * channels, channels, count,
+                      out + static_cast<size_t>(own) * channels);
     }
   }
 }

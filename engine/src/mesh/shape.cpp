@@ -32,33 +32,37 @@ Vec3l corner_cross(const Mesh& mesh, const uint32_t* t) {
 }
 
 // Sums over the triangles of a vertex. Unit normals in Q24, so that 2^38 faces could meet without overflow.
-void add_triangles(const ShapeScratch& scratch, Mesh* mesh) {
+void add_triangles(const ShapeScratch& scratch, const Threads& threads, Mesh* mesh) {
   for (uint32_t v = 0; v < mesh->welded_count; ++v) {
     scratch.normal_sums[v] = {0, 0, 0};
     scratch.angle_sums[v] = 0;
     mesh->areas[v] = 0;
   }
-  for (uint32_t i = 0; i < mesh->triangle_count; ++i) {
-    const uint32_t* t = mesh->triangles + 3 * static_cast<size_t>(i);
+  const auto measure = [&](uint32_t index, uint32_t slot) {
+    const uint32_t* t = mesh->triangles + 3 * static_cast<size_t>(index);
+    TriangleShape& out = scratch.triangles[slot];
     const Vec3l normal = corner_cross(*mesh, t);
-    const int64_t twice_area = static_cast<int64_t>(length(normal));
-    const Vec3i fine = unit_vector(normal, 24);
+    out.twice_area = static_cast<int64_t>(length(normal));
+    out.normal = unit_vector(normal, 24);
     int64_t cosines[3];
-    int32_t angles[3];
     for (int corner = 0; corner < 3; ++corner) {
       const Vec3i at = mesh->positions[t[corner]];
       cosines[corner] = dot(mesh->positions[t[(corner + 1) % 3]] - at, mesh->positions[t[(corner + 2) % 3]] - at);
     }
-    angles_q30(twice_area, cosines, angles);
+    angles_q30(out.twice_area, cosines, out.angles);
+  };
+  threads.rounds(mesh->triangle_count, measure, [&](uint32_t index, uint32_t slot) {
+    const uint32_t* t = mesh->triangles + 3 * static_cast<size_t>(index);
+    const TriangleShape& own = scratch.triangles[slot];
     for (int corner = 0; corner < 3; ++corner) {
       const uint32_t v = t[corner];
       // 2^40.8 at most each: only a vertex of two million side-wide triangles can reach the cap.
-      const uint64_t area = mesh->areas[v] + static_cast<uint64_t>(twice_area);
+      const uint64_t area = mesh->areas[v] + static_cast<uint64_t>(own.twice_area);
       mesh->areas[v] = area < kAreaCap ? area : kAreaCap;
-      scratch.normal_sums[v] += Vec3l{fine.x, fine.y, fine.z};
-      scratch.angle_sums[v] += angles[corner];
+      scratch.normal_sums[v] += Vec3l{own.normal.x, own.normal.y, own.normal.z};
+      scratch.angle_sums[v] += own.angles[corner];
     }
-  }
+  });
 }
 
 void finish_vertex(const ShapeScratch& scratch, uint32_t v, Mesh* mesh) {
@@ -137,7 +141,7 @@ void angles_q30(int64_t given_y, const int64_t (&given_x)[3], int32_t (&angles)[
 
 void find_shape(const ShapeScratch& scratch, const Threads& threads, Mesh* mesh) {
   constexpr uint32_t kVertexPiece = 256;  // vertices that a lane takes at a time
-  add_triangles(scratch, mesh);
+  add_triangles(scratch, threads, mesh);
   threads.ranges(mesh->welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
     for (uint32_t v = begin; v < end; ++v) finish_vertex(scratch, v, mesh);
   });

@@ -7,10 +7,18 @@
 
 namespace sinew {
 
+// What a triangle adds to its corners.
+struct TriangleShape {
+  int64_t twice_area;
+  Vec3i normal;       // unit, Q24
+  int32_t angles[3];  // of the corners
+};
+
 struct ShapeScratch {
-  uint8_t* boundary = nullptr;    // [U] in: 1 where an edge of the vertex has only one triangle
-  Vec3l* normal_sums = nullptr;   // [U]
-  int64_t* angle_sums = nullptr;  // [U]
+  uint8_t* boundary = nullptr;         // [U] in: 1 where an edge of the vertex has only one triangle
+  Vec3l* normal_sums = nullptr;        // [U]
+  int64_t* angle_sums = nullptr;       // [U]
+  TriangleShape* triangles = nullptr;  // [round_size() of the triangles]
 };
 
 // Fills normals, areas, mean_curvature, gauss_curvature and edge_length from positions, triangles and the CSR.

@@ -27,6 +27,7 @@ struct TopologyScratch {
     shape.boundary = arena.alloc<uint8_t>(counts.vertices);
     shape.normal_sums = arena.alloc<Vec3l>(counts.vertices);
     shape.angle_sums = arena.alloc<int64_t>(counts.vertices);
+    shape.triangles = arena.alloc<TriangleShape>(counts.threads.round_size(counts.triangles()));
     part_keys = arena.alloc<uint64_t>(counts.vertices);
     labels = arena.alloc<uint32_t>(counts.vertices);
     return arena.ok();

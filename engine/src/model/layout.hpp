@@ -21,7 +21,7 @@ constexpr size_t kHeaderFormat = 8;       // uint32 kModelFormat
 constexpr size_t kHeaderChecksum = 12;    // uint32 CRC-32 of the whole file with these four bytes taken as 0
 constexpr size_t kHeaderSize = 16;        // uint64 bytes of the file
 constexpr size_t kHeaderCandidates = 24;  // uint32 K, 1..16
-constexpr size_t kHeaderGrid = 28;        // uint32 voxel cells, 16..128
+constexpr size_t kHeaderGrid = 28;        // uint32 voxel cells, 16..128; 0 = they follow the vertices
 constexpr size_t kHeaderFeatureSet = 32;  // uint32 version in the low 16 bits, feature flags in the high ones
 constexpr size_t kHeaderBuffers = 36;     // uint32 buffer count, 2..kMaxBuffers
 constexpr size_t kHeaderLayers = 40;      // uint32 layer count, 1..kMaxLayers

@@ -2,6 +2,7 @@
 // Opens a model file in place: header, tables, layer order, accumulator proofs. Runs once, before stage 8 can.
 #include "model/reader.hpp"
 
+#include "core/counts.hpp"
 #include "model/layer_list.hpp"
 #include "model/layout.hpp"
 #include "model/regions.hpp"
@@ -30,7 +31,7 @@ sinew_status check_counts(const uint8_t* bytes, size_t size_bytes, const ModelTa
   const uint32_t k = load_u32(bytes + kHeaderCandidates), grid = load_u32(bytes + kHeaderGrid);
   const uint32_t buffers = load_u32(bytes + kHeaderBuffers), layers = load_u32(bytes + kHeaderLayers);
   const uint32_t linears = load_u32(bytes + kHeaderLinears), inputs = load_u32(bytes + kHeaderInputs);
-  const bool legal = k >= 1 && k <= SINEW_MAX_CANDIDATES && grid >= 16 && grid <= 128 && buffers > task.input_count &&
+  const bool legal = k >= 1 && k <= SINEW_MAX_CANDIDATES && is_legal_grid(grid) && buffers > task.input_count &&
                      buffers <= kMaxBuffers && layers >= 1 && layers <= kMaxLayers && linears <= layers &&
                      inputs <= kMaxInputs && all_zero(bytes + kHeaderReserved, kHeaderBytes - kHeaderReserved) &&
                      tables_bytes(buffers, layers, linears) <= size_bytes;

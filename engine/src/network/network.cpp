@@ -168,37 +168,90 @@ void copy_values(int16_t* to, const int16_t* from, uint32_t count) {
   if (count != 0) memcpy(to, from, count * sizeof(int16_t));
 }
 
-// Tables of the stage's global layers, or of its part layers for one part (vertices, count), in a lane's memory.
-void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* vertices, uint32_t count, uint32_t lane) {
-  const uint32_t k = run.plan.candidates;
-  int64_t* const sums = sums_of(run, lane);
+// Some channels of a table and where they come from.
+struct TablePiece {
+  const Layer& layer;
+  RowsView values;  // their first channel
+  uint32_t channels;
+  int16_t* table;   // their place in the first row
+  uint32_t stride;  // between rows of the table
+};
+
+constexpr uint32_t kPieceChannels = 16;
+
+// Calls visit(piece) for the tables of the stage's global layers, or of its part layers. Segments of at least two times
+// kPieceChannels are cut where that is asked for. A region of several writers gives one table behind the other.
+template <class Visit>
+void each_table_piece(const Run& run, uint32_t stage, bool global, uint32_t table_lane, bool cut, Visit visit) {
   for (uint32_t i = 0; i < run.plan.layer_count; ++i) {
     const Layer& layer = run.plan.layers[i];
     if (run.plan.stage[i] != stage || !uses_table(layer.kind) || (layer.kind != LayerKind::kPartMean) != global)
       continue;
-    const bool pair = has_slots(run.plan.buffers[layer.in.buffer].domain);
-    const uint16_t* present = pair ? run.input.joints : nullptr;
-    const size_t rows = static_cast<size_t>(run.sizes.vertices) * slots_of(run, layer.in);
-    // A region of several writers gives one table behind the other.
-    int16_t* table = table_of(run, i, lane);
+    const bool by_joint = !global && has_slots(run.plan.buffers[layer.in.buffer].domain);
+    int16_t* table = table_of(run, i, table_lane);
     for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
       const Segment segment = segment_at(run.plan.layers, run.plan.input_count, i, layer.in, channel);
       const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
-      size_t made = segment.count;
-      if (layer.kind == LayerKind::kGlobalMean) {
-        run.kernels.global_mean(values, segment.count, present, rows, sums, table);
-      } else if (layer.kind == LayerKind::kGlobalMax) {
-        run.kernels.global_max(values, segment.count, present, rows, table);
-      } else if (pair) {
-        run.kernels.part_mean_pair(values, segment.count, run.input.joints, k, vertices, count, sums, table);
-        made *= run.sizes.joints;
-      } else {
-        run.kernels.part_mean_vertex(values, segment.count, vertices, count, sums, table);
-      }
-      table += made;
+      const uint32_t step = cut && segment.count >= 2 * kPieceChannels ? kPieceChannels : segment.count;
+      uint32_t first = 0;
+      do {
+        const uint32_t channels = segment.count - first < step ? segment.count - first : step;
+        visit(TablePiece{layer, {values.data + first, values.stride}, channels, table + first, segment.count});
+        first += step;
+      } while (kHasThreads && first < segment.count);
+      table += static_cast<size_t>(segment.count) * (by_joint ? run.sizes.joints : 1u);
       channel += segment.count;
     }
   }
+}
+
+// The vertices are those of the part. Scratch is the lane's.
+void make_table_piece(const Run& run, const TablePiece& piece, const uint32_t* vertices, uint32_t count,
+                      uint32_t lane) {
+  const uint32_t k = run.plan.candidates;
+  int64_t* const sums = sums_of(run, lane);
+  const bool pair = has_slots(run.plan.buffers[piece.layer.in.buffer].domain);
+  const uint16_t* present = pair ? run.input.joints : nullptr;
+  const size_t rows = static_cast<size_t>(run.sizes.vertices) * slots_of(run, piece.layer.in);
+  if (piece.layer.kind == LayerKind::kGlobalMean) {
+    run.kernels.global_mean(piece.values, piece.channels, present, rows, sums, piece.table);
+  } else if (piece.layer.kind == LayerKind::kGlobalMax) {
+    run.kernels.global_max(piece.values, piece.channels, present, rows, piece.table);
+  } else if (!pair) {
+    run.kernels.part_mean_vertex(piece.values, piece.channels, vertices, count, sums, piece.table);
+  } else if (!kHasThreads || piece.channels == piece.stride) {
+    run.kernels.part_mean_pair(piece.values, piece.channels, run.input.joints, k, vertices, count, sums, piece.table);
+  } else {
+    // The lane's sums have room for all channels, at least twice these, and so for the means of these behind them. Rows
+    // of joints that are not met are copied as they are.
+    const size_t size = static_cast<size_t>(run.sizes.joints) * piece.channels;
+    int16_t* const means = static_cast<int16_t*>(static_cast<void*>(sums + size));
+    memset(means, 0, size * sizeof(int16_t));
+    run.kernels.part_mean_pair(piece.values, piece.channels, run.input.joints, k, vertices, count, sums, means);
+    for (uint32_t joint = 0; joint < run.sizes.joints; ++joint) {
+      copy_values(piece.table + static_cast<size_t>(joint) * piece.stride,
+                  means + static_cast<size_t>(joint) * piece.channels, piece.channels);
+    }
+  }
+}
+
+// Tables of the stage's global layers, or of its part layers for one part (vertices, count), in a lane's memory.
+void make_tables(const Run& run, uint32_t stage, bool global, const uint32_t* vertices, uint32_t count, uint32_t lane) {
+  each_table_piece(run, stage, global, lane, false,
+                   [&](const TablePiece& piece) { make_table_piece(run, piece, vertices, count, lane); });
+}
+
+// The same in the first lane's memory, on all lanes.
+void share_tables(const Run& run, uint32_t stage, bool global, const uint32_t* vertices, uint32_t count) {
+  if (!kHasThreads || run.sizes.lanes == 1) return make_tables(run, stage, global, vertices, count, 0);
+  uint32_t pieces = 0;
+  each_table_piece(run, stage, global, 0, true, [&](const TablePiece&) { ++pieces; });
+  run.input.threads.each(pieces, [&](uint32_t index, uint32_t lane) {
+    uint32_t at = 0;
+    each_table_piece(run, stage, global, 0, true, [&](const TablePiece& piece) {
+      if (at++ == index) make_table_piece(run, piece, vertices, count, lane);
+    });
+  });
 }
 
 // Multiplies the columns by_joint of the stage's linear layers with the means of one part: one product per joint that is a
@@ -483,7 +536,7 @@ class StageWalk {
   // Part by part when a layer wants part means, so that one part's table is enough; else in order. Returns false when
   // the caller cancelled.
   bool run() {
-    make_tables(run_, stage_, true, nullptr, 0, 0);
+    share_tables(run_, stage_, true, nullptr, 0);
     for (uint32_t lane = 1; lane < run_.sizes.lanes; ++lane) copy_global_tables(lane);
     if (!by_part_) return run_range(0, run_.sizes.vertices);
     const uint32_t* offsets = run_.input.part_offsets;
@@ -495,7 +548,7 @@ class StageWalk {
         ++end;
       }
       if (end == part) {
-        make_part_tables(part, 0);
+        share_part_tables(part);
         if (!run_range(offsets[part], offsets[part + 1])) return false;
         ++part;
       } else {
@@ -524,6 +577,12 @@ class StageWalk {
       if (run_.plan.stage[i] != stage_ || !uses_table(layer.kind) || layer.kind == LayerKind::kPartMean) continue;
       copy_values(table_of(run_, i, lane), table_of(run_, i, 0), layer.in.channels);
     }
+  }
+
+  void share_part_tables(uint32_t part) const {
+    const uint32_t begin = run_.input.part_offsets[part], end = run_.input.part_offsets[part + 1];
+    share_tables(run_, stage_, false, run_.input.part_vertices + begin, end - begin);
+    if (kHasPackedWeights) multiply_part_means(run_, stage_, run_.input.part_vertices + begin, end - begin, 0);
   }
 
   void make_part_tables(uint32_t part, uint32_t lane) const {

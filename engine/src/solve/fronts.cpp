@@ -50,10 +50,15 @@ bool FrontFactor::allocate(Arena& arena, const Counts& counts) {
   stack_ = arena.alloc<int32_t>(stack_capacity_);
   const size_t end = arena.used();
   arena.release(shared);
-  front_rows_ = arena.alloc<int32_t>(height_capacity_ * kFrontBatch);
-  x_ = arena.alloc<int32_t>(vertices * kFrontBatch);
-  active_ = arena.alloc<uint8_t>(front_capacity_);
+  (void)allocate_solve(arena, counts, &own_);
   if (arena.used() < end) (void)arena.alloc<uint8_t>(end - arena.used());
+  return arena.ok();
+}
+
+bool FrontFactor::allocate_solve(Arena& arena, const Counts& counts, FrontSolve* solve) const {
+  solve->rows = arena.alloc<int32_t>(height_capacity_ * kFrontBatch);
+  solve->x = arena.alloc<int32_t>(static_cast<size_t>(counts.vertices) * kFrontBatch);
+  solve->active = arena.alloc<uint8_t>(front_capacity_);
   return arena.ok();
 }
 
@@ -251,57 +256,57 @@ bool FrontFactor::factorise(const SparseMatrix& matrix, const FrontKernels& kern
   return true;
 }
 
-void FrontFactor::begin() { memset(active_, 0, front_count_); }
+void FrontFactor::begin(const FrontSolve& solve) const { memset(solve.active, 0, front_count_); }
 
-void FrontFactor::clear(const Front& front) {
-  memset(x_ + static_cast<size_t>(front.first) * kFrontBatch, 0,
-         static_cast<size_t>(front.pivots) * kFrontBatch * sizeof(x_[0]));
+void FrontFactor::clear(const FrontSolve& solve, const Front& front) {
+  memset(solve.x + static_cast<size_t>(front.first) * kFrontBatch, 0,
+         static_cast<size_t>(front.pivots) * kFrontBatch * sizeof(solve.x[0]));
 }
 
 // A front that gets a right-hand side passes it on to those on its way to the root, its border's among them.
-void FrontFactor::wake(uint32_t index) {
-  for (; index != kNoFront && active_[index] == 0; index = fronts_[index].parent) {
-    active_[index] = 1;
-    clear(fronts_[index]);
+void FrontFactor::wake(const FrontSolve& solve, uint32_t index) const {
+  for (; index != kNoFront && solve.active[index] == 0; index = fronts_[index].parent) {
+    solve.active[index] = 1;
+    clear(solve, fronts_[index]);
   }
 }
 
-void FrontFactor::add(uint32_t place, uint32_t member, int64_t value_q40) {
-  wake(front_of_[place]);
-  x_[static_cast<size_t>(place) * kFrontBatch + member] =
+void FrontFactor::add(const FrontSolve& solve, uint32_t place, uint32_t member, int64_t value_q40) const {
+  wake(solve, front_of_[place]);
+  solve.x[static_cast<size_t>(place) * kFrontBatch + member] =
       clamp32(shifted(value_q40, 40 - kFrontSolutionBits + 2 * exponent_[place]), -0x7FFFFFFF, 0x7FFFFFFF);
 }
 
 // v of the front's pivots, and what they take from its border.
-void FrontFactor::eliminate_front(const FrontKernels& kernels, uint32_t index) {
+void FrontFactor::eliminate_front(const FrontKernels& kernels, const FrontSolve& solve, uint32_t index) const {
   const Front& front = fronts_[index];
-  const FrontRows rows = rows_of(front);
+  const FrontRows rows = rows_of(solve, front);
   const uint32_t height = front.pivots + border(index);
   const int32_t* const columns = factor_ + front.factor;
   int64_t sums[kFrontColumns * kFrontBatch];
   for (uint32_t first = 0; first < front.pivots; first += kFrontColumns) {
     const uint32_t count = front.pivots - first < kFrontColumns ? front.pivots - first : kFrontColumns;
     // A column too many reads on into the border or the next column; its sums are not used.
-    kernels.multiply(columns + first, 1, height, first, front_rows_, sums);
+    kernels.multiply(columns + first, 1, height, first, solve.rows, sums);
     kernels.solve(rows, columns + static_cast<size_t>(first) * height + first, height, front.first + first, count, true,
-                  sums, front_rows_ + first * kFrontBatch);
+                  sums, solve.rows + first * kFrontBatch);
   }
   for (uint32_t first = front.pivots; first < height; first += kFrontColumns) {
     const uint32_t count = height - first < kFrontColumns ? height - first : kFrontColumns;
-    kernels.multiply(columns + first, 1, height, front.pivots, front_rows_, sums);
+    kernels.multiply(columns + first, 1, height, front.pivots, solve.rows, sums);
     kernels.subtract(rows, rows_ + front.rows + first - front.pivots, count, sums);
   }
 }
 
-void FrontFactor::eliminate(const FrontKernels& kernels) {
+void FrontFactor::eliminate(const FrontKernels& kernels, const FrontSolve& solve) const {
   for (uint32_t index = 0; index < front_count_; ++index) {
-    if (active_[index] != 0) eliminate_front(kernels, index);
+    if (solve.active[index] != 0) eliminate_front(kernels, solve, index);
   }
 }
 
-bool FrontFactor::border_is_negligible(uint32_t index) const {
+bool FrontFactor::border_is_negligible(const FrontSolve& solve, uint32_t index) const {
   for (uint32_t r = fronts_[index].rows; r < fronts_[index + 1].rows; ++r) {
-    const int32_t* const x = x_ + static_cast<size_t>(rows_[r]) * kFrontBatch;
+    const int32_t* const x = solve.x + static_cast<size_t>(rows_[r]) * kFrontBatch;
     uint32_t any = 0;
     for (uint32_t member = 0; member < kFrontBatch; ++member)
       any |= static_cast<uint32_t>(x[member] > kNegligible) | static_cast<uint32_t>(x[member] < -kNegligible);
@@ -310,22 +315,22 @@ bool FrontFactor::border_is_negligible(uint32_t index) const {
   return true;
 }
 
-void FrontFactor::substitute_front(const FrontKernels& kernels, uint32_t index) {
+void FrontFactor::substitute_front(const FrontKernels& kernels, const FrontSolve& solve, uint32_t index) const {
   const Front& front = fronts_[index];
-  const FrontRows rows = rows_of(front);
+  const FrontRows rows = rows_of(solve, front);
   const uint32_t height = front.pivots + border(index);
   const int32_t* const columns = factor_ + front.factor;
-  if (active_[index] == 0) clear(front);
-  kernels.load(rows, rows_ + front.rows, height - front.pivots, front_rows_ + front.pivots * kFrontBatch);
+  if (solve.active[index] == 0) clear(solve, front);
+  kernels.load(rows, rows_ + front.rows, height - front.pivots, solve.rows + front.pivots * kFrontBatch);
   int64_t sums[kFrontColumns * kFrontBatch];
   const uint32_t blocks = (front.pivots + kFrontColumns - 1) / kFrontColumns;
   for (uint32_t block = blocks; block-- > 0;) {
     const uint32_t first = block * kFrontColumns;
     const uint32_t end = first + kFrontColumns < front.pivots ? first + kFrontColumns : front.pivots;
     kernels.multiply(columns + static_cast<size_t>(first) * height + end, height, 1, height - end,
-                     front_rows_ + end * kFrontBatch, sums);
+                     solve.rows + end * kFrontBatch, sums);
     kernels.solve(rows, columns + static_cast<size_t>(first) * height + first, height, front.first + first, end - first,
-                  false, sums, front_rows_ + first * kFrontBatch);
+                  false, sums, solve.rows + first * kFrontBatch);
   }
 }
 

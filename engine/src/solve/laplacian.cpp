@@ -9,14 +9,52 @@
 namespace sinew {
 namespace {
 
+// |n| of a cross product as length * 2^shift with components brought to 31 bits, so the sum of squares stays below
+// 3 * 2^62. The same at all corners of a triangle.
+struct Sine {
+  int64_t length;
+  int shift;
+};
+
+Sine sine_of(Vec3l n) {  // components below 2^41
+  const uint64_t largest = static_cast<uint64_t>(abs64(n.x) | abs64(n.y) | abs64(n.z));
+  const int shift = top_bit(largest) - 30;
+  const auto scaled = [shift](int64_t value) {
+    const int64_t magnitude = abs64(value);
+    const uint64_t s = static_cast<uint64_t>(shift > 0 ? round_shift(magnitude, shift) : magnitude << -shift);
+    return s * s;
+  };
+  return {isqrt64(scaled(n.x) + scaled(n.y) + scaled(n.z)), shift};
+}
+
+int32_t cotangent_of(const Sine& sine, int64_t cosine) {  // below 2^42
+  const int64_t length = sine.length;
+  const int shift = sine.shift;
+  const int64_t limit = shift >= 0 ? (kCotangentLimit * length) << shift : (kCotangentLimit * length) >> -shift;
+  if (abs64(cosine) > limit) return (cosine < 0 ? -kCotangentLimit : kCotangentLimit) * (1 << kEdgeWeightBits);
+  // Below the limit |cosine| <= 50 * length * 2^shift, so the dividend is at most 50 * 2^(31 + 24).
+  const int lift = kEdgeWeightBits - shift;
+  const int64_t dividend = cosine * (static_cast<int64_t>(1) << lift);
+  const int64_t half = length / 2;
+  return static_cast<int32_t>((dividend < 0 ? dividend - half : dividend + half) / length);
+}
+
+// What a triangle adds to its edges, each in both directions.
+struct TriangleEdges {
+  int32_t cotangents[3];  // of the corners
+  uint32_t edges[3][2];   // opposite to the corners
+};
+
 struct Scratch {
-  int64_t* sums = nullptr;    // [E2] of both directions
-  uint32_t* faces = nullptr;  // [E2]
+  int64_t* sums = nullptr;             // [E2] of both directions
+  uint32_t* faces = nullptr;           // [E2]
+  TriangleEdges* triangles = nullptr;  // [round_size() of the triangles]
 
   bool allocate(Arena& arena, const Counts& counts) {
     const size_t entries = 6 * static_cast<size_t>(counts.triangles());
     sums = arena.alloc<int64_t>(entries);
     faces = arena.alloc<uint32_t>(entries);
+    triangles = arena.alloc<TriangleEdges>(counts.threads.round_size(counts.triangles()));
     return arena.ok();
   }
 };
@@ -37,24 +75,7 @@ void fit_obtuse_corner(int32_t* cotangents) {
 
 int32_t cotangent_q24(Vec3i apex, Vec3i b, Vec3i c) {
   const Vec3i u = b - apex, v = c - apex;
-  const Vec3l n = cross(u, v);  // components below 2^41
-  const uint64_t largest = static_cast<uint64_t>(abs64(n.x) | abs64(n.y) | abs64(n.z));
-  // |n| = length * 2^shift with components brought to 31 bits, so the sum of squares stays below 3 * 2^62.
-  const int shift = top_bit(largest) - 30;
-  const auto scaled = [shift](int64_t value) {
-    const int64_t magnitude = abs64(value);
-    const uint64_t s = static_cast<uint64_t>(shift > 0 ? round_shift(magnitude, shift) : magnitude << -shift);
-    return s * s;
-  };
-  const int64_t length = isqrt64(scaled(n.x) + scaled(n.y) + scaled(n.z));
-  const int64_t cosine = dot(u, v);  // below 2^42
-  const int64_t limit = shift >= 0 ? (kCotangentLimit * length) << shift : (kCotangentLimit * length) >> -shift;
-  if (abs64(cosine) > limit) return (cosine < 0 ? -kCotangentLimit : kCotangentLimit) * (1 << kEdgeWeightBits);
-  // Below the limit |cosine| <= 50 * length * 2^shift, so the dividend is at most 50 * 2^(31 + 24).
-  const int lift = kEdgeWeightBits - shift;
-  const int64_t dividend = cosine * (static_cast<int64_t>(1) << lift);
-  const int64_t half = length / 2;
-  return static_cast<int32_t>((dividend < 0 ? dividend - half : dividend + half) / length);
+  return cotangent_of(sine_of(cross(u, v)), dot(u, v));
 }
 
 bool EdgeWeights::allocate(Arena& arena, const Counts& counts) {
@@ -71,40 +92,52 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
   memset(scratch.sums, 0, entries * sizeof(scratch.sums[0]));
   memset(scratch.faces, 0, entries * sizeof(scratch.faces[0]));
   const bool reduced = kHasExtras && mesh.reduced;
-  for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
-    const uint32_t* corner = mesh.triangles + 3 * static_cast<size_t>(t);
-    int32_t cotangents[3];
-    for (uint32_t k = 0; k < 3; ++k) {
-      cotangents[k] = cotangent_q24(mesh.positions[corner[k]], mesh.positions[corner[(k + 1) % 3]],
-                                    mesh.positions[corner[(k + 2) % 3]]);
-    }
-    if (reduced) fit_obtuse_corner(cotangents);
+  const auto measure = [&](uint32_t index, uint32_t slot) {
+    const uint32_t* corner = mesh.triangles + 3 * static_cast<size_t>(index);
+    TriangleEdges& own = scratch.triangles[slot];
+    const Vec3i ways[3] = {mesh.positions[corner[1]] - mesh.positions[corner[0]],
+                           mesh.positions[corner[2]] - mesh.positions[corner[1]],
+                           mesh.positions[corner[0]] - mesh.positions[corner[2]]};
+    const Sine sine = sine_of(cross(ways[0], ways[1]));
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t b = corner[(k + 1) % 3], c = corner[(k + 2) % 3];
-      const uint32_t edges[2] = {edge_index(mesh, b, c), edge_index(mesh, c, b)};
-      for (const uint32_t e : edges) {
-        scratch.sums[e] += cotangents[k];
+      own.cotangents[k] = cotangent_of(sine, -dot(ways[k], ways[(k + 2) % 3]));
+      own.edges[k][0] = edge_index(mesh, b, c);
+      own.edges[k][1] = edge_index(mesh, c, b);
+    }
+    if (reduced) fit_obtuse_corner(own.cotangents);
+  };
+  const Threads& threads = counts.threads;
+  threads.rounds(mesh.triangle_count, measure, [&](uint32_t, uint32_t slot) {
+    const TriangleEdges& own = scratch.triangles[slot];
+    for (uint32_t k = 0; k < 3; ++k) {
+      for (const uint32_t e : own.edges[k]) {
+        scratch.sums[e] += own.cotangents[k];
         ++scratch.faces[e];
       }
     }
-  }
-  for (size_t e = 0; e < entries; ++e) {
+  });
+  const auto weigh = [&](size_t e) {
     const int64_t count = scratch.faces[e];
     if (reduced && count == 0) {  // an edge without a triangle, of a reduced mesh: about as an equilateral one's
       out->weight[e] = 1 << (kEdgeWeightBits - 1);
-      continue;
+      return;
     }
     // Two triangles an edge make a positive matrix whatever their angles; with more or fewer, no less than half of the
     // sum does. The mean may be less: a caller's mesh keeps it all the same (engine/src/solve/README.md).
     const int64_t half = round_shift(scratch.sums[e], 1);
     if (reduced && count != 2 && half * count > scratch.sums[e]) {
       out->weight[e] = static_cast<int32_t>(half);
-      continue;
+      return;
     }
     const int64_t doubled = 2 * scratch.sums[e] + count;  // round half up: floor((2 sum + count) / (2 count))
     const int64_t quotient = doubled / (2 * count);
     out->weight[e] = static_cast<int32_t>(doubled < 0 && quotient * 2 * count != doubled ? quotient - 1 : quotient);
-  }
+  };
+  constexpr uint32_t kEdgePiece = 2048;
+  threads.ranges(static_cast<uint32_t>(entries), kEdgePiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t e = begin; e < end; ++e) weigh(e);
+  });
   return SINEW_OK;
 }
 

@@ -22,7 +22,7 @@ void lay_grid(const Mesh& mesh, const Counts& counts, VoxelGrid* grid) {
     low = {min2(low.x, p.x), min2(low.y, p.y), min2(low.z, p.z)};
     high = {max2(high.x, p.x), max2(high.y, p.y), max2(high.z, p.z)};
   }
-  const int32_t most = static_cast<int32_t>(counts.grid);
+  const int32_t most = static_cast<int32_t>(counts.cells_along(mesh.welded_count));
   grid->cell_size = (kSide + most - 1) / most;
   int32_t corner[3];
   for (int axis = 0; axis < 3; ++axis) {

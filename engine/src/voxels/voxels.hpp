@@ -14,7 +14,7 @@ enum CellState : uint8_t {
   kCellBorder = 3    // the outermost layer: outside, and never walked
 };
 
-// Cubic cells, `counts.grid` along the mesh's longest side, with one border cell around; the grid is centred on the
+// Cubic cells, counts.cells_along() of them along the mesh's longest side, with one border cell around; the grid is centred on the
 // mesh's box, so that a symmetric mesh gets symmetric cells.
 struct VoxelGrid {
   Vec3i low = {0, 0, 0};        // corner of cell (0, 0, 0), a border cell, grid units
@@ -25,7 +25,7 @@ struct VoxelGrid {
 
   bool allocate(Arena& arena, const Counts& counts);  // for the largest grid: (grid + 2)^3 cells
   static size_t max_cells(const Counts& counts) {
-    const size_t side = static_cast<size_t>(counts.grid) + 2;
+    const size_t side = size_t{counts.cells_along(counts.vertices)} + 2;
     return side * side * side;
   }
 

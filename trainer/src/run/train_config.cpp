@@ -91,7 +91,7 @@ void check(const TrainConfig& c, const std::string& source) {
   require(c.field.vertex_width >= 1 && c.field.vertex_width <= 256, "field.vertex_width", "1 to 256");
   require(c.field.rounds <= 8, "field.rounds", "0 to 8");
   require(c.field.candidates >= 1 && c.field.candidates <= 16, "field.candidates", "1 to 16");
-  require(c.field.grid >= 16 && c.field.grid <= 128, "field.grid", "16 to 128");
+  require(c.field.grid == 0 || (c.field.grid >= 16 && c.field.grid <= 128), "field.grid", "16 to 128, or 0");
   require(c.learning_rate > 0 && std::isfinite(c.learning_rate), "learning_rate", "a number above 0");
   require(c.weight_decay >= 0, "weight_decay", "0 or more");
   require(c.momentum >= 0 && c.momentum < 1, "momentum", "0 or more and below 1");

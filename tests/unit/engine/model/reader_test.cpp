@@ -171,6 +171,7 @@ TEST(ModelReader, ContradictionsAreRefused) {
   const std::vector<Contradiction> list = {
       {"no candidates", [](IntegerModel& m) { m.candidate_count = 0; }},
       {"17 candidates", [](IntegerModel& m) { m.candidate_count = 17; }},
+      {"grid 1", [](IntegerModel& m) { m.grid_size = 1; }},
       {"grid 15", [](IntegerModel& m) { m.grid_size = 15; }},
       {"grid 129", [](IntegerModel& m) { m.grid_size = 129; }},
       {"feature set", [](IntegerModel& m) { m.feature_set = kFeatureSet + 1; }, SINEW_ERROR_MODEL_VERSION},

@@ -21,12 +21,13 @@ TEST(Fronts, SolveForAKnownSolution) {
   ASSERT_TRUE(c.fronts.analyse(c.matrix));
   c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
   ASSERT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
-  c.fronts.begin();
-  for (uint32_t k = 0; k < c.matrix.rows; ++k) c.fronts.add(k, 3, rhs[k]);
-  c.fronts.eliminate(FrontKernels());
+  const FrontSolve& solve = c.fronts.own_solve();
+  c.fronts.begin(solve);
+  for (uint32_t k = 0; k < c.matrix.rows; ++k) c.fronts.add(solve, k, 3, rhs[k]);
+  c.fronts.eliminate(FrontKernels(), solve);
   uint32_t seen = 0;
   double worst = 0;
-  c.fronts.substitute(FrontKernels(), [&](uint32_t first, uint32_t count, const int32_t* x) {
+  c.fronts.substitute(FrontKernels(), solve, [&](uint32_t first, uint32_t count, const int32_t* x) {
     for (uint32_t i = 0; i < count; ++i, ++seen) {
       const double found = x[i * kFrontBatch + 3] * std::pow(2.0, -kFrontSolutionBits);
       worst = std::max(worst, std::abs(found - c.wanted(first + i)));
@@ -44,12 +45,13 @@ TEST(Fronts, SkipWhatARightHandSideDoesNotReach) {
   ASSERT_TRUE(c.fronts.analyse(c.matrix));
   c.matrix.assemble(pulls.data(), kFactorDiagonalBits);
   ASSERT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
-  c.fronts.begin();
-  c.fronts.add(c.ordering.place[0], 0, pulls[0]);
-  c.fronts.eliminate(FrontKernels());
+  const FrontSolve& solve = c.fronts.own_solve();
+  c.fronts.begin(solve);
+  c.fronts.add(solve, c.ordering.place[0], 0, pulls[0]);
+  c.fronts.eliminate(FrontKernels(), solve);
   uint32_t seen = 0;
   int32_t largest = 0;
-  c.fronts.substitute(FrontKernels(), [&](uint32_t, uint32_t count, const int32_t* x) {
+  c.fronts.substitute(FrontKernels(), solve, [&](uint32_t, uint32_t count, const int32_t* x) {
     seen += count;
     for (uint32_t i = 0; i < count; ++i) largest = std::max(largest, x[i * kFrontBatch]);
   });

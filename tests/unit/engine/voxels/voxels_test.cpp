@@ -97,6 +97,19 @@ TEST(Voxels, MarksExactlyTheTouchedCells) {
   }
 }
 
+// The arrays have room for what the caller's vertices ask for, the grid is that of the welded ones.
+TEST(Voxels, CellsFollowTheWeldedVertices) {
+  MeshScene scene;
+  for (uint32_t i = 0; i < 5000; ++i) scene.add_vertex(static_cast<float>(i / 2 % 50), static_cast<float>(i / 100), 0);
+  scene.add_joint(0, 0, 0, -1);
+  const MeshRun run(scene, 0, 8, 0);
+  ASSERT_EQ(run.status, SINEW_OK);
+  ASSERT_EQ(run.mesh.welded_count, 2500u);
+  const Voxels v(run);
+  EXPECT_EQ(sinew::VoxelGrid::max_cells(run.counts), 41u * 41 * 41);
+  EXPECT_EQ(v.grid.cell_size, (sinew::kSide + 31) / 32);
+}
+
 TEST(Voxels, ASphereIsSolidAndItsCornersAreOutside) {
   const MeshRun run(sinew_test::cube_sphere(20));
   const Voxels v(run);
