@@ -97,6 +97,20 @@ TEST_F(CrossvalRun, EveryFamilyIsMeasuredOnceByARunThatNeverSawItsGroup) {
     EXPECT_EQ(fold.parameters[i].weights, expected.parameters[i].weights);
 }
 
+TEST_F(CrossvalRun, OnlyTheGroupsOfAMeanAreLeftOut) {
+  CrossvalOptions o = options("some");
+  o.groups.means["some"] = {"wings", "long"};
+  o.fold_count = 2;
+  o.leave_out = "some";
+  const CrossvalReport report = crossval(config_, o);
+  ASSERT_EQ(report.seeds[0].families.size(), 2u);
+  EXPECT_EQ(report.seeds[0].families[0].family, "long");
+  EXPECT_NE(report.seeds[0].families[0].fold, report.seeds[0].families[1].fold);
+  EXPECT_EQ(crossval_means(report).named.at(0).families, 2u);
+  o.leave_out = "other";
+  EXPECT_ERROR(crossval(config_, o), "no mean named other");
+}
+
 TEST_F(CrossvalRun, GoesOnAfterAStopWithTheSameFigures) {
   CrossvalOptions o = options("whole");
   const CrossvalReport whole = crossval(config_, o);

@@ -124,11 +124,20 @@ class Crossval {
     return out;
   }
 
+  std::map<std::string, size_t> left_out_families(std::map<std::string, size_t> families) const {
+    if (options_.leave_out.empty()) return families;
+    const auto found = options_.groups.means.find(options_.leave_out);
+    if (found == options_.groups.means.end())
+      throw Error("leave out: the groups' file has no mean named " + options_.leave_out);
+    std::erase_if(families, [&](const auto& f) { return found->second.count(options_.groups.group(f.first)) == 0; });
+    return families;
+  }
+
   // Folds from the names in the data folder; what a resumed run must agree with; the list of runs.
   void plan() {
     std::map<std::string, size_t> families;
     for (const auto& [name, path] : paths_by_name(options_.data_dir)) ++families[family_of(name)];
-    folds_ = make_folds(families, options_.groups, options_.fold_count);
+    folds_ = make_folds(left_out_families(families), options_.groups, options_.fold_count);
     if (options_.only_fold > options_.fold_count) {
       throw Error("fold " + std::to_string(options_.only_fold) + ": there are " + std::to_string(options_.fold_count));
     }
@@ -304,6 +313,7 @@ class Crossval {
     report.label = options_.label;
     report.config_json = train_config_json(config_);
     report.apart = options_.groups.apart;
+    report.means = options_.groups.means;
     report.fold_count = options_.fold_count;
     std::map<uint64_t, CrossvalSeed> seeds;
     for (const fs::directory_entry& entry : fs::directory_iterator(options_.folder)) {
