@@ -90,6 +90,9 @@ void add_crossval(CLI::App& app) {
   sub->add_option("--leave-out", o.leave_out,
                   "Deal only the groups of this mean of --groups to folds, train on all others always [all groups]")
       ->type_name("MEAN");
+  sub->add_option("--from", o.from,
+                  "Take the networks of this finished run with the configuration's correction, train nothing")
+      ->type_name("RUN");
   sub->add_option("--seeds", o.seed_count, "Runs of every fold: the configuration's seed and those after it")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str()

@@ -82,6 +82,7 @@ struct CrossvalOptions {
   std::string label;      // name in tables
   FamilyGroups groups;
   std::string leave_out;  // a name of groups.means: only these groups are dealt to folds, all others are trained on
+  std::string from;       // a finished run: its networks with this configuration's correction, nothing is trained
   uint32_t fold_count = 5, seed_count = 1;
   uint32_t only_fold = 0;  // from 1; 0 = all, and val
   bool resume = false;

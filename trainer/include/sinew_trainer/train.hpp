@@ -104,6 +104,10 @@ void train(const TrainConfig& config, const TrainOptions& options);
 void train(const TrainConfig& config, const TrainOptions& options, const TrainingSet& set);
 // The configuration a checkpoint was trained with, for --resume without --config.
 TrainConfig checkpoint_config(const std::string& path);
+// Another share of the correction for a finished network, without training again: `network` and its configuration
+// change, what --resume goes on from does not. `source` names it in errors. Throws Error when the checkpoint has no
+// configuration or its network no correction.
+void change_correction(double correction, const std::string& source, Checkpoint* checkpoint);
 
 // Loads (or makes and caches) the samples of a folder; both cores. Characters that fail are reported on stderr and left
 // out.

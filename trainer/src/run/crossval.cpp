@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/parallel.hpp"
@@ -144,6 +145,7 @@ class Crossval {
     std::error_code failure;
     fs::create_directories(options_.folder, failure);
     if (failure) throw Error(options_.folder + ": cannot make the folder: " + failure.message());
+    if (!options_.from.empty()) require_same_folds();
     Json plan;
     plan["config"] = Json::parse(train_config_json(config_));
     plan["minutes"] = options_.minutes;
@@ -174,6 +176,18 @@ class Crossval {
         all_jobs_.push_back({seed, fold, stem + "fold" + std::to_string(fold), work});
       }
       if (!options_.val_dir.empty() && options_.only_fold == 0) all_jobs_.push_back({seed, 0, stem + "val", all});
+    }
+  }
+
+  // Else a network would be measured on what it has seen.
+  void require_same_folds() const {
+    const std::string path = (fs::path(options_.from) / "plan.json").string();
+    const std::vector<uint8_t> bytes = read_file(path);
+    try {
+      const Json folds = Json::parse(bytes.begin(), bytes.end()).at("folds");
+      if (folds != Json(folds_)) throw Error(path + ": its folds are others than those of --groups and --folds here");
+    } catch (const nlohmann::json::exception& error) {
+      throw Error(path + ": not the plan of a cross-validation: " + error.what());
     }
   }
 
@@ -241,7 +255,11 @@ class Crossval {
       fold_config.seed = job.seed;
       TrainOptions options = train_options(job);
       options.threads_now = &threads_each;
-      train(fold_config, options, set);
+      if (options_.from.empty()) {
+        train(fold_config, options, set);
+      } else {
+        take_over(job);
+      }
       if (stopped()) return;
       const auto start = std::chrono::steady_clock::now();
       const std::vector<Measured> measured = measure_run(job, set, job.fold > 0 ? left_out : val, threads_each, &heat);
@@ -257,6 +275,20 @@ class Crossval {
       --unfinished;
       share();
     });
+  }
+
+  // The network of the same run in options_.from, which must have been trained alike but for its correction.
+  void take_over(const Job& job) const {
+    const std::string source = (fs::path(options_.from) / (job.stem + ".ckpt")).string();
+    Checkpoint checkpoint = read_checkpoint(source);
+    change_correction(config_.correction, source, &checkpoint);
+    TrainConfig expected = config_;
+    expected.seed = job.seed;
+    const Json theirs = Json::parse(checkpoint.state.config_json), ours = Json::parse(train_config_json(expected));
+    for (const auto& [key, value] : ours.items()) {
+      if (theirs.at(key) != value) throw Error(source + ": was trained with another configuration: " + key);
+    }
+    write_checkpoint(train_options(job).output, checkpoint);
   }
 
   std::vector<Measured> measure_run(const Job& job, const TrainingSet& set, const MeasuredSet& on, uint32_t threads,
