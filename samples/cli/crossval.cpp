@@ -87,6 +87,12 @@ void add_crossval(CLI::App& app) {
   sub->add_option("--groups", s->groups,
                   "Families that look alike, as JSON [mh_* together; others by name without digits at its end]")
       ->type_name("FILE");
+  sub->add_option("--leave-out", o.leave_out,
+                  "Deal only the groups of this mean of --groups to folds, train on all others always [all groups]")
+      ->type_name("MEAN");
+  sub->add_option("--from", o.from,
+                  "Take the networks of this finished run with the configuration's correction, train nothing")
+      ->type_name("RUN");
   sub->add_option("--seeds", o.seed_count, "Runs of every fold: the configuration's seed and those after it")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str()
@@ -118,6 +124,7 @@ void add_crossval(CLI::App& app) {
       "FOLDER gets crossval.md, crossval.csv and crossval.json; the table goes to standard output.\n"
       "Examples:\n"
       "  sinew crossval characters/train --val characters/val --groups trainer/configs/groups.json -o base\n"
+      "  sinew crossval characters/train --groups trainer/configs/groups.json --leave-out old --folds 2 -o quick\n"
       "  sinew crossval characters/train --config wide.json --groups trainer/configs/groups.json -o wide --seeds 2\n"
       "  sinew crossval --compare base wide");
   sub->callback([s] { run(*s); });

@@ -186,7 +186,8 @@ void add_dataset_check(CLI::App* parent) {
       "Example:\n  sinew dataset check characters/train hero.glb --png suspicious\n"
       "Suspicious weights are warnings: far-weight (a joint across the body while another is near), island (a patch\n"
       "bound across the body), odd-vertex (its neighbours agree on something else), left-right (the place of the\n"
-      "joint's mirror twin), idle-twin (no weight, but the twin has some).\n"
+      "joint's mirror twin), idle-twin (no weight, but the twin has some), shared-place (joints at one place\n"
+      "hold much of the mesh; leave such characters out of training).\n"
       "Exit status 1 when any character has an error.");
   sub->callback([s] { check(*s); });
 }

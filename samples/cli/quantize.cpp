@@ -19,6 +19,7 @@
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/train.hpp"
 #include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
 
@@ -28,6 +29,7 @@ namespace {
 struct Settings {
   std::string checkpoint, folder, output, release, confidence;
   unsigned characters = 40;
+  double correction = 0;  // 0 = the checkpoint's
   QuantizeOptions options;
   bool quiet = false;
 };
@@ -116,7 +118,8 @@ void run(const Settings& s) {
   check_output(s.output, {".sinew"});
   if (has_extension(s.checkpoint, ".sinew")) return fit_model(s);
   if (s.folder.empty()) throw UsageError("--calibrate DIR is needed: the characters that the ranges are measured on");
-  const Checkpoint checkpoint = read_checkpoint(s.checkpoint);
+  Checkpoint checkpoint = read_checkpoint(s.checkpoint);
+  if (s.correction > 0) change_correction(s.correction, s.checkpoint, &checkpoint);
   const std::vector<Sample> samples = load_calibration(s, checkpoint.network);
   QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
   std::string confidence;
@@ -145,6 +148,11 @@ void add_quantize(CLI::App& app) {
   sub->add_option("--characters", s->characters, "Characters to calibrate on, spread over the folder; 0 = all")
       ->capture_default_str()
       ->type_name("N");
+  sub->add_option("--correction", s->correction,
+                  "Share of what was learnt beside heat, instead of the one it was trained with: less is better on "
+                  "families that training never saw, more on those it saw")
+      ->check(CLI::Range(0.01, 1.0))
+      ->type_name("X");
   sub->add_option("--margin", s->options.margin, "Ranges are the largest value seen times this")
       ->check(CLI::Range(1.0, 16.0))
       ->capture_default_str()

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 
 #include "expect_error.hpp"
@@ -95,6 +96,44 @@ TEST_F(CrossvalRun, EveryFamilyIsMeasuredOnceByARunThatNeverSawItsGroup) {
                      fold = read_checkpoint(folder_.file("a/seed1.fold1.ckpt")).network;
   for (size_t i = 0; i < expected.parameters.size(); ++i)
     EXPECT_EQ(fold.parameters[i].weights, expected.parameters[i].weights);
+}
+
+TEST_F(CrossvalRun, OnlyTheGroupsOfAMeanAreLeftOut) {
+  CrossvalOptions o = options("some");
+  o.groups.means["some"] = {"wings", "long"};
+  o.fold_count = 2;
+  o.leave_out = "some";
+  const CrossvalReport report = crossval(config_, o);
+  ASSERT_EQ(report.seeds[0].families.size(), 2u);
+  EXPECT_EQ(report.seeds[0].families[0].family, "long");
+  EXPECT_NE(report.seeds[0].families[0].fold, report.seeds[0].families[1].fold);
+  EXPECT_EQ(crossval_means(report).named.at(0).families, 2u);
+  o.leave_out = "other";
+  EXPECT_ERROR(crossval(config_, o), "no mean named other");
+}
+
+TEST_F(CrossvalRun, AnotherShareOfTheCorrectionNeedsNoTraining) {
+  config_.correction = 1;
+  const CrossvalReport whole = crossval(config_, options("whole"));
+  CrossvalOptions o = options("same");
+  o.from = options("whole").folder;
+  EXPECT_EQ(crossval_csv(crossval(config_, o)), crossval_csv(whole));
+  o.folder = folder_.file("little");
+  TrainConfig little = config_;
+  little.correction = 0.001;
+  const CrossvalReport report = crossval(little, o);
+  for (size_t f = 0; f < report.seeds[0].families.size(); ++f) {
+    const CrossvalFigures &now = report.seeds[0].families[f].figures, &then = whole.seeds[0].families[f].figures;
+    EXPECT_NEAR(now.l1, now.heat_l1, 0.01);
+    EXPECT_GT(std::abs(then.l1 - then.heat_l1), 2 * std::abs(now.l1 - now.heat_l1));
+  }
+  EXPECT_EQ(checkpoint_config(o.folder + "/seed1.fold1.ckpt").correction, 0.001);
+  little.steps = 7;
+  o.folder = folder_.file("other");
+  EXPECT_ERROR(crossval(little, o), "another configuration: steps");
+  o.folder = folder_.file("others");
+  o.fold_count = 2;
+  EXPECT_ERROR(crossval(config_, o), "its folds are others");
 }
 
 TEST_F(CrossvalRun, GoesOnAfterAStopWithTheSameFigures) {

@@ -88,6 +88,14 @@ void expect_same(const Checkpoint& a, const Checkpoint& b) {
   EXPECT_EQ(a.state.best_score, b.state.best_score);
 }
 
+TEST_F(TrainerRun, CharactersThatTheConfigurationLeavesOutAreNotDrawn) {
+  add(BodyPlan::kSnake, 3, "wings");
+  config_.leave_out = {{"wings__2", "its labels are wrong"}, {"tw", "no character is called so"}};
+  EXPECT_EQ(load_training_set(config_, options("run.ckpt")).families, (std::vector<std::string>{"two", "wings"}));
+  config_.leave_out = {{"wings*", "both"}};
+  EXPECT_EQ(load_training_set(config_, options("run.ckpt")).families, std::vector<std::string>{"two"});
+}
+
 TEST_F(TrainerRun, TwoCharactersAreLearntByHeart) {
   config_.field.width = 32;
   config_.field.rounds = 2;

@@ -34,8 +34,18 @@ struct CrossvalSeed {
 struct CrossvalReport {
   std::string label, config_json;
   std::set<std::string> apart;
+  std::map<std::string, std::set<std::string>> means;  // of FamilyGroups
   uint32_t fold_count = 0;
   std::vector<CrossvalSeed> seeds;
+};
+// Over the families of some groups: the mean of their means over seeds, and where the network is worse than heat.
+struct CrossvalMean {
+  std::string name;
+  size_t families = 0, characters = 0;
+  CrossvalFigures figures;
+  size_t worse = 0;          // families whose L1 is more than 0.03 above heat's
+  std::string worst_family;  // with the largest difference to heat's L1
+  double worst_difference = 0;
 };
 // What decides: means over families of the means over seeds.
 struct CrossvalMeans {
@@ -46,7 +56,8 @@ struct CrossvalMeans {
   size_t worse = 0;          // families whose L1 is more than 0.03 above heat's
   std::string worst_family;  // with the largest difference to heat's L1
   double worst_difference = 0;
-  double spread = 0;  // largest minus smallest `all.l1` of the seeds
+  std::vector<CrossvalMean> named;  // report.means that have families, by name
+  double spread = 0;                // largest minus smallest `all.l1` of the seeds
   size_t val_characters = 0;
   CrossvalFigures val, val_families;  // means over characters and over families of the validation folder
 };
@@ -70,6 +81,8 @@ struct CrossvalOptions {
   std::string cache_dir;  // features; empty = FOLDER/cache
   std::string label;      // name in tables
   FamilyGroups groups;
+  std::string leave_out;  // a name of groups.means: only these groups are dealt to folds, all others are trained on
+  std::string from;       // a finished run: its networks with this configuration's correction, nothing is trained
   uint32_t fold_count = 5, seed_count = 1;
   uint32_t only_fold = 0;  // from 1; 0 = all, and val
   bool resume = false;

@@ -18,6 +18,7 @@ namespace sinew {
 struct Metrics {
   double precision = 0, recall = 0;  // of influences, over all pairs of vertex and joint
   double l1 = 0;                     // mean over vertices of sum_j |r - p|, 0..2
+  double l1_file = 0;                // the same with end joints as they lie in the file: what is on them is wrong
   double avg_dist = 0;      // distance between the vertices skinned with r and with p: mean over vertices and poses,
   double max_dist = 0;      //   mean over poses of the largest,
   double max_dist_all = 0;  //   largest of all; linear blend, 10 random poses, longest side of the mesh = 1
@@ -32,8 +33,9 @@ struct Metrics {
 };
 
 // Compares predicted influences with the character's own. End joints (unbound leaves) of the prediction are folded into
-// their parents, rows normalised, vertices without reference weights left out. `name` seeds the poses. vertex_l1, when
-// given, gets [V] L1 per vertex (0 for left-out vertices); pose_distance [poses] the mean distance of a vertex.
+// their parents (everywhere but in l1_file), rows normalised, vertices without reference weights left out. `name` seeds
+// the poses. vertex_l1, when given, gets [V] L1 per vertex (0 for left-out vertices); pose_distance [poses] the mean
+// distance of a vertex.
 Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
                 const std::string& name, int poses = 10, std::vector<float>* vertex_l1 = nullptr,
                 std::vector<double>* pose_distance = nullptr);

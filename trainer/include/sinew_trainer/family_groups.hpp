@@ -15,11 +15,13 @@ namespace sinew {
 // Which families look alike and are therefore left out together. A family that the file does not name follows the rule:
 // mh_* is "mh", every other is named by itself without the digits at its end (q_men19 -> q_men).
 struct FamilyGroups {
-  std::map<std::string, std::string> group_of;  // family -> group
-  std::set<std::string> apart = {"mh"};         // groups that the second mean leaves out
+  std::map<std::string, std::string> group_of;         // family -> group
+  std::set<std::string> apart = {"mh"};                // groups that the second mean leaves out
+  std::map<std::string, std::set<std::string>> means;  // further means: name -> groups
   std::string group(const std::string& family) const;
 };
-// {"groups": {"GROUP": ["FAMILY", ...], ...}, "apart": ["GROUP", ...]}, both optional. Throws Error naming the place.
+// {"groups": {"GROUP": ["FAMILY", ...], ...}, "apart": ["GROUP", ...], "means": {"NAME": ["GROUP", ...], ...}}, all
+// optional. Throws Error naming the place.
 FamilyGroups read_family_groups(const std::string& path);
 
 // Families of every fold, sorted; folds hold about as many families. The largest group goes first to the fold with the

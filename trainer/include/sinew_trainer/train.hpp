@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,8 @@ struct TrainConfig : RunConfig {
   // engine/src/features/channels.hpp; a * at the end stands for any rest. The finished network's weights for them are
   // 0.
   std::vector<std::string> without;
+  // Characters that are not trained on, by name (a * at the end stands for any rest), and why: labels that teach wrong.
+  std::map<std::string, std::string> leave_out;
   double loss_kl = 0.5, loss_l1 = 1.0, loss_regret = 2.0, loss_part = 0.5, loss_deformation = 10;
   // Share of the learnt change of heat's logits that the finished network keeps (field only). Below 1 it is worse on
   // the families it was trained on and better on new ones: trainer/configs/RESULTS.md has the figures.
@@ -101,6 +104,10 @@ void train(const TrainConfig& config, const TrainOptions& options);
 void train(const TrainConfig& config, const TrainOptions& options, const TrainingSet& set);
 // The configuration a checkpoint was trained with, for --resume without --config.
 TrainConfig checkpoint_config(const std::string& path);
+// Another share of the correction for a finished network, without training again: `network` and its configuration
+// change, what --resume goes on from does not. `source` names it in errors. Throws Error when the checkpoint has no
+// configuration or its network no correction.
+void change_correction(double correction, const std::string& source, Checkpoint* checkpoint);
 
 // Loads (or makes and caches) the samples of a folder; both cores. Characters that fail are reported on stderr and left
 // out.

@@ -39,7 +39,7 @@ FamilyGroups read_family_groups(const std::string& path) {
     }
     return out;
   };
-  require(root.is_object(), "the file", "an object with \"groups\" and \"apart\"");
+  require(root.is_object(), "the file", "an object with \"groups\", \"apart\" and \"means\"");
   FamilyGroups groups;
   for (const auto& [key, value] : root.items()) {
     if (key == "groups") {
@@ -53,6 +53,12 @@ FamilyGroups read_family_groups(const std::string& path) {
     } else if (key == "apart") {
       groups.apart.clear();
       for (const std::string& group : names(value, key)) groups.apart.insert(group);
+    } else if (key == "means") {
+      require(value.is_object(), key, "an object: name to list of groups");
+      for (const auto& [mean, members] : value.items()) {
+        for (const std::string& group : names(members, "mean " + mean)) groups.means[mean].insert(group);
+        require(!groups.means[mean].empty(), "mean " + mean, "at least one group");
+      }
     } else {
       throw Error(path + ": unknown key \"" + key + "\"");
     }

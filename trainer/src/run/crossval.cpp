@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/parallel.hpp"
@@ -124,17 +125,27 @@ class Crossval {
     return out;
   }
 
+  std::map<std::string, size_t> left_out_families(std::map<std::string, size_t> families) const {
+    if (options_.leave_out.empty()) return families;
+    const auto found = options_.groups.means.find(options_.leave_out);
+    if (found == options_.groups.means.end())
+      throw Error("leave out: the groups' file has no mean named " + options_.leave_out);
+    std::erase_if(families, [&](const auto& f) { return found->second.count(options_.groups.group(f.first)) == 0; });
+    return families;
+  }
+
   // Folds from the names in the data folder; what a resumed run must agree with; the list of runs.
   void plan() {
     std::map<std::string, size_t> families;
     for (const auto& [name, path] : paths_by_name(options_.data_dir)) ++families[family_of(name)];
-    folds_ = make_folds(families, options_.groups, options_.fold_count);
+    folds_ = make_folds(left_out_families(families), options_.groups, options_.fold_count);
     if (options_.only_fold > options_.fold_count) {
       throw Error("fold " + std::to_string(options_.only_fold) + ": there are " + std::to_string(options_.fold_count));
     }
     std::error_code failure;
     fs::create_directories(options_.folder, failure);
     if (failure) throw Error(options_.folder + ": cannot make the folder: " + failure.message());
+    if (!options_.from.empty()) require_same_folds();
     Json plan;
     plan["config"] = Json::parse(train_config_json(config_));
     plan["minutes"] = options_.minutes;
@@ -165,6 +176,18 @@ class Crossval {
         all_jobs_.push_back({seed, fold, stem + "fold" + std::to_string(fold), work});
       }
       if (!options_.val_dir.empty() && options_.only_fold == 0) all_jobs_.push_back({seed, 0, stem + "val", all});
+    }
+  }
+
+  // Else a network would be measured on what it has seen.
+  void require_same_folds() const {
+    const std::string path = (fs::path(options_.from) / "plan.json").string();
+    const std::vector<uint8_t> bytes = read_file(path);
+    try {
+      const Json folds = Json::parse(bytes.begin(), bytes.end()).at("folds");
+      if (folds != Json(folds_)) throw Error(path + ": its folds are others than those of --groups and --folds here");
+    } catch (const nlohmann::json::exception& error) {
+      throw Error(path + ": not the plan of a cross-validation: " + error.what());
     }
   }
 
@@ -232,7 +255,11 @@ class Crossval {
       fold_config.seed = job.seed;
       TrainOptions options = train_options(job);
       options.threads_now = &threads_each;
-      train(fold_config, options, set);
+      if (options_.from.empty()) {
+        train(fold_config, options, set);
+      } else {
+        take_over(job);
+      }
       if (stopped()) return;
       const auto start = std::chrono::steady_clock::now();
       const std::vector<Measured> measured = measure_run(job, set, job.fold > 0 ? left_out : val, threads_each, &heat);
@@ -248,6 +275,20 @@ class Crossval {
       --unfinished;
       share();
     });
+  }
+
+  // The network of the same run in options_.from, which must have been trained alike but for its correction.
+  void take_over(const Job& job) const {
+    const std::string source = (fs::path(options_.from) / (job.stem + ".ckpt")).string();
+    Checkpoint checkpoint = read_checkpoint(source);
+    change_correction(config_.correction, source, &checkpoint);
+    TrainConfig expected = config_;
+    expected.seed = job.seed;
+    const Json theirs = Json::parse(checkpoint.state.config_json), ours = Json::parse(train_config_json(expected));
+    for (const auto& [key, value] : ours.items()) {
+      if (theirs.at(key) != value) throw Error(source + ": was trained with another configuration: " + key);
+    }
+    write_checkpoint(train_options(job).output, checkpoint);
   }
 
   std::vector<Measured> measure_run(const Job& job, const TrainingSet& set, const MeasuredSet& on, uint32_t threads,
@@ -304,6 +345,7 @@ class Crossval {
     report.label = options_.label;
     report.config_json = train_config_json(config_);
     report.apart = options_.groups.apart;
+    report.means = options_.groups.means;
     report.fold_count = options_.fold_count;
     std::map<uint64_t, CrossvalSeed> seeds;
     for (const fs::directory_entry& entry : fs::directory_iterator(options_.folder)) {

@@ -57,6 +57,23 @@ std::vector<CrossvalFamily> over_seeds(const std::vector<CrossvalSeed>& seeds,
   return out;
 }
 
+CrossvalMean mean_of(const std::string& name, const std::vector<CrossvalFamily>& families) {
+  CrossvalMean out;
+  out.name = name;
+  out.families = families.size();
+  out.figures = mean(families, [](const CrossvalFamily&) { return 1.0; });
+  for (const CrossvalFamily& family : families) {
+    out.characters += family.characters;
+    const double difference = family.figures.l1 - family.figures.heat_l1;
+    if (difference > kWorse) ++out.worse;
+    if (out.worst_family.empty() || difference > out.worst_difference) {
+      out.worst_family = family.family;
+      out.worst_difference = difference;
+    }
+  }
+  return out;
+}
+
 double below_heat(const CrossvalFigures& f) { return f.heat_l1 > 0 ? 100 * (1 - f.l1 / f.heat_l1) : 0; }
 
 std::string figure_cells(const CrossvalFigures& f) {
@@ -96,12 +113,15 @@ CrossvalMeans crossval_means(const CrossvalReport& report) {
   std::vector<CrossvalFamily> outside;
   for (const CrossvalFamily& family : families) {
     if (report.apart.count(family.group) == 0) outside.push_back(family);
-    const double difference = family.figures.l1 - family.figures.heat_l1;
-    if (difference > kWorse) ++means.worse;
-    if (means.worst_family.empty() || difference > means.worst_difference) {
-      means.worst_family = family.family;
-      means.worst_difference = difference;
+  }
+  const CrossvalMean whole = mean_of("", families);
+  means.worse = whole.worse, means.worst_family = whole.worst_family, means.worst_difference = whole.worst_difference;
+  for (const auto& [name, groups] : report.means) {
+    std::vector<CrossvalFamily> members;
+    for (const CrossvalFamily& family : families) {
+      if (groups.count(family.group) > 0) members.push_back(family);
     }
+    if (!members.empty()) means.named.push_back(mean_of(name, members));
   }
   means.families = families.size();
   means.all = mean(families, one);
@@ -149,6 +169,10 @@ std::string crossval_markdown(const CrossvalReport& report) {
                  outside) +
            figure_cells(means.outside);
   }
+  for (const CrossvalMean& m : means.named) {
+    out += "| **mean of the " + print("%zu of ", m.families) + markdown_cell(m.name) +
+           print("** | | %zu", m.characters) + figure_cells(m.figures);
+  }
   if (means.val_characters > 0) {
     out +=
         print("| *val, %zu characters* | | %zu", means.val_characters, means.val_characters) + figure_cells(means.val);
@@ -158,6 +182,11 @@ std::string crossval_markdown(const CrossvalReport& report) {
                below_heat(means.all), below_heat(means.outside), means.worse, kWorse);
   if (!means.worst_family.empty())
     out += print("; worst %s: %+.3f", means.worst_family.c_str(), means.worst_difference);
+  for (const CrossvalMean& m : means.named) {
+    out += print("; %s: %.1f %% below, %zu of %zu worse, worst ", m.name.c_str(), below_heat(m.figures), m.worse,
+                 m.families) +
+           m.worst_family + print(" %+.3f", m.worst_difference);
+  }
   if (report.seeds.size() > 1) out += print("; seeds differ by %.4f", means.spread);
   return out + "\n";
 }
@@ -185,6 +214,7 @@ std::string crossval_json(const CrossvalReport& report) {
   out["config"] = Json::parse(report.config_json);
   out["folds"] = report.fold_count;
   out["apart"] = report.apart;
+  out["means"] = report.means;
   out["seeds"] = Json::array();
   for (const CrossvalSeed& seed : report.seeds) {
     Json row = {{"seed", seed.seed}, {"families", Json::array()}, {"val", Json::array()}};
@@ -215,6 +245,7 @@ CrossvalReport read_crossval(const std::string& path) {
     report.config_json = json.at("config").dump(2);
     report.fold_count = json.at("folds").get<uint32_t>();
     report.apart = json.at("apart").get<std::set<std::string>>();
+    report.means = json.value("means", report.means);  // older files have none
     for (const Json& row : json.at("seeds")) {
       CrossvalSeed seed;
       seed.seed = row.at("seed").get<uint64_t>();
@@ -229,16 +260,25 @@ CrossvalReport read_crossval(const std::string& path) {
 }
 
 std::string crossval_comparison(const std::vector<CrossvalReport>& reports) {
+  std::set<std::string> named;  // means that some run has families of
+  for (const CrossvalReport& report : reports) {
+    for (const CrossvalMean& m : crossval_means(report).named) named.insert(m.name);
+  }
   std::string out =
       "| run | seeds | families: L1 | below heat | argmax % | distance | outside mh: L1 | below heat | argmax % | "
-      "worse by 0.03 | worst family | val L1 | val families | val argmax % |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "worse by 0.03 | worst family |";
+  std::string rule = "|---|---|---|---|---|---|---|---|---|---|---|";
+  for (const std::string& name : named) {
+    out += " " + markdown_cell(name) + ": L1 | below heat | worst family |";
+    rule += "---|---|---|";
+  }
+  out += " val L1 | val families | val argmax % |\n" + rule + "---|---|---|\n";
   const auto heat_of = [](CrossvalFigures f) {
     f.l1 = f.heat_l1, f.argmax = f.heat_argmax, f.distance = f.heat_distance;
     return f;
   };
-  const auto row = [](const std::string& label, const std::string& seeds, const CrossvalMeans& m, double spread,
-                      bool heat) {
+  const auto row = [&](const std::string& label, const std::string& seeds, const CrossvalMeans& m, double spread,
+                       bool heat) {
     std::string text = "| " + markdown_cell(label) + " | " + seeds + print(" | %.4f", m.all.l1);
     if (spread > 0) text += print(" ± %.4f", spread / 2);
     text += heat ? " | " : print(" | %.1f %%", below_heat(m.all));
@@ -247,6 +287,18 @@ std::string crossval_comparison(const std::vector<CrossvalReport>& reports) {
     text += print(" | %.1f | ", 100 * m.outside.argmax);
     text +=
         heat ? " | " : print("%zu of %zu | %s %+.3f", m.worse, m.families, m.worst_family.c_str(), m.worst_difference);
+    for (const std::string& name : named) {
+      const auto found =
+          std::find_if(m.named.begin(), m.named.end(), [&](const CrossvalMean& mean) { return mean.name == name; });
+      if (found == m.named.end()) {
+        text += " | | | ";
+        continue;
+      }
+      text += print(" | %.4f | ", found->figures.l1);
+      text += heat ? " | "
+                   : print("%.1f %% | %s %+.3f", below_heat(found->figures), found->worst_family.c_str(),
+                           found->worst_difference);
+    }
     if (m.val_characters == 0) return text + " | | | |\n";
     return text + print(" | %.4f | %.4f | %.1f |\n", m.val.l1, m.val_families.l1, 100 * m.val.argmax);
   };
@@ -257,6 +309,7 @@ std::string crossval_comparison(const std::vector<CrossvalReport>& reports) {
     CrossvalMeans means = crossval_means(report);
     CrossvalMeans heat = means;
     heat.all = heat_of(means.all), heat.outside = heat_of(means.outside);
+    for (CrossvalMean& m : heat.named) m.figures = heat_of(m.figures);
     heat.val = heat_of(means.val), heat.val_families = heat_of(means.val_families);
     if (!shown || std::abs(shown->l1 - heat.all.l1) > 5e-5) {
       out += row(shown ? "heat (of the next row)" : "heat", "", heat, 0, true);

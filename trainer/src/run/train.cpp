@@ -4,10 +4,13 @@
 
 #include <algorithm>
 
+#include "features/features.hpp"
+#include "network/networks.hpp"
 #include "run/bind_task.hpp"
 #include "run/training_run.hpp"
 #include "run/training_set.hpp"
 #include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/error.hpp"
 
 namespace sinew {
 namespace {
@@ -58,6 +61,16 @@ void train(const TrainConfig& config, const TrainOptions& options) { run_with(co
 
 void train(const TrainConfig& config, const TrainOptions& options, const TrainingSet& set) {
   run_with(config, options, &set);
+}
+
+void change_correction(double correction, const std::string& source, Checkpoint* checkpoint) {
+  if (checkpoint->state.config_json.empty())
+    throw Error(source + ": no configuration in it tells how much of the correction it has");
+  TrainConfig config = parse_train_config(checkpoint->state.config_json, source);
+  if (config.architecture != "field") throw Error(source + ": only networks of the architecture field correct heat");
+  checkpoint->network = shrink_correction(checkpoint->network, correction / config.correction, kPairLogRule);
+  config.correction = correction;
+  checkpoint->state.config_json = train_config_json(parse_train_config(train_config_json(config), source));
 }
 
 TrainConfig checkpoint_config(const std::string& path) {

@@ -24,6 +24,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("field.grid", c.field.grid);
   visit("spectral", c.spectral);
   visit("without", c.without);
+  visit("leave_out", c.leave_out);
   visit("optimizer", c.optimizer);
   visit("learning_rate", c.learning_rate);
   visit("weight_decay", c.weight_decay);
@@ -66,6 +67,11 @@ void read_value(const Json& value, const std::string& where, std::vector<std::st
   if (!value.is_array()) throw Error(where + ": expected a list of texts, found " + value.dump());
   out->clear();
   for (const Json& one : value) read_value(one, where, &out->emplace_back());
+}
+void read_value(const Json& value, const std::string& where, std::map<std::string, std::string>* out) {
+  if (!value.is_object()) throw Error(where + ": expected an object, name to reason, found " + value.dump());
+  out->clear();
+  for (const auto& [name, reason] : value.items()) read_value(reason, where + ": " + name, &(*out)[name]);
 }
 void read_value(const Json& value, const std::string& where, uint64_t* out) {
   if (!value.is_number_unsigned()) throw Error(where + ": expected a whole number from 0, found " + value.dump());

@@ -50,8 +50,18 @@ std::vector<SampleRequest> character_requests(const std::string& folder) {
   return requests;
 }
 
+bool is_left_out(const TrainConfig& config, const std::string& name) {
+  for (const auto& [pattern, reason] : config.leave_out) {
+    const bool prefix = !pattern.empty() && pattern.back() == '*';
+    if (prefix ? name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0 : name == pattern)
+      return true;
+  }
+  return false;
+}
+
 std::vector<SampleRequest> training_requests(const TrainConfig& config, const std::string& folder) {
-  const std::vector<SampleRequest> characters = character_requests(folder);
+  std::vector<SampleRequest> characters = character_requests(folder);
+  std::erase_if(characters, [&](const SampleRequest& request) { return is_left_out(config, request.name); });
   if (characters.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
   // Variants are optional extras: one that fails (say, because decimation leaves nothing) is only left out.
   std::vector<SampleRequest> requests;

@@ -117,6 +117,20 @@ double add_vertex(const std::vector<double>& r, const std::vector<double>& p, do
   return l1;
 }
 
+// Sum of L1 over the vertices that have reference weights.
+double bound_l1(const DenseRows& reference, const DenseRows& predicted) {
+  double sum = 0;
+  std::vector<double> differences;
+  for (size_t v = 0; v < reference.size(); ++v) {
+    const std::vector<double>& r = reference[v];
+    if (std::none_of(r.begin(), r.end(), [](double weight) { return weight > 0; })) continue;
+    differences.resize(r.size());
+    for (size_t j = 0; j < r.size(); ++j) differences[j] = std::abs(r[j] - predicted[v][j]);
+    sum += numpy_sum(differences.data(), differences.size());
+  }
+  return sum;
+}
+
 }  // namespace
 
 Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
@@ -133,6 +147,7 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
   const DenseRows r = normalised_rows(reference.influences, joint_count, name);
   DenseRows p = normalised_rows(predicted, joint_count, name);
   const std::vector<uint32_t> targets = fold_targets(reference, r);
+  const double unfolded_l1 = bound_l1(r, p);
   for (std::vector<double>& row : p) {
     for (size_t j = 0; j < joint_count; ++j) {
       if (targets[j] == j || row[j] == 0) continue;
@@ -159,6 +174,7 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
   m.precision = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.predicted_pairs));
   m.recall = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.reference_pairs));
   m.l1 = sums.l1 / n;
+  m.l1_file = unfolded_l1 / n;
   m.argmax = static_cast<double>(sums.argmax_hits) / n;
   m.kl = sums.kl / n;
   m.bad = static_cast<double>(sums.bad) / n;

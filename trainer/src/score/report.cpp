@@ -46,6 +46,7 @@ std::string key_figures(const ReportData& data) {
   figure(&Metrics::l1, 3, 1, "", "L1, mean of characters (lower is better)");
   add(number(main.scores.family_mean.l1, 3), "L1, mean of families (lower is better)",
       heat ? number(heat->scores.family_mean.l1, 3) : "");
+  figure(&Metrics::l1_file, 3, 1, "", "L1 with end joints as they lie in the file (lower is better)");
   figure(&Metrics::argmax, 1, 100, " %", "strongest joint right (higher is better)");
   figure(&Metrics::avg_dist, 4, 1, "", "mean distance in random poses (lower is better)");
   if (main.size_bytes > 0) add(number(static_cast<double>(main.size_bytes) / 1024, 1) + " KiB", "model", "");

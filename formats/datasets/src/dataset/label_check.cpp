@@ -30,6 +30,8 @@ constexpr double kAgree = 0.6;             // L1 up to which neighbours agree wi
 constexpr double kDisagree = 1.7;          // L1 from which a vertex has nothing in common with them
 constexpr size_t kTwinVertices = 8;        // vertices of the twin that make an idle joint suspicious
 constexpr double kClearlyOtherSide = 0.3;  // of the distance between two twins
+constexpr double kSamePlace = 1e-3;        // joints nearer to each other cannot be told apart
+constexpr double kSharedVertices = 0.4;    // of the vertices on such joints: the rig, not a detail
 constexpr double kMoreThanTwin = 0.3;      // weight beyond the twin's; less is a skirt that follows both legs
 
 using Row = std::map<uint32_t, double>;
@@ -78,6 +80,7 @@ class Labels {
     far_weights();
     odd_vertices();
     idle_twins();
+    shared_places();
     std::vector<LabelFinding> findings;
     for (auto& [key, vertices] : found_) {
       LabelFinding f;
@@ -285,11 +288,49 @@ class Labels {
         add("idle-twin", j, twins_[j], {});
   }
 
+  // Joints with vertices that stand where another child of their parent with vertices does: position and hierarchy do not
+  // say which of them holds what, so a character that has many of them teaches nothing.
+  void shared_places() {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
+    for (const Vec3& p : c_.vertices) {
+      const float at[3] = {p.x, p.y, p.z};
+      for (int i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], static_cast<double>(at[i]));
+        high[i] = std::max(high[i], static_cast<double>(at[i]));
+        side = std::max(side, high[i] - low[i]);
+      }
+    }
+    size_t shared = 0, all = 0;
+    std::pair<uint32_t, uint32_t> most{0, 0};
+    for (uint32_t j = 0; j < c_.joints.size(); ++j) {
+      all += strong_vertices_[j];
+      if (strong_vertices_[j] == 0) continue;
+      for (uint32_t other = 0; other < c_.joints.size(); ++other) {
+        if (other == j || strong_vertices_[other] == 0 || c_.joints[j].parent != c_.joints[other].parent) continue;
+        const Vec3 &a = c_.joints[j].position, &b = c_.joints[other].position;
+        if (std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y), static_cast<double>(a.z - b.z)) >
+            kSamePlace * side)
+          continue;
+        shared += strong_vertices_[j];
+        if (most.first == most.second || strong_vertices_[j] > strong_vertices_[most.first]) most = {j, other};
+        break;
+      }
+    }
+    if (all == 0 || static_cast<double>(shared) < kSharedVertices * static_cast<double>(all)) return;
+    shared_ = static_cast<double>(shared) / static_cast<double>(all);
+    add("shared-place", most.first, most.second, {});
+  }
+
   std::string describe(const LabelFinding& f) const {
     const std::string joint = "'" + c_.joints[f.joint].name + "'", better = "'" + c_.joints[f.better].name + "'";
     if (f.code == "idle-twin")
       return "joint " + joint + " has no weight, but its mirror twin " + better + " holds " +
              std::to_string(strong_vertices_[f.better]) + " vertices";
+    if (f.code == "shared-place")
+      return print(
+                 "%.0f %% of the vertices are bound to joints that stand where another child of their parent does, as ",
+                 100 * shared_) +
+             joint + " and " + better + ": nothing tells which holds what";
     const std::string count =
         std::to_string(f.vertices.size()) + (f.vertices.size() == 1 ? " vertex" : " vertices") + " bound to " + joint;
     std::string text;
@@ -315,6 +356,7 @@ class Labels {
   std::vector<uint32_t> twins_, dominant_, welded_, nearest_;
   std::vector<Row> rows_;
   std::vector<double> nearest_distance_, usual_;
+  double shared_ = 0;  // of the vertices, on joints that share their place
   std::vector<std::vector<uint32_t>> neighbours_;
   std::vector<size_t> strong_vertices_;
   std::vector<uint8_t> has_weight_, flagged_;

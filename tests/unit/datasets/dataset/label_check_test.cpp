@@ -166,5 +166,40 @@ TEST(LabelCheck, FindingsAreWarningsOfTheCheckWithTheirVertices) {
   EXPECT_EQ(found->vertices, std::vector<uint32_t>{v});
 }
 
+TEST(LabelCheck, JointsThatNothingTellsApartAreFound) {
+  Character c;  // three flat joints, one triangle each
+  c.name = "boxes";
+  c.joints = {{"root", {0, 0, 0}, -1}, {"a", {1, 0, 0}, 0}, {"b", {1, 0, 0}, 0}, {"c", {3, 0, 0}, 0}};
+  for (uint32_t j = 1; j < 4; ++j) {
+    const float x = static_cast<float>(j);
+    for (const Vec3& p : {Vec3{x, 0, 0}, Vec3{x, 1, 0}, Vec3{x, 0, 1}}) {
+      c.vertices.push_back(p);
+      c.influences.push_back({{j, 1.0f}});
+    }
+  }
+  c.face_offsets = {0, 3, 6, 9};
+  c.face_vertices = {0, 1, 2, 3, 4, 5, 6, 7, 8};
+  const auto shared = [](const Character& character) {
+    std::vector<LabelFinding> out;
+    for (const LabelFinding& f : check_labels(character))
+      if (f.code == "shared-place") out.push_back(f);
+    return out;
+  };
+  const std::vector<LabelFinding> findings = shared(c);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].text,
+            "67 % of the vertices are bound to joints that stand where another child of their parent does, as 'a' and "
+            "'b': nothing tells which holds what");
+  Character chain = c;
+  chain.joints[2].parent = 1;
+  EXPECT_TRUE(shared(chain).empty()) << "a parent and its child are told apart by the hierarchy";
+  Character apart = c;
+  apart.joints[2].position = {2, 0, 0};
+  EXPECT_TRUE(shared(apart).empty());
+  Character idle = c;
+  for (size_t v = 3; v < 6; ++v) idle.influences[v] = {{3, 1.0f}};
+  EXPECT_TRUE(shared(idle).empty()) << "a control bone at the place of another holds nothing";
+}
+
 }  // namespace
 }  // namespace sinew

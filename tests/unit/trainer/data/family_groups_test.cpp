@@ -20,11 +20,15 @@ TEST(FamilyGroups, TheRuleStripsDigitsAndKeepsMakeHumanTogether) {
 
 TEST(FamilyGroups, AFileOverrulesTheRule) {
   const TempFolder folder;
-  const FamilyGroups groups = read_family_groups(
-      folder.write("groups.json", R"({"groups": {"men": ["q_men", "q_knight"]}, "apart": ["men"]})"));
+  const FamilyGroups groups =
+      read_family_groups(folder.write("groups.json", R"({"groups": {"men": ["q_men", "q_knight"]}, "apart": ["men"],
+          "means": {"people": ["men", "women"]}})"));
   EXPECT_EQ(groups.group("q_knight"), "men");
   EXPECT_EQ(groups.group("q_men19"), "q_men");
   EXPECT_EQ(groups.apart, std::set<std::string>{"men"});
+  EXPECT_EQ(groups.means.at("people"), (std::set<std::string>{"men", "women"}));
+  EXPECT_ERROR(read_family_groups(folder.write("m.json", R"({"means": {"people": []}})")), "mean people",
+               "at least one group");
   EXPECT_ERROR(read_family_groups(folder.write("a.json", R"({"groups": {"a": ["x"], "b": ["x"]}})")), "a.json",
                "group b", "x is in a too");
   EXPECT_ERROR(read_family_groups(folder.write("b.json", R"({"group": {}})")), "unknown key \"group\"");
@@ -36,6 +40,8 @@ TEST(FamilyGroups, TheShippedFileIsReadable) {
   const FamilyGroups groups = read_family_groups(SINEW_SOURCE_DIR "/trainer/configs/groups.json");
   EXPECT_EQ(groups.group("q_man17"), groups.group("q_men"));
   EXPECT_EQ(groups.apart.count(groups.group("mh_train")), 1u);
+  EXPECT_EQ(groups.means.at("old").count(groups.group("q_man17")), 1u);
+  EXPECT_EQ(groups.means.at("old").count(groups.group("rocketbox")), 0u);
 }
 
 TEST(Folds, KeepGroupsWholeAndHoldAboutAsManyFamilies) {

@@ -27,6 +27,7 @@ CrossvalReport two_seeds() {
     report.seeds.push_back(seed);
   }
   report.apart = {"mh"};
+  report.means = {{"old", {"men", "tank"}}, {"unseen", {"none"}}};
   return report;
 }
 
@@ -40,6 +41,11 @@ TEST(CrossvalReport, MeansCountEachFamilyOnce) {
   EXPECT_EQ(m.worse, 1u);
   EXPECT_EQ(m.worst_family, "tank");
   EXPECT_NEAR(m.worst_difference, 0.11, 1e-12);
+  ASSERT_EQ(m.named.size(), 1u) << "a mean without families is not shown";
+  EXPECT_EQ(m.named[0].name, "old");
+  EXPECT_EQ(m.named[0].characters, 5u);
+  EXPECT_NEAR(m.named[0].figures.l1, (0.21 + 1.11) / 2, 1e-12);
+  EXPECT_EQ(m.named[0].worst_family, "tank");
   EXPECT_NEAR(m.spread, 0.02, 1e-12);
   EXPECT_NEAR(m.val.l1, 0.25, 1e-12) << "mean of 4 characters";
   EXPECT_NEAR(m.val_families.l1, 0.2, 1e-12);
@@ -58,6 +64,8 @@ TEST(CrossvalReport, JsonComesBackAndCompares) {
   for (CrossvalSeed& seed : other.seeds) seed.families.pop_back();
   const std::string same = crossval_comparison({report, back}), different = crossval_comparison({report, other});
   EXPECT_NE(same.find("| a\\|b | 2 | 0.6100 ± 0.0100 | 3.7 %"), std::string::npos) << same;
+  EXPECT_NE(same.find("| 0.6600 | -1.5 % | tank +0.110 |"), std::string::npos) << same;
+  EXPECT_NE(crossval_markdown(report).find("| **mean of the 2 of old** | | 5 | 0.660 | 0.650 |"), std::string::npos);
   EXPECT_EQ(same.find("Not comparable"), std::string::npos);
   EXPECT_NE(different.find("Not comparable: fewer has 2 families"), std::string::npos) << different;
   EXPECT_ERROR(read_crossval(folder.write("x.json", "{}")), "x.json", "not written by sinew crossval");

@@ -20,9 +20,11 @@ TEST(TrainConfig, WhatIsWrittenIsRead) {
   config.seed = 1234567890123ull;
   config.feature_dropout = 0.25;
   config.without = {"pair.soft*", "vertex.normal_up"};
+  config.leave_out = {{"f__1", "one foot is bound to the shin"}, {"g__*", "joints at one place"}};
   const std::string json = train_config_json(config);
   EXPECT_EQ(train_config_json(parse_train_config(json, "test")), json);
   EXPECT_EQ(parse_train_config(json, "test").seed, 1234567890123ull);
+  EXPECT_EQ(parse_train_config(json, "test").leave_out, config.leave_out);
   EXPECT_EQ(train_config_json(parse_train_config("{}", "test")), train_config_json(TrainConfig()));
 }
 
@@ -55,6 +57,8 @@ TEST(TrainConfig, ErrorsNameFileAndKey) {
       {R"({"field": {"widht": 3}})", "field.widht"},
       {R"({"field": 3})", "field"},
       {R"({"steps": "many"})", "steps"},
+      {R"({"leave_out": ["f__1"]})", "leave_out"},
+      {R"({"leave_out": {"f__1": 3}})", "leave_out: f__1"},
       {R"({"steps": -1})", "steps"},
       {R"({"batch": 1.5})", "batch"},
       {R"({"batch": 99999999999})", "batch"},

@@ -51,6 +51,7 @@ TEST(Measure, EndJointsFoldAndTiesCount) {
   EXPECT_DOUBLE_EQ(m.precision, 1);
   EXPECT_DOUBLE_EQ(m.recall, 0.75);
   EXPECT_NEAR(m.l1, 1.0 / 3, 1e-7);
+  EXPECT_NEAR(m.l1_file, (0 + 1 + 0.5) / 3, 1e-7) << "a quarter of vertex 2 lies on e";
   EXPECT_DOUBLE_EQ(m.bad, 1.0 / 3);
   EXPECT_DOUBLE_EQ(m.argmax, 1);
   EXPECT_DOUBLE_EQ(m.influences, 1);
@@ -76,7 +77,9 @@ TEST(Measure, ABoundLeafIsNoEnd) {
   Character c = strip();
   c.influences[2] = {{1, 0.9f}, {2, 0.1f}};
   EXPECT_EQ(fold_targets(c), (std::vector<uint32_t>{0, 1, 2}));
-  EXPECT_NEAR(measure(c, off(), c.name).l1, (0 + 1 + 0.3) / 3, 1e-6);
+  const Metrics m = measure(c, off(), c.name);
+  EXPECT_NEAR(m.l1, (0 + 1 + 0.3) / 3, 1e-6);
+  EXPECT_DOUBLE_EQ(m.l1_file, m.l1) << "there is nothing to fold";
 }
 
 TEST(Measure, AnEmptyRowCountsOneAndStays) {
@@ -122,6 +125,7 @@ TEST(Measure, RefusesWhatDoesNotFit) {
 Metrics with_l1(double l1, double seconds, size_t vertices) {
   Metrics m;
   m.l1 = l1;
+  m.l1_file = 1.5 * l1;
   m.seconds = seconds;
   m.vertices = vertices;
   return m;
@@ -145,19 +149,22 @@ TEST(Scores, MeansOverCharactersAndOverFamilies) {
   EXPECT_TRUE(summarise({}).characters.empty());
 }
 
-TEST(Scores, MarkdownHasTheYardsticksColumns) {
+TEST(Scores, MarkdownHasTheYardsticksColumnsAndTheFigureOfTheFile) {
   Scores s = four();
   s.failures["c__9"] = "no prediction";
   const std::string text = scores_markdown("our|binder", s);
-  EXPECT_NE(text.find("| method | n | prec % | rec % | L1 | avg dist | max dist | argmax % | KL | L1>0.5 % | fail | "
-                      "s/char | s/1k vert |\n"),
-            std::string::npos);
   EXPECT_NE(
-      text.find("| our\\|binder | 4 | 0.0 | 0.0 | 0.250 | 0.0000 | 0.000 | 0.0 | 0.00 | 0.0 | 1 | 2.00 | 2.00 |\n"),
+      text.find("| method | n | prec % | rec % | L1 | L1 in file | avg dist | max dist | argmax % | KL | L1>0.5 % | "
+                "fail | s/char | s/1k vert |\n"),
+      std::string::npos);
+  EXPECT_NE(
+      text.find(
+          "| our\\|binder | 4 | 0.0 | 0.0 | 0.250 | 0.375 | 0.0000 | 0.000 | 0.0 | 0.00 | 0.0 | 1 | 2.00 | 2.00 |\n"),
       std::string::npos)
       << text;
   EXPECT_NE(text.find("**mean of the 3 families**"), std::string::npos);
-  EXPECT_NE(text.find("| our\\|binder | 0 | - | - | - | - | - | - | - | - | 1 | - | - |\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("| our\\|binder | 0 | - | - | - | - | - | - | - | - | - | 1 | - | - |\n"), std::string::npos)
+      << text;
 }
 
 TEST(Scores, JsonHoldsEveryNumber) {
@@ -165,6 +172,7 @@ TEST(Scores, JsonHoldsEveryNumber) {
   s.failures["c__9"] = "a \"quoted\" note";
   const auto json = nlohmann::json::parse(scores_json("x", s)).at("x");
   EXPECT_DOUBLE_EQ(json.at("all").at("l1"), 0.25);
+  EXPECT_DOUBLE_EQ(json.at("all").at("l1_file"), 0.375);
   EXPECT_EQ(json.at("all").at("characters"), 4);
   EXPECT_DOUBLE_EQ(json.at("all").at("seconds_per_1000"), 2);
   EXPECT_DOUBLE_EQ(json.at("families").at("b").at("l1"), 0.4);
