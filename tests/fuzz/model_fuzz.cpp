@@ -69,8 +69,9 @@ bool open_and_judge(const uint8_t* data, size_t size) {
     return false;
   }
   demand(model.bytes == file.data() && model.size_bytes == size && model.candidate_count >= 1 &&
-             model.candidate_count <= SINEW_MAX_CANDIDATES && (model.grid_size == 0 || (model.grid_size >= 16 && model.grid_size <= 128)) &&
-             model.layer_count >= 1 && model.parameter_count <= size,
+             model.candidate_count <= SINEW_MAX_CANDIDATES &&
+             (model.grid_size == 0 || (model.grid_size >= 16 && model.grid_size <= 128)) && model.layer_count >= 1 &&
+             model.parameter_count <= size,
          "an opened model's figures are in their ranges");
   bind_with(model);
   return true;

@@ -46,6 +46,11 @@ TEST_F(Cli, BindListsQuestionsAndTakesTheirAnswers) {
   EXPECT_NE(lines.out.find("answer with --answer " + std::to_string(part) + "=rigid:"), std::string::npos) << lines.out;
 }
 
+TEST_F(Cli, SoftIsWhatHeatSays) {
+  const std::string snake = "bind " + kSnake + " --skeleton " + kSnakeRig + " --json -o out.glb ";  // in one piece
+  EXPECT_EQ(json_of(run(snake + "--answer 5=soft"))["hash"], json_of(run(snake + "--method heat"))["hash"]);
+}
+
 TEST_F(Cli, AskReadsAnswersAndDrawsEveryPart) {
   // A number that there is not, a joint that there is not, then the second alternative; as proposed; no third.
   const Outcome asked = run("bind " + kRobot + " --ask --json -o out.glb", "99\nrigid:nose\n2\n\nq\n");

@@ -87,13 +87,21 @@ struct Skin {
   uint32_t symmetric_vertices = 0;  // with options.symmetric
 };
 
+// What a bind asks, see sinew_bind_outputs.
+struct Asked {
+  std::vector<sinew_question> questions;                 // by falling gain
+  std::vector<uint32_t> vertex_questions, vertex_parts;  // [vertex_count]
+};
+
 // sinew_bind() with the size query, the workspace and the outputs taken care of. options.weight_format is set from
 // Weight. With options.locked or options.hints *skin is input too and must hold vertex_count rows of the wanted
-// influence count (else SINEW_ERROR_ARGUMENT). *confidence gets a value a vertex, unless it is null. Returns what
-// sinew_bind() does; SINEW_ERROR_WORKSPACE where memory is short. *skin is untouched on failure, *confidence undefined.
+// influence count (else SINEW_ERROR_ARGUMENT). *confidence gets a value a vertex, unless it is null. With
+// options.question_count *asked must be there (else SINEW_ERROR_ARGUMENT). Returns what sinew_bind() does;
+// SINEW_ERROR_WORKSPACE where memory is short. *skin is untouched on failure, *confidence and *asked are undefined.
 template <class Weight>
 sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_skeleton& skeleton, Options options,
-                  Workspace* workspace, Skin<Weight>* skin, std::vector<uint8_t>* confidence = nullptr) {
+                  Workspace* workspace, Skin<Weight>* skin, std::vector<uint8_t>* confidence = nullptr,
+                  Asked* asked = nullptr) {
   options.weight_format = WeightFormat<Weight>::value;
   size_t bytes = 0;
   const sinew_status status = sinew_bind_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count,
@@ -106,9 +114,18 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
   const auto run = [&](Skin<Weight>& rows) {
     sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joints.data(), rows.weights.data());
     if (confidence != nullptr) outputs.confidence = confidence->data();
+    if (asked != nullptr && options.question_count > 0) {
+      asked->questions.resize(options.question_count);
+      asked->vertex_questions.resize(mesh.vertex_count);
+      asked->vertex_parts.resize(mesh.vertex_count);
+      outputs.questions = asked->questions.data();
+      outputs.vertex_questions = asked->vertex_questions.data();
+      outputs.vertex_parts = asked->vertex_parts.data();
+    }
     const sinew_status bound =
         sinew_bind(model, &mesh, &skeleton, &options, workspace->data(), workspace->size(), &outputs);
     if (bound == SINEW_OK) rows.symmetric_vertices = outputs.symmetric_vertices;
+    if (bound == SINEW_OK && asked != nullptr) asked->questions.resize(outputs.questions_written);
     return bound;
   };
   if (skin->influence_count == influences && skin->joints.size() == values && skin->weights.size() == values) {

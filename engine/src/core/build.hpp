@@ -28,4 +28,11 @@ constexpr bool kHasPackedWeights = !kSmallCode;
 #define SINEW_ONCE
 #endif
 
+// A function for size instead of speed: what a bind does at most once, and only where it was asked to.
+#if defined(__GNUC__)
+#define SINEW_RARE [[gnu::noinline, gnu::cold]]
+#else
+#define SINEW_RARE
+#endif
+
 #endif

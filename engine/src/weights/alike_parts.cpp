@@ -24,7 +24,7 @@ struct Scratch {
   }
 };
 
-void measure_part(const Mesh& mesh, uint32_t part, AlikeParts* alike) {
+SINEW_RARE void measure_part(const Mesh& mesh, uint32_t part, AlikeParts* alike) {
   const uint32_t begin = mesh.part_offsets[part], end = mesh.part_offsets[part + 1];
   Vec3l sum = {0, 0, 0};
   for (uint32_t i = begin; i < end; ++i) {
@@ -54,7 +54,7 @@ bool AlikeParts::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts, Arena& arena, AlikeParts* alike) {
+SINEW_RARE sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts, Arena& arena, AlikeParts* alike) {
   const ArenaScope scope(arena);
   Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
@@ -98,8 +98,8 @@ sinew_status find_alike_parts(const Mesh& mesh, const Counts& counts, Arena& are
   return SINEW_OK;
 }
 
-uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alike, const uint16_t* favourites, uint16_t joint,
-                     uint32_t from, uint32_t to) {
+SINEW_RARE uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alike, const uint16_t* favourites,
+                                uint16_t joint, uint32_t from, uint32_t to) {
   if (from == to) return joint;
   const uint32_t wanted = distance(skeleton, joint, alike.centre[from]);
   uint32_t least = difference(distance(skeleton, joint, alike.centre[to]), wanted);

@@ -59,7 +59,7 @@ void set_single(uint16_t joint, Row* row) {
 }
 
 // Twice as soft: what a softmax gives for logits half as far apart, the roots of the weights.
-void soften(Row* row) {
+SINEW_RARE void soften(Row* row) {
   uint64_t sum = 0;
   for (uint32_t& weight : row->weights) {
     weight = isqrt64(static_cast<uint64_t>(weight) << 16);
@@ -69,7 +69,7 @@ void soften(Row* row) {
 }
 
 // Sum over joints of |a - b|, Q16.
-uint32_t row_distance(const Row& a, const Row& b) {
+SINEW_RARE uint32_t row_distance(const Row& a, const Row& b) {
   uint32_t sum = 0;
   for (uint32_t i = 0; i < kRowSlots; ++i) {
     if (a.joints[i] == kNoJoint) continue;
@@ -90,7 +90,7 @@ class PartQuestions {
   PartQuestions(const Prediction& prediction, const GivenRows& given, const Scratch& scratch, Rows* rows)
       : p_(prediction), mesh_(prediction.mesh), given_(given), s_(scratch), rows_(*rows) {}
 
-  void survey() {
+  SINEW_RARE void survey() {
     memset(s_.sums, 0, p_.skeleton.joint_count * sizeof(uint64_t));
     for (uint32_t part = 0; part < mesh_.part_count; ++part) {
       s_.answers[part] = {kNoAnswer, 0};
@@ -105,7 +105,7 @@ class PartQuestions {
     }
   }
 
-  void take(const sinew_answer* answers, uint32_t count) {
+  SINEW_RARE void take(const sinew_answer* answers, uint32_t count) {
     for (uint32_t i = 0; i < count; ++i) {
       const uint32_t named = mesh_.part[mesh_.vertex_to_welded[answers[i].vertex]];
       const auto put = [&](uint32_t part) {
@@ -122,7 +122,7 @@ class PartQuestions {
   }
 
   // Hosts have lower numbers than what they carry, so that their rows are final when they are read.
-  void apply() {
+  SINEW_RARE void apply() {
     for (uint32_t part = 0; part < mesh_.part_count; ++part) {
       const Answer answer = s_.answers[part];
       if (answer.kind == kNoAnswer || answer.kind == SINEW_ANSWER_PROPOSED) continue;
@@ -135,7 +135,7 @@ class PartQuestions {
     }
   }
 
-  void ask(uint32_t most, Questions* out) {
+  SINEW_RARE void ask(uint32_t most, Questions* out) {
     uint32_t groups = 0;
     for (uint32_t part = 0; part < mesh_.part_count; ++part) {
       out->of_part[part] = SINEW_NO_QUESTION;
@@ -189,17 +189,17 @@ class PartQuestions {
     return joints[best];
   }
   // Adds what the part's rows give to every joint, or with factor 0 makes those sums 0 again.
-  void add_sums(uint32_t part, uint64_t factor) const {
+  SINEW_RARE void add_sums(uint32_t part, uint64_t factor) const {
     for_vertices(part, [&](uint32_t v) { add_row(v, factor); });
   }
-  void add_row(uint32_t v, uint64_t factor) const {
+  SINEW_RARE void add_row(uint32_t v, uint64_t factor) const {
     for (uint32_t i = 0; i < kRowSlots; ++i) {
       const uint16_t joint = rows_.joints_of(v)[i];
       if (joint != kNoJoint) s_.sums[joint] = factor * (s_.sums[joint] + rows_.weights_of(v)[i]);
     }
   }
   // The joint with the largest sum (ties: the lower) among those of the part's rows, or kNoJoint.
-  uint16_t favourite(uint32_t part, uint64_t* sum) const {
+  SINEW_RARE uint16_t favourite(uint32_t part, uint64_t* sum) const {
     uint16_t best = kNoJoint;
     *sum = 0;
     for_vertices(part, [&](uint32_t v) {
@@ -213,14 +213,14 @@ class PartQuestions {
     return best;
   }
 
-  uint64_t doubt_of(uint32_t first) const {
+  SINEW_RARE uint64_t doubt_of(uint32_t first) const {
     uint64_t sum = 0;
     for_open(first, [&](uint32_t part) { sum += s_.doubts[part]; });
     return sum;
   }
 
   // The row of a vertex by an answer. Reads the rows of the vertex and, for a host, of its host.
-  void answered(uint32_t v, uint32_t kind, uint16_t joint, Row* row) const {
+  SINEW_RARE void answered(uint32_t v, uint32_t kind, uint16_t joint, Row* row) const {
     if (kind == SINEW_ANSWER_RIGID) return set_single(joint, row);
     if (kind == SINEW_ANSWER_HARD) return set_single(strongest(v), row);
     if (kind == SINEW_ANSWER_SOFT) {
@@ -237,7 +237,7 @@ class PartQuestions {
   }
 
   // Joints that a part could move with: its likeliest ones, the parent of the likeliest, and its host's likeliest.
-  uint32_t rigid_joints(uint32_t part, uint16_t* joints) const {
+  SINEW_RARE uint32_t rigid_joints(uint32_t part, uint16_t* joints) const {
     uint32_t count = 0;
     const auto add = [&](uint16_t joint) {
       if (joint == kNoJoint || count == kRigidAlternatives) return;
@@ -260,7 +260,7 @@ class PartQuestions {
   }
 
   // The joint with most weight over the part's hosts.
-  uint16_t host_favourite(uint32_t part) const {
+  SINEW_RARE uint16_t host_favourite(uint32_t part) const {
     if (part == 0) return kNoJoint;
     for_vertices(part, [&](uint32_t v) { add_row(s_.host_vertex[v], 1); });
     uint16_t best = kNoJoint;
@@ -278,7 +278,7 @@ class PartQuestions {
   }
 
   // Mean over the question's open parts of what the alternative changes, Q16.
-  uint32_t change(uint32_t named, uint32_t kind, uint16_t joint) const {
+  SINEW_RARE uint32_t change(uint32_t named, uint32_t kind, uint16_t joint) const {
     uint64_t sum = 0, vertices = 0;
     for_open(named, [&](uint32_t part) {
       const uint16_t own = kind == SINEW_ANSWER_RIGID
@@ -296,7 +296,7 @@ class PartQuestions {
   }
 
   // Question about the parts alike `first` that are open; `vertex` is the number of the part for now.
-  void describe(uint32_t first, sinew_question* question) const {
+  SINEW_RARE void describe(uint32_t first, sinew_question* question) const {
     *question = sinew_question{};
     uint64_t vertices = 0;
     uint32_t named = AlikeParts::kNoPart;
@@ -320,7 +320,7 @@ class PartQuestions {
     for (uint32_t i = 0; i < rigid; ++i) add(named, SINEW_ANSWER_RIGID, joints[i], question);
     for (const uint32_t kind : kBlends) add(named, kind, 0, question);
   }
-  void add(uint32_t named, uint32_t kind, uint16_t joint, sinew_question* question) const {
+  SINEW_RARE void add(uint32_t named, uint32_t kind, uint16_t joint, sinew_question* question) const {
     if (kind == SINEW_ANSWER_HOST && named == 0) return;
     const uint32_t changed = change(named, kind, joint);
     if (changed < kLeastChange) return;

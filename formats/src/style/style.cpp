@@ -50,9 +50,7 @@ class Places {
   double side_;
 };
 
-double away(const Place& a, const Place& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+double away(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 // Looks of all parts; `joint` is left empty.
 std::vector<PartLook> look_at_parts(const Character& character, const std::vector<uint32_t>& vertex_parts) {

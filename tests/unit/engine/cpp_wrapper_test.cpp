@@ -96,6 +96,24 @@ TEST(CppWrapper, KeepsLockedRowsAndWantsThem) {
   EXPECT_EQ(skin.joints[18], 1);
 }
 
+TEST(CppWrapper, AsksAndWantsAPlaceForIt) {
+  const MeshScene scene = bar();
+  sinew::Options options;
+  options.method = SINEW_METHOD_HEAT;
+  options.question_count = 5;
+  sinew::Workspace workspace;
+  sinew::Skin<uint16_t> skin;
+  EXPECT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin),
+            SINEW_ERROR_ARGUMENT);
+  sinew::Asked asked;
+  ASSERT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin, nullptr, &asked),
+            SINEW_OK);
+  ASSERT_EQ(asked.questions.size(), 1u);  // the bar is in one piece
+  EXPECT_EQ(asked.questions[0].vertex_count, scene.vertex_count());
+  EXPECT_EQ(asked.vertex_questions, std::vector<uint32_t>(scene.vertex_count(), 0));
+  EXPECT_EQ(asked.vertex_parts, std::vector<uint32_t>(scene.vertex_count(), 0));
+}
+
 TEST(CppWrapper, WorkspaceGrowsAndMoves) {
   sinew::Workspace workspace(100);
   EXPECT_EQ(workspace.size(), 100u);
