@@ -88,7 +88,8 @@ std::vector<std::string> summary_lines(const BindSummary& s) {
   }
   if (!s.doubts.vertices.empty()) lines.push_back(doubts_text(s.doubts));
   if (s.answers > 0)
-    lines.push_back(print("%zu answers about parts taken, %zu from the style file", s.answers, s.answers_by_style));
+    lines.push_back(
+        print("answers about parts taken: %zu, of these from the style file: %zu", s.answers, s.answers_by_style));
   for (const AskedPart& part : s.questions) lines.push_back(question_text(part));
   if (!s.questions.empty())
     lines.push_back(print("answer with --answer %u=%s and so on, any joint: --answer %u=rigid:JOINT",
