@@ -7,6 +7,7 @@ const lower = (name) => name.toLowerCase();
 export const isMesh = (name) => meshEndings.some((ending) => lower(name).endsWith(ending));
 export const isRig = (name) => lower(name).endsWith(".txt");
 export const isModel = (name) => lower(name).endsWith(".sinew");
+export const isStyle = (name) => lower(name).endsWith(".style");
 const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl)$/.test(lower(name)); // parts of a .gltf or .obj
 
 export function stem(name) {
@@ -14,14 +15,15 @@ export function stem(name) {
 }
 
 // names: of the files now dropped. waiting: {mesh, rig} names of earlier files that still lack their other half.
-// Returns {characters: [{name, mesh, skeleton}], model, waiting, problems: [one line each]}.
+// Returns {characters: [{name, mesh, skeleton}], model, style, waiting, problems: [one line each]}.
 export function pairFiles(names, waiting = {}) {
   const problems = [];
-  const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isBeside(n));
+  const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isBeside(n));
   for (const name of others) {
-    problems.push(`${name}: expected .obj with .rig.txt, .glb, .gltf, .vrm or .sinew, found another kind of file`);
+    problems.push(`${name}: expected .obj with .rig.txt, .glb, .gltf, .vrm, .sinew or .style, found another kind of file`);
   }
   const models = names.filter(isModel);
+  const styles = names.filter(isStyle);
   const meshes = names.filter(isMesh);
   const rigs = names.filter(isRig);
   if (waiting.mesh && rigs.length > 0 && meshes.length === 0) meshes.push(waiting.mesh);
@@ -50,8 +52,8 @@ export function pairFiles(names, waiting = {}) {
     if (lonely.length === 1) next.mesh = lonely[0];
     if (free.length === 1) next.rig = free[0];
   }
-  if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length === 0) {
+  if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length + styles.length === 0) {
     problems.push(`${names[0]}: holds no mesh; drop an .obj with its .rig.txt, or a .glb`);
   }
-  return { characters, model: models[0] ?? "", waiting: next, problems };
+  return { characters, model: models[0] ?? "", style: styles[0] ?? "", waiting: next, problems };
 }

@@ -3,6 +3,7 @@
 import { Engine } from "./engine.js";
 import { pairFiles } from "./files.js";
 import { Pose } from "./pose.js";
+import { partName, Questions } from "./questions.js";
 import { View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
@@ -19,15 +20,20 @@ const samples = [
   { name: "snake__long", files: ["snake__long.obj", "snake__long.rig.txt"] },
 ];
 const modes = { joints: 0, field: 1, doubt: 2 };
+const asked = [240, 120, 20]; // sRGB of the part that a question is about, as in the command's pictures
+const dimmed = [52, 58, 67]; // and what the rest fades to
+const lookMilliseconds = 90; // the pointer stays that long on what is shown
 
 const engine = new Engine();
 let view;
 let facts = {}; // of module and model
-let open = []; // characters that were dropped together: {name, mesh, skeleton}
+let open = []; // characters that were dropped together: {name, mesh, skeleton, answers, style}
 let waiting = {}; // a mesh or a rig that still lacks its other half
 let character = null; // what the module has loaded, with its bind result
 let pose = null;
 let mode = modes.joints;
+let questions;
+let style = null; // {name}: answers for the characters from now on
 
 // ---- one thing after another
 
@@ -74,6 +80,7 @@ async function openFiles(list) {
   const found = pairFiles(names, waiting);
   waiting = found.waiting;
   if (found.model !== "") await useModel(found.model);
+  if (found.style !== "") await useStyle(found.style);
   if (found.characters.length > 0) {
     const before = open;
     open = found.characters;
@@ -87,7 +94,8 @@ async function openFiles(list) {
     $("sample").value = "";
     const kept = new Set([...names, ...open.flatMap((c) => [c.mesh, c.skeleton])]);
     await engine.call("remove", { names: before.flatMap((c) => [c.mesh, c.skeleton]).filter((n) => n && !kept.has(n)) });
-  } else if (found.model !== "" && character) {
+  } else if ((found.model !== "" || found.style !== "") && character) {
+    await useStyleAnswers();
     await bind();
   }
   if (found.problems.length > 0) throw new Error(found.problems.join("; "));
@@ -109,28 +117,49 @@ async function useModel(file) {
   facts = { ...facts, model, modelName: file };
 }
 
-async function load({ name, mesh, skeleton }) {
+async function load(source) {
+  const { name, mesh, skeleton } = source;
   const upAxis = Number($("up").value);
   const loaded = await engine.call("load", { mesh, skeleton });
   // From here on the module has the new character, whether it can be bound or not.
-  character = { ...loaded, name, upAxis, result: null };
+  character = { ...loaded, name, upAxis, source, result: null };
+  source.answers ??= [];
   pose = new Pose(loaded.joints.length);
+  lookNowhere();
   view.setCharacter({ ...loaded.buffers, joints: loaded.joints, upAxis });
   mode = modes.joints;
   $("search").value = "";
   showCharacters();
   listJoints();
+  listQuestions();
   showPose();
+  await useStyleAnswers();
   await bind();
 }
 
-async function bind() {
+const how = () => ({ method: Number($("method").value), upAxis: character.upAxis });
+const asNumbers = (answers) => answers.map(({ question, kind, joint }) => [question.part, kind, joint]);
+
+// answers: those of the character from now on, if they can be had. focus: see Questions.show().
+async function bind(answers = character.source.answers, focus) {
+  const before = answers === character.source.answers ? null : character.result;
+  lookNowhere();
   character.result = null;
   showFacts();
   const started = performance.now();
-  const result = await whileBinding(() => engine.call("bind", { method: Number($("method").value), upAxis: character.upAxis }));
-  character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
-  showFacts();
+  try {
+    const result = await whileBinding(() => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
+    character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
+    result.questions.forEach((question, number) => (question.members = { of: result.buffers.vertexQuestions, number }));
+    character.source.answers = answers;
+  } catch (error) {
+    character.result = before;
+    if (before) await engine.call("endPreview").then(colour);
+    throw error;
+  } finally {
+    showFacts();
+    listQuestions(focus);
+  }
   listJoints();
   await colour();
   await sendPose();
@@ -147,7 +176,20 @@ async function colour() {
   showLegend();
   if (!character?.result) return;
   const { buffers } = await engine.call("colour", { mode, joint: Math.max(0, view.selected) });
-  view.setColours(buffers.colours);
+  view.setColours(emphasised(buffers.colours));
+}
+
+// The part that is looked at, orange where it is only asked about, and the rest dimmed.
+function emphasised(colours) {
+  if (!shownLook) return colours;
+  const { of, number: wanted } = shownLook.question.members;
+  const { vertexOf } = character.buffers;
+  const isAsked = shownLook.answer === undefined;
+  return colours.map((c, i) => {
+    const axis = i % 3;
+    if (of[vertexOf[(i - axis) / 3]] !== wanted) return 0.15 * c + 0.85 * dimmed[axis];
+    return isAsked ? asked[axis] : c;
+  });
 }
 
 function showLegend() {
@@ -158,8 +200,8 @@ function showLegend() {
     [modes.doubt]: ["Doubt about the strongest joint", "sure", "look here"],
   }[mode];
   $("legend").hidden = !character;
-  $("legend").querySelector("figcaption").textContent = caption;
-  $("legend").querySelector(".scale").hidden = mode === modes.joints;
+  $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
+  $("legend").querySelector(".scale").hidden = mode === modes.joints || Boolean(shownLook && shownLook.answer === undefined);
   $("legend").querySelector(".low").textContent = low;
   $("legend").querySelector(".high").textContent = high;
 }
@@ -263,6 +305,105 @@ function showFacts() {
   $("download").disabled = !character?.result;
 }
 
+// ---- questions and answers
+
+let look = null; // what the pointer or the keyboard is on in the list of questions
+let shownLook = null; // what of that is shown
+let lookTimer = 0;
+let previewing = false; // the module shows a preview
+
+function lookAt(wanted) {
+  if (wanted === look) return;
+  look = wanted;
+  clearTimeout(lookTimer);
+  lookTimer = setTimeout(() => {
+    lookTimer = 0;
+    run(showLook);
+  }, lookMilliseconds);
+}
+
+// What a bind brings ends what was looked at.
+function lookNowhere() {
+  look = shownLook = null;
+  previewing = false;
+}
+
+async function showLook() {
+  if (look === shownLook || !character?.result) return;
+  const wanted = look;
+  const isPreview = wanted?.answer !== undefined && !character.source.answers.includes(wanted);
+  const wasPreview = previewing;
+  if (isPreview) {
+    await engine.call("preview", { ...how(), answers: asNumbers([...character.source.answers, wanted]) });
+  } else if (wasPreview) {
+    await engine.call("endPreview");
+  }
+  previewing = isPreview;
+  shownLook = wanted;
+  await colour();
+  if (isPreview || wasPreview) await sendPose();
+}
+
+function lookText() {
+  if (!shownLook) return null;
+  const { question, answer } = shownLook;
+  const alike = question.parts > 1 ? ` in ${question.parts} parts alike` : "";
+  if (answer === undefined) return `Orange: ${partName(question)}, ${number.format(question.vertices)} vertices${alike}`;
+  return `${previewing ? "Preview" : "Answered"}: ${partName(question)} ${answer}${alike}`;
+}
+
+function listQuestions(focus) {
+  const { answers } = character.source;
+  const list = character.result?.questions ?? [];
+  questions.show({ questions: list, answers, joints: character.joints, focus });
+  $("questions-count").textContent = character.result ? `${list.length} open${answers.length ? `, ${answers.length} answered` : ""}` : "";
+  $("style").hidden = !style;
+  const byStyle = answers.filter((answer) => answer.byStyle).length;
+  $("save-style").disabled = !character.result || answers.length === byStyle;
+  const label = $("style").firstElementChild;
+  label.textContent = label.title = style ? `${style.name}: ${byStyle} answers` : "";
+}
+
+function take(answer) {
+  run(() => (clearError(), bind([...character.source.answers, answer], answer.question.part)));
+}
+
+function takeBack(answer) {
+  run(() => (clearError(), bind(character.source.answers.filter((other) => other !== answer), answer.question.part)));
+}
+
+async function useStyle(file) {
+  await engine.call("style", { name: file });
+  style = file === "" ? null : { name: file };
+}
+
+// The style's answers for the character, before its own.
+async function useStyleAnswers() {
+  const { source } = character;
+  if ((source.style ?? null) === style) return;
+  const own = source.answers.filter(({ byStyle }) => !byStyle);
+  const { answers, buffers } = style ? await engine.call("styleAnswers", how()) : { answers: [] };
+  for (const answer of answers) {
+    answer.byStyle = true;
+    answer.question.members = { of: buffers.vertexQuestions, number: answer.number };
+  }
+  source.answers = [...answers, ...own];
+  source.style = style;
+}
+
+async function forgetStyle() {
+  await useStyle("");
+  await useStyleAnswers();
+  await bind();
+}
+
+async function saveStyle() {
+  const own = character.source.answers.filter(({ byStyle }) => !byStyle);
+  const name = `${character.name}.style`;
+  const { buffers } = await engine.call("saveStyle", { ...how(), answers: asNumbers(own), name });
+  save(buffers.bytes, "application/json", name);
+}
+
 // ---- the list of joints
 
 function depth(joint) {
@@ -350,9 +491,13 @@ function undo(forward) {
 
 async function download() {
   const { buffers } = await engine.call("glb", { name: character.name });
+  save(buffers.bytes, "model/gltf-binary", `${character.name}.bound.glb`);
+}
+
+function save(content, type, name) {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([buffers.bytes], { type: "model/gltf-binary" }));
-  link.download = `${character.name}.bound.glb`;
+  link.href = URL.createObjectURL(new Blob([content], { type }));
+  link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
@@ -387,6 +532,13 @@ function listen() {
     const list = [...event.dataTransfer.files];
     run(() => (list.length > 0 ? openFiles(list) : Promise.reject(new Error("the drop held no files"))));
   });
+
+  questions = new Questions($("questions"));
+  questions.onLook = lookAt;
+  questions.onTake = take;
+  questions.onTakeBack = takeBack;
+  $("save-style").onclick = () => run(() => (clearError(), saveStyle()));
+  $("style").lastElementChild.onclick = () => run(() => (clearError(), forgetStyle()));
 
   $("mode").onchange = (event) => setMode(Number(event.target.value));
   $("joints").onclick = (event) => {
@@ -455,6 +607,7 @@ function listen() {
     if (event.key === "Escape") {
       if (document.activeElement === $("search")) $("search").blur();
       else if (!$("error").hidden) clearError();
+      else if (questions.close()) return;
       else choose(-1);
       return;
     }
@@ -507,7 +660,7 @@ window.sinewPage = {
     while (true) {
       const last = queue;
       await last;
-      if (last === queue && !poseRuns) return;
+      if (last === queue && !poseRuns && lookTimer === 0) return;
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
   },

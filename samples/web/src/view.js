@@ -199,6 +199,9 @@ export class View {
   shownPositions() {
     return Array.from(this.#mesh.geometry.getAttribute("position").array);
   }
+  shownColours() {
+    return Array.from(this.#mesh.geometry.getAttribute("color").array);
+  }
   ringUnderPointer() {
     return this.#gizmo.axis !== null;
   }

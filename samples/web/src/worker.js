@@ -8,8 +8,8 @@ import simd from "sinew-simd";
 const simdProbe = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
-const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6 };
-const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array };
+const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7 };
+const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array, vertexQuestions: Uint32Array };
 
 let module;
 let moduleBytes = 0;
@@ -68,6 +68,12 @@ function take(names) {
 // A name out of a dropped folder may hold anything; only its last part becomes a file.
 const plain = (name) => name.split(/[/\\]/).pop();
 
+function readOnce(file) {
+  const bytes = module.FS.readFile(file);
+  module.FS.unlink(file);
+  return bytes;
+}
+
 const calls = {
   start,
   write({ files }) {
@@ -83,8 +89,21 @@ const calls = {
     const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s))));
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
-  bind({ method, upAxis }) {
-    return { ...checked(module._web_bind(method, upAxis)), buffers: take(["strongest"]) };
+  // answers: [[vertex, kind, joint], ...]
+  bind({ method, upAxis, answers }) {
+    const reply = withText(JSON.stringify(answers), (at) => checked(module._web_bind(method, upAxis, at)));
+    return { ...reply, buffers: take(["strongest", "vertexQuestions"]) };
+  },
+  preview: ({ method, upAxis, answers }) => withText(JSON.stringify(answers), (at) => checked(module._web_preview(method, upAxis, at))),
+  endPreview: () => checked(module._web_end_preview()),
+  style: ({ name }) => withText(name && plain(name), (at) => checked(module._web_style(at))),
+  styleAnswers({ method, upAxis }) {
+    return { ...checked(module._web_style_answers(method, upAxis)), buffers: take(["vertexQuestions"]) };
+  },
+  saveStyle({ method, upAxis, answers, name }) {
+    const file = plain(name);
+    withText(JSON.stringify(answers), (a) => withText(file, (f) => checked(module._web_save_style(method, upAxis, a, f))));
+    return { buffers: { bytes: readOnce(file) } };
   },
   colour({ mode, joint }) {
     checked(module._web_colour(mode, joint));
@@ -103,9 +122,7 @@ const calls = {
   glb({ name }) {
     const file = `${plain(name)}.bound.glb`;
     withText(file, (at) => checked(module._web_write_glb(at)));
-    const bytes = module.FS.readFile(file);
-    module.FS.unlink(file);
-    return { buffers: { bytes } };
+    return { buffers: { bytes: readOnce(file) } };
   },
 };
 

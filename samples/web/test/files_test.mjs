@@ -6,7 +6,7 @@ import { pairFiles, stem } from "../src/files.js";
 const character = (name, mesh, skeleton) => ({ name, mesh, skeleton });
 const check = (names, waiting, want) => {
   const got = pairFiles(names, waiting);
-  assert.deepEqual({ characters: got.characters, model: got.model, waiting: got.waiting }, { characters: [], model: "", waiting: {}, ...want });
+  assert.deepEqual({ characters: got.characters, model: got.model, style: got.style, waiting: got.waiting }, { characters: [], model: "", style: "", waiting: {}, ...want });
   return got.problems;
 };
 
@@ -34,4 +34,5 @@ assert.equal(check(["a.obj", "b.obj", "c.rig.txt"], {}, { waiting: { rig: "c.rig
 assert.match(check(["a.glb", "x.docx"], {}, { characters: [character("a", "a.glb", "")] })[0], /^x\.docx: expected/);
 assert.match(check(["hero.bin"], {}, {})[0], /holds no mesh/);
 assert.deepEqual(check(["mine.sinew"], {}, { model: "mine.sinew" }), []);
+assert.deepEqual(check(["studio.style", "hero.glb"], {}, { style: "studio.style", characters: [character("hero", "hero.glb", "")] }), []);
 console.log("files_test: ok");

@@ -4,7 +4,7 @@
 //   page_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, readdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { launch, serve } from "./browser.mjs";
 
@@ -20,6 +20,15 @@ const native = new Map(
     return [stem, JSON.parse(summary).hash];
   }),
 );
+
+// What the command does with a sample and further arguments: its summary.
+function command(name, ...more) {
+  const mesh = join(data, `${name}.${existsSync(join(data, `${name}.obj`)) ? "obj" : "gltf"}`);
+  const out = join(work, `${name}.command.glb`);
+  const summary = execFileSync(sinew, ["bind", mesh, ...rigOf(name), "-o", out, "--json", ...more], { stdio: "pipe" });
+  return { ...JSON.parse(summary), glb: out };
+}
+const nativeQuestions = new Map([...native.keys()].map((name) => [name, command(name, "--questions", "8").questions]));
 
 const server = await serve(dist);
 const browser = await launch();
@@ -41,6 +50,24 @@ const shoot = (name) => page.screenshot({ path: join(work, `${name}.png`) });
 const errorLine = async () => ((await page.locator("#error").isVisible()) ? page.locator("#error span").innerText() : "");
 const fact = (start) => page.locator("#facts > span", { hasText: start }).innerText();
 const hash = () => page.locator("#facts code").innerText();
+const colours = () => page.evaluate(() => sinewPage.view.shownColours());
+const legend = () => page.locator("#legend figcaption").innerText();
+// The page's questions as the command's --json has them.
+const pageQuestions = () =>
+  page.evaluate(() =>
+    sinewPage.character.result.questions.map(({ members, alternatives, ...question }) => ({
+      ...question,
+      alternatives: alternatives.map(({ answer, change }) => ({ answer, change })),
+    })),
+  );
+const questionText = (q) => `part ${q.part}${q.parts > 1 ? ` · ${q.parts} alike` : ""} · ${q.vertices} vertices · now ${Math.round(100 * q.share)} % ${q.joint}`;
+const question = (part) => page.locator(`#questions li[data-part="${part}"] .question`);
+const alternative = (answer) => page.locator("#questions .alternative", { hasText: answer });
+const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent);
+async function downloaded(id) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
 const positions = () => page.evaluate(() => sinewPage.view.shownPositions());
 const file = (path) => ({ name: path.split("/").pop(), mimeType: "application/octet-stream", buffer: readFileSync(join(data, path)) });
 const made = (name, content) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
@@ -75,6 +102,7 @@ try {
         await page.selectOption("#sample", name);
         await settled();
         assert.equal(await hash(), want, name);
+        assert.deepEqual(await pageQuestions(), nativeQuestions.get(name), `${name}: the questions`);
       }
     });
     if (kernel !== "SIMD") await page.close();
@@ -198,6 +226,149 @@ try {
     }
   });
 
+  await step("a question is shown, its answers previewed, taken and taken back", async () => {
+    const name = "biped__robed";
+    const [part] = nativeQuestions.get(name).filter(({ parts }) => parts > 1);
+    await page.selectOption("#sample", name);
+    await settled();
+    assert.deepEqual(await page.locator("#questions .question").allTextContents(), nativeQuestions.get(name).map(questionText));
+    const plain = await colours();
+    await shoot("questions");
+    await question(part.part).hover();
+    await settled();
+    assert.equal(await legend(), `Orange: part ${part.part}, ${part.vertices} vertices in ${part.parts} parts alike`);
+    const orange = await page.evaluate(() => {
+      const { vertexOf } = sinewPage.character.buffers;
+      const all = sinewPage.view.shownColours();
+      const linear = (c) => ((c / 255 + 0.055) / 1.055) ** 2.4;
+      const isOrange = (i) => [240, 120].every((c, axis) => Math.abs(all[3 * i + axis] - linear(c)) < 1e-6);
+      return new Set([...vertexOf].filter((_, i) => isOrange(i))).size;
+    });
+    assert.equal(orange, part.vertices);
+    await shoot("question");
+    await question(part.part).click();
+    const offered = part.alternatives.map(({ answer }) => answer);
+    const shares = part.alternatives.map(({ change }) => `${Math.round(50 * change)} %`);
+    assert.deepEqual(await page.locator("#questions .alternative").allTextContents(), [...offered.map((a, i) => a + shares[i]), "as proposed"]);
+    await alternative(offered[1]).hover();
+    await settled();
+    assert.equal(await legend(), `Preview: part ${part.part} ${offered[1]} in ${part.parts} parts alike`);
+    assert.equal(await hash(), native.get(name), "a preview takes nothing");
+    const seen = await colours();
+    await shoot("preview");
+    // Nothing is written of a preview.
+    await alternative(offered[1]).focus();
+    await settled();
+    const unanswered = join(work, `${name}.native.glb`);
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(unanswered)), "the GLB has a preview in it");
+    await page.mouse.move(300, 300);
+    await settled();
+    assert.deepEqual(await colours(), plain);
+
+    // By keys alone: down to the second alternative, and take it.
+    await question(part.part).focus();
+    for (const key of ["ArrowDown", "ArrowDown"]) await page.keyboard.press(key);
+    await settled();
+    assert.deepEqual(await colours(), seen);
+    await page.keyboard.press("Enter");
+    await settled();
+    const first = `${part.part}=${offered[1]}`;
+    const once = command(name, "--questions", "8", "--answer", first);
+    assert.equal(await hash(), once.hash);
+    assert.notEqual(once.hash, native.get(name));
+    assert.deepEqual(await pageQuestions(), once.questions);
+    assert.deepEqual(await page.locator("#questions .answered .name").allTextContents(), [`part ${part.part} · ${offered[1]}`]);
+    assert.equal(await focused(), `Take back part ${part.part} ${offered[1]}`);
+    assert.deepEqual(await colours(), seen, "taken it looks as its preview");
+    await shoot("answered");
+
+    // Another part with a joint that is not among its alternatives.
+    const other = once.questions[1];
+    const joint = "chest";
+    assert.ok(!other.alternatives.some(({ answer }) => answer === `rigid:${joint}`));
+    await question(other.part).click();
+    await page.locator("#questions .any select").selectOption({ label: joint });
+    await settled();
+    assert.equal(await legend(), `Preview: part ${other.part} rigid:${joint}`);
+    await page.click("#questions .take");
+    await settled();
+    const twice = command(name, "--questions", "8", "--answer", first, "--answer", `${other.part}=rigid:${joint}`);
+    assert.equal(await hash(), twice.hash);
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(twice.glb)), "the page's GLB differs from the command's");
+
+    // The answers stay with the character, whatever else it is bound with.
+    await page.locator("#up").evaluate((up) => ((up.value = "1"), up.onchange()));
+    await settled();
+    assert.equal(await page.locator("#questions .answered").count(), 2);
+    await page.locator("#up").evaluate((up) => ((up.value = "0"), up.onchange()));
+    await settled();
+    assert.equal(await hash(), twice.hash);
+
+    // A joint that ends a chain, which gets no weight unless an answer says so.
+    await page.selectOption("#sample", "biped__robot");
+    await settled();
+    const tip = nativeQuestions.get("biped__robot").find(({ joint }) => joint === "head_end");
+    await question(tip.part).click();
+    await alternative("rigid:head_end").click();
+    await settled();
+    assert.equal(await hash(), command("biped__robot", "--answer", `${tip.part}=rigid:head_end`).hash);
+    assert.notEqual(await hash(), native.get("biped__robot"));
+    await page.selectOption("#sample", name);
+    await settled();
+    assert.equal(await hash(), native.get(name), "a file that is opened anew has no answers");
+    for (const [part, answer] of [[first.split("=")[0], offered[1]], [other.part, joint]]) {
+      await question(part).click();
+      if (answer === joint) {
+        await page.locator("#questions .any select").selectOption({ label: joint });
+        await page.click("#questions .take");
+      } else {
+        await alternative(answer).click();
+      }
+      await settled();
+    }
+    assert.equal(await hash(), twice.hash);
+
+    // A style file holds them for the next character.
+    const kept = await downloaded("#save-style");
+    assert.equal(kept.name, `${name}.style`);
+    writeFileSync(join(work, kept.name), kept.bytes);
+    const styleFile = join(work, "command.style");
+    command(name, "--answer", first, "--answer", `${other.part}=rigid:${joint}`, "--save-style", styleFile);
+    // Two C libraries' hypot() may differ in the last digit.
+    const rounded = (json) => JSON.parse(json, (_, value) => (typeof value === "number" ? Number(value.toPrecision(12)) : value));
+    assert.deepEqual(rounded(kept.bytes), rounded(readFileSync(styleFile)), "the page's style differs from the command's");
+
+    await page.locator("#questions .back").nth(1).click();
+    await settled();
+    assert.equal(await hash(), once.hash);
+    assert.equal(await focused(), questionText(once.questions[1]));
+    await page.keyboard.press("Enter");
+    assert.equal(await page.locator("#questions .alternatives").count(), 1);
+    await page.keyboard.press("Escape");
+    assert.equal(await page.locator("#questions .alternatives").count(), 0);
+    await page.locator("#questions .back").click();
+    await settled();
+    assert.equal(await hash(), native.get(name));
+    assert.deepEqual(await page.locator("#questions .question").allTextContents(), nativeQuestions.get(name).map(questionText));
+
+    await give({ name: "studio.style", mimeType: "application/json", buffer: kept.bytes });
+    const styled = command(name, "--style", styleFile);
+    assert.equal(await errorLine(), "");
+    assert.equal(await hash(), styled.hash);
+    assert.equal(styled.hash, twice.hash);
+    assert.equal(await page.locator("#style > span").innerText(), "studio.style: 2 answers");
+    await shoot("style");
+    for (const next of ["biped__robot", "biped__caped"]) {
+      await page.selectOption("#sample", next);
+      await settled();
+      assert.equal(await hash(), command(next, "--style", styleFile).hash, next);
+    }
+    await page.click("#style button");
+    await settled();
+    assert.equal(await hash(), native.get("biped__caped"));
+    assert.equal(await page.locator("#questions .answered").count(), 0);
+  });
+
   await step("several files at once, dropped", async () => {
     const names = ["snake__long", "bird__winged", "biped__robed"];
     const files = names.flatMap((name) => [`${name}.rig.txt`, `${name}.obj`]).map((name) => ({ name, text: readFileSync(join(data, name), "utf8") }));
@@ -249,6 +420,7 @@ try {
       [[made("a.obj", "v 0 0 0\nv 1 0 0\n"), made("a.rig.txt", rig)], /^a\.obj: has no faces to show/],
       [[made("a.obj", obj), made("a.rig.txt", "\0\0")], /^a\.rig\.txt: expected a rig text file, found binary data/],
       [[made("mine.sinew", "not a model")], /^mine\.sinew: /],
+      [[made("mine.style", "{}")], /^mine\.style: not a style file /],
     ]) {
       await give(...files);
       const line = await errorLine();

@@ -11,10 +11,12 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sinew/sinew.h"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/answers.hpp"
 #include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
@@ -22,6 +24,7 @@
 #include "sinew_formats/pose.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_formats/skeleton_repair.hpp"
+#include "sinew_formats/style.hpp"
 #include "surface.hpp"
 
 using Json = nlohmann::ordered_json;
@@ -35,22 +38,41 @@ namespace {
 using namespace sinew;
 
 constexpr uint32_t kInfluences = 4;  // what glTF viewers show everywhere, and the command's default
+constexpr uint32_t kQuestions = 8;   // listed beside the mesh
 
-enum Buffer : uint32_t { kTriangles = 0, kVertexOf, kPositions, kNormals, kColours, kJointPositions, kStrongest };
+enum Buffer : uint32_t {
+  kTriangles = 0,
+  kVertexOf,
+  kPositions,
+  kNormals,
+  kColours,
+  kJointPositions,
+  kStrongest,
+  kVertexQuestions
+};
+
+// What a bind of the character gives and pictures, poses and files show.
+struct Rows {
+  std::vector<std::vector<Influence>> influences;  // [V]
+  std::vector<uint8_t> confidence;                 // [V]
+};
 
 struct Session {
   std::vector<uint64_t> model_bytes;
   sinew_model model = {};
   Character character;
   JointChoice choice;  // of the weights that the file had
+  Style style;         // for the next characters
   web::Surface surface;
   std::vector<float> rest;                // [V x 3]
   std::vector<uint16_t> joints, weights;  // [V x kInfluences]
   std::vector<uint8_t> confidence;        // [V]
+  Rows taken;                             // what is written to files while the character shows a preview; else empty
   // What web_buffer() hands out, but for the surface.
   std::vector<float> posed, shown_positions, shown_normals, joint_positions;
-  std::vector<uint8_t> colours;     // [R x 3] sRGB
-  std::vector<uint16_t> strongest;  // [R] joint
+  std::vector<uint8_t> colours;            // [R x 3] sRGB
+  std::vector<uint16_t> strongest;         // [R] joint
+  std::vector<uint32_t> vertex_questions;  // [V] see sinew_bind_outputs, of the last questions listed
   std::string reply;
 };
 
@@ -115,20 +137,82 @@ double sure_of_least_tenth(std::vector<uint8_t> confidence) {
   return sum / static_cast<double>(tenth);
 }
 
-Json bind(Session& s, uint32_t method, uint32_t up_axis) {
+// Shows rows instead of those that are shown, which become the argument.
+void swap_rows(Session& s, Rows* rows) {
+  std::swap(s.character.influences, rows->influences);
+  std::swap(s.confidence, rows->confidence);
+  fill_slots(s);
+}
+
+void end_preview(Session& s) {
+  if (s.taken.influences.empty()) return;
+  swap_rows(s, &s.taken);
+  s.taken = {};
+}
+
+// text: [[vertex, kind, joint], ...]
+std::vector<sinew_answer> read_answers(const std::string& text) {
+  std::vector<sinew_answer> answers;
+  for (const Json& one : Json::parse(text))
+    answers.push_back({one.at(0).get<uint32_t>(), one.at(1).get<uint16_t>(), one.at(2).get<uint16_t>(), 0});
+  return answers;
+}
+
+struct Bound {
+  CharacterBind result;
+  JointChoice choice;  // with the joints that answers named
+};
+
+// How the page wants characters bound.
+struct Wish {
+  uint32_t method, up_axis;
+  sinew_progress progress;  // or null
+};
+
+Bound bind_with(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, uint32_t questions) {
   CharacterBindOptions options;
-  options.bind.method = static_cast<sinew_method>(method);
+  options.bind.method = static_cast<sinew_method>(wish.method);
   if (options.bind.method == SINEW_METHOD_MODEL) {
     if (s.model.bytes == nullptr) throw Error("no model is loaded");
     options.bind.model = &s.model;
   }
   options.bind.influence_count = kInfluences;
-  options.bind.up_axis = up_axis;
-  options.bind.progress = progress;
-  CharacterBind result = bind_character(s.character, s.choice, options);
-  s.confidence = std::move(result.confidence);
-  s.character.influences = std::move(result.influences);
-  fill_slots(s);
+  options.bind.up_axis = wish.up_axis;
+  options.bind.progress = wish.progress;
+  options.bind.answers = answers;
+  options.bind.question_count = questions;
+  Bound bound;
+  bound.choice = s.choice;
+  std::vector<size_t> named;
+  for (const sinew_answer& answer : answers)
+    if (answer.kind == SINEW_ANSWER_RIGID && answer.joint < s.character.joints.size()) named.push_back(answer.joint);
+  take_back_joints(named, {}, &bound.choice);
+  bound.result = bind_character(s.character, bound.choice, options);
+  return bound;
+}
+
+Json question_json(const std::vector<Joint>& joints, const sinew_question& question) {
+  Json alternatives = Json::array();
+  for (uint32_t a = 0; a < question.alternative_count; ++a) {
+    const sinew_alternative& alternative = question.alternatives[a];
+    alternatives.push_back({{"answer", answer_text(joints, alternative.kind, alternative.joint)},
+                            {"kind", alternative.kind},
+                            {"joint", alternative.joint},
+                            {"change", alternative.change / 65536.0}});
+  }
+  return {{"part", question.vertex},           {"parts", question.part_count},
+          {"vertices", question.vertex_count}, {"joint", joints[question.joint].name},
+          {"share", question.share / 65535.0}, {"doubt", question.doubt / 65536.0},
+          {"gain", question.gain / 65536.0},   {"alternatives", std::move(alternatives)}};
+}
+
+Json bind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+  Bound bound = bind_with(s, wish, answers, kQuestions);
+  CharacterBind& result = bound.result;
+  s.taken = {};
+  Rows rows = {std::move(result.influences), std::move(result.confidence)};
+  swap_rows(s, &rows);
+  s.vertex_questions = std::move(result.vertex_questions);
   std::vector<double> sums(s.character.joints.size(), 0);
   size_t pairs = 0;
   for (const std::vector<Influence>& row : s.character.influences) {
@@ -139,8 +223,11 @@ Json bind(Session& s, uint32_t method, uint32_t up_axis) {
   for (size_t i = 0; i < s.strongest.size(); ++i)
     s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * kInfluences];
   Json left_out = Json::array();
-  for (const LeftOutJoint& left : s.choice.left_out)
+  for (const LeftOutJoint& left : bound.choice.left_out)
     left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
+  Json questions = Json::array();
+  for (const sinew_question& question : result.questions)
+    questions.push_back(question_json(s.character.joints, question));
   return {{"seconds", result.seconds},
           {"workspaceBytes", result.workspace_bytes},
           {"usedBytes", result.used_bytes},
@@ -150,7 +237,45 @@ Json bind(Session& s, uint32_t method, uint32_t up_axis) {
           {"keptMeshes", result.kept_meshes},
           {"lookFirst", (s.confidence.size() + 9) / 10},
           {"lookFirstSure", sure_of_least_tenth(s.confidence)},
-          {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(s.character.vertices.size())}};
+          {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(s.character.vertices.size())},
+          {"questions", std::move(questions)}};
+}
+
+// Shows the character as these answers would bind it; what was taken stays what is written.
+Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+  CharacterBind result = bind_with(s, wish, answers, 0).result;
+  end_preview(s);
+  s.taken = {std::move(result.influences), std::move(result.confidence)};
+  swap_rows(s, &s.taken);
+  return {{"hash", bind_hash(s.character.influences, kInfluences)}};
+}
+
+// Answers that the loaded style has for the character: with each its question, and the question's number in
+// web_buffer(kVertexQuestions).
+Json style_answers(Session& s, const Wish& wish) {
+  Json list = Json::array();
+  if (s.style.sheets.empty()) return {{"answers", std::move(list)}};
+  CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
+  const AskedBind asked = {proposed.questions, proposed.vertex_parts};
+  for (const sinew_answer& answer : answer_by_style(s.style, s.character, asked, s.choice.flags)) {
+    const uint32_t number = proposed.vertex_questions[answer.vertex];
+    list.push_back({{"question", question_json(s.character.joints, proposed.questions[number])},
+                    {"number", number},
+                    {"answer", answer_text(s.character.joints, answer.kind, answer.joint)},
+                    {"kind", answer.kind},
+                    {"joint", answer.joint}});
+  }
+  s.vertex_questions = std::move(proposed.vertex_questions);
+  return {{"answers", std::move(list)}};
+}
+
+// The loaded style with these answers.
+void save_style(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path) {
+  const CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
+  Style style = s.style;
+  style.sheets.push_back(learn_style(s.character, {proposed.questions, proposed.vertex_parts}, answers));
+  if (style.sheets.back().rules.empty()) throw Error("there is no answer to keep in a style; answer a question first");
+  write_style(path, style);
 }
 
 Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
@@ -171,6 +296,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
   s.posed = s.rest;
   s.joints.clear();
   s.weights.clear();
+  s.taken = {};
   show(s);
   Json joints = Json::array();
   for (size_t j = 0; j < s.character.joints.size(); ++j) {
@@ -262,8 +388,47 @@ EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton
   return answer([&] { return load(session(), mesh, skeleton); });
 }
 
-EMSCRIPTEN_KEEPALIVE const char* web_bind(uint32_t method, uint32_t up_axis) {
-  return answer([&] { return bind(session(), method, up_axis); });
+// answers: [[vertex, kind, joint], ...], as sinew_answer has them.
+EMSCRIPTEN_KEEPALIVE const char* web_bind(uint32_t method, uint32_t up_axis, const char* answers) {
+  return answer([&] { return bind(session(), {method, up_axis, progress}, read_answers(answers)); });
+}
+
+// Until web_end_preview(), colours and poses are of a bind with these answers. Files never are.
+EMSCRIPTEN_KEEPALIVE const char* web_preview(uint32_t method, uint32_t up_axis, const char* answers) {
+  return answer([&] {
+    need_weights(session());
+    return preview(session(), {method, up_axis, nullptr}, read_answers(answers));
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_end_preview() {
+  return answer([&] {
+    end_preview(session());
+    return Json::object();
+  });
+}
+
+// The style for characters from now on; "" for none.
+EMSCRIPTEN_KEEPALIVE const char* web_style(const char* path) {
+  return answer([&]() -> Json {
+    Style style;
+    if (*path != 0) style = read_style(path);
+    session().style = std::move(style);
+    return {{"characters", session().style.sheets.size()}};
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_style_answers(uint32_t method, uint32_t up_axis) {
+  return answer([&] { return style_answers(session(), {method, up_axis, nullptr}); });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_save_style(uint32_t method, uint32_t up_axis, const char* answers,
+                                                const char* path) {
+  return answer([&] {
+    need_weights(session());
+    save_style(session(), {method, up_axis, nullptr}, read_answers(answers), path);
+    return Json::object();
+  });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* web_colour(uint32_t mode, uint32_t joint) {
@@ -285,6 +450,7 @@ EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t dual_quat
 EMSCRIPTEN_KEEPALIVE const char* web_write_glb(const char* path) {
   return answer([&] {
     need_weights(session());
+    end_preview(session());
     write_glb(path, session().character);
     return Json::object();
   });
@@ -309,8 +475,10 @@ EMSCRIPTEN_KEEPALIVE const void* web_buffer(uint32_t which, size_t* bytes) {
       return give(s.colours);
     case kJointPositions:
       return give(s.joint_positions);
-    default:
+    case kStrongest:
       return give(s.strongest);
+    default:
+      return give(s.vertex_questions);
   }
 }
 

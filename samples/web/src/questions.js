@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// The list of doubtful parts: questions with their alternatives, and the answers that were taken. It says what the
+// pointer, else the keyboard, is on; the page shows that on the mesh.
+
+export const kinds = { proposed: 0, rigid: 1 }; // of sinew_answer_kind, those that the page itself makes
+const meanings = {
+  proposed: "as the bind proposes; no question any more",
+  rigid: "all with this joint",
+  soft: "blended as widely as heat flows",
+  hard: "each vertex with the strongest of its joints alone",
+  softer: "as proposed, blended twice as softly",
+  host: "as the nearest place of the larger parts: a badge on a coat",
+};
+const percent = (share) => `${Math.round(100 * share)} %`;
+
+export const partName = ({ part }) => `part ${part}`;
+const nowText = ({ share, joint }) => `now ${percent(share)} ${joint}`;
+export function questionText(question) {
+  const alike = question.parts > 1 ? ` · ${question.parts} alike` : "";
+  return `${partName(question)}${alike} · ${question.vertices} vertices · ${nowText(question)}`;
+}
+
+function element(name, properties, ...children) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children);
+  return made;
+}
+const button = (className, text, properties) => element("button", { type: "button", className, ...properties }, text);
+
+export class Questions {
+  onLook = () => {}; // null, a question: {question}, an alternative: {question, kind, joint, answer}, or what was taken
+  onTake = () => {}; // {question, kind, joint, answer}
+  onTakeBack = () => {}; // what was taken
+
+  #host;
+  #joints = [];
+  #hovered = null;
+  #focused = null; // of the two the later one counts
+
+  constructor(host) {
+    this.#host = host;
+    const lookOf = (target) => {
+      for (let at = target; at && at !== host; at = at.parentElement) if (at.look) return at.look;
+      return null;
+    };
+    // Moves alone: a list that changes under a pointer that lies still is no wish of the user's.
+    host.addEventListener("pointermove", ({ target }) => this.#hover(lookOf(target)));
+    host.addEventListener("pointerleave", () => this.#hover(null));
+    host.addEventListener("focusin", ({ target }) => this.#focus(lookOf(target)));
+    host.addEventListener("focusout", () => this.#focus(null));
+    host.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  // questions: as the engine lists them. answers: {question, answer, byStyle}, in the order taken. focus: of a part,
+  // where the keyboard goes: it was on something that is gone.
+  show({ questions, answers, joints, focus }) {
+    this.#joints = joints;
+    this.#hovered = this.#focused = null;
+    const taken = answers.map((answer) => this.#answered(answer));
+    const asked = questions.map((question) => this.#question(question));
+    const none = element("li", { className: "none" }, "No part is in doubt");
+    this.#host.replaceChildren(...taken, ...asked, ...(asked.length === 0 ? [none] : []));
+    if (focus === undefined) return;
+    (this.#host.querySelector(`[data-part="${focus}"] button`) ?? this.#host.querySelector("button"))?.focus();
+  }
+
+  // Closes the open question; false where none is.
+  close() {
+    const open = this.#host.querySelector("[aria-expanded=true]");
+    if (!open) return false;
+    this.#open(open, false);
+    open.focus();
+    return true;
+  }
+
+  #hover(look) {
+    if (look === this.#hovered) return;
+    this.#hovered = look;
+    this.onLook(look ?? this.#focused);
+  }
+
+  #focus(look) {
+    this.#focused = look;
+    this.onLook(look ?? this.#hovered);
+  }
+
+  // Up and down go from button to button, as they do in the list of joints.
+  #key(event) {
+    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (by === undefined || event.target.tagName === "SELECT") return;
+    event.preventDefault();
+    const stops = [...this.#host.querySelectorAll("button, select")].filter((at) => !at.disabled);
+    const next = stops[stops.indexOf(event.target) + by];
+    next?.focus();
+    next?.scrollIntoView({ block: "nearest" });
+  }
+
+  #answered(answer) {
+    const name = partName(answer.question);
+    const by = answer.byStyle ? " · by style" : "";
+    const back = button("back", "Take back", { ariaLabel: `Take back ${name} ${answer.answer}`, onclick: () => this.onTakeBack(answer) });
+    const item = element("li", { className: "answered", look: answer, title: questionText(answer.question) });
+    item.append(element("span", { className: "name" }, `${name} · ${answer.answer}${by}`), back);
+    item.dataset.part = answer.question.part;
+    return item;
+  }
+
+  #question(question) {
+    const now = nowText(question);
+    const head = button("question", questionText(question).slice(0, -now.length), { ariaExpanded: "false", look: { question } });
+    head.append(element("span", { className: "now" }, now));
+    head.onclick = () => this.#open(head, head.ariaExpanded !== "true");
+    const item = element("li", {}, head);
+    item.dataset.part = question.part;
+    return item;
+  }
+
+  #open(head, open) {
+    for (const other of this.#host.querySelectorAll("[aria-expanded=true]")) {
+      other.ariaExpanded = "false";
+      other.nextElementSibling.remove();
+    }
+    if (!open) return;
+    head.ariaExpanded = "true";
+    head.after(this.#alternatives(head.look.question));
+    head.nextElementSibling.scrollIntoView({ block: "nearest" });
+  }
+
+  #alternatives(question) {
+    const list = element("div", { className: "alternatives", role: "group", ariaLabel: `How does ${partName(question)} move?` });
+    const add = (text, look, share) => {
+      const one = button("alternative", text, { look, title: meanings[look.answer.split(":")[0]], onclick: () => this.onTake(look) });
+      if (share !== undefined) one.append(element("span", { className: "share", title: "of the part's weight changes joints" }, percent(share)));
+      list.append(one);
+    };
+    for (const { answer, kind, joint, change } of question.alternatives) add(answer, { question, answer, kind, joint }, change / 2);
+    add("as proposed", { question, answer: "proposed", kind: kinds.proposed, joint: 0 });
+    list.append(this.#anyJoint(question));
+    return list;
+  }
+
+  // Keys step through the joints, so that it is the button beside them that takes one.
+  #anyJoint(question) {
+    const choice = element("select", { ariaLabel: `Joint that ${partName(question)} is rigid with` });
+    choice.append(new Option("rigid with another joint…", ""), ...this.#joints.map(({ name }, j) => new Option(name, j)));
+    const take = button("take", "Take", { disabled: true, title: meanings.rigid });
+    const row = element("div", { className: "any" }, choice, take);
+    choice.onchange = () => {
+      take.disabled = choice.value === "";
+      const joint = Number(choice.value);
+      row.look = take.disabled ? null : { question, answer: `rigid:${this.#joints[joint].name}`, kind: kinds.rigid, joint };
+      this.#focus(row.look);
+    };
+    take.onclick = () => this.onTake(row.look);
+    return row;
+  }
+}
