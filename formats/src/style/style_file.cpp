@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Style files: JSON in, JSON out (formats/spec/style.md).
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "sinew_formats/answers.hpp"
@@ -35,6 +36,10 @@ std::array<double, 3> place(const Json& json, const char* key) {
     if (!(x >= -1e6 && x <= 1e6)) throw Error(std::string(key) + " is out of its range");
   return value;
 }
+
+// C libraries differ in the last digit of a hypot().
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+Json rounded(const std::array<double, 3>& place) { return {rounded(place[0]), rounded(place[1]), rounded(place[2])}; }
 
 StyleRule rule_of(const Json& json) {
   StyleRule rule;
@@ -86,17 +91,17 @@ void write_style(const std::string& path, const Style& style) {
       if (rule.kind == SINEW_ANSWER_RIGID) {
         one["joint"] = rule.joint;
         one["steps_up"] = rule.steps_up;
-        one["joint_place"] = rule.joint_place;
+        one["joint_place"] = rounded(rule.joint_place);
       }
       one["part"] = {{"body", rule.part.body},
-                     {"size", rule.part.size},
-                     {"radius", rule.part.radius},
-                     {"place", rule.part.place},
+                     {"size", rounded(rule.part.size)},
+                     {"radius", rounded(rule.part.radius)},
+                     {"place", rounded(rule.part.place)},
                      {"joint", rule.part.joint}};
       rules.push_back(std::move(one));
     }
     Json joints = Json::array();
-    for (const auto& [name, at] : sheet.joints) joints.push_back({{"name", name}, {"place", at}});
+    for (const auto& [name, at] : sheet.joints) joints.push_back({{"name", name}, {"place", rounded(at)}});
     json["characters"].push_back({{"joints", std::move(joints)}, {"rules", std::move(rules)}});
   }
   write_text_file(path, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
