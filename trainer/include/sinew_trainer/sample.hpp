@@ -17,11 +17,12 @@ namespace sinew {
 // A joint that is no candidate, but whose end marker is (fold[end] == joint), has its reference weight on the first such
 // end marker. The yardstick counts `importance`.
 struct Sample : NetworkSample {
-  std::vector<float> target;               // [U x K] reference weight of each candidate, see above
-  std::vector<uint32_t> fold;              // [J] fold_targets of the character
-  std::vector<float> missing;              // [U] reference weight no candidate has
-  std::vector<float> importance;           // [U] the caller's vertices in this one that have weights; 0: unbound
-  std::vector<float> heat;                 // [U x K] the finished rule field at the candidates (sums to <= 1)
+  std::vector<float> target;      // [U x K] reference weight of each candidate, see above
+  std::vector<uint32_t> fold;     // [J] fold_targets of the character
+  std::vector<float> missing;     // [U] reference weight no candidate has
+  std::vector<float> importance;  // [U] the caller's vertices in this one that have weights; 0: unbound, or owned
+  std::vector<uint16_t> owner;    // [U] the joint that owns the vertex' part and is its row, or kNoJoint; or empty
+  std::vector<float> heat;        // [U x K] the finished rule field at the candidates (sums to <= 1)
   std::vector<uint32_t> vertex_to_welded;  // [V]
   std::vector<float> positions;            // [U x 3] in sides of the grid, 0..1
   std::vector<float> joint_positions;      // [J x 3] likewise
@@ -32,7 +33,8 @@ struct Sample : NetworkSample {
 // Throws Error.
 Sample make_sample(const Character& character, uint32_t candidates, uint32_t grid, uint32_t feature_flags = 0);
 
-// A network's probabilities [U x K] as rows of influences [V], the `keep` largest, rounded as the engine rounds.
+// A network's probabilities [U x K] as rows of influences [V], the `keep` largest, rounded as the engine rounds. Owned
+// vertices follow their owners.
 std::vector<std::vector<Influence>> sample_influences(const Sample& sample, const std::vector<float>& probabilities,
                                                       uint32_t keep);
 

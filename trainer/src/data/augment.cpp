@@ -165,7 +165,8 @@ Character augment(const Character& character, uint64_t seed) {
   const double angle = random.uniform(0, 6.283185307179586);
   double stretch[3];
   for (double& s : stretch) s = random.uniform(1 - kStretch, 1 + kStretch);
-  const bool thin = random.uniform() < 0.4;
+  const double density = random.uniform();
+  const bool thin = density<0.4, fine = density> 0.8;
   const double ratio = random.uniform(0.4, 0.9);
 
   Character out;
@@ -178,6 +179,8 @@ Character augment(const Character& character, uint64_t seed) {
   if (out.vertices.empty()) return out;
   // A mesh of a few hundred vertices has none to spare.
   if (thin && out.vertices.size() > 400 && out.face_count() > 0) out = decimate(out, ratio);
+  // Four times as many vertices take four times as long.
+  if (fine && out.vertices.size() <= 1500) out = subdivide(out);
 
   if (random.uniform() < 0.5) thin_skeleton(&out, &random);
   if (random.uniform() < 0.4) change_rest_pose(&out, &random);

@@ -124,6 +124,10 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   s.heat.assign(pairs, 0.0f);
   const WeldedTruth truth = weld_truth(character, s.vertex_to_welded, s.vertices);
   s.importance = truth.bound;
+  for (uint32_t u = 0; u < s.vertices; ++u) {
+    s.owner.push_back(p.part_owners[p.mesh.part[u]]);
+    if (s.owner[u] != kNoJoint) s.importance[u] = 0;
+  }
   write_targets(truth, &s);
   for (uint32_t u = 0; u < s.vertices; ++u) {
     uint16_t joints[kHeatSlots], weights[kHeatSlots];
@@ -144,6 +148,10 @@ std::vector<std::vector<Influence>> sample_influences(const Sample& sample, cons
   const size_t k = sample.candidates;
   std::vector<std::vector<Influence>> welded(sample.vertices);
   for (size_t u = 0; u < sample.vertices; ++u) {
+    if (!sample.owner.empty() && sample.owner[u] != kNoJoint) {
+      welded[u] = {{sample.owner[u], 1.0f}};
+      continue;
+    }
     uint32_t weights[SINEW_MAX_CANDIDATES] = {};
     for (size_t i = 0; i < k; ++i) {
       weights[i] = static_cast<uint32_t>(std::lround(std::clamp(probabilities[u * k + i], 0.0f, 1.0f) * 65536.0f));

@@ -34,13 +34,13 @@ void serialize(Archive& archive, NetworkSample::Input& input) {
 template <class Archive>
 void serialize(Archive& archive, Sample& s) {
   archive(s.name, s.family, s.vertices, s.candidates, s.part_count, s.joints, s.inputs, s.candidate, s.row_offsets,
-          s.col_indices, s.part, s.part_offsets, s.part_vertices, s.target, s.fold, s.missing, s.importance, s.heat,
-          s.vertex_to_welded, s.positions, s.joint_positions, s.parents);
+          s.col_indices, s.part, s.part_offsets, s.part_vertices, s.target, s.fold, s.missing, s.importance, s.owner,
+          s.heat, s.vertex_to_welded, s.positions, s.joint_positions, s.parents);
 }
 
 namespace {
 
-constexpr uint64_t kCacheVersion = 4;  // grows whenever the file's layout or, in its last bits, a feature changes
+constexpr uint64_t kCacheVersion = 5;  // grows whenever the file's layout or, in its last bits, a feature changes
 constexpr char kMagic[8] = {'S', 'N', 'W', 'S', 'M', 'P', 'L', '1'};
 
 uint64_t hash_bytes(const uint8_t* data, size_t size, uint64_t seed) {

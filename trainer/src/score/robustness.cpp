@@ -156,30 +156,11 @@ Changed merged(const Character& c) {
   return changed;
 }
 
-// Every triangle into four, new vertices in the middle of the edges.
+// New vertices stand where none was.
 Changed subdivided(const Character& c) {
-  Changed changed = without_faces(c);
-  Character& s = changed.character;
-  std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
-  const auto middle = [&](uint32_t a, uint32_t b) {
-    const auto [at, is_new] = middles.emplace(std::minmax(a, b), static_cast<uint32_t>(s.vertices.size()));
-    if (is_new) {
-      const Vec3 p = s.vertices[a], q = s.vertices[b];
-      s.vertices.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2});
-      changed.vertex_of.push_back(kNone);
-    }
-    return at->second;
-  };
-  for (size_t f = 0; f < c.face_count(); ++f) {
-    for (uint32_t i = c.face_offsets[f] + 1; i + 1 < c.face_offsets[f + 1]; ++i) {
-      const uint32_t p = c.face_vertices[c.face_offsets[f]], q = c.face_vertices[i], r = c.face_vertices[i + 1];
-      const uint32_t pq = middle(p, q), qr = middle(q, r), rp = middle(r, p);
-      add_face(&s, {p, pq, rp});
-      add_face(&s, {pq, q, qr});
-      add_face(&s, {rp, qr, r});
-      add_face(&s, {pq, qr, rp});
-    }
-  }
+  Changed changed = same(c);
+  changed.character = subdivide(changed.character);
+  changed.vertex_of.resize(changed.character.vertices.size(), kNone);
   return changed;
 }
 

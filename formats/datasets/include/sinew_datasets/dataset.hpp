@@ -32,5 +32,9 @@ CheckReport check_character(const Character& character);
 // surviving vertex keeps its own row). Vertices that end in no face are dropped. Throws Error when there are no faces.
 Character decimate(const Character& character, double ratio);
 
+// Every triangle, and every one of a polygon's fan, into four. Vertices stay, new ones follow them in the middle of the
+// edges, with the mean of both ends' weights. Mesh, joints and weights alone; a mesh without faces stays as it is.
+Character subdivide(const Character& character);
+
 }  // namespace sinew
 #endif
