@@ -271,15 +271,47 @@ struct SetLine {
     if (key == "in-place") return &options.weights_in_place;
     if (key == "surface") return &options.surface_vertices;
     if (key == "hints") return &hint_step;
+    if (key == "answers") return &answer_step;
+    if (key == "questions") return &options.question_count;
     if (key == "confidence") return &confidence;
     return nullptr;
   }
 
   std::string character, model;
   sinew_options options = sinew_options_init();
-  uint32_t hint_step = 0;  // every so many vertices one is a hint
+  uint32_t hint_step = 0;    // every so many vertices one is a hint
+  uint32_t answer_step = 0;  // every so many vertices one's part has an answer, of the kinds in turn
   uint32_t confidence = 0;
 };
+
+std::vector<sinew_answer> make_answers(uint32_t step, const Input& in) {
+  std::vector<sinew_answer> answers;
+  for (uint32_t v = 0; step != 0 && v < in.mesh.vertex_count; v += step) {
+    const uint32_t number = v / step, kind = number % 6;
+    const uint32_t joint = kind == SINEW_ANSWER_RIGID ? number % in.skeleton.joint_count : 0;
+    answers.push_back({v, static_cast<uint16_t>(kind), static_cast<uint16_t>(joint), number / 6 % 2});
+  }
+  return answers;
+}
+
+// Member by member: a hash over bytes would depend on their order.
+Hash hash_questions(const std::vector<sinew_question>& questions, const std::vector<uint32_t>& vertex_questions,
+                    const std::vector<uint32_t>& vertex_parts) {
+  Hash hash;
+  for (const sinew_question& q : questions) {
+    for (const uint32_t value : {q.vertex, q.part_count, q.vertex_count, uint32_t{q.joint}, uint32_t{q.share}, q.doubt,
+                                 q.gain, q.alternative_count})
+      hash.add(&value, 1);
+    for (uint32_t a = 0; a < q.alternative_count; ++a) {
+      for (const uint32_t value :
+           {uint32_t{q.alternatives[a].kind}, uint32_t{q.alternatives[a].joint}, q.alternatives[a].change})
+        hash.add(&value, 1);
+    }
+  }
+  hash.add(vertex_questions.data(), vertex_questions.size());
+  hash.add(vertex_parts.data(), vertex_parts.size());
+  return hash;
+}
 
 // Everything that sinew_bind() gives to a caller, its status and memory included.
 void hash_line(const char* name, const SetLine& line, const Input& in, const sinew_model* model, uint32_t kernel) {
@@ -306,6 +338,16 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
   sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights);
   if (line.hint_step != 0) options.hints = hints.data();
   if (line.confidence != 0) outputs.confidence = confidence.data();
+  const std::vector<sinew_answer> answers = make_answers(line.answer_step, in);
+  options.answers = answers.empty() ? nullptr : answers.data();
+  options.answer_count = static_cast<uint32_t>(answers.size());
+  std::vector<sinew_question> questions(options.question_count);
+  std::vector<uint32_t> vertex_questions(questions.empty() ? 0 : vertices, 0), vertex_parts(vertex_questions);
+  if (!questions.empty()) {
+    outputs.questions = questions.data();
+    outputs.vertex_questions = vertex_questions.data();
+    outputs.vertex_parts = vertex_parts.data();
+  }
 
   // Asked for the automatic kernel: the same on every host. The reference alone, when forced, needs less.
   size_t bytes = 0;
@@ -328,6 +370,8 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
   print(name, "memory", memory);
   print(name, "rows", rows);
   if (line.confidence != 0 || options.symmetric != 0) print(name, "extras", extras);
+  questions.resize(outputs.questions_written);
+  if (options.question_count != 0) print(name, "questions", hash_questions(questions, vertex_questions, vertex_parts));
 }
 
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }

@@ -17,7 +17,14 @@ void add_octahedron(Character* c, const Vec3& at, float x, float y, float z, uin
     c->vertices.push_back({at.x, at.y + s * y, at.z});
     c->vertices.push_back({at.x, at.y, at.z + s * z});
   }
-  for (const auto& f : {std::array<uint32_t, 3>{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}) {
+  for (const auto& f : {std::array<uint32_t, 3>{0, 1, 2},
+                        {1, 3, 2},
+                        {3, 4, 2},
+                        {4, 0, 2},
+                        {1, 0, 5},
+                        {3, 1, 5},
+                        {4, 3, 5},
+                        {0, 4, 5}}) {
     for (const uint32_t corner : f) c->face_vertices.push_back(first + corner);
     c->face_offsets.push_back(static_cast<uint32_t>(c->face_vertices.size()));
   }
