@@ -145,7 +145,7 @@ int32_t quantize_long(const GridQuantizer& quantizer, uint32_t word, int axis) {
 
 int32_t quantize_value(const GridQuantizer& quantizer, uint32_t word, int axis) {
   int64_t value = 0;
-  bool exact = quantizer.short_exact[axis];
+  bool exact = !kSmallCode && quantizer.short_exact[axis];  // not filled for small code
   if (!kSmallCode && quantizer.short_ok[axis] && short_of(word, quantizer.unit, &value, &exact)) {
     const int64_t centred = 2 * value - quantizer.short_sum[axis];  // below 2^62 + 2^61
     if (abs64(centred) <= static_cast<int64_t>(1) << 39) {
