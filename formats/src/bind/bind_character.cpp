@@ -188,11 +188,10 @@ class CharacterBinder {
     const uint32_t first_part = parts_;  // numbers of the binds follow one another; 0 is for vertices without one
     for (size_t i = 0; i < result.vertex_questions.size(); ++i) {
       parts_ = std::max(parts_, first_part + result.vertex_parts[i] + 1);
-      if (choice_.set_of_mesh[mesh_of(vertices[i])] == set)
-        out_.vertex_parts[vertices[i]] = first_part + result.vertex_parts[i];
+      if (choice_.set_of_mesh[mesh_of(vertices[i])] != set) continue;
+      out_.vertex_parts[vertices[i]] = first_part + result.vertex_parts[i];
       const uint32_t q = result.vertex_questions[i];
-      if (q != SINEW_NO_QUESTION && choice_.set_of_mesh[mesh_of(vertices[i])] == set)
-        out_.vertex_questions[vertices[i]] = number[q];
+      if (q != SINEW_NO_QUESTION) out_.vertex_questions[vertices[i]] = number[q];
     }
   }
 

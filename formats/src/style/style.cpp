@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "rig/joint_words.hpp"
 #include "sinew_formats/box.hpp"
@@ -60,8 +61,9 @@ std::vector<PartLook> look_at_parts(const Character& character, const std::vecto
   std::vector<PartLook> looks(count);
   std::vector<double> vertices(count, 0);
   for (size_t v = 0; v < vertex_parts.size(); ++v) {
+    const Place place = places.of(character.vertices[v]);
     vertices[vertex_parts[v]] += 1;
-    for (size_t i = 0; i < 3; ++i) looks[vertex_parts[v]].place[i] += places.of(character.vertices[v])[i];
+    for (size_t i = 0; i < 3; ++i) looks[vertex_parts[v]].place[i] += place[i];
   }
   for (uint32_t p = 0; p < count; ++p) {
     looks[p].size = vertices[p] / static_cast<double>(vertex_parts.size());
@@ -113,12 +115,10 @@ Joints joints_of(const Character& character) {
 }
 
 // -1 where there is none that may get weight and stands where the rule's joint stood.
-int find_joint(const Character& character, const std::vector<uint8_t>& flags, const StyleRule& rule, bool mirror,
-               uint16_t own) {
-  const Places places(character);
-  const auto off = [&](size_t j) {
-    return away(mirrored(places.of(character.joints[j].position), mirror), rule.joint_place);
-  };
+//   joints  joints_of() the character
+int find_joint(const Character& character, const Joints& joints, const std::vector<uint8_t>& flags,
+               const StyleRule& rule, bool mirror, uint16_t own) {
+  const auto off = [&](size_t j) { return away(mirrored(joints[j].second, mirror), rule.joint_place); };
   const auto there = [&](size_t j) {
     return (flags.empty() || (flags[j] & SINEW_JOINT_NEVER) == 0) && off(j) < kSamePlace;
   };
@@ -126,10 +126,10 @@ int find_joint(const Character& character, const std::vector<uint8_t>& flags, co
   const std::string wanted = words(rule.joint);
   int named = -1, nearest = -1;
   double least = kSamePlace;
-  for (size_t j = 0; j < character.joints.size(); ++j) {
+  for (size_t j = 0; j < joints.size(); ++j) {
     if (!there(j)) continue;
-    if (!mirror && character.joints[j].name == rule.joint) named = static_cast<int>(j);
-    if (words(character.joints[j].name) != wanted || off(j) >= least) continue;
+    if (!mirror && joints[j].first == rule.joint) named = static_cast<int>(j);
+    if (words(joints[j].first) != wanted || off(j) >= least) continue;
     least = off(j);
     nearest = static_cast<int>(j);
   }
@@ -161,7 +161,6 @@ StyleSheet learn_style(const Character& character, const AskedBind& asked, const
   StyleSheet sheet;
   sheet.joints = joints_of(character);
   if (asked.questions.empty()) return sheet;
-  const Places places(character);
   const std::vector<PartLook> looks = look_at_parts(character, asked.vertex_parts);
   for (const sinew_answer& answer : answers) {
     const uint32_t part = asked.vertex_parts[answer.vertex];
@@ -172,9 +171,8 @@ StyleSheet learn_style(const Character& character, const AskedBind& asked, const
       rule.part.joint = character.joints[question.joint].name;
       rule.kind = answer.kind;
       if (answer.kind == SINEW_ANSWER_RIGID) {
-        rule.joint = character.joints[answer.joint].name;
+        std::tie(rule.joint, rule.joint_place) = sheet.joints[answer.joint];
         rule.steps_up = steps_up(character, question.joint, answer.joint);
-        rule.joint_place = places.of(character.joints[answer.joint].position);
       }
       sheet.rules.push_back(std::move(rule));
     }
@@ -215,7 +213,7 @@ std::vector<sinew_answer> answer_by_style(const Style& style, const Character& c
     const StyleRule& rule = rules[match.rule];
     sinew_answer answer = {question.vertex, rule.kind, 0, 0};
     if (rule.kind == SINEW_ANSWER_RIGID) {
-      const int joint = find_joint(character, flags, rule, match.mirror, question.joint);
+      const int joint = find_joint(character, joints, flags, rule, match.mirror, question.joint);
       if (joint < 0) continue;
       answer.joint = static_cast<uint16_t>(joint);
     }

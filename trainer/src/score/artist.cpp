@@ -48,8 +48,6 @@ Answered ask_artist(const Character& reference, BindOptions options, uint32_t qu
   out.before = bind(reference, options);
   options.question_count = 0;
   const std::vector<sinew_question>& asked = out.before.questions;
-  std::vector<double> vertices;
-  for (const sinew_question& question : asked) vertices.push_back(question.vertex_count);
   std::vector<double> best = l1_of_questions(reference, out.before, out.before);
   for (const sinew_question& question : asked) out.answers.push_back({question.vertex, SINEW_ANSWER_PROPOSED, 0, 0});
   for (const uint16_t kind :
@@ -64,7 +62,7 @@ Answered ask_artist(const Character& reference, BindOptions options, uint32_t qu
     }
     const std::vector<double> l1 = l1_of_questions(reference, bind(reference, options), out.before);
     for (size_t q = 0; q < asked.size(); ++q) {
-      if (l1[q] >= best[q] - kSeen * vertices[q]) continue;
+      if (l1[q] >= best[q] - kSeen * asked[q].vertex_count) continue;
       best[q] = l1[q];
       out.answers[q] = options.answers[q];
     }
