@@ -118,42 +118,57 @@ std::vector<size_t> joints_said(const Character& character, const std::vector<ui
   return joints;
 }
 
-CharacterBind bind_with(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
-                        const std::vector<sinew_answer>& answers, uint32_t questions, bool progress,
-                        Character* character, JointChoice* choice) {
-  CharacterBindOptions character_options;
-  character_options.keep_tips = settings.keep_tips;
-  character_options.bind_props = settings.bind_props;
-  BindOptions& options = character_options.bind;
+// What every bind of a file has in common, read once: a file is bound again with more answers.
+struct BindJob {
+  CharacterBindOptions options;
+  std::vector<uint8_t> said;  // [J] SINEW_JOINT_* of --deform and --never, or empty
+  JointChoice choice;         // before answers take joints back
+};
+
+// Puts the rows of the hints into the character.
+BindJob make_job(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
+                 Character* character) {
+  BindJob job;
+  job.options.keep_tips = settings.keep_tips;
+  job.options.bind_props = settings.bind_props;
+  BindOptions& options = job.options.bind;
   options.method = binder.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
   options.model = binder.model;
   options.influence_count = settings.influences;
   options.up_axis = settings.up == "z" ? 1 : 0;
-  std::vector<uint8_t> said;
-  set_flags(settings, *character, &said);
-  *choice = choose_joints(*character, joints_from(settings), said);
+  set_flags(settings, *character, &job.said);
+  // Hints are no weights of the file: the choice comes first.
+  job.choice = choose_joints(*character, joints_from(settings), job.said);
   options.locked = locked;
   set_hints(settings, character, &options.hints);
-  options.answers = answers;
-  options.question_count = questions;
-  take_back_joints(joints_said(*character, options.hints, answers), said, choice);
-  for (const sinew_answer& answer : answers) {
-    if (answer.kind == SINEW_ANSWER_RIGID && (choice->flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
-      throw Error("answer rigid:" + character->joints[answer.joint].name + ": --never, or --deform for other joints, " +
-                  "says that this joint gets no weight");
-  }
   options.symmetric = settings.symmetric;
   apply_style(settings.style, &options);
+  options.thread_count = settings.threads;
+  return job;
+}
+
+CharacterBind bind_with(const BindJob& job, const std::vector<sinew_answer>& answers, uint32_t questions, bool progress,
+                        const Character& character, JointChoice* choice) {
+  CharacterBindOptions character_options = job.options;
+  BindOptions& options = character_options.bind;
+  options.answers = answers;
+  options.question_count = questions;
+  *choice = job.choice;
+  take_back_joints(joints_said(character, options.hints, answers), job.said, choice);
+  for (const sinew_answer& answer : answers) {
+    if (answer.kind == SINEW_ANSWER_RIGID && (choice->flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
+      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --deform for other joints, " +
+                  "says that this joint gets no weight");
+  }
   uint32_t shown = 0;
   if (progress) {
     options.progress = show_progress;
     options.progress_user = &shown;
   }
-  ThreadPool pool(settings.threads);
-  options.thread_count = settings.threads;
+  ThreadPool pool(options.thread_count);
   options.parallel_for = ThreadPool::parallel_for;
   options.parallel_user = &pool;
-  return bind_character(*character, *choice, character_options);
+  return bind_character(character, *choice, character_options);
 }
 
 void draw(const BindSettings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
@@ -270,8 +285,9 @@ CharacterBind bind_and_ask(const BindSettings& settings, const Binder& binder, c
   if (!settings.studio_style.empty()) style = read_style(settings.studio_style);
   std::vector<sinew_answer> said;
   for (const std::string& answer : settings.answers) said.push_back(parse_answer(answer, *character));
+  const BindJob job = make_job(settings, binder, locked, character);
   const auto bind_again = [&](uint32_t questions) {
-    return bind_with(settings, binder, locked, given, questions, progress, character, choice);
+    return bind_with(job, given, questions, progress, *character, choice);
   };
   // What there could be answers for, as proposed: what a style is matched with and made of.
   CharacterBind proposed;
