@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// A joint of a predicted skeleton.
+#ifndef SINEW_RIG_RIG_JOINT_HPP
+#define SINEW_RIG_RIG_JOINT_HPP
+
+#include "core/fixed.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kMaxFoldedJoints = 48;                 // on the plane and on one side of it
+constexpr uint32_t kMaxRigJoints = 4 * kMaxFoldedJoints;  // both sides, and every joint's bone end
+
+// Parents come before their children; joint 0 is the root.
+struct RigJoint {
+  Vec3i position;              // grid units in the mirror frame
+  int16_t parent;              // -1 for the root
+  int16_t partner;             // its mirror image, itself on the plane, -1 where nothing is mirrored
+  uint8_t joint_class;         // JointClass; a bone end's is its joint's
+  uint8_t tip;                 // 1 for a bone end
+  uint16_t confidence;         // Q15: how sure the votes are of the joint's place
+  uint16_t parent_confidence;  // Q15: how sure they are of its parent
+};
+
+}  // namespace sinew
+#endif
