@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A network is not only bind's: a tiny task over joints and pairs of joints trains, is quantised, and runs in the engine.
-// For every joint: how far its farthest neighbour lies, and how much the joints tied to it weigh on average.
+// For every joint: how far its farthest neighbour lies, how much the joints tied to it weigh on average, and the heaviest of
+// those two steps away.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +28,7 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kTask = kFirstPrivateTask + 7;
-constexpr uint32_t kSlots = 3, kOutputs = 2;
+constexpr uint32_t kSlots = 3, kOutputs = 3;
 constexpr uint16_t kJoints = 0, kPairs = 1;  // inputs
 
 struct JointSample : NetworkSample {
@@ -45,7 +46,7 @@ JointSample chain(uint32_t joints, uint64_t seed) {
   s.candidates = kSlots;
   s.part_count = 1;
   s.inputs = {{1, {}}, {1, {}}};
-  s.row_offsets = {0};
+  s.row_offsets = s.far_offsets = {0};
   s.part_offsets = {0, joints};
   for (uint32_t j = 0; j < joints; ++j) {
     s.part.push_back(0);
@@ -53,6 +54,9 @@ JointSample chain(uint32_t joints, uint64_t seed) {
     if (j > 0) s.col_indices.push_back(j - 1);
     if (j + 1 < joints) s.col_indices.push_back(j + 1);
     s.row_offsets.push_back(static_cast<uint32_t>(s.col_indices.size()));
+    if (j > 1) s.far_indices.push_back(j - 2);
+    if (j + 2 < joints) s.far_indices.push_back(j + 2);
+    s.far_offsets.push_back(static_cast<uint32_t>(s.far_indices.size()));
     s.inputs[kJoints].rows.push_back(draw());
     for (uint32_t slot = 0; slot < kSlots; ++slot) {
       const bool present = slot == 0 || (j + slot) % 4 != 0;
@@ -76,6 +80,10 @@ JointSample chain(uint32_t joints, uint64_t seed) {
     const auto count = static_cast<float>(s.row_offsets[j + 1] - s.row_offsets[j]);
     s.target.push_back(static_cast<float>(farthest) / 8192.0f);
     s.target.push_back(sum / count / 8192.0f);
+    int16_t heaviest = 0;
+    for (uint32_t e = s.far_offsets[j]; e < s.far_offsets[j + 1]; ++e)
+      heaviest = std::max(heaviest, s.inputs[kJoints].rows[s.far_indices[e]]);
+    s.target.push_back(static_cast<float>(heaviest) / 8192.0f);
   }
   return s;
 }
@@ -93,7 +101,7 @@ class JointTask : public TrainingTask {
     n.input_names = {"join", "pair"};
     n.candidate_count = kSlots;
     n.buffers = {{Domain::kJoint, 1},       {Domain::kJointPair, 1},          {Domain::kJointPair, 8},
-                 {Domain::kJointPair, 8},   {Domain::kJoint, 2 + 8 * kSlots}, {Domain::kJoint, 16},
+                 {Domain::kJointPair, 8},   {Domain::kJoint, 3 + 8 * kSlots}, {Domain::kJoint, 16},
                  {Domain::kJoint, kOutputs}};
     const auto linear = [&](Region in, Region out, uint8_t flags) {
       Layer layer;
@@ -118,8 +126,10 @@ class JointTask : public TrainingTask {
     apply(LayerKind::kCandidateMax, {2, 0, 8}, {3, 0, 8});
     apply(LayerKind::kCopy, {kJoints, 0, 1}, {4, 0, 1});
     apply(LayerKind::kRingMean, {kJoints, 0, 1}, {4, 1, 1});
-    apply(LayerKind::kPairToVertex, {3, 0, 8}, {4, 2, 8 * kSlots});
-    linear({4, 0, 2 + 8 * kSlots}, {5, 0, 16}, kLayerRelu);
+    apply(LayerKind::kRingMax, {kJoints, 0, 1}, {4, 2, 1});
+    n.layers.back().flags = kLayerFar;
+    apply(LayerKind::kPairToVertex, {3, 0, 8}, {4, 3, 8 * kSlots});
+    linear({4, 0, 3 + 8 * kSlots}, {5, 0, 16}, kLayerRelu);
     linear({5, 0, 16}, {6, 0, kOutputs}, 0);
     return n;
   }
@@ -283,6 +293,9 @@ TEST(SecondTask, OtherTasksRefuseItsModel) {
   task = model_task(network);
   task.output.domain = Domain::kVertex;
   EXPECT_EQ(open_model(file.data(), bytes.size(), task, &model), SINEW_ERROR_MODEL_LAYOUT) << "over vertices";
+  task = model_task(network);
+  task.far_neighbours = false;
+  EXPECT_EQ(open_model(file.data(), bytes.size(), task, &model), SINEW_ERROR_MODEL_LAYOUT) << "no far neighbours";
 }
 
 TEST(SecondTask, ARunForAnotherTaskDoesNotStartFromItsWeights) {

@@ -2,6 +2,7 @@
 // Checks one layer of a list: regions, shapes, order of writing and reading.
 #include "model/layer_list.hpp"
 
+#include "core/build.hpp"
 #include "model/regions.hpp"
 
 namespace sinew {
@@ -55,7 +56,10 @@ LayerFault find_layer_fault(const LayerList& list, uint32_t index) {
   const Domain in = list.buffers[layer.in.buffer].domain, out = list.buffers[layer.out.buffer].domain;
   if (!shape_fits(layer.kind, in, out, layer.in.channels, layer.out.channels, list.candidates))
     return LayerFault::kShape;
-  const uint32_t known = layer.kind == LayerKind::kLinear ? kLayerRelu | kLayerResidual : 0u;
+  const bool ring = layer.kind == LayerKind::kRingMean || layer.kind == LayerKind::kRingMax;
+  uint32_t known = 0;
+  if (layer.kind == LayerKind::kLinear) known = kLayerRelu | kLayerResidual;
+  if (!kSmallCode && ring && list.far_neighbours && !has_slots(in)) known = kLayerFar;
   if ((layer.flags & ~known) != 0) return LayerFault::kFlags;
   if (layer.out.buffer < list.input_count) return LayerFault::kOverwrite;
   for (uint32_t i = 0; i < index; ++i) {

@@ -39,6 +39,7 @@ enum class LayerKind : uint8_t {
 
 constexpr uint8_t kLayerRelu = 1;      // kLinear: y = max(y, 0)
 constexpr uint8_t kLayerResidual = 2;  // kLinear: adds the residual region before the activation
+constexpr uint8_t kLayerFar = 4;       // kRingMean, kRingMax, vertex: over the far neighbours, for tasks that have some
 
 // Channels [offset, offset + channels) of a buffer.
 struct Region {

@@ -206,8 +206,9 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
   const ModelTables tables(bytes);
   Decoded decoded;
   LayerList& list = decoded.list;
-  list = {decoded.buffers, decoded.layers, tables.buffer_count(), task.input_count,
-          load_u32(bytes + kHeaderCandidates)};
+  list = {
+      decoded.buffers,    decoded.layers, tables.buffer_count(), task.input_count, load_u32(bytes + kHeaderCandidates),
+      task.far_neighbours};
   status = read_buffers(tables, task, &decoded);
   if (status != SINEW_OK) return status;
 

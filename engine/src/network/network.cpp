@@ -341,19 +341,21 @@ void run_linear(const Tile& tile, uint32_t index) {
              run.plan.buffers[layer.out.buffer].channels);
 }
 
-// One-ring layers: rows of neighbours come from storage, whatever tile they belong to.
+// Layers of neighbours: rows of neighbours come from storage, whatever tile they belong to.
 void run_ring(const Tile& tile, uint32_t index) {
   const Run& run = tile.run;
   const Layer& layer = run.plan.layers[index];
   const uint32_t k = run.plan.candidates, slots = slots_of(run, layer.out);
-  const bool mean = layer.kind == LayerKind::kRingMean;
+  const bool mean = layer.kind == LayerKind::kRingMean, far = !kSmallCode && (layer.flags & kLayerFar) != 0;
+  const uint32_t* const offsets = far ? run.input.far_offsets : run.input.row_offsets;
+  const uint32_t* const neighbours_of = far ? run.input.far_indices : run.input.col_indices;
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
     const Segment segment = segment_at(run.plan.layers, run.plan.input_count, index, layer.in, channel);
     const RowsView values = whole_mesh(run, layer.in.buffer, segment.producer, channel);
     for (uint32_t row = 0; row < tile.count * slots; ++row) {
       const uint32_t vertex = tile.vertices()[row / slots];
-      const uint32_t* ring = run.input.col_indices + run.input.row_offsets[vertex];
-      const uint32_t valence = run.input.row_offsets[vertex + 1] - run.input.row_offsets[vertex];
+      const uint32_t* ring = neighbours_of + offsets[vertex];
+      const uint32_t valence = offsets[vertex + 1] - offsets[vertex];
       int16_t* out = tile_row(tile, layer.out, row) + (channel - layer.in.offset);
       if (!has_slots(run.plan.buffers[layer.out.buffer].domain)) {
         if (mean) {

@@ -17,6 +17,8 @@ inline NetworkInput network_input(const NetworkSample& sample) {
   input.joints = sample.candidate.data();
   input.row_offsets = sample.row_offsets.data();
   input.col_indices = sample.col_indices.data();
+  input.far_offsets = sample.far_offsets.data();
+  input.far_indices = sample.far_indices.data();
   input.part = sample.part.data();
   input.part_offsets = sample.part_offsets.data();
   input.part_vertices = sample.part_vertices.data();

@@ -32,6 +32,7 @@ struct NetworkSample {
   std::vector<Input> inputs;                       // in the task's order
   std::vector<uint16_t> candidate;                 // [U x K], 0xFFFF absent
   std::vector<uint32_t> row_offsets, col_indices;  // one-ring CSR
+  std::vector<uint32_t> far_offsets, far_indices;  // CSR of far neighbours; empty where the task has none
   std::vector<uint32_t> part, part_offsets, part_vertices;
 };
 

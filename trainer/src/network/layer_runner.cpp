@@ -134,6 +134,11 @@ void check_inputs(const FloatNetwork& shape, const NetworkSample& sample) {
     if (sample.inputs[i].rows.size() != rows * sample.inputs[i].channels)
       throw Error(sample.name + ": the sample's arrays do not fit its counts; its cache is damaged, delete it");
   }
+  for (const Layer& layer : shape.layers) {
+    if ((layer.kind == LayerKind::kRingMean || layer.kind == LayerKind::kRingMax) && (layer.flags & kLayerFar) != 0 &&
+        sample.far_offsets.size() != size_t{sample.vertices} + 1)
+      throw Error(sample.name + ": the network reads far neighbours, which the sample does not have");
+  }
 }
 
 }  // namespace
@@ -185,6 +190,12 @@ struct LayerRunner<S>::State {
   void load_inputs(const FloatNetwork& shape, const DropoutOptions& dropout);
   void linear(const Layer& layer, View<S> in, View<S> out, View<S> residual, float dropout, uint64_t seed);
   void linear_backward(const Layer& layer, View<S> in, View<S> out, View<S> d_in, View<S> d_out, View<S> d_residual);
+  // CSR of the rows that a layer of neighbours reads.
+  std::pair<const uint32_t*, const uint32_t*> neighbours(const Layer& layer, bool pair) const {
+    if (pair) return {index.ring_begin.data(), index.ring_pairs.data()};
+    if ((layer.flags & kLayerFar) != 0) return {sample->far_offsets.data(), sample->far_indices.data()};
+    return {sample->row_offsets.data(), sample->col_indices.data()};
+  }
   void ring(const Layer& layer, Block<uint32_t>* argument, bool pair, View<S> in, View<S> out);
   void ring_backward(const Layer& layer, const Block<uint32_t>& argument, bool pair, View<S> d_in, View<S> d_out);
   void part_mean(bool pair, View<S> in, View<S> out);  // linear and symmetric: its own transpose, adds to out
@@ -303,8 +314,7 @@ void LayerRunner<S>::State::linear_backward(const Layer& layer, View<S> in, View
 
 template <class S>
 void LayerRunner<S>::State::ring(const Layer& layer, Block<uint32_t>* argument, bool pair, View<S> in, View<S> out) {
-  const uint32_t* begin = pair ? index.ring_begin.data() : sample->row_offsets.data();
-  const uint32_t* cols = pair ? index.ring_pairs.data() : sample->col_indices.data();
+  const auto [begin, cols] = neighbours(layer, pair);
   const uint32_t channels = in.channels;
   if (layer.kind == LayerKind::kRingMean) {
     row_blocks(in.rows, [&](uint32_t first, uint32_t end, size_t) {
@@ -341,8 +351,7 @@ void LayerRunner<S>::State::ring(const Layer& layer, Block<uint32_t>* argument, 
 template <class S>
 void LayerRunner<S>::State::ring_backward(const Layer& layer, const Block<uint32_t>& argument, bool pair, View<S> d_in,
                                           View<S> d_out) {
-  const uint32_t* begin = pair ? index.ring_begin.data() : sample->row_offsets.data();
-  const uint32_t* cols = pair ? index.ring_pairs.data() : sample->col_indices.data();
+  const auto [begin, cols] = neighbours(layer, pair);
   const uint32_t channels = d_in.channels;
   for (uint32_t r = 0; r < d_in.rows; ++r) {
     const S* g = d_out.row(r);
