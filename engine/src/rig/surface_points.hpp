@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Points spread evenly over a mesh's surface: what a skeleton is predicted from, however fine or coarse the mesh.
+#ifndef SINEW_RIG_SURFACE_POINTS_HPP
+#define SINEW_RIG_SURFACE_POINTS_HPP
+
+#include "mesh/mesh.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kNoTriangle = 0xFFFFFFFFu;
+
+struct SurfacePoint {
+  Vec3i position;      // grid units
+  Vec3i normal;        // Q14, as the triangle is wound; (0, 0, 0) without a triangle
+  uint32_t triangle;   // of the mesh, or kNoTriangle for a mesh without area, whose points are vertices
+  uint32_t corner[3];  // vertices
+  uint16_t share[3];   // of the corners, Q15; they sum to 2^15
+};
+
+// `count` points, one in each of as many strata of the area: point i lies where the area of the triangles before it
+// reaches a random share between i / count and (i + 1) / count. The same seed gives the same points.
+void spread_points(const Mesh& mesh, uint32_t count, uint64_t seed, SurfacePoint* points);
+
+}  // namespace sinew
+#endif
