@@ -16,6 +16,7 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/ranks.hpp"
+#include "sinew_trainer/rig_train.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -23,7 +24,7 @@ namespace {
 
 struct Settings {
   TrainOptions options;
-  std::string config;
+  std::string config, task = "bind";
   std::string shard;
   uint64_t steps = 0;
   bool print_config = false, cache_only = false, threads_given = false;
@@ -60,8 +61,40 @@ void say_next(const TrainOptions& options) {
               model.c_str());
 }
 
+void say_end(const TrainOptions& options, const Ranks& ranks) {
+  if (ranks.rank() > 0) return;
+  if (*options.stop) {
+    std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", options.output.c_str());
+  } else if (!options.quiet) {
+    say_next(options);
+  }
+}
+
+void run_rig(const Settings& s, TrainOptions options, Ranks* ranks) {
+  RigTrainConfig config;
+  if (!s.config.empty()) config = parse_rig_config(read_text_file(s.config), s.config);
+  if (options.resume && s.config.empty())
+    config = parse_rig_config(read_checkpoint(options.output).state.config_json, options.output);
+  if (s.steps > 0) config.steps = s.steps;
+  if (s.print_config) {
+    if (ranks->rank() == 0) std::printf("%s\n", rig_config_json(config).c_str());
+    return;
+  }
+  if (s.cache_only) throw UsageError("--cache-only: samples of --task rig are made in the run, there is no cache");
+  check_output(options.output, {".sinewckpt", ".ckpt"});
+  options.stop = &stop_on_signals();
+  train_rig(config, options);
+  say_end(options, *ranks);
+}
+
 // Under mpirun every rank comes here with the same command line.
 void run_ranks(const Settings& s, Ranks* ranks) {
+  if (s.task == "rig") {
+    TrainOptions options = s.options;
+    options.ranks = ranks;
+    if (!s.threads_given) options.threads = std::max(1u, options.threads / ranks->local_size());
+    return run_rig(s, options, ranks);
+  }
   TrainConfig config;
   if (!s.config.empty()) config = parse_train_config(read_text_file(s.config), s.config);
   TrainOptions options = s.options;
@@ -77,12 +110,7 @@ void run_ranks(const Settings& s, Ranks* ranks) {
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train(config, options);
-  if (ranks->rank() > 0) return;
-  if (*options.stop) {
-    std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", options.output.c_str());
-  } else if (!options.quiet) {
-    say_next(options);
-  }
+  say_end(options, *ranks);
 }
 
 void run(const Settings& s) {
@@ -106,6 +134,9 @@ void add_train(CLI::App& app) {
   s->options.threads = std::max(1u, std::thread::hardware_concurrency());
   sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
       ->type_name("DIR");
+  sub->add_option("--task", s->task, "What the network learns: bind (skin weights) or rig (a skeleton for a bare mesh)")
+      ->check(CLI::IsMember({"bind", "rig"}))
+      ->capture_default_str();
   sub->add_option("-o,--output", s->options.output,
                   "Checkpoint to write (.sinewckpt or .ckpt); the log goes beside it as .csv")
       ->type_name("CKPT");

@@ -37,6 +37,15 @@ SampleSource sample_source(const TrainConfig& config, const TrainOptions& option
   return source;
 }
 
+bool is_left_out(const std::map<std::string, std::string>& leave_out, const std::string& name) {
+  for (const auto& [pattern, reason] : leave_out) {
+    const bool prefix = !pattern.empty() && pattern.back() == '*';
+    if (prefix ? name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0 : name == pattern)
+      return true;
+  }
+  return false;
+}
+
 namespace {
 
 // The characters of a folder themselves, without variants.
@@ -50,18 +59,9 @@ std::vector<SampleRequest> character_requests(const std::string& folder) {
   return requests;
 }
 
-bool is_left_out(const TrainConfig& config, const std::string& name) {
-  for (const auto& [pattern, reason] : config.leave_out) {
-    const bool prefix = !pattern.empty() && pattern.back() == '*';
-    if (prefix ? name.compare(0, pattern.size() - 1, pattern, 0, pattern.size() - 1) == 0 : name == pattern)
-      return true;
-  }
-  return false;
-}
-
 std::vector<SampleRequest> training_requests(const TrainConfig& config, const std::string& folder) {
   std::vector<SampleRequest> characters = character_requests(folder);
-  std::erase_if(characters, [&](const SampleRequest& request) { return is_left_out(config, request.name); });
+  std::erase_if(characters, [&](const SampleRequest& request) { return is_left_out(config.leave_out, request.name); });
   if (characters.empty()) throw Error(folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)");
   // Variants are optional extras: one that fails (say, because decimation leaves nothing) is only left out.
   std::vector<SampleRequest> requests;

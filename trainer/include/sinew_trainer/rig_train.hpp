@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Training runs for skeleton prediction (task "rig").
+#ifndef SINEW_TRAINER_RIG_TRAIN_HPP
+#define SINEW_TRAINER_RIG_TRAIN_HPP
+
+#include <map>
+#include <string>
+
+#include "sinew_trainer/train.hpp"
+
+namespace sinew {
+
+// Read from and written to JSON (unknown keys are an Error). The defaults are trainer/configs/votes.json, which trained the
+// bundled model.
+struct RigTrainConfig : RunConfig {
+  RigTrainConfig();
+  uint32_t width = 64;  // channels
+  uint32_t rounds = 4;  // of neighbours
+  // Samples of a character beside two of itself: posed and stretched by its own weights, a third of them half as strongly.
+  uint32_t variants = 12;
+  // Synthetic characters of each body plan (formats/datasets/src/synth), as families of their own.
+  uint32_t synthetic = 20;
+  // Characters that are not trained on, by name (a * at the end stands for any rest), and why.
+  std::map<std::string, std::string> leave_out;
+};
+RigTrainConfig parse_rig_config(const std::string& json, const std::string& source);
+std::string rig_config_json(const RigTrainConfig& config);
+
+// As train(): samples of options.data_dir, checkpoint, log, --resume. Samples are made anew in every run, which takes less
+// time than reading them; options.cache_dir is not used.
+void train_rig(const RigTrainConfig& config, const TrainOptions& options);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Training samples of skeleton prediction: points of a character's surface with the bones that move them.
+#ifndef SINEW_TRAINER_DATA_RIG_SAMPLE_HPP
+#define SINEW_TRAINER_DATA_RIG_SAMPLE_HPP
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_formats/character.hpp"
+#include "sinew_trainer/network_sample.hpp"
+
+namespace sinew {
+
+// One set of N = kSetPoints points (rig/rig_points.hpp of the engine). Lengths are shares of the longest side, x is folded:
+// counted away from the mirror plane on the point's side.
+struct RigSample : NetworkSample {
+  std::vector<float> medial;                    // [N x 3] what offsets are counted from
+  std::vector<float> start, end;                // [N x 3] of the bone that moves the point
+  std::vector<float> weight;                    // [N] how much the loss cares
+  std::vector<uint8_t> start_class, end_class;  // [N] JointClass; of ends also kClassTip
+};
+
+// A character in its mirror frame, ready to be posed, stretched and sampled. What a point learns follows its joints, so that
+// labels stay exact.
+class RigSource {
+ public:
+  // Throws Error where target_skeleton() does, and for a mesh that the engine refuses.
+  explicit RigSource(const Character& character);
+
+  // strength 0: the character as it is; 1: joints turn by up to a radian, bones and the whole are stretched, small parts
+  // vanish. The same seed gives the same sample.
+  RigSample make(uint64_t seed, double strength) const;
+
+ private:
+  using Point = std::array<double, 3>;
+  struct Posed {
+    std::vector<Point> vertices, joints;  // of the target
+    std::vector<uint8_t> gone;            // [T] triangles that were left out
+    bool symmetric = true;
+  };
+  Posed pose(uint64_t seed, double strength) const;
+  RigSample sample(const Posed& posed, uint64_t seed) const;
+
+  std::string name_, family_;
+  std::vector<Point> vertices_;  // [V] mirror frame, side 1
+  std::vector<std::array<uint32_t, 3>> triangles_;
+  std::vector<std::vector<Influence>> influences_;  // [V] of the character's joints
+  std::vector<Point> joints_;                       // [J] of the character
+  std::vector<int> parents_;                        // [J]
+  std::vector<uint32_t> order_;                     // [J] parents first
+  TargetSkeleton target_;
+  std::vector<Point> target_joints_;         // [target] mirror frame
+  std::vector<std::vector<uint32_t>> kids_;  // [target]
+  std::vector<int> partner_;                 // [target] mirror image or -1
+  std::vector<uint32_t> part_;               // [T]
+  std::vector<double> area_;                 // [T] doubled
+  uint32_t parts_ = 0;
+};
+
+}  // namespace sinew
+#endif

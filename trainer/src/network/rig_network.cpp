@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The layer list of the network of votes.
+#include "network/rig_network.hpp"
+
+#include "network/network_builder.hpp"
+#include "rig/rig_task.hpp"
+
+namespace sinew {
+namespace {
+
+class Builder : public NetworkBuilder {
+ public:
+  explicit Builder(uint64_t seed) : NetworkBuilder("votes", seed) {
+    network_.task = kTaskRig;
+    network_.feature_set = kRigFeatureSet;
+    network_.candidate_count = 1;
+    network_.grid_size = kRigCells;
+    network_.input_names = {"pnts"};
+  }
+  void far_max(const Region& in, const Region& out) {
+    apply(LayerKind::kRingMax, in, out);
+    network_.layers.back().flags = kLayerFar;
+  }
+};
+
+}  // namespace
+
+FloatNetwork make_rig_network(const RigNetworkOptions& options, uint64_t seed) {
+  Builder b(seed);
+  const auto width = static_cast<uint16_t>(options.width);
+  const Region input = b.fresh(Domain::kVertex, kRigChannels);
+  constexpr uint32_t kViews = 4;  // itself, near, far, all
+  uint16_t views = b.add_buffer(Domain::kVertex, kViews * width);
+  Region state = b.part(views, 0, width), skip = state;
+  b.relu(input, state);
+  for (uint32_t round = 0; round < options.rounds; ++round) {
+    const Region message = b.fresh(Domain::kVertex, width);
+    b.relu(state, message);
+    b.apply(LayerKind::kRingMax, message, b.part(views, width, width));
+    b.far_max(message, b.part(views, 2u * width, width));
+    b.apply(LayerKind::kGlobalMax, message, b.part(views, 3u * width, width));
+    const bool last = round + 1 == options.rounds;
+    const uint16_t next = b.add_buffer(Domain::kVertex, kViews * width);
+    const Region out = b.part(next, 0, width);
+    if (round == 0) {
+      b.relu(b.all(views), out);
+    } else {
+      b.linear(b.all(views), out, kLayerRelu | kLayerResidual, state, 0.7);
+    }
+    state = out;
+    views = next;
+    if (round == 1) skip = state;
+    if (last) {
+      b.apply(LayerKind::kCopy, skip, b.part(views, width, width));
+      b.apply(LayerKind::kGlobalMax, state, b.part(views, 2u * width, width));
+      b.apply(LayerKind::kGlobalMean, state, b.part(views, 3u * width, width));
+    }
+  }
+  const Region wide = b.fresh(Domain::kVertex, 2u * width), narrow = b.fresh(Domain::kVertex, width);
+  b.relu(b.all(views), wide);
+  b.relu(wide, narrow);
+  LinearParameters& last = b.linear(narrow, b.fresh(Domain::kVertex, kRigOutputs), 0, {}, 0.1);
+  last.bias[kRigStartSpread] = last.bias[kRigEndSpread] = -3.5f;
+  return b.take();
+}
+
+}  // namespace sinew

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The network that lets surface points vote for bones.
+#ifndef SINEW_TRAINER_NETWORK_RIG_NETWORK_HPP
+#define SINEW_TRAINER_NETWORK_RIG_NETWORK_HPP
+
+#include "sinew_formats/float_network.hpp"
+
+namespace sinew {
+
+struct RigNetworkOptions {
+  uint32_t width = 64;
+  uint32_t rounds = 4;  // of neighbours
+};
+// Seeded initial weights. Every point of a set gets kRigOutputs numbers (rig/rig_task.hpp of the engine):
+//   h = relu(L x); per round u = relu(L h), z = relu(L [h, max of near u, max of far u, max of all u]), h = z (+ h from the
+//   second on); at the end relu(L [h, h after two rounds, max and mean of all h]), relu(L), L.
+FloatNetwork make_rig_network(const RigNetworkOptions& options, uint64_t seed);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What a training run asks about skeletons.
+#include "run/rig_task.hpp"
+
+#include "network/rig_network.hpp"
+#include "rig/rig_task.hpp"
+#include "run/rig_loss.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+const RigSample& as_sample(const NetworkSample& sample) { return static_cast<const RigSample&>(sample); }
+
+}  // namespace
+
+FloatNetwork RigTask::make_network() const { return make_rig_network({config_.width, config_.rounds}, config_.seed); }
+
+void RigTask::check(const FloatNetwork& network, const std::string& source) const {
+  check_network(network, source);
+  if (network.task != kTaskRig) throw Error(source + ": not a network that predicts skeletons");
+}
+
+std::vector<std::string> RigTask::loss_names() const {
+  return {"loss", "start", "end", "start_class", "end_class", "start_distance", "end_distance"};
+}
+
+std::vector<double> RigTask::loss(const NetworkSample& sample, const std::vector<float>& outputs,
+                                  std::vector<float>* d_outputs) const {
+  const RigLoss l = rig_loss(as_sample(sample), outputs, d_outputs);
+  return {l.total, l.start, l.end, l.start_class, l.end_class, l.start_distance, l.end_distance};
+}
+
+double RigTask::score(const NetworkSample& sample, const std::vector<float>& outputs) const {
+  const RigLoss l = rig_loss(as_sample(sample), outputs, nullptr);
+  return 0.5 * (l.start_distance + l.end_distance);
+}
+
+double RigTask::baseline_score(const NetworkSample& sample) const {
+  return score(sample, std::vector<float>(size_t{sample.vertices} * kRigOutputs, 0.0f));
+}
+
+}  // namespace sinew
