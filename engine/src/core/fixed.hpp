@@ -190,5 +190,20 @@ inline int32_t log2_q16(uint64_t v) {
   return (msb << 16) + ((static_cast<int32_t>(x >> 12) + above + 4) >> 3);
 }
 
+// 2^-x for x >= 0 in Q16; Q30, error below 2^-15 of the value.
+SINEW_ONCE inline int64_t exp2_negative(int64_t x_q16) {
+  // round(2^(-2^-(i + 1)) * 2^31)
+  static constexpr uint32_t kRoots[16] = {1518500250u, 1805811301u, 1969251188u, 2056437387u, 2101467502u, 2124350982u,
+                                          2135885998u, 2141676973u, 2144578345u, 2146030505u, 2146756953u, 2147120270u,
+                                          2147301951u, 2147392798u, 2147438222u, 2147460935u};
+  const int64_t whole = x_q16 >> 16;
+  if (whole > 40) return 0;
+  uint64_t value = static_cast<uint64_t>(1) << 30;
+  for (int bit = 0; bit < 16; ++bit) {
+    if ((x_q16 >> (15 - bit) & 1) != 0) value = (value * kRoots[bit]) >> 31;
+  }
+  return static_cast<int64_t>(value >> whole);
+}
+
 }  // namespace sinew
 #endif

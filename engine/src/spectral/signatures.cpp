@@ -10,10 +10,6 @@ constexpr int kWeightBits = 22;
 constexpr int64_t kLargestSquare = static_cast<int64_t>(1) << 34;  // Q20
 constexpr int32_t kFloor = 256;                                    // of a magnitude, Q16: 2^-8
 
-// round(2^(-2^-(i + 1)) * 2^31)
-constexpr uint32_t kRoots[16] = {1518500250u, 1805811301u, 1969251188u, 2056437387u, 2101467502u, 2124350982u,
-                                 2135885998u, 2141676973u, 2144578345u, 2146030505u, 2146756953u, 2147120270u,
-                                 2147301951u, 2147392798u, 2147438222u, 2147460935u};
 // round(log2(e) * 2^(i / 4) * 2^16)
 constexpr int64_t kRates[4] = {94548, 112438, 133712, 159011};
 // round(cos(2 pi i / 32) * 2^14)
@@ -26,16 +22,6 @@ constexpr int32_t kEnergies[kWaveKernelEnergies] = {-2 * 65536, -65536, 0, 65536
 int16_t channel(int64_t log2_in_q16) { return clamp16(round_shift(log2_in_q16, 16 - kSignatureBits), -16384, 16383); }
 
 }  // namespace
-
-int64_t exp2_negative(int64_t x_q16) {
-  const int64_t whole = x_q16 >> 16;
-  if (whole > 40) return 0;
-  uint64_t value = static_cast<uint64_t>(1) << 30;
-  for (int bit = 0; bit < 16; ++bit) {
-    if ((x_q16 >> (15 - bit) & 1) != 0) value = (value * kRoots[bit]) >> 31;
-  }
-  return static_cast<int64_t>(value >> whole);
-}
 
 void Signatures::prepare(const Eigenpairs& pairs) {
   count_ = pairs.count;

@@ -11,9 +11,6 @@ namespace sinew {
 constexpr uint32_t kTimeSamples = 33;  // 2^-3 .. 2^5, four per octave
 constexpr uint32_t kTimeStride = 6;    // of the samples that are channels: 2^-3, 2^-1.5, 1, 2^1.5, 2^3, 2^4.5
 
-// 2^-x for x >= 0 in Q16; Q30, error below 2^-15 of the value.
-int64_t exp2_negative(int64_t x_q16);
-
 // What every vertex of a part is multiplied with.
 class Signatures {
  public:

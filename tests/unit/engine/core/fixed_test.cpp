@@ -53,5 +53,12 @@ TEST(Log2, IsWithinItsBoundExactForPowersAndNeverFalls) {
   for (uint64_t v = 1; v < 200000; ++v) ASSERT_LE(log2_q16(v), log2_q16(v + 1)) << v;
 }
 
+TEST(Exp2Negative, IsWithinItsBound) {
+  for (int64_t x = 0; x < 45 * 65536; x += 997) {
+    const double expected = std::exp2(-static_cast<double>(x) / 65536 + 30);
+    EXPECT_NEAR(static_cast<double>(exp2_negative(x)), expected, expected * 3e-8 + 1) << x;
+  }
+}
+
 }  // namespace
 }  // namespace sinew

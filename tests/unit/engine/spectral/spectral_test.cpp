@@ -253,11 +253,4 @@ TEST(SymmetricEigenpairs, RebuildTheMatrix) {
   }
 }
 
-TEST(SpectralTables, ExponentialAgrees) {
-  for (int64_t x = 0; x < 45 * 65536; x += 997) {
-    const double expected = std::exp2(-static_cast<double>(x) / 65536 + 30);
-    EXPECT_NEAR(static_cast<double>(exp2_negative(x)), expected, expected * 3e-8 + 1) << x;
-  }
-}
-
 }  // namespace
