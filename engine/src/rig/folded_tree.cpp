@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// Owners of votes, costs of connections, Prim's tree, ends of bones.
+#include "rig/folded_tree.hpp"
+
+#include "core/vector_math.hpp"
+#include "rig/class_prior.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint8_t kNoJoint = 0xFF;
+constexpr uint32_t kOne = 32768;               // Q15
+constexpr int64_t kOwnReach = 4 * kVoteWidth;  // from a vote to the joint that it is for
+constexpr uint32_t kClassFloor = 983;          // Q15, 0.03: what a class counts that a vote says nothing of
+constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
+constexpr int64_t kCostPerUnit = 59093;        // Q32: 10 log2(e) / kSide
+constexpr int32_t kNever = INT32_MAX / 2;
+constexpr int32_t kFromBeside = 283650;  // Q16: 3 log2(e)
+constexpr int32_t kMiddle = side_share(300);
+constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
+constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint
+constexpr uint32_t kEndSeeds = 12;
+
+class Grower {
+ public:
+  Grower(const VotePool& pool, Cloud cloud, uint8_t* starts, uint8_t* ends, int32_t* between, FoldedTree* tree)
+      : pool_(pool),
+        votes_(*pool.votes),
+        cloud_(cloud),
+        starts_(starts),
+        ends_(ends),
+        between_(between),
+        tree_(*tree) {}
+
+  void run() {
+    const uint32_t n = votes_.points;
+    for (uint32_t p = 0; p < n; ++p) {
+      starts_[p] = owner(votes_.start[p], votes_.start_class + size_t{p} * kJointClasses);
+      ends_[p] = owner(votes_.end[p], votes_.end_class + size_t{p} * kEndClasses);
+    }
+    count_votes();
+    choose_root();
+    connect();
+    if (tree_.mirrored) tree_.nodes[tree_.root].at.x = 0;
+    find_ends();
+  }
+
+ private:
+  // The joint that makes exp(-distance / width) (probability of its class + 0.03) greatest.
+  uint8_t owner(Vec3i vote, const uint16_t* classes) const {
+    const Vec3i at = folded_place(vote, tree_.mirrored);
+    uint8_t best = kNoJoint;
+    int64_t best_score = INT64_MIN;
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      const int64_t distance_2 = square_distance(at, tree_.nodes[j].at);
+      if (distance_2 >= square(kOwnReach)) continue;
+      const int64_t distance = isqrt64(static_cast<uint64_t>(distance_2));
+      const int64_t score =
+          log2_q16(classes[tree_.nodes[j].joint_class] + kClassFloor) - ((distance * kLogPerUnit) >> 10);
+      if (score <= best_score) continue;
+      best_score = score;
+      best = static_cast<uint8_t>(j);
+    }
+    return best;
+  }
+
+  uint32_t tip(uint32_t point) const { return votes_.end_class[size_t{point} * kEndClasses + kClassTip]; }
+
+  void count_votes() {
+    const uint32_t j = tree_.count;
+    for (uint32_t i = 0; i < j * j; ++i) between_[i] = 0;
+    int64_t trust[kMaxFoldedJoints] = {}, votes[kMaxFoldedJoints] = {};
+    for (uint32_t p = 0; p < votes_.points; ++p) {
+      const uint8_t from = starts_[p], to = ends_[p];
+      if (from != kNoJoint) {
+        ++points_[from];
+        tips_[from] += tip(p);
+        trust[from] += trust_in(votes_.start_spread[p]);
+        ++votes[from];
+      }
+      if (to != kNoJoint) {
+        trust[to] += trust_in(votes_.end_spread[p]);
+        ++votes[to];
+      }
+      if (from == kNoJoint || to == kNoJoint || from == to || 2 * tip(p) >= kOne) continue;
+      between_[from * j + to] += static_cast<int32_t>(kOne - tip(p));  // at most 2^12 * 2^15
+    }
+    for (uint32_t i = 0; i < j; ++i) {
+      tree_.nodes[i].confidence = static_cast<uint16_t>(votes[i] > 0 ? trust[i] / votes[i] : 0);
+    }
+  }
+
+  SINEW_RARE void choose_root() {
+    bool on_plane = false;
+    for (uint32_t j = 0; j < tree_.count; ++j) on_plane = on_plane || !tree_.beside(j);
+    const Vec3i mean = {tree_.mirrored ? 0 : votes_.mean.x, votes_.mean.y, votes_.mean.z};
+    bool found = false, pelvis = false;
+    int64_t best = 0;
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      if (on_plane && tree_.beside(j)) continue;
+      const FoldedNode& node = tree_.nodes[j];
+      const bool is_pelvis = node.joint_class == kClassPelvis;
+      if (pelvis && !is_pelvis) continue;
+      // The distance to the mean less half the share of the points that the joint owns.
+      const int64_t badness =
+          is_pelvis ? -points_[j]
+                    : static_cast<int64_t>(length(node.at - mean)) - points_[j] * (kSide / 2) / votes_.points;
+      if (found && pelvis == is_pelvis && badness >= best) continue;
+      found = true;
+      pelvis = is_pelvis;
+      best = badness;
+      tree_.root = j;
+    }
+  }
+
+  // In bits, Q16: -log2(chance by the votes + 0.01), 10 log2(e) a side of distance, -0.7 log2(chance of the classes).
+  SINEW_RARE void find_costs() {
+    const uint32_t n = tree_.count;
+    // Twenty times what the votes add up to, so that what the other way counts, 0.15, is whole: below 2^38.
+    int64_t total[kMaxFoldedJoints];
+    for (uint32_t j = 0; j < n; ++j) {
+      total[j] = int64_t{votes_.points} * kOne * 20 / 500;
+      for (uint32_t k = 0; k < n; ++k) total[j] += int64_t{20} * between_[k * n + j] + int64_t{3} * between_[j * n + k];
+    }
+    const auto cost = [&](uint32_t from, uint32_t to, int64_t votes) {
+      const FoldedNode &a = tree_.nodes[from], &b = tree_.nodes[to];
+      const int64_t surprise =
+          log2_q16(static_cast<uint64_t>(100 * total[to])) - log2_q16(static_cast<uint64_t>(100 * votes + total[to]));
+      const int64_t distance = (static_cast<int64_t>(length(b.at - a.at)) * kCostPerUnit) >> 16;
+      const int64_t classes = int64_t{kParentSurprise[a.joint_class][b.joint_class]} * 56 / 5;
+      return static_cast<int32_t>(surprise + distance + classes);
+    };
+    // Both ways at once: each needs the other's votes.
+    for (uint32_t i = 0; i < n; ++i) {
+      for (uint32_t j = 0; j < i; ++j) {
+        const int64_t there = between_[i * n + j], back = between_[j * n + i];
+        between_[i * n + j] = cost(i, j, 20 * there + 3 * back);
+        between_[j * n + i] = cost(j, i, 20 * back + 3 * there);
+      }
+    }
+  }
+
+  // A joint beside the plane that is the parent of one on it was meant to lie there as well, if it is near and of no
+  // paired class. Others may not be: an image would have no child.
+  SINEW_RARE void connect() {
+    find_costs();
+    find_parents(kFromBeside);
+    for (bool moved = tree_.mirrored; moved;) {
+      moved = false;
+      for (uint32_t j = 0; j < tree_.count; ++j) {
+        if (tree_.beside(j) || tree_.nodes[j].parent < 0) continue;
+        FoldedNode& parent = tree_.nodes[tree_.nodes[j].parent];
+        if (parent.at.x >= kMiddle || is_paired_class(parent.joint_class)) continue;
+        moved = moved || parent.at.x > 0;
+        parent.at.x = 0;
+      }
+      if (moved) find_parents(kFromBeside);
+    }
+    find_parents(kNever);
+  }
+
+  // Prim's algorithm; from_beside is what a way from beside the plane to it costs more.
+  SINEW_RARE void find_parents(int32_t from_beside) {
+    const uint32_t n = tree_.count;
+    bool inside[kMaxFoldedJoints] = {};
+    int64_t best[kMaxFoldedJoints];
+    for (int64_t& b : best) b = INT64_MAX;
+    tree_.nodes[tree_.root].parent = -1;
+    tree_.nodes[tree_.root].parent_confidence = kOne;
+    uint32_t last = tree_.root;
+    for (uint32_t taken = 1; taken < n; ++taken) {
+      inside[last] = true;
+      uint32_t next = n;
+      for (uint32_t j = 0; j < n; ++j) {
+        if (inside[j]) continue;
+        const bool leaves = tree_.beside(last) && !tree_.beside(j);
+        const int64_t cost = int64_t{between_[last * n + j]} + (leaves ? from_beside : 0);
+        if (cost < best[j]) {
+          best[j] = cost;
+          tree_.nodes[j].parent = static_cast<int16_t>(last);
+        }
+        if (next == n || best[j] < best[next]) next = j;
+      }
+      tree_.nodes[next].parent_confidence = static_cast<uint16_t>(exp2_negative(best[next]) >> 15);
+      last = next;
+    }
+  }
+
+  SINEW_RARE void find_ends() {
+    bool leaf[kMaxFoldedJoints];
+    for (bool& l : leaf) l = true;
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      if (tree_.nodes[j].parent >= 0) leaf[tree_.nodes[j].parent] = false;
+    }
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      // The mean chance of a tip is at least 1/4 for a leaf, 1/2 for others.
+      if (points_[j] == 0 || tips_[j] * (leaf[j] ? 4 : 2) < points_[j] * kOne) continue;
+      cloud_.clear();
+      int64_t trust = 0;
+      for (uint32_t i = 0; i < pool_.count; ++i) {
+        const uint32_t point = pool_.source[i] >> 1;
+        if ((pool_.source[i] & 1) == 0 || starts_[point] != j) continue;
+        const uint32_t weight = (pool_.trust[i] * tip(point) + (1u << 14)) >> 15;
+        trust += int64_t{pool_.trust[i]} * tip(point);
+        if (weight > 0) cloud_.add(pool_.at[i], weight);
+      }
+      Mode modes[kMaxModes];
+      if (find_modes(cloud_, kVoteWidth, tree_.mirrored, kEndSeeds, modes) == 0) continue;
+      Vec3i end = modes[0].at;
+      if (tree_.mirrored && !tree_.beside(j) && end.x < kEndSnap) end.x = 0;
+      bool is_far = true;
+      for (uint32_t k = 0; k < tree_.count; ++k) {
+        is_far = is_far && square_distance(end, tree_.nodes[k].at) >= square(kEndDistance);
+      }
+      if (!is_far) continue;
+      tree_.nodes[j].has_end = true;
+      tree_.nodes[j].end = end;
+      tree_.nodes[j].end_confidence = static_cast<uint16_t>(trust / tips_[j]);
+    }
+  }
+
+  const VotePool& pool_;
+  const Votes& votes_;
+  Cloud cloud_;
+  uint8_t* const starts_;   // [N] joint of the start vote, or kNoJoint
+  uint8_t* const ends_;     // [N]
+  int32_t* const between_;  // [joints x joints] from, to: votes in Q15, then costs
+  FoldedTree& tree_;
+  int64_t points_[kMaxFoldedJoints] = {};  // that start at the joint
+  int64_t tips_[kMaxFoldedJoints] = {};    // Q15: their chances of a tip, summed
+};
+
+}  // namespace
+
+sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, Arena& arena,
+                       FoldedTree* tree) {
+  const ArenaScope scope(arena);
+  Cloud cloud;
+  const bool fits = cloud.allocate(arena, pool.count);
+  uint8_t* const starts = arena.alloc<uint8_t>(pool.count / 2);
+  uint8_t* const ends = arena.alloc<uint8_t>(pool.count / 2);
+  int32_t* const between = arena.alloc<int32_t>(size_t{kMaxFoldedJoints} * kMaxFoldedJoints);
+  if (!fits || !arena.ok()) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
+  *tree = {};
+  tree->mirrored = pool.mirrored;
+  tree->count = count;
+  for (uint32_t j = 0; j < count; ++j) {
+    tree->nodes[j].at = joints[j].at;
+    tree->nodes[j].joint_class = joints[j].joint_class;
+  }
+  Grower(pool, cloud, starts, ends, between, tree).run();
+  return SINEW_OK;
+}
+
+}  // namespace sinew

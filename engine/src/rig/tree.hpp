@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Votes to a skeleton: folded joints, their tree, what the caller wishes, both sides.
+#ifndef SINEW_RIG_TREE_HPP
+#define SINEW_RIG_TREE_HPP
+
+#include "core/arena.hpp"
+#include "rig/rig_joint.hpp"
+#include "rig/votes.hpp"
+#include "sinew/sinew.h"
+
+namespace sinew {
+
+struct RigOptions {
+  bool fold =
+      true;  // folded votes count on both sides; if not, joints of both sides are found apart and nothing is mirrored
+  int32_t spine =
+      -1;            // joints between pelvis and neck or head, at most kMaxSpine (rig/wishes.hpp); -1: as the votes say
+  bool toes = true;  // keep toe joints
+  bool ends = true;  // keep bone ends
+};
+
+struct Rig {
+  uint32_t count = 0;          // at least 1 when found
+  RigJoint* joints = nullptr;  // [kMaxRigJoints]
+  uint16_t spread = 0;         // Q16 of the side: geometric mean of all votes' spreads. Large: the votes know nothing
+
+  bool allocate(Arena& arena);
+};
+
+// Joints in depth-first order: a joint, its bone end, its children by class; of two that mirror each other the branch
+// at +x first. Partners differ in the sign of x and nothing else, their parents are partners or one joint. Where no
+// votes gather, the one joint is a pelvis at the points' mean.
+//   votes    in   at most kMaxRigPoints points, positions below 2^24 in size, probabilities at most 2^15
+//   rig      out  allocated
+//   arena         scratch, all of it released
+// Returns SINEW_OK or SINEW_ERROR_WORKSPACE. Exact in integers: the same joints on every platform and for the points in
+// any order.
+sinew_status find_rig(const Votes& votes, const RigOptions& options, Arena& arena, Rig* rig);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// Chains of the spine cut and placed anew; toes cut off.
+#include "rig/wishes.hpp"
+
+#include "core/vector_math.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr int16_t kNone = -1;
+
+bool is_class(const FoldedTree& tree, int16_t node, uint32_t c) {
+  return node >= 0 && tree.nodes[node].joint_class == c;
+}
+
+bool is_crown(const FoldedTree& tree, int16_t node) {
+  return is_class(tree, node, kClassNeck) || is_class(tree, node, kClassHead);
+}
+
+// A chain of the spine from below to above, and what it stands between.
+struct Spine {
+  int16_t below = kNone, above = kNone;  // `above` only where the chain has a neck or head on it
+  uint32_t count = 0;
+  int16_t nodes[kMaxFoldedJoints];
+};
+
+// The spine joints right below a node, the root left out.
+SINEW_RARE Spine spine_below(const FoldedTree& tree, int16_t top) {
+  Spine spine;
+  int16_t at = top;
+  for (; is_class(tree, at, kClassSpine) && at != static_cast<int16_t>(tree.root); at = tree.nodes[at].parent) {
+    spine.nodes[spine.count++] = at;
+  }
+  for (uint32_t i = 0; 2 * i + 1 < spine.count; ++i) {
+    const int16_t other = spine.nodes[spine.count - 1 - i];
+    spine.nodes[spine.count - 1 - i] = spine.nodes[i];
+    spine.nodes[i] = other;
+  }
+  spine.below = at;
+  return spine;
+}
+
+SINEW_RARE Spine find_spine(const FoldedTree& tree) {
+  Spine best;
+  for (uint32_t j = 0; j < tree.count; ++j) {
+    const int16_t node = static_cast<int16_t>(j);
+    if (tree.beside(j) || !is_crown(tree, node) || tree.nodes[j].parent < 0) continue;
+    if (is_crown(tree, tree.nodes[j].parent)) continue;
+    Spine spine = spine_below(tree, tree.nodes[j].parent);
+    spine.above = node;
+    if (best.above == kNone || spine.count > best.count) best = spine;
+  }
+  if (best.above != kNone) return best;
+  for (uint32_t j = 0; j < tree.count; ++j) {
+    if (tree.beside(j)) continue;
+    const Spine spine = spine_below(tree, static_cast<int16_t>(j));
+    if (spine.count > best.count) best = spine;
+  }
+  return best;
+}
+
+// Where nodes are along a line of them.
+struct Line {
+  uint32_t count = 0;
+  Vec3i at[kMaxFoldedJoints + 2];
+  int64_t along[kMaxFoldedJoints + 2];  // from the first, grid units
+
+  void add(Vec3i p) {
+    along[count] = count == 0 ? 0 : along[count - 1] + static_cast<int64_t>(length(p - at[count - 1]));
+    at[count++] = p;
+  }
+  Vec3i place(int64_t way) const {
+    uint32_t i = 1;
+    while (i + 1 < count && along[i] < way) ++i;
+    const int64_t whole = along[i] - along[i - 1], share = way - along[i - 1];
+    if (whole == 0) return at[i];
+    const Vec3i step = at[i] - at[i - 1];
+    return at[i - 1] + round_div(Vec3l{step.x * share, step.y * share, step.z * share}, whole);
+  }
+};
+
+uint32_t nearest(const int64_t* ways, uint32_t count, int64_t way) {
+  uint32_t best = 0;
+  for (uint32_t i = 1; i < count; ++i) {
+    if (abs64(ways[i] - way) < abs64(ways[best] - way)) best = i;
+  }
+  return best;
+}
+
+// Takes nodes out that are nobody's parent, never the root; numbers [count] become what the others are called now.
+SINEW_RARE void remove(const bool* gone, FoldedTree* tree, int16_t* numbers) {
+  uint32_t kept = 0;
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    numbers[j] = static_cast<int16_t>(kept);
+    if (!gone[j]) tree->nodes[kept++] = tree->nodes[j];
+  }
+  tree->count = kept;
+  tree->root = static_cast<uint32_t>(numbers[tree->root]);
+  for (uint32_t j = 0; j < kept; ++j) {
+    if (tree->nodes[j].parent >= 0) tree->nodes[j].parent = numbers[tree->nodes[j].parent];
+  }
+}
+
+}  // namespace
+
+SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
+  const Spine old = find_spine(*tree);
+  if (old.below == kNone || (old.above == kNone && old.count == 0)) return;
+  const uint32_t room = kMaxFoldedJoints - tree->count + old.count;
+  const uint32_t count = joints < room ? joints : room;
+
+  Line line;
+  line.add(tree->nodes[old.below].at);
+  for (uint32_t i = 0; i < old.count; ++i) line.add(tree->nodes[old.nodes[i]].at);
+  if (old.above != kNone) line.add(tree->nodes[old.above].at);
+  // From `first` on, in `count` places with `gaps` steps between them.
+  int64_t first = 0, last = line.along[line.count - 1], gaps = int64_t{count} + 1, skipped = 1;
+  if (old.count >= 2) {
+    first = line.along[1];
+    last = line.along[old.count];
+    gaps = count == 1 ? 2 : int64_t{count} - 1;
+    skipped = count == 1 ? 1 : 0;
+  } else if (old.above == kNone) {
+    gaps = count;  // the last stays at the chain's end
+  }
+  FoldedNode made[kMaxSpine];
+  int64_t ways[kMaxSpine];
+  for (uint32_t i = 0; i < count; ++i) {
+    ways[i] = first + round_div((last - first) * (i + skipped), gaps);
+    if (old.count > 0) made[i] = tree->nodes[old.nodes[nearest(line.along + 1, old.count, ways[i])]];
+    made[i].at = line.place(ways[i]);
+    made[i].joint_class = kClassSpine;
+    made[i].has_end = made[i].has_end && i + 1 == count;
+  }
+  // Children of the old chain: parent i of the new one is -2 - i until it has a number.
+  bool gone[kMaxFoldedJoints] = {};
+  for (uint32_t i = 0; i < old.count; ++i) gone[old.nodes[i]] = true;
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    uint32_t i = 0;
+    while (i < old.count && tree->nodes[j].parent != old.nodes[i]) ++i;
+    if (i == old.count || gone[j]) continue;
+    tree->nodes[j].parent =
+        count == 0 ? old.below : static_cast<int16_t>(-2 - static_cast<int>(nearest(ways, count, line.along[1 + i])));
+  }
+  if (old.above != kNone) {
+    tree->nodes[old.above].parent = count == 0 ? old.below : static_cast<int16_t>(-1 - static_cast<int>(count));
+  }
+  int16_t numbers[kMaxFoldedJoints] = {};
+  remove(gone, tree, numbers);
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    if (tree->nodes[j].parent < -1) {
+      tree->nodes[j].parent = static_cast<int16_t>(static_cast<int>(tree->count) - 2 - tree->nodes[j].parent);
+    }
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    made[i].parent = i == 0 ? numbers[old.below] : static_cast<int16_t>(tree->count - 1);
+    tree->nodes[tree->count++] = made[i];
+  }
+}
+
+SINEW_RARE void drop_toes(FoldedTree* tree) {
+  bool gone[kMaxFoldedJoints] = {}, leaf[kMaxFoldedJoints] = {};
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    leaf[j] = true;
+    gone[j] = tree->nodes[j].joint_class == kClassToe && j != tree->root;
+  }
+  int16_t holders[kMaxFoldedJoints];  // who is no toe
+  for (uint32_t j = 0; j < tree->count; ++j) {
+    int16_t holder = tree->nodes[j].parent;
+    while (holder >= 0 && gone[holder]) holder = tree->nodes[holder].parent;
+    holders[j] = holder;
+    if (holder >= 0 && !gone[j]) leaf[holder] = false;
+  }
+  for (uint32_t j = tree->count; j-- > 0;) {
+    if (!gone[j]) continue;
+    FoldedNode& foot = tree->nodes[holders[j]];
+    if (tree->nodes[j].parent != holders[j] || !leaf[holders[j]]) continue;
+    foot.has_end = true;
+    foot.end = tree->nodes[j].at;
+    foot.end_confidence = tree->nodes[j].confidence;
+  }
+  for (uint32_t j = 0; j < tree->count; ++j) tree->nodes[j].parent = holders[j];
+  int16_t numbers[kMaxFoldedJoints] = {};
+  remove(gone, tree, numbers);
+}
+
+}  // namespace sinew
