@@ -16,7 +16,8 @@ constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
 constexpr int64_t kCostPerUnit = 59093;        // Q32: 10 log2(e) / kSide
 constexpr int32_t kNever = INT32_MAX / 2;
 constexpr int32_t kFromBeside = 283650;  // Q16: 3 log2(e)
-constexpr int32_t kMiddle = side_share(300);
+// What beside the plane is moved there for its child.
+constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
 constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
 constexpr int32_t kEndDistance = side_share(120);  // from an end to any joint
 constexpr uint32_t kEndSeeds = 12;
@@ -140,8 +141,8 @@ class Grower {
     }
   }
 
-  // A joint beside the plane that is the parent of one on it was meant to lie there as well, if it is near and of no
-  // paired class. Others may not be: an image would have no child.
+  // A joint beside the plane that is the parent of one on it was meant to lie there as well, if it is near. Others may
+  // not be: of two images only one would have the child.
   SINEW_RARE void connect() {
     find_costs();
     find_parents(kFromBeside);
@@ -150,7 +151,7 @@ class Grower {
       for (uint32_t j = 0; j < tree_.count; ++j) {
         if (tree_.beside(j) || tree_.nodes[j].parent < 0) continue;
         FoldedNode& parent = tree_.nodes[tree_.nodes[j].parent];
-        if (parent.at.x >= kMiddle || is_paired_class(parent.joint_class)) continue;
+        if (parent.at.x >= (is_paired_class(parent.joint_class) ? kPairMiddle : kMiddle)) continue;
         moved = moved || parent.at.x > 0;
         parent.at.x = 0;
       }

@@ -177,6 +177,23 @@ TEST(Rig, EndsOfJointsOnThePlaneLieOnItOrComeTwice) {
   }
 }
 
+TEST(Rig, AParentOfWhatIsOnThePlaneIsOnItTooOrNone) {
+  for (const double x : {0.012, 0.1}) {
+    const FoundRig found(votes_for({{0, .5, 0, kClassPelvis, -1},
+                                    {0, .9, 0, kClassHead, 0},
+                                    {x, .4, 0, kClassThigh, 0},
+                                    {0, .32, 0, kClassTail, 2},
+                                    {0, .2, 0, kClassTip, 3}},
+                                   60, 0.001, 7));
+    expect_sound(found, true, "middle");
+    EXPECT_EQ(found.count_of(kClassThigh), x < 0.02 ? 1u : 2u);
+    for (const RigJoint& joint : found.joints) {
+      if (joint.joint_class != kClassTail || joint.tip != 0) continue;
+      EXPECT_EQ(found.joints[static_cast<size_t>(joint.parent)].joint_class, x < 0.02 ? kClassThigh : kClassPelvis);
+    }
+  }
+}
+
 TEST(Rig, NothingIsAPelvisAtTheMean) {
   const FoundRig none{VoteScene()};
   expect_sound(none, true, "no points");
