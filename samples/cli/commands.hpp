@@ -17,6 +17,7 @@ void add_quantize(CLI::App& app);
 void add_dataset(CLI::App& app);
 void add_inspect(CLI::App& app);
 void add_pose(CLI::App& app);
+void add_rig(CLI::App& app);
 
 }  // namespace sinew::cli
 #endif

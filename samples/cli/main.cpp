@@ -59,6 +59,7 @@ int main(int argc, char** argv) {
       "Example:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.\n"
       "SINEW_KERNEL=ref|avx2|avxvnni|vnni in the environment chooses the instructions; results never depend on it.");
+  sinew::cli::add_rig(app);
   sinew::cli::add_bind(app);
   sinew::cli::add_eval(app);
   sinew::cli::add_train(app);

@@ -80,6 +80,10 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
 
 namespace {
 
+sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model* model) {
+  return use == ModelUse::kRig ? sinew_rig_model_open(bytes, size, model) : sinew_model_open(bytes, size, model);
+}
+
 // Once for all characters that it will bind.
 void pack_weights(LoadedModel* loaded) {
   const size_t bytes = sinew_model_packed_size(&loaded->model);
@@ -88,11 +92,12 @@ void pack_weights(LoadedModel* loaded) {
 
 }  // namespace
 
-std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what) {
+std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what,
+                                              ModelUse use) {
   auto loaded = std::make_unique<LoadedModel>();
   loaded->storage.resize(bytes.size() / 8 + 1);
   if (!bytes.empty()) std::memcpy(loaded->storage.data(), bytes.data(), bytes.size());
-  const sinew_status status = sinew_model_open(loaded->storage.data(), bytes.size(), &loaded->model);
+  const sinew_status status = open_for(use, loaded->storage.data(), bytes.size(), &loaded->model);
   const char* cure = status == SINEW_ERROR_MODEL_MAGIC ? "; make one from a checkpoint with: sinew quantize" : "";
   if (bytes.empty()) throw Error(what + ": the file is empty, expected a model (.sinew)");
   if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status) + cure);
@@ -110,11 +115,14 @@ bool is_bundled(const std::string& path) { return path.empty() || path == "bundl
 
 std::string model_label(const std::string& path) { return is_bundled(path) ? "bundled model" : file_name(path); }
 
-std::unique_ptr<LoadedModel> load_model(const std::string& path) {
-  if (!is_bundled(path)) return model_from_bytes(read_file(path), path);
-  if (!has_bundled_model()) throw Error("no bundled model: give --model or --method heat");
+std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
+  if (!is_bundled(path)) return model_from_bytes(read_file(path), path, use);
+  const bool rig = use == ModelUse::kRig;
+  if (rig && kBundledRigModelSize == 0) throw Error("no bundled model of skeletons: give --model");
+  if (!rig && !has_bundled_model()) throw Error("no bundled model: give --model or --method heat");
   auto loaded = std::make_unique<LoadedModel>();
-  const sinew_status status = sinew_model_open(kBundledModel, kBundledModelSize, &loaded->model);
+  const sinew_status status = open_for(use, rig ? kBundledRigModel : kBundledModel,
+                                       rig ? kBundledRigModelSize : kBundledModelSize, &loaded->model);
   if (status != SINEW_OK) throw Error(std::string("the bundled model: ") + sinew_status_text(status));
   pack_weights(loaded.get());
   return loaded;

@@ -39,10 +39,13 @@ struct LoadedModel {
   sinew::Workspace packed;        // its weights for the processor's kernels
   sinew_model model{};
 };
+// What a model is opened for.
+enum class ModelUse { kBind, kRig };
 // `path` empty or "bundled": the model built into the program. Throws Error.
-std::unique_ptr<LoadedModel> load_model(const std::string& path);
+std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use = ModelUse::kBind);
 std::string model_label(const std::string& path);  // "bundled model" or the file's name
-std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what);
+std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what,
+                                              ModelUse use = ModelUse::kBind);
 bool has_bundled_model();
 
 // Joints named in a text file, one per line; '#' starts a comment line. Throws Error naming the line of an unknown

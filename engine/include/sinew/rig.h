@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: MIT
+ * Rigging: predicts a skeleton for a bare mesh. What it gives, sinew_bind() takes as it is. */
+#ifndef SINEW_RIG_H
+#define SINEW_RIG_H
+
+#include <string.h>
+
+#include "sinew/model.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SINEW_MAX_RIG_JOINTS 192u
+#define SINEW_JOINT_NAME_BYTES 32u
+
+/* What a joint is for. Front legs of animals are arms, hind legs are legs. Numbers are never reused. */
+typedef enum sinew_joint_class {
+  SINEW_CLASS_PELVIS = 0,
+  SINEW_CLASS_SPINE = 1,
+  SINEW_CLASS_NECK = 2,
+  SINEW_CLASS_HEAD = 3,
+  SINEW_CLASS_CLAVICLE = 4,
+  SINEW_CLASS_UPPER_ARM = 5,
+  SINEW_CLASS_FOREARM = 6,
+  SINEW_CLASS_HAND = 7,
+  SINEW_CLASS_HIP = 8,
+  SINEW_CLASS_THIGH = 9,
+  SINEW_CLASS_CALF = 10,
+  SINEW_CLASS_FOOT = 11,
+  SINEW_CLASS_TOE = 12,
+  SINEW_CLASS_TAIL = 13,
+  SINEW_CLASS_WING = 14,
+  SINEW_CLASS_EAR = 15,
+  SINEW_CLASS_HAIR = 16,
+  SINEW_CLASS_OTHER = 17
+} sinew_joint_class;
+
+/* Whether the skeleton is to be its own mirror image. */
+typedef enum sinew_mirror {
+  SINEW_MIRROR_AUTO = 0,   /* where the mesh is, within 3 % of its longest side */
+  SINEW_MIRROR_ALWAYS = 1, /* about the plane that fits best */
+  SINEW_MIRROR_NEVER = 2
+} sinew_mirror;
+
+/* What a call is asked to do: inputs only. Start from sinew_rig_options_init(), which asks for every default.
+ * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
+typedef struct sinew_rig_options {
+  uint32_t struct_size;      /* sizeof(sinew_rig_options) */
+  uint32_t up_axis;          /* 0 = Y is up, 1 = Z is up */
+  uint32_t mirror;           /* sinew_mirror */
+  uint32_t spine_count;      /* 1..16 joints between pelvis and neck or head; 0 = as the model says */
+  uint32_t no_toes;          /* 1: no toe joints */
+  uint32_t no_ends;          /* 1: no bone ends */
+  uint32_t weights_in_place; /* as in sinew_options */
+  uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
+  sinew_progress progress;   /* or null */
+  void* progress_user;
+} sinew_rig_options;
+
+/* Options that ask for every default. */
+static inline sinew_rig_options sinew_rig_options_init(void) {
+  sinew_rig_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* What a call gives: the caller's arrays, each with room for SINEW_MAX_RIG_JOINTS, and numbers that the call writes. Start
+ * from sinew_rig_outputs_init(). Parents come before their children, joint 0 is the root. Later versions add members at the
+ * end, as in sinew_rig_options. */
+typedef struct sinew_rig_outputs {
+  uint32_t struct_size;        /* sizeof(sinew_rig_outputs) */
+  uint32_t joint_count;        /* written: J, at least 1 */
+  float* positions;            /* [J x 3] in the mesh's units and axes */
+  int32_t* parents;            /* [J] -1 for the root */
+  uint8_t* flags;              /* [J] for sinew_skeleton: SINEW_JOINT_NEVER for bone ends, else 0; null = not wanted */
+  uint8_t* joint_classes;      /* [J] sinew_joint_class; a bone end's is its joint's; null = not wanted */
+  int32_t* partners;           /* [J] the joint's mirror image, itself on the plane, -1 where nothing is mirrored; null
+                                   * = not wanted */
+  uint16_t* confidence;        /* [J] how sure the joint's place is, 0..32767; null = not wanted */
+  uint16_t* parent_confidence; /* [J] how sure its parent is, 0..32767; null = not wanted */
+  char (
+      *names)[SINEW_JOINT_NAME_BYTES]; /* [J] Hips, Spine, LeftArm, ... Head_end; every name once; null = not wanted */
+  uint32_t mirrored;                   /* written: 1 when the skeleton is its own mirror image */
+  uint32_t turned;   /* written: 1 when the mirror plane is across z (x is forward) instead of across x */
+  float plane;       /* written: where the plane is on that axis, the mesh's units */
+  float spread;      /* written: how far off the votes think they are, in the mean, share of the longest side:
+                                   * a whole skeleton below about 0.03 is good, above 0.1 nobody knows */
+  size_t used_bytes; /* written: high-water mark of the workspace */
+} sinew_rig_outputs;
+
+/* Outputs with the two arrays that every call fills. */
+static inline sinew_rig_outputs sinew_rig_outputs_init(float* positions, int32_t* parents) {
+  sinew_rig_outputs outputs;
+  memset(&outputs, 0, sizeof outputs);
+  outputs.struct_size = sizeof outputs;
+  outputs.positions = positions;
+  outputs.parents = parents;
+  return outputs;
+}
+
+/* Checks a model for sinew_rig() as sinew_model_open() checks one for sinew_bind(), with the same results. */
+SINEW_API sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
+
+/* Bytes sinew_rig() needs for meshes of at most these counts. A pure function of its arguments: the same on every host.
+ *   options     null = all defaults
+ *   size_bytes  out, 0 on failure
+ * Returns SINEW_OK, or as sinew_rig() does SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION, SINEW_ERROR_MODEL_TASK or
+ * SINEW_ERROR_COUNT. */
+SINEW_API sinew_status sinew_rig_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
+                                                uint32_t corner_count, const sinew_rig_options* options,
+                                                size_t* size_bytes);
+
+/* Predicts a skeleton. The same bytes on every platform and for any kernel, however the mesh is numbered.
+ *   mesh       any topology; without faces its vertices are all that is seen
+ *   options    null = all defaults
+ *   workspace  scratch, 64-byte aligned, size from sinew_rig_workspace_size(); its content is undefined afterwards
+ *   outputs    positions and parents must be set
+ *
+ * Overlap and threads: as for sinew_bind().
+ *
+ * Returns SINEW_OK, or with outputs untouched
+ *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the model is not open, struct_size is too small or above
+ *                           4096, an option is out of its range, or this build is without it (SINEW_SMALL_CODE)
+ *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
+ *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 1
+ *   SINEW_ERROR_COUNT       no vertex, more of anything than the limits in sinew/types.h, or fewer than two corners a face
+ *   SINEW_ERROR_KERNEL      this library or this processor lacks sinew_rig_options::kernel
+ *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
+ *   SINEW_ERROR_NOT_FINITE  a position is NaN or infinite
+ *   SINEW_ERROR_INDEX       faces break the rules of sinew_mesh
+ *   SINEW_ERROR_CANCELLED   the progress callback asked to stop */
+SINEW_API sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const sinew_rig_options* options,
+                                 void* workspace, size_t workspace_bytes, sinew_rig_outputs* outputs);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

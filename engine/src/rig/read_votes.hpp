@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// A network's rows become votes.
+#ifndef SINEW_RIG_READ_VOTES_HPP
+#define SINEW_RIG_READ_VOTES_HPP
+
+#include "core/arena.hpp"
+#include "rig/mirror_frame.hpp"
+#include "rig/rig_points.hpp"
+#include "rig/votes.hpp"
+
+namespace sinew {
+
+// Votes with room for kSets sets, set by set.
+class VoteStore {
+ public:
+  bool allocate(Arena& arena, uint32_t sets);
+  // Adds the votes of a set. rows: [kSetPoints x kRigOutputs], as rig_task.hpp says.
+  void add(const PointSet& set, const int16_t* rows, bool folded);
+  // All that was added.
+  Votes votes(bool folded) const;
+
+ private:
+  uint32_t points_ = 0;
+  Vec3l sum_ = {0, 0, 0};
+  Vec3i *start_ = nullptr, *end_ = nullptr;
+  uint16_t *start_spread_ = nullptr, *end_spread_ = nullptr, *start_class_ = nullptr, *end_class_ = nullptr;
+};
+
+}  // namespace sinew
+#endif

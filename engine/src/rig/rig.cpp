@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Mesh to mirror frame to points to votes to joints to the caller's units.
+#include "rig/rig.hpp"
+
+#include <string.h>
+
+#include "core/struct_size.hpp"
+#include "kernels/select.hpp"
+#include "model/task.hpp"
+#include "rig/joint_names.hpp"
+#include "rig/read_votes.hpp"
+#include "rig/rig_task.hpp"
+#include "rig/wishes.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kFirstOptionsSize = sizeof(sinew_rig_options);
+constexpr uint64_t kFirstSeed = 7;
+// Ends of the stages, permille.
+constexpr uint32_t kMeshEnds = 150, kPointsEnd = 400, kVotesEnd = 800;
+
+static_assert(kMaxRigJoints == SINEW_MAX_RIG_JOINTS && kMaxJointName == SINEW_JOINT_NAME_BYTES,
+              "the header says how much room there has to be");
+
+// The grid in the caller's units, in doubles of one order of operations: no more than each product and sum rounds.
+struct Units {
+  double low[3], high[3];  // box, the caller's axes with y up
+  double side;
+
+  Units(const sinew_mesh& mesh, uint32_t up_axis) {
+    for (int axis = 0; axis < 3; ++axis) low[axis] = high[axis] = along(mesh.positions, up_axis, axis);
+    for (uint32_t v = 1; v < mesh.vertex_count; ++v) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const double x = along(mesh.positions + size_t{3} * v, up_axis, axis);
+        low[axis] = x < low[axis] ? x : low[axis];
+        high[axis] = x > high[axis] ? x : high[axis];
+      }
+    }
+    side = 0;
+    for (int axis = 0; axis < 3; ++axis) side = high[axis] - low[axis] > side ? high[axis] - low[axis] : side;
+    if (side == 0) side = 1;
+  }
+  static double along(const float* p, uint32_t up_axis, int axis) {
+    if (up_axis == 0) return static_cast<double>(p[axis]);
+    return axis == 0 ? static_cast<double>(p[0]) : axis == 1 ? static_cast<double>(p[2]) : -static_cast<double>(p[1]);
+  }
+  double zero(int axis) const { return axis == 1 ? low[1] : 0.5 * low[axis] + 0.5 * high[axis]; }
+  double length(int32_t grid) const { return static_cast<double>(grid) * (side / kSide); }
+};
+
+// A point of the mirror frame in the caller's units. What mirrors there mirrors here, because both sides are the middle and
+// the same length away from it; the middle is 0 where it is that within a step of the grid.
+struct Placer {
+  const Units& units;
+  const MirrorFrame& frame;
+  uint32_t up_axis;
+  double plane;  // across x, or z if the frame is turned
+
+  Placer(const Units& u, const MirrorFrame& f, uint32_t up) : units(u), frame(f), up_axis(up) {
+    plane = units.zero(frame.turned ? 2 : 0) + units.length(frame.plane);
+    const double step = units.length(1);
+    if (plane <= step && plane >= -step) plane = 0;
+  }
+  void place(Vec3i p, float* out) const {
+    const double across = units.length(p.x), y = units.zero(1) + units.length(p.y), along = units.length(p.z);
+    const double x = frame.turned ? units.zero(0) + along : plane + across;
+    const double z = frame.turned ? plane - across : units.zero(2) + along;
+    out[0] = static_cast<float>(x);
+    out[1] = static_cast<float>(up_axis == 0 ? y : -z);
+    out[2] = static_cast<float>(up_axis == 0 ? z : y);
+  }
+};
+
+// What the network wants beside the points: one part, no candidates.
+struct PointRows {
+  uint16_t* joints;  // [kSetPoints]
+  uint32_t *part, *part_offsets, *part_vertices, *offsets;
+
+  bool allocate(Arena& arena) {
+    joints = arena.alloc<uint16_t>(kSetPoints);
+    part = arena.alloc<uint32_t>(kSetPoints);
+    part_offsets = arena.alloc<uint32_t>(2);
+    part_vertices = arena.alloc<uint32_t>(kSetPoints);
+    offsets = arena.alloc<uint32_t>(kSetPoints + 1);
+    return arena.ok();
+  }
+  void fill() {
+    part_offsets[0] = 0;
+    part_offsets[1] = kSetPoints;
+    for (uint32_t i = 0; i < kSetPoints; ++i) {
+      joints[i] = kNoJoint;
+      part[i] = 0;
+      part_vertices[i] = i;
+    }
+    for (uint32_t i = 0; i <= kSetPoints; ++i) offsets[i] = i * kNeighbours;
+  }
+  NetworkInput input(const PointSet& set) const {
+    NetworkInput input;
+    input.vertex_count = kSetPoints;
+    input.candidate_count = 1;
+    input.inputs[0] = set.features;
+    input.joints = joints;
+    input.row_offsets = input.far_offsets = offsets;
+    input.col_indices = set.near_neighbours;
+    input.far_indices = set.far_neighbours;
+    input.part = part;
+    input.part_offsets = part_offsets;
+    input.part_vertices = part_vertices;
+    input.part_count = 1;
+    input.joint_count = 1;
+    return input;
+  }
+};
+
+sinew_status vote(const RigPlan& plan, const Mesh& mesh, bool folded, const Kernels& kernels, Arena& arena,
+                  VoteStore* store) {
+  const ArenaScope scope(arena);
+  Interior interior;
+  PointSet set;
+  PointRows rows = {};
+  (void)interior.allocate(arena);
+  (void)set.allocate(arena);
+  (void)rows.allocate(arena);
+  int16_t* const outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
+  if (!build_interior(mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
+  if (!arena.measuring()) rows.fill();
+  if (!plan.progress.report(kPointsEnd)) return SINEW_ERROR_CANCELLED;
+  for (uint32_t i = 0; i < kRigSets; ++i) {
+    if (!make_point_set(mesh, interior, kFirstSeed + i, arena, &set)) return SINEW_ERROR_WORKSPACE;
+    const Progress progress = plan.progress.part(kPointsEnd + i * (kVotesEnd - kPointsEnd) / kRigSets,
+                                                 kPointsEnd + (i + 1) * (kVotesEnd - kPointsEnd) / kRigSets);
+    const sinew_status status = run_network(plan.model, rows.input(set), kernels,
+                                            arena.measuring() ? Progress() : progress, arena, outputs, plan.network);
+    if (status != SINEW_OK) return status;
+    if (!arena.measuring()) store->add(set, outputs, folded);
+  }
+  return SINEW_OK;
+}
+
+void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFrame& frame, const Rig& rig,
+                   sinew_rig_outputs* out) {
+  const Units units(mesh, plan.up_axis);
+  const Placer placer(units, frame, plan.up_axis);
+  out->joint_count = rig.count;
+  for (uint32_t j = 0; j < rig.count; ++j) {
+    const RigJoint& joint = rig.joints[j];
+    placer.place(joint.position, out->positions + size_t{3} * j);
+    out->parents[j] = joint.parent;
+    if (out->flags != nullptr) out->flags[j] = joint.tip != 0 ? SINEW_JOINT_NEVER : 0;
+    if (out->joint_classes != nullptr) out->joint_classes[j] = joint.joint_class;
+    if (out->partners != nullptr) out->partners[j] = joint.partner;
+    if (out->confidence != nullptr) out->confidence[j] = joint.confidence;
+    if (out->parent_confidence != nullptr) out->parent_confidence[j] = joint.parent_confidence;
+  }
+  if (out->names != nullptr) name_joints(rig.joints, rig.count, out->names);
+  out->mirrored = frame.folded ? 1 : 0;
+  out->turned = frame.turned ? 1 : 0;
+  out->plane = static_cast<float>(placer.plane);
+  out->spread = static_cast<float>(rig.spread) / 65536.0f;
+}
+
+}  // namespace
+
+sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
+                      const sinew_rig_options* options, RigPlan* plan) {
+  sinew_rig_options o = sinew_rig_options_init();
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
+  if (status != SINEW_OK) return status;
+  if (o.up_axis > 1 || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
+      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  if (model->task != kTaskRig) return SINEW_ERROR_MODEL_TASK;
+  if (vertices == 0 || vertices > SINEW_MAX_VERTICES || corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2)
+    return SINEW_ERROR_COUNT;
+  plan->model = *model;
+  plan->counts = Counts();
+  plan->counts.vertices = vertices;
+  plan->counts.faces = faces;
+  plan->counts.corners = corners;
+  plan->network = NetworkOptions();
+  plan->network.weights_in_place = o.weights_in_place != 0 || o.kernel == SINEW_KERNEL_REF;
+  plan->tree = RigOptions();
+  plan->tree.spine = o.spine_count == 0 ? -1 : static_cast<int32_t>(o.spine_count);
+  plan->tree.toes = o.no_toes == 0;
+  plan->tree.ends = o.no_ends == 0;
+  plan->mirroring = static_cast<Mirroring>(o.mirror);
+  plan->up_axis = o.up_axis;
+  plan->kernel = o.kernel;
+  plan->progress = Progress{o.progress, o.progress_user};
+  return SINEW_OK;
+}
+
+sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Kernels& kernels, Arena& arena,
+                     sinew_rig_outputs* outputs) {
+  Mesh mesh;
+  VoteStore store;
+  Rig rig;
+  MirrorFrame frame;
+  GridQuantizer quantizer;
+  (void)mesh.allocate(arena, plan.counts);
+  (void)store.allocate(arena, kRigSets);
+  if (!rig.allocate(arena)) return SINEW_ERROR_WORKSPACE;
+  sinew_status status = SINEW_OK;
+  int32_t middles[2] = {0, 0};
+  if (!arena.measuring()) {
+    status = make_grid_quantizer(mesh_input.positions, mesh_input.vertex_count, plan.up_axis, &quantizer);
+    if (status != SINEW_OK) return status;
+    const float zero[3] = {0, 0, 0};
+    const Vec3i middle = quantize_point(quantizer, zero);
+    middles[0] = middle.x;
+    middles[1] = middle.z;
+  }
+  status = build_mesh(mesh_input, quantizer, plan.counts, arena, &mesh);
+  if (status != SINEW_OK) return status;
+  if (!find_mirror_frame(mesh, plan.mirroring, middles, arena, &frame)) return SINEW_ERROR_WORKSPACE;
+  if (!arena.measuring()) {
+    apply_mirror_frame(frame, &mesh);
+    if (!plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
+  }
+  status = vote(plan, mesh, frame.folded, kernels, arena, &store);
+  if (status != SINEW_OK) return status;
+  Votes votes;
+  if (!arena.measuring()) {
+    if (!plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
+    votes = store.votes(frame.folded);
+  } else {
+    votes.points = kRigSets * kSetPoints;
+  }
+  status = find_rig(votes, plan.tree, arena, &rig);
+  if (status != SINEW_OK || arena.measuring()) return status;
+  write_outputs(mesh_input, plan, frame, rig, outputs);
+  outputs->used_bytes = arena.high_water();
+  return SINEW_OK;
+}
+
+}  // namespace sinew

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A skeleton for a bare mesh: the stages of sinew_rig().
+#ifndef SINEW_RIG_RIG_HPP
+#define SINEW_RIG_RIG_HPP
+
+#include "core/counts.hpp"
+#include "kernels/table.hpp"
+#include "network/network.hpp"
+#include "rig/mirror_frame.hpp"
+#include "rig/tree.hpp"
+
+namespace sinew {
+
+// Sets of points, each a run of the network; their votes are counted together. One gives joints that are 3 % worse, eight none
+// that are better.
+constexpr uint32_t kRigSets = 4;
+
+struct RigPlan {
+  sinew_model model;
+  Counts counts;
+  NetworkOptions network;
+  RigOptions tree;
+  Mirroring mirroring = Mirroring::kAuto;
+  uint32_t up_axis = 0, kernel = 0;
+  Progress progress;
+};
+
+// Checks the caller's options and counts, and fills in the defaults. Errors are those of sinew_rig().
+sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
+                      const sinew_rig_options* options, RigPlan* plan);
+
+// Runs everything; the caller's arrays in `outputs` are written at the end. With a measuring arena the mesh is not read.
+sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
+                     sinew_rig_outputs* outputs);
+
+}  // namespace sinew
+#endif
