@@ -171,6 +171,7 @@ void add_dataset(CLI::App& app) {
   add_dataset_stats(sub);
   add_dataset_dedup(sub);
   add_dataset_split(sub);
+  add_dataset_target(sub);
   add_convert(sub, false);
   add_convert(sub, true);
   add_synthesize(sub);

@@ -24,6 +24,7 @@ void add_dataset_check(CLI::App* parent);
 void add_dataset_stats(CLI::App* parent);
 void add_dataset_dedup(CLI::App* parent);
 void add_dataset_split(CLI::App* parent);
+void add_dataset_target(CLI::App* parent);
 
 }  // namespace sinew::cli
 #endif

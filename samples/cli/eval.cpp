@@ -18,6 +18,7 @@
 
 #include "commands.hpp"
 #include "dataset.hpp"
+#include "eval_rig.hpp"
 #include "eval_studies.hpp"
 #include "model/layout.hpp"
 #include "progress.hpp"
@@ -45,7 +46,8 @@ constexpr const char* kNearest = "nearest bone";
 using Rows = std::vector<std::vector<Influence>>;
 
 struct Settings {
-  std::string folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints, joints;
+  std::string task = "bind", folder, model, checkpoint, method, predictions, report, json, calibrate, label, hints;
+  std::string joints;
   std::vector<std::string> peers;  // NAME=DIR
   StyleOptions style;              // of what is evaluated, not of heat beside it
   unsigned influences = 4, jobs = 1, questions = 0;
@@ -492,6 +494,19 @@ void check_style(const Settings& s) {
   apply_style(s.style, &options);
 }
 
+void run_rig(const Settings& s, const CLI::App& sub) {
+  for (const CLI::Option* option : sub.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() > 0 && name != "dir" && name != "--task" && name != "--predictions" && name != "--json" &&
+        name != "--jobs")
+      throw UsageError(name + " does not go with --task rig, which takes --predictions, --json and --jobs");
+  }
+  if (s.predictions.empty())
+    throw UsageError("--task rig needs --predictions DIR: there is no model that predicts skeletons yet");
+  if (!s.json.empty()) check_output(s.json, {".json"}, true);
+  evaluate_rigs({s.folder, s.predictions, s.json, s.jobs});
+}
+
 void run(const Settings& s) {
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
@@ -524,6 +539,10 @@ void add_eval(CLI::App& app) {
   sub->add_option("dir", s->folder, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files, sub-folders too")
       ->required()
       ->type_name("DIR");
+  sub->add_option("--task", s->task,
+                  "What to compare: bind = skin weights; rig = skeletons, which lie in the folder of --predictions")
+      ->check(CLI::IsMember({"bind", "rig"}))
+      ->capture_default_str();
   auto* model = sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")
                     ->type_name("FILE");
   auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
@@ -533,8 +552,10 @@ void add_eval(CLI::App& app) {
       ->check(CLI::IsMember({"heat", "nearest"}))
       ->excludes(model)
       ->excludes(checkpoint);
-  sub->add_option("--predictions", s->predictions, "Folder for NAME.rig.txt of every character and status.json")
-      ->type_name("OUTDIR");
+  sub->add_option("--predictions", s->predictions,
+                  "Folder for NAME.rig.txt of every character and status.json; with --task rig the folder to read the "
+                  "predicted NAME.rig.txt from")
+      ->type_name("DIR");
   sub->add_option(
          "--report", s->report,
          "Page with tables, plots and pictures, heat and nearest bone beside; with --checkpoint also int16, 12, "
@@ -587,8 +608,17 @@ void add_eval(CLI::App& app) {
       "  sinew eval toys --rigid-parts always\n"
       "  sinew eval characters/val --report out.html --with blender=blender_weights\n"
       "  sinew eval characters/val --checkpoint run.sinewckpt --calibrate characters/train --report bits.html\n"
+      "  sinew eval characters/val --task rig --predictions skeletons --json -\n"
+      "With --task rig a predicted joint counts by its place, its parent and the class that its name says "
+      "(upperarm.L,\n"
+      "mixamorig:LeftArm); a leaf called NAME_end or NAME_tip is a bone end. The reference is what sinew dataset "
+      "target\n"
+      "writes. Lengths are shares of the mesh's longest side; J2J, J2B, B2B: between joints, joints and bones, bones;\n"
+      "precision, recall, IoU: joints in pairs at most 0.05 apart; joined: bones between pairs that the prediction "
+      "has\n"
+      "too; class: pairs of one class; symmetric: skeletons that are their own mirror image.\n"
       "SOURCE_DATE_EPOCH puts its date on the report; without it the same inputs give the same page.");
-  sub->callback([s] { run(*s); });
+  sub->callback([s, sub] { s->task == "rig" ? run_rig(*s, *sub) : run(*s); });
 }
 
 }  // namespace sinew::cli

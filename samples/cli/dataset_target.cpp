@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// sinew dataset target: the target skeletons of characters as files.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "dataset.hpp"
+#include "progress.hpp"
+#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "support.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sinew::cli {
+namespace {
+
+struct Settings {
+  std::vector<std::string> inputs;
+  std::string output;
+};
+
+// One for each input. The characters' own skeletons are no outputs, and no two characters share one.
+std::vector<std::string> output_paths(const Settings& s, const std::vector<FoundCharacter>& found) {
+  std::vector<std::string> paths;
+  std::map<std::string, std::string> input_of;
+  for (const FoundCharacter& one : found) {
+    const fs::path folder = fs::path(s.output) / one.below;
+    std::error_code ignored;
+    if (fs::weakly_canonical(folder, ignored) ==
+        fs::weakly_canonical(
+            fs::path(one.path).parent_path().empty() ? fs::path(".") : fs::path(one.path).parent_path(), ignored))
+      throw UsageError("-o " + s.output + ": is the folder of " + one.path + "; give another");
+    paths.push_back((folder / (fs::path(one.name).filename().string() + ".rig.txt")).string());
+    const auto [other, is_new] = input_of.emplace(paths.back(), one.path);
+    if (!is_new) throw UsageError(one.path + " and " + other->second + " would both become " + paths.back());
+  }
+  return paths;
+}
+
+void write_target(const std::string& input, const std::string& output, Progress* progress) {
+  const TargetSkeleton target = target_skeleton(read_character(input));
+  Character skeleton;
+  skeleton.joints = target_joints(target);
+  make_folder(fs::path(output).parent_path().string());
+  write_rig(output, skeleton);
+  size_t ends = 0;
+  for (const TargetJoint& joint : target.joints) ends += joint.tip ? 1 : 0;
+  progress->say(stdout, print("%s: %zu joints and %zu bone ends, of %zu joints", output.c_str(),
+                              target.joints.size() - ends, ends, target.owners.size()));
+}
+
+void make_targets(const Settings& s) {
+  const std::vector<FoundCharacter> found = expand(s.inputs);
+  const std::vector<std::string> outputs = output_paths(s, found);
+  make_folder(s.output);
+  size_t failed = 0;
+  std::string first;
+  {
+    Progress progress(found.size(), "characters");
+    for (size_t i = 0; i < found.size(); ++i) {
+      try {
+        write_target(found[i].path, outputs[i], &progress);
+      } catch (const Error& error) {
+        if (failed++ == 0) first = error.what();
+      }
+      progress.step();
+    }
+  }
+  if (failed > 0) throw Error(print("%zu of %zu characters failed; the first: ", failed, found.size()) + first);
+}
+
+}  // namespace
+
+void add_dataset_target(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("target", "Write the target skeletons that eval --task rig compares with");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("inputs", s->inputs, "Rigged characters and folders of them, sub-folders too")
+      ->required()
+      ->type_name("FILE|DIR");
+  sub->add_option("-o,--output", s->output, "Folder for NAME.rig.txt of each: joints and their hierarchy, no weights")
+      ->required()
+      ->type_name("OUTDIR");
+  sub->footer(
+      "Example:\n  sinew dataset target characters/val -o targets\n"
+      "The target skeleton has the joints that move the body: fingers, faces and twist bones belong to their parents,\n"
+      "joints without a 0.2 % share of the mesh are left out, joints at one place are one. Every leaf has a bone end,\n"
+      "a joint NAME_end below it.");
+  sub->callback([s] { make_targets(*s); });
+}
+
+}  // namespace sinew::cli

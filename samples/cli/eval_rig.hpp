@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// sinew eval --task rig: predicted skeletons against those of a folder's characters.
+#ifndef SINEW_CLI_EVAL_RIG_HPP
+#define SINEW_CLI_EVAL_RIG_HPP
+
+#include <string>
+
+namespace sinew::cli {
+
+struct RigEvaluation {
+  std::string folder;       // rigged characters
+  std::string predictions;  // NAME.rig.txt of each of them; the joints are all that is read
+  std::string json;         // file for all figures, "-" = standard output instead of the table; may be empty
+  unsigned jobs = 1;
+};
+
+// Prints the table of the yardstick. A character or prediction that is missing or cannot be read counts as failed: it is
+// named, the others are measured, and Error is thrown at the end.
+void evaluate_rigs(const RigEvaluation& evaluation);
+
+}  // namespace sinew::cli
+#endif

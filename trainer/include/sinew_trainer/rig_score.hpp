@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The yardstick of predicted skeletons: how far they are from the target skeleton of a rigged character.
+#ifndef SINEW_TRAINER_RIG_SCORE_HPP
+#define SINEW_TRAINER_RIG_SCORE_HPP
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rig/joint_class.hpp"
+#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// N joints, bone ends among them. Lengths in longest sides of the mesh.
+struct ScoredSkeleton {
+  std::vector<std::array<double, 3>> positions;
+  std::vector<int> parents;                        // -1 = root
+  std::vector<std::optional<JointClass>> classes;  // nullopt: a detail
+  std::vector<uint8_t> tips;                       // 1: a bone end
+};
+ScoredSkeleton scored_skeleton(const TargetSkeleton& target);
+// As a file says it: classes by names, and a leaf called NAME_end or NAME_tip is a bone end. `side` is the mesh's.
+ScoredSkeleton scored_skeleton(const std::vector<Joint>& joints, double side);
+
+// Of one character, or a mean over several. All joints count, bone ends too. NaN: there was nothing to count.
+struct RigScore {
+  double j2j = 0;  // mean distance from predicted to nearest reference joints and the other way round, halved sum
+  double j2b = 0;  // the same from joints to points on the other's bones, which are 0.005 apart
+  double b2b = 0;  // the same from points on bones to points on bones
+  // Pairs of predicted and reference joints, one to one, at most 0.05 apart: as many as can be, as near as can be.
+  double precision = 0, recall = 0, iou = 0;  // pairs over predicted joints, over reference joints, over their mean
+  double joined = 0;     // share of reference bones between paired joints whose joints hang together in the prediction,
+                         // through unpaired joints at most
+  double classes = 0;    // share of pairs without bone ends whose classes agree
+  double symmetric = 0;  // 1 where every predicted joint has a mirror image, within 2e-6, about the middle of them all
+};
+// Same figures as rig_eval.py. Throws Error where either has no joints.
+RigScore score_rig(const ScoredSkeleton& predicted, const ScoredSkeleton& reference);
+
+// A reference with head, arms and legs of two bones, and no tail.
+bool is_humanoid(const ScoredSkeleton& reference);
+// What keeps a skeleton from being retargeted, a line each; empty = complete. Of the 15 bones that every humanoid has,
+// pelvis, spine and head must be in the middle (0.01), upper arm, forearm, hand, thigh, calf and foot once on each side,
+// each below the one before, and a pelvis must be the root. x points left; the middle is that of a symmetric skeleton,
+// of others where the root is.
+std::vector<std::string> humanoid_gaps(const ScoredSkeleton& skeleton);
+
+struct RigScores {
+  std::vector<std::pair<std::string, RigScore>> characters;  // by name
+  std::map<std::string, RigScore> families;                  // mean of each family's characters
+  std::map<std::string, size_t> family_sizes;
+  RigScore all, family_mean;                                  // means over characters, over families
+  std::map<std::string, std::string> failures;                // name -> one line
+  std::map<std::string, std::vector<std::string>> humanoids;  // references that are one -> gaps of the prediction
+};
+// Fills all but failures and humanoids.
+RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters);
+// The table of the yardstick, times 100, as Markdown; JSON with every number as it is, null for NaN.
+std::string rig_scores_markdown(const RigScores& scores);
+std::string rig_scores_json(const RigScores& scores);
+
+}  // namespace sinew
+#endif

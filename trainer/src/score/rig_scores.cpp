@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Means of rig scores over characters and families, and their table as Markdown and JSON.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/markdown.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "sinew_trainer/rig_score.hpp"
+
+namespace sinew {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Figure {
+  const char* key;  // as in the yardstick
+  double RigScore::*value;
+};
+constexpr std::array<Figure, 9> kFigures = {{{"J2J", &RigScore::j2j},
+                                             {"J2B", &RigScore::j2b},
+                                             {"B2B", &RigScore::b2b},
+                                             {"precision", &RigScore::precision},
+                                             {"recall", &RigScore::recall},
+                                             {"IoU", &RigScore::iou},
+                                             {"joined", &RigScore::joined},
+                                             {"class", &RigScore::classes},
+                                             {"symmetric", &RigScore::symmetric}}};
+
+// What there was nothing to count for does not count.
+RigScore mean(const std::vector<RigScore>& rows) {
+  RigScore out;
+  for (const Figure& figure : kFigures) {
+    double sum = 0;
+    size_t count = 0;
+    for (const RigScore& row : rows) {
+      if (std::isnan(row.*figure.value)) continue;
+      sum += row.*figure.value;
+      ++count;
+    }
+    out.*figure.value = count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::quiet_NaN();
+  }
+  return out;
+}
+
+std::string table_row(std::string label, const std::string& count, const RigScore& score) {
+  std::string row = "| " + markdown_cell(std::move(label)) + " | " + count + " |";
+  for (const Figure& figure : kFigures) {
+    const double value = 100 * (score.*figure.value);
+    row += std::isnan(value) ? " - |" : print(" %.2f |", value);
+  }
+  return row + "\n";
+}
+
+Json figures_json(const RigScore& score) {
+  Json out = Json::object();
+  for (const Figure& figure : kFigures) {
+    const double value = score.*figure.value;
+    out[figure.key] = std::isnan(value) ? Json(nullptr) : Json(value);
+  }
+  return out;
+}
+
+size_t complete_humanoids(const RigScores& scores) {
+  return static_cast<size_t>(std::count_if(scores.humanoids.begin(), scores.humanoids.end(),
+                                           [](const auto& one) { return one.second.empty(); }));
+}
+
+}  // namespace
+
+RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters) {
+  std::sort(characters.begin(), characters.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  RigScores scores;
+  std::map<std::string, std::vector<RigScore>> members;
+  std::vector<RigScore> everyone, families;
+  for (const auto& [name, score] : characters) {
+    members[family_of(name)].push_back(score);
+    everyone.push_back(score);
+  }
+  for (const auto& [family, rows] : members) {
+    scores.families[family] = mean(rows);
+    scores.family_sizes[family] = rows.size();
+    families.push_back(scores.families[family]);
+  }
+  scores.all = mean(everyone);
+  scores.family_mean = mean(families);
+  scores.characters = std::move(characters);
+  return scores;
+}
+
+std::string rig_scores_markdown(const RigScores& scores) {
+  std::string head = "| x 100 | n |", rule = "|---|---|";
+  for (const Figure& figure : kFigures) {
+    head += std::string(" ") + figure.key + " |";
+    rule += "---|";
+  }
+  std::string table = head + "\n" + rule + "\n";
+  for (const auto& [family, score] : scores.families)
+    table += table_row(family, std::to_string(scores.family_sizes.at(family)), score);
+  table += table_row("mean of characters", std::to_string(scores.characters.size()), scores.all);
+  table += table_row("mean of families", std::to_string(scores.families.size()), scores.family_mean);
+  if (!scores.humanoids.empty())
+    table += print("\nhumanoids with all 15 bones: %zu of %zu\n", complete_humanoids(scores), scores.humanoids.size());
+  for (const auto& [name, gaps] : scores.humanoids) {
+    for (size_t i = 0; i < gaps.size(); ++i) table += (i == 0 ? "  " + name + ": " : ", ") + gaps[i];
+    if (!gaps.empty()) table += "\n";
+  }
+  if (!scores.failures.empty()) {
+    table += print("\nfailed %zu:", scores.failures.size());
+    for (const auto& [name, why] : scores.failures) table += " " + name;
+    table += "\n";
+  }
+  return table;
+}
+
+std::string rig_scores_json(const RigScores& scores) {
+  Json out;
+  out["families"] = Json::object();
+  for (const auto& [family, score] : scores.families) {
+    out["families"][family] = figures_json(score);
+    out["families"][family]["characters"] = scores.family_sizes.at(family);
+  }
+  out["characters_mean"] = figures_json(scores.all);
+  out["families_mean"] = figures_json(scores.family_mean);
+  out["failed"] = Json::array();
+  for (const auto& [name, why] : scores.failures) out["failed"].push_back(name);
+  out["failures"] = scores.failures;
+  out["humanoids"] = {{"asked", scores.humanoids.size()}, {"complete", complete_humanoids(scores)}};
+  out["characters"] = Json::object();
+  for (const auto& [name, score] : scores.characters) {
+    out["characters"][name] = figures_json(score);
+    const auto humanoid = scores.humanoids.find(name);
+    if (humanoid != scores.humanoids.end()) out["characters"][name]["humanoid_gaps"] = humanoid->second;
+  }
+  return out.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace sinew
