@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// The sinew command on skeletons: targets of characters, and predictions against them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli_fixture.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace sinew {
+namespace {
+
+class CliRig : public Cli {
+ protected:
+  // Two pairs, one of them a folder below.
+  void make_set() {
+    fs::create_directories(in("set/low"));
+    for (const char* end : {".obj", ".rig.txt"}) {
+      fs::copy(kData + "/snake__long" + end, in("set"));
+      fs::copy(kData + "/biped__robed" + end, in("set/low"));
+    }
+  }
+};
+
+TEST_F(CliRig, TargetsOfAFolderAreWhatEvalComparesWith) {
+  make_set();
+  const Outcome made = good("dataset target set -o targets");
+  EXPECT_NE(made.out.find("snake__long.rig.txt: "), std::string::npos) << made.out;
+  EXPECT_TRUE(fs::exists(in("targets/low/biped__robed.rig.txt")));
+  Character target;
+  read_skeleton(in("targets/snake__long.rig.txt"), false, &target);
+  EXPECT_GT(target.joints.size(), 3u);
+  EXPECT_EQ(slurp(in("targets/snake__long.rig.txt")).find("skin"), std::string::npos);
+  EXPECT_NE(slurp(in("targets/snake__long.rig.txt")).find("_end"), std::string::npos);
+
+  fs::rename(in("targets/low/biped__robed.rig.txt"), in("targets/biped__robed.rig.txt"));
+  const Outcome table = good("eval set --task rig --predictions targets --json figures.json");
+  EXPECT_NE(table.out.find("| mean of families | 2 | 0.00 | 0.00 | 0.00 | 100.00 | 100.00 | 100.00 | 100.00 |"),
+            std::string::npos)
+      << table.out;
+  const auto figures = nlohmann::json::parse(slurp(in("figures.json")));
+  EXPECT_LT(figures["characters_mean"]["J2J"], 1e-6);
+  EXPECT_EQ(figures["families"]["snake"]["IoU"], 1);
+  EXPECT_EQ(figures["failed"], nlohmann::json::array());
+  EXPECT_EQ(nlohmann::json::parse(good("eval set --task rig --predictions targets --json -").out), figures);
+}
+
+TEST_F(CliRig, AMissingPredictionIsNamedAndTheOthersAreMeasured) {
+  make_set();
+  good("dataset target set/snake__long.rig.txt -o targets");
+  const Outcome missing = bad(1, "eval set --task rig --predictions targets --json figures.json --jobs 1");
+  EXPECT_NE(missing.error.find("1 of 2 characters failed; the first: biped__robed: targets/biped__robed.rig.txt"),
+            std::string::npos)
+      << missing.error;
+  EXPECT_NE(missing.out.find("failed 1: biped__robed"), std::string::npos) << missing.out;
+  EXPECT_NE(missing.out.find("| mean of characters | 1 |"), std::string::npos) << missing.out;
+  EXPECT_EQ(nlohmann::json::parse(slurp(in("figures.json")))["failed"], nlohmann::json::array({"biped__robed"}));
+  put(in("targets/biped__robed.rig.txt"), "joints a 0 0\n");
+  EXPECT_NE(bad(1, "eval set --task rig --predictions targets").error.find("robed.rig.txt:1: expected"),
+            std::string::npos);
+}
+
+TEST_F(CliRig, WrongUsage) {
+  make_set();
+  EXPECT_NE(bad(2, "eval set --task rig").error.find("--predictions"), std::string::npos);
+  EXPECT_NE(bad(1, "eval set --task rig --predictions nowhere").error.find("nowhere: expected a folder"),
+            std::string::npos);
+  EXPECT_NE(bad(2, "eval set --task rig --predictions set --method heat").error.find("--method"), std::string::npos);
+  EXPECT_NE(bad(2, "eval set --task rig --predictions set --known").error.find("--known"), std::string::npos);
+  EXPECT_NE(bad(2, "eval set --task pose --predictions set").error.find("--task"), std::string::npos);
+  EXPECT_NE(bad(2, "dataset target set -o set").error.find("is the folder of"), std::string::npos);
+  EXPECT_NE(bad(2, "dataset target set/snake__long.obj -o ./set/low/..").error.find("is the folder of"),
+            std::string::npos);
+  fs::copy(in("set/snake__long.obj"), in("snake__long.obj"));
+  fs::copy(in("set/snake__long.rig.txt"), in("snake__long.rig.txt"));
+  EXPECT_NE(bad(2, "dataset target snake__long.obj set -o out").error.find("would both become"), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("out")));
+}
+
+TEST_F(CliRig, TargetGoesOnAfterAFailure) {
+  make_set();
+  put(in("set/broken.obj"), slurp(in("set/snake__long.obj")));
+  put(in("set/broken.rig.txt"), "joints a 0 0 0\nroot a\n");
+  const Outcome outcome = bad(1, "dataset target set -o targets");
+  EXPECT_NE(outcome.error.find("1 of 3 characters failed; the first: "), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("no weights"), std::string::npos) << outcome.error;
+  EXPECT_TRUE(fs::exists(in("targets/snake__long.rig.txt")));
+  EXPECT_FALSE(fs::exists(in("targets/broken.rig.txt")));
+}
+
+}  // namespace
+}  // namespace sinew
