@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "dataset.hpp"
 #include "progress.hpp"
@@ -23,18 +24,22 @@ struct Settings {
   std::string output;
 };
 
-// One for each input. The characters' own skeletons are no outputs, and no two characters share one.
+std::string folder_of(const fs::path& path) {
+  std::error_code ignored;
+  return fs::weakly_canonical(path.has_parent_path() ? path.parent_path() : fs::path("."), ignored).string();
+}
+
+// One for each input, where eval looks for predictions. None lies beside a character, whose own skeleton it would
+// replace, and no two are one.
 std::vector<std::string> output_paths(const Settings& s, const std::vector<FoundCharacter>& found) {
+  std::set<std::string> input_folders;
+  for (const FoundCharacter& one : found) input_folders.insert(folder_of(one.path));
   std::vector<std::string> paths;
   std::map<std::string, std::string> input_of;
   for (const FoundCharacter& one : found) {
-    const fs::path folder = fs::path(s.output) / one.below;
-    std::error_code ignored;
-    if (fs::weakly_canonical(folder, ignored) ==
-        fs::weakly_canonical(
-            fs::path(one.path).parent_path().empty() ? fs::path(".") : fs::path(one.path).parent_path(), ignored))
-      throw UsageError("-o " + s.output + ": is the folder of " + one.path + "; give another");
-    paths.push_back((folder / (fs::path(one.name).filename().string() + ".rig.txt")).string());
+    paths.push_back((fs::path(s.output) / (one.name + ".rig.txt")).string());
+    if (input_folders.count(folder_of(paths.back())) > 0)
+      throw UsageError("-o " + s.output + ": " + paths.back() + " would lie among the inputs; give another folder");
     const auto [other, is_new] = input_of.emplace(paths.back(), one.path);
     if (!is_new) throw UsageError(one.path + " and " + other->second + " would both become " + paths.back());
   }
