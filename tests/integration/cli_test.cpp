@@ -34,9 +34,9 @@ TEST_F(Cli, KernelFromTheEnvironmentChangesNoByteAndRubbishIsRefused) {
 }
 
 TEST_F(Cli, HelpHasAnExampleEverywhere) {
-  for (const char* command :
-       {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats", "dataset dedup",
-        "dataset split", "dataset convert", "dataset decimate", "dataset synthesize", "inspect", "pose"}) {
+  for (const char* command : {"", "bind", "eval", "train", "quantize", "dataset", "dataset check", "dataset stats",
+                              "dataset dedup", "dataset split", "dataset target", "dataset convert", "dataset decimate",
+                              "dataset synthesize", "inspect", "pose"}) {
     const Outcome outcome = good(std::string(command) + " --help");
     EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
     EXPECT_NE(outcome.out.find(std::string("sinew ") + command), std::string::npos) << command;
