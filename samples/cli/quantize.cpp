@@ -20,6 +20,7 @@
 #include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/train.hpp"
+#include "sinew_trainer/vote_difference.hpp"
 #include "sinew_trainer/weight_difference.hpp"
 #include "support.hpp"
 
@@ -84,6 +85,15 @@ Loss measure_loss(const FloatNetwork& network, const sinew_model& model, const s
   return loss;
 }
 
+void show_layers(const QuantizedModel& model) {
+  std::printf("%-4s %-24s %16s %6s  %s\n", "", "layer", "|accumulator| <=", "class", "shifts");
+  for (size_t l = 0; l < model.layers.size(); ++l) {
+    const QuantizeLayerReport& layer = model.layers[l];
+    std::printf("%-4zu %-24s %16lld %6s  %d..%d\n", l, layer.what.c_str(), static_cast<long long>(layer.bound),
+                layer.wide ? "W" : "N", layer.min_shift, layer.max_shift);
+  }
+}
+
 void say(const Settings& s, const QuantizedModel& model, size_t calibrated, const Loss& loss,
          const std::string& confidence) {
   std::printf(
@@ -92,14 +102,37 @@ void say(const Settings& s, const QuantizedModel& model, size_t calibrated, cons
       s.output.c_str(), model.bytes.size(), 100 * loss.all.flip_share(), 100 * loss.worst_flips, loss.worst.c_str(),
       100 * (1 - loss.all.close_share()));
   std::printf("calibrated on %zu characters, compared on %zu\n%s\n", calibrated, loss.characters, confidence.c_str());
-  std::printf("%-4s %-24s %16s %6s  %s\n", "", "layer", "|accumulator| <=", "class", "shifts");
-  for (size_t l = 0; l < model.layers.size(); ++l) {
-    const QuantizeLayerReport& layer = model.layers[l];
-    std::printf("%-4zu %-24s %16lld %6s  %d..%d\n", l, layer.what.c_str(), static_cast<long long>(layer.bound),
-                layer.wide ? "W" : "N", layer.min_shift, layer.max_shift);
-  }
+  show_layers(model);
   std::printf("\nnext: sinew eval %s --model %s\n", s.confidence.empty() ? s.folder.c_str() : s.confidence.c_str(),
               s.output.c_str());
+}
+
+void release(const Settings& s, const FloatNetwork& network) {
+  if (s.release.empty()) return;
+  Checkpoint weights;
+  weights.network = network;
+  write_checkpoint(s.release, weights);
+}
+
+// A network of skeletons: no confidences, and votes instead of weights to compare.
+void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
+  if (!s.confidence.empty() || s.correction > 0)
+    throw UsageError(s.checkpoint + " predicts skeletons: --confidence and --correction are for skin weights");
+  const QuantizedModel model =
+      quantize(checkpoint.network, calibrate_rig(checkpoint.network, s.folder, s.characters), s.options);
+  write_file(s.output, model.bytes);
+  release(s, checkpoint.network);
+  if (s.quiet) return;
+  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output, ModelUse::kRig);
+  constexpr size_t kCompared = 16;
+  const VoteDifference d = compare_votes(checkpoint.network, loaded->model, s.folder, kCompared);
+  std::printf(
+      "%s: %zu bytes; beside the float network votes move by %.5f of the longest side (at most %.5f), %.2f %% keep "
+      "their "
+      "class; %zu characters compared\n",
+      s.output.c_str(), model.bytes.size(), d.mean, d.most, 100 * d.same_class, d.characters);
+  show_layers(model);
+  std::printf("\nnext: sinew rig MESH.obj --model %s\n", s.output.c_str());
 }
 
 // A model stays as it is but for its table of confidences.
@@ -119,17 +152,14 @@ void run(const Settings& s) {
   if (has_extension(s.checkpoint, ".sinew")) return fit_model(s);
   if (s.folder.empty()) throw UsageError("--calibrate DIR is needed: the characters that the ranges are measured on");
   Checkpoint checkpoint = read_checkpoint(s.checkpoint);
+  if (checkpoint.network.task == kTaskRig) return quantize_rig(s, checkpoint);
   if (s.correction > 0) change_correction(s.correction, s.checkpoint, &checkpoint);
   const std::vector<Sample> samples = load_calibration(s, checkpoint.network);
   QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
   std::string confidence;
   if (!s.confidence.empty()) confidence = add_confidence(s, &model.bytes);
   write_file(s.output, model.bytes);
-  if (!s.release.empty()) {
-    Checkpoint weights;
-    weights.network = checkpoint.network;
-    write_checkpoint(s.release, weights);
-  }
+  release(s, checkpoint.network);
   if (s.quiet) return;
   const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output);
   say(s, model, samples.size(), measure_loss(checkpoint.network, loaded->model, samples), confidence);

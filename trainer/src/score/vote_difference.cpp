@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Runs both networks on the same points.
+#include "sinew_trainer/vote_difference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "data/rig_sample.hpp"
+#include "kernels/select.hpp"
+#include "rig/rig_task.hpp"
+#include "sinew/sinew.hpp"
+#include "sinew_formats/bind.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/calibrate.hpp"
+#include "sinew_trainer/network.hpp"
+#include "sinew_trainer/network_input.hpp"
+
+namespace sinew {
+namespace {
+
+std::vector<RigSample> some_samples(const std::string& folder, size_t limit) {
+  const std::vector<std::string> paths = list_characters(folder);
+  const size_t count = limit == 0 ? paths.size() : std::min(limit, paths.size());
+  std::vector<RigSample> samples;
+  std::string last;
+  for (size_t i = 0; i < count; ++i) {
+    try {
+      const RigSource source(read_character(paths[i * paths.size() / count]));
+      samples.push_back(source.make(i, 0));
+    } catch (const Error& error) {
+      last = error.what();
+    }
+  }
+  if (samples.empty())
+    throw Error(last.empty() ? folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)" : last);
+  return samples;
+}
+
+std::vector<int16_t> engine_rows(const sinew_model& model, const RigSample& sample) {
+  Kernels kernels;
+  if (!select_kernels(kernel_from_environment(), &kernels)) throw Error(sinew_status_text(SINEW_ERROR_KERNEL));
+  const Workspace block(network_workspace(model, sample));
+  Arena arena(block.data(), block.size());
+  std::vector<int16_t> rows(size_t{sample.vertices} * kRigOutputs);
+  const sinew_status status = run_network(model, network_input(sample), kernels, {}, arena, rows.data());
+  if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
+  return rows;
+}
+
+template <class T>
+uint32_t most_likely(const T* logits, uint32_t count) {
+  return static_cast<uint32_t>(std::max_element(logits, logits + count) - logits);
+}
+
+}  // namespace
+
+Calibration calibrate_rig(const FloatNetwork& network, const std::string& folder, size_t limit) {
+  const std::vector<RigSample> samples = some_samples(folder, limit);
+  std::vector<const NetworkSample*> views;
+  for (const RigSample& sample : samples) views.push_back(&sample);
+  return calibrate(network, views);
+}
+
+VoteDifference compare_votes(const FloatNetwork& network, const sinew_model& model, const std::string& folder,
+                             size_t limit) {
+  VoteDifference difference;
+  NetworkRunner runner;
+  size_t votes = 0;
+  for (const RigSample& sample : some_samples(folder, limit)) {
+    const std::vector<float>& exact = runner.forward(network, sample);
+    const std::vector<int16_t> rows = engine_rows(model, sample);
+    ++difference.characters;
+    for (uint32_t i = 0; i < sample.vertices; ++i) {
+      const float* const a = &exact[size_t{i} * kRigOutputs];
+      const int16_t* const b = &rows[size_t{i} * kRigOutputs];
+      for (const uint32_t end : {static_cast<uint32_t>(kRigStart), static_cast<uint32_t>(kRigEnd)}) {
+        double squared = 0;
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+          const double e = static_cast<double>(a[end + axis]) - b[end + axis] / 1024.0;
+          squared += e * e;
+        }
+        const double distance = std::sqrt(squared) / kRigOffsetScale;
+        difference.mean += distance;
+        difference.most = std::max(difference.most, distance);
+        ++votes;
+      }
+      difference.same_class +=
+          most_likely(a + kRigStartClass, kJointClasses) == most_likely(b + kRigStartClass, kJointClasses);
+      difference.same_class += most_likely(a + kRigEndClass, kEndClasses) == most_likely(b + kRigEndClass, kEndClasses);
+    }
+  }
+  difference.mean /= static_cast<double>(votes);
+  difference.same_class /= static_cast<double>(votes);
+  return difference;
+}
+
+}  // namespace sinew
