@@ -497,14 +497,13 @@ void check_style(const Settings& s) {
 void run_rig(const Settings& s, const CLI::App& sub) {
   for (const CLI::Option* option : sub.get_options()) {
     const std::string name = option->get_name();
-    if (option->count() > 0 && name != "dir" && name != "--task" && name != "--predictions" && name != "--json" &&
-        name != "--jobs")
-      throw UsageError(name + " does not go with --task rig, which takes --predictions, --json and --jobs");
+    if (option->count() > 0 && name != "dir" && name != "--task" && name != "--predictions" && name != "--model" &&
+        name != "--json" && name != "--jobs")
+      throw UsageError(name + " does not go with --task rig, which takes --predictions, --model, --json and --jobs");
   }
-  if (s.predictions.empty())
-    throw UsageError("--task rig needs --predictions DIR: there is no model that predicts skeletons yet");
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
-  evaluate_rigs({s.folder, s.predictions, s.json, s.jobs});
+  if (!s.predictions.empty() && !s.model.empty()) throw UsageError("--predictions and --model: give one of the two");
+  evaluate_rigs({s.folder, s.predictions, s.model, s.json, s.jobs});
 }
 
 void run(const Settings& s) {
@@ -540,7 +539,8 @@ void add_eval(CLI::App& app) {
       ->required()
       ->type_name("DIR");
   sub->add_option("--task", s->task,
-                  "What to compare: bind = skin weights; rig = skeletons, which lie in the folder of --predictions")
+                  "What to compare: bind = skin weights; rig = skeletons, of a model or those that lie in the folder "
+                  "of --predictions")
       ->check(CLI::IsMember({"bind", "rig"}))
       ->capture_default_str();
   auto* model = sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")

@@ -5,10 +5,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 
 #include "progress.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/rig_score.hpp"
@@ -19,6 +21,14 @@ namespace fs = std::filesystem;
 namespace sinew::cli {
 namespace {
 
+std::vector<Joint> read_prediction(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw Error(path.string() + ": there is no such prediction");
+  Character predicted;
+  read_skeleton(path.string(), false, &predicted);
+  return predicted.joints;
+}
+
 struct Measured {
   std::string failure;  // empty: measured
   RigScore score;
@@ -26,17 +36,18 @@ struct Measured {
   std::vector<std::string> gaps;
 };
 
-Measured measure_one(const FoundCharacter& found, const std::string& predictions) {
+Measured measure_one(const FoundCharacter& found, const std::string& predictions, const sinew_model* model) {
   Measured measured;
   try {
-    const fs::path path = fs::path(predictions) / (found.name + ".rig.txt");
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) throw Error(path.string() + ": there is no such prediction");
-    Character predicted;
-    read_skeleton(path.string(), false, &predicted);
-    const TargetSkeleton target = target_skeleton(read_found(found));
+    const Character character = read_found(found);
+    SkeletonOptions options;
+    options.model = model;
+    const std::vector<Joint> joints = model != nullptr
+                                          ? predict_skeleton(character, options).joints
+                                          : read_prediction(fs::path(predictions) / (found.name + ".rig.txt"));
+    const TargetSkeleton target = target_skeleton(character);
     const ScoredSkeleton reference = scored_skeleton(target);
-    const ScoredSkeleton skeleton = scored_skeleton(predicted.joints, target.side);
+    const ScoredSkeleton skeleton = scored_skeleton(joints, target.side);
     measured.score = score_rig(skeleton, reference);
     measured.humanoid = is_humanoid(reference);
     if (measured.humanoid) measured.gaps = humanoid_gaps(skeleton);
@@ -50,14 +61,16 @@ Measured measure_one(const FoundCharacter& found, const std::string& predictions
 
 void evaluate_rigs(const RigEvaluation& evaluation) {
   std::error_code ignored;
-  if (!fs::is_directory(evaluation.predictions, ignored))
+  if (!evaluation.predictions.empty() && !fs::is_directory(evaluation.predictions, ignored))
     throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found no such folder");
+  std::unique_ptr<LoadedModel> model;
+  if (evaluation.predictions.empty()) model = load_model(evaluation.model, ModelUse::kRig);
   const std::vector<FoundCharacter> found = characters_in(evaluation.folder);
   std::vector<Measured> measured(found.size());
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), evaluation.jobs, [&](size_t i, unsigned) {
-      measured[i] = measure_one(found[i], evaluation.predictions);
+      measured[i] = measure_one(found[i], evaluation.predictions, model ? &model->model : nullptr);
       progress.step();
     });
   }

@@ -9,7 +9,8 @@ namespace sinew::cli {
 
 struct RigEvaluation {
   std::string folder;       // rigged characters
-  std::string predictions;  // NAME.rig.txt of each of them; the joints are all that is read
+  std::string predictions;  // NAME.rig.txt of each of them, of which only joints are read; empty: the model predicts
+  std::string model;        // of skeletons; empty: the bundled one
   std::string json;         // file for all figures, "-" = standard output instead of the table; may be empty
   unsigned jobs = 1;
 };
