@@ -99,7 +99,7 @@ uint32_t middle_cell(const Interior& interior) {
 }
 
 // Cells that wait, by their way so far: rings of doubly linked lists, as many as a step can cost.
-constexpr uint32_t kBuckets = 9 * kOutsideFactor + 1;
+constexpr uint32_t kBuckets = 9 * kOutsideCost + 1;
 
 struct Queue {
   uint32_t head[kBuckets];
@@ -140,7 +140,7 @@ void find_ways(const Steps& steps, uint32_t start, Queue* queue, Interior* inter
       for (int n = 0; n < 26; ++n) {
         const uint32_t other = cell + static_cast<uint32_t>(steps.offset[n]);
         if (grid.states[other] == kCellBorder) continue;
-        const uint32_t factor = inside && interior->depth[other] != 0 ? 1 : kOutsideFactor;
+        const uint32_t factor = inside && interior->depth[other] != 0 ? 1 : kOutsideCost;
         const uint32_t cost = at + factor * static_cast<uint32_t>(steps.way[n].cost);
         if (cost >= way[other]) continue;
         if (way[other] != kNoWay) queue->remove(other, way[other] % kBuckets);
