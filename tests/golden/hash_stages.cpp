@@ -210,11 +210,12 @@ void hash_bind(const char* name, const char* stage, const Input& in, const sinew
 
 // Bytes of a file where sinew_model_open() wants them.
 struct ModelFile {
-  explicit ModelFile(const char* path) {
+  explicit ModelFile(const char* path, bool rig = false) {
     const std::vector<uint8_t> bytes = read_all(path);
     aligned.resize(bytes.size() / 8 + 1);
     std::memcpy(aligned.data(), bytes.data(), bytes.size());
-    check(sinew_model_open(aligned.data(), bytes.size(), &model));
+    check(rig ? sinew_rig_model_open(aligned.data(), bytes.size(), &model)
+              : sinew_model_open(aligned.data(), bytes.size(), &model));
   }
   std::vector<uint64_t> aligned;
   sinew_model model = {};
@@ -274,6 +275,10 @@ struct SetLine {
     if (key == "answers") return &answer_step;
     if (key == "questions") return &options.question_count;
     if (key == "confidence") return &confidence;
+    if (key == "rig") return &rig;
+    if (key == "mirror") return &rig_options.mirror;
+    if (key == "spine") return &rig_options.spine_count;
+    if (key == "no-toes") return &rig_options.no_toes;
     return nullptr;
   }
 
@@ -282,6 +287,8 @@ struct SetLine {
   uint32_t hint_step = 0;    // every so many vertices one is a hint
   uint32_t answer_step = 0;  // every so many vertices one's part has an answer, of the kinds in turn
   uint32_t confidence = 0;
+  uint32_t rig = 0;  // 1: a skeleton for the mesh alone
+  sinew_rig_options rig_options = sinew_rig_options_init();
 };
 
 std::vector<sinew_answer> make_answers(uint32_t step, const Input& in) {
@@ -374,6 +381,56 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
   if (options.question_count != 0) print(name, "questions", hash_questions(questions, vertex_questions, vertex_parts));
 }
 
+// Everything that sinew_rig() gives to a caller.
+void hash_rig(const char* name, const SetLine& line, const Input& in, const sinew_model& model, uint32_t kernel) {
+  sinew_rig_options options = line.rig_options;
+  options.up_axis = line.options.up_axis;
+  options.weights_in_place = line.options.weights_in_place;
+  constexpr size_t kMost = SINEW_MAX_RIG_JOINTS;
+  std::vector<float> positions(3 * kMost, 0);
+  std::vector<int32_t> parents(kMost, 0), partners(kMost, 0);
+  std::vector<uint8_t> flags(kMost, 0), classes(kMost, 0);
+  std::vector<uint16_t> confidence(kMost, 0), parent_confidence(kMost, 0);
+  std::vector<char> names(kMost * SINEW_JOINT_NAME_BYTES, 0);
+  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
+  outputs.flags = flags.data();
+  outputs.joint_classes = classes.data();
+  outputs.partners = partners.data();
+  outputs.confidence = confidence.data();
+  outputs.parent_confidence = parent_confidence.data();
+  outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(names.data());
+  size_t bytes = 0;
+  check(sinew_rig_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, &options,
+                                 &bytes));
+  options.kernel = kernel;
+  Block block(bytes);
+  check(sinew_rig(&model, &in.mesh, &options, block.data, bytes, &outputs));
+  const size_t count = outputs.joint_count;
+  Hash memory, joints, names_hash;
+  const uint64_t size = bytes;
+  memory.add(&size, 1);
+  std::vector<uint32_t> bits(3 * count + 2);
+  std::memcpy(bits.data(), positions.data(), 3 * count * sizeof(uint32_t));
+  std::memcpy(bits.data() + 3 * count, &outputs.plane, sizeof(uint32_t));
+  std::memcpy(bits.data() + 3 * count + 1, &outputs.spread, sizeof(uint32_t));
+  joints.add(bits.data(), bits.size());
+  joints.add(parents.data(), count);
+  joints.add(partners.data(), count);
+  joints.add(flags.data(), count);
+  joints.add(classes.data(), count);
+  joints.add(confidence.data(), count);
+  joints.add(parent_confidence.data(), count);
+  joints.add(&outputs.mirrored, 1);
+  joints.add(&outputs.turned, 1);
+  for (size_t j = 0; j < count; ++j) {
+    const char* const text = names.data() + j * SINEW_JOINT_NAME_BYTES;
+    names_hash.add(reinterpret_cast<const uint8_t*>(text), std::strlen(text));
+  }
+  print(name, "memory", memory);
+  print(name, "joints", joints);
+  print(name, "names", names_hash);
+}
+
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 void hash_set(const std::string& path, uint32_t kernel) {
@@ -389,8 +446,12 @@ void hash_set(const std::string& path, uint32_t kernel) {
     } else if (line.model == "heat") {
       hash_line(name.c_str(), line, in, nullptr, kernel);
     } else {
-      const ModelFile file((folder + line.model).c_str());
-      hash_line(name.c_str(), line, in, &file.model, kernel);
+      const ModelFile file((folder + line.model).c_str(), line.rig != 0);
+      if (line.rig != 0) {
+        hash_rig(name.c_str(), line, in, file.model, kernel);
+      } else {
+        hash_line(name.c_str(), line, in, &file.model, kernel);
+      }
     }
   }
   const Hash all = all_printed;

@@ -12,22 +12,36 @@
 
 #include "sinew/sinew.h"
 
+namespace sinew_test {
+
+// A model file of samples/data, opened by `open`.
+struct BundledModel {
+  std::vector<uint64_t> bytes;  // 8-byte aligned
+  sinew_model model = {};
+  bool ok = false;
+
+  template <class Open>
+  BundledModel(const char* path, Open open) {
+    std::FILE* file = std::fopen(path, "rb");
+    if (file == nullptr) return;
+    bytes.resize(512 * 1024);
+    const size_t size = std::fread(bytes.data(), 1, bytes.size() * 8, file);
+    std::fclose(file);
+    ok = open(bytes.data(), size, &model) == SINEW_OK;
+  }
+};
+
+}  // namespace sinew_test
+
 inline const sinew_model* bundled_model() {
-  struct Opened {
-    std::vector<uint64_t> bytes;  // 8-byte aligned
-    sinew_model model = {};
-    bool ok = false;
-    Opened() {
-      std::FILE* file = std::fopen(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew", "rb");
-      if (file == nullptr) return;
-      bytes.resize(512 * 1024);
-      const size_t size = std::fread(bytes.data(), 1, bytes.size() * 8, file);
-      std::fclose(file);
-      ok = sinew_model_open(bytes.data(), size, &model) == SINEW_OK;
-    }
-  };
-  static const Opened opened;
+  static const sinew_test::BundledModel opened(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew", sinew_model_open);
   EXPECT_TRUE(opened.ok) << "samples/data/sinew_default.sinew is missing or refused";
+  return opened.ok ? &opened.model : nullptr;
+}
+
+inline const sinew_model* bundled_rig_model() {
+  static const sinew_test::BundledModel opened(SINEW_SOURCE_DIR "/samples/data/sinew_rig.sinew", sinew_rig_model_open);
+  EXPECT_TRUE(opened.ok) << "samples/data/sinew_rig.sinew is missing or refused";
   return opened.ok ? &opened.model : nullptr;
 }
 

@@ -36,7 +36,7 @@ struct RunConfig {
 };
 
 // What a run for skin weights can be told; read from and written to JSON (unknown keys are an Error). The defaults are
-// trainer/configs/field.json, which trained the bundled model.
+// those of the first runs; trainer/configs/field.json, which trained the bundled model, names what it has otherwise.
 struct TrainConfig : RunConfig {
   std::string architecture = "field";
   FieldOptions field;

@@ -1,0 +1,4 @@
+# SPDX-License-Identifier: MIT
+if(TARGET sinew_formats)
+  sinew_test(rig_test SOURCES integration/rig_test.cpp LIBS sinew::formats sinew::engine_internals LABELS integration)
+endif()
