@@ -421,7 +421,7 @@ void hash_rig(const char* name, const SetLine& line, const Input& in, const sine
   joints.add(confidence.data(), count);
   joints.add(parent_confidence.data(), count);
   joints.add(&outputs.mirrored, 1);
-  joints.add(&outputs.turned, 1);
+  joints.add(&outputs.quarter_turns, 1);
   for (size_t j = 0; j < count; ++j) {
     const char* const text = names.data() + j * SINEW_JOINT_NAME_BYTES;
     names_hash.add(reinterpret_cast<const uint8_t*>(text), std::strlen(text));

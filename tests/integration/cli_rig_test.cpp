@@ -61,9 +61,45 @@ TEST_F(CliRig, AMissingPredictionIsNamedAndTheOthersAreMeasured) {
             std::string::npos);
 }
 
+// A mesh without joints comes out with joints, names and weights.
+TEST_F(CliRig, ABareMeshGetsASkeletonAndWeights) {
+  put(in("figure.obj"), slurp(kData + "/biped__robot.obj"));
+  good("rig figure.obj -o figure.glb --png figure.png");
+  EXPECT_GT(fs::file_size(in("figure.png")), 1000u);
+  const Character bound = read_gltf(in("figure.glb"));
+  EXPECT_GT(bound.joints.size(), 15u);
+  size_t weighted = 0;
+  for (const auto& row : bound.influences) weighted += row.empty() ? 0 : 1;
+  EXPECT_EQ(weighted, bound.vertices.size());
+  const auto told = nlohmann::json::parse(good("rig figure.obj --no-bind -o figure.rig.txt --json").out);
+  EXPECT_EQ(told["joints"].size(), bound.joints.size());
+  EXPECT_EQ(told["joints"][0]["parent"], "");
+  good("bind figure.obj --skeleton figure.rig.txt -o again.glb");
+  fs::create_directories(in("meshes/sub"));
+  put(in("meshes/sub/a.obj"), slurp(kData + "/bird__winged.obj"));
+  good("rig meshes -o out --format rig.txt --no-bind");
+  EXPECT_TRUE(fs::exists(in("out/a.rig.txt")) || fs::exists(in("out/sub/a.rig.txt")));
+  // The command's own figures, of the model and of what it wrote.
+  make_set();
+  const std::string table = good("eval set --task rig").out;
+  good("rig set -o predicted --format rig.txt --no-bind");
+  EXPECT_EQ(good("eval set --task rig --predictions predicted").out, table);
+
+  bad(1, "rig missing.obj");
+  bad(2, "rig figure.obj --mirror --no-mirror");
+  bad(2, "rig figure.obj --spine 0");
+  bad(1, "rig figure.obj --model " + kData + "/sinew_default.sinew");
+  put(in("empty.obj"), "");
+  bad(1, "rig empty.obj");
+  put(in("nan.obj"), "v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n");
+  bad(1, "rig nan.obj");
+  EXPECT_FALSE(fs::exists(in("nan.rigged.glb")));
+}
+
 TEST_F(CliRig, WrongUsage) {
   make_set();
-  EXPECT_NE(bad(2, "eval set --task rig").error.find("--predictions"), std::string::npos);
+  EXPECT_NE(bad(2, "eval set --task rig --predictions set --model x.sinew").error.find("--predictions and --model"),
+            std::string::npos);
   EXPECT_NE(bad(1, "eval set --task rig --predictions nowhere").error.find("nowhere: expected a folder"),
             std::string::npos);
   EXPECT_NE(bad(2, "eval set --task rig --predictions set --method heat").error.find("--method"), std::string::npos);

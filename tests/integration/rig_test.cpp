@@ -66,7 +66,7 @@ TEST(SkeletonOfAMesh, ASymmetricMeshHasExactlyMirroredJoints) {
       const float* const p = &rigged.positions[3 * j];
       ASSERT_GE(rigged.partners[j], 0);
       const float* const q = &rigged.positions[3 * static_cast<size_t>(rigged.partners[j])];
-      if (rigged.outputs.turned == 0) {
+      if (rigged.outputs.quarter_turns % 2 == 0) {
         EXPECT_EQ(p[0] - rigged.outputs.plane, rigged.outputs.plane - q[0]) << name << " " << rigged.names[j];
         EXPECT_EQ(p[2], q[2]);
       } else {
@@ -156,6 +156,31 @@ TEST(SkeletonOfAMesh, FarAwayTinyOrZUpIsTheSameSkeleton) {
   changed(1e-3f, 1e3f, false).expect_sound();
 }
 
+// Left stays left, whichever way the figure looks.
+TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
+  const MeshScene scene = from_file("biped__robot.obj");
+  const RiggedScene plain(scene, sinew_rig_options_init());
+  for (uint32_t quarters = 0; quarters < 4; ++quarters) {
+    MeshScene other = scene;  // facing +z, +x, -z, -x
+    for (uint32_t v = 0; v < scene.vertex_count(); ++v) {
+      const float x = scene.positions[3 * v], z = scene.positions[3 * v + 2];
+      const float places[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
+      other.positions[3 * v] = places[quarters][0];
+      other.positions[3 * v + 2] = places[quarters][1];
+    }
+    const RiggedScene rigged(other, sinew_rig_options_init());
+    rigged.expect_sound();
+    EXPECT_EQ(rigged.outputs.quarter_turns, quarters);
+    ASSERT_EQ(rigged.names, plain.names) << quarters;
+    for (uint32_t j = 0; j < plain.count; ++j) {
+      const float x = plain.positions[3 * j], z = plain.positions[3 * j + 2];
+      const float places[4][2] = {{x, z}, {z, -x}, {-x, -z}, {-z, x}};
+      EXPECT_NEAR(rigged.positions[3 * j], places[quarters][0], 0.05) << plain.names[j];
+      EXPECT_NEAR(rigged.positions[3 * j + 2], places[quarters][1], 0.05) << plain.names[j];
+    }
+  }
+}
+
 TEST(SkeletonOfAMesh, OptionsAreKept) {
   const MeshScene scene = from_file("biped__robot.obj");
   sinew_rig_options options = sinew_rig_options_init();
@@ -238,7 +263,7 @@ TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
 }
 
 TEST(SkeletonOfAMesh, RandomMeshesAreSound) {
-  for (uint32_t seed = 0; seed < 60; ++seed) {
+  for (uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };

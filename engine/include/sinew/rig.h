@@ -83,7 +83,9 @@ typedef struct sinew_rig_outputs {
   char (
       *names)[SINEW_JOINT_NAME_BYTES]; /* [J] Hips, Spine, LeftArm, ... Head_end; every name once; null = not wanted */
   uint32_t mirrored;                   /* written: 1 when the skeleton is its own mirror image */
-  uint32_t turned;   /* written: 1 when the mirror plane is across z (x is forward) instead of across x */
+  uint32_t
+      quarter_turns; /* written: where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x, by where the votes are surest. Left is
+                           * to the left of that. For 0 and 2 the mirror plane is across x, else across z */
   float plane;       /* written: where the plane is on that axis, the mesh's units */
   float spread;      /* written: how far off the votes think they are, in the mean, share of the longest side:
                                    * a whole skeleton below about 0.03 is good, above 0.1 nobody knows */

@@ -7,9 +7,9 @@
 
 namespace sinew {
 
-constexpr uint32_t kRigCells = 64;      // along the longest side
-constexpr uint16_t kDepthUnits = 3;     // of a cell: chamfer distance 3-4-5
-constexpr uint16_t kWayUnits = 5;       // of a cell: steps of 5, 7, 9
+constexpr uint32_t kRigCells = 64;    // along the longest side
+constexpr uint16_t kDepthUnits = 3;   // of a cell: chamfer distance 3-4-5
+constexpr uint16_t kWayUnits = 5;     // of a cell: steps of 5, 7, 9
 constexpr uint32_t kOutsideCost = 4;  // a step that leaves or enters a cell outside costs so many times
 constexpr uint16_t kNoWay = 0xFFFF;
 

@@ -163,22 +163,33 @@ bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&mi
   if (x.error > kTurnError) {
     const Plane z = best_plane(s, 1, middle[1]);
     if (uint64_t{z.error} * 10 < uint64_t{x.error} * 6) {
-      frame->turned = true;
+      frame->quarters = 1;
       frame->plane = z.at;
       frame->error = z.error;
     }
   }
   frame->folded = frame->error < kFoldError || mirroring == Mirroring::kAlways;
-  if (!frame->folded && !frame->turned) frame->plane = 0;
+  if (!frame->folded) {  // as it stands
+    frame->quarters = 0;
+    frame->plane = 0;
+  }
   return true;
 }
 
 void apply_mirror_frame(const MirrorFrame& frame, Mesh* mesh) {
-  const MirrorFrame turn = {frame.folded, frame.turned, 0, 0};
   for (uint32_t v = 0; v < mesh->welded_count; ++v) {
     mesh->positions[v] = frame.to(mesh->positions[v]);
-    mesh->normals[v] = turn.to(mesh->normals[v]);
+    mesh->normals[v] = MirrorFrame::turn(mesh->normals[v], frame.quarters);
   }
+}
+
+void turn_frame(uint32_t quarters, MirrorFrame* frame, Mesh* mesh) {
+  if (quarters % 4 == 0) return;
+  for (uint32_t v = 0; v < mesh->welded_count; ++v) {
+    mesh->positions[v] = MirrorFrame::turn(mesh->positions[v], quarters);
+    mesh->normals[v] = MirrorFrame::turn(mesh->normals[v], quarters);
+  }
+  frame->quarters = (frame->quarters + quarters) % 4;
 }
 
 }  // namespace sinew

@@ -9,16 +9,34 @@ namespace sinew {
 
 enum class Mirroring : uint8_t { kAuto, kAlways, kNever };
 
-// From the mesh's grid to the mirror frame: x' = x - plane for a plane across x; x' = plane - z, z' = x for one across z,
-// as of a mesh that faces along x. y stays.
+// From the mesh's grid to the mirror frame, in quarter turns about y: the plane comes to x = 0, and what faces along +z, +x,
+// -z or -x (0 to 3 quarters) faces along +z then. Odd quarters have a plane across z.
 struct MirrorFrame {
   bool folded = false;  // the mesh is near enough to its mirror image
-  bool turned = false;  // the plane is across z
-  int32_t plane = 0;    // where, grid units
-  uint32_t error = 0;   // how far a mirrored point lies from the surface, 90 % of them, grid units
+  uint32_t quarters = 0;
+  int32_t plane = 0;   // where, grid units
+  uint32_t error = 0;  // how far a mirrored point lies from the surface, 90 % of them, grid units
 
-  Vec3i to(Vec3i p) const { return turned ? Vec3i{plane - p.z, p.y, p.x} : Vec3i{p.x - plane, p.y, p.z}; }
-  Vec3i from(Vec3i p) const { return turned ? Vec3i{p.z, p.y, plane - p.x} : Vec3i{p.x + plane, p.y, p.z}; }
+  bool turned() const { return (quarters & 1) != 0; }
+  Vec3i to(Vec3i p) const {
+    return turn(turned() ? Vec3i{p.x, p.y, p.z - plane} : Vec3i{p.x - plane, p.y, p.z}, quarters);
+  }
+  Vec3i from(Vec3i p) const {
+    const Vec3i q = turn(p, 4 - quarters);
+    return turned() ? Vec3i{q.x, q.y, q.z + plane} : Vec3i{q.x + plane, q.y, q.z};
+  }
+  static Vec3i turn(Vec3i p, uint32_t quarters) {
+    switch (quarters % 4) {
+      case 1:
+        return {-p.z, p.y, p.x};
+      case 2:
+        return {-p.x, p.y, -p.z};
+      case 3:
+        return {p.z, p.y, -p.x};
+      default:
+        return p;
+    }
+  }
 };
 
 // Looks across x at `middle` (where the caller's x is 0), at the box's middle, at the points' median and mean, and near
@@ -29,6 +47,8 @@ bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&mi
                        MirrorFrame* frame);
 // Moves the mesh's vertices and normals into the frame.
 void apply_mirror_frame(const MirrorFrame& frame, Mesh* mesh);
+// Turns a mesh that is in its frame by more quarters, and says so in the frame.
+void turn_frame(uint32_t quarters, MirrorFrame* frame, Mesh* mesh);
 
 }  // namespace sinew
 #endif

@@ -58,14 +58,15 @@ struct Placer {
   double plane;  // across x, or z if the frame is turned
 
   Placer(const Units& u, const MirrorFrame& f, uint32_t up) : units(u), frame(f), up_axis(up) {
-    plane = units.zero(frame.turned ? 2 : 0) + units.length(frame.plane);
+    plane = units.zero(frame.turned() ? 2 : 0) + units.length(frame.plane);
     const double step = units.length(1);
     if (plane <= step && plane >= -step) plane = 0;
   }
   void place(Vec3i p, float* out) const {
-    const double across = units.length(p.x), y = units.zero(1) + units.length(p.y), along = units.length(p.z);
-    const double x = frame.turned ? units.zero(0) + along : plane + across;
-    const double z = frame.turned ? plane - across : units.zero(2) + along;
+    const double y = units.zero(1) + units.length(p.y);
+    const Vec3i q = MirrorFrame::turn(p, 4 - frame.quarters);
+    const double x = (frame.turned() ? units.zero(0) : plane) + units.length(q.x);
+    const double z = (frame.turned() ? plane : units.zero(2)) + units.length(q.z);
     out[0] = static_cast<float>(x);
     out[1] = static_cast<float>(up_axis == 0 ? y : -z);
     out[2] = static_cast<float>(up_axis == 0 ? z : y);
@@ -113,27 +114,80 @@ struct PointRows {
   }
 };
 
-sinew_status vote(const RigPlan& plan, const Mesh& mesh, bool folded, const Kernels& kernels, Arena& arena,
-                  VoteStore* store) {
-  const ArenaScope scope(arena);
+// What it takes to vote.
+struct Voter {
+  const RigPlan& plan;
+  const Kernels& kernels;
   Interior interior;
   PointSet set;
   PointRows rows = {};
-  (void)interior.allocate(arena);
-  (void)set.allocate(arena);
-  (void)rows.allocate(arena);
-  int16_t* const outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
-  if (!build_interior(mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
-  if (!arena.measuring()) rows.fill();
-  if (!plan.progress.report(kPointsEnd)) return SINEW_ERROR_CANCELLED;
-  for (uint32_t i = 0; i < kRigSets; ++i) {
-    if (!make_point_set(mesh, interior, kFirstSeed + i, arena, &set)) return SINEW_ERROR_WORKSPACE;
-    const Progress progress = plan.progress.part(kPointsEnd + i * (kVotesEnd - kPointsEnd) / kRigSets,
-                                                 kPointsEnd + (i + 1) * (kVotesEnd - kPointsEnd) / kRigSets);
-    const sinew_status status = run_network(plan.model, rows.input(set), kernels,
-                                            arena.measuring() ? Progress() : progress, arena, outputs, plan.network);
+  int16_t* outputs = nullptr;
+
+  bool allocate(Arena& arena) {
+    (void)interior.allocate(arena);
+    (void)set.allocate(arena);
+    (void)rows.allocate(arena);
+    outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
+    if (arena.ok() && !arena.measuring()) rows.fill();
+    return arena.ok();
+  }
+  // One set's rows, in `outputs`.
+  sinew_status run(const Mesh& mesh, uint32_t index, const Progress& progress, Arena& arena) {
+    if (!make_point_set(mesh, interior, kFirstSeed + index, arena, &set)) return SINEW_ERROR_WORKSPACE;
+    return run_network(plan.model, rows.input(set), kernels, progress, arena, outputs, plan.network);
+  }
+  // How far off the votes of the last run think they are: mean of log2, Q10. Small is good.
+  int64_t doubt() const {
+    int64_t sum = 0;
+    for (uint32_t i = 0; i < kSetPoints; ++i) {
+      const int16_t* const row = outputs + size_t{i} * kRigOutputs;
+      sum += int64_t{row[kRigStartSpread]} + row[kRigEndSpread];
+    }
+    return sum / (2 * kSetPoints);
+  }
+};
+
+// Turns the mesh to where the votes are surest: front and back of a mirrored mesh, all four sides of another. Other ways than
+// the one that it has must be better by kTurnGain. What the voter has left is of the way that was chosen.
+constexpr int64_t kTurnGain = 80;  // Q10 of log2
+
+sinew_status choose_facing(Voter* voter, Arena& arena, MirrorFrame* frame, Mesh* mesh) {
+  const uint32_t step = frame->folded ? 2 : 1;
+  int64_t least = INT64_MAX;
+  uint32_t best = 0, at = 0;
+  for (uint32_t quarters = 0; quarters < 4; quarters += step) {
+    if (!arena.measuring()) turn_frame(quarters - at, frame, mesh);
+    at = quarters;
+    if (!build_interior(*mesh, arena, &voter->interior)) return SINEW_ERROR_WORKSPACE;
+    const sinew_status status = voter->run(*mesh, 0, {}, arena);
     if (status != SINEW_OK) return status;
-    if (!arena.measuring()) store->add(set, outputs, folded);
+    if (arena.measuring()) return SINEW_OK;
+    const int64_t doubt = voter->doubt() + (quarters == 0 ? 0 : kTurnGain);
+    if (doubt < least) {
+      least = doubt;
+      best = quarters;
+    }
+  }
+  if (best == at) return SINEW_OK;
+  turn_frame(best + 4 - at, frame, mesh);
+  return build_interior(*mesh, arena, &voter->interior) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
+}
+
+sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, MirrorFrame* frame, Mesh* mesh,
+                  VoteStore* store) {
+  const ArenaScope scope(arena);
+  Voter voter = {plan, kernels, {}, {}};
+  if (!voter.allocate(arena)) return SINEW_ERROR_WORKSPACE;
+  const Progress progress = arena.measuring() ? Progress() : plan.progress;  // the size query is silent
+  sinew_status status = choose_facing(&voter, arena, frame, mesh);
+  if (status != SINEW_OK) return status;
+  if (!progress.report(kPointsEnd)) return SINEW_ERROR_CANCELLED;
+  for (uint32_t i = 0; i < kRigSets; ++i) {
+    const Progress part = progress.part(kPointsEnd + i * (kVotesEnd - kPointsEnd) / kRigSets,
+                                        kPointsEnd + (i + 1) * (kVotesEnd - kPointsEnd) / kRigSets);
+    status = voter.run(*mesh, i, part, arena);
+    if (status != SINEW_OK) return status;
+    if (!arena.measuring()) store->add(voter.set, voter.outputs, frame->folded);
   }
   return SINEW_OK;
 }
@@ -155,7 +209,7 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
   }
   if (out->names != nullptr) name_joints(rig.joints, rig.count, out->names);
   out->mirrored = frame.folded ? 1 : 0;
-  out->turned = frame.turned ? 1 : 0;
+  out->quarter_turns = frame.quarters;
   out->plane = static_cast<float>(placer.plane);
   out->spread = static_cast<float>(rig.spread) / 65536.0f;
 }
@@ -220,7 +274,7 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
     apply_mirror_frame(frame, &mesh);
     if (!plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
   }
-  status = vote(plan, mesh, frame.folded, kernels, arena, &store);
+  status = vote(plan, kernels, arena, &frame, &mesh, &store);
   if (status != SINEW_OK) return status;
   Votes votes;
   if (!arena.measuring()) {

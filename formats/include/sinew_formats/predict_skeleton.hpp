@@ -26,7 +26,8 @@ struct PredictedSkeleton {
   std::vector<uint8_t> classes, ends;                // [J] sinew_joint_class; 1 for a bone end
   std::vector<int32_t> partners;                     // [J] mirror image or -1
   std::vector<float> confidence, parent_confidence;  // [J] 0..1
-  bool mirrored = false, turned = false;
+  bool mirrored = false;
+  uint32_t quarter_turns = 0;  // where it faces, see sinew_rig_outputs
   float plane = 0, spread = 0;  // see sinew_rig_outputs
   size_t workspace_bytes = 0;
   double seconds = 0;  // in sinew_rig()

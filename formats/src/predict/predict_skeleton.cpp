@@ -64,7 +64,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
     result.parent_confidence.push_back(static_cast<float>(parent_confidence[j]) / 32767.0f);
   }
   result.mirrored = outputs.mirrored != 0;
-  result.turned = outputs.turned != 0;
+  result.quarter_turns = outputs.quarter_turns;
   result.plane = outputs.plane;
   result.spread = outputs.spread;
   return result;

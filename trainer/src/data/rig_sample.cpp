@@ -143,7 +143,7 @@ RigSource::RigSource(const Character& character)
   const auto to_frame = [&](const Vector3d& p) -> Point {
     const double x = (p.x() - 0.5 * (low.x() + high.x())) / side, y = (p.y() - low.y()) / side,
                  z = (p.z() - 0.5 * (low.z() + high.z())) / side;
-    if (frame.turned) return {plane - z, y, x};
+    if (frame.turned()) return {plane - z, y, x};
     return {x - plane, y, z};
   };
   for (const Point& p : vertices) vertices_.push_back(to_frame(vec(p)));

@@ -128,11 +128,11 @@ MeshScene animal(float lean, bool turned) {
 TEST(MirrorFrame, FindsThePlaneAndItsDirection) {
   MirrorFrame frame = frame_of(animal(0, false));
   EXPECT_TRUE(frame.folded);
-  EXPECT_FALSE(frame.turned);
+  EXPECT_EQ(frame.quarters, 0u);
   EXPECT_EQ(frame.plane, 0);
   frame = frame_of(animal(0, true));
   EXPECT_TRUE(frame.folded);
-  EXPECT_TRUE(frame.turned);
+  EXPECT_EQ(frame.quarters, 1u);
   frame = frame_of(animal(1.5f, false));
   EXPECT_FALSE(frame.folded) << frame.error;
   EXPECT_FALSE(frame_of(animal(0, false), Mirroring::kNever).folded);
@@ -141,16 +141,16 @@ TEST(MirrorFrame, FindsThePlaneAndItsDirection) {
 
 TEST(MirrorFrame, ToAndFromAreInverse) {
   std::mt19937 random(2);
-  for (const bool turned : {false, true}) {
+  for (uint32_t quarters = 0; quarters < 4; ++quarters) {
     MirrorFrame frame;
-    frame.turned = turned;
+    frame.quarters = quarters;
     frame.plane = 12345;
     for (int i = 0; i < 100; ++i) {
       const auto draw = [&] { return static_cast<int32_t>(random() % 2000001) - 1000000; };
       const Vec3i p = {draw(), draw(), draw()};
       EXPECT_EQ(frame.from(frame.to(p)), p);
     }
-    const Vec3i on_plane = turned ? Vec3i{5, 6, 12345} : Vec3i{12345, 6, 7};
+    const Vec3i on_plane = frame.turned() ? Vec3i{5, 6, 12345} : Vec3i{12345, 6, 7};
     EXPECT_EQ(frame.to(on_plane).x, 0);
   }
 }
