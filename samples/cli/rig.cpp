@@ -5,17 +5,20 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "commands.hpp"
 #include "progress.hpp"
+#include "rig_skeleton.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
+#include "sinew_formats/skeleton_template.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -24,9 +27,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string mesh, output, model, bind_model, png, up = "y", format = "glb";
+  std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton;
+  std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
-  bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false;
+  bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
+       keep_lengths = false;
 };
 
 // The votes' own idea of how far off they are, share of the longest side. Above it nobody knows.
@@ -38,7 +43,7 @@ struct Models {
 
 Models load_models(const Settings& s) {
   Models models;
-  models.rig = load_model(s.model, ModelUse::kRig);
+  if (s.prediction.empty()) models.rig = load_model(s.model, ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   return models;
 }
@@ -46,13 +51,18 @@ Models load_models(const Settings& s) {
 struct Rigged {
   Character character;
   PredictedSkeleton skeleton;
+  std::optional<FittedSkeleton> fitted;  // with --skeleton
   double bind_seconds = 0;
 };
 
-Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
-  Rigged rigged;
-  Character& character = rigged.character;
-  character = read_mesh(path);
+// By the model, or what --prediction says.
+LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged) {
+  if (!s.prediction.empty()) {
+    Character file;
+    read_skeleton(s.prediction, false, &file);
+    rigged->skeleton = skeleton_from_joints(file.joints);
+    return label_skeleton(rigged->skeleton.joints);
+  }
   SkeletonOptions options;
   options.model = &models.rig->model;
   options.up_axis = s.up == "z" ? 1 : 0;
@@ -60,26 +70,46 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
   options.spine_count = s.spine;
   options.toes = !s.no_toes;
   options.ends = !s.no_ends;
-  rigged.skeleton = predict_skeleton(character, options);
+  rigged->skeleton = predict_skeleton(rigged->character, options);
+  if (rigged->skeleton.spread > kDoubtfulSpread)
+    rigged->character.notes.push_back(
+        "warning: this mesh resembles nothing that the model knows; look at the joints before using them");
+  return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+}
+
+JointChoice joints_to_bind(const Rigged& rigged) {
+  if (rigged.fitted) return choose_joints(rigged.character, JointsFrom::kNames);
+  std::vector<uint8_t> said;
+  for (const uint8_t end : rigged.skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
+  return choose_joints(rigged.character, JointsFrom::kAll, said);
+}
+
+Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
+  Rigged rigged;
+  Character& character = rigged.character;
+  character = read_mesh(path);
+  const LabelledSkeleton found = predict(s, models, &rigged);
+  if (!s.skeleton.empty()) {
+    FitOptions options;
+    options.up_axis = s.up == "z" ? 2 : 1;
+    options.keep_lengths = s.keep_lengths;
+    rigged.fitted = fit_own_skeleton(s.skeleton, found, options, character, &rigged.skeleton);
+  }
+  edit_skeleton(s.edits, !s.no_mirror, &rigged.skeleton);
   if (!character.joints.empty())
     character.notes.push_back("the file's own skeleton of " + std::to_string(character.joints.size()) +
                               " joints was left out; sinew bind keeps it");
-  character.joints = rigged.skeleton.joints;
+  character.joints = rigged.fitted && s.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
   character.influences.clear();
-  if (rigged.skeleton.spread > kDoubtfulSpread)
-    character.notes.push_back(
-        "warning: this mesh resembles nothing that the model knows; look at the joints before using them");
   if (s.no_bind) return rigged;
   CharacterBindOptions bind;
   bind.bind.method = SINEW_METHOD_MODEL;
   bind.bind.model = &models.bind->model;
   bind.bind.influence_count = s.influences;
-  bind.bind.up_axis = options.up_axis;
-  bind.keep_tips = true;
+  bind.bind.up_axis = s.up == "z" ? 1 : 0;
+  bind.keep_tips = !rigged.fitted;
   bind.bind_props = true;
-  std::vector<uint8_t> said;
-  for (const uint8_t end : rigged.skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
-  CharacterBind result = bind_character(character, choose_joints(character, JointsFrom::kAll, said), bind);
+  CharacterBind result = bind_character(character, joints_to_bind(rigged), bind);
   character.influences = std::move(result.influences);
   rigged.bind_seconds = result.seconds;
   return rigged;
@@ -95,6 +125,11 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   json["spread"] = skeleton.spread;
   json["seconds"] = skeleton.seconds;
   json["workspace_bytes"] = skeleton.workspace_bytes;
+  if (rigged.fitted) {
+    json["skeleton"] = s.skeleton;
+    json["matched"] = rigged.fitted->matched;
+    json["scale"] = rigged.fitted->scale;
+  }
   if (!s.no_bind) json["bind_seconds"] = rigged.bind_seconds;
   for (size_t j = 0; j < skeleton.joints.size(); ++j) {
     const Joint& joint = skeleton.joints[j];
@@ -119,6 +154,10 @@ void tell(const Settings& s, const Rigged& rigged, const std::string& mesh, cons
   const PredictedSkeleton& skeleton = rigged.skeleton;
   size_t joints = 0;
   for (const uint8_t end : skeleton.ends) joints += end == 0 ? 1 : 0;
+  if (rigged.fitted)
+    std::fprintf(out, "%s: %s fitted, %zu of its %zu joints by what they are, the others with them\n",
+                 printable(mesh).c_str(), printable(s.skeleton).c_str(), rigged.fitted->matched,
+                 rigged.fitted->joints.size());
   std::fprintf(out, "%s: %zu joints and %zu bone ends, %s; %.0f ms%s\n", printable(mesh).c_str(), joints,
                skeleton.joints.size() - joints, skeleton.mirrored ? "symmetric" : "not symmetric",
                1e3 * skeleton.seconds, s.no_bind ? "" : print(", weights %.0f ms", 1e3 * rigged.bind_seconds).c_str());
@@ -140,6 +179,8 @@ void write_rigged(const Settings& s, const Rigged& rigged, const std::string& ou
 void run_folder(const Settings& s) {
   if (s.output.empty()) throw UsageError(s.mesh + " is a folder: say with -o OUTDIR where its files go");
   if (!s.png.empty()) throw UsageError("--png is for one mesh, and " + s.mesh + " is a folder");
+  if (!s.prediction.empty()) throw UsageError("--prediction is for one mesh, and " + s.mesh + " is a folder");
+  check_skeleton_source(s.skeleton);
   const std::vector<std::string> paths = list_meshes(s.mesh), names = character_names(s.mesh, paths);
   if (paths.empty()) throw Error(s.mesh + ": no meshes (.obj, .gltf, .glb, .vrm, .fbx, .dae)");
   const Models models = load_models(s);
@@ -165,6 +206,10 @@ void run_folder(const Settings& s) {
 
 void run(Settings s) {
   if (s.mirror && s.no_mirror) throw UsageError("--mirror and --no-mirror: give one of the two");
+  if (s.keep_lengths && s.skeleton.empty())
+    throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
+  if (!s.prediction.empty() && !s.model.empty())
+    throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
   if (std::filesystem::is_directory(s.mesh, ignored)) return run_folder(s);
   if (s.output.empty()) s.output = stem_of(s.mesh) + ".rigged.glb";
@@ -172,6 +217,7 @@ void run(Settings s) {
   if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.output == "-" && s.json)
     throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
+  check_skeleton_source(s.skeleton);
   const Rigged rigged = rig_one(s, load_models(s), s.mesh);
   write_rigged(s, rigged, s.output);
   tell(s, rigged, s.mesh, s.output, s.output == "-" ? stderr : stdout);
@@ -212,13 +258,39 @@ void add_rig(CLI::App& app) {
       ->type_name("N");
   sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
   sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
+  sub->add_option("--skeleton", s->skeleton,
+                  "Put this skeleton into the mesh, with its own names and hierarchy, where the predicted one is: "
+                  ".rig.txt, .glb, .gltf, .vrm, .fbx, .dae, or template:NAME")
+      ->type_name("FILE");
+  sub->add_flag("--keep-lengths", s->keep_lengths,
+                "With --skeleton: turn its bones and scale them all alike, instead of each by itself");
+  sub->add_flag_callback(
+      "--list-templates",
+      [] {
+        for (const TemplateInfo& one : skeleton_templates())
+          std::printf("template:%-12s %s\n", one.name.c_str(), one.about.c_str());
+        throw CLI::Success();
+      },
+      "List the skeletons that --skeleton knows by name");
+  sub->add_option("--prediction", s->prediction,
+                  "Take the skeleton of this file in place of the model's answer; its names say what joints are")
+      ->type_name("FILE");
+  auto edits = std::make_shared<EditOptions>(sub);
   sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
   sub->add_flag("--json", s->json, "Print joints and numbers as JSON; with a folder one line for every mesh");
   sub->footer(
       "Examples:\n  sinew rig hero.obj -o hero.glb --png hero.png\n"
       "  sinew rig hero.obj --no-bind -o hero.rig.txt && sinew bind hero.obj --skeleton hero.rig.txt\n"
-      "  sinew rig meshes -o rigged");
-  sub->callback([s] { run(*s); });
+      "  sinew rig hero.obj --move LeftHand=0.7,1.4,0 --add Tail=Hips:0,0.9,-0.2 --remove Spine2\n"
+      "  sinew rig hero.obj --skeleton template:mixamo -o hero.glb\n"
+      "  sinew rig meshes -o rigged\n"
+      "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one), before "
+      "the "
+      "mesh is bound.");
+  sub->callback([s, edits] {
+    s->edits = edits->in_order();
+    run(*s);
+  });
 }
 
 }  // namespace sinew::cli

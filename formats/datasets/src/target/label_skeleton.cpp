@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Classes, bone ends and mirror images of a skeleton by its names and places.
+#include "sinew_datasets/label_skeleton.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "sinew_datasets/joint_class_of.hpp"
+#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/joint_mirror.hpp"
+#include "sinew_formats/joint_roles.hpp"
+
+namespace sinew {
+namespace {
+
+bool is_gap(char c) { return c == ':' || c == '_' || c == ' ' || c == '|' || c == '-' || c == '.'; }
+
+// Bip01_, J_Bip_, mixamorig: : what at least four of five names begin with, up to a gap; "" without one.
+std::string shared_prefix(const std::vector<Joint>& joints) {
+  std::string best;
+  if (joints.size() < 5) return best;
+  for (const Joint& joint : joints) {
+    for (size_t i = best.size(); i + 1 < joint.name.size(); ++i) {
+      if (!is_gap(joint.name[i])) continue;
+      const std::string prefix = joint.name.substr(0, i + 1);
+      const auto sharing =
+          std::count_if(joints.begin(), joints.end(), [&](const Joint& one) { return one.name.starts_with(prefix); });
+      if (5 * static_cast<size_t>(sharing) < 4 * joints.size()) break;
+      if (prefix.size() > best.size()) best = prefix;
+    }
+  }
+  return best;
+}
+
+// What joint_class_of() reads: leftUpperArm as LeftUpperArm, "L_UpperArm" and "L UpperArm" as LeftUpperArm, C_Hips as Hips.
+std::string readable_name(std::string name, const std::string& prefix) {
+  if (!prefix.empty() && name.starts_with(prefix) && name.size() > prefix.size()) name.erase(0, prefix.size());
+  const auto upper_at = [&](size_t i) {
+    return i < name.size() && std::isupper(static_cast<unsigned char>(name[i])) != 0;
+  };
+  if (name.size() > 2 && (name[1] == '_' || name[1] == ' ') && std::isalpha(static_cast<unsigned char>(name[2])) != 0) {
+    const char first = name[0];
+    if (first == 'L' || first == 'l' || first == 'R' || first == 'r' || first == 'C' || first == 'M') {
+      name.erase(0, 2);
+      name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+      if (first == 'L' || first == 'l') name.insert(0, "Left");
+      if (first == 'R' || first == 'r') name.insert(0, "Right");
+    }
+  } else if ((name.starts_with("left") && upper_at(4)) || (name.starts_with("right") && upper_at(5))) {
+    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  }
+  std::erase(name, ' ');
+  return name;
+}
+
+}  // namespace
+
+LabelledSkeleton label_skeleton(const std::vector<Joint>& joints) {
+  LabelledSkeleton labelled;
+  labelled.joints = joints;
+  const size_t count = joints.size();
+  std::vector<bool> leaf(count, true);
+  for (const Joint& joint : joints)
+    if (joint.parent >= 0) leaf[static_cast<size_t>(joint.parent)] = false;
+  const std::vector<JointRole> roles = joint_roles(joints);
+  const std::string prefix = shared_prefix(joints);
+  std::vector<std::string> names;
+  for (const Joint& joint : joints) names.push_back(readable_name(joint.name, prefix));
+  labelled.ends.assign(count, 0);
+  for (size_t j = 0; j < count; ++j)
+    labelled.ends[j] = leaf[j] && joints[j].parent >= 0 && (roles[j] == JointRole::kTip || names_bone_end(names[j]));
+  std::vector<std::vector<std::string_view>> below(count);
+  for (size_t j = 0; j < count; ++j) {
+    if (labelled.ends[j] != 0) continue;
+    size_t steps = 0;
+    for (int above = joints[j].parent; above >= 0 && steps < count; above = joints[static_cast<size_t>(above)].parent) {
+      below[static_cast<size_t>(above)].push_back(names[j]);
+      ++steps;
+    }
+  }
+  for (size_t j = 0; j < count; ++j) {
+    const auto joint_class = joint_class_of(names[j], below[j]);
+    const bool aside = roles[j] == JointRole::kControl || roles[j] == JointRole::kSlot;
+    labelled.classes.push_back(!joint_class || aside ? kClassDetail : static_cast<uint8_t>(*joint_class));
+  }
+  for (size_t j = 0; j < count; ++j) {
+    if (labelled.ends[j] == 0) continue;
+    const size_t parent = static_cast<size_t>(joints[j].parent);
+    if (labelled.classes[j] == kClassDetail || labelled.classes[parent] == kClassDetail) {
+      labelled.classes[j] = kClassDetail;
+      labelled.ends[j] = 0;
+    } else {
+      labelled.classes[j] = labelled.classes[parent];
+    }
+  }
+  return labelled;
+}
+
+LabelledSkeleton label_skeleton(const PredictedSkeleton& skeleton) {
+  return {skeleton.joints, skeleton.classes, skeleton.ends};
+}
+
+PredictedSkeleton skeleton_from_joints(const std::vector<Joint>& joints) {
+  if (joints.empty()) throw Error("the skeleton has no joints");
+  std::vector<size_t> order;
+  std::vector<int> index(joints.size(), -1);
+  bool parents_first = true;
+  for (size_t j = 0; j < joints.size(); ++j) parents_first = parents_first && joints[j].parent < static_cast<int>(j);
+  for (size_t j = 0; j < joints.size(); ++j)
+    if (parents_first || joints[j].parent < 0) order.push_back(j);
+  for (size_t i = 0; i < order.size() && !parents_first; ++i)
+    for (size_t j = 0; j < joints.size(); ++j)
+      if (joints[j].parent == static_cast<int>(order[i])) order.push_back(j);
+  if (order.size() != joints.size()) throw Error("the joints form a cycle, expected a tree");
+  for (size_t i = 0; i < order.size(); ++i) index[order[i]] = static_cast<int>(i);
+  PredictedSkeleton skeleton;
+  for (const size_t j : order) {
+    skeleton.joints.push_back(joints[j]);
+    int& parent = skeleton.joints.back().parent;
+    if (parent >= 0) parent = index[static_cast<size_t>(parent)];
+  }
+  LabelledSkeleton labelled = label_skeleton(skeleton.joints);
+  skeleton.classes = std::move(labelled.classes);
+  skeleton.ends = std::move(labelled.ends);
+  for (uint8_t& one : skeleton.classes)
+    if (one == kClassDetail) one = SINEW_CLASS_OTHER;
+  for (size_t j = 0; j < joints.size(); ++j) skeleton.joints[j].deforms = skeleton.ends[j] == 0;
+  JointMirror mirror = find_joint_mirror(skeleton.joints);
+  skeleton.mirrored = mirror.exact && mirror.axis != 1;
+  skeleton.turned = mirror.axis == 2;
+  skeleton.plane = mirror.plane;
+  skeleton.partners = std::move(mirror.partners);
+  if (!skeleton.mirrored) skeleton.partners.assign(joints.size(), -1);
+  skeleton.confidence.assign(joints.size(), 1);
+  skeleton.parent_confidence.assign(joints.size(), 1);
+  return skeleton;
+}
+
+}  // namespace sinew

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What sinew rig lets a user say about the skeleton: edits, and one of their own.
+#ifndef SINEW_CLI_RIG_SKELETON_HPP
+#define SINEW_CLI_RIG_SKELETON_HPP
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sinew_datasets/label_skeleton.hpp"
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/edit_skeleton.hpp"
+#include "sinew_formats/fit_skeleton.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace sinew::cli {
+
+// --move, --add, --remove, --parent, --rename: each any number of times.
+class EditOptions {
+ public:
+  explicit EditOptions(CLI::App* sub);  // declares them
+  // As on the command line. Throws UsageError.
+  std::vector<SkeletonEdit> in_order() const;
+
+ private:
+  struct One {
+    EditKind kind;
+    CLI::Option* option;
+    std::shared_ptr<std::vector<std::string>> texts;
+  };
+  CLI::App* sub_;
+  std::vector<One> options_;
+};
+
+// Throws UsageError for a template that does not exist and for a mesh. Called before any work.
+void check_skeleton_source(const std::string& source);
+
+// The skeleton of a file or template:NAME put where `found` is, in place of *skeleton. What its joints deform stays as the
+// file says.
+FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleton& found, FitOptions options,
+                                const Character& mesh, PredictedSkeleton* skeleton);
+
+}  // namespace sinew::cli
+#endif
