@@ -82,6 +82,7 @@ class Matcher {
     rough_ = rough_alignment();
     other_size_ = size_of(other.joints);
     for (size_t i = 0; i < a_.limbs.size(); ++i) match_kind(i);
+    match_leftovers();
     for (MatchedLimb& limb : matched_) tie_knots(&limb);
   }
 
@@ -203,6 +204,34 @@ class Matcher {
     }
   }
 
+  // What no class tells: legs of a spider that another maker calls bones.
+  void match_leftovers() {
+    const auto is_left = [](const Limb& limb, const std::vector<int>& taken) {
+      return limb.kind != LimbKind::kTrunk && std::find(taken.begin(), taken.end(), limb.joints[0]) == taken.end();
+    };
+    while (true) {
+      std::vector<int> taken_a, taken_b;
+      for (const MatchedLimb& limb : matched_) {
+        taken_a.push_back(limb.mine.joints[0]);
+        taken_b.push_back(limb.other.joints[0]);
+      }
+      MatchedLimb best;
+      double least = 3 * kFarOther * other_size_;
+      for (const Limb& a : a_.limbs) {
+        for (const Limb& b : b_.limbs) {
+          const bool unknown = a.kind == LimbKind::kOther || b.kind == LimbKind::kOther;
+          if (!unknown || a.side != b.side || !is_left(a, taken_a) || !is_left(b, taken_b)) continue;
+          if (gap(a, b) >= least) continue;
+          least = gap(a, b);
+          best.mine = a;
+          best.other = b;
+        }
+      }
+      if (best.mine.joints.empty()) return;
+      matched_.push_back(std::move(best));
+    }
+  }
+
   static bool is_end(const LabelledSkeleton& s, int j) { return s.ends[at(j)] != 0; }
 
   // The first joint of a class, or the chain's length.
@@ -220,7 +249,8 @@ class Matcher {
     const size_t a_last = a_count - (a_end ? 2 : 1), b_last = b_count - (b_end ? 2 : 1);
     std::vector<Knot>& knots = limb->knots;
     const bool by_class =
-        limb->mine.kind == LimbKind::kTrunk || limb->mine.kind == LimbKind::kArm || limb->mine.kind == LimbKind::kLeg;
+        limb->mine.kind == limb->other.kind &&
+        (limb->mine.kind == LimbKind::kTrunk || limb->mine.kind == LimbKind::kArm || limb->mine.kind == LimbKind::kLeg);
     if (by_class) {
       for (uint8_t c = 0; c <= SINEW_CLASS_TOE; ++c) {
         if (c == SINEW_CLASS_SPINE) continue;
@@ -645,11 +675,15 @@ std::vector<Rotation> turns_of_the_whole(uint32_t up) {
   return turns;
 }
 
-// Makes the result its own mirror image to the bit, where both skeletons were.
+// Makes the result its own mirror image to the bit, where both skeletons were: all of the other, and of `mine` all but
+// details, which may be on one side alone.
 void make_symmetric(const LabelledSkeleton& mine, const JointMirror& other, FittedSkeleton* fitted) {
   const JointMirror own = find_joint_mirror(mine.joints);
-  if (!own.exact || !other.exact || own.axis != other.axis) return;
+  if (!other.exact || own.axis != other.axis) return;
+  for (size_t j = 0; j < mine.joints.size(); ++j)
+    if (own.partners[j] < 0 && mine.classes[j] != kClassDetail) return;
   for (size_t j = 0; j < fitted->joints.size(); ++j) {
+    if (own.partners[j] < 0) continue;
     const size_t partner = static_cast<size_t>(own.partners[j]);
     Vec3& p = fitted->joints[j].position;
     if (partner == j) {

@@ -55,6 +55,47 @@ std::string readable_name(std::string name, const std::string& prefix) {
   return name;
 }
 
+// The joint nearest above that is no detail, -1 without one.
+int core_parent(const LabelledSkeleton& s, size_t j) {
+  int above = s.joints[j].parent;
+  while (above >= 0 && s.classes[static_cast<size_t>(above)] == kClassDetail)
+    above = s.joints[static_cast<size_t>(above)].parent;
+  return above;
+}
+
+bool has_class(const LabelledSkeleton& s, uint8_t wanted) {
+  return std::find(s.classes.begin(), s.classes.end(), wanted) != s.classes.end();
+}
+
+// Rigify's trunk is spine from the pelvis to the head: what thighs hang on is the pelvis, and beyond the joint with the
+// clavicles come the neck and, last, the head.
+void tell_spine_apart(LabelledSkeleton* s) {
+  const size_t count = s->joints.size();
+  const auto carrier_of = [&](uint8_t wanted) {
+    for (size_t j = 0; j < count; ++j) {
+      const int above = s->classes[j] == wanted ? core_parent(*s, j) : -1;
+      if (above >= 0 && s->classes[static_cast<size_t>(above)] == SINEW_CLASS_SPINE) return above;
+    }
+    return -1;
+  };
+  const int legs = carrier_of(SINEW_CLASS_THIGH), arms = carrier_of(SINEW_CLASS_CLAVICLE);
+  if (legs < 0 || arms < 0 || has_class(*s, SINEW_CLASS_PELVIS)) return;
+  if (!has_class(*s, SINEW_CLASS_NECK) && !has_class(*s, SINEW_CLASS_HEAD)) {
+    int last = arms;
+    for (bool more = true; more;) {
+      more = false;
+      for (size_t j = 0; j < count && !more; ++j) {
+        more = s->classes[j] == SINEW_CLASS_SPINE && s->ends[j] == 0 && core_parent(*s, j) == last;
+        if (!more) continue;
+        s->classes[j] = SINEW_CLASS_NECK;
+        last = static_cast<int>(j);
+      }
+    }
+    if (last != arms) s->classes[static_cast<size_t>(last)] = SINEW_CLASS_HEAD;
+  }
+  s->classes[static_cast<size_t>(legs)] = SINEW_CLASS_PELVIS;
+}
+
 }  // namespace
 
 LabelledSkeleton label_skeleton(const std::vector<Joint>& joints) {
@@ -85,6 +126,7 @@ LabelledSkeleton label_skeleton(const std::vector<Joint>& joints) {
     const bool aside = roles[j] == JointRole::kControl || roles[j] == JointRole::kSlot;
     labelled.classes.push_back(!joint_class || aside ? kClassDetail : static_cast<uint8_t>(*joint_class));
   }
+  tell_spine_apart(&labelled);
   for (size_t j = 0; j < count; ++j) {
     if (labelled.ends[j] == 0) continue;
     const size_t parent = static_cast<size_t>(joints[j].parent);
