@@ -84,6 +84,11 @@ FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleto
   std::map<std::string, std::optional<bool>> deforms;
   for (const Joint& joint : own.joints) deforms.emplace(joint.name, joint.deforms);
   for (Joint& joint : result.joints) joint.deforms = deforms.at(joint.name);
+  if (fitted.symmetric && !result.mirrored) {  // but for details that are on one side alone
+    JointMirror mirror = find_joint_mirror(result.joints);
+    result.mirrored = mirror.axis != 1;
+    if (result.mirrored) result.partners = std::move(mirror.partners);
+  }
   result.spread = skeleton->spread;
   result.seconds = skeleton->seconds;
   result.workspace_bytes = skeleton->workspace_bytes;

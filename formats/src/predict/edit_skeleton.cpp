@@ -273,15 +273,15 @@ class Editor {
   void set_parent(const SkeletonEdit& edit) {
     const int32_t j = need(edit.joint), parent = need(edit.other), other = partner(j);
     check_parent(parent);
-    if (on_plane(j) && partner(parent) >= 0)
-      throw Error("the joint " + in_quotes(edit.joint) + " is on the mirror plane and cannot hang on " +
-                  in_quotes(edit.other) + " beside it; --no-mirror allows that");
     joint(j).parent = parent;
     if (other >= 0) joint(other).parent = mirror_ ? image(parent) : parent;
     for (int32_t above = parent, steps = 0; above >= 0; above = joint(above).parent, ++steps)
       if (above == j || steps > static_cast<int32_t>(count()))
         throw Error("the parent of " + in_quotes(edit.joint) + " cannot be " + in_quotes(edit.other) +
                     ", which hangs on it: that would be a cycle; move " + in_quotes(edit.other) + " first");
+    if (on_plane(j) && partner(parent) >= 0)
+      throw Error("the joint " + in_quotes(edit.joint) + " is on the mirror plane and cannot hang on " +
+                  in_quotes(edit.other) + " beside it; --no-mirror allows that");
     s_.parent_confidence[static_cast<size_t>(j)] = 1;
     if (other >= 0) s_.parent_confidence[static_cast<size_t>(other)] = 1;
   }

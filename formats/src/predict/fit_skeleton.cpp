@@ -675,24 +675,29 @@ std::vector<Rotation> turns_of_the_whole(uint32_t up) {
   return turns;
 }
 
-// Makes the result its own mirror image to the bit, where both skeletons were: all of the other, and of `mine` all but
-// details, which may be on one side alone.
-void make_symmetric(const LabelledSkeleton& mine, const JointMirror& other, FittedSkeleton* fitted) {
+// But for details, which may be on one side alone.
+bool is_symmetric(const LabelledSkeleton& s, const JointMirror& mirror) {
+  for (size_t j = 0; j < s.joints.size(); ++j)
+    if (mirror.partners[j] < 0 && s.classes[j] != kClassDetail) return false;
+  return true;
+}
+
+// Makes the result its own mirror image to the bit, where both skeletons were.
+void make_symmetric(const LabelledSkeleton& mine, const LabelledSkeleton& other, const JointMirror& plane,
+                    FittedSkeleton* fitted) {
   const JointMirror own = find_joint_mirror(mine.joints);
-  if (!other.exact || own.axis != other.axis) return;
-  for (size_t j = 0; j < mine.joints.size(); ++j)
-    if (own.partners[j] < 0 && mine.classes[j] != kClassDetail) return;
+  if (own.axis != plane.axis || !is_symmetric(mine, own) || !is_symmetric(other, plane)) return;
   for (size_t j = 0; j < fitted->joints.size(); ++j) {
     if (own.partners[j] < 0) continue;
     const size_t partner = static_cast<size_t>(own.partners[j]);
     Vec3& p = fitted->joints[j].position;
     if (partner == j) {
-      component(&p, other.axis) = other.plane;
+      component(&p, plane.axis) = plane.plane;
     } else if (partner > j) {
       Vec3& q = fitted->joints[partner].position;
-      const Point middle = 0.5 * (point(p) + point(mirrored(q, other.axis, other.plane)));
+      const Point middle = 0.5 * (point(p) + point(mirrored(q, plane.axis, plane.plane)));
       p = vec(middle);
-      q = mirrored(p, other.axis, other.plane);
+      q = mirrored(p, plane.axis, plane.plane);
     }
   }
   fitted->symmetric = true;
@@ -721,7 +726,7 @@ FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton
     throw Error(
         "fewer than two joints of the skeleton match those of the mesh: the names say too little of what they are");
   FittedSkeleton fitted = Fitter(best, other, options, across).fit();
-  make_symmetric(best, other_mirror, &fitted);
+  make_symmetric(best, other, other_mirror, &fitted);
   return fitted;
 }
 

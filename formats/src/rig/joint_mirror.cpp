@@ -168,7 +168,7 @@ JointMirror find_joint_mirror(const std::vector<Joint>& joints) {
   for (const uint32_t axis : {0u, 2u, 1u}) {
     JointMirror mirror = mirror_across(joints, named, axis, tolerance);
     ptrdiff_t found = mirror.exact ? 1 : 0;
-    for (size_t j = 0; j < joints.size(); ++j) found += mirror.partners[j] >= 0 ? 2 : 0;
+    for (size_t j = 0; j < joints.size(); ++j) found += mirror.partners[j] < 0 ? 0 : named[j] >= 0 ? 4 : 2;
     if (found <= most) continue;
     most = found;
     best = std::move(mirror);

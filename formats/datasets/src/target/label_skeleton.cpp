@@ -34,6 +34,11 @@ std::string shared_prefix(const std::vector<Joint>& joints) {
   return best;
 }
 
+bool words_hold(std::string name, const char* word) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name.find(word) != std::string::npos;
+}
+
 // What joint_class_of() reads: leftUpperArm as LeftUpperArm, "L_UpperArm" and "L UpperArm" as LeftUpperArm, C_Hips as Hips.
 std::string readable_name(std::string name, const std::string& prefix) {
   if (!prefix.empty() && name.starts_with(prefix) && name.size() > prefix.size()) name.erase(0, prefix.size());
@@ -124,7 +129,13 @@ LabelledSkeleton label_skeleton(const std::vector<Joint>& joints) {
   for (size_t j = 0; j < count; ++j) {
     const auto joint_class = joint_class_of(names[j], below[j]);
     const bool aside = roles[j] == JointRole::kControl || roles[j] == JointRole::kSlot;
-    labelled.classes.push_back(!joint_class || aside ? kClassDetail : static_cast<uint8_t>(*joint_class));
+    const bool little = words_hold(names[j], "little");  // finger
+    labelled.classes.push_back(!joint_class || aside || little ? kClassDetail : static_cast<uint8_t>(*joint_class));
+  }
+  for (size_t j = 0; j < count; ++j) {  // palms and what a hand holds
+    const int above = labelled.classes[j] == SINEW_CLASS_HAND ? core_parent(labelled, j) : -1;
+    if (above >= 0 && labelled.ends[j] == 0 && labelled.classes[static_cast<size_t>(above)] == SINEW_CLASS_HAND)
+      labelled.classes[j] = kClassDetail;
   }
   tell_spine_apart(&labelled);
   for (size_t j = 0; j < count; ++j) {
