@@ -35,9 +35,8 @@ class LimbFinder {
  public:
   LimbFinder(const LabelledSkeleton& s, uint32_t across, double plane)
       : s_(s), across_(across), plane_(plane), core_parents_(count(), -1), below_(count(), 0), used_(count(), false) {
-    double low = INFINITY, high = -INFINITY;
     for (uint32_t axis = 0; axis < 3; ++axis) {
-      low = INFINITY, high = -INFINITY;
+      double low = INFINITY, high = -INFINITY;
       for (const Joint& joint : s.joints) {
         low = std::min(low, static_cast<double>(component(joint.position, axis)));
         high = std::max(high, static_cast<double>(component(joint.position, axis)));

@@ -4,6 +4,7 @@
 #include "sinew_formats/skeleton_template.hpp"
 
 #include <algorithm>
+#include <locale>
 #include <map>
 #include <sstream>
 
