@@ -94,6 +94,9 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
     options.up_axis = s.up == "z" ? 2 : 1;
     options.keep_lengths = s.keep_lengths;
     rigged.fitted = fit_own_skeleton(s.skeleton, found, options, character, &rigged.skeleton);
+    if (2 * rigged.fitted->matched < rigged.fitted->telling)
+      character.notes.push_back("warning: most joints of " + s.skeleton +
+                                " have no like in this mesh; look at them before using them");
   }
   edit_skeleton(s.edits, !s.no_mirror, &rigged.skeleton);
   if (!character.joints.empty())

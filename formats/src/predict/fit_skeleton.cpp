@@ -89,6 +89,7 @@ class Fitter {
     for (size_t j = 0; j < count(); ++j) out.joints[j].position = vec(places_[j]);
     out.how = how_;
     out.matched = static_cast<size_t>(std::count(how_.begin(), how_.end(), FitHow::kMatched));
+    for (size_t j = 0; j < count(); ++j) out.telling += mine_.classes[j] != kClassDetail && mine_.ends[j] == 0 ? 1 : 0;
     out.scale = whole_.scale;
     return out;
   }
