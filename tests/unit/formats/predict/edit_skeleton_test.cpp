@@ -148,11 +148,13 @@ TEST(EditSkeleton, RemoveHandsChildrenUp) {
 
 TEST(EditSkeleton, RemovingARootWithSeveralChildrenLeavesOneRoot) {
   PredictedSkeleton s = small_body();
-  edit_skeleton({parse_edit(EditKind::kRemove, "Hips"), parse_edit(EditKind::kRemove, "Spine")}, true, &s);
+  edit_skeleton({parse_edit(EditKind::kRemove, "Hips"), parse_edit(EditKind::kRemove, "Head"),
+                 parse_edit(EditKind::kAdd, "Crown=Spine:0.5,2,0"), parse_edit(EditKind::kRemove, "Spine")},
+                true, &s);
   expect_sound(s);
-  EXPECT_EQ(parent(s, "Head"), "") << "the child on the plane";
-  EXPECT_EQ(parent(s, "LeftArm"), "Head");
-  EXPECT_EQ(parent(s, "RightArm"), "Head");
+  EXPECT_EQ(parent(s, "Crown"), "") << "the child on the plane, though the arms come before it";
+  EXPECT_EQ(parent(s, "LeftArm"), "Crown");
+  EXPECT_EQ(parent(s, "RightArm"), "Crown");
 }
 
 TEST(EditSkeleton, ParentFollowsOnTheOtherSide) {
