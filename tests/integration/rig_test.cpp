@@ -158,7 +158,7 @@ TEST(SkeletonOfAMesh, FarAwayTinyOrZUpIsTheSameSkeleton) {
 
 // Left stays left, whichever way the figure looks.
 TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
-  const MeshScene scene = from_file("biped__robot.obj");
+  const MeshScene scene = from_file("quadruped__tailed.obj");
   const RiggedScene plain(scene, sinew_rig_options_init());
   for (uint32_t quarters = 0; quarters < 4; ++quarters) {
     MeshScene other = scene;  // facing +z, +x, -z, -x

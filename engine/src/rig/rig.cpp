@@ -149,7 +149,7 @@ struct Voter {
 
 // Turns the mesh to where the votes are surest: front and back of a mirrored mesh, all four sides of another. Other ways than
 // the one that it has must be better by kTurnGain. What the voter has left is of the way that was chosen.
-constexpr int64_t kTurnGain = 80;  // Q10 of log2
+constexpr int64_t kTurnGain = 60;  // Q10 of log2
 
 sinew_status choose_facing(Voter* voter, Arena& arena, MirrorFrame* frame, Mesh* mesh) {
   const uint32_t step = frame->folded ? 2 : 1;
