@@ -15,13 +15,9 @@ Counts rig_counts() {
   return counts;
 }
 
-struct Step {
-  int32_t x, y, z, cost;
-};
-
 // The 26 neighbours; the first 13 lie behind in the order of cells.
 struct Steps {
-  Step depth[26], way[26];
+  int32_t depth[26], way[26];  // what they cost
   int32_t offset[26];
 
   explicit Steps(const VoxelGrid& grid) {
@@ -32,8 +28,8 @@ struct Steps {
         for (int32_t x = -1; x <= 1; ++x) {
           const int32_t axes = (x != 0) + (y != 0) + (z != 0);
           if (axes == 0) continue;
-          depth[count] = {x, y, z, 2 + axes};
-          way[count] = {x, y, z, kWay[axes]};
+          depth[count] = 2 + axes;
+          way[count] = kWay[axes];
           offset[count++] = (z * grid.size[1] + y) * grid.size[0] + x;
         }
       }
@@ -52,7 +48,7 @@ void find_depths(const Steps& steps, Interior* interior) {
       if (least == 0) continue;
       for (int n = 13 * pass; n < 13 * (pass + 1); ++n) {
         const uint16_t other =
-            static_cast<uint16_t>(interior->depth[c + static_cast<uint32_t>(steps.offset[n])] + steps.depth[n].cost);
+            static_cast<uint16_t>(interior->depth[c + static_cast<uint32_t>(steps.offset[n])] + steps.depth[n]);
         if (other < least) least = other;
       }
       interior->depth[c] = least;
@@ -141,7 +137,7 @@ void find_ways(const Steps& steps, uint32_t start, Queue* queue, Interior* inter
         const uint32_t other = cell + static_cast<uint32_t>(steps.offset[n]);
         if (grid.states[other] == kCellBorder) continue;
         const uint32_t factor = inside && interior->depth[other] != 0 ? 1 : kOutsideCost;
-        const uint32_t cost = at + factor * static_cast<uint32_t>(steps.way[n].cost);
+        const uint32_t cost = at + factor * static_cast<uint32_t>(steps.way[n]);
         if (cost >= way[other]) continue;
         if (way[other] != kNoWay) queue->remove(other, way[other] % kBuckets);
         way[other] = static_cast<uint16_t>(cost);

@@ -155,15 +155,16 @@ sinew_status choose_facing(Voter* voter, Arena& arena, MirrorFrame* frame, Mesh*
   const uint32_t step = frame->folded ? 2 : 1;
   int64_t least = INT64_MAX;
   uint32_t best = 0, at = 0;
-  for (uint32_t quarters = 0; quarters < 4; quarters += step) {
-    if (!arena.measuring()) turn_frame(quarters - at, frame, mesh);
+  for (uint32_t tried = step; tried <= 4; tried += step) {  // the way that it has comes last: mostly it stays so
+    const uint32_t quarters = tried % 4;
+    if (!arena.measuring()) turn_frame(quarters + 4 - at, frame, mesh);
     at = quarters;
     if (!build_interior(*mesh, arena, &voter->interior)) return SINEW_ERROR_WORKSPACE;
     const sinew_status status = voter->run(*mesh, 0, {}, arena);
     if (status != SINEW_OK) return status;
     if (arena.measuring()) return SINEW_OK;
     const int64_t doubt = voter->doubt() + (quarters == 0 ? 0 : kTurnGain);
-    if (doubt < least) {
+    if (doubt < least || (quarters == 0 && doubt == least)) {
       least = doubt;
       best = quarters;
     }
