@@ -53,10 +53,8 @@ struct SynthesizeSettings {
 };
 
 void synthesize_all(const SynthesizeSettings& s) {
-  const BodyPlan plans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake,
-                            BodyPlan::kManyLegged};
   std::vector<BodyPlan> chosen;
-  for (BodyPlan plan : plans) {
+  for (BodyPlan plan : kBodyPlans) {
     if (s.plan == "all" || s.plan == body_plan_name(plan)) chosen.push_back(plan);
   }
   const bool one_file = has_extension(s.output, ".obj") || has_extension(s.output, ".glb");

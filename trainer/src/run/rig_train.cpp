@@ -131,8 +131,7 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
       const auto& families = checked.leave_out;
       return std::find(families.begin(), families.end(), family_of(r.name)) != families.end();
     });
-    for (const BodyPlan plan :
-         {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged}) {
+    for (const BodyPlan plan : kBodyPlans) {
       for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", "", plan, 1000 + i});
     }
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);

@@ -71,8 +71,7 @@ std::vector<SampleRequest> training_requests(const TrainConfig& config, const st
       requests.push_back(std::move(request));
     }
   }
-  for (const BodyPlan plan :
-       {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake, BodyPlan::kManyLegged}) {
+  for (const BodyPlan plan : kBodyPlans) {
     // Far from the small seeds that people look at and test with.
     for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", "", 0, plan, 1000 + i});
   }

@@ -13,6 +13,8 @@
 namespace sinew {
 
 enum class BodyPlan { kBiped, kQuadruped, kBird, kSnake, kManyLegged };
+constexpr BodyPlan kBodyPlans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake,
+                                   BodyPlan::kManyLegged};
 
 struct SynthesizeOptions {
   BodyPlan plan = BodyPlan::kBiped;
