@@ -23,6 +23,7 @@ struct RunConfig {
   std::string optimizer = "adamw";  // "adamw", "adam", "sgd"
   double learning_rate = 1.5e-3, weight_decay = 0.02, momentum = 0.9, clip = 1.0, dropout = 0.05;
   double feature_dropout = 0.03;  // probability of an input channel to be missing from a whole sample
+  double feature_noise = 0;       // standard deviation of what is added to an input channel of every second sample
   uint64_t steps = 2400;          // length of the cosine schedule
   uint32_t batch = 2;             // samples per step, one per thread
   uint64_t seed = 1;
@@ -33,6 +34,7 @@ struct RunConfig {
   uint32_t validate_every = 300;  // steps
   double variant_share = 0.4;     // how often one of a character's variants is drawn instead of the original
   double family_power = 0.5;      // a family of n characters is drawn in proportion to n^power
+  std::map<std::string, double> family_shares;  // of all draws, for families that are not to follow that rule
 };
 
 // What a run for skin weights can be told; read from and written to JSON (unknown keys are an Error). The defaults are

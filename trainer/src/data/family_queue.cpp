@@ -17,14 +17,23 @@ void shuffle(std::vector<uint32_t>* items, Random* random) {
 
 }  // namespace
 
-std::vector<uint32_t> draw_round(const std::vector<std::string>& families, double power, Random* random) {
+std::vector<uint32_t> draw_round(const std::vector<std::string>& families, double power,
+                                 const std::map<std::string, double>& shares, Random* random) {
   std::map<std::string, std::vector<uint32_t>> members;
   for (uint32_t i = 0; i < families.size(); ++i) members[families[i]].push_back(i);
-  double sum = 0;
-  for (const auto& [name, characters] : members) sum += std::pow(static_cast<double>(characters.size()), power);
+  double sum = 0, rest = 1;  // of the families without a share of their own
+  for (const auto& [name, characters] : members) {
+    if (const auto given = shares.find(name); given != shares.end()) {
+      rest -= given->second;
+    } else {
+      sum += std::pow(static_cast<double>(characters.size()), power);
+    }
+  }
   std::vector<uint32_t> round;
   for (auto& [name, characters] : members) {
-    const double share = std::pow(static_cast<double>(characters.size()), power) / sum;
+    const auto given = shares.find(name);
+    const double share =
+        given != shares.end() ? given->second : rest * std::pow(static_cast<double>(characters.size()), power) / sum;
     size_t quota = static_cast<size_t>(share * static_cast<double>(families.size()) + random->uniform());
     while (quota > 0) {
       shuffle(&characters, random);

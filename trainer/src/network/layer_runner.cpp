@@ -222,13 +222,18 @@ void LayerRunner<S>::State::load_inputs(const FloatNetwork& shape, const Dropout
     }
     for (const uint32_t c : of_input(dropout.absent, i)) of_channels[c] = 0;
   }
+  const bool noisy = dropout.noise > 0 && random.uniform() < 0.5;
   for (size_t i = 0; i < scales.size(); ++i) {
     const bool pair = has_slots(shape.buffers[i].domain);
     const uint32_t channels = shape.buffers[i].channels;
+    std::vector<S> moved(channels, S(0));
+    for (uint32_t c = 0; c < channels && noisy; ++c)
+      moved[c] = static_cast<S>(static_cast<double>(dropout.noise) * random.normal());
     S* const out = values[i].data();
     for (uint32_t r = 0; r < (pair ? index.pairs : index.vertices); ++r) {
       const int16_t* in = sample->inputs[i].rows.data() + size_t{pair ? index.pair_slot[r] : r} * channels;
-      for (uint32_t c = 0; c < channels; ++c) out[size_t{r} * channels + c] = static_cast<S>(in[c]) * scales[i][c];
+      for (uint32_t c = 0; c < channels; ++c)
+        out[size_t{r} * channels + c] = static_cast<S>(in[c]) * scales[i][c] + moved[c];
     }
   }
 }

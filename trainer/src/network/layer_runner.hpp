@@ -28,6 +28,7 @@ std::vector<LinearBlock<Scalar>> copy_blocks(const FloatNetwork& network);
 struct DropoutOptions {
   float activations = 0;  // share of the outputs of ReLU layers set to 0, the others scaled up
   float features = 0;     // probability of an input channel to be 0 for the whole sample
+  float noise = 0;        // standard deviation of what is added to a channel of every second sample
   // Channels of each input: never dropped, and always 0. Inputs behind the last entry have none.
   std::vector<std::vector<uint32_t>> kept, absent;
   uint64_t seed = 0;

@@ -34,6 +34,7 @@ BatchGradient::BatchGradient(const TrainingTask& task, const RunConfig& config, 
     : task_(task), dropout_(task.channels()), ranks_(ranks) {
   dropout_.activations = static_cast<float>(config.dropout);
   dropout_.features = static_cast<float>(config.feature_dropout);
+  dropout_.noise = static_cast<float>(config.feature_noise);
   for (uint32_t t = 0; t < std::max(threads, 1u); ++t) {
     runners_.push_back(std::make_unique<LayerRunner<float>>());
     runners_.back()->set_team(&team_);

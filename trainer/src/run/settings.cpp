@@ -28,6 +28,11 @@ void read_value(const Json& value, const std::string& where, std::map<std::strin
   out->clear();
   for (const auto& [name, reason] : value.items()) read_value(reason, where + ": " + name, &(*out)[name]);
 }
+void read_value(const Json& value, const std::string& where, std::map<std::string, double>* out) {
+  if (!value.is_object()) throw Error(where + ": expected an object, name to number, found " + value.dump());
+  out->clear();
+  for (const auto& [name, number] : value.items()) read_value(number, where + ": " + name, &(*out)[name]);
+}
 void read_value(const Json& value, const std::string& where, uint64_t* out) {
   if (!value.is_number_unsigned()) throw Error(where + ": expected a whole number from 0, found " + value.dump());
   *out = value.get<uint64_t>();
@@ -69,6 +74,7 @@ void check_run_settings(const RunConfig& c, const Requirement& require) {
   require(c.clip >= 0, "clip", "0 (off) or more");
   require(c.dropout >= 0 && c.dropout < 1, "dropout", "0 or more and below 1");
   require(c.feature_dropout >= 0 && c.feature_dropout < 1, "feature_dropout", "0 or more and below 1");
+  require(c.feature_noise >= 0 && c.feature_noise <= 1, "feature_noise", "0 to 1");
   require(c.steps >= 1, "steps", "1 or more");
   require(c.batch >= 1 && c.batch <= 64, "batch", "1 to 64");
   require(c.average_decay >= 0 && c.average_decay < 1, "average_decay", "0 (off) or more and below 1");
@@ -76,6 +82,12 @@ void check_run_settings(const RunConfig& c, const Requirement& require) {
   require(c.validate_every >= 1, "validate_every", "1 or more");
   require(c.variant_share >= 0 && c.variant_share <= 1, "variant_share", "0 to 1");
   require(c.family_power >= 0 && c.family_power <= 2, "family_power", "0 to 2");
+  double shares = 0;
+  for (const auto& [name, share] : c.family_shares) {
+    require(share >= 0, "family_shares", "shares of 0 or more");
+    shares += share;
+  }
+  require(shares < 1, "family_shares", "shares that leave something for the other families");
 }
 
 }  // namespace sinew

@@ -21,6 +21,7 @@ void read_value(const Json& value, const std::string& where, bool* out);
 void read_value(const Json& value, const std::string& where, double* out);
 void read_value(const Json& value, const std::string& where, std::vector<std::string>* out);
 void read_value(const Json& value, const std::string& where, std::map<std::string, std::string>* out);
+void read_value(const Json& value, const std::string& where, std::map<std::string, double>* out);
 void read_value(const Json& value, const std::string& where, uint64_t* out);
 void read_value(const Json& value, const std::string& where, uint32_t* out);
 
@@ -69,6 +70,7 @@ void visit_run_settings(Config& c, Visitor&& visit) {
   visit("clip", c.clip);
   visit("dropout", c.dropout);
   visit("feature_dropout", c.feature_dropout);
+  visit("feature_noise", c.feature_noise);
   visit("steps", c.steps);
   visit("batch", c.batch);
   visit("seed", c.seed);
@@ -77,6 +79,7 @@ void visit_run_settings(Config& c, Visitor&& visit) {
   visit("validate_every", c.validate_every);
   visit("variant_share", c.variant_share);
   visit("family_power", c.family_power);
+  visit("family_shares", c.family_shares);
 }
 void check_run_settings(const RunConfig& config, const Requirement& require);
 

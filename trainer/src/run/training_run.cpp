@@ -232,7 +232,7 @@ const std::vector<const NetworkSample*>& TrainingRun::draw() {
   TrainingState& state = checkpoint_.state;
   if (state.queue.empty()) {
     Random random(state.rng.at(0));
-    state.queue = draw_round(families_, config_.family_power, &random);
+    state.queue = draw_round(families_, config_.family_power, config_.family_shares, &random);
     state.rng[0] = random.state();
   }
   const uint32_t item = state.queue.back();
