@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -11,6 +12,7 @@
 #include "core/random.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew/sinew.hpp"
+#include "sinew_datasets/joint_class_of.hpp"
 #include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -93,6 +95,25 @@ struct EngineMesh {
   }
 };
 
+bool names_face(std::string name) {
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* const part : {"eye", "nose", "lip", "cheek", "brow", "lid"}) {
+    if (name.find(part) != std::string::npos) return true;
+  }
+  return false;
+}
+
+// As target_skeleton(); joints of a face whose names it does not know as details belong to the head, as all others of faces
+// do: a body's head has no chains in it.
+TargetSkeleton learnt_skeleton(Character character) {
+  for (Joint& joint : character.joints) {
+    if (joint.parent < 0) continue;
+    const std::string& above = character.joints[static_cast<size_t>(joint.parent)].name;
+    if (names_face(joint.name) && joint_class_of(above, {}) == kClassHead) joint.name = "face";
+  }
+  return target_skeleton(character);
+}
+
 double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d along = b - a;
   const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
@@ -102,7 +123,7 @@ double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b)
 }  // namespace
 
 RigSource::RigSource(const Character& character)
-    : name_(character.name), family_(family_of(character.name)), target_(target_skeleton(character)) {
+    : name_(character.name), family_(family_of(character.name)), target_(learnt_skeleton(character)) {
   // Only vertices of faces: others would spoil the box.
   std::vector<uint32_t> number(character.vertices.size(), UINT32_MAX);
   std::vector<Point> vertices;
