@@ -177,7 +177,8 @@ void tail(Sketch* s, const Body& body, int joints, double thickness, double leng
 }
 
 void any_tail(Sketch* s, const Body& body, int joints, double thickness, double length) {
-  const Point direction = s->about_plane({0, s->range(-0.5, 0.8), -1}), bent = s->about_plane({0, s->range(-0.8, 0.5), -1});
+  const Point direction = s->about_plane({0, s->range(-0.5, 0.8), -1}),
+              bent = s->about_plane({0, s->range(-0.8, 0.5), -1});
   tail(s, body, joints, thickness, length, direction, bent);
 }
 
@@ -190,9 +191,14 @@ void head(Sketch* s, Body* body, int necks, double neck_length, Point direction,
                       body->radius * s->range(0.3, 0.7), body->radius * 0.4, false, &p)
                  .back();
   }
-  const Point face = unit(s->chance(0.6) ? s->about_plane({0, 0.5, 0.8}, 0.4) : s->about_plane({0, 1, 0.1}));
+  const bool level = direction.z > 0.5;
+  const Point ahead = s->about_plane({0, level ? 0.1 : 0.4, 0.9}, 0.25), above = s->about_plane({0, 1, 0.1});
+  const Point face = unit(s->chance(level ? 0.75 : 0.4) ? ahead : above);
   body->head = s->add("head", parent, p, radius);
-  s->add("head_end", body->head, p + face * (radius * s->range(1.2, 2.2)), radius * s->range(0.4, 1.0), true);
+  if (s->chance(level ? 0.4 : 0.2))  // a snout
+    s->add("snout", body->head, p + unit({0, ahead.y - 0.3, ahead.z}) * (radius * s->range(1.0, 2.2)),
+           radius * s->range(0.3, 0.7), true);
+  s->add("head_end", body->head, p + face * (radius * s->range(0.5, 1.5)), radius * s->range(0.7, 1.2), true);
   if (!s->chance(ears)) return;
   s->both_sides([&] {
     s->chain({"ear"}, p + Point{radius * 0.6, radius * 0.7, 0}, body->head, {s->about({0.5, 1, 0})},
@@ -254,7 +260,8 @@ Body toy(Sketch* s) {
        s->range(-0.05, 0.25), height * 0.9, s->range(0.06, 0.18), s->range(-0.1, 0.25));
   arms(s, body.top - Point{0, s->range(0, 0.15), 0}, body.chest(), radius * s->range(0.7, 1.1), s->range(0.2, 0.5),
        s->range(-0.1, 1.5));
-  if (s->chance(0.1)) wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, 0.3, {1, 0.4, -0.5});
+  if (s->chance(0.1))
+    wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, 0.3, {1, 0.4, -0.5});
   head(s, &body, s->integer(0, 2), s->range(0.05, 0.2), {0, 1, 0.1}, s->range(0.12, 0.5), 0.25);
   if (s->chance(0.2)) any_tail(s, body, s->integer(1, 5), radius * s->range(0.2, 0.6), s->range(0.1, 0.4));
   return body;
@@ -272,7 +279,8 @@ Body blob(Sketch* s) {
          s->range(-0.6, 1.5));
   }
   if (s->chance(0.2))
-    wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, s->range(0.15, 0.4), {1, 0.5, -0.4});
+    wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, s->range(0.15, 0.4),
+          {1, 0.5, -0.4});
   head(s, &body, s->chance(0.2) ? 1 : 0, s->range(0.05, 0.12), {0, 1, 0.2}, radius * s->range(0.6, 1.3), 0.4);
   if (s->chance(0.3)) any_tail(s, body, s->integer(1, 4), radius * s->range(0.15, 0.5), s->range(0.08, 0.3));
   return body;
@@ -301,7 +309,8 @@ Body fish(Sketch* s) {
   for (size_t i = 1; i < past_trunk; ++i) s->nodes[i].scale.x = thin;
   const std::string fin = s->chance(0.5) ? "flipper" : "fin";
   if (s->chance(0.8))
-    wings(s, fin, s->at(body.trunk[1]), body.trunk[1], wide * thin, s->range(0.1, 0.35), {1, s->range(-0.6, 0.3), -0.4});
+    wings(s, fin, s->at(body.trunk[1]), body.trunk[1], wide * thin, s->range(0.1, 0.35),
+          {1, s->range(-0.6, 0.3), -0.4});
   if (s->chance(0.3))
     wings(s, "back_" + fin, s->at(body.trunk[0]), body.trunk[0], wide * thin, s->range(0.08, 0.2), {1, -0.4, -0.6});
   // The tail ends in a fin, upright as a fish's or flat as a whale's.
@@ -334,7 +343,8 @@ Body crawler(Sketch* s) {
   }
   const Point front = {0, height, body.top.z - 0.05};
   if (s->chance(0.5)) {  // claws
-    arms(s, front, body.chest(), radius * 0.8, s->range(0.2, 0.45), s->range(-0.3, 0.4), s->range(0.8, 2.5), s->range(1.2, 2.2));
+    arms(s, front, body.chest(), radius * 0.8, s->range(0.2, 0.45), s->range(-0.3, 0.4), s->range(0.8, 2.5),
+         s->range(1.2, 2.2));
   } else {
     std::vector<std::string> names = {"upper_arm", "forearm", "hand"};
     names.resize(static_cast<size_t>(joints));
