@@ -45,7 +45,7 @@ void convert(const ConvertSettings& s) {
 }
 
 struct SynthesizeSettings {
-  std::string output, plan = "all";
+  std::string output, plan = "characters";
   uint64_t seed = 1;
   unsigned count = 1;
   int resolution = 48;
@@ -55,7 +55,10 @@ struct SynthesizeSettings {
 void synthesize_all(const SynthesizeSettings& s) {
   std::vector<BodyPlan> chosen;
   for (BodyPlan plan : kBodyPlans) {
-    if (s.plan == "all" || s.plan == body_plan_name(plan)) chosen.push_back(plan);
+    if (s.plan == "characters" || s.plan == "all" || s.plan == body_plan_name(plan)) chosen.push_back(plan);
+  }
+  for (BodyPlan plan : kCreaturePlans) {
+    if (s.plan == "creatures" || s.plan == "all" || s.plan == body_plan_name(plan)) chosen.push_back(plan);
   }
   const bool one_file = has_extension(s.output, ".obj") || has_extension(s.output, ".glb");
   if (one_file) {
@@ -112,8 +115,11 @@ void add_synthesize(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("synthesize", "Make characters with exact weights from a seed");
   auto s = std::make_shared<SynthesizeSettings>();
   sub->add_option("-o,--output", s->output, "Folder, or one .obj or .glb file")->required()->type_name("OUT");
-  sub->add_option("--plan", s->plan, "Body plan")
-      ->check(CLI::IsMember({"all", "biped", "quadruped", "bird", "snake", "many-legged"}))
+  std::vector<std::string> plans = {"characters", "creatures", "all"};
+  for (BodyPlan plan : kBodyPlans) plans.push_back(body_plan_name(plan));
+  for (BodyPlan plan : kCreaturePlans) plans.push_back(body_plan_name(plan));
+  sub->add_option("--plan", s->plan, "Body plan; \"characters\" are the five that wear clothes, \"creatures\" the rest")
+      ->check(CLI::IsMember(plans))
       ->capture_default_str();
   sub->add_option("--seed", s->seed, "First seed; the same seed gives the same character everywhere")
       ->capture_default_str()

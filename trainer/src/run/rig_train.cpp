@@ -131,9 +131,11 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
       const auto& families = checked.leave_out;
       return std::find(families.begin(), families.end(), family_of(r.name)) != families.end();
     });
-    for (const BodyPlan plan : kBodyPlans) {
+    const auto add_synthetic = [&](BodyPlan plan) {
       for (uint32_t i = 0; i < config.synthetic; ++i) requests.push_back({"", "", plan, 1000 + i});
-    }
+    };
+    for (const BodyPlan plan : kBodyPlans) add_synthetic(plan);
+    for (const BodyPlan plan : kCreaturePlans) add_synthetic(plan);
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
     const std::vector<std::vector<RigSample>> characters =
         make_samples(requests, config.variants, config.seed, checked.threads, quiet);

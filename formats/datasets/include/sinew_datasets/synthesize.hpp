@@ -12,18 +12,44 @@
 
 namespace sinew {
 
-enum class BodyPlan { kBiped, kQuadruped, kBird, kSnake, kManyLegged };
+enum class BodyPlan {
+  kBiped,
+  kQuadruped,
+  kBird,
+  kSnake,
+  kManyLegged,
+  kDinosaur,
+  kFish,
+  kBlob,
+  kBeast,
+  kToy,
+  kFowl,
+  kCrawler
+};
+
+// Characters as artists make them, with clothes: what weights are learned from.
 constexpr BodyPlan kBodyPlans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake,
                                    BodyPlan::kManyLegged};
+
+// Creatures of every proportion, a smooth skin or a rigid part for every bone: what skeletons are learned from besides.
+//   dinosaur   two legs, level or upright, big tail and head, small arms
+//   fish       flippers, and a tail that most often ends in a fin
+//   blob       head and body about one, short legs, stubby arms
+//   beast      four legs, from short-legged to tall, necks, ears and tails of any length
+//   toy        upright, big head, short or long legs: robots, cartoon people
+//   fowl       two legs and wings
+//   crawler    1 to 4 pairs of legs and another in front, or claws
+constexpr BodyPlan kCreaturePlans[] = {BodyPlan::kDinosaur, BodyPlan::kFish, BodyPlan::kBlob,   BodyPlan::kBeast,
+                                       BodyPlan::kToy,      BodyPlan::kFowl, BodyPlan::kCrawler};
 
 struct SynthesizeOptions {
   BodyPlan plan = BodyPlan::kBiped;
   uint64_t seed = 1;     // the same seed gives the same character on every machine
   int resolution = 48;   // cells along the longest side
-  bool clothing = true;  // open shells, capes, hats, floating parts
+  bool clothing = true;  // open shells, capes, hats, floating parts, bodies of rigid parts
 };
 
-const char* body_plan_name(BodyPlan plan);  // "biped", "quadruped", "bird", "snake", "many-legged"
+const char* body_plan_name(BodyPlan plan);  // "biped", ..., "many-legged", "dinosaur", ..., "crawler"
 Character synthesize(const SynthesizeOptions& options);
 
 }  // namespace sinew

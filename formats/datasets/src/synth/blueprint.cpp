@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "synth/creature.hpp"
+
 namespace sinew::synth {
 namespace {
 
@@ -389,6 +391,7 @@ void many_legged(Blueprint* plan, Random* random) {
 }  // namespace
 
 Blueprint make_blueprint(BodyPlan plan, int resolution, Random* random) {
+  if (plan >= kCreaturePlans[0]) return make_creature(plan, resolution, random);
   Blueprint made;
   // About the longest side of each plan; the polygoniser measures the real one.
   const double side = plan == BodyPlan::kSnake ? 2.0 : plan == BodyPlan::kBiped ? 1.7 : 1.9;
@@ -410,6 +413,8 @@ Blueprint make_blueprint(BodyPlan plan, int resolution, Random* random) {
       break;
     case BodyPlan::kManyLegged:
       many_legged(&made, random);
+      break;
+    default:
       break;
   }
   return made;

@@ -31,6 +31,9 @@ struct PlanJoint {
   bool has_tip = false;
 };
 
+// What the surface of a body is: one smooth skin with blended weights, or rigid parts, one or two for every bone.
+enum class Build { kSmooth, kCapsules, kBoxes };
+
 struct Limb {
   std::vector<int> joints;  // from the trunk outwards
 };
@@ -41,6 +44,7 @@ struct Blueprint {
   double softness = 0.5;  // width of the blend between joints, in radii
   double blend = 0.4;     // width of the smooth union, in radii
   double cell = 0.03;     // edge of a voxel; nothing thinner than about two survives
+  Build build = Build::kSmooth;
 
   // Roles, for clothes and parts. Joints that a plan lacks are kNoJoint.
   std::vector<int> trunk;  // from the hips to the chest

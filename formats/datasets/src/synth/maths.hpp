@@ -47,6 +47,15 @@ inline double sine(double angle) {
   return sum;
 }
 inline double cosine(double angle) { return sine(angle + kPi / 2); }
+// Taylor series; error under 1e-9 for |v| <= 1, which is what proportions need.
+inline double exponential(double v) {
+  double term = 1, sum = 1;
+  for (int k = 1; k < 14; ++k) {
+    term = term * v / k;
+    sum += term;
+  }
+  return sum;
+}
 
 // splitmix64 (Steele, Lea, Flood 2014): one word of state, good enough for proportions.
 class Random {
@@ -63,6 +72,12 @@ class Random {
   }
   int integer(int low, int high) { return low + static_cast<int>(next() % static_cast<uint64_t>(high - low + 1)); }
   bool chance(double probability) { return range(0, 1) < probability; }
+  // Mean 0, deviation 1: the sum of twelve uniform draws, never beyond 6.
+  double normal() {
+    double sum = -6;
+    for (int i = 0; i < 12; ++i) sum += range(0, 1);
+    return sum;
+  }
 
  private:
   uint64_t state_;

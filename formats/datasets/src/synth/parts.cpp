@@ -430,6 +430,48 @@ Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random*
   return out;
 }
 
+Surface capsule_body(const Blueprint& plan, int sides) {
+  constexpr int kCapRings = 3;
+  Surface out;
+  for (const Primitive& bone : plan.body) {
+    // Built where the bone is round, then scaled.
+    const Point s = bone.scale, a = {bone.a.x / s.x, bone.a.y / s.y, bone.a.z / s.z},
+                b = {bone.b.x / s.x, bone.b.y / s.y, bone.b.z / s.z};
+    const Frame frame = bone_frame(a, b, 1, 1);
+    const Point along = unit(frame.z);
+    Surface capsule;
+    const auto add = [&](Point p) {
+      capsule.positions.push_back({p.x * s.x, p.y * s.y, p.z * s.z});
+      capsule.influences.push_back({{static_cast<uint32_t>(bone.joint), 1.0f}});
+    };
+    add(a - along * bone.ra);
+    for (int ring = 0; ring < 2 * kCapRings; ++ring) {
+      const bool first = ring < kCapRings;
+      const double angle =
+          first ? 0.5 * kPi * (ring + 1 - kCapRings) / kCapRings : 0.5 * kPi * (ring - kCapRings) / kCapRings;
+      const double r = first ? bone.ra : bone.rb;
+      const Point centre = (first ? a : b) + along * (r * sine(angle));
+      for (int i = 0; i < sides; ++i) {
+        const double around = 2 * kPi * i / sides;
+        add(centre + (frame.x * cosine(around) + frame.y * sine(around)) * (r * cosine(angle)));
+      }
+    }
+    add(b + along * bone.rb);
+    const uint32_t count = static_cast<uint32_t>(sides), last = static_cast<uint32_t>(capsule.positions.size()) - 1;
+    for (uint32_t i = 0; i < count; ++i) {
+      const uint32_t next = (i + 1) % count, top = last - count;
+      capsule.faces.push_back({0, 1 + next, 1 + i});
+      for (uint32_t ring = 0; ring + 1 < 2 * kCapRings; ++ring) {
+        const uint32_t low = 1 + ring * count, high = low + count;
+        capsule.faces.push_back({low + i, low + next, high + next, high + i});
+      }
+      capsule.faces.push_back({top + i, top + next, last});
+    }
+    out.append(capsule);
+  }
+  return out;
+}
+
 Surface rigid_body(const Blueprint& plan, Random* random) {
   Surface out;
   const double round = random->range(0.1, 0.9);

@@ -32,6 +32,8 @@ Surface revolve(uint32_t joint, Point centre, const std::vector<std::array<doubl
 Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random* random);
 // Eyes: part of nearly every character.
 Surface eyes(const Blueprint& plan, Random* random);
+// A closed capsule for every bone, bound to its joint: rings of `sides` vertices with a pole at both ends.
+Surface capsule_body(const Blueprint& plan, int sides);
 // The whole character as rigid closed parts, one or two per bone, as robots and toys are built.
 Surface rigid_body(const Blueprint& plan, Random* random);
 

@@ -21,6 +21,20 @@ const char* body_plan_name(BodyPlan plan) {
       return "snake";
     case BodyPlan::kManyLegged:
       return "many-legged";
+    case BodyPlan::kDinosaur:
+      return "dinosaur";
+    case BodyPlan::kFish:
+      return "fish";
+    case BodyPlan::kBlob:
+      return "blob";
+    case BodyPlan::kBeast:
+      return "beast";
+    case BodyPlan::kToy:
+      return "toy";
+    case BodyPlan::kFowl:
+      return "fowl";
+    case BodyPlan::kCrawler:
+      return "crawler";
   }
   return "biped";
 }
@@ -45,16 +59,28 @@ void take(const synth::Surface& surface, Character* character) {
   character->influences.insert(character->influences.end(), surface.influences.begin(), surface.influences.end());
 }
 
+// The plan is mixed into the seed, so that seed 1 of two plans does not share its draws.
+synth::Random random_of(const SynthesizeOptions& options) {
+  const uint64_t plan = static_cast<uint64_t>(options.plan), first = static_cast<uint64_t>(kCreaturePlans[0]);
+  return synth::Random(plan < first ? options.seed * 8 + plan : (options.seed * 8 + plan - first) * 8 + first);
+}
+
+synth::Surface rigid_surface(const synth::Blueprint& plan, synth::Random* random) {
+  return plan.build == synth::Build::kCapsules ? synth::capsule_body(plan, random->integer(6, 12))
+                                               : synth::rigid_body(plan, random);
+}
+
 }  // namespace
 
 Character synthesize(const SynthesizeOptions& options) {
   if (options.resolution < 24 || options.resolution > 256) {
     throw Error("synthesize: resolution " + std::to_string(options.resolution) + " is outside 24..256");
   }
-  // The plan is mixed into the seed, so that seed 1 of two plans does not share its draws.
-  synth::Random random(options.seed * 8 + static_cast<uint64_t>(options.plan));
+  synth::Random random = random_of(options);
   synth::Blueprint plan = synth::make_blueprint(options.plan, options.resolution, &random);
-  const bool end_markers = random.chance(0.4), rigid = options.clothing && random.chance(0.12);
+  const bool end_markers = random.chance(0.4);
+  if (options.clothing && random.chance(0.12)) plan.build = synth::Build::kBoxes;
+  const bool rigid = options.clothing && plan.build != synth::Build::kSmooth;
 
   Character character;
   std::string digits = std::to_string(options.seed);
@@ -62,7 +88,7 @@ Character synthesize(const SynthesizeOptions& options) {
   character.name = std::string(body_plan_name(options.plan)) + "__" + digits;
 
   if (rigid) {
-    take(synth::rigid_body(plan, &random), &character);
+    take(rigid_surface(plan, &random), &character);
     take(synth::eyes(plan, &random), &character);
   } else {
     const synth::Surface body = synth::polygonise(plan);

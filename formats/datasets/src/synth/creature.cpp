@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: MIT
+// Creatures of every proportion for skeleton prediction: a few joints drawn freely around a body plan, every bone a
+// capsule from its joint to the next, both sides alike.
+#include "synth/creature.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sinew::synth {
+namespace {
+
+// A joint or, with `tip`, only the end of its parent's bone. The bone that ends here has the shape that is told here.
+struct Node {
+  std::string name;
+  int parent = kNoJoint;
+  Point at;
+  double radius = 0.1;
+  bool tip = false;
+  double start_share = 1, end_share = 1;  // of the radius at the parent, and of the one here
+  Point scale = {1, 1, 1};                // as in Primitive
+};
+
+class Sketch {
+ public:
+  explicit Sketch(Random* random) : random_(random) {}
+
+  std::vector<Node> nodes;
+
+  Point at(int node) const { return nodes[static_cast<size_t>(node)].at; }
+
+  int add(const std::string& name, int parent, Point at, double radius, bool tip = false) {
+    Node node = {name, parent, at, radius, tip, range(0.8, 1.1), range(0.7, 1.0), {1, 1, 1}};
+    if (on_plane(at)) node.scale.x = range(0.6, 1.2);
+    nodes.push_back(std::move(node));
+    return static_cast<int>(nodes.size()) - 1;
+  }
+
+  // One joint a name from `start` on and a bone end behind the last; of directions and lengths the last one repeats.
+  // Returns the joints; `end` is where the last bone ends, which has a node only with `tip`.
+  std::vector<int> chain(const std::vector<std::string>& names, Point start, int parent,
+                         const std::vector<Point>& directions, const std::vector<double>& lengths, double r0, double r1,
+                         bool tip = true, Point* end = nullptr) {
+    std::vector<int> made;
+    Point p = start;
+    for (size_t i = 0; i < names.size(); ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(names.size());
+      parent = add(names[i], parent, p, mix(r0, r1, t));
+      made.push_back(parent);
+      p = p + unit(directions[std::min(i, directions.size() - 1)]) * lengths[std::min(i, lengths.size() - 1)];
+    }
+    if (tip) add(names.back() + "_end", parent, p, r1, true);
+    if (end != nullptr) *end = p;
+    return made;
+  }
+
+  // What `build` adds stands on the left side (+x); the right side gets the same.
+  template <typename Build>
+  void both_sides(Build build) {
+    const int first = static_cast<int>(nodes.size());
+    build();
+    const int last = static_cast<int>(nodes.size());
+    for (int i = first; i < last; ++i) {
+      Node copy = nodes[static_cast<size_t>(i)];
+      copy.at.x = -copy.at.x;
+      copy.name += ".R";
+      if (copy.parent >= first) copy.parent += last - first;
+      nodes[static_cast<size_t>(i)].name += ".L";
+      nodes.push_back(std::move(copy));
+    }
+  }
+
+  double range(double low, double high) { return random_->range(low, high); }
+  int integer(int low, int high) { return random_->integer(low, high); }
+  bool chance(double probability) { return random_->chance(probability); }
+  // A direction with a little noise; the second kind stays on the mirror plane.
+  Point about(Point direction, double noise = 0.12) {
+    const double x = random_->normal(), y = random_->normal(), z = random_->normal();
+    return direction + Point{x, y, z} * noise;
+  }
+  Point about_plane(Point direction, double noise = 0.12) {
+    const Point p = about(direction, noise);
+    return {0, p.y, p.z};
+  }
+  double factor(double deviation) { return exponential(random_->normal() * deviation); }
+
+  static bool on_plane(Point p) { return p.x < 1e-6 && p.x > -1e-6; }
+
+ private:
+  Random* random_;
+};
+
+std::vector<std::string> numbered(const std::string& name, int count) {
+  std::vector<std::string> names;
+  for (int i = 1; i <= count; ++i) names.push_back(count > 1 ? name + "_" + std::to_string(i) : name);
+  return names;
+}
+
+struct Body {
+  double height = 1, radius = 0.3;  // of the hips over the floor, of the trunk
+  std::vector<int> trunk;
+  int head = kNoJoint;
+  Point top;  // where the trunk ends
+  int chest() const { return trunk.back(); }
+};
+
+Body make_trunk(Sketch* s, double height, double radius, Point direction, double first, double length, int spines) {
+  Body body = {height, radius, {}, kNoJoint, {}};
+  body.trunk = {s->add("hips", kNoJoint, {0, height, 0}, radius)};
+  body.top = Point{0, height, 0} + direction * first;
+  if (spines > 0) {
+    const std::vector<int> spine = s->chain(numbered("spine", spines), body.top, body.trunk[0], {direction}, {length},
+                                            radius, radius * s->range(0.6, 1.2), false, &body.top);
+    body.trunk.insert(body.trunk.end(), spine.begin(), spine.end());
+  }
+  return body;
+}
+
+// A pair of legs; `joints` of thigh, calf, foot and toe, the last one lies on the floor. `pair` numbers several.
+void legs(Sketch* s, Point hip, int parent, std::vector<std::string> names, double spread, double height, double radius,
+          double forward, double foot = 1) {
+  s->both_sides([&] {
+    const size_t bones = names.size() - 1;
+    std::vector<double> lengths;
+    for (size_t i = 0; i < bones; ++i) lengths.push_back(height / static_cast<double>(bones) * s->factor(0.15));
+    lengths.push_back(height * s->range(0.12, 0.35) * foot);
+    std::vector<Point> directions = {s->about({spread, -1, forward}, 0.1), s->about({0, -1, -forward * 0.6}, 0.1),
+                                     s->about({0, -1, -0.1}, 0.1)};
+    directions.resize(bones);
+    directions.push_back(s->about({0, -0.15, 1}, 0.1));
+    s->chain(names, hip, parent, directions, lengths, radius, radius * s->range(0.4, 0.8));
+  });
+}
+
+std::vector<std::string> hind_leg(int joints) {
+  if (joints == 2) return {"thigh", "foot"};
+  std::vector<std::string> names = {"thigh", "shin", "foot", "toe"};
+  names.resize(static_cast<size_t>(joints));
+  return names;
+}
+
+std::vector<std::string> with_number(std::vector<std::string> names, int number) {
+  for (std::string& name : names) name += "_" + std::to_string(number);
+  return names;
+}
+
+// `end` widens the hands: claws.
+void arms(Sketch* s, Point shoulder, int parent, double width, double length, double down, double forward = 0.3,
+          double end = 1) {
+  s->both_sides([&] {
+    if (s->chance(0.5))
+      parent = s->add("shoulder", parent, shoulder + Point{width * 0.3, 0, 0}, width * s->range(0.2, 0.4));
+    std::vector<std::string> names = {"upper_arm", "forearm", "hand"};
+    if (s->chance(0.3)) names.pop_back();
+    const double radius = s->range(0.05, 0.14);
+    s->chain(names, shoulder + Point{width, 0, 0}, parent,
+             {s->about({1, -down, forward * 0.3}), s->about({1, -down, forward}), s->about({1, -down, forward})},
+             {length * s->range(0.7, 1.2), length * s->range(0.7, 1.2), length * 0.4 * end}, radius,
+             radius * s->range(0.5, 1.3) * end);
+  });
+}
+
+void wings(Sketch* s, const std::string& name, Point base, int parent, double width, double length, Point direction) {
+  s->both_sides([&] {
+    const size_t first = s->nodes.size();
+    s->chain(numbered(name, s->integer(1, 3)), base + Point{width, 0, 0}, parent, {s->about(direction)}, {length},
+             s->range(0.08, 0.2), s->range(0.03, 0.1));
+    const double flat = s->range(0.25, 1.0);
+    for (size_t i = first + 1; i < s->nodes.size(); ++i) s->nodes[i].scale = {1, flat, 1};
+  });
+}
+
+void tail(Sketch* s, const Body& body, int joints, double thickness, double length, Point direction, Point bent) {
+  std::vector<Point> directions;
+  for (int i = 0; i < joints; ++i) directions.push_back(mix(direction, bent, static_cast<double>(i) / joints));
+  s->chain(numbered("tail", joints), {0, body.height, -body.radius * 0.7}, body.trunk[0], directions, {length},
+           thickness, s->range(0.03, 0.06));
+}
+
+void any_tail(Sketch* s, const Body& body, int joints, double thickness, double length) {
+  const Point direction = s->about_plane({0, s->range(-0.5, 0.8), -1}),
+              bent = s->about_plane({0, s->range(-0.8, 0.5), -1});
+  tail(s, body, joints, thickness, length, direction, bent);
+}
+
+// Up to three neck joints, the head and its end, ears.
+void head(Sketch* s, Body* body, int necks, double neck_length, Point direction, double radius, double ears) {
+  Point p = body->top;
+  int parent = body->chest();
+  if (necks > 0) {
+    parent = s->chain(numbered("neck", necks), p, parent, {s->about_plane(direction)}, {neck_length},
+                      body->radius * s->range(0.3, 0.7), body->radius * 0.4, false, &p)
+                 .back();
+  }
+  const bool level = direction.z > 0.5;
+  const Point ahead = s->about_plane({0, level ? 0.1 : 0.4, 0.9}, 0.25), above = s->about_plane({0, 1, 0.1});
+  const Point face = unit(s->chance(level ? 0.75 : 0.4) ? ahead : above);
+  body->head = s->add("head", parent, p, radius);
+  if (s->chance(level ? 0.4 : 0.2))  // a snout
+    s->add("snout", body->head, p + unit({0, ahead.y - 0.3, ahead.z}) * (radius * s->range(1.0, 2.2)),
+           radius * s->range(0.3, 0.7), true);
+  s->add("head_end", body->head, p + face * (radius * s->range(0.5, 1.5)), radius * s->range(0.7, 1.2), true);
+  if (!s->chance(ears)) return;
+  s->both_sides([&] {
+    s->chain({"ear"}, p + Point{radius * 0.6, radius * 0.7, 0}, body->head, {s->about({0.5, 1, 0})},
+             {s->range(0.1, 0.5)}, s->range(0.04, 0.1), 0.03);
+  });
+}
+
+Body dinosaur(Sketch* s) {
+  const bool upright = s->chance(0.3);
+  const Point direction = unit(s->about_plane({0, upright ? 1.0 : s->range(-0.15, 0.5), upright ? 0.25 : 1.0}, 0.06));
+  const double height = s->range(0.35, 1.2), radius = s->range(0.15, 0.4);
+  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.2, upright ? 0.35 : 0.45),
+                         s->integer(1, 4));
+  legs(s, {radius * s->range(0.5, 0.9), height - 0.03, -0.05}, body.trunk[0], hind_leg(s->integer(3, 4)),
+       s->range(-0.02, 0.2), height * 0.92, s->range(0.07, 0.2), s->range(-0.1, 0.5));
+  if (s->chance(0.92)) {
+    arms(s, body.top - Point{0, s->range(0.05, 0.2), upright ? 0.0 : 0.1}, body.chest(), radius * s->range(0.5, 0.9),
+         s->range(0.1, 0.35), s->range(0.3, 2.0));
+  }
+  head(s, &body, s->integer(0, 3), s->range(0.08, 0.4), {0, s->range(0.2, 1.2), 1}, s->range(0.15, 0.45), 0.15);
+  if (s->chance(0.95)) any_tail(s, body, s->integer(1, 6), radius * s->range(0.3, 0.95), s->range(0.15, 0.5));
+  return body;
+}
+
+Body beast(Sketch* s) {
+  const Point direction = unit(s->about_plane({0, s->range(-0.15, 0.35), 1}, 0.06));
+  const double height = s->range(0.25, 1.2), radius = s->range(0.13, 0.4);
+  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.15, 0.5), s->integer(1, 4));
+  legs(s, {radius * s->range(0.5, 0.9), height - 0.03, -0.05}, body.trunk[0], hind_leg(s->integer(2, 4)),
+       s->range(-0.02, 0.2), height * 0.92, s->range(0.05, 0.2), s->range(-0.1, 0.5));
+  const double shoulder = body.top.y - s->range(0, 0.1);
+  const Point front = {radius * s->range(0.4, 0.8), shoulder, body.top.z - s->range(0, 0.15)};
+  const double front_height = std::max(0.2, shoulder * 0.92), front_radius = s->range(0.05, 0.17);
+  const double spread = s->range(-0.02, 0.2), forward = s->range(-0.3, 0.2);
+  int parent = body.chest();
+  std::vector<std::string> names = {"upper_arm", "forearm", "hand"};
+  if (s->chance(0.2)) names.pop_back();
+  if (s->chance(0.25)) {
+    s->both_sides([&] {
+      const int blade = s->add("shoulder", parent, front + Point{-front.x * 0.4, 0.05, 0}, front_radius);
+      s->chain(names, front, blade, {s->about({spread, -1, forward}, 0.1), s->about({0, -1, -forward * 0.6}, 0.1)},
+               {front_height * 0.5, front_height * 0.45, front_height * 0.15}, front_radius,
+               front_radius * s->range(0.4, 0.8));
+    });
+  } else {
+    legs(s, front, parent, names, spread, front_height, front_radius, forward);
+  }
+  head(s, &body, s->integer(0, 3), s->range(0.08, 0.45), {0, s->range(0.2, 1.5), 1}, s->range(0.13, 0.45), 0.5);
+  const int tails = s->integer(0, 5);
+  if (tails > 0) any_tail(s, body, tails, radius * s->range(0.15, 0.7), s->range(0.08, 0.45));
+  return body;
+}
+
+Body toy(Sketch* s) {
+  const double height = s->range(0.25, 1.1), radius = s->range(0.13, 0.35);
+  const Point up = unit(s->about_plane({0, 1, s->range(-0.1, 0.3)}, 0.06));
+  Body body = make_trunk(s, height, radius, up, s->range(0.08, 0.2), s->range(0.12, 0.35), s->integer(1, 4));
+  legs(s, {radius * s->range(0.4, 0.8), height - 0.05, 0}, body.trunk[0], hind_leg(s->integer(2, 4)),
+       s->range(-0.05, 0.25), height * 0.9, s->range(0.06, 0.18), s->range(-0.1, 0.25));
+  arms(s, body.top - Point{0, s->range(0, 0.15), 0}, body.chest(), radius * s->range(0.7, 1.1), s->range(0.2, 0.5),
+       s->range(-0.1, 1.5));
+  if (s->chance(0.1))
+    wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, 0.3, {1, 0.4, -0.5});
+  head(s, &body, s->integer(0, 2), s->range(0.05, 0.2), {0, 1, 0.1}, s->range(0.12, 0.5), 0.25);
+  if (s->chance(0.2)) any_tail(s, body, s->integer(1, 5), radius * s->range(0.2, 0.6), s->range(0.1, 0.4));
+  return body;
+}
+
+Body blob(Sketch* s) {
+  const double leg = s->range(0.08, 0.35), radius = s->range(0.25, 0.5), height = leg + radius * s->range(0.5, 1.0);
+  const Point up = unit(s->about_plane({0, 1, s->range(-0.1, 0.4)}, 0.06));
+  Body body = make_trunk(s, height, radius, up, s->range(0.08, 0.25), s->range(0.1, 0.25), s->integer(0, 2));
+  legs(s, {radius * s->range(0.35, 0.7), height - radius * s->range(0.3, 0.7), 0}, body.trunk[0],
+       hind_leg(s->integer(2, 3)), s->range(-0.05, 0.25), leg * s->range(0.8, 1.1), s->range(0.06, 0.18),
+       s->range(-0.1, 0.2), 2);
+  if (s->chance(0.7)) {
+    arms(s, body.top - Point{0, s->range(0, 0.2), 0}, body.chest(), radius * s->range(0.8, 1.1), s->range(0.1, 0.35),
+         s->range(-0.6, 1.5));
+  }
+  if (s->chance(0.2))
+    wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, s->range(0.15, 0.4),
+          {1, 0.5, -0.4});
+  head(s, &body, s->chance(0.2) ? 1 : 0, s->range(0.05, 0.12), {0, 1, 0.2}, radius * s->range(0.6, 1.3), 0.4);
+  if (s->chance(0.3)) any_tail(s, body, s->integer(1, 4), radius * s->range(0.15, 0.5), s->range(0.08, 0.3));
+  return body;
+}
+
+Body fowl(Sketch* s) {
+  const double height = s->range(0.25, 1.1), radius = s->range(0.15, 0.4);
+  const Point up = unit(s->about_plane({0, 1, s->range(0.2, 2.5)}, 0.06));
+  Body body = make_trunk(s, height, radius, up, s->range(0.08, 0.2), s->range(0.12, 0.3), s->integer(1, 3));
+  legs(s, {radius * s->range(0.4, 0.8), height - radius * 0.4, 0}, body.trunk[0], hind_leg(s->integer(2, 4)),
+       s->range(-0.05, 0.15), height * 0.9 - radius * 0.4, s->range(0.04, 0.13), s->range(-0.2, 0.4));
+  const Point out = {1, s->range(-0.9, 0.6), s->range(-0.6, 0.0)};
+  wings(s, "wing", body.top - Point{0, 0.05, 0}, body.chest(), radius * s->range(0.5, 0.9), s->range(0.15, 0.5), out);
+  head(s, &body, s->integer(0, 3), s->range(0.05, 0.3), {0, 1, s->range(0.0, 0.8)}, s->range(0.1, 0.4), 0.1);
+  if (s->chance(0.7)) any_tail(s, body, s->integer(1, 3), radius * s->range(0.2, 0.7), s->range(0.1, 0.3));
+  return body;
+}
+
+Body fish(Sketch* s) {
+  const double radius = s->range(0.15, 0.4), height = radius * s->range(1.0, 1.6);
+  const Point direction = unit(s->about_plane({0, s->range(-0.1, 0.15), 1}, 0.05));
+  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.12, 0.4), s->integer(1, 4));
+  const double wide = radius * s->range(0.5, 0.8);
+  const size_t past_trunk = s->nodes.size();
+  const double thin = s->range(0.45, 1.2);
+  for (size_t i = 1; i < past_trunk; ++i) s->nodes[i].scale.x = thin;
+  const std::string fin = s->chance(0.5) ? "flipper" : "fin";
+  if (s->chance(0.8))
+    wings(s, fin, s->at(body.trunk[1]), body.trunk[1], wide * thin, s->range(0.1, 0.35),
+          {1, s->range(-0.6, 0.3), -0.4});
+  if (s->chance(0.3))
+    wings(s, "back_" + fin, s->at(body.trunk[0]), body.trunk[0], wide * thin, s->range(0.08, 0.2), {1, -0.4, -0.6});
+  // The tail ends in a fin, upright as a fish's or flat as a whale's.
+  const int joints = s->integer(1, 5);
+  const Point lift = s->about_plane({0, 0.1, -1}, 0.1);
+  tail(s, body, joints, radius * s->range(0.4, 0.9), s->range(0.12, 0.35), lift, lift);
+  if (s->chance(0.75)) {
+    Node& end = s->nodes.back();
+    end.radius = radius * s->range(0.5, 1.0);
+    end.scale = s->chance(0.7) ? Point{0.2, 1, 1} : Point{1, 0.2, 1};
+    end.start_share = 0.5;
+  }
+  head(s, &body, s->chance(0.2) ? 1 : 0, s->range(0.05, 0.2), {0, 0.1, 1}, radius * s->range(0.6, 1.1), 0);
+  return body;
+}
+
+Body crawler(Sketch* s) {
+  const double height = s->range(0.2, 0.7), radius = s->range(0.12, 0.4);
+  const Point direction = unit(s->about_plane({0, s->range(-0.1, 0.3), 1}, 0.05));
+  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.12, 0.35), s->integer(1, 3));
+  const double length = body.top.z, spread = s->range(0.4, 2.0);
+  const int pairs = s->integer(1, 4), joints = s->integer(2, 3);
+  const double radius_of_legs = s->range(0.04, 0.11), fan = s->range(0.1, 0.6);
+  for (int pair = 0; pair < pairs; ++pair) {
+    const double t = pairs > 1 ? static_cast<double>(pair) / (pairs - 1) : 0.0;
+    const size_t bone = static_cast<size_t>(t * static_cast<double>(body.trunk.size()) * 0.8);
+    const Point hip = {radius * 0.8, height, mix(-0.2, length * 0.7, t)};
+    legs(s, hip, body.trunk[std::min(bone, body.trunk.size() - 1)], with_number(hind_leg(joints), pair + 1), spread,
+         height * 1.1, radius_of_legs, mix(-fan, fan, t), 0.8);
+  }
+  const Point front = {0, height, body.top.z - 0.05};
+  if (s->chance(0.5)) {  // claws
+    arms(s, front, body.chest(), radius * 0.8, s->range(0.2, 0.45), s->range(-0.3, 0.4), s->range(0.8, 2.5),
+         s->range(1.2, 2.2));
+  } else {
+    std::vector<std::string> names = {"upper_arm", "forearm", "hand"};
+    names.resize(static_cast<size_t>(joints));
+    legs(s, front + Point{radius * 0.8, 0, 0}, body.chest(), names, spread, height * 1.1, radius_of_legs,
+         s->range(0.0, 0.7), 0.8);
+  }
+  if (s->chance(0.8)) head(s, &body, 0, 0.1, {0, 0.1, 1}, radius * s->range(0.4, 0.9), 0.15);
+  if (s->chance(0.5)) any_tail(s, body, s->integer(1, 5), radius * s->range(0.2, 0.7), s->range(0.1, 0.4));
+  return body;
+}
+
+Body sketch(BodyPlan plan, Sketch* s) {
+  switch (plan) {
+    case BodyPlan::kDinosaur:
+      return dinosaur(s);
+    case BodyPlan::kFish:
+      return fish(s);
+    case BodyPlan::kBlob:
+      return blob(s);
+    case BodyPlan::kBeast:
+      return beast(s);
+    case BodyPlan::kToy:
+      return toy(s);
+    case BodyPlan::kFowl:
+      return fowl(s);
+    default:
+      return crawler(s);
+  }
+}
+
+// The bone that ends at a node, as its parent's primitive.
+Primitive bone_of(const std::vector<Node>& nodes, const Node& end, int joint) {
+  const Node& start = nodes[static_cast<size_t>(end.parent)];
+  Primitive bone = {joint, start.at, end.at, start.radius * end.start_share, end.radius * end.end_share, end.scale};
+  // From the trunk to a limb: no wider than the limb needs.
+  if (Sketch::on_plane(start.at) && !Sketch::on_plane(end.at)) bone.ra = std::min(bone.ra, bone.rb * 1.5);
+  return bone;
+}
+
+// Moves the body onto the floor and sets the cell by its longest side. What a smooth body is made of must not be
+// thinner than the voxels show.
+void set_on_floor(int resolution, Blueprint* made) {
+  Point low = made->body[0].a, high = low;
+  for (const Primitive& bone : made->body) {
+    for (const auto& [end, r] : {std::pair(bone.a, bone.ra), std::pair(bone.b, bone.rb)}) {
+      const Point reach = bone.scale * r;
+      low = {std::min(low.x, end.x - reach.x), std::min(low.y, end.y - reach.y), std::min(low.z, end.z - reach.z)};
+      high = {std::max(high.x, end.x + reach.x), std::max(high.y, end.y + reach.y), std::max(high.z, end.z + reach.z)};
+    }
+  }
+  const Point size = high - low, up = {0, -low.y, 0};
+  made->cell = std::max({size.x, size.y, size.z}) / resolution;
+  for (PlanJoint& joint : made->joints) {
+    joint.position = joint.position + up;
+    joint.tip = joint.tip + up;
+  }
+  for (Primitive& bone : made->body) {
+    bone.a = bone.a + up;
+    bone.b = bone.b + up;
+    const double thinnest = 1.05 * made->cell / std::min({bone.scale.x, bone.scale.y, bone.scale.z});
+    bone.ra = std::max(bone.ra, thinnest);
+    bone.rb = std::max(bone.rb, thinnest);
+  }
+  made->head_centre = made->head_centre + up;
+}
+
+}  // namespace
+
+Blueprint make_creature(BodyPlan plan, int resolution, Random* random) {
+  Sketch drawn(random);
+  const Body body = sketch(plan, &drawn);
+  Blueprint made;
+  made.softness = random->range(0.35, 0.8);
+  made.blend = random->range(0.2, 0.6);
+  const double build = random->range(0, 1);
+  made.build = build < 0.45 ? Build::kCapsules : build < 0.75 ? Build::kSmooth : Build::kBoxes;
+
+  // Half of them are stretched along the axes, joints and capsules alike.
+  Point stretch = {1, 1, 1};
+  if (random->chance(0.5)) {
+    stretch.x = exponential(random->normal() * 0.15);
+    stretch.y = exponential(random->normal() * 0.15);
+    stretch.z = exponential(random->normal() * 0.15);
+  }
+  const auto stretched = [&](Point p) { return Point{p.x * stretch.x, p.y * stretch.y, p.z * stretch.z}; };
+
+  std::vector<int> joint_of(drawn.nodes.size(), kNoJoint);
+  for (size_t n = 0; n < drawn.nodes.size(); ++n) {
+    const Node& node = drawn.nodes[n];
+    const int parent = node.parent == kNoJoint ? kNoJoint : joint_of[static_cast<size_t>(node.parent)];
+    if (!node.tip) joint_of[n] = made.add_joint(node.name, parent, stretched(node.at));
+    if (node.parent == kNoJoint) continue;
+    const Primitive bone = bone_of(drawn.nodes, node, parent);
+    made.add_bone(parent, stretched(bone.a), stretched(bone.b), bone.ra, bone.rb, stretched(bone.scale));
+  }
+  for (const int node : body.trunk) made.trunk.push_back(joint_of[static_cast<size_t>(node)]);
+  const size_t head = static_cast<size_t>(body.head == kNoJoint ? body.chest() : body.head);
+  made.head = made.neck = joint_of[head];
+  made.head_centre = stretched(drawn.nodes[head].at);
+  made.head_radius = drawn.nodes[head].radius * 0.9 * std::min(stretch.x, stretch.z);
+  set_on_floor(resolution, &made);
+  return made;
+}
+
+}  // namespace sinew::synth
