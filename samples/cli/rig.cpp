@@ -27,15 +27,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton;
+  std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton, method = "auto";
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
   bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
        keep_lengths = false;
 };
 
-// The votes' own idea of how far off they are, share of the longest side. Above it nobody knows.
-constexpr float kDoubtfulSpread = 0.08f;
+// The votes' own idea of how far off they are, share of the longest side. Above the first it is worth a look; above the second the
+// mesh's middle line is nearer to the truth than votes are: trainer/configs/RESULTS.md.
+constexpr float kDoubtfulSpread = 0.08f, kUnknownSpread = 0.1f;
 
 struct Models {
   std::unique_ptr<LoadedModel> rig, bind;
@@ -43,7 +44,7 @@ struct Models {
 
 Models load_models(const Settings& s) {
   Models models;
-  if (s.prediction.empty()) models.rig = load_model(s.model, ModelUse::kRig);
+  if (s.prediction.empty() && s.method != "shape") models.rig = load_model(s.model, ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   return models;
 }
@@ -64,16 +65,30 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
     return label_skeleton(rigged->skeleton.joints);
   }
   SkeletonOptions options;
-  options.model = &models.rig->model;
+  if (s.method == "shape") {
+    options.method = SINEW_RIG_SHAPE;
+  } else {
+    options.model = &models.rig->model;
+  }
   options.up_axis = s.up == "z" ? 1 : 0;
   options.mirror = s.mirror ? SINEW_MIRROR_ALWAYS : s.no_mirror ? SINEW_MIRROR_NEVER : SINEW_MIRROR_AUTO;
   options.spine_count = s.spine;
   options.toes = !s.no_toes;
   options.ends = !s.no_ends;
   rigged->skeleton = predict_skeleton(rigged->character, options);
-  if (rigged->skeleton.spread > kDoubtfulSpread)
+  const float spread = rigged->skeleton.spread;
+  if (s.method == "auto" && spread > kUnknownSpread) {
+    options.method = SINEW_RIG_SHAPE;
+    rigged->skeleton = predict_skeleton(rigged->character, options);
+    rigged->skeleton.spread = spread;
     rigged->character.notes.push_back(
-        "warning: this mesh resembles nothing that the model knows; look at the joints before using them");
+        "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
+        "names; --method votes gives the model's guess");
+  } else if (spread > kDoubtfulSpread) {
+    rigged->character.notes.push_back(
+        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
+        "--method shape");
+  }
   return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
 }
 
@@ -248,6 +263,11 @@ void add_rig(CLI::App& app) {
   sub->add_option("--model", s->model, "Model of skeletons, or bundled = the one in the program [bundled]")
       ->type_name("FILE");
   sub->add_option("--bind-model", s->bind_model, "Model of weights, or bundled [bundled]")->type_name("FILE");
+  sub->add_option("--method", s->method,
+                  "votes: what the model has learnt; shape: joints along the middle line of the mesh, without a model; "
+                  "auto: votes, or shape where the votes know nothing")
+      ->check(CLI::IsMember({"auto", "votes", "shape"}))
+      ->capture_default_str();
   sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
   sub->add_option("--influences", s->influences, "Most joints per vertex")
       ->check(CLI::Range(1, 12))

@@ -233,6 +233,52 @@ TEST(SkeletonOfAMesh, TheSkeletonCanBeBoundAtOnce) {
   }
 }
 
+// A post six cubes high with arms of three cubes at its fifth.
+MeshScene post_with_arms() {
+  MeshScene scene;
+  for (int y = 0; y < 6; ++y) add_cube(&scene, -0.5f, static_cast<float>(y), -0.5f);
+  for (int x = 1; x < 4; ++x) {
+    add_cube(&scene, static_cast<float>(x) - 0.5f, 4, -0.5f);
+    add_cube(&scene, -static_cast<float>(x) - 0.5f, 4, -0.5f);
+  }
+  return scene;
+}
+
+// Without a model: the middle line of every limb, with an end in it.
+TEST(SkeletonOfAMesh, TheShapeAloneGivesALineThroughEveryLimb) {
+  sinew_rig_options options = sinew_rig_options_init();
+  options.method = SINEW_RIG_SHAPE;
+  const RiggedScene rigged(post_with_arms(), options, nullptr);
+  rigged.expect_sound();
+  EXPECT_EQ(rigged.outputs.mirrored, 1u);
+  EXPECT_EQ(rigged.outputs.spread, 0);
+  const auto at = [&](uint32_t j, size_t axis) { return rigged.positions[3 * size_t{j} + axis]; };
+  uint32_t ends = 0, arms = 0, top = 0, bottom = 0;
+  for (uint32_t j = 0; j < rigged.count; ++j) {
+    EXPECT_EQ(rigged.classes[j], SINEW_CLASS_OTHER);
+    EXPECT_EQ(rigged.names[j].substr(0, rigged.names[j].find_first_of("0123456789_")).find("Bone") == std::string::npos,
+              false)
+        << rigged.names[j];
+    // Within the post or an arm.
+    const bool in_post = std::fabs(at(j, 0)) <= 0.5f && at(j, 1) >= 0 && at(j, 1) <= 6;
+    const bool in_arm = std::fabs(at(j, 0)) <= 3.5f && at(j, 1) >= 4 && at(j, 1) <= 5;
+    EXPECT_TRUE(in_post || in_arm) << at(j, 0) << " " << at(j, 1);
+    EXPECT_NEAR(at(j, 2), 0, 0.1);
+    const uint32_t image = static_cast<uint32_t>(rigged.partners[j]);
+    EXPECT_EQ(at(image, 0), -at(j, 0));
+    EXPECT_EQ(at(image, 1), at(j, 1));
+    if (rigged.flags[j] == 0) continue;
+    ++ends;
+    arms += std::fabs(at(j, 0)) > 2.9f ? 1 : 0;
+    top += at(j, 1) > 5.4f ? 1 : 0;
+    bottom += at(j, 1) < 0.6f ? 1 : 0;
+  }
+  EXPECT_EQ(ends, 4u);
+  EXPECT_EQ(arms, 2u);
+  EXPECT_EQ(top, 1u);
+  EXPECT_EQ(bottom, 1u);
+}
+
 TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
   std::vector<MeshScene> scenes;
   scenes.emplace_back();  // a point
@@ -265,6 +311,8 @@ TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
       sinew_rig_options options = sinew_rig_options_init();
       options.mirror = mirror;
       RiggedScene(scenes[i], options).expect_sound();
+      options.method = SINEW_RIG_SHAPE;
+      RiggedScene(scenes[i], options, nullptr).expect_sound();
     }
   }
 }
@@ -288,6 +336,8 @@ TEST(SkeletonOfAMesh, RandomMeshesAreSound) {
     options.no_toes = below(2);
     options.no_ends = below(2);
     RiggedScene(scene, options).expect_sound();
+    options.method = SINEW_RIG_SHAPE;
+    RiggedScene(scene, options, nullptr).expect_sound();
   }
 }
 
@@ -302,6 +352,9 @@ TEST(SkeletonOfAMesh, WrongCallsAreRefused) {
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options = sinew_rig_options_init();
   options.spine_count = 17;
+  EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
+  options = sinew_rig_options_init();
+  options.method = 2;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options = sinew_rig_options_init();
   options.struct_size = 0;

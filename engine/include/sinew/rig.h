@@ -43,6 +43,13 @@ typedef enum sinew_mirror {
   SINEW_MIRROR_NEVER = 2
 } sinew_mirror;
 
+/* Where the skeleton comes from. */
+typedef enum sinew_rig_method {
+  SINEW_RIG_VOTES = 0, /* from what the model has learnt */
+  SINEW_RIG_SHAPE = 1  /* from the middle line of the mesh alone, for what no model knows: joints named Bone, of class
+                        * OTHER, of confidence 0; sinew_rig_outputs::spread is 0, quarter_turns 0 or 1. No model is needed: null */
+} sinew_rig_method;
+
 /* What a call is asked to do: inputs only. Start from sinew_rig_options_init(), which asks for every default.
  * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_rig_options {
@@ -56,6 +63,8 @@ typedef struct sinew_rig_options {
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
   sinew_progress progress;   /* or null */
   void* progress_user;
+  uint32_t method; /* sinew_rig_method */
+  uint32_t reserved;
 } sinew_rig_options;
 
 /* Options that ask for every default. */

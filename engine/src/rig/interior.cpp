@@ -167,18 +167,18 @@ uint32_t Interior::march(Vec3i p, Vec3i direction, uint32_t most) const {
 }
 
 bool Interior::allocate(Arena& arena) {
-  const Counts counts = rig_counts();
-  depth = arena.alloc<uint16_t>(VoxelGrid::max_cells(counts));
-  way = arena.alloc<uint16_t>(VoxelGrid::max_cells(counts));
-  return grid.allocate(arena, counts);
+  depth = arena.alloc<uint16_t>(max_cells());
+  way = arena.alloc<uint16_t>(max_cells());
+  return grid.allocate(arena, rig_counts());
 }
+size_t Interior::max_cells() { return VoxelGrid::max_cells(rig_counts()); }
 
 bool build_interior(const Mesh& mesh, Arena& arena, Interior* interior) {
   const ArenaScope scope(arena);
   const Counts counts = rig_counts();
   Queue queue;
-  queue.next = arena.alloc<uint32_t>(VoxelGrid::max_cells(counts));
-  queue.back = arena.alloc<uint32_t>(VoxelGrid::max_cells(counts));
+  queue.next = arena.alloc<uint32_t>(Interior::max_cells());
+  queue.back = arena.alloc<uint32_t>(Interior::max_cells());
   if (!arena.ok()) return false;
   if (arena.measuring()) return true;
   voxelise(mesh, counts, queue.next, &interior->grid);

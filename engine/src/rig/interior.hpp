@@ -32,6 +32,7 @@ struct Interior {
   uint32_t march(Vec3i p, Vec3i direction, uint32_t most) const;
 
   bool allocate(Arena& arena);
+  static size_t max_cells();
 };
 
 // Fills an interior, allocated beforehand. Scratch is taken from the arena and released. Returns arena.ok().

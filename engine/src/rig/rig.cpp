@@ -7,6 +7,7 @@
 #include "core/struct_size.hpp"
 #include "kernels/select.hpp"
 #include "model/task.hpp"
+#include "rig/curve.hpp"
 #include "rig/joint_names.hpp"
 #include "rig/read_votes.hpp"
 #include "rig/rig_task.hpp"
@@ -193,6 +194,18 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, Mir
   return SINEW_OK;
 }
 
+// The mesh's own middle line, without a network.
+sinew_status follow_shape(const RigPlan& plan, const MirrorFrame& frame, const Mesh& mesh, Arena& arena, Rig* rig) {
+  const ArenaScope scope(arena);
+  Interior interior;
+  FoldedTree* const tree = arena.alloc<FoldedTree>(1);
+  if (!interior.allocate(arena) || !build_interior(mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
+  if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
+  const sinew_status status = grow_curve(interior, frame.folded && plan.tree.fold, arena, tree);
+  if (status == SINEW_OK && !arena.measuring()) unfold_tree(plan.tree, tree, rig);
+  return status;
+}
+
 void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFrame& frame, const Rig& rig,
                    sinew_rig_outputs* out) {
   const Units units(mesh, plan.up_axis);
@@ -223,14 +236,16 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   if (o.up_axis > 1 || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
-      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr) {
+      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SHAPE) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
-  if (model->task != kTaskRig) return SINEW_ERROR_MODEL_TASK;
+  if (o.method == SINEW_RIG_VOTES) {
+    if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+    if (model->task != kTaskRig) return SINEW_ERROR_MODEL_TASK;
+    plan->model = *model;
+  }
   if (vertices == 0 || vertices > SINEW_MAX_VERTICES || corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2)
     return SINEW_ERROR_COUNT;
-  plan->model = *model;
   plan->counts = Counts();
   plan->counts.vertices = vertices;
   plan->counts.faces = faces;
@@ -242,6 +257,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->tree.toes = o.no_toes == 0;
   plan->tree.ends = o.no_ends == 0;
   plan->mirroring = static_cast<Mirroring>(o.mirror);
+  plan->method = o.method;
   plan->up_axis = o.up_axis;
   plan->kernel = o.kernel;
   plan->progress = Progress{o.progress, o.progress_user};
@@ -255,8 +271,9 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
   Rig rig;
   MirrorFrame frame;
   GridQuantizer quantizer;
+  const bool votes_wanted = plan.method == SINEW_RIG_VOTES;
   (void)mesh.allocate(arena, plan.counts);
-  (void)store.allocate(arena, kRigSets);
+  if (votes_wanted) (void)store.allocate(arena, kRigSets);
   if (!rig.allocate(arena)) return SINEW_ERROR_WORKSPACE;
   sinew_status status = SINEW_OK;
   int32_t middles[2] = {0, 0};
@@ -275,16 +292,20 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
     apply_mirror_frame(frame, &mesh);
     if (!plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
   }
-  status = vote(plan, kernels, arena, &frame, &mesh, &store);
-  if (status != SINEW_OK) return status;
-  Votes votes;
-  if (!arena.measuring()) {
-    if (!plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
-    votes = store.votes(frame.folded);
+  if (votes_wanted) {
+    status = vote(plan, kernels, arena, &frame, &mesh, &store);
+    if (status != SINEW_OK) return status;
+    Votes votes;
+    if (!arena.measuring()) {
+      if (!plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
+      votes = store.votes(frame.folded);
+    } else {
+      votes.points = kRigSets * kSetPoints;
+    }
+    status = find_rig(votes, plan.tree, arena, &rig);
   } else {
-    votes.points = kRigSets * kSetPoints;
+    status = follow_shape(plan, frame, mesh, arena, &rig);
   }
-  status = find_rig(votes, plan.tree, arena, &rig);
   if (status != SINEW_OK || arena.measuring()) return status;
   write_outputs(mesh_input, plan, frame, rig, outputs);
   outputs->used_bytes = arena.high_water();

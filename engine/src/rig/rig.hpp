@@ -21,6 +21,7 @@ struct RigPlan {
   NetworkOptions network;
   RigOptions tree;
   Mirroring mirroring = Mirroring::kAuto;
+  uint32_t method = SINEW_RIG_VOTES;
   uint32_t up_axis = 0, kernel = 0;
   Progress progress;
 };

@@ -109,13 +109,17 @@ SINEW_RARE sinew_status find_rig(const Votes& votes, const RigOptions& options, 
   }
   status = grow_tree(pool, joints, count, arena, tree);
   if (status != SINEW_OK || arena.measuring()) return status;
+  unfold_tree(options, tree, rig);
+  rig->spread = mean_spread(votes);
+  return SINEW_OK;
+}
+
+SINEW_RARE void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig) {
   if (options.spine >= 0)
     set_spine(tree,
               static_cast<uint32_t>(options.spine) < kMaxSpine ? static_cast<uint32_t>(options.spine) : kMaxSpine);
   if (!options.toes) drop_toes(tree);
   Unfolder(*tree, options.ends, rig).run();
-  rig->spread = mean_spread(votes);
-  return SINEW_OK;
 }
 
 }  // namespace sinew

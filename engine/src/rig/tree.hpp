@@ -4,6 +4,7 @@
 #define SINEW_RIG_TREE_HPP
 
 #include "core/arena.hpp"
+#include "rig/folded_tree.hpp"
 #include "rig/rig_joint.hpp"
 #include "rig/votes.hpp"
 #include "sinew/sinew.h"
@@ -36,6 +37,9 @@ struct Rig {
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE. Exact in integers: the same joints on every platform and for the points in
 // any order.
 sinew_status find_rig(const Votes& votes, const RigOptions& options, Arena& arena, Rig* rig);
+
+// The last stage of find_rig(), for a tree from elsewhere: the caller's wishes, then both sides.
+void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig);
 
 }  // namespace sinew
 #endif

@@ -13,7 +13,8 @@ namespace sinew {
 
 // What sinew_rig_options says.
 struct SkeletonOptions {
-  const sinew_model* model = nullptr;  // of sinew_rig_model_open()
+  uint32_t method = SINEW_RIG_VOTES;   // sinew_rig_method
+  const sinew_model* model = nullptr;  // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
   uint32_t up_axis = 0;
   uint32_t mirror = SINEW_MIRROR_AUTO;
   uint32_t spine_count = 0;  // 0 = as the model says

@@ -16,6 +16,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   if (character.vertices.empty()) throw Error(character.name + ": no vertices; expected a mesh");
   const EngineViews views(character, {});
   sinew_rig_options engine_options = sinew_rig_options_init();
+  engine_options.method = options.method;
   engine_options.up_axis = options.up_axis;
   engine_options.mirror = options.mirror;
   engine_options.spine_count = options.spine_count;
