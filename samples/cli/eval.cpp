@@ -498,12 +498,27 @@ void run_rig(const Settings& s, const CLI::App& sub) {
   for (const CLI::Option* option : sub.get_options()) {
     const std::string name = option->get_name();
     if (option->count() > 0 && name != "dir" && name != "--task" && name != "--predictions" && name != "--model" &&
-        name != "--json" && name != "--jobs")
-      throw UsageError(name + " does not go with --task rig, which takes --predictions, --model, --json and --jobs");
+        name != "--json" && name != "--jobs" && name != "--report")
+      throw UsageError(name +
+                       " does not go with --task rig, which takes --predictions, --model, --report, --json and --jobs");
   }
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.predictions.empty() && !s.model.empty()) throw UsageError("--predictions and --model: give one of the two");
-  evaluate_rigs({s.folder, s.predictions, s.model, s.json, s.jobs});
+  RigEvaluation evaluation{s.folder, s.predictions, s.model, s.json, s.report, {}, s.jobs};
+  if (!s.report.empty()) {
+    check_output(s.report, {".html", ".htm"});
+    std::string command = "sinew eval " + s.folder + " --task rig";
+    if (!s.model.empty()) command += " --model " + s.model;
+    if (!s.predictions.empty()) command += " --predictions " + s.predictions;
+    evaluation.facts = {{"command", command + " --report " + s.report}, {"sinew", sinew_version()}};
+    if (s.predictions.empty()) {
+      const std::unique_ptr<LoadedModel> model = load_model(s.model, ModelUse::kRig);
+      evaluation.facts.emplace_back("model", model_label(s.model) + print(", checksum %08x", model->model.checksum));
+    }
+    const std::string date = build_date();
+    if (!date.empty()) evaluation.facts.emplace_back("date", date);
+  }
+  evaluate_rigs(evaluation);
 }
 
 void run(const Settings& s) {
@@ -559,7 +574,7 @@ void add_eval(CLI::App& app) {
   sub->add_option(
          "--report", s->report,
          "Page with tables, plots and pictures, heat and nearest bone beside; with --checkpoint also int16, 12, "
-         "10 and 8 bits against float")
+         "10 and 8 bits against float; with --task rig every character's skeleton beside the reference")
       ->type_name("OUT.html");
   sub->add_option("--with", s->peers, "Another binder's predictions, DIR/NAME.rig.txt of every character, as a column")
       ->type_name("NAME=DIR");

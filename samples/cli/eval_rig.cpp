@@ -13,6 +13,7 @@
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/parallel.hpp"
+#include "sinew_trainer/rig_report.hpp"
 #include "sinew_trainer/rig_score.hpp"
 #include "support.hpp"
 
@@ -34,23 +35,28 @@ struct Measured {
   RigScore score;
   bool humanoid = false;
   std::vector<std::string> gaps;
+  RigReportPicture picture;  // with a report
 };
 
-Measured measure_one(const FoundCharacter& found, const std::string& predictions, const sinew_model* model) {
+Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluation, const sinew_model* model) {
   Measured measured;
   try {
     const Character character = read_found(found);
     SkeletonOptions options;
     options.model = model;
-    const std::vector<Joint> joints = model != nullptr
-                                          ? predict_skeleton(character, options).joints
-                                          : read_prediction(fs::path(predictions) / (found.name + ".rig.txt"));
+    const std::vector<Joint> joints =
+        model != nullptr ? predict_skeleton(character, options).joints
+                         : read_prediction(fs::path(evaluation.predictions) / (found.name + ".rig.txt"));
     const TargetSkeleton target = target_skeleton(character);
     const ScoredSkeleton reference = scored_skeleton(target);
     const ScoredSkeleton skeleton = scored_skeleton(joints, target.side);
     measured.score = score_rig(skeleton, reference);
     measured.humanoid = is_humanoid(reference);
     if (measured.humanoid) measured.gaps = humanoid_gaps(skeleton);
+    if (!evaluation.report.empty()) {
+      measured.picture = rig_report_picture(character, target, joints);
+      measured.picture.character = found.name;
+    }
   } catch (const Error& error) {
     measured.failure = error.what();
   }
@@ -70,7 +76,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), evaluation.jobs, [&](size_t i, unsigned) {
-      measured[i] = measure_one(found[i], evaluation.predictions, model ? &model->model : nullptr);
+      measured[i] = measure_one(found[i], evaluation, model ? &model->model : nullptr);
       progress.step();
     });
   }
@@ -83,6 +89,16 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
       scores.failures[found[i].name] = measured[i].failure;
     else if (measured[i].humanoid)
       scores.humanoids[found[i].name] = measured[i].gaps;
+  }
+  if (!evaluation.report.empty()) {
+    RigReport report;
+    report.scores = scores;
+    report.facts = evaluation.facts;
+    for (Measured& one : measured) {
+      if (one.failure.empty()) report.pictures.push_back(std::move(one.picture));
+    }
+    write_text_file(evaluation.report, rig_report_html(report));
+    if (evaluation.json != "-") std::printf("wrote %s\n", printable(evaluation.report).c_str());
   }
   if (evaluation.json != "-") std::printf("%s", rig_scores_markdown(scores).c_str());
   if (!evaluation.json.empty()) write_text_file(evaluation.json, rig_scores_json(scores) + "\n");

@@ -4,6 +4,8 @@
 #define SINEW_CLI_EVAL_RIG_HPP
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace sinew::cli {
 
@@ -12,6 +14,8 @@ struct RigEvaluation {
   std::string predictions;  // NAME.rig.txt of each of them, of which only joints are read; empty: the model predicts
   std::string model;        // of skeletons; empty: the bundled one
   std::string json;         // file for all figures, "-" = standard output instead of the table; may be empty
+  std::string report;       // HTML page with a picture of every character; may be empty
+  std::vector<std::pair<std::string, std::string>> facts;  // of the report: how its numbers were made
   unsigned jobs = 1;
 };
 

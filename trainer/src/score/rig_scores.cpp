@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/markdown.hpp"
+#include "score/rig_figures.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/rig_score.hpp"
@@ -15,24 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Figure {
-  const char* key;  // as in the yardstick
-  double RigScore::*value;
-};
-constexpr std::array<Figure, 9> kFigures = {{{"J2J", &RigScore::j2j},
-                                             {"J2B", &RigScore::j2b},
-                                             {"B2B", &RigScore::b2b},
-                                             {"precision", &RigScore::precision},
-                                             {"recall", &RigScore::recall},
-                                             {"IoU", &RigScore::iou},
-                                             {"joined", &RigScore::joined},
-                                             {"class", &RigScore::classes},
-                                             {"symmetric", &RigScore::symmetric}}};
-
 // What there was nothing to count for does not count.
 RigScore mean(const std::vector<RigScore>& rows) {
   RigScore out;
-  for (const Figure& figure : kFigures) {
+  for (const RigFigure& figure : kRigFigures) {
     double sum = 0;
     size_t count = 0;
     for (const RigScore& row : rows) {
@@ -47,7 +34,7 @@ RigScore mean(const std::vector<RigScore>& rows) {
 
 std::string table_row(std::string label, const std::string& count, const RigScore& score) {
   std::string row = "| " + markdown_cell(std::move(label)) + " | " + count + " |";
-  for (const Figure& figure : kFigures) {
+  for (const RigFigure& figure : kRigFigures) {
     const double value = 100 * (score.*figure.value);
     row += std::isnan(value) ? " - |" : print(" %.2f |", value);
   }
@@ -56,7 +43,7 @@ std::string table_row(std::string label, const std::string& count, const RigScor
 
 Json figures_json(const RigScore& score) {
   Json out = Json::object();
-  for (const Figure& figure : kFigures) {
+  for (const RigFigure& figure : kRigFigures) {
     const double value = score.*figure.value;
     out[figure.key] = std::isnan(value) ? Json(nullptr) : Json(value);
   }
@@ -92,7 +79,7 @@ RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters) {
 
 std::string rig_scores_markdown(const RigScores& scores) {
   std::string head = "| x 100 | n |", rule = "|---|---|";
-  for (const Figure& figure : kFigures) {
+  for (const RigFigure& figure : kRigFigures) {
     head += std::string(" ") + figure.key + " |";
     rule += "---|";
   }
