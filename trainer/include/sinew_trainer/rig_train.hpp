@@ -10,8 +10,8 @@
 
 namespace sinew {
 
-// Read from and written to JSON (unknown keys are an Error). The defaults are trainer/configs/votes.json, which trained the
-// bundled model.
+// Read from and written to JSON (unknown keys are an Error). trainer/configs/votes.json and votes_more.json
+// trained the bundled model.
 struct RigTrainConfig : RunConfig {
   RigTrainConfig();
   uint32_t width = 64;  // channels
