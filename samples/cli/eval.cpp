@@ -52,7 +52,7 @@ struct Settings {
   StyleOptions style;              // of what is evaluated, not of heat beside it
   unsigned influences = 4, jobs = 1, questions = 0;
   bool first_as_style = false;  // of each family, with `questions`
-  bool known = false, against_nearest = false, confidence = false, robustness = false;
+  bool bind = false, known = false, against_nearest = false, confidence = false, robustness = false;
 };
 
 struct Prediction {
@@ -498,13 +498,14 @@ void run_rig(const Settings& s, const CLI::App& sub) {
   for (const CLI::Option* option : sub.get_options()) {
     const std::string name = option->get_name();
     if (option->count() > 0 && name != "dir" && name != "--task" && name != "--predictions" && name != "--model" &&
-        name != "--json" && name != "--jobs" && name != "--report")
-      throw UsageError(name +
-                       " does not go with --task rig, which takes --predictions, --model, --report, --json and --jobs");
+        name != "--json" && name != "--jobs" && name != "--report" && name != "--bind")
+      throw UsageError(
+          name +
+          " does not go with --task rig, which takes --predictions, --model, --bind, --report, --json and --jobs");
   }
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.predictions.empty() && !s.model.empty()) throw UsageError("--predictions and --model: give one of the two");
-  RigEvaluation evaluation{s.folder, s.predictions, s.model, s.json, s.report, {}, s.jobs};
+  RigEvaluation evaluation{s.folder, s.predictions, s.model, s.json, s.bind, s.report, {}, s.jobs};
   if (!s.report.empty()) {
     check_output(s.report, {".html", ".htm"});
     std::string command = "sinew eval " + s.folder + " --task rig";
@@ -522,6 +523,7 @@ void run_rig(const Settings& s, const CLI::App& sub) {
 }
 
 void run(const Settings& s) {
+  if (s.bind) throw UsageError("--bind goes with --task rig only");
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.joints.empty() && (s.known || !s.checkpoint.empty() || s.method == "nearest"))
@@ -578,6 +580,10 @@ void add_eval(CLI::App& app) {
       ->type_name("OUT.html");
   sub->add_option("--with", s->peers, "Another binder's predictions, DIR/NAME.rig.txt of every character, as a column")
       ->type_name("NAME=DIR");
+  sub->add_flag(
+      "--bind", s->bind,
+      "With --task rig: bind every mesh to its predicted skeleton, and print how much of the surface moves with "
+      "a joint of the reference's class and side");
   sub->add_flag("--against-nearest", s->against_nearest, "List the characters on which nearest bone is better");
   sub->add_option("--json", s->json, "All figures as JSON; - for standard output instead of the table")
       ->type_name("OUT.json");

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "progress.hpp"
+#include "rig_skeleton.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
@@ -35,24 +36,46 @@ struct Measured {
   RigScore score;
   bool humanoid = false;
   std::vector<std::string> gaps;
+  double owned = 0;          // with a bind
   RigReportPicture picture;  // with a report
 };
 
-Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluation, const sinew_model* model) {
+double measure_owned(const Character& character, const TargetSkeleton& target, const PredictedSkeleton& skeleton,
+                     const LabelledSkeleton& labels, const sinew_model* weights) {
+  BindOptions options;
+  options.method = SINEW_METHOD_MODEL;
+  options.model = weights;
+  Character bound = character;
+  const CharacterBind result = bind_to_prediction(skeleton, options, &bound);
+  BoundSkeleton measured{skeleton.joints, labels.classes, result.influences};
+  measured.axis = skeleton.quarter_turns % 2 == 0 ? 0 : 2;
+  measured.plane = skeleton.plane;
+  return owned_surface(measured, character, target);
+}
+
+Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluation, const sinew_model* model,
+                     const sinew_model* weights) {
   Measured measured;
   try {
     const Character character = read_found(found);
     SkeletonOptions options;
     options.model = model;
-    const std::vector<Joint> joints =
-        model != nullptr ? predict_skeleton(character, options).joints
-                         : read_prediction(fs::path(evaluation.predictions) / (found.name + ".rig.txt"));
+    const PredictedSkeleton prediction =
+        model != nullptr
+            ? predict_skeleton(character, options)
+            : skeleton_from_joints(read_prediction(fs::path(evaluation.predictions) / (found.name + ".rig.txt")));
+    const std::vector<Joint>& joints = prediction.joints;
     const TargetSkeleton target = target_skeleton(character);
     const ScoredSkeleton reference = scored_skeleton(target);
     const ScoredSkeleton skeleton = scored_skeleton(joints, target.side);
     measured.score = score_rig(skeleton, reference);
     measured.humanoid = is_humanoid(reference);
     if (measured.humanoid) measured.gaps = humanoid_gaps(skeleton);
+    if (weights != nullptr) {
+      const LabelledSkeleton labels =
+          model != nullptr ? LabelledSkeleton{joints, prediction.classes, prediction.ends} : label_skeleton(joints);
+      measured.owned = measure_owned(character, target, prediction, labels, weights);
+    }
     if (!evaluation.report.empty()) {
       measured.picture = rig_report_picture(character, target, joints);
       measured.picture.character = found.name;
@@ -71,12 +94,15 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
     throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found no such folder");
   std::unique_ptr<LoadedModel> model;
   if (evaluation.predictions.empty()) model = load_model(evaluation.model, ModelUse::kRig);
+  std::unique_ptr<LoadedModel> weights;
+  if (evaluation.bind) weights = load_model("");
   const std::vector<FoundCharacter> found = characters_in(evaluation.folder);
   std::vector<Measured> measured(found.size());
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), evaluation.jobs, [&](size_t i, unsigned) {
-      measured[i] = measure_one(found[i], evaluation, model ? &model->model : nullptr);
+      measured[i] =
+          measure_one(found[i], evaluation, model ? &model->model : nullptr, weights ? &weights->model : nullptr);
       progress.step();
     });
   }
@@ -89,6 +115,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
       scores.failures[found[i].name] = measured[i].failure;
     else if (measured[i].humanoid)
       scores.humanoids[found[i].name] = measured[i].gaps;
+    if (measured[i].failure.empty() && evaluation.bind) scores.owned[found[i].name] = measured[i].owned;
   }
   if (!evaluation.report.empty()) {
     RigReport report;

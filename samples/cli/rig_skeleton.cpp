@@ -96,4 +96,16 @@ FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleto
   return fitted;
 }
 
+CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character) {
+  character->joints = skeleton.joints;
+  character->influences.clear();
+  std::vector<uint8_t> said;
+  for (const uint8_t end : skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
+  CharacterBindOptions bind;
+  bind.bind = options;
+  bind.keep_tips = true;
+  bind.bind_props = true;
+  return bind_character(*character, choose_joints(*character, JointsFrom::kAll, said), bind);
+}
+
 }  // namespace sinew::cli

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sinew_datasets/label_skeleton.hpp"
+#include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/edit_skeleton.hpp"
 #include "sinew_formats/fit_skeleton.hpp"
@@ -44,6 +45,9 @@ void check_skeleton_source(const std::string& source);
 // file says.
 FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleton& found, FitOptions options,
                                 const Character& mesh, PredictedSkeleton* skeleton);
+
+// Binds the character's mesh to a predicted skeleton, which becomes its own: all joints but bone ends get weight.
+CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character);
 
 }  // namespace sinew::cli
 #endif

@@ -51,6 +51,18 @@ bool is_humanoid(const ScoredSkeleton& reference);
 // of others where the root is.
 std::vector<std::string> humanoid_gaps(const ScoredSkeleton& skeleton);
 
+// A skeleton and the weights that a bind to it gave, in a character whose artist's weights are known.
+struct BoundSkeleton {
+  const std::vector<Joint>& joints;
+  const std::vector<uint8_t>& classes;                    // [J] JointClass; a bone end's is its joint's
+  const std::vector<std::vector<Influence>>& influences;  // [V]
+  int axis = 0;                                           // across the mirror plane: 0 = x, 2 = z
+  double plane = 0;                                       // where it is, the mesh's units
+};
+// Share of the surface, 0..1, whose strongest joint has the class and the side of the reference's: in the middle (0.01 of
+// the longest side), left or right. A target skeleton's details count as what they belong to.
+double owned_surface(const BoundSkeleton& bound, const Character& character, const TargetSkeleton& reference);
+
 struct RigScores {
   std::vector<std::pair<std::string, RigScore>> characters;  // by name
   std::map<std::string, RigScore> families;                  // mean of each family's characters
@@ -58,8 +70,9 @@ struct RigScores {
   RigScore all, family_mean;                                  // means over characters, over families
   std::map<std::string, std::string> failures;                // name -> one line
   std::map<std::string, std::vector<std::string>> humanoids;  // references that are one -> gaps of the prediction
+  std::map<std::string, double> owned;                        // owned_surface() of those that were bound
 };
-// Fills all but failures and humanoids.
+// Fills all but failures, humanoids and owned.
 RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters);
 // The table of the yardstick, times 100, as Markdown; JSON with every number as it is, null for NaN.
 std::string rig_scores_markdown(const RigScores& scores);

@@ -55,6 +55,20 @@ size_t complete_humanoids(const RigScores& scores) {
                                            [](const auto& one) { return one.second.empty(); }));
 }
 
+// Over characters, over families.
+std::pair<double, double> mean_owned(const RigScores& scores) {
+  std::map<std::string, std::pair<double, size_t>> families;
+  double all = 0, means = 0;
+  for (const auto& [name, owned] : scores.owned) {
+    auto& [sum, count] = families[family_of(name)];
+    sum += owned;
+    ++count;
+    all += owned;
+  }
+  for (const auto& [family, sum] : families) means += sum.first / static_cast<double>(sum.second);
+  return {all / static_cast<double>(scores.owned.size()), means / static_cast<double>(families.size())};
+}
+
 }  // namespace
 
 RigScores summarise(std::vector<std::pair<std::string, RigScore>> characters) {
@@ -94,6 +108,11 @@ std::string rig_scores_markdown(const RigScores& scores) {
     for (size_t i = 0; i < gaps.size(); ++i) table += (i == 0 ? "  " + name + ": " : ", ") + gaps[i];
     if (!gaps.empty()) table += "\n";
   }
+  if (!scores.owned.empty()) {
+    const auto [all, families] = mean_owned(scores);
+    table += print("\nsurface that moves with the reference's class and side after a bind: %.2f, families %.2f\n",
+                   100 * all, 100 * families);
+  }
   if (!scores.failures.empty()) {
     table += print("\nfailed %zu:", scores.failures.size());
     for (const auto& [name, why] : scores.failures) table += " " + name;
@@ -120,6 +139,8 @@ std::string rig_scores_json(const RigScores& scores) {
     out["characters"][name] = figures_json(score);
     const auto humanoid = scores.humanoids.find(name);
     if (humanoid != scores.humanoids.end()) out["characters"][name]["humanoid_gaps"] = humanoid->second;
+    const auto owned = scores.owned.find(name);
+    if (owned != scores.owned.end()) out["characters"][name]["owned"] = owned->second;
   }
   return out.dump(1, ' ', false, Json::error_handler_t::replace);
 }

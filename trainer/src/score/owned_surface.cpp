@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What a user sees of a predicted skeleton: which part of the surface moves with which bone.
+#include <algorithm>
+#include <cmath>
+
+#include "sinew_formats/box.hpp"
+#include "sinew_trainer/rig_score.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kMiddle = 0.01;  // of the longest side
+
+std::vector<double> vertex_areas(const Character& character) {
+  std::vector<double> area(character.vertices.size(), 0.0);
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    const uint32_t begin = character.face_offsets[f], end = character.face_offsets[f + 1];
+    for (uint32_t i = begin + 2; i < end; ++i) {
+      const uint32_t corner[3] = {character.face_vertices[begin], character.face_vertices[i - 1],
+                                  character.face_vertices[i]};
+      const Vec3 &a = character.vertices[corner[0]], &b = character.vertices[corner[1]],
+                 &c = character.vertices[corner[2]];
+      const double u[3] = {double(b.x) - a.x, double(b.y) - a.y, double(b.z) - a.z};
+      const double v[3] = {double(c.x) - a.x, double(c.y) - a.y, double(c.z) - a.z};
+      const double twice = std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+      for (const uint32_t k : corner) area[k] += twice / 6;
+    }
+  }
+  return area;
+}
+
+// The joint of most weight where `to` says whom each joint's weight is for; -1 without any.
+template <class To>
+int strongest(const std::vector<Influence>& influences, size_t joints, std::vector<double>* sums, To&& to) {
+  if (influences.empty()) return -1;
+  sums->assign(joints, 0.0);
+  for (const Influence& influence : influences) (*sums)[to(influence.joint)] += influence.weight;
+  return static_cast<int>(std::max_element(sums->begin(), sums->end()) - sums->begin());
+}
+
+}  // namespace
+
+double owned_surface(const BoundSkeleton& bound, const Character& character, const TargetSkeleton& reference) {
+  const double limit = kMiddle * box_of(character.vertices).longest_side();
+  const auto side = [&](double across) {
+    return std::fabs(across - bound.plane) < limit ? 0 : across < bound.plane ? -1 : 1;
+  };
+  const std::vector<double> area = vertex_areas(character);
+  std::vector<double> sums;
+  double all = 0, right = 0;
+  for (size_t v = 0; v < character.vertices.size(); ++v) {
+    const int theirs = strongest(character.influences[v], reference.joints.size(), &sums,
+                                 [&](uint32_t joint) { return reference.owners[joint]; });
+    if (theirs < 0) continue;
+    all += area[v];
+    const int ours = strongest(bound.influences[v], bound.joints.size(), &sums, [](uint32_t joint) { return joint; });
+    if (ours < 0) continue;
+    const TargetJoint& a = reference.joints[static_cast<size_t>(theirs)];
+    const Joint& b = bound.joints[static_cast<size_t>(ours)];
+    const double across = bound.axis == 0 ? b.position.x : b.position.z;
+    if (a.joint_class == bound.classes[static_cast<size_t>(ours)] &&
+        side(a.position[static_cast<size_t>(bound.axis)]) == side(across)) {
+      right += area[v];
+    }
+  }
+  return all > 0 ? right / all : 0;
+}
+
+}  // namespace sinew
