@@ -60,8 +60,8 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
                              parents[j],
                              !end});
     result.ends.push_back(end ? 1 : 0);
-    result.confidence.push_back(static_cast<float>(confidence[j]) / 32767.0f);
-    result.parent_confidence.push_back(static_cast<float>(parent_confidence[j]) / 32767.0f);
+    result.confidence.push_back(static_cast<float>(confidence[j]) / 32768.0f);
+    result.parent_confidence.push_back(static_cast<float>(parent_confidence[j]) / 32768.0f);
   }
   result.mirrored = outputs.mirrored != 0;
   result.quarter_turns = outputs.quarter_turns;
