@@ -142,8 +142,7 @@ MeshScene base_mesh(uint32_t kind, Draw& draw) {
       break;
     case kSoup: {
       const uint32_t vertices = 3 + draw.below(80), faces = 1 + draw.below(200);
-      for (uint32_t v = 0; v < vertices; ++v)
-        scene.add_vertex(draw.range(-1, 1), draw.range(-1, 1), draw.range(-1, 1));
+      for (uint32_t v = 0; v < vertices; ++v) scene.add_vertex(draw.range(-1, 1), draw.range(-1, 1), draw.range(-1, 1));
       for (uint32_t f = 0; f < faces; ++f)
         scene.add_face({draw.below(vertices), draw.below(vertices), draw.below(vertices)});
       break;
@@ -170,10 +169,10 @@ MeshScene base_mesh(uint32_t kind, Draw& draw) {
       const uint32_t copies = 1 + draw.below(2);
       for (uint32_t copy = 0; copy < copies; ++copy) {
         const uint32_t first = draw.chance(50) ? scene.vertex_count() : 0;
-        if (first != 0)
-          scene.positions.insert(scene.positions.end(), once.positions.begin(), once.positions.end());
+        if (first != 0) scene.positions.insert(scene.positions.end(), once.positions.begin(), once.positions.end());
         for (size_t f = 0; f + 1 < once.offsets.size(); ++f) {
-          std::vector<uint32_t> face(once.corners.begin() + once.offsets[f], once.corners.begin() + once.offsets[f + 1]);
+          std::vector<uint32_t> face(once.corners.begin() + once.offsets[f],
+                                     once.corners.begin() + once.offsets[f + 1]);
           for (uint32_t& v : face) v += first;
           scene.add_face(face);
         }
