@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "progress.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
@@ -29,6 +30,14 @@ std::vector<Joint> read_prediction(const fs::path& path) {
   return predicted.joints;
 }
 
+// By the name of the character, or in the sub-folder it has itself, as sinew rig DIR leaves it.
+fs::path prediction_of(const FoundCharacter& found, const std::string& predictions) {
+  const fs::path by_name = fs::path(predictions) / (found.name + ".rig.txt");
+  const fs::path as_below = fs::path(predictions) / found.below / (stem_of(found.path) + ".rig.txt");
+  std::error_code ignored;
+  return !fs::exists(by_name, ignored) && fs::exists(as_below, ignored) ? as_below : by_name;
+}
+
 struct Measured {
   std::string failure;  // empty: measured
   RigScore score;
@@ -42,9 +51,8 @@ Measured measure_one(const FoundCharacter& found, const std::string& predictions
     const Character character = read_found(found);
     SkeletonOptions options;
     options.model = model;
-    const std::vector<Joint> joints = model != nullptr
-                                          ? predict_skeleton(character, options).joints
-                                          : read_prediction(fs::path(predictions) / (found.name + ".rig.txt"));
+    const std::vector<Joint> joints = model != nullptr ? predict_skeleton(character, options).joints
+                                                       : read_prediction(prediction_of(found, predictions));
     const TargetSkeleton target = target_skeleton(character);
     const ScoredSkeleton reference = scored_skeleton(target);
     const ScoredSkeleton skeleton = scored_skeleton(joints, target.side);
