@@ -76,8 +76,7 @@ void rig_once(const sinew_model& model, const sinew_mesh& mesh, const Workspace&
 
 void measure(double vertices, const sinew_model& model, uint32_t only, int repeats) {
   const uint32_t rings = static_cast<uint32_t>(std::lround(std::sqrt(vertices * 0.78)));
-  const sinew_test::HeatScene scene =
-      sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10);
+  const sinew_test::HeatScene scene = sinew_test::star(rings, static_cast<uint32_t>(std::lround(vertices / rings)), 10);
   const sinew_mesh mesh = scene.mesh_view();
   size_t bytes = 0;
   check(sinew_rig_workspace_size(&model, mesh.vertex_count, mesh.face_count, mesh.corner_count, nullptr, &bytes),
@@ -135,7 +134,8 @@ int main(int argc, char** argv) {
     return 1;
   }
   std::printf(
-      "machine,compiler,commit,kernel,vertices,joints,stage,median_ms,least_ms,share,workspace_bytes,used_bytes,hash\n");
+      "machine,compiler,commit,kernel,vertices,joints,stage,median_ms,least_ms,share,workspace_bytes,used_bytes,"
+      "hash\n");
   for (const double vertices : sizes) measure(vertices, opened.model, kernel, repeats);
   return 0;
 }
