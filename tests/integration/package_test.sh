@@ -73,5 +73,6 @@ cmp bundled.glb built.glb
 quietly cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$root/usr"
 quietly cmake --build "$work/consumer"
 for name in default rig; do
+  [ -e "$root/usr/share/doc/sinew/sinew_$name.md" ] || fail "the card of the $name model is missing"
   "$work/consumer/consumer" | grep -F "opened $root/usr/share/sinew/sinew_$name.sinew" >/dev/null || fail "the CMake package has no $name model in $root"
 done
