@@ -21,12 +21,15 @@
 // The library writes the whole struct: callers with an older header have no room for a longer one.
 static_assert(sizeof(sinew_model) == (sizeof(void*) == 8 ? 128 : 116), "new members take their room from reserved");
 
-// The struct of the first release, 0.1.
+// The structs of the first release, 0.1.
 constexpr uint32_t kFirstOutputsSize = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
+constexpr uint32_t kFirstRigOutputsSize = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);
 
 // No padding: the bytes behind a struct that an older library knows belong to members, so that 0 means "not set".
 static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
 static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
+static_assert(sizeof(sinew_rig_options) == 8 * sizeof(uint32_t) + 2 * sizeof(void*), "a hole in sinew_rig_options");
+static_assert(sizeof(sinew_rig_outputs) == 6 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
 extern "C" {
 
@@ -131,7 +134,7 @@ sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const s
     return SINEW_ERROR_ARGUMENT;
   }
   sinew_rig_outputs own;
-  sinew_status status = sinew::read_struct(outputs, sizeof own, sizeof own, &own);
+  sinew_status status = sinew::read_struct(outputs, kFirstRigOutputsSize, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.positions == nullptr || own.parents == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew::RigPlan plan;

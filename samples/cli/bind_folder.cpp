@@ -6,14 +6,13 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <new>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "dataset.hpp"
+#include "folder_files.hpp"
 #include "progress.hpp"
 #include "sinew_datasets/bind_page.hpp"
 #include "sinew_datasets/image.hpp"
@@ -30,9 +29,8 @@ namespace {
 
 constexpr int kPicture = 160;  // pixels
 
-struct Task {
-  std::string name;  // below the folder
-  std::string mesh, skeleton, output;
+struct Task : FolderFile {
+  std::string skeleton;
 };
 
 struct Done {
@@ -40,43 +38,13 @@ struct Done {
   nlohmann::ordered_json json;
 };
 
-std::string real_path(const fs::path& path) {
-  std::error_code ignored;
-  return fs::weakly_canonical(path, ignored).string();
-}
-
-// Outputs of one run would be the inputs of the next.
-void refuse_folder_inside(const FolderSettings& s) {
-  const fs::path in = real_path(s.folder), out = real_path(s.output_folder);
-  const std::string below = out.lexically_relative(in).string();
-  if (below == ".") throw UsageError("-o " + s.output_folder + ": is the folder of the inputs; give another");
-  if (!below.empty() && below.rfind("..", 0) != 0)
-    throw UsageError("-o " + s.output_folder + ": lies inside " + s.folder +
-                     ", where the next run would find its files as inputs; give a folder outside");
-}
-
 std::vector<Task> make_tasks(const FolderSettings& s) {
-  refuse_folder_inside(s);
-  const std::vector<std::string> meshes = list_meshes(s.folder);
-  if (meshes.empty()) throw Error(s.folder + ": no mesh in it nor below it; expected .obj, .gltf, .glb or .vrm");
-  std::set<std::string> inputs;
-  for (const std::string& mesh : meshes) inputs.insert(real_path(mesh));
-  std::map<std::string, std::string> taken;  // output -> mesh
   std::vector<Task> tasks;
-  for (const std::string& mesh : meshes) {
-    const fs::path name = fs::path(mesh).lexically_relative(s.folder);
-    Task task;
-    task.name = name.string();
-    task.mesh = mesh;
-    task.skeleton = s.each.skeleton;
+  for (const FolderFile& file : folder_files(s.folder, s.output_folder, s.extension)) {
+    Task task{file, s.each.skeleton};
     std::error_code ignored;
-    if (task.skeleton.empty() && has_extension(mesh, ".obj") && fs::exists(rig_path_beside(mesh), ignored))
-      task.skeleton = rig_path_beside(mesh);
-    task.output = (fs::path(s.output_folder) / name.parent_path() / (stem_of(mesh) + s.extension)).string();
-    const auto [first, fresh] = taken.emplace(task.output, mesh);
-    if (!fresh) throw Error(first->second + " and " + mesh + " would both become " + task.output + "; rename one");
-    if (inputs.count(real_path(task.output)) != 0)
-      throw Error(task.output + ": is a link to one of the inputs, which are not replaced; give another folder");
+    if (task.skeleton.empty() && has_extension(task.mesh, ".obj") && fs::exists(rig_path_beside(task.mesh), ignored))
+      task.skeleton = rig_path_beside(task.mesh);
     tasks.push_back(std::move(task));
   }
   return tasks;

@@ -10,6 +10,7 @@
 
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
+#include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
@@ -29,6 +30,14 @@ std::vector<Joint> read_prediction(const fs::path& path) {
   Character predicted;
   read_skeleton(path.string(), false, &predicted);
   return predicted.joints;
+}
+
+// By the name of the character, or in the sub-folder it has itself, as sinew rig DIR leaves it.
+fs::path prediction_of(const FoundCharacter& found, const std::string& predictions) {
+  const fs::path by_name = fs::path(predictions) / (found.name + ".rig.txt");
+  const fs::path as_below = fs::path(predictions) / found.below / (stem_of(found.path) + ".rig.txt");
+  std::error_code ignored;
+  return !fs::exists(by_name, ignored) && fs::exists(as_below, ignored) ? as_below : by_name;
 }
 
 struct Measured {
@@ -63,7 +72,7 @@ Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluatio
     const PredictedSkeleton prediction =
         model != nullptr
             ? predict_skeleton(character, options)
-            : skeleton_from_joints(read_prediction(fs::path(evaluation.predictions) / (found.name + ".rig.txt")));
+            : skeleton_from_joints(read_prediction(prediction_of(found, evaluation.predictions)));
     const std::vector<Joint>& joints = prediction.joints;
     const TargetSkeleton target = target_skeleton(character);
     const ScoredSkeleton reference = scored_skeleton(target);

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "dataset.hpp"
+#include "folder_files.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
 #include "sinew_datasets/image.hpp"
@@ -199,18 +201,16 @@ void run_folder(const Settings& s) {
   if (!s.png.empty()) throw UsageError("--png is for one mesh, and " + s.mesh + " is a folder");
   if (!s.prediction.empty()) throw UsageError("--prediction is for one mesh, and " + s.mesh + " is a folder");
   check_skeleton_source(s.skeleton);
-  const std::vector<std::string> paths = list_meshes(s.mesh), names = character_names(s.mesh, paths);
-  if (paths.empty()) throw Error(s.mesh + ": no meshes (.obj, .gltf, .glb, .vrm, .fbx, .dae)");
+  const std::vector<FolderFile> files = folder_files(s.mesh, s.output, "." + s.format);
   const Models models = load_models(s);
   size_t failed = 0;
-  Progress progress(paths.size(), "meshes");
-  for (size_t i = 0; i < paths.size(); ++i) {
-    const std::string output = s.output + "/" + names[i] + "." + s.format;
+  Progress progress(files.size(), "meshes");
+  for (const FolderFile& file : files) {
     try {
-      const Rigged rigged = rig_one(s, models, paths[i]);
-      std::filesystem::create_directories(std::filesystem::path(output).parent_path());
-      write_rigged(s, rigged, output);
-      if (s.json) progress.say(stdout, json_line(summary_json(s, rigged, paths[i], output)));
+      const Rigged rigged = rig_one(s, models, file.mesh);
+      make_folder(std::filesystem::path(file.output).parent_path().string());
+      write_rigged(s, rigged, file.output);
+      if (s.json) progress.say(stdout, json_line(summary_json(s, rigged, file.mesh, file.output)));
     } catch (const Error& error) {
       ++failed;
       progress.say(stderr, "sinew: error: " + printable(error.what()));
@@ -218,8 +218,8 @@ void run_folder(const Settings& s) {
     progress.step();
   }
   if (failed > 0)
-    throw Error(std::to_string(failed) + " of " + std::to_string(paths.size()) + " meshes failed, see above");
-  if (!s.json) std::printf("wrote %zu files to %s\n", paths.size(), printable(s.output).c_str());
+    throw Error(std::to_string(failed) + " of " + std::to_string(files.size()) + " meshes failed, see above");
+  if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(s.output).c_str());
 }
 
 void run(Settings s) {

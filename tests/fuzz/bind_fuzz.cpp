@@ -2,47 +2,20 @@
 // Fuzz target: the size query and sinew_bind() on arbitrary meshes, skeletons and options, with the bundled model and
 // without one. Refusals are those that the header documents; rows obey its rules; a second run with another kernel and
 // another content of the workspace gives the same bytes.
-#include <cstdio>
-
 #include "bind_checks.hpp"
 #include "fuzz.hpp"
+#include "mesh_input.hpp"
 
 namespace {
 
 using namespace sinew::test;
 
-const sinew_model* bundled_model() {
-  struct Opened {
-    std::vector<uint64_t> bytes = std::vector<uint64_t>(64 * 1024);  // 8-byte aligned
-    sinew_model model = {};
-    Opened() {
-      std::FILE* file = std::fopen(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew", "rb");
-      demand(file != nullptr, "samples/data/sinew_default.sinew is there");
-      const size_t size = std::fread(bytes.data(), 1, bytes.size() * 8, file);
-      std::fclose(file);
-      demand(sinew_model_open(bytes.data(), size, &model) == SINEW_OK, "samples/data/sinew_default.sinew opens");
-    }
-  };
-  static const Opened opened;
-  return &opened.model;
-}
-
-float any_float(Bytes& in, bool raw) {
-  if (!raw) return static_cast<float>(static_cast<int16_t>(in.u16())) / 256.0f;
-  const uint32_t bits = in.u32();
-  float value;
-  std::memcpy(&value, &bits, 4);
-  return value;
-}
-
 // An input as a call. Every enumeration reaches one beyond its last legal value.
-struct Call {
-  std::vector<float> positions, joint_positions;
-  std::vector<uint32_t> offsets, corners;
+struct Call : MeshInput {
+  std::vector<float> joint_positions;
   std::vector<int32_t> parents;
   std::vector<uint8_t> flags, locked, hints, confidence, given_weights;
   std::vector<uint16_t> given_joints;
-  sinew_mesh mesh = {};
   sinew_skeleton skeleton = {};
   sinew_options options = sinew_options_init();
   uint32_t influences = 4;
@@ -59,23 +32,7 @@ struct Call {
       parents.push_back((shape & 2) != 0 ? static_cast<int8_t>(in.u8()) : static_cast<int32_t>(in.below(j + 1)) - 1);
       flags.push_back(in.u8() % 16 == 0 ? in.u8() : uint8_t{0});
     }
-    for (uint32_t i = 0; i < 3 * vertices; ++i) positions.push_back(any_float(in, (shape & 4) != 0));
-    // Faces: triangles without offsets, polygons, or any offsets at all.
-    offsets.push_back((shape & 32) != 0 ? in.u8() : 0);
-    for (uint32_t f = 0; f < faces; ++f) {
-      const uint32_t length = (shape & 8) != 0 ? 2 + in.below(5) : 3;
-      offsets.push_back((shape & 32) != 0 ? in.u32() % 200 : offsets.back() + length);
-    }
-    const uint32_t corner_count = (shape & 32) != 0 ? in.below(160) : offsets.back();
-    const uint32_t beyond = (shape & 16) != 0 ? 1 : 0;
-    for (uint32_t c = 0; c < corner_count; ++c)
-      corners.push_back(vertices + beyond > 0 ? in.below(vertices + beyond) : 0);
-    mesh.positions = positions.data();
-    mesh.vertex_count = vertices;
-    mesh.face_offsets = (shape & 40) != 0 ? offsets.data() : nullptr;
-    mesh.face_vertices = corners.data();
-    mesh.face_count = faces;
-    mesh.corner_count = corner_count;
+    read(in, shape, vertices, faces);
     skeleton.positions = joint_positions.data();
     skeleton.parents = parents.data();
     skeleton.flags = (shape & 64) != 0 ? flags.data() : nullptr;
@@ -141,7 +98,7 @@ struct Call {
     };
     options.progress_user = this;
     reports = 0;
-    binding.run(bundled_model(), mesh, skeleton, options, wants_confidence ? confidence.data() : nullptr,
+    binding.run(fuzzed_model(), mesh, skeleton, options, wants_confidence ? confidence.data() : nullptr,
                 short_by > need ? 0 : need - short_by, influences, weight_size);
     return binding;
   }
@@ -174,7 +131,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const auto measure = [&](uint32_t threads, size_t* bytes) {
     *bytes = 1;
     call.options.thread_count = threads;
-    return sinew_bind_workspace_size(bundled_model(), call.mesh.vertex_count, call.mesh.face_count,
+    return sinew_bind_workspace_size(fuzzed_model(), call.mesh.vertex_count, call.mesh.face_count,
                                      call.mesh.corner_count, call.skeleton.joint_count, &call.options, bytes);
   };
   size_t need = 0, second_need = 0;

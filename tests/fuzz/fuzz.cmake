@@ -27,6 +27,7 @@ sinew_fuzz(rig 300)
 sinew_fuzz(glb 300)
 sinew_fuzz(model 300 sinew::quant sinew::engine_internals)
 sinew_fuzz(bind 20)
+sinew_fuzz(skeleton 8)
 
 # Writes the binary part of the corpus again; the text files are written by hand.
 add_executable(sinew_fuzz_seeds EXCLUDE_FROM_ALL fuzz/make_seeds.cpp)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the binary seeds of the corpus: models of a few hundred bytes, GLB files, and calls of sinew_bind().
+// Writes the binary seeds of the corpus: models of a few hundred bytes, GLB files, and calls of sinew_bind() and sinew_rig().
 //   sinew_fuzz_seeds tests/fuzz/corpus
 #include <cstdio>
 #include <string>
@@ -136,6 +136,27 @@ void write_binds(const std::string& folder) {
   call("/empty", {'\x00', '\x00', 0, 0, 0}, 5);
 }
 
+// Calls as skeleton_fuzz.cpp reads them: shape, extras, counts, then options and positions; zeros behind the end.
+void write_rigs(const std::string& folder) {
+  Random random(6);
+  const auto call = [&](const char* name, std::string start, size_t length) {
+    while (start.size() < length) start += static_cast<char>(random.below(256));
+    write(folder + name, start);
+  };
+  call("/triangles", {'\x00', '\x00', 30, 40}, 330);
+  call("/polygons", {'\x08', '\x01', 20, 20, 0, 0, 1, 0, 0, 0, 0, 0}, 260);
+  call("/no_faces", {'\x00', '\x00', 40, 0}, 250);
+  call("/flat", {'\x40', '\x00', 20, 30}, 250);
+  call("/one_place", {'\x00', '\x00', 12, 12}, 4);
+  call("/cancelled", {'\x00', '\x80', 16, 30, 3}, 200);
+  call("/short", {'\x00', '\x20', 16, 30, 9, 0}, 200);
+  call("/misaligned", {'\x00', '\x40', 16, 30, 9}, 200);
+  call("/raw_floats", {'\x04', '\x00', 12, 12}, 260);
+  call("/any_offsets", {'\x20', '\x00', 12, 12}, 260);
+  call("/beyond", {'\x10', '\x00', 12, 40}, 260);
+  call("/empty", {'\x00', '\x00', 0, 0}, 4);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -147,5 +168,6 @@ int main(int argc, char** argv) {
   write_models(folder + "/model");
   write_glbs(folder + "/glb");
   write_binds(folder + "/bind");
+  write_rigs(folder + "/skeleton");
   return 0;
 }

@@ -78,11 +78,16 @@ TEST_F(CliRig, ABareMeshGetsASkeletonAndWeights) {
   fs::create_directories(in("meshes/sub"));
   put(in("meshes/sub/a.obj"), slurp(kData + "/bird__winged.obj"));
   good("rig meshes -o out --format rig.txt --no-bind");
-  EXPECT_TRUE(fs::exists(in("out/a.rig.txt")) || fs::exists(in("out/sub/a.rig.txt")));
+  EXPECT_TRUE(fs::exists(in("out/sub/a.rig.txt"))) << "the folders of the input";
+  EXPECT_NE(bad(2, "rig meshes -o meshes/sub").error.find("lies inside meshes"), std::string::npos);
+  fs::copy(in("meshes/sub/a.obj"), in("meshes/sub/a.gltf"));
+  EXPECT_NE(bad(1, "rig meshes -o twice").error.find("would both become twice/sub/a.glb"), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("twice"))) << "said before any is made";
   // The command's own figures, of the model and of what it wrote.
   make_set();
   const std::string table = good("eval set --task rig").out;
   good("rig set -o predicted --format rig.txt --no-bind");
+  EXPECT_TRUE(fs::exists(in("predicted/low/biped__robed.rig.txt")));
   EXPECT_EQ(good("eval set --task rig --predictions predicted").out, table);
 
   bad(1, "rig missing.obj");

@@ -41,7 +41,10 @@ for header in "$work"/prefix_ON/include/sinew/*; do
   c++ -std=c++17 "${strict[@]}" -fsyntax-only "-I$work/prefix_ON/include" -x c++ - <<<"#include <sinew/${header##*/}>"
 done
 
-if cmake -S "$source_dir/engine" -B "$work/engine" -DSINEW_INSTALL_MODEL="$work/none.sinew" >"$work/log" 2>&1; then
-  echo "a model to install that is not there is no error"; exit 1
-fi
-grep -F "$work/none.sinew" "$work/log" >/dev/null || { cat "$work/log"; exit 1; }
+for option in SINEW_INSTALL_MODEL SINEW_INSTALL_RIG_MODEL; do
+  if cmake -S "$source_dir/engine" -B "$work/engine" "-D$option=$work/none.sinew" >"$work/log" 2>&1; then
+    echo "a model to install that is not there is no error"; exit 1
+  fi
+  grep -F "$option=$work/none.sinew" "$work/log" >/dev/null || { cat "$work/log"; exit 1; }
+  quietly cmake -S "$source_dir/engine" -B "$work/engine" "-D$option="
+done

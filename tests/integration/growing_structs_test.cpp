@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew_bind() called by a program compiled with the first release's header, and by one compiled with a header of the
+// sinew_bind() and sinew_rig() called by a program compiled with the first release's header, and by one compiled with a header of the
 // future: what its structs hold beyond this library's decides.
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bundled_model.hpp"
 #include "first_release.h"
 #include "sinew/sinew.hpp"
 
@@ -41,6 +42,31 @@ SINEW_KEEPS(sinew_bind_outputs, joint_indices);
 SINEW_KEEPS(sinew_bind_outputs, weights);
 SINEW_KEEPS(sinew_bind_outputs, confidence);
 SINEW_KEEPS(sinew_bind_outputs, used_bytes);
+SINEW_KEEPS(sinew_rig_options, struct_size);
+SINEW_KEEPS(sinew_rig_options, up_axis);
+SINEW_KEEPS(sinew_rig_options, mirror);
+SINEW_KEEPS(sinew_rig_options, spine_count);
+SINEW_KEEPS(sinew_rig_options, no_toes);
+SINEW_KEEPS(sinew_rig_options, no_ends);
+SINEW_KEEPS(sinew_rig_options, weights_in_place);
+SINEW_KEEPS(sinew_rig_options, kernel);
+SINEW_KEEPS(sinew_rig_options, progress);
+SINEW_KEEPS(sinew_rig_options, progress_user);
+SINEW_KEEPS(sinew_rig_outputs, struct_size);
+SINEW_KEEPS(sinew_rig_outputs, joint_count);
+SINEW_KEEPS(sinew_rig_outputs, positions);
+SINEW_KEEPS(sinew_rig_outputs, parents);
+SINEW_KEEPS(sinew_rig_outputs, flags);
+SINEW_KEEPS(sinew_rig_outputs, joint_classes);
+SINEW_KEEPS(sinew_rig_outputs, partners);
+SINEW_KEEPS(sinew_rig_outputs, confidence);
+SINEW_KEEPS(sinew_rig_outputs, parent_confidence);
+SINEW_KEEPS(sinew_rig_outputs, names);
+SINEW_KEEPS(sinew_rig_outputs, mirrored);
+SINEW_KEEPS(sinew_rig_outputs, quarter_turns);
+SINEW_KEEPS(sinew_rig_outputs, plane);
+SINEW_KEEPS(sinew_rig_outputs, spread);
+SINEW_KEEPS(sinew_rig_outputs, used_bytes);
 
 namespace {
 
@@ -194,6 +220,116 @@ TEST_F(GrowingStructs, ASizeThatWasNeverSetIsRefused) {
   for (const uint32_t size : {0u, uint32_t{sizeof(sinew_bind_outputs_0_1)} - 1, 4097u}) {
     sinew_bind_outputs outputs = outputs_of<sinew_bind_outputs>(size);
     EXPECT_EQ(bind(options, &outputs), SINEW_ERROR_ARGUMENT) << size;
+  }
+}
+
+// The same for skeletons.
+struct FutureRigOptions {
+  sinew_rig_options known;
+  const void* wish;
+};
+struct FutureRigOutputs {
+  sinew_rig_outputs known;
+  void* more;
+};
+
+class GrowingRigStructs : public GrowingStructs {
+ protected:
+  // The size query and the call; the first status that is not SINEW_OK.
+  template <class RigOptions, class Outputs>
+  sinew_status rig(const RigOptions& options, Outputs* outputs) {
+    static const sinew_test::BundledModel model(SINEW_SOURCE_DIR "/samples/data/sinew_rig.sinew", sinew_rig_model_open);
+    EXPECT_TRUE(model.ok) << "samples/data/sinew_rig.sinew is missing or refused";
+    const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
+    const auto* const o = reinterpret_cast<const sinew_rig_options*>(&options);
+    size_t bytes = 0;
+    const sinew_status sized =
+        sinew_rig_workspace_size(&model.model, mesh.vertex_count, mesh.face_count, mesh.corner_count, o, &bytes);
+    sinew::Workspace workspace(sized == SINEW_OK ? bytes : size_t{1} << 20);
+    const sinew_status rigged = sinew_rig(&model.model, &mesh, o, workspace.data(), workspace.size(),
+                                          reinterpret_cast<sinew_rig_outputs*>(outputs));
+    if (sized != SINEW_OK) {
+      EXPECT_EQ(rigged, sized);
+    }
+    return rigged;
+  }
+
+  template <class RigOptions>
+  RigOptions filled_rig(uint32_t size) {
+    RigOptions options = {};
+    options.struct_size = size;
+    options.mirror = SINEW_MIRROR_NEVER;
+    options.spine_count = 2;
+    options.no_ends = 1;
+    options.progress = [](void* count, uint32_t) { return ++*static_cast<int*>(count), 0; };
+    options.progress_user = &calls;
+    return options;
+  }
+  template <class Outputs>
+  Outputs rig_outputs(uint32_t size) {
+    Outputs outputs = {};
+    outputs.struct_size = size;
+    outputs.positions = places.data();
+    outputs.parents = parents.data();
+    outputs.names = names.data();
+    return outputs;
+  }
+
+  std::vector<float> places = std::vector<float>(3 * SINEW_MAX_RIG_JOINTS);
+  std::vector<int32_t> parents = std::vector<int32_t>(SINEW_MAX_RIG_JOINTS);
+  std::array<char[SINEW_JOINT_NAME_BYTES], SINEW_MAX_RIG_JOINTS> names = {};
+};
+
+TEST_F(GrowingRigStructs, ProgramsOfTheFirstReleaseAndOfTheFutureRigAsEver) {
+  sinew_rig_outputs expected = rig_outputs<sinew_rig_outputs>(sizeof(sinew_rig_outputs));
+  ASSERT_EQ(rig(filled_rig<sinew_rig_options>(sizeof(sinew_rig_options)), &expected), SINEW_OK);
+  const std::vector<float> expected_places = std::exchange(places, std::vector<float>(places.size()));
+  EXPECT_GT(std::exchange(calls, 0), 0);
+
+  struct {
+    sinew_rig_outputs_0_1 outputs;
+    uint8_t behind[256];
+  } memory;
+  std::memset(memory.behind, 0x5A, sizeof memory.behind);
+  memory.outputs = rig_outputs<sinew_rig_outputs_0_1>(sizeof(sinew_rig_outputs_0_1));
+  ASSERT_EQ(rig(filled_rig<sinew_rig_options_0_1>(sizeof(sinew_rig_options_0_1)), &memory.outputs), SINEW_OK);
+  EXPECT_EQ(places, expected_places);
+  EXPECT_GT(calls, 0);
+  EXPECT_EQ(memory.outputs.struct_size, sizeof(sinew_rig_outputs_0_1));
+  EXPECT_EQ(memory.outputs.joint_count, expected.joint_count);
+  EXPECT_EQ(memory.outputs.used_bytes, expected.used_bytes);
+  for (const uint8_t byte : memory.behind) ASSERT_EQ(byte, 0x5A) << "a member that this program lacks was written";
+
+  places.assign(places.size(), 0);
+  FutureRigOptions options = {filled_rig<sinew_rig_options>(sizeof(FutureRigOptions)), nullptr};
+  FutureRigOutputs outputs = {rig_outputs<sinew_rig_outputs>(sizeof(FutureRigOutputs)), nullptr};
+  ASSERT_EQ(rig(options, &outputs), SINEW_OK);
+  EXPECT_EQ(places, expected_places);
+  EXPECT_EQ(outputs.known.struct_size, sizeof(FutureRigOutputs));
+  EXPECT_EQ(outputs.known.joint_count, expected.joint_count);
+  EXPECT_EQ(outputs.more, nullptr);
+}
+
+TEST_F(GrowingRigStructs, WhatThisLibraryDoesNotKnowIsRefused) {
+  FutureRigOptions options = {filled_rig<sinew_rig_options>(sizeof(FutureRigOptions)), "something"};
+  FutureRigOutputs outputs = {rig_outputs<sinew_rig_outputs>(sizeof(FutureRigOutputs)), nullptr};
+  EXPECT_EQ(rig(options, &outputs), SINEW_ERROR_VERSION);
+  options.wish = nullptr;
+  outputs.more = &calls;
+  EXPECT_EQ(rig(options, &outputs), SINEW_ERROR_VERSION);
+  EXPECT_EQ(outputs.known.joint_count, 0u);
+  EXPECT_EQ(places, std::vector<float>(places.size())) << "outputs were written";
+}
+
+TEST_F(GrowingRigStructs, ASizeThatWasNeverSetIsRefused) {
+  const sinew_rig_options options = filled_rig<sinew_rig_options>(sizeof(sinew_rig_options));
+  for (const uint32_t size : {0u, uint32_t{sizeof(sinew_rig_options_0_1)} - 1, 4097u}) {
+    sinew_rig_outputs outputs = rig_outputs<sinew_rig_outputs>(sizeof(sinew_rig_outputs));
+    EXPECT_EQ(rig(filled_rig<sinew_rig_options>(size), &outputs), SINEW_ERROR_ARGUMENT) << size;
+  }
+  for (const uint32_t size : {0u, uint32_t{sizeof(sinew_rig_outputs_0_1)} - 1, 4097u}) {
+    sinew_rig_outputs outputs = rig_outputs<sinew_rig_outputs>(size);
+    EXPECT_EQ(rig(options, &outputs), SINEW_ERROR_ARGUMENT) << size;
   }
 }
 

@@ -39,4 +39,35 @@ typedef struct sinew_bind_outputs_0_1 {
   size_t used_bytes;
 } sinew_bind_outputs_0_1;
 
+typedef struct sinew_rig_options_0_1 {
+  uint32_t struct_size;
+  uint32_t up_axis;
+  uint32_t mirror;
+  uint32_t spine_count;
+  uint32_t no_toes;
+  uint32_t no_ends;
+  uint32_t weights_in_place;
+  uint32_t kernel;
+  int (*progress)(void* user, uint32_t done_permille);
+  void* progress_user;
+} sinew_rig_options_0_1;
+
+typedef struct sinew_rig_outputs_0_1 {
+  uint32_t struct_size;
+  uint32_t joint_count;
+  float* positions;
+  int32_t* parents;
+  uint8_t* flags;
+  uint8_t* joint_classes;
+  int32_t* partners;
+  uint16_t* confidence;
+  uint16_t* parent_confidence;
+  char (*names)[32];
+  uint32_t mirrored;
+  uint32_t quarter_turns;
+  float plane;
+  float spread;
+  size_t used_bytes;
+} sinew_rig_outputs_0_1;
+
 #endif

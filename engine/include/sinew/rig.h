@@ -87,8 +87,8 @@ typedef struct sinew_rig_outputs {
   uint8_t* joint_classes;      /* [J] sinew_joint_class; a bone end's is its joint's; null = not wanted */
   int32_t* partners;           /* [J] the joint's mirror image, itself on the plane, -1 where nothing is mirrored; null
                                    * = not wanted */
-  uint16_t* confidence;        /* [J] how sure the joint's place is, 0..32767; null = not wanted */
-  uint16_t* parent_confidence; /* [J] how sure its parent is, 0..32767; null = not wanted */
+  uint16_t* confidence;        /* [J] how sure the joint's place is, 0..32768; null = not wanted */
+  uint16_t* parent_confidence; /* [J] how sure its parent is, 0..32768; null = not wanted */
   char (
       *names)[SINEW_JOINT_NAME_BYTES]; /* [J] Hips, Spine, LeftArm, ... Head_end; every name once; null = not wanted */
   uint32_t mirrored;                   /* written: 1 when the skeleton is its own mirror image */

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Thin typed C++17 wrapper over sinew.h: who has a heap writes one line per bind. Header only; no exceptions of its own
+// Thin typed C++17 wrapper over sinew.h: who has a heap writes one line per skeleton and per bind. Header only; no exceptions of its own
 // and no RTTI. Everything of sinew.h works beside it.
 //
 //   sinew::Workspace workspace;  // kept for the next character
 //   sinew::Skin<uint8_t> skin;
 //   sinew_status status = sinew::bind(&model, mesh, skeleton, {}, &workspace, &skin);
+//
+// Without a skeleton:
+//
+//   sinew::RiggedSkeleton rigged;
+//   sinew_status status = sinew::rig(&rig_model, mesh, {}, &workspace, &rigged);
+//   if (status == SINEW_OK) status = sinew::bind(&model, mesh, rigged.view(), {}, &workspace, &skin);
 #ifndef SINEW_SINEW_HPP
 #define SINEW_SINEW_HPP
 
@@ -18,7 +24,7 @@
 
 namespace sinew {
 
-// Bytes for sinew_bind(), aligned as it wants them; grows, never shrinks, freed at the end of its life.
+// Bytes for sinew_bind() or sinew_rig(), aligned as they want them; grows, never shrinks, freed at the end of its life.
 class Workspace {
  public:
   Workspace() = default;
@@ -136,6 +142,78 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
   const sinew_status bound = run(fresh);
   if (bound == SINEW_OK) *skin = std::move(fresh);
   return bound;
+}
+
+// sinew_rig_options that ask for every default; {} where a function takes settings.
+struct RigSettings : sinew_rig_options {
+  RigSettings() : sinew_rig_options(sinew_rig_options_init()) {}
+  RigSettings(const sinew_rig_options& options) : sinew_rig_options(options) {}
+};
+
+struct JointName {
+  char text[SINEW_JOINT_NAME_BYTES];  // ends with a zero
+};
+
+// A predicted skeleton, see sinew_rig_outputs.
+struct RiggedSkeleton {
+  std::vector<float> positions;                         // [J x 3]
+  std::vector<int32_t> parents, partners;               // [J]
+  std::vector<uint8_t> flags, joint_classes;            // [J]
+  std::vector<uint16_t> confidence, parent_confidence;  // [J]
+  std::vector<JointName> names;                         // [J]
+  bool mirrored = false;
+  uint32_t quarter_turns = 0;
+  float plane = 0, spread = 0;
+
+  uint32_t joint_count() const { return static_cast<uint32_t>(parents.size()); }
+  // For bind(); valid as long as the arrays are.
+  sinew_skeleton view() const {
+    sinew_skeleton skeleton = {};
+    skeleton.positions = positions.data();
+    skeleton.parents = parents.data();
+    skeleton.flags = flags.data();
+    skeleton.joint_count = joint_count();
+    return skeleton;
+  }
+};
+
+// sinew_rig() with the size query, the workspace and the outputs taken care of. Returns what sinew_rig() does;
+// SINEW_ERROR_WORKSPACE where memory is short. *skeleton is untouched on failure.
+inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const RigSettings& settings,
+                        Workspace* workspace, RiggedSkeleton* skeleton) {
+  size_t bytes = 0;
+  const sinew_status status =
+      sinew_rig_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count, &settings, &bytes);
+  if (status != SINEW_OK) return status;
+  if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+  RiggedSkeleton made;
+  const auto resize = [&made](size_t joints) {
+    made.positions.resize(3 * joints);
+    made.parents.resize(joints);
+    made.partners.resize(joints);
+    made.flags.resize(joints);
+    made.joint_classes.resize(joints);
+    made.confidence.resize(joints);
+    made.parent_confidence.resize(joints);
+    made.names.resize(joints);
+  };
+  resize(SINEW_MAX_RIG_JOINTS);
+  sinew_rig_outputs outputs = sinew_rig_outputs_init(made.positions.data(), made.parents.data());
+  outputs.partners = made.partners.data();
+  outputs.flags = made.flags.data();
+  outputs.joint_classes = made.joint_classes.data();
+  outputs.confidence = made.confidence.data();
+  outputs.parent_confidence = made.parent_confidence.data();
+  outputs.names = &made.names.data()->text;
+  const sinew_status rigged = sinew_rig(model, &mesh, &settings, workspace->data(), workspace->size(), &outputs);
+  if (rigged != SINEW_OK) return rigged;
+  resize(outputs.joint_count);
+  made.mirrored = outputs.mirrored != 0;
+  made.quarter_turns = outputs.quarter_turns;
+  made.plane = outputs.plane;
+  made.spread = outputs.spread;
+  *skeleton = std::move(made);
+  return SINEW_OK;
 }
 
 }  // namespace sinew

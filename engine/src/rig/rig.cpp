@@ -2,6 +2,7 @@
 // Mesh to mirror frame to points to votes to joints to the caller's units.
 #include "rig/rig.hpp"
 
+#include <stddef.h>
 #include <string.h>
 
 #include "core/struct_size.hpp"
@@ -16,7 +17,8 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kFirstOptionsSize = sizeof(sinew_rig_options);
+// The struct of the first release, 0.1.
+constexpr uint32_t kFirstOptionsSize = offsetof(sinew_rig_options, progress_user) + sizeof(void*);
 constexpr uint64_t kFirstSeed = 7;
 // Ends of the stages, permille.
 constexpr uint32_t kMeshEnds = 150, kPointsEnd = 400, kVotesEnd = 800;

@@ -1,24 +1,27 @@
 /* SPDX-License-Identifier: MIT
- * The smallest user of an installed sinew: asks for a workspace size, opens the installed model if there is one, and prints the version. */
+ * The smallest user of an installed sinew: asks for a workspace size, opens the installed models if there are, and prints the version. */
 #include <sinew/sinew.h>
 #include <stdio.h>
 
-#ifdef SINEW_DEFAULT_MODEL
+#if defined(SINEW_DEFAULT_MODEL) && defined(SINEW_RIG_MODEL)
 static double model_bytes[1 << 17]; /* aligned as sinew_model_open() wants it */
 
-static int open_model(void) {
+static int open_model(const char* path, sinew_status (*open)(const void*, size_t, sinew_model*)) {
   sinew_model model;
-  FILE* file = fopen(SINEW_DEFAULT_MODEL, "rb");
+  FILE* file = fopen(path, "rb");
   size_t size;
   if (file == NULL) return 0;
   size = fread(model_bytes, 1, sizeof model_bytes, file);
   fclose(file);
-  if (sinew_model_open(model_bytes, size, &model) != SINEW_OK) return 0;
-  printf("opened %s\n", SINEW_DEFAULT_MODEL);
+  if (open(model_bytes, size, &model) != SINEW_OK) return 0;
+  printf("opened %s\n", path);
   return 1;
 }
+static int open_models(void) {
+  return open_model(SINEW_DEFAULT_MODEL, sinew_model_open) && open_model(SINEW_RIG_MODEL, sinew_rig_model_open);
+}
 #else
-static int open_model(void) { return 1; }
+static int open_models(void) { return 1; }
 #endif
 
 int main(void) {
@@ -26,7 +29,7 @@ int main(void) {
   size_t bytes = 0;
   options.method = SINEW_METHOD_HEAT;
   if (sinew_bind_workspace_size(NULL, 8, 12, 36, 2, &options, &bytes) != SINEW_OK || bytes == 0) return 1;
-  if (!open_model()) return 1;
+  if (!open_models()) return 1;
   printf("sinew %s: %lu bytes of workspace\n", sinew_version(), (unsigned long)bytes);
   return 0;
 }

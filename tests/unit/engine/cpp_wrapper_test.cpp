@@ -2,10 +2,12 @@
 // sinew.hpp against sinew.h: the same bytes in every weight format, and outputs that stay as they were on failure.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 
 #include "mesh_scene.hpp"
+#include "rig_scene.hpp"
 #include "sinew/sinew.hpp"
 
 namespace {
@@ -112,6 +114,50 @@ TEST(CppWrapper, AsksAndWantsAPlaceForIt) {
   EXPECT_EQ(asked.questions[0].vertex_count, scene.vertex_count());
   EXPECT_EQ(asked.vertex_questions, std::vector<uint32_t>(scene.vertex_count(), 0));
   EXPECT_EQ(asked.vertex_parts, std::vector<uint32_t>(scene.vertex_count(), 0));
+}
+
+TEST(CppWrapper, RigsAsTheCFunctionDoesAndBindsWhatItGives) {
+  const MeshScene scene = bar();
+  sinew::RigSettings settings;
+  settings.spine_count = 2;
+  const sinew_test::RiggedScene expected(scene, settings);
+  expected.expect_sound();
+  sinew::Workspace workspace;
+  sinew::RiggedSkeleton skeleton;
+  ASSERT_EQ(sinew::rig(bundled_rig_model(), scene.mesh_view(), settings, &workspace, &skeleton), SINEW_OK);
+  ASSERT_EQ(skeleton.joint_count(), expected.count);
+  const auto same = [&](const auto& found, const auto& wanted, size_t each = 1) {
+    return found.size() == each * expected.count && std::equal(found.begin(), found.end(), wanted.begin());
+  };
+  EXPECT_TRUE(same(skeleton.positions, expected.positions, 3));
+  EXPECT_TRUE(same(skeleton.parents, expected.parents));
+  EXPECT_TRUE(same(skeleton.partners, expected.partners));
+  EXPECT_TRUE(same(skeleton.flags, expected.flags));
+  EXPECT_TRUE(same(skeleton.joint_classes, expected.classes));
+  EXPECT_TRUE(same(skeleton.confidence, expected.confidence));
+  EXPECT_TRUE(same(skeleton.parent_confidence, expected.parent_confidence));
+  ASSERT_EQ(skeleton.names.size(), expected.count);
+  for (uint32_t j = 0; j < expected.count; ++j) EXPECT_EQ(skeleton.names[j].text, expected.names[j]);
+  EXPECT_EQ(skeleton.mirrored, expected.outputs.mirrored != 0);
+  EXPECT_EQ(skeleton.quarter_turns, expected.outputs.quarter_turns);
+  EXPECT_EQ(skeleton.plane, expected.outputs.plane);
+  EXPECT_EQ(skeleton.spread, expected.outputs.spread);
+
+  sinew::Skin<uint8_t> skin;
+  EXPECT_EQ(sinew::bind(bundled_model(), scene.mesh_view(), skeleton.view(), {}, &workspace, &skin), SINEW_OK);
+  EXPECT_EQ(skin.influence_count, 4u);
+}
+
+TEST(CppWrapper, LeavesTheSkeletonAloneOnFailure) {
+  const MeshScene scene = bar();
+  sinew::Workspace workspace;
+  sinew::RiggedSkeleton skeleton;
+  skeleton.parents = {-1, 0};
+  EXPECT_EQ(sinew::rig(bundled_model(), scene.mesh_view(), {}, &workspace, &skeleton), SINEW_ERROR_MODEL_TASK);
+  sinew_mesh mesh = scene.mesh_view();
+  mesh.face_vertices = nullptr;
+  EXPECT_EQ(sinew::rig(bundled_rig_model(), mesh, {}, &workspace, &skeleton), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(skeleton.parents, (std::vector<int32_t>{-1, 0}));
 }
 
 TEST(CppWrapper, WorkspaceGrowsAndMoves) {

@@ -404,9 +404,11 @@ void set_on_floor(int resolution, Blueprint* made) {
   for (Primitive& bone : made->body) {
     bone.a = bone.a + up;
     bone.b = bone.b + up;
-    const double thinnest = 1.05 * made->cell / std::min({bone.scale.x, bone.scale.y, bone.scale.z});
+    const double thinnest = 1.05 * made->cell;
     bone.ra = std::max(bone.ra, thinnest);
     bone.rb = std::max(bone.rb, thinnest);
+    const double flattest = thinnest / std::min(bone.ra, bone.rb);
+    for (double* s : {&bone.scale.x, &bone.scale.y, &bone.scale.z}) *s = std::max(*s, flattest);
   }
   made->head_centre = made->head_centre + up;
 }

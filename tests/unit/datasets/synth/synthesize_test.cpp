@@ -5,20 +5,27 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "sinew_datasets/joint_class_of.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 
 namespace sinew {
 namespace {
 
-constexpr BodyPlan kPlans[] = {BodyPlan::kBiped, BodyPlan::kQuadruped, BodyPlan::kBird, BodyPlan::kSnake,
-                               BodyPlan::kManyLegged};
+std::vector<BodyPlan> all_plans() {
+  std::vector<BodyPlan> plans(std::begin(kBodyPlans), std::end(kBodyPlans));
+  plans.insert(plans.end(), std::begin(kCreaturePlans), std::end(kCreaturePlans));
+  return plans;
+}
 
 Character make(BodyPlan plan, uint64_t seed, int resolution, bool clothing) {
   SynthesizeOptions options;
@@ -201,13 +208,67 @@ TEST(Synthesize, BodiesAreMirrored) {
   EXPECT_NEAR(mass["forearm.L"], mass["forearm.R"], 0.02 * mass["forearm.L"]);
 }
 
+class EveryCreature : public ::testing::TestWithParam<BodyPlan> {};
+
+// What a skeleton is learned from: a name that says nothing teaches nothing, and a joint outside of its body the wrong
+// thing.
+TEST_P(EveryCreature, JointsHaveClassesAndStandInTheBody) {
+  for (uint64_t seed = 1; seed <= 40; ++seed) {
+    const Character c = make(GetParam(), seed, 24, true);
+    SCOPED_TRACE(c.name);
+    Vec3 low = c.vertices[0], high = low;
+    for (const Vec3& p : c.vertices) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    for (const Joint& j : c.joints) {
+      const std::optional<JointClass> joint_class = joint_class_of(j.name, {});
+      ASSERT_TRUE(joint_class.has_value()) << j.name;
+      EXPECT_NE(*joint_class, kClassOther) << j.name;
+      if (j.name.ends_with("_end")) continue;  // a box stops short of it
+      const Vec3 p = j.position;
+      EXPECT_TRUE(p.x > low.x && p.y > low.y && p.z > low.z && p.x < high.x && p.y < high.y && p.z < high.z) << j.name;
+    }
+    EXPECT_NEAR(low.y, 0.0f, 0.2f * (high.y - low.y)) << "not on the floor";
+    // The left side has a joint for each of the right one's, at the mirrored place.
+    std::map<std::string, Vec3> by_name;
+    for (const Joint& j : c.joints) by_name[j.name] = j.position;
+    for (const auto& [name, p] : by_name) {
+      const size_t side = name.find(".L");
+      if (side == std::string::npos) continue;
+      std::string other = name;
+      other[side + 1] = 'R';
+      ASSERT_TRUE(by_name.count(other)) << other;
+      EXPECT_TRUE(by_name[other].x == -p.x && by_name[other].y == p.y && by_name[other].z == p.z) << name;
+    }
+  }
+}
+
+// Smooth skins and rigid parts both occur, and no two creatures are alike.
+TEST_P(EveryCreature, SeedsVary) {
+  int rigid = 0;
+  std::set<size_t> joint_counts;
+  for (uint64_t seed = 1; seed <= 30; ++seed) {
+    const Character c = make(GetParam(), seed, 24, true);
+    bool all_rigid = true;
+    for (const auto& row : c.influences) all_rigid = all_rigid && row.size() == 1;
+    rigid += all_rigid ? 1 : 0;
+    joint_counts.insert(c.joints.size());
+  }
+  EXPECT_GE(rigid, 8);
+  EXPECT_LE(rigid, 28);
+  EXPECT_GE(joint_counts.size(), 6u);
+}
+
 // Changes only with the generator itself; then samples/data must be made again (samples/data/README.md).
 TEST(Synthesize, SeedsGiveTheSameCharacterEverywhere) {
-  const std::map<BodyPlan, uint64_t> expected = {{BodyPlan::kBiped, 16625200270326584562ull},
-                                                 {BodyPlan::kQuadruped, 9308260561266664488ull},
-                                                 {BodyPlan::kBird, 13318439284565765302ull},
-                                                 {BodyPlan::kSnake, 3953238997546069265ull},
-                                                 {BodyPlan::kManyLegged, 15566189736412902489ull}};
+  const std::map<BodyPlan, uint64_t> expected = {
+      {BodyPlan::kBiped, 16625200270326584562ull},      {BodyPlan::kQuadruped, 9308260561266664488ull},
+      {BodyPlan::kBird, 13318439284565765302ull},       {BodyPlan::kSnake, 3953238997546069265ull},
+      {BodyPlan::kManyLegged, 15566189736412902489ull}, {BodyPlan::kDinosaur, 10832071083453145956ull},
+      {BodyPlan::kFish, 9379203459780510572ull},        {BodyPlan::kBlob, 2869581529898377471ull},
+      {BodyPlan::kBeast, 16170340158516760342ull},      {BodyPlan::kToy, 2287640016949408392ull},
+      {BodyPlan::kFowl, 7651270643923474057ull},        {BodyPlan::kCrawler, 5956116377669104564ull}};
   for (const auto& [plan, hash] : expected) {
     EXPECT_EQ(hash_of(make(plan, 5, 24, true)), hash) << body_plan_name(plan);
     EXPECT_NE(hash_of(make(plan, 6, 24, true)), hash) << body_plan_name(plan);
@@ -266,11 +327,14 @@ TEST(Synthesize, RefusesResolutionsOutOfRange) {
   EXPECT_THROW(make(BodyPlan::kBiped, 1, 257, true), Error);
 }
 
-INSTANTIATE_TEST_SUITE_P(Plans, EveryPlan, ::testing::ValuesIn(kPlans), [](const auto& plan) {
+std::string test_name(const ::testing::TestParamInfo<BodyPlan>& plan) {
   std::string name = body_plan_name(plan.param);
   std::erase(name, '-');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Plans, EveryPlan, ::testing::ValuesIn(all_plans()), test_name);
+INSTANTIATE_TEST_SUITE_P(Plans, EveryCreature, ::testing::ValuesIn(kCreaturePlans), test_name);
 
 }  // namespace
 }  // namespace sinew

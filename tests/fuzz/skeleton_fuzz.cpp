@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Fuzz target: the size query and sinew_rig() on arbitrary meshes and options with the bundled model, and sinew_bind()
+// on what comes out. Refusals are those that the header documents; a skeleton obeys its rules, whatever the mesh.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bind_checks.hpp"
+#include "fuzz.hpp"
+#include "mesh_input.hpp"
+
+namespace {
+
+using namespace sinew::test;
+
+const sinew_model* rig_model() {
+  static const sinew_test::BundledModel opened(SINEW_SOURCE_DIR "/samples/data/sinew_rig.sinew", sinew_rig_model_open);
+  demand(opened.ok, "samples/data/sinew_rig.sinew is there and opens");
+  return &opened.model;
+}
+
+struct Skeleton {
+  sinew_status status = SINEW_OK;
+  std::vector<float> positions = std::vector<float>(3 * SINEW_MAX_RIG_JOINTS, 77);
+  std::vector<int32_t> parents = std::vector<int32_t>(SINEW_MAX_RIG_JOINTS, 77), partners = parents;
+  std::vector<uint8_t> flags = std::vector<uint8_t>(SINEW_MAX_RIG_JOINTS, 77), classes = flags;
+  std::vector<uint16_t> confidence = std::vector<uint16_t>(SINEW_MAX_RIG_JOINTS, 77), parent_confidence = confidence;
+  std::vector<char> names = std::vector<char>(size_t{SINEW_MAX_RIG_JOINTS} * SINEW_JOINT_NAME_BYTES, 'x');
+  sinew_rig_outputs outputs = {};
+
+  bool operator==(const Skeleton& o) const {
+    return status == o.status && positions == o.positions && parents == o.parents && partners == o.partners &&
+           flags == o.flags && classes == o.classes && confidence == o.confidence &&
+           parent_confidence == o.parent_confidence && names == o.names;
+  }
+};
+
+// An input as a call. Every enumeration reaches one beyond its last legal value.
+struct Call : MeshInput {
+  sinew_rig_options options = sinew_rig_options_init();
+  bool all_outputs = true;
+  size_t short_by = 0, misaligned = 0;
+  uint32_t cancel_at = 0, reports = 0;
+
+  explicit Call(Bytes in) {
+    const uint8_t shape = in.u8(), extras = in.u8();
+    const uint32_t vertices = in.below(61), faces = in.below(81);
+    if ((extras & 1) != 0) {
+      options.struct_size -= in.below(16) == 15 ? 4 : 0;
+      options.up_axis = in.below(8) == 7 ? 2 : in.below(2);
+      options.mirror = in.below(4);
+      options.spine_count = in.below(18);
+      options.no_toes = in.below(8) == 7 ? 2 : in.below(2);
+      options.no_ends = in.below(8) == 7 ? 2 : in.below(2);
+      options.weights_in_place = in.below(8) == 7 ? 2 : in.below(2);
+    }
+    all_outputs = (extras & 16) == 0;
+    if ((extras & 32) != 0) short_by = 1 + in.u16();
+    if ((extras & 64) != 0) misaligned = in.below(64);
+    if ((extras & 128) != 0) cancel_at = 1 + in.below(32);
+    options.progress = [](void* user, uint32_t permille) {
+      Call& call = *static_cast<Call*>(user);
+      demand(permille <= 1000, "progress is 0 to 1000");
+      return ++call.reports == call.cancel_at ? 1 : 0;
+    };
+    read(in, shape, vertices, faces);
+    if ((shape & 64) != 0)  // flat
+      for (uint32_t v = 0; v < vertices; ++v) positions[3 * v + shape % 3] = 0;
+    if ((shape & 128) != 0)  // a twin on the other side of x = 0 for every other vertex
+      for (uint32_t v = 0; v + 1 < vertices; v += 2) {
+        std::copy_n(&positions[3 * v], 3, &positions[3 * (v + 1)]);
+        positions[3 * (v + 1)] = -positions[3 * v];
+      }
+  }
+
+  Skeleton run(size_t need, uint32_t kernel, uint8_t fill) {
+    Skeleton s;
+    options.kernel = kernel;
+    options.progress_user = this;
+    reports = 0;
+    const size_t bytes = short_by > need ? 0 : need - short_by;
+    Workspace workspace(bytes, misaligned, fill);
+    s.outputs = sinew_rig_outputs_init(s.positions.data(), s.parents.data());
+    s.outputs.flags = s.flags.data();
+    if (all_outputs) {
+      s.outputs.joint_classes = s.classes.data();
+      s.outputs.partners = s.partners.data();
+      s.outputs.confidence = s.confidence.data();
+      s.outputs.parent_confidence = s.parent_confidence.data();
+      s.outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(s.names.data());
+    }
+    const Skeleton before = s;
+    s.status = sinew_rig(rig_model(), &mesh, &options, workspace.data(), bytes, &s.outputs);
+    demand(workspace.guards_hold(), "the workspace is not written beyond its size");
+    if (s.status == SINEW_OK) {
+      demand(s.outputs.used_bytes <= bytes, "not more of the workspace is used than there is");
+    } else {
+      demand(s.outputs.joint_count == 0 && s.outputs.used_bytes == 0, "counts are untouched on failure");
+      Skeleton after = s;
+      after.status = SINEW_OK;
+      demand(after == before, "outputs are untouched on failure");
+    }
+    return s;
+  }
+};
+
+void check_status(const Call& call, sinew_status status) {
+  switch (status) {
+    case SINEW_ERROR_WORKSPACE:
+      demand(call.short_by != 0 || call.misaligned % 64 != 0, "the promised workspace is enough");
+      break;
+    case SINEW_ERROR_CANCELLED:
+      demand(call.cancel_at != 0 && call.reports == call.cancel_at, "cancelled only when the callback says so");
+      break;
+    case SINEW_ERROR_NOT_FINITE:
+      demand(std::any_of(call.positions.begin(), call.positions.end(), [](float x) { return !std::isfinite(x); }),
+             "NOT_FINITE is about a position");
+      break;
+    default:
+      demand(status == SINEW_ERROR_INDEX || status == SINEW_ERROR_COUNT,
+             std::string("a documented status: ") + sinew_status_text(status));
+  }
+}
+
+void check_skeleton(const Call& call, const Skeleton& s) {
+  const uint32_t count = s.outputs.joint_count;
+  demand(count >= 1 && count <= SINEW_MAX_RIG_JOINTS, "at least one joint, and no more than there is room for");
+  demand(s.parents[0] == -1 && s.flags[0] == 0, "the root comes first and may get weight");
+  demand(std::isfinite(s.outputs.plane) && std::isfinite(s.outputs.spread) && s.outputs.quarter_turns <= 3 &&
+             s.outputs.mirrored <= 1,
+         "what is said of the whole is in its range");
+  if (call.options.mirror == SINEW_MIRROR_NEVER) demand(s.outputs.mirrored == 0, "not mirrored where that is unwanted");
+  std::set<std::string> names;
+  for (uint32_t j = 0; j < count; ++j) {
+    const int32_t parent = s.parents[j];
+    demand(j == 0 || (parent >= 0 && parent < static_cast<int32_t>(j)), "parents come before their children");
+    for (uint32_t axis = 0; axis < 3; ++axis) demand(std::isfinite(s.positions[3 * j + axis]), "places are finite");
+    demand(s.flags[j] == 0 || (s.flags[j] == SINEW_JOINT_NEVER && call.options.no_ends == 0),
+           "a joint, or a bone end where those are wanted");
+    if (!call.all_outputs) continue;
+    demand(s.classes[j] <= SINEW_CLASS_OTHER, "a class that is known");
+    demand(s.classes[j] != SINEW_CLASS_TOE || call.options.no_toes == 0, "no toes where those are unwanted");
+    demand(s.confidence[j] <= 32768 && s.parent_confidence[j] <= 32768, "confidences are shares");
+    const char* const name = &s.names[size_t{j} * SINEW_JOINT_NAME_BYTES];
+    demand(std::memchr(name, 0, SINEW_JOINT_NAME_BYTES) != nullptr && name[0] != 0, "a name that ends");
+    demand(names.insert(name).second, std::string("a name once: ") + name);
+    const int32_t partner = s.partners[j];
+    demand((partner >= 0) == (s.outputs.mirrored != 0), "partners where there is a mirror");
+    if (partner < 0) continue;
+    demand(partner < static_cast<int32_t>(count), "a partner that exists");
+    const size_t p = static_cast<size_t>(partner);
+    demand(s.partners[p] == static_cast<int32_t>(j), "a partner's partner is oneself");
+    demand(s.classes[p] == s.classes[j] && s.flags[p] == s.flags[j], "partners are alike");
+  }
+}
+
+// What comes out is a skeleton for sinew_bind().
+void check_bind(const Call& call, const Skeleton& s) {
+  const sinew_skeleton skeleton = {s.positions.data(), s.parents.data(), s.flags.data(), s.outputs.joint_count};
+  sinew_options options = sinew_options_init();
+  options.grid_size = 16;
+  options.up_axis = call.options.up_axis;
+  size_t need = 0;
+  demand(sinew_bind_workspace_size(fuzzed_model(), call.mesh.vertex_count, call.mesh.face_count, call.mesh.corner_count,
+                                   skeleton.joint_count, &options, &need) == SINEW_OK,
+         "the skeleton has a size for a bind");
+  Binding binding;
+  binding.run(fuzzed_model(), call.mesh, skeleton, options, nullptr, need, 4, 2);
+  demand(binding.status == SINEW_OK, std::string("the skeleton binds: ") + sinew_status_text(binding.status));
+  check_rows(binding, call.mesh, skeleton, options);
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  Call call{Bytes(data, size)};
+  size_t need = 1;
+  const sinew_status sized = sinew_rig_workspace_size(rig_model(), call.mesh.vertex_count, call.mesh.face_count,
+                                                      call.mesh.corner_count, &call.options, &need);
+  if (sized != SINEW_OK) {
+    demand(need == 0, "the size is 0 on failure");
+    demand(sized == SINEW_ERROR_ARGUMENT || sized == SINEW_ERROR_COUNT, "a documented status of the size query");
+    demand(call.run(size_t{1} << 16, SINEW_KERNEL_AUTO, 0xA5).status != SINEW_OK, "what has no size gets no skeleton");
+    return 0;
+  }
+  const Skeleton first = call.run(need, SINEW_KERNEL_AUTO, 0xA5);
+  if (first.status != SINEW_OK) {
+    check_status(call, first.status);
+    return 0;
+  }
+  check_skeleton(call, first);
+  // The reference kernels take many times as long: one input of sixteen is run again with them.
+  if (size % 16 == 7) demand(call.run(need, SINEW_KERNEL_REF, 0x3C) == first, "a second run gives the same");
+  check_bind(call, first);
+  return 0;
+}
