@@ -7,8 +7,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "progress.hpp"
+#include "rig_slots.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
@@ -36,15 +38,26 @@ struct Measured {
   std::vector<std::string> gaps;
 };
 
-Measured measure_one(const FoundCharacter& found, const std::string& predictions, const sinew_model* model) {
+// What predicts; one of them.
+struct Predictor {
+  std::unique_ptr<LoadedModel> model;
+  std::optional<FloatNetwork> slots;
+  std::string folder;  // of predictions
+
+  std::vector<Joint> joints(const Character& character, const std::string& name) const {
+    if (slots) return predict_slots(character, *slots, {}).joints;
+    if (!model) return read_prediction(fs::path(folder) / (name + ".rig.txt"));
+    SkeletonOptions options;
+    options.model = &model->model;
+    return predict_skeleton(character, options).joints;
+  }
+};
+
+Measured measure_one(const FoundCharacter& found, const Predictor& predictor) {
   Measured measured;
   try {
     const Character character = read_found(found);
-    SkeletonOptions options;
-    options.model = model;
-    const std::vector<Joint> joints = model != nullptr
-                                          ? predict_skeleton(character, options).joints
-                                          : read_prediction(fs::path(predictions) / (found.name + ".rig.txt"));
+    const std::vector<Joint> joints = predictor.joints(character, found.name);
     const TargetSkeleton target = target_skeleton(character);
     const ScoredSkeleton reference = scored_skeleton(target);
     const ScoredSkeleton skeleton = scored_skeleton(joints, target.side);
@@ -63,14 +76,18 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   std::error_code ignored;
   if (!evaluation.predictions.empty() && !fs::is_directory(evaluation.predictions, ignored))
     throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found no such folder");
-  std::unique_ptr<LoadedModel> model;
-  if (evaluation.predictions.empty()) model = load_model(evaluation.model, ModelUse::kRig);
+  Predictor predictor;
+  predictor.folder = evaluation.predictions;
+  if (evaluation.slots)
+    predictor.slots = load_slots(evaluation.model);
+  else if (evaluation.predictions.empty())
+    predictor.model = load_model(evaluation.model, ModelUse::kRig);
   const std::vector<FoundCharacter> found = characters_in(evaluation.folder);
   std::vector<Measured> measured(found.size());
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), evaluation.jobs, [&](size_t i, unsigned) {
-      measured[i] = measure_one(found[i], evaluation.predictions, model ? &model->model : nullptr);
+      measured[i] = measure_one(found[i], predictor);
       progress.step();
     });
   }

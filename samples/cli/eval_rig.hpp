@@ -11,6 +11,7 @@ struct RigEvaluation {
   std::string folder;       // rigged characters
   std::string predictions;  // NAME.rig.txt of each of them, of which only joints are read; empty: the model predicts
   std::string model;        // of skeletons; empty: the bundled one
+  bool slots = false;       // the model is a checkpoint of the published method
   std::string json;         // file for all figures, "-" = standard output instead of the table; may be empty
   unsigned jobs = 1;
 };

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
+#include "rig_slots.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -28,6 +29,7 @@ using Json = nlohmann::ordered_json;
 
 struct Settings {
   std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton;
+  MethodOptions method;
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
   bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
@@ -39,11 +41,15 @@ constexpr float kDoubtfulSpread = 0.08f;
 
 struct Models {
   std::unique_ptr<LoadedModel> rig, bind;
+  FloatNetwork slots;  // in place of rig, with --method slots
 };
 
 Models load_models(const Settings& s) {
   Models models;
-  if (s.prediction.empty()) models.rig = load_model(s.model, ModelUse::kRig);
+  if (s.method.slots())
+    models.slots = load_slots(s.model);
+  else if (s.prediction.empty())
+    models.rig = load_model(s.model, ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   return models;
 }
@@ -62,6 +68,15 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
     read_skeleton(s.prediction, false, &file);
     rigged->skeleton = skeleton_from_joints(file.joints);
     return label_skeleton(rigged->skeleton.joints);
+  }
+  if (s.method.slots()) {
+    SlotSkeletonOptions options;
+    options.category = slot_category(s.method.category);
+    options.up_axis = s.up == "z" ? 1 : 0;
+    options.toes = !s.no_toes;
+    options.ends = !s.no_ends;
+    rigged->skeleton = predict_slots(rigged->character, models.slots, options);
+    return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
   }
   SkeletonOptions options;
   options.model = &models.rig->model;
@@ -247,6 +262,7 @@ void add_rig(CLI::App& app) {
       ->capture_default_str();
   sub->add_option("--model", s->model, "Model of skeletons, or bundled = the one in the program [bundled]")
       ->type_name("FILE");
+  add_method_options(sub, &s->method);
   sub->add_option("--bind-model", s->bind_model, "Model of weights, or bundled [bundled]")->type_name("FILE");
   sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
   sub->add_option("--influences", s->influences, "Most joints per vertex")
@@ -290,7 +306,8 @@ void add_rig(CLI::App& app) {
       "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one), before "
       "the "
       "mesh is bound.");
-  sub->callback([s, edits] {
+  sub->callback([s, edits, sub] {
+    check_method(*sub, s->method, s->model);
     s->edits = edits->in_order();
     run(*s);
   });
