@@ -498,21 +498,25 @@ void run_rig(const Settings& s, const CLI::App& sub) {
   for (const CLI::Option* option : sub.get_options()) {
     const std::string name = option->get_name();
     if (option->count() > 0 && name != "dir" && name != "--task" && name != "--predictions" && name != "--model" &&
-        name != "--json" && name != "--jobs" && name != "--report" && name != "--bind")
-      throw UsageError(
-          name +
-          " does not go with --task rig, which takes --predictions, --model, --bind, --report, --json and --jobs");
+        name != "--json" && name != "--jobs" && name != "--report" && name != "--bind" && name != "--method")
+      throw UsageError(name +
+                       " does not go with --task rig, which takes --method, --predictions, --model, --bind, --report, "
+                       "--json and --jobs");
   }
+  if (s.method == "heat" || s.method == "nearest")
+    throw UsageError("--method " + s.method + " binds; with --task rig it is votes, shape or slots");
+  if (!s.method.empty() && !s.predictions.empty()) throw UsageError("--predictions and --method: give one of the two");
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.predictions.empty() && !s.model.empty()) throw UsageError("--predictions and --model: give one of the two");
-  RigEvaluation evaluation{s.folder, s.predictions, s.model, s.json, s.bind, s.report, {}, s.jobs};
+  RigEvaluation evaluation{s.folder, s.predictions, s.model, s.method, s.json, s.bind, s.report, {}, s.jobs};
   if (!s.report.empty()) {
     check_output(s.report, {".html", ".htm"});
     std::string command = "sinew eval " + s.folder + " --task rig";
+    if (!s.method.empty()) command += " --method " + s.method;
     if (!s.model.empty()) command += " --model " + s.model;
     if (!s.predictions.empty()) command += " --predictions " + s.predictions;
     evaluation.facts = {{"command", command + " --report " + s.report}, {"sinew", sinew_version()}};
-    if (s.predictions.empty()) {
+    if (s.predictions.empty() && (s.method.empty() || s.method == "votes")) {
       const std::unique_ptr<LoadedModel> model = load_model(s.model, ModelUse::kRig);
       evaluation.facts.emplace_back("model", model_label(s.model) + print(", checksum %08x", model->model.checksum));
     }
@@ -524,6 +528,10 @@ void run_rig(const Settings& s, const CLI::App& sub) {
 
 void run(const Settings& s) {
   if (s.bind) throw UsageError("--bind goes with --task rig only");
+  if (s.method == "votes" || s.method == "slots" || s.method == "shape")
+    throw UsageError("--method " + s.method + " predicts skeletons: it goes with --task rig");
+  if (!s.method.empty() && !(s.model.empty() && s.checkpoint.empty()))
+    throw UsageError("--method " + s.method + " needs neither --model nor --checkpoint");
   if (!s.report.empty()) check_output(s.report, {".html", ".htm"});
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.joints.empty() && (s.known || !s.checkpoint.empty() || s.method == "nearest"))
@@ -562,13 +570,14 @@ void add_eval(CLI::App& app) {
       ->capture_default_str();
   auto* model = sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")
                     ->type_name("FILE");
-  auto* checkpoint = sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
-                         ->type_name("FILE")
-                         ->excludes(model);
-  sub->add_option("--method", s->method, "heat: no model; nearest: every vertex rigid to the nearest bone")
-      ->check(CLI::IsMember({"heat", "nearest"}))
-      ->excludes(model)
-      ->excludes(checkpoint);
+  sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
+      ->type_name("FILE")
+      ->excludes(model);
+  sub->add_option(
+         "--method", s->method,
+         "heat: no model; nearest: every vertex rigid to the nearest bone; with --task rig votes, or slots = the "
+         "published method, of --model CKPT")
+      ->check(CLI::IsMember({"heat", "nearest", "votes", "shape", "slots"}));
   sub->add_option("--predictions", s->predictions,
                   "Folder for NAME.rig.txt of every character and status.json; with --task rig the folder to read the "
                   "predicted NAME.rig.txt from")

@@ -7,9 +7,11 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
+#include "rig_slots.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
@@ -62,17 +64,29 @@ double measure_owned(const Character& character, const TargetSkeleton& target, c
   return owned_surface(measured, character, target);
 }
 
-Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluation, const sinew_model* model,
+// What predicts; one of them.
+struct Predictor {
+  uint32_t method = SINEW_RIG_VOTES;
+  std::unique_ptr<LoadedModel> model;
+  std::optional<FloatNetwork> slots;
+  std::string folder;  // of predictions
+
+  PredictedSkeleton skeleton(const Character& character, const FoundCharacter& found) const {
+    if (slots) return predict_slots(character, *slots, {});
+    if (!folder.empty()) return skeleton_from_joints(read_prediction(prediction_of(found, folder)));
+    SkeletonOptions options;
+    options.method = method;
+    if (model) options.model = &model->model;
+    return predict_skeleton(character, options);
+  }
+};
+
+Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluation, const Predictor& predictor,
                      const sinew_model* weights) {
   Measured measured;
   try {
     const Character character = read_found(found);
-    SkeletonOptions options;
-    options.model = model;
-    const PredictedSkeleton prediction =
-        model != nullptr
-            ? predict_skeleton(character, options)
-            : skeleton_from_joints(read_prediction(prediction_of(found, evaluation.predictions)));
+    const PredictedSkeleton prediction = predictor.skeleton(character, found);
     const std::vector<Joint>& joints = prediction.joints;
     const TargetSkeleton target = target_skeleton(character);
     const ScoredSkeleton reference = scored_skeleton(target);
@@ -81,8 +95,9 @@ Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluatio
     measured.humanoid = is_humanoid(reference);
     if (measured.humanoid) measured.gaps = humanoid_gaps(skeleton);
     if (weights != nullptr) {
-      const LabelledSkeleton labels =
-          model != nullptr ? LabelledSkeleton{joints, prediction.classes, prediction.ends} : label_skeleton(joints);
+      const LabelledSkeleton labels = predictor.folder.empty()
+                                          ? LabelledSkeleton{joints, prediction.classes, prediction.ends}
+                                          : label_skeleton(joints);
       measured.owned = measure_owned(character, target, prediction, labels, weights);
     }
     if (!evaluation.report.empty()) {
@@ -101,8 +116,14 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   std::error_code ignored;
   if (!evaluation.predictions.empty() && !fs::is_directory(evaluation.predictions, ignored))
     throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found no such folder");
-  std::unique_ptr<LoadedModel> model;
-  if (evaluation.predictions.empty()) model = load_model(evaluation.model, ModelUse::kRig);
+  Predictor predictor;
+  predictor.folder = evaluation.predictions;
+  if (evaluation.method == "slots")
+    predictor.slots = load_slots(evaluation.model);
+  else if (evaluation.method == "shape")
+    predictor.method = SINEW_RIG_SHAPE;
+  else if (evaluation.predictions.empty())
+    predictor.model = load_model(evaluation.model, ModelUse::kRig);
   std::unique_ptr<LoadedModel> weights;
   if (evaluation.bind) weights = load_model("");
   const std::vector<FoundCharacter> found = characters_in(evaluation.folder);
@@ -110,8 +131,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
   {
     Progress progress(found.size(), "characters");
     parallel_for(found.size(), evaluation.jobs, [&](size_t i, unsigned) {
-      measured[i] =
-          measure_one(found[i], evaluation, model ? &model->model : nullptr, weights ? &weights->model : nullptr);
+      measured[i] = measure_one(found[i], evaluation, predictor, weights ? &weights->model : nullptr);
       progress.step();
     });
   }

@@ -116,6 +116,10 @@ void release(const Settings& s, const FloatNetwork& network) {
 
 // A network of skeletons: no confidences, and votes instead of weights to compare.
 void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
+  if (checkpoint.network.architecture == "slots")
+    throw Error(s.checkpoint +
+                ": a network of slots stays in float; use it as it is: sinew rig MESH --method slots --model " +
+                s.checkpoint);
   if (!s.confidence.empty() || s.correction > 0)
     throw UsageError(s.checkpoint + " predicts skeletons: --confidence and --correction are for skin weights");
   const QuantizedModel model =

@@ -14,6 +14,7 @@
 #include "folder_files.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
+#include "rig_slots.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -29,7 +30,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton, method = "auto";
+  std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton;
+  MethodOptions method;
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
   bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
@@ -42,11 +44,15 @@ constexpr float kDoubtfulSpread = 0.08f, kUnknownSpread = 0.09f;
 
 struct Models {
   std::unique_ptr<LoadedModel> rig, bind;
+  FloatNetwork slots;  // in place of rig, with --method slots
 };
 
 Models load_models(const Settings& s) {
   Models models;
-  if (s.prediction.empty() && s.method != "shape") models.rig = load_model(s.model, ModelUse::kRig);
+  if (s.method.slots())
+    models.slots = load_slots(s.model);
+  else if (s.prediction.empty() && s.method.method != "shape")
+    models.rig = load_model(s.model, ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   return models;
 }
@@ -66,8 +72,17 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
     rigged->skeleton = skeleton_from_joints(file.joints);
     return label_skeleton(rigged->skeleton.joints);
   }
+  if (s.method.slots()) {
+    SlotSkeletonOptions options;
+    options.category = slot_category(s.method.category);
+    options.up_axis = s.up == "z" ? 1 : 0;
+    options.toes = !s.no_toes;
+    options.ends = !s.no_ends;
+    rigged->skeleton = predict_slots(rigged->character, models.slots, options);
+    return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+  }
   SkeletonOptions options;
-  if (s.method == "shape") {
+  if (s.method.method == "shape") {
     options.method = SINEW_RIG_SHAPE;
   } else {
     options.model = &models.rig->model;
@@ -79,7 +94,7 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
   options.ends = !s.no_ends;
   rigged->skeleton = predict_skeleton(rigged->character, options);
   const float spread = rigged->skeleton.spread;
-  if (s.method == "auto" && spread > kUnknownSpread) {
+  if (s.method.method == "auto" && spread > kUnknownSpread) {
     options.method = SINEW_RIG_SHAPE;
     rigged->skeleton = predict_skeleton(rigged->character, options);
     rigged->skeleton.spread = spread;
@@ -262,12 +277,8 @@ void add_rig(CLI::App& app) {
       ->capture_default_str();
   sub->add_option("--model", s->model, "Model of skeletons, or bundled = the one in the program [bundled]")
       ->type_name("FILE");
+  add_method_options(sub, &s->method);
   sub->add_option("--bind-model", s->bind_model, "Model of weights, or bundled [bundled]")->type_name("FILE");
-  sub->add_option("--method", s->method,
-                  "votes: what the model has learnt; shape: joints along the middle line of the mesh, without a model; "
-                  "auto: votes, or shape where the votes know nothing")
-      ->check(CLI::IsMember({"auto", "votes", "shape"}))
-      ->capture_default_str();
   sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
   sub->add_option("--influences", s->influences, "Most joints per vertex")
       ->check(CLI::Range(1, 12))
@@ -310,7 +321,8 @@ void add_rig(CLI::App& app) {
       "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one), before "
       "the "
       "mesh is bound.");
-  sub->callback([s, edits] {
+  sub->callback([s, edits, sub] {
+    check_method(*sub, s->method, s->model);
     s->edits = edits->in_order();
     run(*s);
   });

@@ -25,7 +25,7 @@ namespace {
 struct Settings {
   TrainOptions options;
   std::string config, task = "bind";
-  std::string shard;
+  std::string shard, release;
   uint64_t steps = 0;
   bool print_config = false, cache_only = false, threads_given = false;
 };
@@ -51,18 +51,28 @@ void fill_cache(const Settings& s, const TrainConfig& config, const TrainOptions
 }
 
 void say_next(const TrainOptions& options) {
-  const TrainingState state = read_checkpoint(options.output).state;
+  const Checkpoint checkpoint = read_checkpoint(options.output);
+  const TrainingState& state = checkpoint.state;
   std::string line = print("wrote %s: %llu steps in %.0f s", options.output.c_str(),
                            static_cast<unsigned long long>(state.step), state.seconds);
   if (state.best_score < 1e9) line += print(", best score %.4f on val", state.best_score);
   std::printf("%s; log %s.csv\n", line.c_str(), options.output.c_str());
+  if (checkpoint.network.architecture == "slots") {
+    std::printf("next: sinew rig MESH.obj --method slots --model %s\n", options.output.c_str());
+    return;
+  }
   const std::string model = std::filesystem::path(options.output).replace_extension(".sinew").string();
   std::printf("next: sinew quantize %s --calibrate %s -o %s\n", options.output.c_str(), options.data_dir.c_str(),
               model.c_str());
 }
 
-void say_end(const TrainOptions& options, const Ranks& ranks) {
+void say_end(const Settings& s, const TrainOptions& options, const Ranks& ranks) {
   if (ranks.rank() > 0) return;
+  if (!s.release.empty() && !*options.stop) {
+    Checkpoint weights;
+    weights.network = read_checkpoint(options.output).network;
+    write_checkpoint(s.release, weights);
+  }
   if (*options.stop) {
     std::fprintf(stderr, "\nstopped; go on with: sinew train ... -o %s --resume\n", options.output.c_str());
   } else if (!options.quiet) {
@@ -84,7 +94,7 @@ void run_rig(const Settings& s, TrainOptions options, Ranks* ranks) {
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train_rig(config, options);
-  say_end(options, *ranks);
+  say_end(s, options, *ranks);
 }
 
 // Under mpirun every rank comes here with the same command line.
@@ -110,7 +120,7 @@ void run_ranks(const Settings& s, Ranks* ranks) {
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train(config, options);
-  say_end(options, *ranks);
+  say_end(s, options, *ranks);
 }
 
 void run(const Settings& s) {
@@ -120,6 +130,11 @@ void run(const Settings& s) {
   if (!s.shard.empty() && !s.cache_only) throw UsageError("--shard belongs to --cache-only");
   if (!s.shard.empty()) parse_shard(s.shard);
   if (s.options.output.empty() && !s.print_config && !s.cache_only) throw UsageError("-o CKPT is required");
+  if (!s.release.empty()) {
+    check_output(s.release, {".sinewckpt", ".ckpt"});
+    if (s.release == s.options.output)
+      throw UsageError("--release: give another file than -o, which --resume goes on from");
+  }
   if (s.options.resume && !s.options.init.empty())
     throw UsageError("--resume goes on from -o, --init starts anew: give one of them");
   Ranks ranks;
@@ -152,6 +167,8 @@ void add_train(CLI::App& app) {
       ->type_name("N");
   sub->add_option("--cache", s->options.cache_dir, "Folder for computed features [CKPT.cache]")->type_name("DIR");
   sub->add_option("--steps", s->steps, "Steps [the configuration's]")->check(CLI::PositiveNumber)->type_name("N");
+  sub->add_option("--release", s->release, "Also write the finished weights alone, without the state of the run")
+      ->type_name("CKPT");
   sub->add_flag("--cache-only", s->cache_only,
                 "Fill --cache for DIR and --val and stop; any number of processes at once");
   sub->add_option("--shard", s->shard, "With --cache-only: begin with the I-th of N parts [one part]")

@@ -14,12 +14,15 @@ namespace sinew {
 // trained the bundled model.
 struct RigTrainConfig : RunConfig {
   RigTrainConfig();
-  uint32_t width = 64;  // channels
-  uint32_t rounds = 4;  // of neighbours
+  std::string architecture = "votes";  // or "slots", the published method
+  uint32_t width = 64;                 // channels; of slots: of the first graph convolution
+  uint32_t rounds = 4;                 // of neighbours
   // Samples of a character beside two of itself: posed and stretched by its own weights, a third of them half as strongly.
   uint32_t variants = 12;
   // Synthetic characters of each body plan (formats/datasets/src/synth), as families of their own.
   uint32_t synthetic = 20;
+  // Slots: what the error of joints counts, 0 to 1; that of connections counts the rest.
+  double balance = 0.7;
   // Characters that are not trained on, by name (a * at the end stands for any rest), and why.
   std::map<std::string, std::string> leave_out;
 };

@@ -32,8 +32,11 @@ struct RunConfig {
   // of each keeps most of a new style and most of what was known.
   double init_share = 0;
   uint32_t validate_every = 300;  // steps
-  double variant_share = 0.4;     // how often one of a character's variants is drawn instead of the original
-  double family_power = 0.5;      // a family of n characters is drawn in proportion to n^power
+  // Stop after so many validations without a new best: of the score, or without validation samples of the mean loss since
+  // the one before; 0 = off.
+  uint32_t patience = 0;
+  double variant_share = 0.4;  // how often one of a character's variants is drawn instead of the original
+  double family_power = 0.5;   // a family of n characters is drawn in proportion to n^power
   std::map<std::string, double> family_shares;  // of all draws, for families that are not to follow that rule
 };
 

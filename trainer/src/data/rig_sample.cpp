@@ -10,10 +10,9 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "data/engine_mesh.hpp"
 #include "rig/rig_task.hpp"
-#include "sinew/sinew.hpp"
 #include "sinew_datasets/joint_class_of.hpp"
-#include "sinew_formats/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/sample.hpp"
@@ -57,44 +56,6 @@ double turn_sigma(JointClass c) {
   }
 }
 
-// A mesh that the engine has read, in its workspace.
-struct EngineMesh {
-  std::vector<float> positions;
-  std::vector<uint32_t> corners;
-  Workspace block{0};
-  Mesh mesh;
-  GridQuantizer quantizer;
-
-  EngineMesh(const std::string& name, const std::vector<std::array<double, 3>>& vertices,
-             const std::vector<std::array<uint32_t, 3>>& triangles) {
-    for (const auto& v : vertices)
-      for (const double x : v) positions.push_back(static_cast<float>(x));
-    for (const auto& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
-    sinew_mesh input = {};
-    input.positions = positions.data();
-    input.vertex_count = static_cast<uint32_t>(vertices.size());
-    input.face_vertices = corners.data();
-    input.face_count = static_cast<uint32_t>(triangles.size());
-    input.corner_count = static_cast<uint32_t>(corners.size());
-    Counts counts;
-    counts.vertices = input.vertex_count;
-    counts.faces = input.face_count;
-    counts.corners = input.corner_count;
-    const auto run = [&](Arena& arena) {
-      (void)mesh.allocate(arena, counts);
-      if (arena.measuring()) return build_mesh(input, quantizer, counts, arena, &mesh);
-      const sinew_status status = make_grid_quantizer(input.positions, input.vertex_count, 0, &quantizer);
-      return status == SINEW_OK ? build_mesh(input, quantizer, counts, arena, &mesh) : status;
-    };
-    Arena measuring;
-    (void)run(measuring);
-    block = Workspace(measuring.high_water());
-    Arena arena(block.data(), block.size());
-    const sinew_status status = run(arena);
-    if (status != SINEW_OK) throw Error(name + ": " + sinew_status_text(status));
-  }
-};
-
 bool names_face(std::string name) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   for (const char* const part : {"eye", "nose", "lip", "cheek", "brow", "lid"}) {
@@ -124,36 +85,12 @@ double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b)
 
 RigSource::RigSource(const Character& character)
     : name_(character.name), family_(family_of(character.name)), target_(learnt_skeleton(character)) {
-  // Only vertices of faces: others would spoil the box.
-  std::vector<uint32_t> number(character.vertices.size(), UINT32_MAX);
   std::vector<Point> vertices;
-  const auto vertex_of = [&](uint32_t v) {
-    if (number[v] == UINT32_MAX) {
-      number[v] = static_cast<uint32_t>(vertices.size());
-      const Vec3 p = character.vertices[v];
-      vertices.push_back({p.x, p.y, p.z});
-      influences_.push_back(character.influences[v]);
-    }
-    return number[v];
-  };
-  for (size_t f = 0; f < character.face_count(); ++f) {
-    const uint32_t begin = character.face_offsets[f], end = character.face_offsets[f + 1];
-    for (uint32_t i = begin + 2; i < end; ++i) {
-      triangles_.push_back({vertex_of(character.face_vertices[begin]), vertex_of(character.face_vertices[i - 1]),
-                            vertex_of(character.face_vertices[i])});
-    }
-  }
-  if (triangles_.empty()) throw Error(name_ + ": no faces, so there is no surface to learn from");
+  std::vector<uint32_t> source;
+  surface_of(character, &vertices, &triangles_, &source);
+  for (const uint32_t v : source) influences_.push_back(character.influences[v]);
   const EngineMesh engine(name_, vertices, triangles_);
-  MirrorFrame frame;
-  const float zero[3] = {0, 0, 0};
-  const Vec3i middle = quantize_point(engine.quantizer, zero);
-  const int32_t middles[2] = {middle.x, middle.z};
-  Arena measuring;
-  (void)find_mirror_frame(engine.mesh, Mirroring::kAuto, middles, measuring, &frame);
-  Workspace block(measuring.high_water());
-  Arena arena(block.data(), block.size());
-  (void)find_mirror_frame(engine.mesh, Mirroring::kAuto, middles, arena, &frame);
+  const MirrorFrame frame = engine.mirror_frame();
 
   Vector3d low = vec(vertices[0]), high = low;
   for (const Point& p : vertices) {
@@ -336,7 +273,7 @@ RigSource::Posed RigSource::pose(uint64_t seed, double strength) const {
   return posed;
 }
 
-RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
+RigSource::Placed RigSource::place(const Posed& posed, uint64_t seed) const {
   std::vector<uint32_t> number(vertices_.size(), UINT32_MAX), source;
   std::vector<Point> vertices;
   std::vector<std::array<uint32_t, 3>> triangles;
@@ -353,13 +290,30 @@ RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
     }
     triangles.push_back(corners);
   }
-  EngineMesh engine(name_, vertices, triangles);
+  Placed placed{EngineMesh(name_, vertices, triangles), {}, {}};
+  EngineMesh& engine = placed.engine;
   MirrorFrame frame;  // of the character before it was posed
   const float zero[3] = {0, 0, 0};
   frame.plane = quantize_point(engine.quantizer, zero).x;
   Random random(mix_seeds(seed, 3));
   if (!posed.symmetric && random.uniform() < 0.5) frame.plane = 0;  // nobody would find it
   apply_mirror_frame(frame, &engine.mesh);
+  for (const Point& p : posed.joints) {  // in grid units of the posed character's own box
+    const float f[3] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+    const Vec3i at = frame.to(quantize_point(engine.quantizer, f));
+    placed.joints.push_back(arr(Vector3d(at.x, at.y, at.z) / kSide));
+  }
+  placed.source.assign(engine.mesh.welded_count, UINT32_MAX);
+  for (uint32_t v = 0; v < vertices.size(); ++v) {
+    uint32_t& first = placed.source[engine.mesh.vertex_to_welded[v]];
+    if (first == UINT32_MAX) first = source[v];
+  }
+  return placed;
+}
+
+RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
+  const Placed placed = place(posed, seed);
+  const EngineMesh& engine = placed.engine;
   Interior interior;
   PointSet set;
   const auto run = [&](Arena& arena) {
@@ -374,19 +328,8 @@ RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
   Arena arena(block.data(), block.size());
   run(arena);
 
-  // Where everything is now: the posed character in grid units of its own box.
-  const auto place = [&](const Point& p) -> Vector3d {
-    const float f[3] = {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
-    const Vec3i at = frame.to(quantize_point(engine.quantizer, f));
-    return Vector3d(at.x, at.y, at.z) / kSide;
-  };
   std::vector<Vector3d> joints;
-  for (const Point& p : posed.joints) joints.push_back(place(p));
-  std::vector<uint32_t> caller(engine.mesh.welded_count, UINT32_MAX);
-  for (uint32_t v = 0; v < vertices.size(); ++v) {
-    uint32_t& first = caller[engine.mesh.vertex_to_welded[v]];
-    if (first == UINT32_MAX) first = source[v];
-  }
+  for (const Point& p : placed.joints) joints.push_back(vec(p));
 
   RigSample s;
   s.name = name_;
@@ -413,7 +356,7 @@ RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
     const SurfacePoint& point = set.points[i];
     std::fill(sums.begin(), sums.end(), 0.0);
     for (int corner = 0; corner < 3; ++corner) {
-      for (const Influence& influence : influences_[caller[point.corner[corner]]])
+      for (const Influence& influence : influences_[placed.source[point.corner[corner]]])
         sums[target_.owners[influence.joint]] += influence.weight * point.share[corner] / 32768.0;
     }
     const size_t own = static_cast<size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
@@ -446,6 +389,10 @@ RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
 
 RigSample RigSource::make(uint64_t seed, double strength) const {
   return sample(pose(mix_seeds(seed, 1), strength), mix_seeds(seed, 2));
+}
+
+RigSource::Placed RigSource::make_mesh(uint64_t seed, double strength) const {
+  return place(pose(mix_seeds(seed, 1), strength), mix_seeds(seed, 2));
 }
 
 }  // namespace sinew

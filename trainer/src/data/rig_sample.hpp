@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "data/engine_mesh.hpp"
 #include "sinew_datasets/target_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_trainer/network_sample.hpp"
@@ -34,14 +35,27 @@ class RigSource {
   // vanish. The same seed gives the same sample.
   RigSample make(uint64_t seed, double strength) const;
 
- private:
   using Point = std::array<double, 3>;
+  // The mesh of such a sample, U welded vertices in their mirror frame.
+  struct Placed {
+    EngineMesh engine;
+    std::vector<Point> joints;     // [target] shares of the longest side, not folded
+    std::vector<uint32_t> source;  // [U] vertex of the surface that a welded vertex has its weights from
+  };
+  Placed make_mesh(uint64_t seed, double strength) const;
+
+  const std::string& name() const { return name_; }
+  const std::string& family() const { return family_; }
+  const TargetSkeleton& target() const { return target_; }
+
+ private:
   struct Posed {
     std::vector<Point> vertices, joints;  // of the target
     std::vector<uint8_t> gone;            // [T] triangles that were left out
     bool symmetric = true;
   };
   Posed pose(uint64_t seed, double strength) const;
+  Placed place(const Posed& posed, uint64_t seed) const;
   RigSample sample(const Posed& posed, uint64_t seed) const;
 
   std::string name_, family_;

@@ -34,26 +34,41 @@ struct DropoutOptions {
   uint64_t seed = 0;
 };
 
-// One instance per thread; its memory is reused from call to call. The same input gives the same bytes on one machine.
+// What makes outputs of a sample, and gradients of parameters. One instance per thread; its memory is reused from call to
+// call. The same input gives the same bytes on one machine.
 template <class Scalar>
-class LayerRunner {
+class SampleRunner {
  public:
-  LayerRunner();
-  ~LayerRunner();
-  LayerRunner(const LayerRunner&) = delete;
-  LayerRunner& operator=(const LayerRunner&) = delete;
+  SampleRunner() = default;
+  virtual ~SampleRunner() = default;
+  SampleRunner(const SampleRunner&) = delete;
+  SampleRunner& operator=(const SampleRunner&) = delete;
 
   // Threads that take rows of large layers while they are idle; null = none. Changes no number.
-  void set_team(Team* team);
-
-  // `shape` gives inputs, buffers and layers and has passed check_network(); its parameters are not read. Returns the
-  // output's rows: [U x C] or, in a domain with slots, [U x K x C] with absent slots 0. Throws Error when network and
-  // sample do not fit together.
-  const std::vector<Scalar>& forward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
-                                     const NetworkSample& sample, const DropoutOptions& dropout);
+  virtual void set_team(Team* team) = 0;
+  // `shape` has passed the task's check; its parameters are not read. Throws Error when network and sample do not fit
+  // together.
+  virtual const std::vector<Scalar>& forward(const FloatNetwork& shape,
+                                             const std::vector<LinearBlock<Scalar>>& parameters,
+                                             const NetworkSample& sample, const DropoutOptions& dropout) = 0;
   // After forward() with the same arguments. d_outputs as forward() returned; adds into gradients.
+  virtual void backward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
+                        const std::vector<Scalar>& d_outputs, std::vector<LinearBlock<Scalar>>* gradients) = 0;
+};
+
+// The layer list alone. Outputs are the last layer's rows: [U x C] or, in a domain with slots, [U x K x C] with absent slots
+// 0. `shape` gives inputs, buffers and layers and has passed check_network().
+template <class Scalar>
+class LayerRunner : public SampleRunner<Scalar> {
+ public:
+  LayerRunner();
+  ~LayerRunner() override;
+
+  void set_team(Team* team) override;
+  const std::vector<Scalar>& forward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
+                                     const NetworkSample& sample, const DropoutOptions& dropout) override;
   void backward(const FloatNetwork& shape, const std::vector<LinearBlock<Scalar>>& parameters,
-                const std::vector<Scalar>& d_outputs, std::vector<LinearBlock<Scalar>>* gradients);
+                const std::vector<Scalar>& d_outputs, std::vector<LinearBlock<Scalar>>* gradients) override;
   // Copies a buffer after forward(): [U x channels] or [U x K x channels], absent rows 0.
   void copy_buffer(const FloatNetwork& shape, uint16_t index, std::vector<Scalar>* out) const;
 

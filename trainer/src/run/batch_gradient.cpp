@@ -36,7 +36,7 @@ BatchGradient::BatchGradient(const TrainingTask& task, const RunConfig& config, 
   dropout_.features = static_cast<float>(config.feature_dropout);
   dropout_.noise = static_cast<float>(config.feature_noise);
   for (uint32_t t = 0; t < std::max(threads, 1u); ++t) {
-    runners_.push_back(std::make_unique<LayerRunner<float>>());
+    runners_.push_back(task.make_runner());
     runners_.back()->set_team(&team_);
   }
 }

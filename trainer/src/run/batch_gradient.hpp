@@ -49,8 +49,8 @@ class BatchGradient {
   DropoutOptions dropout_;  // but for the seed
   Ranks* ranks_;
   Team team_;
-  std::vector<std::unique_ptr<LayerRunner<float>>> runners_;  // one per thread
-  std::vector<Slot> slots_;                                   // one per item
+  std::vector<std::unique_ptr<SampleRunner<float>>> runners_;  // one per thread
+  std::vector<Slot> slots_;                                    // one per item
   double wall_seconds_ = 0;
 };
 

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include "core/random.hpp"
 #include "data/rig_sample.hpp"
+#include "data/slot_sample.hpp"
 #include "run/rig_task.hpp"
 #include "run/settings.hpp"
+#include "run/slot_task.hpp"
 #include "run/training_run.hpp"
 #include "run/training_set.hpp"
 #include "sinew_datasets/synthesize.hpp"
@@ -23,23 +26,40 @@ namespace {
 
 template <class Config, class Visitor>
 void visit_settings(Config& c, Visitor&& visit) {
+  visit("architecture", c.architecture);
   visit("width", c.width);
   visit("rounds", c.rounds);
   visit("variants", c.variants);
   visit("synthetic", c.synthetic);
+  visit("balance", c.balance);
   visit("leave_out", c.leave_out);
   visit_run_settings(c, visit);
 }
 
-// A character's samples: the first is itself, then the others.
-std::vector<RigSample> samples_of(const Character& character, uint32_t variants, uint64_t seed) {
-  const RigSource source(character);
-  std::vector<RigSample> samples;
-  samples.push_back(source.make(mix_seeds(seed, 0), 0));
-  if (variants > 0) samples.push_back(source.make(mix_seeds(seed, 1), 0));
-  for (uint32_t v = 0; v < variants; ++v)
-    samples.push_back(source.make(mix_seeds(seed, 2 + v), v % 3 == 0 ? 0.5 : 1.0));
+using Samples = std::vector<std::unique_ptr<const NetworkSample>>;  // of one character
+
+// The first is the character itself, then come the others.
+template <class Make>
+Samples samples_of(uint32_t variants, uint64_t seed, Make&& make) {
+  Samples samples;
+  const auto add = [&](uint64_t number, double strength) {
+    auto sample = make(mix_seeds(seed, number), strength);
+    samples.push_back(std::make_unique<decltype(sample)>(std::move(sample)));
+  };
+  add(0, 0);
+  if (variants > 0) add(1, 0);
+  for (uint32_t v = 0; v < variants; ++v) add(2 + v, v % 3 == 0 ? 0.5 : 1.0);
   return samples;
+}
+
+Samples samples_of(const Character& character, const std::string& architecture, uint32_t variants, uint64_t seed) {
+  if (architecture == "slots") {
+    const RigSource source(for_slots(character));
+    return samples_of(variants, seed,
+                      [&](uint64_t own, double strength) { return make_slot_sample(source, own, strength); });
+  }
+  const RigSource source(character);
+  return samples_of(variants, seed, [&](uint64_t own, double strength) { return source.make(own, strength); });
 }
 
 struct Request {
@@ -48,9 +68,9 @@ struct Request {
   uint64_t seed = 0;
 };
 
-std::vector<std::vector<RigSample>> make_samples(const std::vector<Request>& requests, uint32_t variants, uint64_t seed,
-                                                 uint32_t threads, bool quiet) {
-  std::vector<std::vector<RigSample>> made(requests.size());
+std::vector<Samples> make_samples(const std::vector<Request>& requests, const RigTrainConfig& config, uint32_t variants,
+                                  uint32_t threads, bool quiet) {
+  std::vector<Samples> made(requests.size());
   std::atomic<size_t> done{0};
   parallel_for(requests.size(), threads, [&](size_t i, unsigned) {
     const Request& r = requests[i];
@@ -66,7 +86,7 @@ std::vector<std::vector<RigSample>> make_samples(const std::vector<Request>& req
         character = read_character(r.path);
         character.name = r.name;
       }
-      made[i] = samples_of(character, variants, mix_seeds(seed, i));
+      made[i] = samples_of(character, config.architecture, variants, mix_seeds(config.seed, i));
     } catch (const Error& error) {
       if (!quiet) std::fprintf(stderr, "left out: %s\n", error.what());
     }
@@ -74,7 +94,7 @@ std::vector<std::vector<RigSample>> make_samples(const std::vector<Request>& req
     if (!quiet && (count % 50 == 0 || count == requests.size()))
       std::fprintf(stderr, "samples of %zu of %zu characters\n", count, requests.size());
   });
-  std::erase_if(made, [](const std::vector<RigSample>& samples) { return samples.empty(); });
+  std::erase_if(made, [](const Samples& samples) { return samples.empty(); });
   return made;
 }
 
@@ -108,6 +128,8 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
   read_settings(json, source, "", [&](auto&& visit) { visit_settings(config, visit); });
   const Requirement require{source};
   check_run_settings(config, require);
+  require(config.architecture == "votes" || config.architecture == "slots", "architecture", "\"votes\" or \"slots\"");
+  require(config.balance >= 0 && config.balance <= 1, "balance", "0 to 1");
   require(config.width >= 1 && config.width <= 256, "width", "1 to 256");
   require(config.rounds >= 2 && config.rounds <= 8, "rounds", "2 to 8");
   require(config.variants <= 64, "variants", "0 to 64");
@@ -122,9 +144,10 @@ std::string rig_config_json(const RigTrainConfig& config) {
 void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
   TrainOptions checked = options;
   checked.threads = std::max(options.threads, 1u);
-  const RigTask task(config);
+  std::unique_ptr<const TrainingTask> task = std::make_unique<RigTask>(config);
+  if (config.architecture == "slots") task = std::make_unique<SlotTask>(config);
   const auto run_all = [&] {
-    TrainingRun run(task, config, checked);
+    TrainingRun run(*task, config, checked);
     run.start();
     std::vector<Request> requests = character_requests(checked.data_dir, config.leave_out);
     std::erase_if(requests, [&](const Request& r) {  // families that are not drawn need no samples
@@ -137,18 +160,17 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
     for (const BodyPlan plan : kBodyPlans) add_synthetic(plan);
     for (const BodyPlan plan : kCreaturePlans) add_synthetic(plan);
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
-    const std::vector<std::vector<RigSample>> characters =
-        make_samples(requests, config.variants, config.seed, checked.threads, quiet);
-    std::vector<std::vector<RigSample>> validation;
+    const std::vector<Samples> characters = make_samples(requests, config, config.variants, checked.threads, quiet);
+    std::vector<Samples> validation;
     if (!checked.val_dir.empty())
-      validation = make_samples(character_requests(checked.val_dir, {}), 0, config.seed, checked.threads, quiet);
+      validation = make_samples(character_requests(checked.val_dir, {}), config, 0, checked.threads, quiet);
     TrainingItems items;
-    for (const std::vector<RigSample>& samples : characters) {
-      items.families.push_back(samples[0].family);
+    for (const Samples& samples : characters) {
+      items.families.push_back(samples[0]->family);
       items.choices.emplace_back();
-      for (const RigSample& sample : samples) items.choices.back().push_back(&sample);
+      for (const auto& sample : samples) items.choices.back().push_back(sample.get());
     }
-    for (const std::vector<RigSample>& samples : validation) items.validation.push_back(&samples[0]);
+    for (const Samples& samples : validation) items.validation.push_back(samples[0].get());
     run.load(items);
     run.go();
   };

@@ -77,6 +77,7 @@ void visit_run_settings(Config& c, Visitor&& visit) {
   visit("average_decay", c.average_decay);
   visit("init_share", c.init_share);
   visit("validate_every", c.validate_every);
+  visit("patience", c.patience);
   visit("variant_share", c.variant_share);
   visit("family_power", c.family_power);
   visit("family_shares", c.family_shares);

@@ -4,6 +4,7 @@
 #ifndef SINEW_TRAINER_RUN_TASK_HPP
 #define SINEW_TRAINER_RUN_TASK_HPP
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,12 @@ class TrainingTask {
   // Channels that are never dropped and channels that are always 0; shares and seed are the run's.
   virtual DropoutOptions channels() const { return {}; }
 
+  // What runs the network on samples, for one thread.
+  virtual std::unique_ptr<SampleRunner<float>> make_runner() const { return std::make_unique<LayerRunner<float>>(); }
+
   // Names of the numbers that loss() returns, for the log. The first is what training makes small.
   virtual std::vector<std::string> loss_names() const = 0;
-  // Of a sample with the network's outputs as LayerRunner::forward() gives them. d_outputs: the gradient, overwritten.
+  // Of a sample with the network's outputs as the runner's forward() gives them. d_outputs: the gradient, overwritten.
   virtual std::vector<double> loss(const NetworkSample& sample, const std::vector<float>& outputs,
                                    std::vector<float>* d_outputs) const = 0;
   // What validation compares: 0 or more, smaller is better.

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <sstream>
 
 #include "core/random.hpp"
 #include "data/family_queue.hpp"
@@ -77,6 +78,24 @@ void require_same_config(const std::string& saved, const std::string& given, con
   }
   throw Error(path + ": cannot resume with another configuration (" + lines +
               "); use --init to start a new run from its weights");
+}
+
+// Lines of the log behind its best one, by the mean of some columns.
+size_t lines_since_best(const std::string& log, const std::vector<size_t>& columns) {
+  std::istringstream lines(log);
+  std::string line, cell;
+  std::getline(lines, line);  // names
+  double best = 1e30;
+  size_t since = 0;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    double sum = 0;
+    for (size_t column = 0; std::getline(cells, cell, ','); ++column)
+      sum += std::count(columns.begin(), columns.end(), column) > 0 ? std::stod(cell) : 0;
+    since = sum < best ? 0 : since + 1;
+    best = std::min(best, sum);
+  }
+  return since;
 }
 
 }  // namespace
@@ -150,7 +169,7 @@ void TrainingRun::start() {
 
 void TrainingRun::go() {
   TrainingState& state = checkpoint_.state;
-  if (options_.resume && progress() >= 1) {
+  if (options_.resume && (progress() >= 1 || settled())) {
     say_finished();
     return;
   }
@@ -160,7 +179,7 @@ void TrainingRun::go() {
   bool validated = false;
   gradient_ = std::make_unique<BatchGradient>(task_, config_, options_.threads, options_.ranks);
   agree();
-  while (progress() < 1 && !stopping_ && (options_.stop_after == 0 || steps_left-- > 0)) {
+  while (progress() < 1 && !settled() && !stopping_ && (options_.stop_after == 0 || steps_left-- > 0)) {
     const double rate = config_.learning_rate * schedule(progress());
     step(rate);
     state.seconds = now() - started;
@@ -171,6 +190,10 @@ void TrainingRun::go() {
   }
   if (!validated && (progress() >= 1)) validate(config_.learning_rate * schedule(1));
   save();
+  if (!options_.quiet && settled())
+    std::fprintf(stderr, "%s%s no longer falls: stopped at step %llu\n", options_.label.c_str(),
+                 val_.empty() ? task_.loss_names()[0].c_str() : task_.score_name().c_str(),
+                 static_cast<unsigned long long>(state.step));
   if (!options_.quiet && options_.label.empty()) std::fprintf(stderr, "\n");
   show_speed(state.step - first_step);
 }
@@ -179,7 +202,10 @@ void TrainingRun::go() {
 void TrainingRun::say_finished() const {
   if (options_.quiet) return;
   char text[160];
-  if (options_.minutes > 0) {
+  if (settled()) {
+    std::snprintf(text, sizeof text, "its loss no longer falls (patience %u); use --init to train on from its weights",
+                  config_.patience);
+  } else if (options_.minutes > 0) {
     std::snprintf(text, sizeof text, "its %.4g minutes are used up (%.1f spent, %llu steps); give more --minutes",
                   options_.minutes, checkpoint_.state.seconds / 60,
                   static_cast<unsigned long long>(checkpoint_.state.step));
@@ -226,6 +252,14 @@ uint32_t TrainingRun::threads() const {
 double TrainingRun::progress() const {
   if (options_.minutes > 0) return checkpoint_.state.seconds / (60 * options_.minutes);
   return static_cast<double>(checkpoint_.state.step) / static_cast<double>(config_.steps);
+}
+
+// By the log, which a resumed run has too.
+bool TrainingRun::settled() const {
+  if (config_.patience == 0) return false;
+  const size_t score = 2 + task_.loss_names().size() + 2;  // behind step, seconds, the losses, norm and rate
+  const std::vector<size_t> columns = val_.empty() ? std::vector<size_t>{2} : std::vector<size_t>{score, score + 1};
+  return lines_since_best(checkpoint_.state.log_csv, columns) >= config_.patience;
 }
 
 const std::vector<const NetworkSample*>& TrainingRun::draw() {

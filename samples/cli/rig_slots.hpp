@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The published method in sinew rig and eval: which options it takes, its network, its skeletons.
+#ifndef SINEW_CLI_RIG_SLOTS_HPP
+#define SINEW_CLI_RIG_SLOTS_HPP
+
+#include <string>
+
+#include "sinew_formats/float_network.hpp"
+#include "sinew_trainer/slot_skeleton.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sinew::cli {
+
+// --method and --category of sinew rig.
+struct MethodOptions {
+  std::string method = "auto", category = "any";
+  bool slots() const { return method == "slots"; }
+};
+void add_method_options(CLI::App* sub, MethodOptions* options);
+// Throws UsageError for options that the method does not take. Called before any work.
+//   model  file of --model, empty: none given
+void check_method(const CLI::App& sub, const MethodOptions& options, const std::string& model);
+
+// Of a checkpoint, which has to be given: none is built into the program. Throws UsageError, Error.
+FloatNetwork load_slots(const std::string& path);
+
+}  // namespace sinew::cli
+#endif
