@@ -34,9 +34,6 @@ struct Settings {
        keep_lengths = false;
 };
 
-// The votes' own idea of how far off they are, share of the longest side. Above it nobody knows.
-constexpr float kDoubtfulSpread = 0.08f;
-
 struct Models {
   std::unique_ptr<LoadedModel> rig, bind;
 };
