@@ -394,10 +394,10 @@ function useRig({ joints, ...rig }, chosen) {
 
 const chosenName = () => character.joints[view.selected]?.name;
 
-async function predict() {
+async function predict(wishes = editor.wishes) {
   const chosen = chosenName();
   if (!facts.rigModel) await fetchModel("sinew_rig.sinew");
-  const rig = await engine.call("rig", { wishes: { ...editor.wishes, upAxis: character.upAxis } });
+  const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: character.upAxis } });
   setEditing(true);
   useRig(rig, chosen);
 }
@@ -715,7 +715,7 @@ function listen() {
 
   editor = new SkeletonEditor();
   editor.onEdit = (edits, chosen) => run(() => (clearError(), editSkeleton(edits, chosen)));
-  editor.onPredict = () => character && run(async () => (clearError(), await predict(), await bind()));
+  editor.onPredict = (wishes) => character && run(async () => (clearError(), await predict(wishes), await bind()));
   editor.onMiddle = toMiddle;
   $("work").onchange = ({ target }) => edit(target.value === "skeleton");
   $("undo-edit").onclick = () => undo(false);

@@ -90,7 +90,7 @@ const axes = ["x", "y", "z"];
 
 export class SkeletonEditor {
   onEdit = () => {}; // [edits], the name of the joint that is chosen then
-  onPredict = () => {};
+  onPredict = () => {}; // wishes
   onMiddle = () => {}; // the chosen joint to the middle of its limb
   #character = null;
   #joint = -1;
@@ -120,8 +120,8 @@ export class SkeletonEditor {
     $("add-joint").onclick = () => this.add();
     $("remove-joint").onclick = () => this.remove();
     $("to-middle").onclick = () => this.onMiddle();
-    $("predict").onclick = () => this.onPredict();
-    for (const id of ["spine", "toes", "ends", "mirror"]) $(id).onchange = () => this.#character?.predicted && this.onPredict();
+    $("predict").onclick = () => this.onPredict(this.wishes);
+    for (const id of ["spine", "toes", "ends", "mirror"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes);
   }
 
   get alike() {
