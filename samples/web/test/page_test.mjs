@@ -472,15 +472,16 @@ try {
     const name = "LeftForeArm";
     const { at, other } = indexes(plain, name);
     assert.equal(plain[other].name, "RightForeArm");
+    await pick(name);
     const coloured = await colours();
     const from = await onScreen(at);
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
-    await page.mouse.move(from.x - 22, from.y + 9, { steps: 3 });
+    await page.mouse.move(from.x + 14, from.y + 11, { steps: 3 });
     await page.waitForFunction((old) => sinewPage.view.shownColours().some((c, i) => c !== old[i]), coloured, { timeout: 20000 }); // before it is let go
-    await page.mouse.move(from.x - 30, from.y + 14, { steps: 12 });
+    await page.mouse.move(from.x + 28, from.y + 22, { steps: 12 });
     const shown = await onScreen(at);
-    assert.ok(Math.hypot(shown.x - from.x + 30, shown.y - from.y - 14) < 1.5, "the joint is not under the pointer");
+    assert.ok(Math.hypot(shown.x - from.x - 28, shown.y - from.y - 22) < 1.5, "the joint is not under the pointer");
     await shoot("dragging-joint");
     await page.mouse.up();
     await settled();
