@@ -38,10 +38,6 @@ struct Settings {
        keep_lengths = false;
 };
 
-// The votes' own idea of how far off they are, share of the longest side. Above the first it is worth a look; above the second the
-// mesh's middle line is nearer to the truth than votes are: trainer/configs/RESULTS.md.
-constexpr float kDoubtfulSpread = 0.08f, kUnknownSpread = 0.09f;
-
 struct Models {
   std::unique_ptr<LoadedModel> rig, bind;
   FloatNetwork slots;  // in place of rig, with --method slots

@@ -31,7 +31,7 @@ cd "$here"
 node_modules/.bin/esbuild src/main.js src/worker.js --bundle --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css "$out"
-cp "$root/samples/data/sinew_default.sinew" "$out"
+cp "$root"/samples/data/sinew_{default,rig}.sinew "$out"
 mkdir -p "$out/samples"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$out/samples"
 echo "web: built $out"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A whole bind with the bundled model, stage by stage and with threads, on synthetic bodies of several sizes: CSV on
-// standard output. "--grid rule": as if the model's cells followed the vertices.
-//   sinew_bench_bind [--kernel NAME] [--grid CELLS|rule] [--repeats N] [VERTICES...]      default: 1000 10000 100000
+// standard output. "--grid rule": as if the model's cells followed the vertices. "--dragged": binds alone, each after one
+// joint has moved, as when a user drags it.
+//   sinew_bench_bind [--kernel NAME] [--grid CELLS|rule] [--repeats N] [--dragged] [VERTICES...]
+//                                                                              default: 1000 10000 100000
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -207,6 +209,43 @@ void measure(double vertices, const sinew_model& model, const sinew_options& opt
   std::fflush(stdout);
 }
 
+// A row for binds of the same mesh between which an end of a limb goes round a circle of 2 % of the body.
+void measure_dragged(double vertices, const sinew_model& model, const sinew_options& options, int repeats) {
+  Input in(vertices);
+  size_t bytes = 0;
+  check(sinew_bind_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
+                                  in.skeleton.joint_count, &options, &bytes),
+        "workspace");
+  const Workspace block = touched(bytes);
+  std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
+  sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+  constexpr int kSteps = 12;
+  const size_t dragged = size_t{3} * (in.skeleton.joint_count - 1);
+  const float from[2] = {in.scene.joints[dragged], in.scene.joints[dragged + 1]};
+  const auto sizes = std::minmax_element(in.scene.positions.begin(), in.scene.positions.end());
+  const double radius = 0.02 * static_cast<double>(*sizes.second - *sizes.first);
+  std::vector<double> seconds;
+  uint64_t hash = sinew_bench::kHashStart;
+  for (int i = 0; i < repeats * kSteps; ++i) {
+    const double angle = 6.283185307179586 * (i % kSteps) / kSteps;
+    in.scene.joints[dragged] = from[0] + static_cast<float>(radius * std::cos(angle));
+    in.scene.joints[dragged + 1] = from[1] + static_cast<float>(radius * std::sin(angle));
+    const double start = sinew_bench::thread_seconds();
+    check(sinew_bind(&model, &in.mesh, &in.skeleton, &options, block.data(), bytes, &outputs), "bind");
+    seconds.push_back(sinew_bench::thread_seconds() - start);
+    if (i >= kSteps) continue;
+    hash = sinew_bench::fnv1a(hash, joints.data(), joints.size() * 2);
+    hash = sinew_bench::fnv1a(hash, weights.data(), weights.size() * 2);
+  }
+  const double median = sinew_bench::median(seconds);
+  std::printf("%s,%s,%u,%u,a joint dragged: %.1f binds a second,%.3f,,%.0f,%zu,%.0f,%016llx\n",
+              sinew_bench::row_start().c_str(), sinew_kernel_name(sinew_kernel_select(options.kernel)),
+              in.mesh.vertex_count, in.skeleton.joint_count, 1 / median, median * 1e3,
+              median * 1e9 / in.mesh.vertex_count, outputs.used_bytes,
+              static_cast<double>(outputs.used_bytes) / in.mesh.vertex_count, static_cast<unsigned long long>(hash));
+  std::fflush(stdout);
+}
+
 std::vector<uint64_t> read_model(size_t* size) {
   std::FILE* file = std::fopen(SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew", "rb");
   if (file == nullptr) {
@@ -225,11 +264,13 @@ int main(int argc, char** argv) {
   sinew_options options = sinew_options_init();
   uint32_t& kernel = options.kernel;
   int repeats = 5;
-  bool by_rule = false;
+  bool by_rule = false, dragged = false;
   std::vector<double> sizes;
   for (int i = 1; i < argc; ++i) {
     if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
       repeats = std::max(1, std::atoi(argv[++i]));
+    } else if (std::strcmp(argv[i], "--dragged") == 0) {
+      dragged = true;
     } else if (i + 1 < argc && std::strcmp(argv[i], "--grid") == 0) {
       options.grid_size = static_cast<uint32_t>(std::atoi(argv[++i]));
       by_rule = options.grid_size == 0;
@@ -253,6 +294,11 @@ int main(int argc, char** argv) {
   std::printf(
       "machine,compiler,commit,kernel,vertices,joints,stage,median_ms,share,ns_per_vertex,used_bytes,"
       "bytes_per_vertex,hash\n");
-  for (const double vertices : sizes) measure(vertices, model, options, repeats);
+  for (const double vertices : sizes) {
+    if (dragged)
+      measure_dragged(vertices, model, options, repeats);
+    else
+      measure(vertices, model, options, repeats);
+  }
   return 0;
 }

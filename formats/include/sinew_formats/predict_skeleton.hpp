@@ -34,6 +34,10 @@ struct PredictedSkeleton {
   double seconds = 0;  // in sinew_rig()
 };
 
+// The votes' own idea of how far off they are, PredictedSkeleton::spread: above it the mesh resembles nothing that the
+// model knows, and the user is told so.
+constexpr float kDoubtfulSpread = 0.08f;
+
 // The character's own joints are not looked at. Throws Error with the character's name, and OutOfMemory.
 PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOptions& options);
 

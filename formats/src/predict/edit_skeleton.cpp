@@ -225,7 +225,7 @@ class Editor {
     const bool near_plane = std::fabs(component(place, axis_) - s_.plane) <= kOnPlane * longest_side();
     if (mirror_ && other_name == edit.joint && partner(parent) >= 0)
       throw Error("the joint " + in_quotes(edit.joint) + " goes on both sides, as its parent " + in_quotes(edit.other) +
-                  " is; give it a name with a side, as in LeftWing, or --no-mirror");
+                  " is; give it a name with a side, as in LeftWing, or edit one side alone (--no-mirror)");
     const bool stands_on_plane = mirror_ && other_name == edit.joint && near_plane;
     if (stands_on_plane) component(&place, axis_) = s_.plane;
     const int32_t j = append(edit.joint, parent, place, end);
@@ -281,7 +281,7 @@ class Editor {
                     ", which hangs on it: that would be a cycle; move " + in_quotes(edit.other) + " first");
     if (on_plane(j) && partner(parent) >= 0)
       throw Error("the joint " + in_quotes(edit.joint) + " is on the mirror plane and cannot hang on " +
-                  in_quotes(edit.other) + " beside it; --no-mirror allows that");
+                  in_quotes(edit.other) + " beside it; edit one side alone (--no-mirror)");
     s_.parent_confidence[static_cast<size_t>(j)] = 1;
     if (other >= 0) s_.parent_confidence[static_cast<size_t>(other)] = 1;
   }

@@ -14,13 +14,14 @@ export function stem(name) {
   return name.replace(/(\.rig\.txt|\.[^.]*)$/i, "");
 }
 
-// names: of the files now dropped. waiting: {mesh, rig} names of earlier files that still lack their other half.
+// names: of the files now dropped. waiting: {mesh, rig} names of earlier files that a skeleton, or a mesh, may still follow:
+// a lone .obj is a character without skeleton until then.
 // Returns {characters: [{name, mesh, skeleton}], model, style, waiting, problems: [one line each]}.
 export function pairFiles(names, waiting = {}) {
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isBeside(n));
   for (const name of others) {
-    problems.push(`${name}: expected .obj with .rig.txt, .glb, .gltf, .vrm, .sinew or .style, found another kind of file`);
+    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .sinew or .style, found another kind of file`);
   }
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);
@@ -31,29 +32,25 @@ export function pairFiles(names, waiting = {}) {
   const characters = [];
   const next = {};
   const used = new Set();
-  const lonely = [];
   for (const mesh of meshes) {
     const rig = rigs.find((r) => lower(stem(r)) === lower(stem(mesh)));
     if (rig) used.add(rig);
-    if (rig || !lower(mesh).endsWith(".obj")) {
-      characters.push({ name: stem(mesh), mesh, skeleton: rig ?? "" });
-    } else {
-      lonely.push(mesh);
-    }
+    characters.push({ name: stem(mesh), mesh, skeleton: rig ?? "" });
   }
   const free = rigs.filter((r) => !used.has(r));
+  const bare = characters.filter(({ skeleton }) => skeleton === "");
+  const lonely = bare.filter(({ mesh }) => lower(mesh).endsWith(".obj"));
   if (free.length === 1 && lonely.length === 1) {
-    characters.push({ name: stem(lonely[0]), mesh: lonely[0], skeleton: free[0] }); // one of each: they belong together
-  } else if (free.length === 1 && lonely.length === 0 && characters.length === 1 && characters[0].skeleton === "") {
-    characters[0].skeleton = free[0]; // a GLB with a skeleton from elsewhere
+    lonely[0].skeleton = free[0]; // one of each: they belong together
+  } else if (free.length === 1 && characters.length === 1 && bare.length === 1) {
+    bare[0].skeleton = free[0]; // a GLB with a skeleton from elsewhere
   } else {
-    for (const mesh of lonely) problems.push(`${mesh}: has no skeleton; drop its ${stem(mesh)}.rig.txt as well`);
     for (const rig of free) problems.push(`${rig}: is a skeleton without a mesh; drop its ${stem(rig)}.obj as well`);
-    if (lonely.length === 1) next.mesh = lonely[0];
+    if (lonely.length === 1) next.mesh = lonely[0].mesh;
     if (free.length === 1) next.rig = free[0];
   }
   if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length + styles.length === 0) {
-    problems.push(`${names[0]}: holds no mesh; drop an .obj with its .rig.txt, or a .glb`);
+    problems.push(`${names[0]}: holds no mesh; drop an .obj or a .glb`);
   }
   return { characters, model: models[0] ?? "", style: styles[0] ?? "", waiting: next, problems };
 }

@@ -2,8 +2,10 @@
 // The page: what is open, what is chosen, and what follows when that changes.
 import { Engine } from "./engine.js";
 import { pairFiles } from "./files.js";
+import { Latest } from "./latest.js";
 import { Pose } from "./pose.js";
-import { partName, Questions } from "./questions.js";
+import { kinds, partName, Questions } from "./questions.js";
+import { answersFor, editKinds, movedJoints, SkeletonEditor, sureColour } from "./skeleton.js";
 import { View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
@@ -12,6 +14,7 @@ const bytes = (n) => (n < 1e6 ? `${(n / 1e3).toFixed(1)} kB` : `${(n / 1e6).toFi
 const milliseconds = (s) => (s < 10 ? `${number.format(Math.round(s * 1e3))} ms` : `${s.toFixed(1)} s`);
 const samples = [
   { name: "biped__robed", files: ["biped__robed.obj", "biped__robed.rig.txt"] },
+  { name: "biped__robed, a bare mesh", files: ["biped__robed.obj"] },
   { name: "biped__robot", files: ["biped__robot.obj", "biped__robot.rig.txt"] },
   { name: "biped__caped", files: ["biped__caped.gltf"] },
   { name: "bird__winged", files: ["bird__winged.obj", "bird__winged.rig.txt"] },
@@ -22,17 +25,20 @@ const samples = [
 const modes = { joints: 0, field: 1, doubt: 2 };
 const asked = [240, 120, 20]; // sRGB of the part that a question is about, as in the command's pictures
 const dimmed = [52, 58, 67]; // and what the rest fades to
+const pending = "·".repeat(16); // a hash that is not known yet
 const lookMilliseconds = 90; // the pointer stays that long on what is shown
 
 const engine = new Engine();
 let view;
 let facts = {}; // of module and model
-let open = []; // characters that were dropped together: {name, mesh, skeleton, answers, style}
-let waiting = {}; // a mesh or a rig that still lacks its other half
+let open = []; // characters that were dropped together: {name, mesh, skeleton, number, answers, style}
+let waiting = {}; // a mesh or a rig that its other half may still follow
 let character = null; // what the module has loaded, with its bind result
+let lastNumber = 0; // of the characters that were opened
 let pose = null;
 let mode = modes.joints;
 let questions;
+let editor;
 let style = null; // {name}: answers for the characters from now on
 
 // ---- one thing after another
@@ -93,7 +99,8 @@ async function openFiles(list) {
     }
     $("sample").value = "";
     const kept = new Set([...names, ...open.flatMap((c) => [c.mesh, c.skeleton])]);
-    await engine.call("remove", { names: before.flatMap((c) => [c.mesh, c.skeleton]).filter((n) => n && !kept.has(n)) });
+    const isOld = (n) => n && !kept.has(n);
+    await engine.call("remove", { names: before.flatMap((c) => [c.mesh, c.skeleton]).filter(isOld), numbers: before.map((c) => c.number ?? 0) });
   } else if ((found.model !== "" || found.style !== "") && character) {
     await useStyleAnswers();
     await bind();
@@ -112,29 +119,53 @@ async function openSample({ name, files }) {
   $("sample").value = name;
 }
 
+// A model of weights or of skeletons.
 async function useModel(file) {
   const model = await engine.call("model", { name: file });
-  facts = { ...facts, model, modelName: file };
+  facts = model.ofSkeletons ? { ...facts, rigModel: model, rigModelName: file } : { ...facts, model, modelName: file };
 }
 
-async function load(source) {
+async function fetchModel(name) {
+  const response = await fetch(name);
+  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
+  const model = await response.arrayBuffer();
+  await engine.call("write", { files: [{ name, bytes: model }] }, [model]);
+  await useModel(name);
+}
+
+// anew: a predicted skeleton is predicted again, as for another up axis.
+async function load(source, anew = false) {
   const { name, mesh, skeleton } = source;
   const upAxis = Number($("up").value);
-  const loaded = await engine.call("load", { mesh, skeleton });
+  source.number ??= ++lastNumber;
+  const loaded = await engine.call("load", { mesh, skeleton, number: source.number });
   // From here on the module has the new character, whether it can be bound or not.
-  character = { ...loaded, name, upAxis, source, result: null };
+  character = { ...loaded, name, upAxis, source, result: null, size: longestSide(loaded.buffers.positions) };
   source.answers ??= [];
   pose = new Pose(loaded.joints.length);
+  dragged = null;
   lookNowhere();
   view.setCharacter({ ...loaded.buffers, joints: loaded.joints, upAxis });
   mode = modes.joints;
   $("search").value = "";
   showCharacters();
-  listJoints();
+  setEditing(loaded.predicted || loaded.joints.length === 0);
+  showSkeleton();
   listQuestions();
-  showPose();
+  showFacts();
+  if (loaded.joints.length === 0 || (anew && loaded.predicted)) await predict();
   await useStyleAnswers();
   await bind();
+}
+
+function longestSide(positions) {
+  const least = [Infinity, Infinity, Infinity];
+  const most = [-Infinity, -Infinity, -Infinity];
+  positions.forEach((x, i) => {
+    least[i % 3] = Math.min(least[i % 3], x);
+    most[i % 3] = Math.max(most[i % 3], x);
+  });
+  return Math.max(...most.map((x, axis) => x - least[axis]));
 }
 
 const how = () => ({ method: Number($("method").value), upAxis: character.upAxis });
@@ -142,14 +173,16 @@ const asNumbers = (answers) => answers.map(({ question, kind, joint }) => [quest
 
 // answers: those of the character from now on, if they can be had. focus: see Questions.show().
 async function bind(answers = character.source.answers, focus) {
+  if (character.joints.length === 0) return;
   const before = answers === character.source.answers ? null : character.result;
   lookNowhere();
   character.result = null;
-  showFacts();
+  showFacts(character.shown && { ...character.shown, hash: pending }); // a line of the same length: the picture keeps its size
   const started = performance.now();
   try {
     const result = await whileBinding(() => engine.call("bind", { ...how(), answers: asNumbers(answers) }));
     character.result = { ...result, wallSeconds: (performance.now() - started) / 1e3, strongest: result.buffers.strongest };
+    character.shown = character.result;
     result.questions.forEach((question, number) => (question.members = { of: result.buffers.vertexQuestions, number }));
     character.source.answers = answers;
   } catch (error) {
@@ -174,6 +207,7 @@ async function colour() {
     input.disabled = !character?.result || (Number(input.value) === modes.field && view.selected < 0);
   }
   showLegend();
+  showSure();
   if (!character?.result) return;
   const { buffers } = await engine.call("colour", { mode, joint: Math.max(0, view.selected) });
   view.setColours(emphasised(buffers.colours));
@@ -206,25 +240,22 @@ function showLegend() {
   $("legend").querySelector(".high").textContent = high;
 }
 
-// The pose that is wanted last is computed next; those between are left out.
-let poseRuns = false;
-let poseWanted = false;
-async function sendPose() {
-  poseWanted = true;
-  if (poseRuns) return;
-  poseRuns = true;
-  try {
-    while (poseWanted && character?.result) {
-      poseWanted = false;
-      const { turns } = pose;
-      const posed = pose;
-      const { buffers } = await engine.call("pose", { turns, dualQuaternion: $("skinning").value === "1" });
-      if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns);
-    }
-  } finally {
-    poseRuns = false;
-  }
+// How sure a predicted skeleton is, as the colour of its joints, and what is to be said about the whole.
+function showSure() {
+  const shown = Boolean(character?.predicted) && view.editing;
+  $("sure").hidden = !shown;
+  view.setJointColours(shown ? character.joints.map(({ confidence }) => sureColour(confidence)) : null);
+  $("notice").hidden = !character?.doubtful;
 }
+
+const poses = new Latest(async () => {
+  if (!character?.result) return;
+  const posed = pose;
+  const turns = view.editing ? new Float32Array(pose.turns.length) : pose.turns; // a skeleton is edited at rest
+  const { buffers } = await engine.call("pose", { turns, dualQuaternion: $("skinning").value === "1" });
+  if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns);
+});
+const sendPose = () => poses.want();
 
 function poseChanged() {
   showPose();
@@ -232,11 +263,12 @@ function poseChanged() {
 }
 
 function choose(joint) {
-  if (!character?.result) return;
+  if (!character || joint >= character.joints.length) return;
   view.select(joint);
   mode = joint >= 0 ? modes.field : modes.joints;
-  markJoint();
   showPose();
+  editor.show(character, joint);
+  markJoint(); // into view: the panels may have taken room from the list
   run(colour);
 }
 
@@ -272,7 +304,8 @@ function showCharacters() {
   );
 }
 
-function showFacts() {
+// result: what the line says of the bind, null while there is none.
+function showFacts(result = character?.result) {
   const parts = [];
   const add = (label, value, title) => {
     const part = document.createElement("span");
@@ -283,26 +316,159 @@ function showFacts() {
   if (character) {
     add("", character.name);
     add("", `${number.format(character.vertices)} vertices, ${number.format(character.faces)} faces, ${number.format(character.joints.length)} joints`);
-    const { result } = character;
     if (result) {
       add("bound in ", milliseconds(result.seconds), `${milliseconds(result.wallSeconds)} with the way to the worker and back; ${bytes(result.usedBytes)} of memory`);
       add("look first at ", `${number.format(result.lookFirst)} vertices`, `The least sure tenth, ${Math.round(100 * result.lookFirstSure)} % sure on average; Doubt shows them`);
       if (result.leftOut.length) add("no weight for ", `${result.leftOut.length} joints`, result.leftOut.join("\n"));
       if (result.keptMeshes) add("kept ", `${result.keptMeshes} attached meshes`, "They follow the joints that they hang on");
     } else {
-      add("", "binding…");
+      add("", character.joints.length === 0 ? "without a skeleton…" : "binding…");
+    }
+    if (character.predicted) {
+      const doubt = `The votes say of themselves that they are ${(100 * character.spread).toFixed(1)} % of the longest side off, in the mean`;
+      add("skeleton in ", milliseconds(character.seconds), doubt);
     }
   }
-  if (facts.model) add("model ", bytes(facts.model.bytes), `${facts.modelName}: ${number.format(facts.model.parameters)} int16 parameters in ${facts.model.layers} layers`);
+  const about = (name, { parameters, layers }) => `${name}: ${number.format(parameters)} int16 parameters in ${layers} layers`;
+  if (facts.model && facts.rigModel && character?.predicted) {
+    const both = `${about(facts.modelName, facts.model)}\n${about(facts.rigModelName, facts.rigModel)}`;
+    add("models ", `${bytes(facts.model.bytes)}, ${bytes(facts.rigModel.bytes)}`, both);
+  } else if (facts.model) {
+    add("model ", bytes(facts.model.bytes), about(facts.modelName, facts.model));
+  }
   if (facts.kernel) add("engine ", `${bytes(facts.moduleBytes)}, ${facts.kernel === "ref" ? "without SIMD" : "SIMD"}`, `sinew ${facts.version} as WebAssembly, with readers and writers; kernels ${facts.kernel}`);
-  if (character?.result) {
+  if (result) {
     const part = document.createElement("span");
     part.title = "Hash of all joints and weights: the same on every machine, compiler and browser";
-    part.append("result ", Object.assign(document.createElement("code"), { textContent: character.result.hash }));
+    part.append("result ", Object.assign(document.createElement("code"), { textContent: result.hash }));
     parts.push(part);
   }
   $("facts").replaceChildren(...parts);
-  $("download").disabled = !character?.result;
+  $("download").disabled = $("download-rig").disabled = !character?.result;
+}
+
+// ---- the skeleton
+
+// Joints, their list and the panels, after any change of them.
+function showSkeleton() {
+  view.draggable = character.editable;
+  listJoints();
+  showPose();
+  editor.show(character, view.selected);
+  showLegend();
+  showSure();
+}
+
+function setEditing(editing) {
+  if (editing && !character) return;
+  view.editing = editing;
+  for (const input of document.querySelectorAll("#work input")) input.checked = (input.value === "skeleton") === editing;
+  $("edit").hidden = !editing;
+  $("pose").hidden = $("ask").hidden = editing;
+}
+
+function edit(editing) {
+  if (!character || view.editing === editing) return;
+  setEditing(editing);
+  showSkeleton();
+  run(sendPose);
+}
+
+// rig: as the module describes it. chosen: the name of the joint that is chosen then.
+function useRig({ joints, ...rig }, chosen) {
+  const { source } = character;
+  const isSame = joints.length === character.joints.length && joints.every(({ parent }, j) => parent === character.joints[j].parent);
+  source.answers = answersFor(source.answers, character.joints, joints, kinds.rigid);
+  Object.assign(character, { mirrored: false, doubtful: false }, rig, { joints });
+  lookNowhere();
+  if (isSame) {
+    view.moveSkeleton(joints); // and renamed
+  } else {
+    pose = new Pose(joints.length);
+    character.result = null;
+    view.setSkeleton(joints);
+    view.select(joints.findIndex(({ name }) => name === chosen));
+  }
+  showSkeleton();
+}
+
+const chosenName = () => character.joints[view.selected]?.name;
+
+async function predict(wishes = editor.wishes) {
+  const chosen = chosenName();
+  if (!facts.rigModel) await fetchModel("sinew_rig.sinew");
+  const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: character.upAxis } });
+  setEditing(true);
+  useRig(rig, chosen);
+}
+
+async function editSkeleton(edits, chosen) {
+  try {
+    useRig(await engine.call("edit", { edits, mirror: editor.alike, continues: false }), chosen);
+  } catch (error) {
+    editor.show(character, view.selected); // what was typed is not so
+    throw error;
+  }
+  await bind();
+  if (edits[0].kind === editKinds.add) {
+    $("rename").focus();
+    $("rename").select();
+  }
+}
+
+async function undoEdit(forward) {
+  if (!(forward ? character?.canRedo : character?.canUndo)) return;
+  useRig(await engine.call("undoEdit", { forward }), chosenName());
+  await bind();
+}
+
+let dragged = null; // {joint, moved}: the name of the joint that is being dragged, and whether the module knows
+
+// Weights follow a dragged joint as fast as the worker binds.
+const moves = new Latest(async ({ of, place, step }) => {
+  if (of !== character) return;
+  const edits = [{ kind: editKinds.move, joint: step.joint, place }];
+  const shown = { mode, joint: Math.max(0, view.selected) };
+  const { rig, seconds, buffers } = await engine.call("move", {
+    edits, mirror: editor.alike, continues: step.moved, ...how(), answers: asNumbers(character.source.answers), ...shown,
+  });
+  if (of !== character) return;
+  step.moved = true;
+  if (!moves.pending) {
+    Object.assign(character, rig);
+    view.moveSkeleton(rig.joints);
+    editor.showPlace();
+  }
+  view.setColours(buffers.colours);
+  if (character.result) {
+    character.result = character.shown = { ...character.result, seconds, hash: pending };
+    showFacts();
+  }
+});
+
+function dragJoint(joint, place) {
+  if (view.selected !== joint) choose(joint);
+  dragged ??= { joint: character.joints[joint].name, moved: false };
+  character.joints = movedJoints(character.joints, joint, place, character, editor.alike);
+  view.moveSkeleton(character.joints);
+  editor.showPlace();
+  moves.want({ of: character, place, step: dragged }).catch((error) => showError(error.message));
+}
+
+function endDrag() {
+  const ended = dragged;
+  dragged = null;
+  if (!ended) return;
+  run(async () => {
+    while (moves.busy) await moves.idle().catch(() => {}); // said already
+    showSkeleton();
+    if (ended.moved) await bind();
+  });
+}
+
+function toMiddle() {
+  if (!editor.canEdit || view.dragging) return;
+  editor.move(view.middleOf(view.selected));
 }
 
 // ---- questions and answers
@@ -486,12 +652,18 @@ function setMode(wanted) {
 }
 
 function undo(forward) {
+  if (view.editing) return view.dragging || run(() => (clearError(), undoEdit(forward)));
   if (forward ? pose?.redo() : pose?.undo()) poseChanged();
 }
 
 async function download() {
   const { buffers } = await engine.call("glb", { name: character.name });
-  save(buffers.bytes, "model/gltf-binary", `${character.name}.bound.glb`);
+  save(buffers.bytes, "model/gltf-binary", `${character.name}.${character.predicted ? "rigged" : "bound"}.glb`);
+}
+
+async function downloadRig() {
+  const { buffers } = await engine.call("rigText", { name: character.name });
+  save(buffers.bytes, "text/plain", `${character.name}.rig.txt`);
 }
 
 function save(content, type, name) {
@@ -515,6 +687,7 @@ function listen() {
     run(() => openFiles(list));
   };
   $("download").onclick = () => run(download);
+  $("download-rig").onclick = () => run(downloadRig);
   $("error").lastElementChild.onclick = clearError;
 
   // A drag passes over many elements; the count says when it has left the page.
@@ -539,6 +712,15 @@ function listen() {
   questions.onTakeBack = takeBack;
   $("save-style").onclick = () => run(() => (clearError(), saveStyle()));
   $("style").lastElementChild.onclick = () => run(() => (clearError(), forgetStyle()));
+
+  editor = new SkeletonEditor();
+  editor.onEdit = (edits, chosen) => run(() => (clearError(), editSkeleton(edits, chosen)));
+  editor.onPredict = (wishes) => character && run(async () => (clearError(), await predict(wishes), await bind()));
+  editor.onMiddle = toMiddle;
+  $("work").onchange = ({ target }) => edit(target.value === "skeleton");
+  $("undo-edit").onclick = () => undo(false);
+  $("redo-edit").onclick = () => undo(true);
+  $("middle").onchange = () => (view.toMiddle = $("middle").checked);
 
   $("mode").onchange = (event) => setMode(Number(event.target.value));
   $("joints").onclick = (event) => {
@@ -587,9 +769,12 @@ function listen() {
   $("skinning").onchange = () => character && poseChanged();
   $("up").onchange = () => {
     const current = open.find(({ name }) => name === character?.name);
-    if (current) run(async () => (clearError(), load(current)));
+    if (current) run(async () => (clearError(), load(current, true)));
   };
 
+  view.onDrag = dragJoint;
+  view.onDragEnd = endDrag;
+  view.planeOf = (joint) => (character.mirrored && editor.alike && character.joints[joint].partner === joint ? { axis: character.axis, at: character.plane } : null);
   view.onPickJoint = choose;
   view.onPickSurface = (shown) => character.result && choose(character.result.strongest[shown]);
   view.onTurnStart = () => pose.remember();
@@ -599,13 +784,14 @@ function listen() {
   };
 
   addEventListener("keydown", (event) => {
-    const typing = event.target.matches("input[type=search], select");
+    const typing = event.target.matches("input[type=search], input[type=text], input[type=number], select");
     if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
       event.preventDefault();
       return undo(event.shiftKey);
     }
     if (event.key === "Escape") {
       if (document.activeElement === $("search")) $("search").blur();
+      else if (document.activeElement === $("rename")) editor.show(character, view.selected), $("rename").blur();
       else if (!$("error").hidden) clearError();
       else if (questions.close()) return;
       else choose(-1);
@@ -616,7 +802,12 @@ function listen() {
       "/": () => $("search").focus(),
       f: () => character && view.frame(),
       s: toggleSkeleton,
-      r: () => pose?.reset() && poseChanged(),
+      r: () => !view.editing && pose?.reset() && poseChanged(),
+      e: () => edit(!view.editing),
+      a: () => view.editing && editor.add(),
+      m: () => view.editing && toMiddle(),
+      delete: () => view.editing && editor.remove(),
+      backspace: () => view.editing && editor.remove(),
       1: () => setMode(modes.joints),
       2: () => setMode(modes.field),
       3: () => setMode(modes.doubt),
@@ -636,12 +827,7 @@ function toggleSkeleton() {
 async function start() {
   const forceScalar = new URLSearchParams(location.search).has("scalar");
   facts = { ...facts, ...(await engine.call("start", { forceScalar })) };
-  const name = "sinew_default.sinew";
-  const response = await fetch(name);
-  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
-  const model = await response.arrayBuffer();
-  await engine.call("write", { files: [{ name, bytes: model }] }, [model]);
-  await useModel(name);
+  await fetchModel("sinew_default.sinew");
   const wanted = new URLSearchParams(location.search).get("sample");
   await openSample(samples.find((sample) => sample.name === wanted) ?? samples[0]);
 }
@@ -660,7 +846,7 @@ window.sinewPage = {
     while (true) {
       const last = queue;
       await last;
-      if (last === queue && !poseRuns && lookTimer === 0) return;
+      if (last === queue && !poses.busy && !moves.busy && lookTimer === 0) return;
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
   },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The picture: mesh with vertex colours, skeleton on top, orbit camera, and the rings that turn a joint. Draws only when
-// something changed.
+// The picture: mesh with vertex colours, skeleton on top, orbit camera, the rings that turn a joint, and joints that are
+// dragged where the skeleton is edited. Draws only when something changed.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -23,13 +23,16 @@ import {
   Raycaster,
   Scene,
   SphereGeometry,
+  SRGBColorSpace,
   Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
+import { draggedTo } from "./limbs.js";
 
+const colourOf = ([r, g, b]) => new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
 const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
   const x = i / 255;
   return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
@@ -37,13 +40,19 @@ const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
 const bonesColour = new Color(0xdfe5ec);
 const chosenColour = new Color(0xffb02e);
 const pickPixels = 11;
+const dragPixels = 3; // less is a click
 
 export class View {
   onPickJoint = () => {};
   onPickSurface = () => {}; // shown vertex
   onTurnStart = () => {};
   onTurn = () => {}; // joint, degrees x, y, z
+  onDrag = () => {}; // joint, [x, y, z] where it is wanted now
+  onDragEnd = () => {};
   selected = -1;
+  toMiddle = true; // a dragged joint goes to the middle of the limb behind the pointer; with Alt the other way round
+  draggable = false; // whether joints can be dragged while the skeleton is edited
+  planeOf = () => null; // joint -> {axis, at} of the plane it stays on, or null
 
   #host;
   #renderer;
@@ -56,7 +65,10 @@ export class View {
   #light = new DirectionalLight(0xffffff, 1.7);
   #mesh;
   #grid;
-  #joints = []; // [{parent, rest}]
+  #joints = []; // [{parent, position}]
+  #jointColours = null; // while a predicted skeleton is edited
+  #editing = false;
+  #drag = null; // {joint, offset, from, moved}
   #handles = []; // Object3D per joint, a skeleton of their own that the rings turn
   #jointPositions = new Float32Array();
   #radius = 1;
@@ -93,6 +105,7 @@ export class View {
       this.onTurn(this.selected, x * MathUtils.RAD2DEG, y * MathUtils.RAD2DEG, z * MathUtils.RAD2DEG);
     });
     this.#scene.add(this.#gizmo.getHelper());
+    this.#listenForDrags();
     this.#listenForClicks();
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
@@ -112,12 +125,47 @@ export class View {
     this.#model.add(this.#mesh);
     this.#model.rotation.x = upAxis === 1 ? -Math.PI / 2 : 0;
     this.#model.updateMatrixWorld(true);
+    this.frame();
+    this.setSkeleton(joints);
+    this.#makeGrid(geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld));
+  }
+
+  setSkeleton(joints) {
+    this.select(-1);
+    this.#jointColours = null;
     this.#joints = joints;
     this.#jointPositions = Float32Array.from(joints.flatMap((j) => j.position));
     this.#makeHandles();
-    this.frame();
     this.#makeBones();
-    this.#makeGrid(geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld));
+    this.redraw();
+  }
+
+  // The same joints elsewhere.
+  moveSkeleton(joints) {
+    this.#joints = joints;
+    this.#jointPositions = Float32Array.from(joints.flatMap((j) => j.position));
+    this.#placeHandles();
+    this.#placeBones();
+    this.redraw();
+  }
+
+  // colours: [[r, g, b]], 0 to 255, or null.
+  setJointColours(colours) {
+    this.#jointColours = colours?.map(colourOf) ?? null;
+    this.#paintBones();
+    this.redraw();
+  }
+
+  // While a skeleton is edited joints are dragged and nothing is turned.
+  get editing() {
+    return this.#editing;
+  }
+  set editing(editing) {
+    this.#editing = editing;
+    this.select(this.selected);
+  }
+  get dragging() {
+    return this.#drag?.moved ?? false;
   }
 
   setColours(srgb) {
@@ -144,7 +192,7 @@ export class View {
 
   select(joint) {
     this.selected = joint;
-    if (joint < 0) this.#gizmo.detach();
+    if (joint < 0 || this.#editing) this.#gizmo.detach();
     else this.#gizmo.attach(this.#handles[joint]);
     this.#paintBones();
     this.redraw();
@@ -195,7 +243,17 @@ export class View {
     return { x: box.left + ((at.x + 1) / 2) * box.width, y: box.top + ((1 - at.y) / 2) * box.height, behind: at.z > 1 };
   }
 
+  // Where a joint would be in the middle of what is behind it, as the picture stands; where it is if nothing is there.
+  middleOf(joint) {
+    const { x, y } = this.jointOnScreen(joint);
+    const from = [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)];
+    return this.#place(joint, from, x, y, true);
+  }
+
   // The rest is for tests.
+  shownJoints() {
+    return Array.from(this.#jointPositions);
+  }
   shownPositions() {
     return Array.from(this.#mesh.geometry.getAttribute("position").array);
   }
@@ -232,10 +290,14 @@ export class View {
       handle.rotation.order = "ZYX"; // R = Rz Ry Rx, as the engine's poses
       return handle;
     });
+    this.#joints.forEach(({ parent }, j) => (parent < 0 ? this.#model : this.#handles[parent]).add(this.#handles[j]));
+    this.#placeHandles();
+  }
+
+  #placeHandles() {
     this.#joints.forEach(({ parent, position }, j) => {
       const from = parent < 0 ? [0, 0, 0] : this.#joints[parent].position;
       this.#handles[j].position.set(...position.map((p, axis) => p - from[axis]));
-      (parent < 0 ? this.#model : this.#handles[parent]).add(this.#handles[j]);
     });
   }
 
@@ -258,6 +320,7 @@ export class View {
     bones.renderOrder = 1;
     joints.renderOrder = 2;
     for (const mesh of [bones, joints]) {
+      mesh.count = this.#joints.length;
       mesh.frustumCulled = false;
       this.#bones.add(mesh);
     }
@@ -298,7 +361,7 @@ export class View {
     if (this.#bones.children.length === 0) return;
     const [bones, joints] = this.#bones.children;
     this.#joints.forEach(({ parent }, j) => {
-      joints.setColorAt(j, j === this.selected ? chosenColour : bonesColour);
+      joints.setColorAt(j, j === this.selected ? chosenColour : (this.#jointColours?.[j] ?? bonesColour));
       bones.setColorAt(j, parent === this.selected && parent >= 0 ? chosenColour : bonesColour);
     });
     for (const mesh of [bones, joints]) if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
@@ -313,6 +376,88 @@ export class View {
     this.#scene.add(this.#grid);
   }
 
+  // The joint that is nearest to a place of the page, -1 where none is near.
+  #jointAt(x, y) {
+    let best = -1;
+    let nearest = pickPixels;
+    for (let j = 0; this.skeletonShown && j < this.#joints.length; ++j) {
+      const at = this.jointOnScreen(j);
+      const distance = Math.hypot(at.x - x, at.y - y);
+      if (!at.behind && distance < nearest) [best, nearest] = [j, distance];
+    }
+    return best;
+  }
+
+  #rayThrough(x, y) {
+    const box = this.#renderer.domElement.getBoundingClientRect();
+    const point = new Vector2(((x - box.left) / box.width) * 2 - 1, 1 - ((y - box.top) / box.height) * 2);
+    this.#camera.updateMatrixWorld();
+    const ray = new Raycaster();
+    ray.setFromCamera(point, this.#camera);
+    return ray;
+  }
+
+  // Where a joint that is at `from` goes when it is dragged to a place of the page.
+  #place(joint, from, x, y, toMiddle) {
+    const { origin, direction } = this.#rayThrough(x, y).ray;
+    const toModel = new Matrix4().copy(this.#model.matrixWorld).invert(); // turned at most, so lengths stay
+    const { geometry } = this.#mesh;
+    return draggedTo({
+      origin: origin.applyMatrix4(toModel).toArray(),
+      direction: direction.transformDirection(toModel).toArray(),
+      forward: this.#camera.getWorldDirection(new Vector3()).transformDirection(toModel).toArray(),
+      from,
+      plane: this.planeOf(joint),
+      surface: toMiddle ? { positions: geometry.getAttribute("position").array, triangles: geometry.index.array } : null,
+    });
+  }
+
+  // Before the canvas hears of it: a drag that begins on a joint is no orbit.
+  #listenForDrags() {
+    this.#host.addEventListener(
+      "pointerdown",
+      (event) => {
+        if (!this.#editing || !this.draggable || event.button !== 0 || event.target !== this.#renderer.domElement || this.#drag) return;
+        const joint = this.#jointAt(event.clientX, event.clientY);
+        if (joint < 0) return;
+        this.#orbit.enabled = false;
+        this.#untouched = false; // the picture stays as it is, whatever the window does
+        const at = this.jointOnScreen(joint);
+        this.#drag = {
+          joint,
+          offset: [at.x - event.clientX, at.y - event.clientY],
+          start: [event.clientX, event.clientY],
+          from: [...this.#jointPositions.subarray(joint * 3, joint * 3 + 3)],
+          moved: false,
+        };
+        event.target.setPointerCapture(event.pointerId);
+      },
+      true,
+    );
+    const canvas = this.#renderer.domElement;
+    canvas.addEventListener("pointermove", (event) => {
+      const drag = this.#drag;
+      if (!drag) {
+        canvas.style.cursor = this.#editing && this.draggable && this.#jointAt(event.clientX, event.clientY) >= 0 ? "move" : "";
+        return;
+      }
+      const { clientX: x, clientY: y } = event;
+      if (!drag.moved && Math.hypot(x - drag.start[0], y - drag.start[1]) < dragPixels) return;
+      drag.moved = true;
+      drag.from = this.#place(drag.joint, drag.from, x + drag.offset[0], y + drag.offset[1], this.toMiddle !== event.altKey);
+      this.onDrag(drag.joint, drag.from);
+    });
+    const end = () => {
+      if (!this.#drag) return;
+      const { moved } = this.#drag;
+      this.#drag = null;
+      this.#orbit.enabled = true;
+      if (moved) this.onDragEnd();
+    };
+    canvas.addEventListener("pointerup", end);
+    canvas.addEventListener("pointercancel", end);
+  }
+
   // A click, not the end of a drag, chooses the joint under the pointer, else the strongest joint of the surface there.
   #listenForClicks() {
     const canvas = this.#renderer.domElement;
@@ -322,19 +467,9 @@ export class View {
     });
     canvas.addEventListener("pointerup", (event) => {
       if (!down || !this.#mesh || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
-      let best = -1;
-      let nearest = pickPixels;
-      for (let j = 0; this.skeletonShown && j < this.#joints.length; ++j) {
-        const at = this.jointOnScreen(j);
-        const distance = Math.hypot(at.x - event.clientX, at.y - event.clientY);
-        if (!at.behind && distance < nearest) [best, nearest] = [j, distance];
-      }
-      if (best >= 0) return this.onPickJoint(best);
-      const box = canvas.getBoundingClientRect();
-      const point = new Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
-      this.#camera.updateMatrixWorld();
-      const ray = new Raycaster();
-      ray.setFromCamera(point, this.#camera);
+      const joint = this.#jointAt(event.clientX, event.clientY);
+      if (joint >= 0) return this.onPickJoint(joint);
+      const ray = this.#rayThrough(event.clientX, event.clientY);
       const [hit] = ray.intersectObject(this.#mesh);
       if (hit) this.onPickSurface(hit.face.a);
     });

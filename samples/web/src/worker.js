@@ -79,20 +79,31 @@ const calls = {
   write({ files }) {
     for (const { name, bytes } of files) module.FS.writeFile(plain(name), new Uint8Array(bytes));
   },
-  remove({ names }) {
+  remove({ names, numbers }) {
+    for (const number of numbers) module._web_forget(number);
     for (const name of names) {
       if (module.FS.analyzePath(plain(name)).exists) module.FS.unlink(plain(name));
     }
   },
   model: ({ name }) => withText(plain(name), (at) => checked(module._web_model(at))),
-  load({ mesh, skeleton }) {
-    const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s))));
+  load({ mesh, skeleton, number }) {
+    const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s, number))));
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
   // answers: [[vertex, kind, joint], ...]
   bind({ method, upAxis, answers }) {
     const reply = withText(JSON.stringify(answers), (at) => checked(module._web_bind(method, upAxis, at)));
     return { ...reply, buffers: take(["strongest", "vertexQuestions"]) };
+  },
+  rig: ({ wishes }) => withText(JSON.stringify(wishes), (at) => checked(module._web_rig(at))),
+  // edits: [{kind, joint, other, place}, ...]
+  edit: ({ edits, mirror, continues }) => withText(JSON.stringify(edits), (at) => checked(module._web_edit(at, mirror, continues))),
+  undoEdit: ({ forward }) => checked(module._web_undo_edit(forward)),
+  // An edit with weights and colours at once, while a joint is dragged.
+  move({ edits, mirror, continues, method, upAxis, answers, mode, joint }) {
+    const rig = calls.edit({ edits, mirror, continues });
+    const { seconds } = withText(JSON.stringify(answers), (at) => checked(module._web_rebind(method, upAxis, at)));
+    return { rig, seconds, ...calls.colour({ mode, joint }) };
   },
   preview: ({ method, upAxis, answers }) => withText(JSON.stringify(answers), (at) => checked(module._web_preview(method, upAxis, at))),
   endPreview: () => checked(module._web_end_preview()),
@@ -122,6 +133,11 @@ const calls = {
   glb({ name }) {
     const file = `${plain(name)}.bound.glb`;
     withText(file, (at) => checked(module._web_write_glb(at)));
+    return { buffers: { bytes: readOnce(file) } };
+  },
+  rigText({ name }) {
+    const file = `${plain(name)}.saved.rig.txt`; // not the file that was dropped
+    withText(file, (at) => checked(module._web_write_rig(at)));
     return { buffers: { bytes: readOnce(file) } };
   },
 };

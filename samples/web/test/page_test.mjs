@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page in a real headless Chromium: samples bind to the native hashes with and without SIMD, joints turn, the GLB is the command's
-// to the last byte, and whatever is wrong with a file is said in one line. Leaves screenshots to look at.
+// The page in a real headless Chromium: samples bind to the native hashes with and without SIMD, joints turn, bare meshes get skeletons
+// that are edited, GLB and rig.txt are the command's to the last byte, and whatever is wrong with a file is said in one line. Leaves screenshots to look at.
 //   page_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -28,11 +28,20 @@ function command(name, ...more) {
   const summary = execFileSync(sinew, ["bind", mesh, ...rigOf(name), "-o", out, "--json", ...more], { stdio: "pipe" });
   return { ...JSON.parse(summary), glb: out };
 }
+// What the command makes of a bare mesh: its summary, and the bytes of both files.
+function rigged(mesh, ...more) {
+  const glb = join(work, "command.rigged.glb");
+  const rig = join(work, "command.rig.txt");
+  const summary = execFileSync(sinew, ["rig", mesh, "-o", glb, "--json", ...more], { stdio: "pipe" });
+  execFileSync(sinew, ["rig", mesh, "-o", rig, ...more], { stdio: "pipe" });
+  return { ...JSON.parse(summary), glb: readFileSync(glb), rig: readFileSync(rig, "utf8") };
+}
 const nativeQuestions = new Map([...native.keys()].map((name) => [name, command(name, "--questions", "8").questions]));
 
 const server = await serve(dist);
 const browser = await launch();
 const troubles = [];
+const asked = []; // addresses
 let page;
 
 async function openPage(query, size) {
@@ -41,6 +50,7 @@ async function openPage(query, size) {
   if (size) await page.setViewportSize(size);
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
   page.on("pageerror", (error) => troubles.push(error.message));
+  page.on("request", (request) => asked.push(request.url()));
   page.on("request", (request) => /^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url()) || troubles.push(`asks ${request.url()}`));
   await page.goto(server.address + query);
   await settled();
@@ -67,6 +77,44 @@ const focused = () => page.evaluate(() => document.activeElement.getAttribute("a
 async function downloaded(id) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+const joints = () => page.evaluate(() => sinewPage.character.joints);
+const mirror = () => page.evaluate(() => ({ axis: sinewPage.character.axis, plane: sinewPage.character.plane }));
+const indexes = (list, name) => {
+  const at = list.findIndex((joint) => joint.name === name);
+  return { at, other: list[at].partner };
+};
+// Two pictures later: a line below that has grown changes the picture's size first.
+const onScreen = (joint) =>
+  page.evaluate(async (j) => {
+    for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
+    return sinewPage.view.jointOnScreen(j);
+  }, joint);
+// Chosen in the list of joints; keys are the page's afterwards.
+async function pick(name) {
+  await page.fill("#search", name);
+  await page.click(`#joints li >> text="${name}"`);
+  await page.fill("#search", "");
+  await page.focus("#joints");
+  await settled();
+}
+async function drag(joint, x, y) {
+  const from = await onScreen(joint);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + x, from.y + y, { steps: 5 });
+  await page.mouse.up();
+  await settled();
+}
+// The page's skeleton and files are what the command makes.
+async function isTheCommands({ joints: wanted, glb, rig }) {
+  const found = await joints();
+  assert.deepEqual(
+    found.map(({ name, parent, position, end, confidence }) => ({ name, parent: found[parent]?.name ?? "", position: position.map(Math.fround), end, confidence })),
+    wanted.map(({ name, parent, position, end, confidence }) => ({ name, parent, position: position.map(Math.fround), end, confidence })),
+  );
+  assert.ok((await downloaded("#download")).bytes.equals(glb), "the page's GLB differs from the command's");
+  assert.equal((await downloaded("#download-rig")).bytes.toString(), rig, "the page's rig.txt differs from the command's");
 }
 const positions = () => page.evaluate(() => sinewPage.view.shownPositions());
 const file = (path) => ({ name: path.split("/").pop(), mimeType: "application/octet-stream", buffer: readFileSync(join(data, path)) });
@@ -396,12 +444,284 @@ try {
     await shoot("several");
   });
 
-  await step("a mesh first, its skeleton later", async () => {
+  await step("a bare mesh gets a skeleton at once, a skeleton of its own later", async () => {
+    assert.ok(!asked.some((url) => url.endsWith("sinew_rig.sinew")), "the model of skeletons is fetched before anyone needs it");
     await give(file("quadruped__tailed.obj"));
-    assert.equal(await errorLine(), "quadruped__tailed.obj: has no skeleton; drop its quadruped__tailed.rig.txt as well");
+    assert.equal(await errorLine(), "");
+    assert.ok(asked.some((url) => url.endsWith("sinew_rig.sinew")));
+    await isTheCommands(rigged(join(data, "quadruped__tailed.obj")));
+    assert.equal(await page.isVisible("#sure"), true);
+    assert.equal(await page.isVisible("#notice"), false);
+    assert.equal(await page.isVisible("#edit"), true);
+    assert.equal(await page.isVisible("#pose"), false);
+    assert.match(await fact("skeleton in"), /skeleton in [\d,.]+ m?s/);
+    await shoot("rigged");
     await give(file("quadruped__tailed.rig.txt"));
     assert.equal(await errorLine(), "");
     assert.equal(await hash(), native.get("quadruped__tailed"));
+    assert.equal(await page.isVisible("#sure"), false);
+    assert.equal(await page.isVisible("#pose"), true);
+  });
+
+  await step("a joint is dragged: its partner follows, weights follow, and it is undone", async () => {
+    const mesh = join(data, "biped__robot.obj");
+    await give(file("biped__robot.obj"));
+    const before = rigged(mesh);
+    const plainHash = await hash();
+    const plain = await joints();
+    const name = "LeftForeArm";
+    const { at, other } = indexes(plain, name);
+    assert.equal(plain[other].name, "RightForeArm");
+    await pick(name);
+    const coloured = await colours();
+    const from = await onScreen(at);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x + 14, from.y + 11, { steps: 3 });
+    await page.waitForFunction((old) => sinewPage.view.shownColours().some((c, i) => c !== old[i]), coloured, { timeout: 20000 }); // before it is let go
+    await page.mouse.move(from.x + 28, from.y + 22, { steps: 12 });
+    const shown = await onScreen(at);
+    assert.ok(Math.hypot(shown.x - from.x - 28, shown.y - from.y - 22) < 1.5, "the joint is not under the pointer");
+    await shoot("dragging-joint");
+    await page.mouse.up();
+    await settled();
+    assert.equal(await page.locator("#edit-name").innerText(), name);
+    assert.equal(await legend(), `Weight of ${name}`);
+    const moved = await joints();
+    const { axis, plane } = await mirror();
+    moved.forEach(({ position }, j) => {
+      const isMoved = j === at || j === other;
+      assert.equal(position.some((x, i) => x !== plain[j].position[i]), isMoved, moved[j].name);
+    });
+    const image = moved[at].position.map((x, i) => (i === axis ? Math.fround(2 * plane - x) : x));
+    assert.deepEqual(moved[other].position, image);
+    assert.deepEqual(await page.evaluate(() => sinewPage.view.shownJoints()), moved.flatMap(({ position }) => position), "the picture has other places");
+    assert.notEqual(await hash(), plainHash);
+    await isTheCommands(rigged(mesh, "--move", `${name}=${moved[at].position}`));
+
+    // The middle of the limb is where it is already, seen from here.
+    await page.keyboard.press("m");
+    await settled();
+    const middle = (await joints())[at].position;
+    assert.ok(Math.hypot(...middle.map((x, i) => x - moved[at].position[i])) < 1e-4, `${middle} is not ${moved[at].position}`);
+    await page.keyboard.press("Control+z");
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.equal(await hash(), plainHash);
+    assert.deepEqual(await joints(), plain);
+    assert.equal(await page.isDisabled("#undo-edit"), true);
+    await page.keyboard.press("Control+Shift+z");
+    await settled();
+    assert.deepEqual(await joints(), moved);
+    await page.click("#undo-edit");
+    await settled();
+    assert.deepEqual(await joints(), plain);
+    assert.ok((await downloaded("#download")).bytes.equals(before.glb));
+
+    // Without the middle it stays as far away as it was; one side alone leaves the other one.
+    await page.uncheck("#middle");
+    await page.uncheck("#alike");
+    await drag(at, 12, 6);
+    const alone = await joints();
+    assert.deepEqual(alone[other].position, plain[other].position);
+    assert.notDeepEqual(alone[at].position, plain[at].position);
+    await page.check("#middle");
+    await page.check("#alike");
+    await page.click("#undo-edit");
+    await settled();
+
+    // What stands for both sides stays on the plane.
+    const spine = plain.findIndex((joint) => joint.name === "Spine");
+    await drag(spine, 15, -9);
+    const lifted = (await joints())[spine].position;
+    assert.equal(lifted[axis], Math.fround(plane));
+    assert.notDeepEqual(lifted, plain[spine].position);
+    await page.click("#undo-edit");
+    await settled();
+    // A drag beside the joints turns the picture and edits nothing.
+    await page.mouse.move(30, 400);
+    await page.mouse.down();
+    await page.mouse.move(90, 380, { steps: 4 });
+    await page.mouse.up();
+    await settled();
+    assert.deepEqual(await joints(), plain);
+    assert.notDeepEqual(await onScreen(at), from);
+    await page.keyboard.press("f");
+  });
+
+  await step("joints are added, renamed, hung elsewhere, placed by numbers and removed, by keys", async () => {
+    const mesh = join(data, "biped__robot.obj");
+    await give(file("biped__robot.obj"));
+    const edits = [];
+    await pick("LeftHand");
+    await page.keyboard.press("a");
+    await settled();
+    let now = await joints();
+    const [added] = now.filter(({ name }) => name === "LeftJoint");
+    assert.ok(added && now.some(({ name }) => name === "RightJoint"));
+    edits.push("--add", `LeftJoint=LeftHand:${added.position}`);
+    assert.equal(await page.evaluate(() => document.activeElement.id), "rename", "the new joint's name is what is typed");
+    await page.keyboard.type("LeftThumb");
+    await page.keyboard.press("Enter");
+    await settled();
+    edits.push("--rename", "LeftJoint=LeftThumb");
+    assert.equal(await page.locator("#edit-name").innerText(), "LeftThumb");
+    assert.equal(await page.inputValue("#rename"), "LeftThumb");
+    await page.selectOption("#parent", { label: "LeftForeArm" });
+    await settled();
+    edits.push("--parent", "LeftThumb=LeftForeArm");
+    await page.fill("#place-y", "1.25");
+    await page.keyboard.press("Tab");
+    await settled();
+    now = await joints();
+    const thumb = now.find(({ name }) => name === "LeftThumb");
+    assert.equal(thumb.position[1], 1.25);
+    assert.equal(now[thumb.parent].name, "LeftForeArm");
+    edits.push("--move", `LeftThumb=${thumb.position}`);
+    await pick("RightFoot");
+    await page.keyboard.press("Delete");
+    await settled();
+    edits.push("--remove", "RightFoot");
+    now = await joints();
+    assert.ok(!now.some(({ name }) => /Foot/.test(name)), "its partner goes with it");
+    await isTheCommands(rigged(mesh, ...edits));
+    await shoot("edited");
+
+    // What cannot be is said, and nothing has changed.
+    await pick("LeftThumb");
+    const before = await hash();
+    await page.fill("#rename", "Hips");
+    await page.keyboard.press("Enter");
+    await settled();
+    assert.match(await errorLine(), /already; choose another name$/);
+    assert.equal(await page.inputValue("#rename"), "LeftThumb");
+    await page.fill("#rename", "Left Thumb");
+    await page.keyboard.press("Enter");
+    await settled();
+    assert.match(await errorLine(), /has a blank in it/);
+    const offered = await page.locator("#parent option").allTextContents();
+    assert.ok(offered.includes("Hips") && !offered.includes("LeftThumb") && !offered.some((name) => name.endsWith("_end")));
+    assert.equal(await hash(), before);
+    await page.click("#error button");
+
+    // The edited rig.txt comes back with its mesh, and is edited on.
+    const saved = await downloaded("#download-rig");
+    assert.equal(saved.name, "biped__robot.rig.txt");
+    await give(file("biped__robot.obj"), { name: saved.name, mimeType: "text/plain", buffer: saved.bytes });
+    assert.equal(await errorLine(), "");
+    assert.deepEqual((await joints()).map(({ name }) => name), now.map(({ name }) => name));
+    await page.keyboard.press("e");
+    await pick("LeftThumb");
+    await page.fill("#place-y", "1.3");
+    await page.keyboard.press("Tab");
+    await settled();
+    assert.equal(await errorLine(), "");
+    assert.equal((await joints()).find(({ name }) => name === "RightThumb").position[1], Math.fround(1.3));
+  });
+
+  await step("a new skeleton by other wishes, and edits that stay with their character", async () => {
+    const mesh = join(data, "biped__robed.obj");
+    await give(file("biped__robed.obj"));
+    await page.click("#edit summary");
+    for (const [wish, ...more] of [
+      [() => page.selectOption("#spine", "4"), "--spine", "4"],
+      [() => page.uncheck("#toes"), "--spine", "4", "--no-toes"],
+      [() => page.uncheck("#ends"), "--spine", "4", "--no-toes", "--no-ends"],
+      [() => page.selectOption("#mirror", "2"), "--spine", "4", "--no-toes", "--no-ends", "--no-mirror"],
+      [() => page.selectOption("#mirror", "1"), "--spine", "4", "--no-toes", "--no-ends", "--mirror"],
+    ]) {
+      await wish();
+      await settled();
+      await isTheCommands(rigged(mesh, ...more));
+    }
+    await page.selectOption("#spine", "0");
+    await page.selectOption("#mirror", "0");
+    await page.check("#toes");
+    await page.check("#ends");
+    await settled();
+    const { glb } = rigged(mesh);
+    assert.ok((await downloaded("#download")).bytes.equals(glb));
+    await page.click("#undo-edit");
+    await settled();
+    assert.ok(!(await downloaded("#download")).bytes.equals(glb));
+    await page.click("#edit summary");
+
+    // A file's own skeleton gives way to a new one, and comes back.
+    await page.selectOption("#sample", "biped__caped");
+    await settled();
+    assert.equal(await page.isVisible("#edit"), false);
+    await page.keyboard.press("e");
+    await settled();
+    assert.equal(await page.isVisible("#edit-none"), true);
+    await page.click("#joints li:nth-child(4)");
+    await settled();
+    assert.equal(await page.isDisabled("#rename"), true);
+    await page.click("#predict");
+    await settled();
+    assert.equal(await errorLine(), "");
+    assert.equal(await page.isVisible("#edit-none"), false);
+    await isTheCommands(rigged(join(data, "biped__caped.gltf")));
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.equal(await hash(), native.get("biped__caped"));
+
+    // Of two characters each keeps what was done to it.
+    await give(file("biped__robot.obj"), file("bird__winged.obj"));
+    await pick("Head");
+    await page.fill("#place-y", "1.6");
+    await page.keyboard.press("Tab");
+    await settled();
+    const edited = await hash();
+    await page.click('#characters >> text="bird__winged"');
+    await settled();
+    assert.notEqual(await hash(), edited);
+    await page.click('#characters >> text="biped__robot"');
+    await settled();
+    assert.equal(await hash(), edited);
+    await page.click("#undo-edit");
+    await settled();
+    assert.notEqual(await hash(), edited);
+  });
+
+  await step("an answer stays with its joint, poses are of the edited skeleton", async () => {
+    await give(file("biped__robot.obj"));
+    await page.keyboard.press("e");
+    await settled();
+    assert.equal(await page.isVisible("#pose"), true);
+    await page.locator("#questions .question").first().click();
+    await page.locator("#questions .any select").selectOption({ label: "Head" });
+    await page.click("#questions .take");
+    await settled();
+    const answered = await hash();
+    await page.keyboard.press("e");
+    await pick("Spine");
+    await page.keyboard.press("Delete");
+    await settled();
+    assert.equal(await errorLine(), "");
+    await page.keyboard.press("e");
+    assert.match(await page.locator("#questions .answered .name").innerText(), /rigid:Head$/);
+    await page.keyboard.press("e");
+    await page.keyboard.press("Control+z");
+    await settled();
+    assert.equal(await hash(), answered);
+    await pick("LeftArm");
+    const arm = (await joints()).findIndex(({ name }) => name === "LeftArm");
+    await drag(arm, 0, 12);
+    await page.keyboard.press("e");
+    await page.focus("#turn-z");
+    for (let i = 0; i < 30; ++i) await page.keyboard.press("ArrowRight");
+    await settled();
+    const apart = await page.evaluate(() => sinewPage.view.largestHandleDistance());
+    assert.ok(apart < 1e-4, `${apart} of the character's size apart`);
+    await shoot("posed-after-edit");
+    // Editing is done at rest; the pose is there afterwards.
+    const turned = await positions();
+    await page.keyboard.press("e");
+    await settled();
+    assert.notDeepEqual(await positions(), turned);
+    await page.keyboard.press("e");
+    await settled();
+    assert.deepEqual(await positions(), turned);
   });
 
   await step("what is wrong is said in one line, and the page goes on", async () => {
@@ -416,10 +736,9 @@ try {
     });
     const before = await hash();
     for (const [files, want] of [
-      [[made("notes.docx", "PK")], /^notes\.docx: expected \.obj with \.rig\.txt, .* found another kind of file$/],
+      [[made("notes.docx", "PK")], /^notes\.docx: expected \.obj, \.rig\.txt, .* found another kind of file$/],
       [[made("broken.glb", "glTF but not really, only a few bytes of it")], /^broken\.glb: /],
       [[made("empty.glb", "")], /^empty\.glb: /],
-      [[made("plain.gltf", triangle)], /^plain\.gltf: has no skeleton; drop a rig\.txt or a GLB with one together with it$/],
       [[made("a.obj", obj.replace(/\nv .*/, "\nv 0 nan 0")), made("a.rig.txt", rig)], /^a\.obj:\d+: expected a finite number after 'v', found 'nan'$/],
       [[made("a.obj", obj), made("a.rig.txt", rig.replace(/^hier /m, "heir "))], /^a\.rig\.txt:\d+: expected /],
       [[made("a.obj", "v 0 0 0\nv 1 0 0\n"), made("a.rig.txt", rig)], /^a\.obj: has no faces to show/],
@@ -436,12 +755,23 @@ try {
     await shoot("error");
     await page.click("#error button");
     assert.equal(await errorLine(), "");
+    // A triangle gets a skeleton too, and a line that says what to think of it.
+    await give(made("plain.gltf", triangle));
+    assert.equal(await errorLine(), "");
+    assert.ok((await joints()).length > 0);
+    assert.equal(await page.isVisible("#notice"), true);
+    assert.match(await page.locator("#notice").innerText(), /^This mesh resembles nothing that the model knows/);
+    await shoot("untrusted");
+    await give(made("rigs.sinew", readFileSync(join(data, "sinew_rig.sinew")).subarray(0, 900)));
+    assert.match(await errorLine(), /^rigs\.sinew: /);
+    await give(file("sinew_rig.sinew"));
+    assert.equal(await errorLine(), "");
     await give(file("snake__long.obj"), file("snake__long.rig.txt"));
     assert.equal(await hash(), native.get("snake__long"));
   });
 
   await step("options", async () => {
-    await page.click("summary");
+    await page.click("#panel > details summary");
     await page.selectOption("#method", "1");
     await settled();
     assert.notEqual(await hash(), native.get("snake__long"));
@@ -468,6 +798,11 @@ try {
     const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     assert.equal(over, 0, "the page is wider than the window");
     await shoot("small");
+    await page.keyboard.press("e");
+    await settled();
+    await page.locator("#edit").scrollIntoViewIfNeeded();
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);
+    await shoot("small-edit");
     for (const id of ["#download", "#open", "#legend", "#search"]) {
       const box = await page.locator(id).boundingBox();
       assert.ok(box && box.x >= 0 && box.x + box.width <= 390, `${id} reaches out of the window`);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the page's worker calls: one character at a time is read from the module's files, bound, coloured, posed and
-// written. Calls that can fail return JSON, {"error": "one line"} when they did; arrays are read where web_buffer()
+// What the page's worker calls: one character at a time is read from the module's files, given a skeleton where it has
+// none, bound, coloured, posed and written. Calls that can fail return JSON, {"error": "one line"} when they did; arrays are read where web_buffer()
 // says they lie.
 #include <emscripten.h>
 
@@ -8,12 +8,15 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "rig_json.hpp"
+#include "rigs.hpp"
 #include "sinew/sinew.h"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/answers.hpp"
@@ -22,6 +25,7 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
+#include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_formats/skeleton_repair.hpp"
 #include "sinew_formats/style.hpp"
@@ -57,12 +61,20 @@ struct Rows {
   std::vector<uint8_t> confidence;                 // [V]
 };
 
-struct Session {
-  std::vector<uint64_t> model_bytes;
+// The block stays where it is, and with it what the model points to.
+struct OpenModel {
+  std::vector<uint64_t> bytes;
   sinew_model model = {};
-  Character character;
-  JointChoice choice;  // of the weights that the file had
-  Style style;         // for the next characters
+};
+
+struct Session {
+  OpenModel bind_model, rig_model;
+  Character character;                    // with the joints of rigs().now()
+  std::map<uint32_t, web::Rigs> rigs_of;  // of all characters that are open, by the page's numbers
+  uint32_t number = 0;                    // the character's
+  Style style;                            // for the next characters
+  web::Rigs& rigs() { return rigs_of[number]; }
+  const web::Rigs& rigs() const { return rigs_of.at(number); }
   web::Surface surface;
   std::vector<float> rest;                // [V x 3]
   std::vector<uint16_t> joints, weights;  // [V x kInfluences]
@@ -173,16 +185,17 @@ Bound bind_with(const Session& s, const Wish& wish, const std::vector<sinew_answ
   CharacterBindOptions options;
   options.bind.method = static_cast<sinew_method>(wish.method);
   if (options.bind.method == SINEW_METHOD_MODEL) {
-    if (s.model.bytes == nullptr) throw Error("no model is loaded");
-    options.bind.model = &s.model;
+    if (s.bind_model.bytes.empty()) throw Error("no model is loaded");
+    options.bind.model = &s.bind_model.model;
   }
   options.bind.influence_count = kInfluences;
   options.bind.up_axis = wish.up_axis;
   options.bind.progress = wish.progress;
   options.bind.answers = answers;
   options.bind.question_count = questions;
+  options.keep_tips = options.bind_props = s.rigs().now().predicted;
   Bound bound;
-  bound.choice = s.choice;
+  bound.choice = s.rigs().now().choice;
   std::vector<size_t> named;
   for (const sinew_answer& answer : answers)
     if (answer.kind == SINEW_ANSWER_RIGID && answer.joint < s.character.joints.size()) named.push_back(answer.joint);
@@ -206,7 +219,12 @@ Json question_json(const std::vector<Joint>& joints, const sinew_question& quest
           {"gain", question.gain / 65536.0},   {"alternatives", std::move(alternatives)}};
 }
 
+void need_joints(const Session& s) {
+  if (s.character.joints.empty()) throw Error(s.character.name + ": has no skeleton yet");
+}
+
 Json bind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+  need_joints(s);
   Bound bound = bind_with(s, wish, answers, kQuestions);
   CharacterBind& result = bound.result;
   s.taken = {};
@@ -241,6 +259,16 @@ Json bind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers
           {"questions", std::move(questions)}};
 }
 
+// A bind that shows weights while a joint is dragged: no questions, no sums.
+Json rebind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+  need_joints(s);
+  CharacterBind result = bind_with(s, wish, answers, 0).result;
+  s.taken = {};
+  Rows rows = {std::move(result.influences), std::move(result.confidence)};
+  swap_rows(s, &rows);
+  return {{"seconds", result.seconds}};
+}
+
 // Shows the character as these answers would bind it; what was taken stays what is written.
 Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
   CharacterBind result = bind_with(s, wish, answers, 0).result;
@@ -257,7 +285,7 @@ Json style_answers(Session& s, const Wish& wish) {
   if (s.style.sheets.empty()) return {{"answers", std::move(list)}};
   CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
   const AskedBind asked = {proposed.questions, proposed.vertex_parts};
-  for (const sinew_answer& answer : answer_by_style(s.style, s.character, asked, s.choice.flags)) {
+  for (const sinew_answer& answer : answer_by_style(s.style, s.character, asked, s.rigs().now().choice.flags)) {
     const uint32_t number = proposed.vertex_questions[answer.vertex];
     list.push_back({{"question", question_json(s.character.joints, proposed.questions[number])},
                     {"number", number},
@@ -278,17 +306,70 @@ void save_style(const Session& s, const Wish& wish, const std::vector<sinew_answ
   write_style(path, style);
 }
 
-Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
+// The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
+Json show_rig(Session& s) {
+  const std::vector<Joint>&before = s.character.joints, &now = s.rigs().now().joints;
+  const bool alike = std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                                [](const Joint& a, const Joint& b) { return a.parent == b.parent; });
+  s.character.joints = now;
+  s.taken = {};
+  if (!alike) {
+    s.character.influences.clear();
+    s.joints.clear();
+    s.weights.clear();
+    s.posed = s.rest;
+    show(s);
+  }
+  return web::rig_json(s.rigs());
+}
+
+Json predict(Session& s, const Json& wishes) {
+  if (s.rig_model.bytes.empty()) throw Error("no model of skeletons is loaded");
+  SkeletonOptions options;
+  options.model = &s.rig_model.model;
+  options.up_axis = wishes.at("upAxis").get<uint32_t>();
+  options.mirror = wishes.at("mirror").get<uint32_t>();
+  options.spine_count = wishes.at("spine").get<uint32_t>();
+  options.toes = wishes.at("toes").get<bool>();
+  options.ends = wishes.at("ends").get<bool>();
+  web::Rig rig = web::predicted_rig(s.character, predict_skeleton(s.character, options));
+  if (s.character.joints.empty())
+    s.rigs().start(std::move(rig));  // a mesh without skeleton is no step to go back to
+  else
+    s.rigs().put(std::move(rig), false);
+  return show_rig(s);
+}
+
+Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
+  try {
+    s.rigs().edit(s.character, web::read_edits(edits), mirror, continues);
+  } catch (const Error& error) {  // the option of the command is a box on the page
+    std::string line = error.what();
+    const std::string option = " (--no-mirror)";
+    const size_t at = line.find(option);
+    throw Error(at == std::string::npos ? line : line.erase(at, option.size()));
+  }
+  return show_rig(s);
+}
+
+Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number) {
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) read_skeleton(skeleton, false, &character);
   if (character.vertices.empty()) throw Error(mesh + ": has no vertices to bind");
-  if (character.joints.empty())
-    throw Error(mesh + ": has no skeleton; drop a rig.txt or a GLB with one together with it");
   if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
-  check_bindable(character);
-  (void)infer_parents(&character.joints);
-  s.choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
+  JointChoice choice;
+  if (!character.joints.empty()) {
+    check_bindable(character);
+    (void)infer_parents(&character.joints);
+    choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
+  }
   character.influences.clear();
+  if (s.rigs_of.find(number) == s.rigs_of.end()) {
+    web::Rig rig = web::rig_of_file(character, std::move(choice));
+    s.rigs_of[number].start(std::move(rig));
+  }
+  s.number = number;
+  character.joints = s.rigs().now().joints;
   s.surface = web::make_surface(character);
   s.character = std::move(character);
   s.rest.clear();
@@ -298,18 +379,11 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton) {
   s.weights.clear();
   s.taken = {};
   show(s);
-  Json joints = Json::array();
-  for (size_t j = 0; j < s.character.joints.size(); ++j) {
-    const Joint& joint = s.character.joints[j];
-    joints.push_back({{"name", joint.name},
-                      {"parent", joint.parent},
-                      {"position", {joint.position.x, joint.position.y, joint.position.z}},
-                      {"colour", joint_colour(j)}});
-  }
-  return {{"name", s.character.name},
-          {"vertices", s.character.vertices.size()},
-          {"faces", s.character.face_count()},
-          {"joints", std::move(joints)}};
+  Json reply = web::rig_json(s.rigs());
+  reply["name"] = s.character.name;
+  reply["vertices"] = s.character.vertices.size();
+  reply["faces"] = s.character.face_count();
+  return reply;
 }
 
 // mode 0: joints' colours by weight, 1: the field of `joint`, 2: how sure the prediction is (red: not).
@@ -369,23 +443,58 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* web_kernel() { return sinew_kernel_name(sinew_kernel_select(SINEW_KERNEL_AUTO)); }
 EMSCRIPTEN_KEEPALIVE const char* web_version() { return sinew_version(); }
 
+// A model of weights or of skeletons: the file says which.
 EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
   return answer([&]() -> Json {
     Session& s = session();
     const std::vector<uint8_t> bytes = read_file(path);
-    std::vector<uint64_t> aligned(bytes.size() / 8 + 1);
-    if (!bytes.empty()) std::memcpy(aligned.data(), bytes.data(), bytes.size());
-    sinew_model model = {};
-    check(path, sinew_model_open(aligned.data(), bytes.size(), &model));
-    s.model_bytes = std::move(aligned);  // the block stays where it is, and with it model.bytes
-    s.model = model;
-    return {{"bytes", bytes.size()}, {"parameters", model.parameter_count}, {"layers", model.layer_count}};
+    OpenModel opened;
+    opened.bytes.resize(bytes.size() / 8 + 1);
+    if (!bytes.empty()) std::memcpy(opened.bytes.data(), bytes.data(), bytes.size());
+    sinew_status status = sinew_rig_model_open(opened.bytes.data(), bytes.size(), &opened.model);
+    const bool of_rigs = status != SINEW_ERROR_MODEL_TASK;
+    if (!of_rigs) status = sinew_model_open(opened.bytes.data(), bytes.size(), &opened.model);
+    check(path, status);
+    const Json reply = {{"bytes", bytes.size()},
+                        {"parameters", opened.model.parameter_count},
+                        {"layers", opened.model.layer_count},
+                        {"ofSkeletons", of_rigs}};
+    (of_rigs ? s.rig_model : s.bind_model) = std::move(opened);
+    return reply;
   });
 }
 
-// skeleton: "" when the mesh file has its own. A failure leaves the present character as it was.
-EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton) {
-  return answer([&] { return load(session(), mesh, skeleton); });
+// skeleton: "" when the mesh file has its own or none. number: of the character; where one has been loaded before, it has
+// the skeleton that it had last. A failure leaves the present character as it was.
+EMSCRIPTEN_KEEPALIVE const char* web_load(const char* mesh, const char* skeleton, uint32_t number) {
+  return answer([&] { return load(session(), mesh, skeleton, number); });
+}
+
+// A character that is open no more.
+EMSCRIPTEN_KEEPALIVE void web_forget(uint32_t number) {
+  if (number != session().number) session().rigs_of.erase(number);
+}
+
+// A new skeleton for the character. wishes: {upAxis, mirror, spine, toes, ends} as SkeletonOptions has them.
+EMSCRIPTEN_KEEPALIVE const char* web_rig(const char* wishes) {
+  return answer([&] { return predict(session(), Json::parse(wishes)); });
+}
+
+// continues: in the place of the step before, as the moves of one drag.
+EMSCRIPTEN_KEEPALIVE const char* web_edit(const char* edits, uint32_t mirror, uint32_t continues) {
+  return answer([&] { return edit(session(), Json::parse(edits), mirror != 0, continues != 0); });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_undo_edit(uint32_t forward) {
+  return answer([&] {
+    Session& s = session();
+    (void)(forward != 0 ? s.rigs().redo() : s.rigs().undo());
+    return show_rig(s);
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_rebind(uint32_t method, uint32_t up_axis, const char* answers) {
+  return answer([&] { return rebind(session(), {method, up_axis, nullptr}, read_answers(answers)); });
 }
 
 // answers: [[vertex, kind, joint], ...], as sinew_answer has them.
@@ -452,6 +561,15 @@ EMSCRIPTEN_KEEPALIVE const char* web_write_glb(const char* path) {
     need_weights(session());
     end_preview(session());
     write_glb(path, session().character);
+    return Json::object();
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_write_rig(const char* path) {
+  return answer([&] {
+    need_weights(session());
+    end_preview(session());
+    write_rig(path, session().character);
     return Json::object();
   });
 }

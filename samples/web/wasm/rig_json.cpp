@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Skeletons as JSON: names tie the joints of a file to those of the skeleton that is edited.
+#include "rig_json.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "sinew_datasets/image.hpp"
+#include "sinew_formats/joint_mirror.hpp"
+
+namespace sinew::web {
+
+using Json = nlohmann::ordered_json;
+
+Json rig_json(const Rigs& rigs) {
+  const Rig& rig = rigs.now();
+  std::map<std::string, int32_t> number;
+  for (size_t j = 0; j < rig.joints.size(); ++j) number.emplace(rig.joints[j].name, static_cast<int32_t>(j));
+  Json joints = Json::array();
+  for (size_t j = 0; j < rig.joints.size(); ++j) {
+    const Joint& joint = rig.joints[j];
+    joints.push_back({{"name", joint.name},
+                      {"parent", joint.parent},
+                      {"position", {joint.position.x, joint.position.y, joint.position.z}},
+                      {"colour", joint_colour(j)},
+                      {"side", static_cast<int>(side_of_name(joint.name))},
+                      {"end", false},
+                      {"partner", -1},
+                      {"confidence", 1}});
+  }
+  Json reply = {{"predicted", rig.predicted},
+                {"editable", rig.skeleton.has_value()},
+                {"canUndo", rigs.can_undo()},
+                {"canRedo", rigs.can_redo()}};
+  if (rig.skeleton) {
+    const PredictedSkeleton& skeleton = *rig.skeleton;
+    for (size_t k = 0; k < skeleton.joints.size(); ++k) {  // a file's joints may stand in another order
+      Json& joint = joints[static_cast<size_t>(number.at(skeleton.joints[k].name))];
+      const int32_t partner = skeleton.partners[k];
+      joint["end"] = skeleton.ends[k] != 0;
+      if (partner >= 0) joint["partner"] = number.at(skeleton.joints[static_cast<size_t>(partner)].name);
+      joint["confidence"] = skeleton.confidence[k];
+    }
+    reply["mirrored"] = skeleton.mirrored;
+    reply["axis"] = skeleton.quarter_turns % 2 != 0 ? 2 : 0;
+    reply["plane"] = skeleton.plane;
+    reply["spread"] = skeleton.spread;
+    reply["doubtful"] = rig.predicted && skeleton.spread > kDoubtfulSpread;
+    reply["seconds"] = skeleton.seconds;
+  }
+  reply["joints"] = std::move(joints);
+  return reply;
+}
+
+std::vector<SkeletonEdit> read_edits(const Json& edits) {
+  std::vector<SkeletonEdit> list;
+  for (const Json& one : edits) {
+    SkeletonEdit edit;
+    edit.kind = static_cast<EditKind>(one.at("kind").get<int>());
+    edit.joint = one.at("joint").get<std::string>();
+    edit.other = one.value("other", std::string());
+    if (one.contains("place")) {
+      const Json& place = one.at("place");
+      edit.place = {place.at(0).get<float>(), place.at(1).get<float>(), place.at(2).get<float>()};
+    }
+    list.push_back(std::move(edit));
+  }
+  return list;
+}
+
+}  // namespace sinew::web

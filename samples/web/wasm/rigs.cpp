@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Steps of editing are whole rigs: a skeleton is small beside its mesh.
+#include "rigs.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "sinew_datasets/label_skeleton.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew::web {
+namespace {
+
+constexpr size_t kMostSteps = 200;
+
+JointChoice choose_for(const Character& character, const std::vector<Joint>& joints, JointsFrom from,
+                       const std::vector<uint8_t>& said) {
+  Character with;
+  with.name = character.name;
+  if (from == JointsFrom::kNames) with.vertices = character.vertices;  // it looks for joints beside the mesh
+  with.meshes = character.meshes;
+  with.vertex_meshes = character.vertex_meshes;
+  with.joints = joints;
+  return choose_joints(with, from, said);
+}
+
+std::vector<uint8_t> all_but_ends(const PredictedSkeleton& skeleton) {
+  std::vector<uint8_t> said;
+  for (const uint8_t end : skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
+  return said;
+}
+
+}  // namespace
+
+Rig rig_of_file(const Character& character, JointChoice choice) {
+  Rig rig;
+  rig.joints = character.joints;
+  rig.choice = std::move(choice);
+  if (character.joints.empty() || character.gltf) return rig;
+  rig.skeleton = skeleton_from_joints(character.joints);
+  // What its joints deform stays as the file says.
+  std::map<std::string, std::optional<bool>> deforms;
+  for (const Joint& joint : character.joints) deforms.emplace(joint.name, joint.deforms);
+  for (Joint& joint : rig.skeleton->joints) joint.deforms = deforms.at(joint.name);
+  return rig;
+}
+
+Rig predicted_rig(const Character& character, PredictedSkeleton skeleton) {
+  Rig rig;
+  rig.predicted = true;
+  rig.joints = skeleton.joints;
+  rig.choice = choose_for(character, rig.joints, JointsFrom::kAll, all_but_ends(skeleton));
+  rig.skeleton = std::move(skeleton);
+  return rig;
+}
+
+void Rigs::start(Rig rig) {
+  now_ = std::move(rig);
+  past_.clear();
+  future_.clear();
+}
+
+void Rigs::put(Rig rig, bool continues) {
+  if (!continues || past_.empty()) past_.push_back(std::move(now_));
+  if (past_.size() > kMostSteps) past_.erase(past_.begin());
+  now_ = std::move(rig);
+  future_.clear();
+}
+
+void Rigs::edit(const Character& character, const std::vector<SkeletonEdit>& edits, bool mirror, bool continues) {
+  const Rig& base = continues && !past_.empty() ? past_.back() : now_;
+  if (!base.skeleton)
+    throw Error(character.name + ": this skeleton belongs to the file's own nodes; make a new one to edit it");
+  PredictedSkeleton skeleton = *base.skeleton;
+  edit_skeleton(edits, mirror, &skeleton);
+  Rig rig;
+  if (base.predicted) {
+    rig = predicted_rig(character, std::move(skeleton));
+  } else {
+    rig.joints = skeleton.joints;
+    rig.choice = choose_for(character, rig.joints, JointsFrom::kNames, {});
+    rig.skeleton = std::move(skeleton);
+  }
+  put(std::move(rig), continues);
+}
+
+bool Rigs::step(std::vector<Rig>* from, std::vector<Rig>* to) {
+  if (from->empty()) return false;
+  to->push_back(std::move(now_));
+  now_ = std::move(from->back());
+  from->pop_back();
+  return true;
+}
+
+}  // namespace sinew::web
