@@ -28,7 +28,7 @@ constexpr uint32_t kFirstRigOutputsSize = offsetof(sinew_rig_outputs, used_bytes
 // No padding: the bytes behind a struct that an older library knows belong to members, so that 0 means "not set".
 static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
 static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
-static_assert(sizeof(sinew_rig_options) == 8 * sizeof(uint32_t) + 2 * sizeof(void*), "a hole in sinew_rig_options");
+static_assert(sizeof(sinew_rig_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*), "a hole in sinew_rig_options");
 static_assert(sizeof(sinew_rig_outputs) == 6 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
 extern "C" {

@@ -37,6 +37,8 @@ struct PredictedSkeleton {
 // The votes' own idea of how far off they are, PredictedSkeleton::spread: above it the mesh resembles nothing that the
 // model knows, and the user is told so.
 constexpr float kDoubtfulSpread = 0.08f;
+// Above it votes are as far off as the mesh's middle line (SINEW_RIG_SHAPE), which claims less: trainer/configs/RESULTS.md.
+constexpr float kUnknownSpread = 0.09f;
 
 // The character's own joints are not looked at. Throws Error with the character's name, and OutOfMemory.
 PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOptions& options);
