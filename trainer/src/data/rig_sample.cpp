@@ -9,6 +9,8 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "data/engine_mesh.hpp"
+#include "data/point_sample.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/engine_views.hpp"
@@ -54,44 +56,6 @@ double turn_sigma(JointClass c) {
       return 0.15;
   }
 }
-
-// A mesh that the engine has read, in its workspace.
-struct EngineMesh {
-  std::vector<float> positions;
-  std::vector<uint32_t> corners;
-  Workspace block{0};
-  Mesh mesh;
-  GridQuantizer quantizer;
-
-  EngineMesh(const std::string& name, const std::vector<std::array<double, 3>>& vertices,
-             const std::vector<std::array<uint32_t, 3>>& triangles) {
-    for (const auto& v : vertices)
-      for (const double x : v) positions.push_back(static_cast<float>(x));
-    for (const auto& t : triangles) corners.insert(corners.end(), t.begin(), t.end());
-    sinew_mesh input = {};
-    input.positions = positions.data();
-    input.vertex_count = static_cast<uint32_t>(vertices.size());
-    input.face_vertices = corners.data();
-    input.face_count = static_cast<uint32_t>(triangles.size());
-    input.corner_count = static_cast<uint32_t>(corners.size());
-    Counts counts;
-    counts.vertices = input.vertex_count;
-    counts.faces = input.face_count;
-    counts.corners = input.corner_count;
-    const auto run = [&](Arena& arena) {
-      (void)mesh.allocate(arena, counts);
-      if (arena.measuring()) return build_mesh(input, quantizer, counts, arena, &mesh);
-      const sinew_status status = make_grid_quantizer(input.positions, input.vertex_count, 0, &quantizer);
-      return status == SINEW_OK ? build_mesh(input, quantizer, counts, arena, &mesh) : status;
-    };
-    Arena measuring;
-    (void)run(measuring);
-    block = Workspace(measuring.high_water());
-    Arena arena(block.data(), block.size());
-    const sinew_status status = run(arena);
-    if (status != SINEW_OK) throw Error(name + ": " + sinew_status_text(status));
-  }
-};
 
 double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d along = b - a;
@@ -367,26 +331,9 @@ RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
     if (first == UINT32_MAX) first = source[v];
   }
 
-  RigSample s;
+  RigSample s = point_sample(set);
   s.name = name_;
   s.family = family_;
-  s.vertices = kSetPoints;
-  s.candidates = 1;
-  s.part_count = 1;
-  s.joints = 1;
-  s.inputs.resize(1);
-  s.inputs[0].channels = kRigChannels;
-  s.inputs[0].rows.assign(set.features, set.features + size_t{kSetPoints} * kRigChannels);
-  s.candidate.assign(kSetPoints, 0xFFFF);
-  s.part.assign(kSetPoints, 0);
-  s.part_offsets = {0, kSetPoints};
-  for (uint32_t i = 0; i <= kSetPoints; ++i) {
-    if (i < kSetPoints) s.part_vertices.push_back(i);
-    s.row_offsets.push_back(i * kNeighbours);
-  }
-  s.far_offsets = s.row_offsets;
-  s.col_indices.assign(set.near_neighbours, set.near_neighbours + size_t{kSetPoints} * kNeighbours);
-  s.far_indices.assign(set.far_neighbours, set.far_neighbours + size_t{kSetPoints} * kNeighbours);
   std::vector<double> sums(target_.joints.size());
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     const SurfacePoint& point = set.points[i];

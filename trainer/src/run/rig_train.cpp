@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/random.hpp"
-#include "data/rig_sample.hpp"
+#include "data/hand_sample.hpp"
 #include "run/rig_task.hpp"
 #include "run/settings.hpp"
 #include "run/training_run.hpp"
@@ -25,6 +25,7 @@ template <class Config, class Visitor>
 void visit_settings(Config& c, Visitor&& visit) {
   visit("width", c.width);
   visit("rounds", c.rounds);
+  visit("part", c.part);
   visit("variants", c.variants);
   visit("synthetic", c.synthetic);
   visit("leave_out", c.leave_out);
@@ -42,14 +43,28 @@ std::vector<RigSample> samples_of(const Character& character, uint32_t variants,
   return samples;
 }
 
+// The same of its hands, which take turns.
+std::vector<RigSample> hand_samples_of(const Character& character, uint32_t variants, uint64_t seed) {
+  const std::vector<HandSource> hands = hand_sources(character);
+  std::vector<RigSample> samples;
+  for (uint32_t v = 0; v < (variants > 0 ? variants + 2 : 1) && !hands.empty(); ++v) {
+    std::optional<RigSample> sample = hands[v % hands.size()].make(mix_seeds(seed, v), v < 2        ? 0
+                                                                                       : v % 3 == 0 ? 0.5
+                                                                                                    : 1);
+    if (sample) samples.push_back(std::move(*sample));
+  }
+  if (samples.empty()) throw Error(character.name + ": no hand to learn from");
+  return samples;
+}
+
 struct Request {
   std::string path, name;  // of a file, or
   BodyPlan plan = BodyPlan::kBiped;
   uint64_t seed = 0;
 };
 
-std::vector<std::vector<RigSample>> make_samples(const std::vector<Request>& requests, uint32_t variants, uint64_t seed,
-                                                 uint32_t threads, bool quiet) {
+std::vector<std::vector<RigSample>> make_samples(const std::vector<Request>& requests, bool hands, uint32_t variants,
+                                                 uint64_t seed, uint32_t threads, bool quiet) {
   std::vector<std::vector<RigSample>> made(requests.size());
   std::atomic<size_t> done{0};
   parallel_for(requests.size(), threads, [&](size_t i, unsigned) {
@@ -66,9 +81,9 @@ std::vector<std::vector<RigSample>> make_samples(const std::vector<Request>& req
         character = read_character(r.path);
         character.name = r.name;
       }
-      made[i] = samples_of(character, variants, mix_seeds(seed, i));
+      made[i] = (hands ? hand_samples_of : samples_of)(character, variants, mix_seeds(seed, i));
     } catch (const Error& error) {
-      if (!quiet) std::fprintf(stderr, "left out: %s\n", error.what());
+      if (!quiet && !hands) std::fprintf(stderr, "left out: %s\n", error.what());  // most have no hands
     }
     const size_t count = ++done;
     if (!quiet && (count % 50 == 0 || count == requests.size()))
@@ -110,6 +125,7 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
   check_run_settings(config, require);
   require(config.width >= 1 && config.width <= 256, "width", "1 to 256");
   require(config.rounds >= 2 && config.rounds <= 8, "rounds", "2 to 8");
+  require(config.part == "body" || config.part == "hands", "part", "body or hands");
   require(config.variants <= 64, "variants", "0 to 64");
   require(config.synthetic <= 1000, "synthetic", "0 to 1000");
   return config;
@@ -136,10 +152,11 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
     }
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
     const std::vector<std::vector<RigSample>> characters =
-        make_samples(requests, config.variants, config.seed, checked.threads, quiet);
+        make_samples(requests, is_hands(config), config.variants, config.seed, checked.threads, quiet);
     std::vector<std::vector<RigSample>> validation;
     if (!checked.val_dir.empty())
-      validation = make_samples(character_requests(checked.val_dir, {}), 0, config.seed, checked.threads, quiet);
+      validation = make_samples(character_requests(checked.val_dir, {}), is_hands(config), 0, config.seed,
+                                checked.threads, quiet);
     TrainingItems items;
     for (const std::vector<RigSample>& samples : characters) {
       items.families.push_back(samples[0].family);
