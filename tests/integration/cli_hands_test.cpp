@@ -22,8 +22,7 @@ class CliHands : public Cli {
       const std::string at = std::to_string(x) + " 0 " + std::to_string(z);
       joints += "joints " + name + " " + at + "\n";
       tree += parent.empty() ? "root " + name + "\n" : "hier " + parent + " " + name + "\n";
-      for (const char* corner : {" 0.1 0", " -0.1 0.1", " -0.1 -0.1"})
-        mesh += "v " + std::to_string(x) + corner + "\n";
+      for (const char* corner : {" 0.1 0", " -0.1 0.1", " -0.1 -0.1"}) mesh += "v " + std::to_string(x) + corner + "\n";
       mesh += "v " + std::to_string(x + 0.8) + " 0 " + std::to_string(z) + "\n";
       const auto v = [&](int i) { return " " + std::to_string(4 * count + i); };
       faces += "f" + v(1) + v(2) + v(4) + "\nf" + v(2) + v(3) + v(4) + "\nf" + v(3) + v(1) + v(4) + "\n";

@@ -141,8 +141,8 @@ sinew_status add_hands(const MeshScene& scene, Skeleton* skeleton, sinew_rig_opt
                        const sinew_model* model = bundled_hands_model(), size_t missing = 0) {
   const sinew_mesh mesh = scene.mesh_view();
   size_t bytes = 0;
-  const sinew_status status = sinew_rig_hands_workspace_size(model, mesh.vertex_count, mesh.face_count,
-                                                             mesh.corner_count, &options, &bytes);
+  const sinew_status status =
+      sinew_rig_hands_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count, &options, &bytes);
   if (status != SINEW_OK) return status;
   const sinew::Workspace block(bytes);
   std::memset(block.data(), 0x5A, bytes);
