@@ -10,6 +10,7 @@
 #include "model/reader.hpp"
 #include "network/packed_layers.hpp"
 #if !defined(SINEW_SMALL_CODE)
+#include "rig/hands.hpp"
 #include "rig/rig.hpp"
 #include "rig/rig_task.hpp"
 #endif
@@ -149,6 +150,45 @@ sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const s
   return status;
 }
 
+sinew_status sinew_rig_hands_workspace_size(const sinew_model* model, uint32_t vertex_count, uint32_t face_count,
+                                            uint32_t corner_count, const sinew_rig_options* options,
+                                            size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  sinew::RigPlan plan;
+  sinew_status status =
+      sinew::plan_rig(model, vertex_count, face_count, corner_count, options, &plan, sinew::kHandsFeatureSet);
+  if (status != SINEW_OK) return status;
+  sinew::Arena arena;
+  status = sinew::run_hands(plan, {}, sinew::Kernels(), arena, nullptr);
+  if (status == SINEW_ERROR_WORKSPACE || !arena.ok()) return SINEW_ERROR_COUNT;
+  if (status == SINEW_OK) *size_bytes = arena.high_water();
+  return status;
+}
+
+sinew_status sinew_rig_hands(const sinew_model* model, const sinew_mesh* mesh, const sinew_rig_options* options,
+                             void* workspace, size_t workspace_bytes, sinew_rig_outputs* outputs) {
+  if (mesh == nullptr || workspace == nullptr || outputs == nullptr || mesh->positions == nullptr ||
+      (mesh->face_count > 0 && mesh->face_vertices == nullptr)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew_rig_outputs own;
+  sinew_status status = sinew::read_struct(outputs, sizeof own, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  if (own.positions == nullptr || own.parents == nullptr || own.joint_classes == nullptr) return SINEW_ERROR_ARGUMENT;
+  sinew::RigPlan plan;
+  status = sinew::plan_rig(model, mesh->vertex_count, mesh->face_count, mesh->corner_count, options, &plan,
+                           sinew::kHandsFeatureSet);
+  if (status != SINEW_OK) return status;
+  if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  sinew::Kernels kernels;
+  if (!sinew::select_kernels(plan.kernel, &kernels)) return SINEW_ERROR_KERNEL;
+  sinew::Arena arena(workspace, workspace_bytes);
+  status = sinew::run_hands(plan, *mesh, kernels, arena, &own);
+  if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
+  return status;
+}
+
 #else
 
 sinew_status sinew_rig_model_open(const void*, size_t, sinew_model*) { return SINEW_ERROR_ARGUMENT; }
@@ -158,6 +198,14 @@ sinew_status sinew_rig_workspace_size(const sinew_model*, uint32_t, uint32_t, ui
 }
 sinew_status sinew_rig(const sinew_model*, const sinew_mesh*, const sinew_rig_options*, void*, size_t,
                        sinew_rig_outputs*) {
+  return SINEW_ERROR_ARGUMENT;
+}
+sinew_status sinew_rig_hands_workspace_size(const sinew_model*, uint32_t, uint32_t, uint32_t, const sinew_rig_options*,
+                                            size_t*) {
+  return SINEW_ERROR_ARGUMENT;
+}
+sinew_status sinew_rig_hands(const sinew_model*, const sinew_mesh*, const sinew_rig_options*, void*, size_t,
+                             sinew_rig_outputs*) {
   return SINEW_ERROR_ARGUMENT;
 }
 

@@ -12,6 +12,8 @@ extern const uint8_t kBundledModel[];  // of skin weights; 8-byte aligned
 extern const size_t kBundledModelSize;
 extern const uint8_t kBundledRigModel[];  // of skeletons; 8-byte aligned
 extern const size_t kBundledRigModelSize;
+extern const uint8_t kBundledHandsModel[];  // of hands' fingers; 8-byte aligned
+extern const size_t kBundledHandsModelSize;
 
 }  // namespace sinew::cli
 #endif

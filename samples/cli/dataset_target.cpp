@@ -9,7 +9,7 @@
 
 #include "dataset.hpp"
 #include "progress.hpp"
-#include "sinew_datasets/target_skeleton.hpp"
+#include "sinew_datasets/target_hands.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 struct Settings {
   std::vector<std::string> inputs;
-  std::string output;
+  std::string output, detail = "body";
 };
 
 std::string folder_of(const fs::path& path) {
@@ -46,8 +46,10 @@ std::vector<std::string> output_paths(const Settings& s, const std::vector<Found
   return paths;
 }
 
-void write_target(const std::string& input, const std::string& output, Progress* progress) {
-  const TargetSkeleton target = target_skeleton(read_character(input));
+void write_target(const std::string& input, const std::string& output, bool hands, Progress* progress) {
+  const Character character = read_character(input);
+  TargetSkeleton target = target_skeleton(character);
+  if (hands) target = with_fingers(character, std::move(target));
   Character skeleton;
   skeleton.joints = target_joints(target);
   make_folder(fs::path(output).parent_path().string());
@@ -68,7 +70,7 @@ void make_targets(const Settings& s) {
     Progress progress(found.size(), "characters");
     for (size_t i = 0; i < found.size(); ++i) {
       try {
-        write_target(found[i].path, outputs[i], &progress);
+        write_target(found[i].path, outputs[i], s.detail == "hands", &progress);
       } catch (const Error& error) {
         if (failed++ == 0) first = error.what();
       }
@@ -89,6 +91,11 @@ void add_dataset_target(CLI::App* parent) {
   sub->add_option("-o,--output", s->output, "Folder for NAME.rig.txt of each: joints and their hierarchy, no weights")
       ->required()
       ->type_name("OUTDIR");
+  sub->add_option(
+         "--detail", s->detail,
+         "body: what eval --task rig compares with; hands: with the fingers that eval --task hands compares with")
+      ->check(CLI::IsMember({"body", "hands"}))
+      ->capture_default_str();
   sub->footer(
       "Example:\n  sinew dataset target characters/val -o targets\n"
       "The target skeleton has the joints that move the body: fingers, faces and twist bones belong to their parents,\n"

@@ -18,6 +18,7 @@
 
 #include "commands.hpp"
 #include "dataset.hpp"
+#include "eval_hands.hpp"
 #include "eval_rig.hpp"
 #include "eval_studies.hpp"
 #include "model/layout.hpp"
@@ -502,12 +503,16 @@ void run_rig(const Settings& s, const CLI::App& sub) {
       throw UsageError(name +
                        " does not go with --task rig, which takes --method, --predictions, --model, --bind, --report, "
                        "--json and --jobs");
+    if (s.task == "hands" && option->count() > 0 && name != "dir" && name != "--task" && name != "--model" &&
+        name != "--json" && name != "--jobs")
+      throw UsageError(name + " does not go with --task hands, which takes --model, --json and --jobs");
   }
   if (s.method == "heat" || s.method == "nearest")
     throw UsageError("--method " + s.method + " binds; with --task rig it is votes, shape or slots");
   if (!s.method.empty() && !s.predictions.empty()) throw UsageError("--predictions and --method: give one of the two");
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.predictions.empty() && !s.model.empty()) throw UsageError("--predictions and --model: give one of the two");
+  if (s.task == "hands") return evaluate_hands({s.folder, s.model, s.json, s.jobs});
   RigEvaluation evaluation{s.folder, s.predictions, s.model, s.method, s.json, s.bind, s.report, {}, s.jobs};
   if (!s.report.empty()) {
     check_output(s.report, {".html", ".htm"});
@@ -565,8 +570,8 @@ void add_eval(CLI::App& app) {
       ->type_name("DIR");
   sub->add_option("--task", s->task,
                   "What to compare: bind = skin weights; rig = skeletons, of a model or those that lie in the folder "
-                  "of --predictions")
-      ->check(CLI::IsMember({"bind", "rig"}))
+                  "of --predictions; hands = fingers, of --model and the bundled model of skeletons")
+      ->check(CLI::IsMember({"bind", "rig", "hands"}))
       ->capture_default_str();
   auto* model = sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")
                     ->type_name("FILE");
@@ -648,7 +653,7 @@ void add_eval(CLI::App& app) {
       "has\n"
       "too; class: pairs of one class; symmetric: skeletons that are their own mirror image.\n"
       "SOURCE_DATE_EPOCH puts its date on the report; without it the same inputs give the same page.");
-  sub->callback([s, sub] { s->task == "rig" ? run_rig(*s, *sub) : run(*s); });
+  sub->callback([s, sub] { s->task != "bind" ? run_rig(*s, *sub) : run(*s); });
 }
 
 }  // namespace sinew::cli

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "eval_studies.hpp"
 #include "progress.hpp"
+#include "rig/rig_task.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
@@ -127,7 +128,8 @@ void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
   write_file(s.output, model.bytes);
   release(s, checkpoint.network);
   if (s.quiet) return;
-  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output, ModelUse::kRig);
+  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(
+      model.bytes, s.output, checkpoint.network.feature_set == kHandsFeatureSet ? ModelUse::kHands : ModelUse::kRig);
   constexpr size_t kCompared = 16;
   const VoteDifference d = compare_votes(checkpoint.network, loaded->model, s.folder, kCompared);
   std::printf(

@@ -19,6 +19,7 @@
 #include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/predict_hands.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_formats/skeleton_template.hpp"
@@ -30,6 +31,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
+  std::string detail = "body", hands_model;
   std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton;
   MethodOptions method;
   std::vector<SkeletonEdit> edits;
@@ -39,7 +41,7 @@ struct Settings {
 };
 
 struct Models {
-  std::unique_ptr<LoadedModel> rig, bind;
+  std::unique_ptr<LoadedModel> rig, bind, hands;
   FloatNetwork slots;  // in place of rig, with --method slots
 };
 
@@ -50,6 +52,7 @@ Models load_models(const Settings& s) {
   else if (s.prediction.empty() && s.method.method != "shape")
     models.rig = load_model(s.model, ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
+  if (s.detail != "body") models.hands = load_model(s.hands_model, ModelUse::kHands);
   return models;
 }
 
@@ -105,6 +108,18 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
   return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
 }
 
+// What the skeleton has besides a body: fingers.
+LabelledSkeleton add_fingers(const Settings& s, const LoadedModel& model, Rigged* rigged) {
+  SkeletonOptions options;
+  options.up_axis = s.up == "z" ? 1 : 0;
+  if (predict_hands(rigged->character, model.model, options, &rigged->skeleton) == 0)
+    rigged->character.notes.push_back("no hand with fingers that can be told apart");
+  LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+  for (uint8_t& one : found.classes)
+    if (is_finger_class(one)) one = kClassDetail;
+  return found;
+}
+
 JointChoice joints_to_bind(const Rigged& rigged) {
   if (rigged.fitted) return choose_joints(rigged.character, JointsFrom::kNames);
   std::vector<uint8_t> said;
@@ -116,7 +131,8 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
   Rigged rigged;
   Character& character = rigged.character;
   character = read_mesh(path);
-  const LabelledSkeleton found = predict(s, models, &rigged);
+  LabelledSkeleton found = predict(s, models, &rigged);
+  if (models.hands != nullptr) found = add_fingers(s, *models.hands, &rigged);
   if (!s.skeleton.empty()) {
     FitOptions options;
     options.up_axis = s.up == "z" ? 2 : 1;
@@ -237,6 +253,8 @@ void run(Settings s) {
   if (s.mirror && s.no_mirror) throw UsageError("--mirror and --no-mirror: give one of the two");
   if (s.keep_lengths && s.skeleton.empty())
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
+  if (!s.hands_model.empty() && s.detail == "body")
+    throw UsageError("--hands-model is for fingers: give --detail hands");
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
@@ -275,6 +293,11 @@ void add_rig(CLI::App& app) {
       ->type_name("FILE");
   add_method_options(sub, &s->method);
   sub->add_option("--bind-model", s->bind_model, "Model of weights, or bundled [bundled]")->type_name("FILE");
+  sub->add_option("--detail", s->detail, "body: down to the hands; hands: with fingers, where the mesh shows some")
+      ->check(CLI::IsMember({"body", "hands"}))
+      ->capture_default_str();
+  sub->add_option("--hands-model", s->hands_model, "With --detail hands: model of hands, or bundled [bundled]")
+      ->type_name("FILE");
   sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
   sub->add_option("--influences", s->influences, "Most joints per vertex")
       ->check(CLI::Range(1, 12))

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "bundled_model.hpp"
+#include "rig/rig_task.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -81,7 +82,11 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
 namespace {
 
 sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model* model) {
-  return use == ModelUse::kRig ? sinew_rig_model_open(bytes, size, model) : sinew_model_open(bytes, size, model);
+  if (use == ModelUse::kBind) return sinew_model_open(bytes, size, model);
+  const sinew_status status = sinew_rig_model_open(bytes, size, model);
+  // Bodies and hands have models of their own.
+  const bool hands = status == SINEW_OK && model->feature_set == kHandsFeatureSet;
+  return status == SINEW_OK && hands != (use == ModelUse::kHands) ? SINEW_ERROR_MODEL_TASK : status;
 }
 
 // Once for all characters that it will bind.
@@ -117,12 +122,20 @@ std::string model_label(const std::string& path) { return is_bundled(path) ? "bu
 
 std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
   if (!is_bundled(path)) return model_from_bytes(read_file(path), path, use);
-  const bool rig = use == ModelUse::kRig;
-  if (rig && kBundledRigModelSize == 0) throw Error("no bundled model of skeletons: give --model");
-  if (!rig && !has_bundled_model()) throw Error("no bundled model: give --model or --method heat");
+  struct Bundled {
+    const uint8_t* bytes;
+    size_t size;
+    const char* missing;
+  };
+  const Bundled bundled =
+      use == ModelUse::kRig
+          ? Bundled{kBundledRigModel, kBundledRigModelSize, "no bundled model of skeletons: give --model"}
+      : use == ModelUse::kHands
+          ? Bundled{kBundledHandsModel, kBundledHandsModelSize, "no bundled model of hands: give --hands-model"}
+          : Bundled{kBundledModel, kBundledModelSize, "no bundled model: give --model or --method heat"};
+  if (bundled.size == 0) throw Error(bundled.missing);
   auto loaded = std::make_unique<LoadedModel>();
-  const sinew_status status = open_for(use, rig ? kBundledRigModel : kBundledModel,
-                                       rig ? kBundledRigModelSize : kBundledModelSize, &loaded->model);
+  const sinew_status status = open_for(use, bundled.bytes, bundled.size, &loaded->model);
   if (status != SINEW_OK) throw Error(std::string("the bundled model: ") + sinew_status_text(status));
   pack_weights(loaded.get());
   return loaded;

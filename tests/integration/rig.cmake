@@ -2,3 +2,4 @@
 if(TARGET sinew_formats)
   sinew_test(rig_test SOURCES integration/rig_test.cpp LIBS sinew::formats sinew::engine_internals LABELS integration)
 endif()
+sinew_test(hands_test SOURCES integration/hands_test.cpp LIBS sinew::engine_internals LABELS integration)

@@ -33,7 +33,12 @@ typedef enum sinew_joint_class {
   SINEW_CLASS_WING = 14,
   SINEW_CLASS_EAR = 15,
   SINEW_CLASS_HAIR = 16,
-  SINEW_CLASS_OTHER = 17
+  SINEW_CLASS_OTHER = 17,
+  SINEW_CLASS_THUMB = 19, /* fingers, of sinew_rig_hands() alone */
+  SINEW_CLASS_INDEX = 20,
+  SINEW_CLASS_MIDDLE = 21,
+  SINEW_CLASS_RING = 22,
+  SINEW_CLASS_PINKY = 23
 } sinew_joint_class;
 
 /* Whether the skeleton is to be its own mirror image. */
@@ -135,7 +140,7 @@ SINEW_API sinew_status sinew_rig_workspace_size(const sinew_model* model, uint32
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the model is not open, struct_size is too small or above
  *                           4096, an option is out of its range, or this build is without it (SINEW_SMALL_CODE)
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
- *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 1
+ *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 1, or feature_set is 2 (hands)
  *   SINEW_ERROR_COUNT       no vertex, more of anything than the limits in sinew/types.h, or fewer than two corners a face
  *   SINEW_ERROR_KERNEL      this library or this processor lacks sinew_rig_options::kernel
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
@@ -144,6 +149,38 @@ SINEW_API sinew_status sinew_rig_workspace_size(const sinew_model* model, uint32
  *   SINEW_ERROR_CANCELLED   the progress callback asked to stop */
 SINEW_API sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const sinew_rig_options* options,
                                  void* workspace, size_t workspace_bytes, sinew_rig_outputs* outputs);
+
+/* Bytes sinew_rig_hands() needs for meshes of at most these counts, whatever the skeleton. As sinew_rig_workspace_size(). */
+SINEW_API sinew_status sinew_rig_hands_workspace_size(const sinew_model* model, uint32_t vertex_count,
+                                                      uint32_t face_count, uint32_t corner_count,
+                                                      const sinew_rig_options* options, size_t* size_bytes);
+
+/* Gives the hands of a skeleton their fingers: each hand is cut out of the mesh and looked at by itself. A hand is a leaf
+ * of class SINEW_CLASS_HAND with a parent, bone ends aside. It gets as many fingers as the mesh shows, none where the
+ * votes do not agree: mittens, fists, paws. A finger has two or three joints and a bone end; a bone end of the hand
+ * goes. Of two hands that are each other's mirror image the left one is looked at, and the right one is its image. The
+ * same bytes on every platform and for any kernel.
+ *   model      of sinew_rig_model_open(), made for hands
+ *   options    those of sinew_rig(); mirror, spine_count, no_toes and no_ends are not looked at; null = all defaults
+ *   outputs    in: joint_count, positions, parents and joint_classes as sinew_rig() gave them or the caller changed them;
+ *              quarter_turns and plane as they were; partners, flags and names too where they are set. Each array has
+ *              room for SINEW_MAX_RIG_JOINTS.
+ *              out: the same with finger joints behind the others, or in the place of the hand's bone end: classes
+ *              SINEW_CLASS_THUMB to SINEW_CLASS_PINKY, names such as LeftHandThumb1 and LeftHandThumb3_end (the hand's
+ *              name comes first, its first 20 letters). Hands whose fingers have no room get none. used_bytes.
+ *
+ * Overlap and threads: as for sinew_bind().
+ *
+ * Returns SINEW_OK, or with outputs untouched what sinew_rig() does, and
+ *   SINEW_ERROR_ARGUMENT    joint_classes is null
+ *   SINEW_ERROR_MODEL_TASK  the model is not made for hands: sinew_model::task is not 1 or feature_set is not 2
+ *   SINEW_ERROR_COUNT       joint_count is 0 or above SINEW_MAX_RIG_JOINTS
+ *   SINEW_ERROR_INDEX       a parent does not come before its child, or a partner is no joint
+ *   SINEW_ERROR_NOT_FINITE  a joint's position is NaN or infinite
+ * Bodies and hands tell their models apart: sinew_rig() refuses one for hands with SINEW_ERROR_MODEL_TASK. */
+SINEW_API sinew_status sinew_rig_hands(const sinew_model* model, const sinew_mesh* mesh,
+                                       const sinew_rig_options* options, void* workspace, size_t workspace_bytes,
+                                       sinew_rig_outputs* outputs);
 
 #ifdef __cplusplus
 }

@@ -15,11 +15,11 @@ constexpr int64_t kLeastRest = 40;   // around a mode of unexplained votes
 bool reaches(int64_t mass, int64_t least, uint32_t votes) { return mass * 10000 >= least * 32768 * votes; }
 
 constexpr uint32_t kLeastProbability = 4915;  // Q15: 0.15
-constexpr int64_t kHalfTrust = 5243;          // Q16: the spread of 0.08 whose trust is a quarter
+constexpr int64_t kHalfTrust = 3277;          // Q16: the spread of 0.05 whose trust is a quarter
 
 constexpr int32_t kMassReach = kVoteWidth * 5 / 2;
 // Two joints of one class: the lighter has at least this share of the heaviest (percent) and lies this far away.
-constexpr int64_t kChainShare = 15, kOtherShare = 35;
+constexpr int64_t kChainShare = 25, kOtherShare = 60;
 constexpr int32_t kChainDistance = side_share(400), kOtherDistance = side_share(500);
 // Joints of two classes; of a paired and another class, which may meet at the plane.
 constexpr int32_t kCrossDistance = side_share(220), kCrossPairDistance = side_share(120);

@@ -18,7 +18,7 @@ struct VotePool {
   bool mirrored = false;       // votes lie at |x|
   uint32_t count = 0;          // 2 N
   Vec3i* at = nullptr;         // [2 N]
-  uint16_t* trust = nullptr;   // [2 N] Q15: 1 / (1 + spread / 0.08)^2
+  uint16_t* trust = nullptr;   // [2 N] Q15: 1 / (1 + spread / 0.05)^2
   uint16_t* source = nullptr;  // [2 N] twice the point, and 1 for its bone's end
   uint16_t* order = nullptr;   // [2 N] scratch
 

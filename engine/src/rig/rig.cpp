@@ -8,8 +8,10 @@
 #include "core/struct_size.hpp"
 #include "kernels/select.hpp"
 #include "model/task.hpp"
+#include "rig/caller_units.hpp"
 #include "rig/curve.hpp"
 #include "rig/joint_names.hpp"
+#include "rig/point_rows.hpp"
 #include "rig/read_votes.hpp"
 #include "rig/rig_task.hpp"
 #include "rig/wishes.hpp"
@@ -25,32 +27,6 @@ constexpr uint32_t kMeshEnds = 150, kPointsEnd = 400, kVotesEnd = 800;
 
 static_assert(kMaxRigJoints == SINEW_MAX_RIG_JOINTS && kMaxJointName == SINEW_JOINT_NAME_BYTES,
               "the header says how much room there has to be");
-
-// The grid in the caller's units, in doubles of one order of operations: no more than each product and sum rounds.
-struct Units {
-  double low[3], high[3];  // box, the caller's axes with y up
-  double side;
-
-  Units(const sinew_mesh& mesh, uint32_t up_axis) {
-    for (int axis = 0; axis < 3; ++axis) low[axis] = high[axis] = along(mesh.positions, up_axis, axis);
-    for (uint32_t v = 1; v < mesh.vertex_count; ++v) {
-      for (int axis = 0; axis < 3; ++axis) {
-        const double x = along(mesh.positions + size_t{3} * v, up_axis, axis);
-        low[axis] = x < low[axis] ? x : low[axis];
-        high[axis] = x > high[axis] ? x : high[axis];
-      }
-    }
-    side = 0;
-    for (int axis = 0; axis < 3; ++axis) side = high[axis] - low[axis] > side ? high[axis] - low[axis] : side;
-    if (side == 0) side = 1;
-  }
-  static double along(const float* p, uint32_t up_axis, int axis) {
-    if (up_axis == 0) return static_cast<double>(p[axis]);
-    return axis == 0 ? static_cast<double>(p[0]) : axis == 1 ? static_cast<double>(p[2]) : -static_cast<double>(p[1]);
-  }
-  double zero(int axis) const { return axis == 1 ? low[1] : 0.5 * low[axis] + 0.5 * high[axis]; }
-  double length(int32_t grid) const { return static_cast<double>(grid) * (side / kSide); }
-};
 
 // A point of the mirror frame in the caller's units. What mirrors there mirrors here, because both sides are the middle and
 // the same length away from it; the middle is 0 where it is that within a step of the grid.
@@ -73,47 +49,6 @@ struct Placer {
     out[0] = static_cast<float>(x);
     out[1] = static_cast<float>(up_axis == 0 ? y : -z);
     out[2] = static_cast<float>(up_axis == 0 ? z : y);
-  }
-};
-
-// What the network wants beside the points: one part, no candidates.
-struct PointRows {
-  uint16_t* joints;  // [kSetPoints]
-  uint32_t *part, *part_offsets, *part_vertices, *offsets;
-
-  bool allocate(Arena& arena) {
-    joints = arena.alloc<uint16_t>(kSetPoints);
-    part = arena.alloc<uint32_t>(kSetPoints);
-    part_offsets = arena.alloc<uint32_t>(2);
-    part_vertices = arena.alloc<uint32_t>(kSetPoints);
-    offsets = arena.alloc<uint32_t>(kSetPoints + 1);
-    return arena.ok();
-  }
-  void fill() {
-    part_offsets[0] = 0;
-    part_offsets[1] = kSetPoints;
-    for (uint32_t i = 0; i < kSetPoints; ++i) {
-      joints[i] = kNoJoint;
-      part[i] = 0;
-      part_vertices[i] = i;
-    }
-    for (uint32_t i = 0; i <= kSetPoints; ++i) offsets[i] = i * kNeighbours;
-  }
-  NetworkInput input(const PointSet& set) const {
-    NetworkInput input;
-    input.vertex_count = kSetPoints;
-    input.candidate_count = 1;
-    input.inputs[0] = set.features;
-    input.joints = joints;
-    input.row_offsets = input.far_offsets = offsets;
-    input.col_indices = set.near_neighbours;
-    input.far_indices = set.far_neighbours;
-    input.part = part;
-    input.part_offsets = part_offsets;
-    input.part_vertices = part_vertices;
-    input.part_count = 1;
-    input.joint_count = 1;
-    return input;
   }
 };
 
@@ -233,7 +168,7 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
 }  // namespace
 
 sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
-                      const sinew_rig_options* options, RigPlan* plan) {
+                      const sinew_rig_options* options, RigPlan* plan, uint32_t feature_set) {
   sinew_rig_options o = sinew_rig_options_init();
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
@@ -243,7 +178,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   }
   if (o.method == SINEW_RIG_VOTES) {
     if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
-    if (model->task != kTaskRig) return SINEW_ERROR_MODEL_TASK;
+    if (model->task != kTaskRig || model->feature_set != feature_set) return SINEW_ERROR_MODEL_TASK;
     plan->model = *model;
   }
   if (vertices == 0 || vertices > SINEW_MAX_VERTICES || corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2)

@@ -7,6 +7,7 @@
 #include "kernels/table.hpp"
 #include "network/network.hpp"
 #include "rig/mirror_frame.hpp"
+#include "rig/rig_task.hpp"
 #include "rig/tree.hpp"
 
 namespace sinew {
@@ -26,9 +27,10 @@ struct RigPlan {
   Progress progress;
 };
 
-// Checks the caller's options and counts, and fills in the defaults. Errors are those of sinew_rig().
+// Checks the caller's options and counts, and fills in the defaults. A model of another feature set is one for another
+// task. Errors are those of sinew_rig().
 sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
-                      const sinew_rig_options* options, RigPlan* plan);
+                      const sinew_rig_options* options, RigPlan* plan, uint32_t feature_set = kRigFeatureSet);
 
 // Runs everything; the caller's arrays in `outputs` are written at the end. With a measuring arena the mesh is not read.
 sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,

@@ -5,7 +5,7 @@
 namespace sinew {
 
 bool rig_task(uint32_t feature_set, ModelTask* task) {
-  if (feature_set != kRigFeatureSet) return false;
+  if (feature_set != kRigFeatureSet && feature_set != kHandsFeatureSet) return false;
   *task = ModelTask();
   task->id = kTaskRig;
   task->input_count = 1;

@@ -10,6 +10,7 @@
 namespace sinew {
 
 constexpr uint32_t kRigFeatureSet = 1;
+constexpr uint32_t kHandsFeatureSet = 2;  // the same of a hand's crop; classes are those of hand_class.hpp
 
 // Channels of the output, Q10. Folded, as the features are.
 enum RigOutput : uint32_t {

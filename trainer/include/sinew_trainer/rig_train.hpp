@@ -17,6 +17,8 @@ struct RigTrainConfig : RunConfig {
   std::string architecture = "votes";  // or "slots", the published method
   uint32_t width = 64;                 // channels; of slots: of the first graph convolution
   uint32_t rounds = 4;                 // of neighbours
+  // "body": skeletons without fingers; "hands": the fingers of hands that were cut out (votes only).
+  std::string part = "body";
   // Samples of a character beside two of itself: posed and stretched by its own weights, a third of them half as strongly.
   uint32_t variants = 12;
   // Synthetic characters of each body plan (formats/datasets/src/synth), as families of their own.
@@ -26,6 +28,7 @@ struct RigTrainConfig : RunConfig {
   // Characters that are not trained on, by name (a * at the end stands for any rest), and why.
   std::map<std::string, std::string> leave_out;
 };
+inline bool is_hands(const RigTrainConfig& config) { return config.part == "hands"; }
 RigTrainConfig parse_rig_config(const std::string& json, const std::string& source);
 std::string rig_config_json(const RigTrainConfig& config);
 

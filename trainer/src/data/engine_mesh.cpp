@@ -17,7 +17,6 @@ EngineMesh::EngineMesh(const std::string& name, const std::vector<std::array<dou
   input.face_vertices = corners.data();
   input.face_count = static_cast<uint32_t>(triangles.size());
   input.corner_count = static_cast<uint32_t>(corners.size());
-  Counts counts;
   counts.vertices = input.vertex_count;
   counts.faces = input.face_count;
   counts.corners = input.corner_count;

@@ -20,6 +20,7 @@ struct EngineMesh {
   Workspace block{0};             // that `mesh` stands in
   Mesh mesh;
   GridQuantizer quantizer;
+  Counts counts;
 
   // Throws Error with the name for a mesh that the engine refuses.
   EngineMesh(const std::string& name, const std::vector<std::array<double, 3>>& vertices,

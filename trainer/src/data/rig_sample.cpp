@@ -11,6 +11,7 @@
 
 #include "core/random.hpp"
 #include "data/engine_mesh.hpp"
+#include "data/point_sample.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_datasets/joint_class_of.hpp"
 #include "sinew_formats/error.hpp"
@@ -331,26 +332,9 @@ RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
   std::vector<Vector3d> joints;
   for (const Point& p : placed.joints) joints.push_back(vec(p));
 
-  RigSample s;
+  RigSample s = point_sample(set);
   s.name = name_;
   s.family = family_;
-  s.vertices = kSetPoints;
-  s.candidates = 1;
-  s.part_count = 1;
-  s.joints = 1;
-  s.inputs.resize(1);
-  s.inputs[0].channels = kRigChannels;
-  s.inputs[0].rows.assign(set.features, set.features + size_t{kSetPoints} * kRigChannels);
-  s.candidate.assign(kSetPoints, 0xFFFF);
-  s.part.assign(kSetPoints, 0);
-  s.part_offsets = {0, kSetPoints};
-  for (uint32_t i = 0; i <= kSetPoints; ++i) {
-    if (i < kSetPoints) s.part_vertices.push_back(i);
-    s.row_offsets.push_back(i * kNeighbours);
-  }
-  s.far_offsets = s.row_offsets;
-  s.col_indices.assign(set.near_neighbours, set.near_neighbours + size_t{kSetPoints} * kNeighbours);
-  s.far_indices.assign(set.far_neighbours, set.far_neighbours + size_t{kSetPoints} * kNeighbours);
   std::vector<double> sums(target_.joints.size());
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     const SurfacePoint& point = set.points[i];

@@ -21,6 +21,7 @@ struct RigSample : NetworkSample {
   std::vector<float> medial;                    // [N x 3] what offsets are counted from
   std::vector<float> start, end;                // [N x 3] of the bone that moves the point
   std::vector<float> weight;                    // [N] how much the loss cares
+  std::vector<float> class_weight;              // [N] the same for classes; empty: as weight
   std::vector<uint8_t> start_class, end_class;  // [N] JointClass; of ends also kClassTip
 };
 

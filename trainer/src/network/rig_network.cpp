@@ -10,9 +10,9 @@ namespace {
 
 class Builder : public NetworkBuilder {
  public:
-  explicit Builder(uint64_t seed) : NetworkBuilder("votes", seed) {
+  Builder(uint64_t seed, uint32_t feature_set) : NetworkBuilder("votes", seed) {
     network_.task = kTaskRig;
-    network_.feature_set = kRigFeatureSet;
+    network_.feature_set = feature_set;
     network_.candidate_count = 1;
     network_.grid_size = kRigCells;
     network_.input_names = {"pnts"};
@@ -26,7 +26,7 @@ class Builder : public NetworkBuilder {
 }  // namespace
 
 FloatNetwork make_rig_network(const RigNetworkOptions& options, uint64_t seed) {
-  Builder b(seed);
+  Builder b(seed, options.hands ? kHandsFeatureSet : kRigFeatureSet);
   const auto width = static_cast<uint16_t>(options.width);
   const Region input = b.fresh(Domain::kVertex, kRigChannels);
   constexpr uint32_t kViews = 4;  // itself, near, far, all

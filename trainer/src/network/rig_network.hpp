@@ -10,6 +10,7 @@ namespace sinew {
 struct RigNetworkOptions {
   uint32_t width = 64;
   uint32_t rounds = 4;  // of neighbours
+  bool hands = false;   // for hands' crops, not bodies
 };
 // Seeded initial weights. Every point of a set gets kRigOutputs numbers (rig/rig_task.hpp of the engine):
 //   h = relu(L x); per round u = relu(L h), z = relu(L [h, max of near u, max of far u, max of all u]), h = z (+ h from the

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
@@ -60,12 +61,17 @@ RigLoss rig_loss(const RigSample& sample, const std::vector<float>& outputs, std
   const size_t n = sample.vertices;
   if (outputs.size() != n * kRigOutputs) throw Error(sample.name + ": the network's output is not that of votes");
   if (d_outputs != nullptr) d_outputs->assign(outputs.size(), 0.0f);
-  double weights = 0;
-  for (const float w : sample.weight) weights += static_cast<double>(w);
+  const std::vector<float>& class_weight = sample.class_weight.empty() ? sample.weight : sample.class_weight;
+  const auto sum = [](const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0,
+                           [](double s, float w) { return s + static_cast<double>(w); });
+  };
+  const double weights = std::max(sum(sample.weight), 1e-9), class_weights = sum(class_weight);
   RigLoss loss;
-  if (weights <= 0) return loss;
+  if (class_weights <= 0) return loss;
   for (size_t i = 0; i < n; ++i) {
     const double w = static_cast<double>(sample.weight[i]) / weights;
+    const double v = static_cast<double>(class_weight[i]) / class_weights;
     const float* const out = &outputs[i * kRigOutputs];
     float* const d = d_outputs != nullptr ? d_outputs->data() + i * kRigOutputs : nullptr;
     const auto at = [&](uint32_t channel) { return d != nullptr ? d + channel : nullptr; };
@@ -78,11 +84,11 @@ RigLoss rig_loss(const RigSample& sample, const std::vector<float>& outputs, std
     loss.start_distance += w * start.distance;
     loss.end_distance += w * end.distance;
     if (sample.start_class[i] != kClassOther)
-      loss.start_class += w * class_loss(out + kRigStartClass, kJointClasses, sample.start_class[i], w * kClassShare,
+      loss.start_class += v * class_loss(out + kRigStartClass, kJointClasses, sample.start_class[i], v * kClassShare,
                                          at(kRigStartClass));
     if (sample.end_class[i] != kClassOther)
       loss.end_class +=
-          w * class_loss(out + kRigEndClass, kEndClasses, sample.end_class[i], w * kClassShare, at(kRigEndClass));
+          v * class_loss(out + kRigEndClass, kEndClasses, sample.end_class[i], v * kClassShare, at(kRigEndClass));
   }
   loss.total = loss.start + loss.end + kClassShare * (loss.start_class + loss.end_class);
   return loss;

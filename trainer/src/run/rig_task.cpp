@@ -14,11 +14,16 @@ const RigSample& as_sample(const NetworkSample& sample) { return static_cast<con
 
 }  // namespace
 
-FloatNetwork RigTask::make_network() const { return make_rig_network({config_.width, config_.rounds}, config_.seed); }
+FloatNetwork RigTask::make_network() const {
+  return make_rig_network({config_.width, config_.rounds, is_hands(config_)}, config_.seed);
+}
 
 void RigTask::check(const FloatNetwork& network, const std::string& source) const {
   check_network(network, source);
   if (network.task != kTaskRig) throw Error(source + ": not a network that predicts skeletons");
+  const bool hands = network.feature_set == kHandsFeatureSet;
+  if (hands != is_hands(config_))
+    throw Error(source + ": a network of " + (hands ? "hands" : "bodies") + ", expected one of " + config_.part);
 }
 
 std::vector<std::string> RigTask::loss_names() const {

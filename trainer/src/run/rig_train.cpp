@@ -6,9 +6,11 @@
 #include <atomic>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "core/random.hpp"
+#include "data/hand_sample.hpp"
 #include "data/rig_sample.hpp"
 #include "data/slot_sample.hpp"
 #include "run/rig_task.hpp"
@@ -29,6 +31,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("architecture", c.architecture);
   visit("width", c.width);
   visit("rounds", c.rounds);
+  visit("part", c.part);
   visit("variants", c.variants);
   visit("synthetic", c.synthetic);
   visit("balance", c.balance);
@@ -52,8 +55,22 @@ Samples samples_of(uint32_t variants, uint64_t seed, Make&& make) {
   return samples;
 }
 
-Samples samples_of(const Character& character, const std::string& architecture, uint32_t variants, uint64_t seed) {
-  if (architecture == "slots") {
+// The same of its hands, which take turns.
+Samples hand_samples_of(const Character& character, uint32_t variants, uint64_t seed) {
+  const std::vector<HandSource> hands = hand_sources(character);
+  Samples samples;
+  for (uint32_t v = 0; v < (variants > 0 ? variants + 2 : 1) && !hands.empty(); ++v) {
+    const double strength = v < 2 ? 0 : v % 3 == 0 ? 0.5 : 1;
+    std::optional<RigSample> sample = hands[v % hands.size()].make(mix_seeds(seed, v), strength);
+    if (sample) samples.push_back(std::make_unique<RigSample>(std::move(*sample)));
+  }
+  if (samples.empty()) throw Error(character.name + ": no hand to learn from");
+  return samples;
+}
+
+Samples samples_of(const Character& character, const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
+  if (is_hands(config)) return hand_samples_of(character, variants, seed);
+  if (config.architecture == "slots") {
     const RigSource source(for_slots(character));
     return samples_of(variants, seed,
                       [&](uint64_t own, double strength) { return make_slot_sample(source, own, strength); });
@@ -86,9 +103,9 @@ std::vector<Samples> make_samples(const std::vector<Request>& requests, const Ri
         character = read_character(r.path);
         character.name = r.name;
       }
-      made[i] = samples_of(character, config.architecture, variants, mix_seeds(config.seed, i));
+      made[i] = samples_of(character, config, variants, mix_seeds(config.seed, i));
     } catch (const Error& error) {
-      if (!quiet) std::fprintf(stderr, "left out: %s\n", error.what());
+      if (!quiet && !is_hands(config)) std::fprintf(stderr, "left out: %s\n", error.what());  // most have no hands
     }
     const size_t count = ++done;
     if (!quiet && (count % 50 == 0 || count == requests.size()))
@@ -132,6 +149,8 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
   require(config.balance >= 0 && config.balance <= 1, "balance", "0 to 1");
   require(config.width >= 1 && config.width <= 256, "width", "1 to 256");
   require(config.rounds >= 2 && config.rounds <= 8, "rounds", "2 to 8");
+  require(config.part == "body" || config.part == "hands", "part", "body or hands");
+  require(config.part == "body" || config.architecture == "votes", "part", "body with the architecture slots");
   require(config.variants <= 64, "variants", "0 to 64");
   require(config.synthetic <= 1000, "synthetic", "0 to 1000");
   return config;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "data/rig_sample.hpp"
+#include "data/hand_sample.hpp"
 #include "kernels/select.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew/sinew.hpp"
@@ -20,15 +20,22 @@
 namespace sinew {
 namespace {
 
-std::vector<RigSample> some_samples(const std::string& folder, size_t limit) {
+std::vector<RigSample> some_samples(const FloatNetwork& network, const std::string& folder, size_t limit) {
   const std::vector<std::string> paths = list_characters(folder);
   const size_t count = limit == 0 ? paths.size() : std::min(limit, paths.size());
   std::vector<RigSample> samples;
   std::string last;
   for (size_t i = 0; i < count; ++i) {
     try {
-      const RigSource source(read_character(paths[i * paths.size() / count]));
-      samples.push_back(source.make(i, 0));
+      const Character character = read_character(paths[i * paths.size() / count]);
+      if (network.feature_set != kHandsFeatureSet) {
+        samples.push_back(RigSource(character).make(i, 0));
+        continue;
+      }
+      for (const HandSource& hand : hand_sources(character)) {
+        std::optional<RigSample> sample = hand.make(i, 0);
+        if (sample) samples.push_back(std::move(*sample));
+      }
     } catch (const Error& error) {
       last = error.what();
     }
@@ -57,7 +64,7 @@ uint32_t most_likely(const T* logits, uint32_t count) {
 }  // namespace
 
 Calibration calibrate_rig(const FloatNetwork& network, const std::string& folder, size_t limit) {
-  const std::vector<RigSample> samples = some_samples(folder, limit);
+  const std::vector<RigSample> samples = some_samples(network, folder, limit);
   std::vector<const NetworkSample*> views;
   for (const RigSample& sample : samples) views.push_back(&sample);
   return calibrate(network, views);
@@ -68,7 +75,7 @@ VoteDifference compare_votes(const FloatNetwork& network, const sinew_model& mod
   VoteDifference difference;
   NetworkRunner runner;
   size_t votes = 0;
-  for (const RigSample& sample : some_samples(folder, limit)) {
+  for (const RigSample& sample : some_samples(network, folder, limit)) {
     const std::vector<float>& exact = runner.forward(network, sample);
     const std::vector<int16_t> rows = engine_rows(model, sample);
     ++difference.characters;

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// Skeleton to hands, each to crop, points, votes, fingers, and back to the caller's units.
+#include "rig/hands.hpp"
+
+#include <string.h>
+
+#include "core/vector_math.hpp"
+#include "rig/caller_units.hpp"
+#include "rig/fingers.hpp"
+#include "rig/hand_crop.hpp"
+#include "rig/point_rows.hpp"
+#include "rig/read_votes.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint64_t kFirstSeed = 7;
+constexpr uint32_t kMostJoints = SINEW_MAX_RIG_JOINTS;
+constexpr int16_t kNone = -1;
+// A hand's length: so much of the way to its bone's end, percent, or of the forearm; never beyond these shares of it.
+constexpr int64_t kOfEnd = 118, kOfForearm = 75, kLeastOfForearm = 30, kMostOfForearm = 200;
+
+constexpr char kFingerNames[kFingers][8] = {"Thumb", "Index", "Middle", "Ring", "Pinky"};
+
+// The caller's skeleton, checked, with places in the mesh's grid.
+struct Body {
+  const sinew_rig_outputs& joints;
+  Vec3i at[kMostJoints];
+  bool end[kMostJoints];
+  uint8_t ends_below[kMostJoints], joints_below[kMostJoints];
+
+  explicit Body(const sinew_rig_outputs& outputs) : joints(outputs) {}
+  SINEW_RARE sinew_status read(const GridQuantizer& quantizer) {
+    if (joints.joint_count == 0 || joints.joint_count > kMostJoints) return SINEW_ERROR_COUNT;
+    memset(ends_below, 0, sizeof ends_below);
+    memset(joints_below, 0, sizeof joints_below);
+    for (uint32_t j = 0; j < joints.joint_count; ++j) {
+      const float* const p = joints.positions + size_t{3} * j;
+      if (!is_finite_point(p)) return SINEW_ERROR_NOT_FINITE;
+      const int32_t parent = joints.parents[j];
+      if (parent < -1 || parent >= static_cast<int32_t>(j)) return SINEW_ERROR_INDEX;
+      if (joints.partners != nullptr &&
+          (joints.partners[j] < -1 || joints.partners[j] >= static_cast<int32_t>(joints.joint_count))) {
+        return SINEW_ERROR_INDEX;
+      }
+      at[j] = quantize_point(quantizer, p);
+      end[j] = joints.flags != nullptr && joints.flags[j] == SINEW_JOINT_NEVER;
+      if (parent >= 0) ++(end[j] ? ends_below : joints_below)[parent];
+    }
+    return SINEW_OK;
+  }
+  bool is_hand(uint32_t j) const {
+    return !end[j] && joints.joint_classes[j] == SINEW_CLASS_HAND && joints.parents[j] >= 0 && joints_below[j] == 0;
+  }
+  int32_t partner(uint32_t j) const { return joints.partners == nullptr ? -1 : joints.partners[j]; }
+  // Its only bone end, or -1.
+  int32_t end_of(uint32_t j) const {
+    if (ends_below[j] != 1) return -1;
+    for (uint32_t e = j + 1; e < joints.joint_count; ++e) {
+      if (end[e] && joints.parents[e] == static_cast<int32_t>(j)) return static_cast<int32_t>(e);
+    }
+    return -1;
+  }
+  // Which side the limb is on, by where it leaves the body.
+  bool is_right(uint32_t j, uint32_t quarters) const {
+    uint32_t top = j;
+    for (int32_t above = joints.parents[j]; above > 0; above = joints.parents[above]) {
+      const uint8_t c = joints.joint_classes[above];
+      if (c >= SINEW_CLASS_CLAVICLE && c <= SINEW_CLASS_HAND) top = static_cast<uint32_t>(above);
+    }
+    return MirrorFrame::turn(at[top] - at[0], quarters).x < 0;
+  }
+  SINEW_RARE HandPlace place(uint32_t j) const {
+    HandPlace place;
+    place.wrist = at[j];
+    place.elbow = at[joints.parents[j]];
+    place.quarters = joints.quarter_turns % 4;
+    place.right = is_right(j, place.quarters);
+    const int64_t forearm = static_cast<int64_t>(length(place.wrist - place.elbow));
+    const int32_t e = end_of(j);
+    int64_t size = e >= 0 ? static_cast<int64_t>(length(at[e] - at[j])) * kOfEnd : forearm * kOfForearm;
+    if (size < forearm * kLeastOfForearm) size = forearm * kLeastOfForearm;
+    if (size > forearm * kMostOfForearm) size = forearm * kMostOfForearm;
+    place.length = clamp32(size / 100, 1, kSide);
+    return place;
+  }
+};
+
+struct Found {
+  uint16_t hand;
+  int16_t mirror;            // the hand that gets the same ones mirrored, or -1
+  Finger fingers[kFingers];  // grid units of the mesh
+
+  uint32_t joints() const {
+    uint32_t count = 0;
+    for (const Finger& finger : fingers) count += finger.joints + (finger.has_end ? 1u : 0u);
+    return count;
+  }
+};
+
+struct HandVoter {
+  const RigPlan& plan;
+  const Kernels& kernels;
+  HandCrop crop = {};
+  Interior interior = {};
+  PointSet set = {};
+  PointRows rows = {};
+  int16_t* outputs = nullptr;
+
+  bool allocate(Arena& arena) {
+    (void)crop.allocate(arena, plan.counts);
+    (void)interior.allocate(arena);
+    (void)set.allocate(arena);
+    (void)rows.allocate(arena);
+    outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
+    if (arena.ok() && !arena.measuring()) rows.fill();
+    return arena.ok();
+  }
+
+  // The fingers of one hand, none of them where there is no surface.
+  sinew_status run(const Mesh& mesh, const HandPlace& place, const Progress& progress, Arena& arena,
+                   Finger (&fingers)[kFingers]) {
+    const ArenaScope scope(arena);
+    VoteStore store;
+    if (!store.allocate(arena, kHandSets)) return SINEW_ERROR_WORKSPACE;
+    if (!crop_hand(mesh, place, plan.counts, arena, &crop)) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring() && crop.surface_triangles == 0) {
+      for (Finger& finger : fingers) finger = Finger();
+      return SINEW_OK;
+    }
+    if (!build_interior(crop.mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
+    for (uint32_t i = 0; i < kHandSets; ++i) {
+      if (!make_point_set(crop.mesh, interior, kFirstSeed + i, arena, &set)) return SINEW_ERROR_WORKSPACE;
+      const Progress part = progress.part(i * Progress::kWhole / kHandSets, (i + 1) * Progress::kWhole / kHandSets);
+      const sinew_status status = run_network(plan.model, rows.input(set), kernels, part, arena, outputs, plan.network);
+      if (status != SINEW_OK) return status;
+      if (!arena.measuring()) store.add(set, outputs, true);
+    }
+    Votes votes;
+    if (!arena.measuring()) votes = store.votes(false);
+    votes.points = kHandSets * kSetPoints;
+    VotePool pool;
+    if (!pool.build(votes, false, arena)) return SINEW_ERROR_WORKSPACE;
+    const sinew_status status = find_fingers(pool, arena, fingers);
+    if (status != SINEW_OK || arena.measuring()) return status;
+    for (Finger& finger : fingers) {
+      for (uint32_t k = 0; k <= kFingerJoints; ++k) finger.at[k] = crop.frame.from(finger.at[k]);
+    }
+    return SINEW_OK;
+  }
+};
+
+// Writes fingers behind the caller's joints; the first takes the place of the hand's bone end.
+class Writer {
+ public:
+  Writer(const Body& body, const Units& units, uint32_t up_axis, sinew_rig_outputs* outputs)
+      : body_(body), units_(units), up_axis_(up_axis), out_(*outputs) {}
+
+  SINEW_RARE void add(const Found& found) {
+    const uint32_t hands = found.mirror >= 0 ? 2 : 1;
+    if (out_.joint_count + hands * found.joints() > kMostJoints || found.joints() == 0) return;
+    int32_t numbers[2][kFingers][kFingerJoints + 1];
+    for (uint32_t side = 0; side < hands; ++side) {
+      const uint32_t hand = side == 0 ? found.hand : static_cast<uint32_t>(found.mirror);
+      int32_t free = body_.end_of(hand);
+      for (uint32_t f = 0; f < kFingers; ++f) {
+        const Finger& finger = found.fingers[f];
+        int32_t parent = static_cast<int32_t>(hand);
+        for (uint32_t k = 0; k < finger.joints + (finger.has_end ? 1u : 0u); ++k) {
+          const int32_t j = free >= 0 ? free : static_cast<int32_t>(out_.joint_count++);
+          free = -1;
+          put(finger, f, k, hand, parent, side == 1, static_cast<uint32_t>(j));
+          numbers[side][f][k] = parent = j;
+        }
+      }
+    }
+    if (out_.partners == nullptr) return;
+    for (uint32_t f = 0; f < kFingers; ++f) {
+      for (uint32_t k = 0; k < found.fingers[f].joints + (found.fingers[f].has_end ? 1u : 0u); ++k) {
+        out_.partners[numbers[0][f][k]] = hands == 2 ? numbers[1][f][k] : kNone;
+        if (hands == 2) out_.partners[numbers[1][f][k]] = numbers[0][f][k];
+      }
+    }
+  }
+
+ private:
+  void put(const Finger& finger, uint32_t f, uint32_t k, uint32_t hand, int32_t parent, bool mirrored, uint32_t j) {
+    const bool is_end = k == finger.joints;
+    place(finger.at[k], mirrored, out_.positions + size_t{3} * j);
+    out_.parents[j] = parent;
+    if (out_.flags != nullptr) out_.flags[j] = is_end ? SINEW_JOINT_NEVER : 0;
+    out_.joint_classes[j] = static_cast<uint8_t>(SINEW_CLASS_THUMB + f);
+    if (out_.confidence != nullptr) out_.confidence[j] = finger.confidence[k];
+    if (out_.parent_confidence != nullptr) out_.parent_confidence[j] = finger.confidence[k > 0 ? k - 1 : 0];
+    if (out_.names != nullptr) name(hand, f, k, is_end, out_.names[j]);
+  }
+
+  // The mirror image is as far from the plane.
+  void place(Vec3i p, bool mirrored, float* to) const {
+    double at[3] = {units_.zero(0) + units_.length(p.x), units_.zero(1) + units_.length(p.y),
+                    units_.zero(2) + units_.length(p.z)};
+    double& across = at[(out_.quarter_turns & 1) != 0 ? 2 : 0];
+    if (mirrored) across = 2 * static_cast<double>(out_.plane) - across;
+    to[0] = static_cast<float>(at[0]);
+    to[1] = static_cast<float>(up_axis_ == 0 ? at[1] : -at[2]);
+    to[2] = static_cast<float>(up_axis_ == 0 ? at[2] : at[1]);
+  }
+
+  // LeftHandThumb1, LeftHandThumb3_end: the hand's name, cut where there is no room.
+  void name(uint32_t hand, uint32_t f, uint32_t k, bool is_end, char* to) const {
+    constexpr uint32_t kRoom = SINEW_JOINT_NAME_BYTES - 1, kLongest = 11;  // Middle3_end
+    uint32_t at = 0;
+    for (const char* from = out_.names[hand]; at < kRoom - kLongest && from[at] != 0; ++at) to[at] = from[at];
+    for (const char* from = kFingerNames[f]; *from != 0; ++from) to[at++] = *from;
+    to[at++] = static_cast<char>('1' + (is_end ? k - 1 : k));
+    for (const char* from = is_end ? "_end" : ""; *from != 0; ++from) to[at++] = *from;
+    to[at] = 0;
+  }
+
+  const Body& body_;
+  const Units& units_;
+  const uint32_t up_axis_;
+  sinew_rig_outputs& out_;
+};
+
+}  // namespace
+
+sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const Kernels& kernels, Arena& arena,
+                       sinew_rig_outputs* outputs) {
+  Mesh mesh;
+  GridQuantizer quantizer;
+  HandVoter voter = {plan, kernels};
+  (void)mesh.allocate(arena, plan.counts);
+  (void)voter.allocate(arena);
+  Found* const found = arena.alloc<Found>(kMostJoints);
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) {
+    const sinew_status status = build_mesh(mesh_input, quantizer, plan.counts, arena, &mesh);
+    Finger fingers[kFingers];
+    return status == SINEW_OK ? voter.run(mesh, {}, {}, arena, fingers) : status;
+  }
+  sinew_status status = make_grid_quantizer(mesh_input.positions, mesh_input.vertex_count, plan.up_axis, &quantizer);
+  if (status != SINEW_OK) return status;
+  Body body(*outputs);
+  status = body.read(quantizer);
+  if (status != SINEW_OK) return status;
+  status = build_mesh(mesh_input, quantizer, plan.counts, arena, &mesh);
+  if (status != SINEW_OK) return status;
+  uint32_t hands = 0, count = 0;
+  const uint32_t joints = outputs->joint_count;
+  // Of a mirrored pair the left one speaks for both.
+  const auto is_asked = [&](uint32_t j) {
+    if (!body.is_hand(j)) return false;
+    const int32_t other = body.partner(j);
+    if (other < 0 || other == static_cast<int32_t>(j)) return true;
+    return !body.is_right(j, outputs->quarter_turns % 4) || !body.is_hand(static_cast<uint32_t>(other)) ||
+           body.partner(static_cast<uint32_t>(other)) != static_cast<int32_t>(j);
+  };
+  for (uint32_t j = 0; j < joints; ++j) hands += is_asked(j) ? 1 : 0;
+  for (uint32_t j = 0; j < joints; ++j) {
+    if (!is_asked(j)) continue;
+    Found& one = found[count];
+    one.hand = static_cast<uint16_t>(j);
+    one.mirror = kNone;
+    const int32_t other = body.partner(j);
+    if (other >= 0 && other != static_cast<int32_t>(j) && body.is_hand(static_cast<uint32_t>(other)) &&
+        !is_asked(static_cast<uint32_t>(other))) {
+      one.mirror = static_cast<int16_t>(other);
+    }
+    const Progress part = plan.progress.part(count * Progress::kWhole / hands, (count + 1) * Progress::kWhole / hands);
+    status = voter.run(mesh, body.place(j), part, arena, one.fingers);
+    if (status != SINEW_OK) return status;
+    ++count;
+  }
+  const Units units(mesh_input, plan.up_axis);
+  Writer writer(body, units, plan.up_axis, outputs);
+  for (uint32_t i = 0; i < count; ++i) writer.add(found[i]);
+  outputs->used_bytes = arena.high_water();
+  return SINEW_OK;
+}
+
+}  // namespace sinew

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// sinew_rig_hands() with the bundled model: what it promises of any skeleton, and what it makes of two hands.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesh_scene.hpp"
+#include "open_bundled_model.hpp"
+#include "sinew/sinew.hpp"
+
+namespace {
+
+using sinew_test::add_cube;
+using sinew_test::MeshScene;
+
+using Point = std::array<double, 3>;
+
+// A closed tapered tube from a to b with round ends, x times `side`.
+void add_limb(MeshScene* scene, const Point& a, const Point& b, double from, double to, double side, double flat = 1) {
+  constexpr int kAround = 12, kRings = 14;
+  const Point d = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const double length = std::hypot(d[0], d[1], d[2]);
+  const Point along = {d[0] / length, d[1] / length, d[2] / length};
+  // z without its part along, and what is across both
+  Point u = {-along[2] * along[0], -along[2] * along[1], 1 - along[2] * along[2]};
+  const double norm = std::hypot(u[0], u[1], u[2]);
+  for (double& x : u) x /= norm;
+  const Point w = {along[1] * u[2] - along[2] * u[1], along[2] * u[0] - along[0] * u[2],
+                   along[0] * u[1] - along[1] * u[0]};
+  const uint32_t first = scene->vertex_count();
+  for (int r = 0; r <= kRings; ++r) {
+    const double t = static_cast<double>(r) / kRings, radius = from + (to - from) * t;
+    const double in = std::min(t, 1 - t) * length / radius;  // of the round end
+    const double here = in < 1 ? radius * std::sqrt(std::max(1 - (1 - in) * (1 - in), 0.01)) : radius;
+    for (int s = 0; s < kAround; ++s) {
+      const double angle = 2 * M_PI * s / kAround, c = here * std::cos(angle), h = here * flat * std::sin(angle);
+      Point p;
+      for (size_t i = 0; i < 3; ++i) p[i] = a[i] + t * d[i] + c * u[i] + h * w[i];
+      scene->add_vertex(static_cast<float>(side * p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]));
+    }
+  }
+  const auto at = [&](int r, int s) { return first + static_cast<uint32_t>(r * kAround + s % kAround); };
+  const auto add = [&](std::vector<uint32_t> face) {
+    if (side < 0) face = std::vector<uint32_t>(face.rbegin(), face.rend());
+    scene->add_face(face);
+  };
+  for (int r = 0; r < kRings; ++r)
+    for (int s = 0; s < kAround; ++s) add({at(r, s), at(r, s + 1), at(r + 1, s + 1), at(r + 1, s)});
+  std::vector<uint32_t> front, back;
+  for (int s = 0; s < kAround; ++s) {
+    front.push_back(at(0, kAround - 1 - s));
+    back.push_back(at(kRings, s));
+  }
+  add(front);
+  add(back);
+}
+
+// A trunk and two arms along x with hands that face down: wrists at x = 0.6, the longest fingers to x = 0.79.
+MeshScene two_arms(bool fingers) {
+  MeshScene scene;
+  add_limb(&scene, {0, 0.9, 0}, {0, 1.5, 0}, 0.14, 0.14, 1);
+  for (const double side : {1.0, -1.0}) {
+    add_limb(&scene, {0.1, 1.4, 0}, {0.62, 1.4, 0}, 0.05, 0.028, side);
+    add_limb(&scene, {0.585, 1.4, 0}, {0.71, 1.4, 0}, 0.035, 0.042, side, 0.35);
+    if (!fingers) continue;
+    add_limb(&scene, {0.62, 1.395, 0.02}, {0.69, 1.385, 0.085}, 0.013, 0.01, side);
+    constexpr double kReach[4] = {0.775, 0.79, 0.778, 0.755};
+    for (int f = 0; f < 4; ++f) {
+      const double z = 0.033 - 0.022 * f;
+      add_limb(&scene, {0.68, 1.4, z}, {kReach[f], 1.397, 1.25 * z}, 0.0095, 0.0075, side);
+    }
+  }
+  return scene;
+}
+
+// A skeleton with room, as sinew_rig() would have given it: hips, and an arm of forearm, hand and end on each side.
+struct Skeleton {
+  std::vector<float> positions = std::vector<float>(3 * SINEW_MAX_RIG_JOINTS);
+  std::vector<int32_t> parents = std::vector<int32_t>(SINEW_MAX_RIG_JOINTS), partners = parents;
+  std::vector<uint8_t> flags = std::vector<uint8_t>(SINEW_MAX_RIG_JOINTS), classes = flags;
+  std::vector<uint16_t> confidence = std::vector<uint16_t>(SINEW_MAX_RIG_JOINTS), parent_confidence = confidence;
+  std::vector<char> text = std::vector<char>(size_t{SINEW_MAX_RIG_JOINTS} * SINEW_JOINT_NAME_BYTES);
+  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
+
+  explicit Skeleton(bool mirrored = true) {
+    outputs.flags = flags.data();
+    outputs.joint_classes = classes.data();
+    outputs.partners = partners.data();
+    outputs.confidence = confidence.data();
+    outputs.parent_confidence = parent_confidence.data();
+    outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(text.data());
+    outputs.mirrored = mirrored ? 1 : 0;
+    add("Hips", 0, 1, -1, SINEW_CLASS_PELVIS, 0, mirrored ? 0 : -1);
+    int at = 1;
+    for (const float side : {1.0f, -1.0f}) {
+      const std::string name = side > 0 ? "Left" : "Right";
+      const int other = side > 0 ? 4 : -4;
+      add(name + "Arm", side * 0.15f, 1.4f, 0, SINEW_CLASS_UPPER_ARM, 0, mirrored ? at + other : -1);
+      add(name + "ForeArm", side * 0.36f, 1.4f, at, SINEW_CLASS_FOREARM, 0, mirrored ? at + 1 + other : -1);
+      add(name + "Hand", side * 0.6f, 1.4f, at + 1, SINEW_CLASS_HAND, 0, mirrored ? at + 2 + other : -1);
+      add(name + "Hand_end", side * 0.76f, 1.4f, at + 2, SINEW_CLASS_HAND, SINEW_JOINT_NEVER,
+          mirrored ? at + 3 + other : -1);
+      at += 4;
+    }
+  }
+  void add(const std::string& name, float x, float y, int parent, uint8_t joint_class, uint8_t flag, int partner) {
+    const uint32_t j = outputs.joint_count++;
+    positions[3 * j] = x;
+    positions[3 * j + 1] = y;
+    parents[j] = parent;
+    partners[j] = partner;
+    classes[j] = joint_class;
+    flags[j] = flag;
+    std::strcpy(outputs.names[j], name.c_str());
+  }
+  std::string name(uint32_t j) const { return &text[size_t{j} * SINEW_JOINT_NAME_BYTES]; }
+  bool same_as(const Skeleton& o) const {
+    return outputs.joint_count == o.outputs.joint_count && positions == o.positions && parents == o.parents &&
+           partners == o.partners && flags == o.flags && classes == o.classes && confidence == o.confidence &&
+           parent_confidence == o.parent_confidence && text == o.text;
+  }
+  uint32_t fingers() const {
+    std::set<std::pair<int32_t, uint8_t>> found;
+    for (uint32_t j = 0; j < outputs.joint_count; ++j) {
+      if (classes[j] < SINEW_CLASS_THUMB) continue;
+      int32_t hand = parents[j];
+      while (classes[static_cast<size_t>(hand)] >= SINEW_CLASS_THUMB) hand = parents[static_cast<size_t>(hand)];
+      found.insert({hand, classes[j]});
+    }
+    return static_cast<uint32_t>(found.size());
+  }
+};
+
+sinew_status add_hands(const MeshScene& scene, Skeleton* skeleton, sinew_rig_options options = sinew_rig_options_init(),
+                       const sinew_model* model = bundled_hands_model(), size_t missing = 0) {
+  const sinew_mesh mesh = scene.mesh_view();
+  size_t bytes = 0;
+  const sinew_status status =
+      sinew_rig_hands_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count, &options, &bytes);
+  if (status != SINEW_OK) return status;
+  const sinew::Workspace block(bytes);
+  std::memset(block.data(), 0x5A, bytes);
+  return sinew_rig_hands(model, &mesh, &options, block.data(), bytes - missing, &skeleton->outputs);
+}
+
+TEST(HandsOfASkeleton, GetFingersOnBothSidesInMirrorImage) {
+  Skeleton s;
+  ASSERT_EQ(add_hands(two_arms(true), &s), SINEW_OK);
+  EXPECT_GE(s.fingers(), 6u) << "of ten";
+  std::set<std::string> names;
+  for (uint32_t j = 0; j < s.outputs.joint_count; ++j) {
+    EXPECT_TRUE(names.insert(s.name(j)).second) << s.name(j);
+    EXPECT_LT(s.parents[j], static_cast<int32_t>(j));
+    const uint32_t other = static_cast<uint32_t>(s.partners[j]);
+    ASSERT_LT(other, s.outputs.joint_count);
+    EXPECT_EQ(s.partners[other], static_cast<int32_t>(j));
+    EXPECT_EQ(s.positions[3 * j], -s.positions[3 * other]) << s.name(j);
+    EXPECT_EQ(s.positions[3 * j + 1], s.positions[3 * other + 1]);
+    EXPECT_EQ(s.positions[3 * j + 2], s.positions[3 * other + 2]);
+    if (s.classes[j] < SINEW_CLASS_THUMB) continue;
+    const bool left = s.positions[3 * j] > 0;
+    EXPECT_EQ(s.name(j).rfind(left ? "LeftHand" : "RightHand", 0), 0u) << s.name(j);
+    EXPECT_EQ(s.flags[j] == SINEW_JOINT_NEVER, s.name(j).find("_end") != std::string::npos);
+  }
+  EXPECT_EQ(names.count("LeftHand_end"), 0u) << "the hand's own end goes";
+}
+
+TEST(HandsOfASkeleton, AreFoundEachByItselfWhereNothingIsMirrored) {
+  Skeleton s(false);
+  ASSERT_EQ(add_hands(two_arms(true), &s), SINEW_OK);
+  EXPECT_GE(s.fingers(), 6u);
+  for (uint32_t j = 0; j < s.outputs.joint_count; ++j) EXPECT_EQ(s.partners[j], -1);
+}
+
+TEST(HandsOfASkeleton, AreTheSameOnEveryKernel) {
+  Skeleton reference, automatic;
+  sinew_rig_options options = sinew_rig_options_init();
+  options.kernel = SINEW_KERNEL_REF;
+  ASSERT_EQ(add_hands(two_arms(true), &reference, options), SINEW_OK);
+  ASSERT_EQ(add_hands(two_arms(true), &automatic), SINEW_OK);
+  EXPECT_TRUE(reference.same_as(automatic));
+}
+
+TEST(HandsOfASkeleton, WithoutFingersStayAsTheyAre) {
+  const Skeleton before;
+  MeshScene cube;
+  add_cube(&cube, -0.8f, 0.8f, -0.8f, 1.6f);
+  MeshScene far_away;
+  add_cube(&far_away, 5, 5, 5);
+  MeshScene no_faces = two_arms(true);
+  no_faces.offsets = {0};
+  no_faces.corners.clear();
+  for (const MeshScene& scene : {two_arms(false), cube, far_away, no_faces}) {
+    Skeleton s;
+    ASSERT_EQ(add_hands(scene, &s), SINEW_OK);
+    EXPECT_TRUE(s.same_as(before));
+  }
+}
+
+TEST(HandsOfASkeleton, WithFingersAlreadyStayAsTheyAre) {
+  Skeleton s;
+  ASSERT_EQ(add_hands(two_arms(true), &s), SINEW_OK);
+  const uint32_t count = s.outputs.joint_count;
+  ASSERT_EQ(add_hands(two_arms(true), &s), SINEW_OK);
+  EXPECT_EQ(s.outputs.joint_count, count);
+}
+
+TEST(HandsOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
+  const MeshScene scene = two_arms(true);
+  const Skeleton before;
+  const auto fails = [&](const char* what, sinew_status expected, auto change) {
+    Skeleton s, untouched;
+    change(s);
+    change(untouched);
+    EXPECT_EQ(add_hands(scene, &s), expected) << what;
+    EXPECT_TRUE(s.same_as(untouched)) << what;
+  };
+  fails("no classes", SINEW_ERROR_ARGUMENT, [](Skeleton& s) { s.outputs.joint_classes = nullptr; });
+  fails("no joint", SINEW_ERROR_COUNT, [](Skeleton& s) { s.outputs.joint_count = 0; });
+  fails("too many", SINEW_ERROR_COUNT, [](Skeleton& s) { s.outputs.joint_count = SINEW_MAX_RIG_JOINTS + 1; });
+  fails("a cycle", SINEW_ERROR_INDEX, [](Skeleton& s) { s.parents[2] = 3; });
+  fails("a wrong partner", SINEW_ERROR_INDEX, [](Skeleton& s) { s.partners[2] = 9; });
+  fails("no number", SINEW_ERROR_NOT_FINITE,
+        [](Skeleton& s) { s.positions[4] = std::numeric_limits<float>::infinity(); });
+  Skeleton s;
+  EXPECT_EQ(add_hands(scene, &s, sinew_rig_options_init(), bundled_rig_model()), SINEW_ERROR_MODEL_TASK);
+  EXPECT_EQ(add_hands(scene, &s, sinew_rig_options_init(), bundled_hands_model(), 64), SINEW_ERROR_WORKSPACE);
+  sinew_rig_options options = sinew_rig_options_init();
+  options.progress = [](void*, uint32_t) { return 1; };
+  EXPECT_EQ(add_hands(scene, &s, options), SINEW_ERROR_CANCELLED);
+  EXPECT_TRUE(s.same_as(before));
+  size_t bytes = 0;
+  EXPECT_EQ(sinew_rig_workspace_size(bundled_hands_model(), 10, 1, 3, nullptr, &bytes), SINEW_ERROR_MODEL_TASK)
+      << "bodies are not for a model of hands";
+}
+
+TEST(HandsOfASkeleton, WithoutRoomGetNone) {
+  Skeleton s(false);
+  while (s.outputs.joint_count < SINEW_MAX_RIG_JOINTS - 1)
+    s.add("Bone" + std::to_string(s.outputs.joint_count), 0, 1, 0, SINEW_CLASS_OTHER, 0, -1);
+  const uint32_t count = s.outputs.joint_count;
+  ASSERT_EQ(add_hands(two_arms(true), &s), SINEW_OK);
+  EXPECT_EQ(s.outputs.joint_count, count);
+}
+
+}  // namespace

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: MIT
+// Bends a hand by its own weights, and asks the engine for its crop and points.
+#include "data/hand_sample.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/random.hpp"
+#include "data/engine_mesh.hpp"
+#include "data/point_sample.hpp"
+#include "rig/hand_crop.hpp"
+#include "rig/rig_task.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_trainer/sample.hpp"
+
+namespace sinew {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kAround = 3.2;  // of a hand's length: what of the body is kept
+constexpr size_t kWrist = 1;
+
+Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+std::array<double, 3> arr(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Matrix3d turn(const Vector3d& by) {
+  const double angle = by.norm();
+  if (angle < 1e-12) return Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, by / angle).toRotationMatrix();
+}
+
+// One after the other, whatever order a compiler gives arguments.
+Vector3d normals(Random* random) {
+  Vector3d v = Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) v[i] = random->normal();
+  return v;
+}
+
+// Of the longest side. Without an expression of Eigen's, which GCC 12 takes for uninitialised.
+Vector3d share(Vec3i p) {
+  constexpr double kStep = 1.0 / kSide;
+  return {p.x * kStep, p.y * kStep, p.z * kStep};
+}
+
+double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+  const Vector3d along = b - a;
+  const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
+  return (p - a - t * along).norm();
+}
+
+}  // namespace
+
+HandSource::HandSource(const Character& character, const TargetHand& hand)
+    : name_(character.name), family_(family_of(character.name)), length_(hand.length) {
+  const Vec3& w = character.joints[hand.joint].position;
+  const auto local = [&](double x, double y, double z) -> Point {
+    const double dx = x - static_cast<double>(w.x);
+    return {hand.right ? -dx : dx, y - static_cast<double>(w.y), z - static_cast<double>(w.z)};
+  };
+  const auto local_of = [&](const Vec3& p) {
+    return local(static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z));
+  };
+  joints_ = {{{}, -1, kHandRest}, {{}, 0, kHandPalm}};
+  std::vector<int> own(character.joints.size(), -1);
+  own[hand.joint] = kWrist;
+  for (const TargetFinger& finger : hand.fingers) {
+    HandFinger f;
+    f.finger = finger.finger;
+    if (finger.end) f.end = local((*finger.end)[0], (*finger.end)[1], (*finger.end)[2]);
+    int parent = kWrist;
+    for (size_t k = 0; k < finger.joints.size(); ++k) {
+      const Point& p = finger.positions[k];
+      own[finger.joints[k]] = static_cast<int>(joints_.size());
+      f.joints.push_back(static_cast<uint32_t>(joints_.size()));
+      joints_.push_back({local(p[0], p[1], p[2]), parent, finger_class(finger.finger, static_cast<uint32_t>(k))});
+      parent = static_cast<int>(joints_.size()) - 1;
+    }
+    fingers_.push_back(std::move(f));
+  }
+  // What no joint of the hand's moves belongs to the joint above it.
+  const auto owner_of = [&](uint32_t j) -> uint32_t {
+    for (int at = static_cast<int>(j); at >= 0; at = character.joints[static_cast<size_t>(at)].parent)
+      if (own[static_cast<size_t>(at)] >= 0) return static_cast<uint32_t>(own[static_cast<size_t>(at)]);
+    return 0;
+  };
+  std::vector<uint32_t> number(character.vertices.size(), UINT32_MAX);
+  std::vector<Point> places;
+  for (const Vec3& p : character.vertices) places.push_back(local_of(p));
+  const auto is_near = [&](uint32_t v) { return vec(places[v]).norm() < kAround * length_; };
+  const auto vertex_of = [&](uint32_t v) {
+    if (number[v] == UINT32_MAX) {
+      number[v] = static_cast<uint32_t>(vertices_.size());
+      vertices_.push_back(places[v]);
+      influences_.emplace_back();
+      for (const Influence& i : character.influences[v]) influences_.back().push_back({owner_of(i.joint), i.weight});
+    }
+    return number[v];
+  };
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    const uint32_t* const corners = character.face_vertices.data();
+    const uint32_t begin = character.face_offsets[f], end = character.face_offsets[f + 1];
+    for (uint32_t i = begin + 2; i < end; ++i) {
+      const std::array<uint32_t, 3> t = {corners[begin], corners[i - 1], corners[i]};
+      if (is_near(t[0]) && is_near(t[1]) && is_near(t[2]))
+        triangles_.push_back({vertex_of(t[0]), vertex_of(t[1]), vertex_of(t[2])});
+    }
+  }
+  // Where the hand points: the middle of its fingers, or of what it moves.
+  Vector3d sum = Vector3d::Zero();
+  double weights = 0;
+  for (const HandFinger& f : fingers_) sum += vec(joints_[f.joints[f.joints.size() / 2]].at);
+  weights = static_cast<double>(fingers_.size());
+  for (size_t v = 0; v < vertices_.size() && fingers_.empty(); ++v) {
+    for (const Influence& i : influences_[v]) {
+      if (i.joint != kWrist) continue;
+      sum += static_cast<double>(i.weight) * vec(vertices_[v]);
+      weights += static_cast<double>(i.weight);
+    }
+  }
+  const Vector3d along = weights > 0 && sum.norm() > 1e-9 ? Vector3d(sum.normalized()) : Vector3d(1, 0, 0);
+  palm_end_ = arr(0.85 * length_ * along);
+  elbow_ = arr(-1.3 * length_ * along);
+  if (hand.elbow >= 0) {
+    const Point e = local_of(character.joints[static_cast<size_t>(hand.elbow)].position);
+    if (vec(e).norm() > 0.3 * length_) elbow_ = e;
+  }
+}
+
+HandSource::Posed HandSource::pose(uint64_t seed, double strength) const {
+  Posed posed;
+  posed.vertices = vertices_;
+  for (const HandJoint& j : joints_) {
+    posed.joints.push_back(j.at);
+    posed.classes.push_back(j.hand_class);
+  }
+  for (const HandFinger& f : fingers_) posed.ends.push_back(f.end);
+  posed.palm_end = palm_end_;
+  if (strength <= 0) return posed;
+  Random random(seed);
+  // The palm's plane, and to which side fingers bend.
+  Vector3d across = Vector3d(0, 0, 1), along = vec(palm_end_).normalized();
+  if (fingers_.size() > 2) across = vec(joints_[fingers_[1].joints[0]].at) - vec(joints_[fingers_.back().joints[0]].at);
+  Vector3d normal = across.cross(along);
+  if (normal.norm() < 1e-9) normal = Vector3d(0, 1, 0);
+  normal.normalize();
+  double bent = 0;
+  for (const HandFinger& f : fingers_) {
+    if (f.finger == 0 || f.joints.size() < 2 || !f.end) continue;
+    const Vector3d base = vec(joints_[f.joints[0]].at), middle = vec(joints_[f.joints[1]].at);
+    bent += normal.dot((vec(*f.end) - middle).normalized() - (middle - base).normalized());
+  }
+  if (bent > 0) normal = -normal;  // away from where they bend
+  const Vector3d bend_axis = normal.cross(along).normalized();
+
+  const double curl = strength * (random.uniform() < 0.25 ? std::abs(0.5 * random.normal()) : 0.2 * random.normal());
+  const double longer = 0.15 * strength * random.normal(), thicker = 0.12 * strength * random.normal();
+  const double spread = 0.1 * strength * random.normal();
+  int gone = -1;
+  if (fingers_.size() == 5 && random.uniform() < 0.2 * strength) gone = static_cast<int>(2 + random.below(3));
+  std::vector<Matrix3d> own(joints_.size(), Matrix3d::Identity()), scale = own, rotation = own, linear = own;
+  std::vector<Vector3d> origin(joints_.size(), Vector3d::Zero());
+  own[kWrist] = turn(0.2 * strength * normals(&random));
+  for (size_t i = 0; i < fingers_.size(); ++i) {
+    const HandFinger& f = fingers_[i];
+    const double this_long = longer + 0.08 * strength * random.normal(), this_thick = thicker;
+    for (size_t k = 0; k < f.joints.size(); ++k) {
+      const uint32_t j = f.joints[k];
+      const Vector3d next = k + 1 < f.joints.size() ? vec(joints_[f.joints[k + 1]].at)
+                            : f.end                 ? vec(*f.end)
+                                                    : vec(joints_[j].at) + along;
+      const Vector3d bone = (next - vec(joints_[j].at)).normalized();
+      Vector3d by = 0.08 * strength * normals(&random);
+      if (f.finger == 0) {
+        if (k == 0) by *= 3;
+      } else {
+        by += (curl + 0.1 * strength * random.normal()) * bend_axis;
+        if (k == 0) by += (spread * (static_cast<double>(f.finger) - 2.5) + 0.05 * strength * random.normal()) * normal;
+      }
+      own[j] = turn(by);
+      const double s = std::exp(this_long), r = std::exp(this_thick);
+      scale[j] = r * Matrix3d::Identity() + (s - r) * bone * bone.transpose();
+      if (gone == static_cast<int>(i)) scale[j] = 1e-3 * Matrix3d::Identity();
+    }
+  }
+  const Vector3d whole = (0.12 * strength * normals(&random)).array().exp().matrix();
+  const double roll = strength * (random.uniform() < 0.2 ? 0.9 : 0.25) * random.normal();
+  const Matrix3d all = whole.asDiagonal() * turn(roll * vec(elbow_).normalized());
+  for (size_t j = 1; j < joints_.size(); ++j) {
+    const size_t p = static_cast<size_t>(joints_[j].parent);
+    rotation[j] = rotation[p] * own[j];
+    origin[j] = origin[p] + linear[p] * (vec(joints_[j].at) - vec(joints_[p].at));
+    linear[j] = rotation[j] * scale[j];
+  }
+  const auto moved = [&](size_t j, const Point& p) {
+    return Vector3d(all * (origin[j] + linear[j] * (vec(p) - vec(joints_[j].at))));
+  };
+  for (size_t v = 0; v < vertices_.size(); ++v) {
+    Vector3d sum = Vector3d::Zero();
+    double weights = 0;
+    for (const Influence& i : influences_[v]) {
+      sum += static_cast<double>(i.weight) * moved(i.joint, vertices_[v]);
+      weights += static_cast<double>(i.weight);
+    }
+    posed.vertices[v] = arr(weights > 1e-6 ? Vector3d(sum / weights) : Vector3d(all * vec(vertices_[v])));
+  }
+  for (size_t j = 0; j < joints_.size(); ++j) posed.joints[j] = arr(moved(j, joints_[j].at));
+  for (size_t i = 0; i < fingers_.size(); ++i)
+    if (fingers_[i].end) posed.ends[i] = arr(moved(fingers_[i].joints.back(), *fingers_[i].end));
+  posed.palm_end = arr(moved(kWrist, palm_end_));
+  // Four fingers are thumb, index, middle and pinky.
+  if (gone >= 0) {
+    for (const uint32_t j : fingers_[static_cast<size_t>(gone)].joints) posed.classes[j] = kHandPalm;
+    posed.ends[static_cast<size_t>(gone)].reset();
+    constexpr uint32_t kThree[3] = {1, 2, 4};
+    uint32_t next = 0;
+    for (size_t i = 1; i < fingers_.size(); ++i) {
+      if (static_cast<int>(i) == gone) continue;
+      for (size_t k = 0; k < fingers_[i].joints.size(); ++k)
+        posed.classes[fingers_[i].joints[k]] = finger_class(kThree[next], static_cast<uint32_t>(k));
+      ++next;
+    }
+  }
+  return posed;
+}
+
+std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const {
+  const Posed posed = pose(mix_seeds(seed, 1), strength);
+  Random random(mix_seeds(seed, 4));
+  EngineMesh engine(name_, posed.vertices, triangles_);
+  const auto quantized = [&](const Vector3d& p) {
+    const float f[3] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+    return quantize_point(engine.quantizer, f);
+  };
+  // As wrong as a body's skeleton is.
+  const Vector3d wrist = vec(posed.joints[kWrist]);
+  const Vector3d elbow = vec(posed.joints[0]) + (vec(elbow_) - vec(joints_[0].at));
+  HandPlace place;
+  place.wrist = quantized(wrist + 0.07 * length_ * normals(&random));
+  place.elbow = quantized(elbow + 0.12 * elbow.norm() * normals(&random));
+  const double guess = length_ * std::exp(0.15 * random.normal());
+  const Vec3i zero = quantized(Vector3d::Zero()), far = quantized(Vector3d(guess, 0, 0));
+  place.length = std::max(far.x - zero.x, 1);
+
+  HandCrop crop;
+  Interior interior;
+  PointSet set;
+  const auto run = [&](Arena& arena) {
+    (void)crop.allocate(arena, engine.counts);
+    (void)interior.allocate(arena);
+    (void)set.allocate(arena);
+    (void)crop_hand(engine.mesh, place, engine.counts, arena, &crop);
+    if (!arena.measuring() && crop.surface_triangles == 0) return;
+    (void)build_interior(crop.mesh, arena, &interior);
+    (void)make_point_set(crop.mesh, interior, mix_seeds(seed, 2), arena, &set);
+  };
+  Arena measuring;
+  run(measuring);
+  Workspace block(measuring.high_water());
+  Arena arena(block.data(), block.size());
+  run(arena);
+  if (crop.surface_triangles == 0) return std::nullopt;
+
+  const auto hand_place = [&](const Point& p) {
+    const Vec3i at = crop.frame.to(quantized(vec(p)));
+    return share(at);
+  };
+  std::vector<Vector3d> joints;
+  for (const Point& p : posed.joints) joints.push_back(hand_place(p));
+  std::vector<uint32_t> caller(engine.mesh.welded_count, UINT32_MAX);
+  for (uint32_t v = 0; v < vertices_.size(); ++v) {
+    uint32_t& first = caller[engine.mesh.vertex_to_welded[v]];
+    if (first == UINT32_MAX) first = v;
+  }
+  RigSample s = point_sample(set);
+  s.name = name_;
+  s.family = family_;
+  const auto put = [](const Vector3d& at, std::vector<float>* out) {
+    for (int i = 0; i < 3; ++i) out->push_back(static_cast<float>(at[i]));
+  };
+  std::vector<double> sums(joints_.size());
+  for (uint32_t i = 0; i < kSetPoints; ++i) {
+    const SurfacePoint& point = set.points[i];
+    const Vector3d p = share(point.position);
+    const Vector3d m = share(set.medial[i]);
+    put(m, &s.medial);
+    std::fill(sums.begin(), sums.end(), 0.0);
+    const bool is_cap = point.triangle != kNoTriangle && point.triangle >= crop.surface_triangles;
+    for (int corner = 0; corner < 3 && !is_cap; ++corner) {
+      for (const Influence& influence : influences_[caller[crop.source[point.corner[corner]]]])
+        sums[influence.joint] += static_cast<double>(influence.weight) * point.share[corner] / 32768.0;
+    }
+    size_t own = is_cap ? 0 : static_cast<size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+    const double trust = is_cap ? 1 : std::min(sums[own], 1.0);
+    if (posed.classes[own] == kHandPalm) own = kWrist;
+    if (own == 0) {  // no bone of the hand
+      put(m, &s.start);
+      put(m, &s.end);
+      s.weight.push_back(0);
+      s.class_weight.push_back(static_cast<float>(trust * trust));
+      s.start_class.push_back(kHandRest);
+      s.end_class.push_back(kHandRest);
+      continue;
+    }
+    Vector3d end = hand_place(posed.palm_end);
+    uint8_t end_class = kClassTip;
+    double least = 1e9;
+    const auto offer = [&](const Vector3d& at, uint8_t at_class) {
+      const double d = segment_distance(p, joints[own], at);
+      if (d >= least) return;
+      least = d;
+      end = at;
+      end_class = at_class;
+    };
+    bool has_end = own != kWrist || fingers_.empty();
+    for (size_t f = 0; f < fingers_.size(); ++f) {
+      const HandFinger& finger = fingers_[f];
+      for (size_t k = 0; k < finger.joints.size(); ++k) {
+        const uint32_t j = finger.joints[k];
+        if (posed.classes[j] == kHandPalm) continue;
+        if (own == kWrist && k == 0) {
+          offer(joints[j], posed.classes[j]);
+          has_end = true;
+        }
+        if (own != j) continue;
+        if (k + 1 < finger.joints.size()) {
+          offer(joints[finger.joints[k + 1]], posed.classes[finger.joints[k + 1]]);
+        } else if (posed.ends[f]) {
+          offer(hand_place(*posed.ends[f]), kClassTip);
+        } else {
+          has_end = false;
+        }
+      }
+    }
+    put(joints[own], &s.start);
+    put(end, &s.end);
+    s.weight.push_back(static_cast<float>(has_end ? trust * trust : 0));
+    s.class_weight.push_back(static_cast<float>(trust * trust));
+    s.start_class.push_back(posed.classes[own]);
+    s.end_class.push_back(end_class);
+  }
+  return s;
+}
+
+std::vector<HandSource> hand_sources(const Character& character) {
+  std::vector<HandSource> sources;
+  for (const TargetHand& hand : target_hands(character))
+    if (hand.clear) sources.emplace_back(character, hand);
+  return sources;
+}
+
+}  // namespace sinew
