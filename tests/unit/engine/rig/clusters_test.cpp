@@ -137,9 +137,9 @@ TEST(FoldedJoints, NoneOfTooFewVotesNoneBeyondTheLimit) {
 
 TEST(FoldedJoints, TrustFallsWithSpread) {
   EXPECT_NEAR(trust_in(1), 32768, 30);
-  EXPECT_NEAR(trust_in(5243), 8192, 3);  // a quarter at 0.08
+  EXPECT_NEAR(trust_in(3277), 8192, 3);  // a quarter at 0.05
   for (uint32_t spread = 1; spread < 65535; ++spread) ASSERT_GE(trust_in(spread), trust_in(spread + 1));
-  EXPECT_GT(trust_in(65535), 100u);
+  EXPECT_NEAR(trust_in(65535), 74, 1);  // 1 / 21^2
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(Rig, AKnownHumanoidComesBack) {
         EXPECT_EQ(hit.joint_class, tip ? above.joint_class : joint.joint_class) << seed;
         const RigJoint& parent = found.joints[static_cast<size_t>(hit.parent)];
         EXPECT_LT(distance(parent.position, place(above.x * side, above.y, above.z)), 0.006) << seed;
-        EXPECT_GT(hit.confidence, 18000);  // 1 / (1 + 0.02 / 0.08)^2
+        EXPECT_NEAR(hit.confidence, 16718, 40);  // 1 / (1 + 0.02 / 0.05)^2
         EXPECT_GT(hit.parent_confidence, 1000) << seed << " " << joint.y;
       }
     }
