@@ -16,7 +16,6 @@
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
 #include "sinew_datasets/image.hpp"
-#include "sinew_formats/bind_character.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_hands.hpp"
@@ -120,13 +119,6 @@ LabelledSkeleton add_fingers(const Settings& s, const LoadedModel& model, Rigged
   return found;
 }
 
-JointChoice joints_to_bind(const Rigged& rigged) {
-  if (rigged.fitted) return choose_joints(rigged.character, JointsFrom::kNames);
-  std::vector<uint8_t> said;
-  for (const uint8_t end : rigged.skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
-  return choose_joints(rigged.character, JointsFrom::kAll, said);
-}
-
 Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
   Rigged rigged;
   Character& character = rigged.character;
@@ -149,14 +141,13 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
   character.joints = rigged.fitted && s.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
   character.influences.clear();
   if (s.no_bind) return rigged;
-  CharacterBindOptions bind;
-  bind.bind.method = SINEW_METHOD_MODEL;
-  bind.bind.model = &models.bind->model;
-  bind.bind.influence_count = s.influences;
-  bind.bind.up_axis = s.up == "z" ? 1 : 0;
-  bind.keep_tips = !rigged.fitted;
-  bind.bind_props = true;
-  CharacterBind result = bind_character(character, joints_to_bind(rigged), bind);
+  BindOptions options;
+  options.method = SINEW_METHOD_MODEL;
+  options.model = &models.bind->model;
+  options.influence_count = s.influences;
+  options.up_axis = s.up == "z" ? 1 : 0;
+  CharacterBind result =
+      rigged.fitted ? bind_to_own(options, character) : bind_to_prediction(rigged.skeleton, options, &character);
   character.influences = std::move(result.influences);
   rigged.bind_seconds = result.seconds;
   return rigged;

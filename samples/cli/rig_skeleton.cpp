@@ -96,6 +96,13 @@ FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleto
   return fitted;
 }
 
+CharacterBind bind_to_own(BindOptions options, const Character& character) {
+  CharacterBindOptions bind;
+  bind.bind = std::move(options);
+  bind.bind_props = true;
+  return bind_character(character, choose_joints(character, JointsFrom::kNames), bind);
+}
+
 CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character) {
   character->joints = skeleton.joints;
   character->influences.clear();

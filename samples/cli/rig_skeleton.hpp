@@ -46,7 +46,9 @@ void check_skeleton_source(const std::string& source);
 FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleton& found, FitOptions options,
                                 const Character& mesh, PredictedSkeleton* skeleton);
 
-// Binds the character's mesh to a predicted skeleton, which becomes its own: all joints but bone ends get weight.
+// Binds a mesh to the skeleton that it was given: a user's own, whose names say which joints deform, or a predicted one,
+// which becomes the character's and whose joints all do but for bone ends.
+CharacterBind bind_to_own(BindOptions options, const Character& character);
 CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character);
 
 }  // namespace sinew::cli

@@ -51,8 +51,8 @@ typedef enum sinew_mirror {
 /* Where the skeleton comes from. */
 typedef enum sinew_rig_method {
   SINEW_RIG_VOTES = 0, /* from what the model has learnt */
-  SINEW_RIG_SHAPE = 1  /* from the middle line of the mesh alone, for what no model knows: joints named Bone, of class
-                        * OTHER, of confidence 0; sinew_rig_outputs::spread is 0, quarter_turns 0 or 1. No model is needed: null */
+  SINEW_RIG_SHAPE = 1  /* from the middle line of the mesh alone, for what no model knows: the model may be null. Joints
+                        * are named Bone, of class OTHER and confidence 0; spread is 0, quarter_turns 0 or 1 */
 } sinew_rig_method;
 
 /* What a call is asked to do: inputs only. Start from sinew_rig_options_init(), which asks for every default.
@@ -94,15 +94,16 @@ typedef struct sinew_rig_outputs {
                                    * = not wanted */
   uint16_t* confidence;        /* [J] how sure the joint's place is, 0..32768; null = not wanted */
   uint16_t* parent_confidence; /* [J] how sure its parent is, 0..32768; null = not wanted */
-  char (
-      *names)[SINEW_JOINT_NAME_BYTES]; /* [J] Hips, Spine, LeftArm, ... Head_end; every name once; null = not wanted */
-  uint32_t mirrored;                   /* written: 1 when the skeleton is its own mirror image */
-  uint32_t
-      quarter_turns; /* written: where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x, by where the votes are surest. Left is
-                           * to the left of that. For 0 and 2 the mirror plane is across x, else across z */
-  float plane;       /* written: where the plane is on that axis, the mesh's units */
-  float spread;      /* written: how far off the votes think they are, in the mean, share of the longest side:
-                                   * a whole skeleton below about 0.03 is good, above 0.1 nobody knows */
+  /* [J] Hips, Spine, LeftArm, ... Head_end; every name once; null = not wanted */
+  char (*names)[SINEW_JOINT_NAME_BYTES];
+  uint32_t mirrored; /* written: 1 when the skeleton is its own mirror image */
+  /* written: where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x, by where the votes are surest. Left is to the left of that.
+   * For 0 and 2 the mirror plane is across x, else across z */
+  uint32_t quarter_turns;
+  float plane; /* written: where the plane is on that axis, the mesh's units */
+  /* written: how far off the votes think they are, in the mean, share of the longest side: a whole skeleton below about
+   * 0.03 is good, above 0.09 the votes are no better than SINEW_RIG_SHAPE */
+  float spread;
   size_t used_bytes; /* written: high-water mark of the workspace */
 } sinew_rig_outputs;
 

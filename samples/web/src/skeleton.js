@@ -12,9 +12,9 @@ const unsure = [
   [225, 30, 45],
 ]; // from sure to unsure, as the legend has it
 
-// How far off the votes for a joint think they are, share of the longest side: confidence is 1 / (1 + spread / 0.08)^2
+// How far off the votes for a joint think they are, share of the longest side: confidence is 1 / (1 + spread / 0.05)^2
 // (engine/src/rig/clusters.hpp).
-export const spreadOf = (confidence) => 0.08 * (1 / Math.sqrt(Math.max(confidence, 1e-4)) - 1);
+export const spreadOf = (confidence) => 0.05 * (1 / Math.sqrt(Math.max(confidence, 1e-4)) - 1);
 
 // The colour of a joint's confidence, sRGB: that of the first row up to 3 % off, that of the last one from 10 %.
 export function sureColour(confidence) {

@@ -108,7 +108,7 @@ const renamed = body.map((one, j) => (j === 3 ? { ...one, name: "arm.R" } : one)
 assert.deepEqual(answersFor(answers, body, renamed, 1)[0], { kind: 1, joint: 3, answer: "rigid:arm.R" });
 
 // Colours from sure to unsure.
-const ofSpread = (spread) => sureColour(1 / (1 + spread / 0.08) ** 2);
+const ofSpread = (spread) => sureColour(1 / (1 + spread / 0.05) ** 2);
 assert.deepEqual(sureColour(1), [235, 240, 246]);
 assert.deepEqual(sureColour(0), [225, 30, 45]);
 near(ofSpread(0.03), [235, 240, 246]);
