@@ -276,6 +276,7 @@ struct SetLine {
     if (key == "questions") return &options.question_count;
     if (key == "confidence") return &confidence;
     if (key == "rig") return &rig;
+    if (key == "method") return &rig_options.method;
     if (key == "mirror") return &rig_options.mirror;
     if (key == "spine") return &rig_options.spine_count;
     if (key == "no-toes") return &rig_options.no_toes;
