@@ -10,11 +10,11 @@ namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFFu;
 constexpr uint32_t kMaxRegions = 4096;
-constexpr uint32_t kBand = 3 * kWayUnits;             // three cells
-constexpr uint32_t kLeastBranch = 4 * kWayUnits;      // shorter ones are bumps
-constexpr int32_t kBend = side_share(250);            // how far a bone may lie from the line
-constexpr int32_t kLongest = side_share(2500);        // bone
-constexpr int32_t kLeastBone = side_share(300);       // to a bone end
+constexpr uint32_t kBand = 3 * kWayUnits;              // three cells
+constexpr uint32_t kLeastBranch = 4 * kWayUnits;       // shorter ones are bumps
+constexpr int32_t kBend = side_share(250);             // how far a bone may lie from the line
+constexpr int32_t kLongest = side_share(2500);         // bone
+constexpr int32_t kLeastBone = side_share(300);        // to a bone end
 constexpr uint32_t kMostNodes = kMaxFoldedJoints - 8;  // no more than can be read
 
 struct Region {
@@ -274,7 +274,8 @@ class Curve {
     const int64_t whole = dot(along, along);
     int64_t t = dot(way, along) / (whole / 1024 + 1);  // Q10
     t = t < 0 ? 0 : t > 1024 ? 1024 : t;
-    const Vec3i nearest = {a.x + static_cast<int32_t>(along.x * t / 1024), a.y + static_cast<int32_t>(along.y * t / 1024),
+    const Vec3i nearest = {a.x + static_cast<int32_t>(along.x * t / 1024),
+                           a.y + static_cast<int32_t>(along.y * t / 1024),
                            a.z + static_cast<int32_t>(along.z * t / 1024)};
     return square_distance(p, nearest);
   }
@@ -285,9 +286,9 @@ class Curve {
   const Interior& interior_;
   const VoxelGrid& grid_;
   const bool folded_;
-  uint32_t* const label_;    // [cells] region of a cell, or kNone
-  Region* const regions_;    // [kMaxRegions]
-  uint16_t* const order_;    // [kMaxRegions] by their first cell's way
+  uint32_t* const label_;  // [cells] region of a cell, or kNone
+  Region* const regions_;  // [kMaxRegions]
+  uint16_t* const order_;  // [kMaxRegions] by their first cell's way
   FoldedTree& tree_;
   uint32_t count_ = 0;
 };
