@@ -10,7 +10,7 @@ namespace sinew {
 namespace {
 
 TEST(RigTrainConfig, ShippedFilesAreValid) {
-  for (const char* name : {"votes", "votes_more", "slots"}) {
+  for (const char* name : {"votes", "votes_more", "votes_left_out", "hands", "hands_more", "slots"}) {
     const std::string path = std::string(SINEW_SOURCE_DIR) + "/trainer/configs/" + name + ".json";
     const RigTrainConfig config = parse_rig_config(read_text_file(path), path);
     EXPECT_EQ(config.architecture, std::string(name) == "slots" ? "slots" : "votes");
