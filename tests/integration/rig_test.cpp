@@ -281,6 +281,16 @@ TEST(SkeletonOfAMesh, TheShapeAloneGivesALineThroughEveryLimb) {
   EXPECT_EQ(bottom, 1u);
 }
 
+// Votes of a sheet are sure of themselves for no reason.
+TEST(SkeletonOfAMesh, ASheetIsSaidToBeUnknown) {
+  MeshScene sheet;
+  for (int i = 0; i < 100; ++i) sheet.add_vertex(static_cast<float>(i % 10), static_cast<float>(i / 10), 0);
+  for (uint32_t y = 0; y < 9; ++y)
+    for (uint32_t x = 0; x < 9; ++x) sheet.add_face({10 * y + x, 10 * y + x + 1, 10 * y + x + 11, 10 * y + x + 10});
+  EXPECT_GE(RiggedScene(sheet, sinew_rig_options_init()).outputs.spread, 0.1f);
+  EXPECT_LT(RiggedScene(post_with_arms(), sinew_rig_options_init()).outputs.spread, 0.1f);
+}
+
 TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
   std::vector<MeshScene> scenes;
   scenes.emplace_back();  // a point

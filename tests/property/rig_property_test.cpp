@@ -243,7 +243,11 @@ TEST(RigProperty, RandomMeshesGetSoundSkeletons) {
     const RiggedScene rigged(scene, options);
     rigged.expect_sound();
     if (HasFailure()) return;
-    if (draw.chance(25)) expect_binds(scene, rigged);
+    options.method = SINEW_RIG_SHAPE;
+    const RiggedScene shaped(scene, options, nullptr);
+    shaped.expect_sound();
+    if (HasFailure()) return;
+    if (draw.chance(25)) expect_binds(scene, draw.chance(70) ? rigged : shaped);
     if (HasFailure()) return;
   }
 }

@@ -102,7 +102,8 @@ typedef struct sinew_rig_outputs {
   uint32_t quarter_turns;
   float plane; /* written: where the plane is on that axis, the mesh's units */
   /* written: how far off the votes think they are, in the mean, share of the longest side: a whole skeleton below about
-   * 0.03 is good, above 0.09 the votes are no better than SINEW_RIG_SHAPE */
+   * 0.03 is good, above 0.09 the votes are no better than SINEW_RIG_SHAPE. At least 0.1 for a sheet, whose surface nearly
+   * all faces one way and the opposite one */
   float spread;
   size_t used_bytes; /* written: high-water mark of the workspace */
 } sinew_rig_outputs;

@@ -8,13 +8,12 @@
 #include "rig/caller_units.hpp"
 #include "rig/fingers.hpp"
 #include "rig/hand_crop.hpp"
-#include "rig/point_rows.hpp"
+#include "rig/point_voter.hpp"
 #include "rig/read_votes.hpp"
 
 namespace sinew {
 namespace {
 
-constexpr uint64_t kFirstSeed = 7;
 constexpr uint32_t kMostJoints = SINEW_MAX_RIG_JOINTS;
 constexpr int16_t kNone = -1;
 // A hand's length: so much of the way to its bone's end, percent, or of the forearm; never beyond these shares of it.
@@ -102,19 +101,11 @@ struct HandVoter {
   const RigPlan& plan;
   const Kernels& kernels;
   HandCrop crop = {};
-  Interior interior = {};
-  PointSet set = {};
-  PointRows rows = {};
-  int16_t* outputs = nullptr;
+  PointVoter voter = {};
 
   bool allocate(Arena& arena) {
     (void)crop.allocate(arena, plan.counts);
-    (void)interior.allocate(arena);
-    (void)set.allocate(arena);
-    (void)rows.allocate(arena);
-    outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
-    if (arena.ok() && !arena.measuring()) rows.fill();
-    return arena.ok();
+    return voter.allocate(arena);
   }
 
   // The fingers of one hand, none of them where there is no surface.
@@ -128,13 +119,12 @@ struct HandVoter {
       for (Finger& finger : fingers) finger = Finger();
       return SINEW_OK;
     }
-    if (!build_interior(crop.mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
+    if (!build_interior(crop.mesh, arena, &voter.interior)) return SINEW_ERROR_WORKSPACE;
     for (uint32_t i = 0; i < kHandSets; ++i) {
-      if (!make_point_set(crop.mesh, interior, kFirstSeed + i, arena, &set)) return SINEW_ERROR_WORKSPACE;
       const Progress part = progress.part(i * Progress::kWhole / kHandSets, (i + 1) * Progress::kWhole / kHandSets);
-      const sinew_status status = run_network(plan.model, rows.input(set), kernels, part, arena, outputs, plan.network);
+      const sinew_status status = voter.run(plan.model, plan.network, kernels, crop.mesh, i, part, arena);
       if (status != SINEW_OK) return status;
-      if (!arena.measuring()) store.add(set, outputs, true);
+      if (!arena.measuring()) store.add(voter.set, voter.outputs, true);
     }
     Votes votes;
     if (!arena.measuring()) votes = store.votes(false);

@@ -11,7 +11,7 @@
 #include "rig/caller_units.hpp"
 #include "rig/curve.hpp"
 #include "rig/joint_names.hpp"
-#include "rig/point_rows.hpp"
+#include "rig/point_voter.hpp"
 #include "rig/read_votes.hpp"
 #include "rig/rig_task.hpp"
 #include "rig/wishes.hpp"
@@ -21,7 +21,8 @@ namespace {
 
 // The struct of the first release, 0.1.
 constexpr uint32_t kFirstOptionsSize = offsetof(sinew_rig_options, progress_user) + sizeof(void*);
-constexpr uint64_t kFirstSeed = 7;
+// A sheet's votes are no better than the middle line, however sure they are: no mesh of the training is one. Q16 of the side.
+constexpr uint16_t kSheetSpread = 6554;
 // Ends of the stages, permille.
 constexpr uint32_t kMeshEnds = 150, kPointsEnd = 400, kVotesEnd = 800;
 
@@ -52,44 +53,23 @@ struct Placer {
   }
 };
 
-// What it takes to vote.
-struct Voter {
-  const RigPlan& plan;
-  const Kernels& kernels;
-  Interior interior;
-  PointSet set;
-  PointRows rows = {};
-  int16_t* outputs = nullptr;
-
-  bool allocate(Arena& arena) {
-    (void)interior.allocate(arena);
-    (void)set.allocate(arena);
-    (void)rows.allocate(arena);
-    outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
-    if (arena.ok() && !arena.measuring()) rows.fill();
-    return arena.ok();
+// How far off the votes of a set think they are: mean of log2, Q10. Small is good.
+int64_t doubt_of(const int16_t* outputs) {
+  int64_t sum = 0;
+  for (uint32_t i = 0; i < kSetPoints; ++i) {
+    const int16_t* const row = outputs + size_t{i} * kRigOutputs;
+    sum += int64_t{row[kRigStartSpread]} + row[kRigEndSpread];
   }
-  // One set's rows, in `outputs`.
-  sinew_status run(const Mesh& mesh, uint32_t index, const Progress& progress, Arena& arena) {
-    if (!make_point_set(mesh, interior, kFirstSeed + index, arena, &set)) return SINEW_ERROR_WORKSPACE;
-    return run_network(plan.model, rows.input(set), kernels, progress, arena, outputs, plan.network);
-  }
-  // How far off the votes of the last run think they are: mean of log2, Q10. Small is good.
-  int64_t doubt() const {
-    int64_t sum = 0;
-    for (uint32_t i = 0; i < kSetPoints; ++i) {
-      const int16_t* const row = outputs + size_t{i} * kRigOutputs;
-      sum += int64_t{row[kRigStartSpread]} + row[kRigEndSpread];
-    }
-    return sum / (2 * kSetPoints);
-  }
-};
+  return sum / (2 * kSetPoints);
+}
 
 // Turns the mesh to where the votes are surest: front and back of a mirrored mesh, all four sides of another. Other ways than
-// the one that it has must be better by kTurnGain. What the voter has left is of the way that was chosen.
+// the one that it has must be better by kTurnGain. The voter keeps the interior of the way that was chosen, and where that
+// is the way that the mesh had, what set 0 said there.
 constexpr int64_t kTurnGain = 60;  // Q10 of log2
 
-sinew_status choose_facing(Voter* voter, Arena& arena, MirrorFrame* frame, Mesh* mesh) {
+sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& arena, PointVoter* voter,
+                           MirrorFrame* frame, Mesh* mesh, bool* turned) {
   const uint32_t step = frame->folded ? 2 : 1;
   int64_t least = INT64_MAX;
   uint32_t best = 0, at = 0;
@@ -98,35 +78,39 @@ sinew_status choose_facing(Voter* voter, Arena& arena, MirrorFrame* frame, Mesh*
     if (!arena.measuring()) turn_frame(quarters + 4 - at, frame, mesh);
     at = quarters;
     if (!build_interior(*mesh, arena, &voter->interior)) return SINEW_ERROR_WORKSPACE;
-    const sinew_status status = voter->run(*mesh, 0, {}, arena);
+    const sinew_status status = voter->run(plan.model, plan.network, kernels, *mesh, 0, {}, arena);
     if (status != SINEW_OK) return status;
     if (arena.measuring()) return SINEW_OK;
-    const int64_t doubt = voter->doubt() + (quarters == 0 ? 0 : kTurnGain);
+    const int64_t doubt = doubt_of(voter->outputs) + (quarters == 0 ? 0 : kTurnGain);
     if (doubt < least || (quarters == 0 && doubt == least)) {
       least = doubt;
       best = quarters;
     }
   }
-  if (best == at) return SINEW_OK;
+  *turned = best != at;
+  if (!*turned) return SINEW_OK;
   turn_frame(best + 4 - at, frame, mesh);
   return build_interior(*mesh, arena, &voter->interior) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
 }
 
 sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, MirrorFrame* frame, Mesh* mesh,
-                  VoteStore* store) {
+                  VoteStore* store, bool* sheet) {
   const ArenaScope scope(arena);
-  Voter voter = {plan, kernels, {}, {}};
+  PointVoter voter;
   if (!voter.allocate(arena)) return SINEW_ERROR_WORKSPACE;
   const Progress progress = arena.measuring() ? Progress() : plan.progress;  // the size query is silent
-  sinew_status status = choose_facing(&voter, arena, frame, mesh);
+  bool turned = false;
+  sinew_status status = choose_facing(plan, kernels, arena, &voter, frame, mesh, &turned);
   if (status != SINEW_OK) return status;
   if (!progress.report(kPointsEnd)) return SINEW_ERROR_CANCELLED;
   for (uint32_t i = 0; i < kRigSets; ++i) {
     const Progress part = progress.part(kPointsEnd + i * (kVotesEnd - kPointsEnd) / kRigSets,
                                         kPointsEnd + (i + 1) * (kVotesEnd - kPointsEnd) / kRigSets);
-    status = voter.run(*mesh, i, part, arena);
+    if (i > 0 || turned) status = voter.run(plan.model, plan.network, kernels, *mesh, i, part, arena);
     if (status != SINEW_OK) return status;
-    if (!arena.measuring()) store->add(voter.set, voter.outputs, frame->folded);
+    if (arena.measuring()) continue;
+    if (i == 0) *sheet = is_sheet(voter.set.points, kSetPoints);
+    store->add(voter.set, voter.outputs, frame->folded);
   }
   return SINEW_OK;
 }
@@ -208,6 +192,7 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
   Rig rig;
   MirrorFrame frame;
   GridQuantizer quantizer;
+  bool sheet = false;
   const bool votes_wanted = plan.method == SINEW_RIG_VOTES;
   (void)mesh.allocate(arena, plan.counts);
   if (votes_wanted) (void)store.allocate(arena, kRigSets);
@@ -230,7 +215,7 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
     if (!plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
   }
   if (votes_wanted) {
-    status = vote(plan, kernels, arena, &frame, &mesh, &store);
+    status = vote(plan, kernels, arena, &frame, &mesh, &store, &sheet);
     if (status != SINEW_OK) return status;
     Votes votes;
     if (!arena.measuring()) {
@@ -240,6 +225,7 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
       votes.points = kRigSets * kSetPoints;
     }
     status = find_rig(votes, plan.tree, arena, &rig);
+    if (sheet && rig.spread < kSheetSpread) rig.spread = kSheetSpread;
   } else {
     status = follow_shape(plan, frame, mesh, arena, &rig);
   }

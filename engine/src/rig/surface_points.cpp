@@ -83,4 +83,27 @@ void spread_points(const Mesh& mesh, uint32_t count, uint64_t seed, SurfacePoint
   }
 }
 
+bool is_sheet(const SurfacePoint* points, uint32_t count) {
+  uint64_t squares[3] = {0, 0, 0};  // Q10 after the shift; with 2^12 points below 2^22, and their products below 2^44
+  int64_t products[3] = {0, 0, 0};
+  for (uint32_t i = 0; i < count; ++i) {
+    const Vec3l n = {points[i].normal.x, points[i].normal.y, points[i].normal.z};
+    squares[0] += static_cast<uint64_t>(n.x * n.x);
+    squares[1] += static_cast<uint64_t>(n.y * n.y);
+    squares[2] += static_cast<uint64_t>(n.z * n.z);
+    products[0] += n.x * n.y;
+    products[1] += n.y * n.z;
+    products[2] += n.z * n.x;
+  }
+  constexpr int kDrop = 2 * kNormalBits - 10;
+  uint64_t whole = 0, sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    const uint64_t own = squares[k] >> kDrop;
+    const int64_t mixed = round_shift(products[k], kDrop);
+    whole += own;
+    sum += own * own + 2 * static_cast<uint64_t>(mixed * mixed);
+  }
+  return whole > 0 && sum * 5 > whole * whole * 4;
+}
+
 }  // namespace sinew

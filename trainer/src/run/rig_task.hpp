@@ -3,14 +3,13 @@
 #ifndef SINEW_TRAINER_RUN_RIG_TASK_HPP
 #define SINEW_TRAINER_RUN_RIG_TASK_HPP
 
-#include "run/task.hpp"
-#include "sinew_trainer/rig_train.hpp"
+#include "run/rig_config_task.hpp"
 
 namespace sinew {
 
-class RigTask : public TrainingTask {
+class RigTask : public RigConfigTask {
  public:
-  explicit RigTask(const RigTrainConfig& config) : config_(config) {}
+  using RigConfigTask::RigConfigTask;
 
   FloatNetwork make_network() const override;
   void check(const FloatNetwork& network, const std::string& source) const override;
@@ -23,13 +22,6 @@ class RigTask : public TrainingTask {
   // The medial point as both ends.
   std::string baseline_name() const override { return "medial"; }
   double baseline_score(const NetworkSample& sample) const override;
-  std::string config_text() const override { return rig_config_json(config_); }
-  std::string normalised_config(const std::string& saved, const std::string& source) const override {
-    return rig_config_json(parse_rig_config(saved, source));
-  }
-
- private:
-  const RigTrainConfig config_;
 };
 
 }  // namespace sinew

@@ -5,14 +5,13 @@
 
 #include <memory>
 
-#include "run/task.hpp"
-#include "sinew_trainer/rig_train.hpp"
+#include "run/rig_config_task.hpp"
 
 namespace sinew {
 
-class SlotTask : public TrainingTask {
+class SlotTask : public RigConfigTask {
  public:
-  explicit SlotTask(const RigTrainConfig& config) : config_(config) {}
+  using RigConfigTask::RigConfigTask;
 
   FloatNetwork make_network() const override;
   void check(const FloatNetwork& network, const std::string& source) const override;
@@ -26,13 +25,6 @@ class SlotTask : public TrainingTask {
   // Every joint at the middle of the floor, nothing present, nothing connected.
   std::string baseline_name() const override { return "nothing"; }
   double baseline_score(const NetworkSample& sample) const override;
-  std::string config_text() const override { return rig_config_json(config_); }
-  std::string normalised_config(const std::string& saved, const std::string& source) const override {
-    return rig_config_json(parse_rig_config(saved, source));
-  }
-
- private:
-  const RigTrainConfig config_;
 };
 
 }  // namespace sinew

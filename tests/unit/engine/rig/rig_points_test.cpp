@@ -93,6 +93,45 @@ TEST(SurfacePoints, WithoutAreaTheyAreVertices) {
   EXPECT_EQ(points[29].corner[0], 9u);
 }
 
+bool looks_like_a_sheet(const MeshScene& scene) {
+  const MeshRun run(with_joint(scene));
+  std::vector<SurfacePoint> points(kSetPoints);
+  spread_points(run.mesh, kSetPoints, 1, points.data());
+  return is_sheet(points.data(), kSetPoints);
+}
+
+// Two squares of side 1, `apart` from each other, with or without the rim between them, turned out of every axis' way.
+MeshScene card(float apart, bool rim) {
+  MeshScene scene;
+  add_cube(&scene, 0, 0, 0);
+  for (uint32_t v = 0; v < scene.vertex_count(); ++v) {
+    float* const p = scene.positions.data() + size_t{3} * v;
+    const float x = p[0], y = p[1], z = p[2] * apart;
+    p[0] = 0.48f * x + 0.6f * y + 0.64f * z;
+    p[1] = 0.6f * x - 0.75f * y + 0.28f * z;
+    p[2] = -0.64f * x - 0.28f * y + 0.715f * z;
+  }
+  if (!rim) {
+    scene = MeshScene();
+    scene.add_vertex(0, 0, 0);
+    scene.add_vertex(0.6f, 0, 0.8f);
+    scene.add_vertex(0, 1, 0);
+    scene.add_face({0, 1, 2});
+  }
+  return scene;
+}
+
+TEST(SurfacePoints, CardsAndTrianglesAreSheetsAndBodiesAreNot) {
+  EXPECT_TRUE(looks_like_a_sheet(card(0, false)));
+  EXPECT_TRUE(looks_like_a_sheet(card(0.02f, true)));
+  EXPECT_FALSE(looks_like_a_sheet(card(0.25f, true)));
+  EXPECT_FALSE(looks_like_a_sheet(cube_sphere(4)));
+  MeshScene line;  // no area, no normals
+  line.add_vertex(0, 0, 0);
+  line.add_vertex(1, 0, 0);
+  EXPECT_FALSE(looks_like_a_sheet(line));
+}
+
 MirrorFrame frame_of(const MeshScene& scene, Mirroring mirroring = Mirroring::kAuto) {
   const MeshRun run(with_joint(scene));
   GridQuantizer quantizer;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A set of points as the input of a network.
-#ifndef SINEW_RIG_POINT_ROWS_HPP
-#define SINEW_RIG_POINT_ROWS_HPP
+// A body's interior, sets of points, and what a network says of them: one memory for all sets of a mesh.
+#ifndef SINEW_RIG_POINT_VOTER_HPP
+#define SINEW_RIG_POINT_VOTER_HPP
 
 #include "core/counts.hpp"
 #include "network/network.hpp"
 #include "rig/rig_points.hpp"
+#include "rig/rig_task.hpp"
 
 namespace sinew {
 
@@ -47,6 +48,29 @@ struct PointRows {
     input.part_count = 1;
     input.joint_count = 1;
     return input;
+  }
+};
+
+struct PointVoter {
+  Interior interior;
+  PointSet set;
+  PointRows rows = {};
+  int16_t* outputs = nullptr;  // [kSetPoints x kRigOutputs] what the network said of the last set
+
+  bool allocate(Arena& arena) {
+    (void)interior.allocate(arena);
+    (void)set.allocate(arena);
+    (void)rows.allocate(arena);
+    outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
+    if (arena.ok() && !arena.measuring()) rows.fill();
+    return arena.ok();
+  }
+  // Makes set `index` of a mesh whose interior is built, and the network's rows for it.
+  sinew_status run(const sinew_model& model, const NetworkOptions& options, const Kernels& kernels, const Mesh& mesh,
+                   uint32_t index, const Progress& progress, Arena& arena) {
+    constexpr uint64_t kFirstSeed = 7;
+    if (!make_point_set(mesh, interior, kFirstSeed + index, arena, &set)) return SINEW_ERROR_WORKSPACE;
+    return run_network(model, rows.input(set), kernels, progress, arena, outputs, options);
   }
 };
 
