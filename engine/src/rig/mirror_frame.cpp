@@ -16,7 +16,8 @@ constexpr int kRounds = 3;
 // must be bad; a plane that was found by refining has to be that much better than one that is given.
 constexpr uint32_t kFoldError = kSide * 3 / 100, kTurnError = kSide * 12 / 1000, kRefineGain = kSide / 500;
 
-// Points in cells of a coarse grid, for the nearest of them.
+// Points in cells of a coarse grid, for the nearest of them. Cells along x follow each other, so that a row of them is one
+// run of points.
 constexpr int kCells = 32, kCellBits = kGridBits - 5;
 constexpr int32_t kReach = 2;  // cells around; farther is as good as nothing
 
@@ -25,6 +26,7 @@ struct PointGrid {
   Vec3i low = {0, 0, 0};
   uint32_t* starts = nullptr;  // [kCells^3 + 1]
   uint16_t* order = nullptr;   // [kPoints] points by cell
+  Vec3i* places = nullptr;     // [kPoints] where they are, in that order
 
   static int32_t cell(int32_t offset) { return clamp32(offset >> kCellBits, 0, kCells - 1); }
   uint32_t cell_of(Vec3i p) const {
@@ -43,32 +45,47 @@ struct PointGrid {
     // Every start has moved to the cell before it.
     for (uint32_t c = 0; c < kCells * kCells * kCells; ++c) starts[c] = starts[c + 1];
     starts[kCells * kCells * kCells] = kPoints;
+    for (uint32_t e = 0; e < kPoints; ++e) places[e] = points[order[e]].position;
+  }
+  // How far an offset from `low` is beyond cells first..last of an axis, 0 within them.
+  static int64_t beyond(int32_t offset, int32_t first, int32_t last) {
+    const int64_t from = int64_t{first} << kCellBits, to = (int64_t{last} + 1) << kCellBits;
+    return offset < from ? from - offset : offset > to ? offset - to : 0;
   }
   // Nearest point within kReach cells, the lowest of several, and the squared distance; false when there is none.
   bool nearest(Vec3i p, uint32_t* index, uint64_t* squared) const {
     *squared = UINT64_MAX;
-    const int32_t at[3] = {cell(p.x - low.x), cell(p.y - low.y), cell(p.z - low.z)};
-    for (int32_t reach = 0; reach <= kReach; ++reach) {
-      // What lies in a shell is at least reach - 1 cells away.
-      const int64_t gap = reach > 0 ? static_cast<int64_t>(reach - 1) << kCellBits : 0;
-      if (*squared <= static_cast<uint64_t>(gap * gap)) break;
-      for (int32_t z = at[2] - reach; z <= at[2] + reach; ++z) {
-        for (int32_t y = at[1] - reach; y <= at[1] + reach; ++y) {
-          const bool rim = z == at[2] - reach || z == at[2] + reach || y == at[1] - reach || y == at[1] + reach;
-          for (int32_t x = at[0] - reach; x <= at[0] + reach; x += rim || reach == 0 ? 1 : 2 * reach) {
-            if (x < 0 || y < 0 || z < 0 || x >= kCells || y >= kCells || z >= kCells) continue;
-            const uint32_t c = static_cast<uint32_t>((z * kCells + y) * kCells + x);
-            for (uint32_t e = starts[c]; e < starts[c + 1]; ++e) {
-              const Vec3i d = points[order[e]].position - p;
-              const uint64_t own = static_cast<uint64_t>(dot(d, d));
-              if (own < *squared || (own == *squared && order[e] < *index)) {
-                *squared = own;
-                *index = order[e];
-              }
+    const int32_t off[3] = {p.x - low.x, p.y - low.y, p.z - low.z};
+    const int32_t at[3] = {cell(off[0]), cell(off[1]), cell(off[2])};
+    for (int32_t reach = 1; reach <= kReach; ++reach) {
+      int32_t first[3], last[3];
+      int64_t inside = INT64_MAX;  // no point beyond these cells is nearer
+      for (int axis = 0; axis < 3; ++axis) {
+        first[axis] = at[axis] > reach ? at[axis] - reach : 0;
+        last[axis] = at[axis] + reach < kCells ? at[axis] + reach : kCells - 1;
+        const int64_t below = off[axis] - (int64_t{first[axis]} << kCellBits);
+        const int64_t above = ((int64_t{last[axis]} + 1) << kCellBits) - off[axis];
+        if (first[axis] > 0 && below < inside) inside = below;
+        if (last[axis] < kCells - 1 && above < inside) inside = above;
+      }
+      for (int32_t z = first[2]; z <= last[2]; ++z) {
+        const int64_t dz = beyond(off[2], z, z);
+        for (int32_t y = first[1]; y <= last[1]; ++y) {
+          const int64_t dy = beyond(off[1], y, y);
+          if (static_cast<uint64_t>(dz * dz + dy * dy) > *squared) continue;
+          const uint32_t row = static_cast<uint32_t>((z * kCells + y) * kCells);
+          const uint32_t end = starts[row + static_cast<uint32_t>(last[0]) + 1];
+          for (uint32_t e = starts[row + static_cast<uint32_t>(first[0])]; e < end; ++e) {
+            const Vec3i d = places[e] - p;
+            const uint64_t own = static_cast<uint64_t>(dot(d, d));
+            if (own < *squared || (own == *squared && order[e] < *index)) {
+              *squared = own;
+              *index = order[e];
             }
           }
         }
       }
+      if (inside > 0 && *squared < static_cast<uint64_t>(inside) * static_cast<uint64_t>(inside)) break;
     }
     return *squared != UINT64_MAX;
   }
@@ -85,6 +102,7 @@ struct Scratch {
     grid.points = points;
     grid.starts = arena.alloc<uint32_t>(kCells * kCells * kCells + 1);
     grid.order = arena.alloc<uint16_t>(kPoints);
+    grid.places = arena.alloc<Vec3i>(kPoints);
     values = arena.alloc<int32_t>(kPoints);
     far = arena.alloc<uint32_t>(kAsked);
     return arena.ok();
