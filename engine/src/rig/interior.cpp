@@ -118,21 +118,25 @@ struct Queue {
   }
 };
 
+// Ends with the last solid cell: outside, where it costs most to walk, ways are known near the body only, and not the least.
 void find_ways(const Steps& steps, uint32_t start, Queue* queue, Interior* interior) {
   const VoxelGrid& grid = interior->grid;
   uint16_t* const way = interior->way;
-  for (uint32_t c = 0; c < grid.cell_count; ++c) way[c] = kNoWay;
+  uint32_t solid = 0;
+  for (uint32_t c = 0; c < grid.cell_count; ++c) {
+    way[c] = kNoWay;
+    solid += interior->depth[c] != 0 ? 1 : 0;
+  }
   for (uint32_t& head : queue->head) head = kNone;
   if (start == kNone) return;
   way[start] = 0;
   queue->push(start, 0);
-  for (uint32_t at = 0, idle = 0; idle < kBuckets; ++at) {
+  for (uint32_t at = 0; solid > 0; ++at) {  // every cell but the border's can be reached
     const uint32_t bucket = at % kBuckets;
-    ++idle;
     for (uint32_t cell = queue->head[bucket]; cell != kNone; cell = queue->head[bucket]) {
-      idle = 0;
       queue->remove(cell, bucket);
       const bool inside = interior->depth[cell] != 0;
+      solid -= inside ? 1 : 0;
       for (int n = 0; n < 26; ++n) {
         const uint32_t other = cell + static_cast<uint32_t>(steps.offset[n]);
         if (grid.states[other] == kCellBorder) continue;
