@@ -14,7 +14,7 @@ namespace sinew {
 
 // Sets of points, each a run of the network; their votes are counted together. One gives joints that are 3 % worse, eight none
 // that are better.
-constexpr uint32_t kRigSets = 8;
+constexpr uint32_t kRigSets = 4;
 
 struct RigPlan {
   sinew_model model;
