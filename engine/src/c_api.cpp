@@ -10,6 +10,7 @@
 #include "model/reader.hpp"
 #include "network/packed_layers.hpp"
 #if !defined(SINEW_SMALL_CODE)
+#include "mapping/map.hpp"
 #include "rig/hands.hpp"
 #include "rig/rig.hpp"
 #include "rig/rig_task.hpp"
@@ -30,6 +31,9 @@ constexpr uint32_t kFirstRigOutputsSize = offsetof(sinew_rig_outputs, used_bytes
 static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
 static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
 static_assert(sizeof(sinew_rig_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*), "a hole in sinew_rig_options");
+static_assert(sizeof(sinew_map_rig) == 6 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_rig");
+static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
+static_assert(sizeof(sinew_map_outputs) == 4 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_outputs");
 static_assert(sizeof(sinew_rig_outputs) == 6 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
 extern "C" {
@@ -189,8 +193,45 @@ sinew_status sinew_rig_hands(const sinew_model* model, const sinew_mesh* mesh, c
   return status;
 }
 
+sinew_status sinew_map_workspace_size(uint32_t target_count, uint32_t source_count, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  if (target_count == 0 || target_count > SINEW_MAX_JOINTS || source_count == 0 || source_count > SINEW_MAX_JOINTS)
+    return SINEW_ERROR_COUNT;
+  sinew::mapping::MapPlan plan = {};
+  plan.target.joint_count = target_count;
+  plan.source.joint_count = source_count;
+  sinew::Arena arena;
+  const sinew_status status = sinew::mapping::run_map(plan, arena, nullptr);
+  if (status != SINEW_OK || !arena.ok()) return SINEW_ERROR_COUNT;
+  *size_bytes = arena.high_water();
+  return SINEW_OK;
+}
+
+sinew_status sinew_map(const sinew_map_rig* target, const sinew_map_rig* source, const sinew_map_options* options,
+                       void* workspace, size_t workspace_bytes, sinew_map_outputs* outputs) {
+  if (target == nullptr || source == nullptr || workspace == nullptr || outputs == nullptr) return SINEW_ERROR_ARGUMENT;
+  sinew_map_outputs own;
+  sinew_status status = sinew::read_struct(outputs, sizeof own, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  if (own.sources == nullptr) return SINEW_ERROR_ARGUMENT;
+  sinew::mapping::MapPlan plan;
+  status = sinew::mapping::plan_map(target, source, options, &plan);
+  if (status != SINEW_OK) return status;
+  if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  sinew::Arena arena(workspace, workspace_bytes);
+  status = sinew::mapping::run_map(plan, arena, &own);
+  if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
+  return status;
+}
+
 #else
 
+sinew_status sinew_map_workspace_size(uint32_t, uint32_t, size_t*) { return SINEW_ERROR_ARGUMENT; }
+sinew_status sinew_map(const sinew_map_rig*, const sinew_map_rig*, const sinew_map_options*, void*, size_t,
+                       sinew_map_outputs*) {
+  return SINEW_ERROR_ARGUMENT;
+}
 sinew_status sinew_rig_model_open(const void*, size_t, sinew_model*) { return SINEW_ERROR_ARGUMENT; }
 sinew_status sinew_rig_workspace_size(const sinew_model*, uint32_t, uint32_t, uint32_t, const sinew_rig_options*,
                                       size_t*) {

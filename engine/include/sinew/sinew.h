@@ -6,6 +6,7 @@
  *   sinew/model.h  opens a model and packs its weights
  *   sinew/bind.h   predicts skin weights
  *   sinew/rig.h    predicts a skeleton for a bare mesh
+ *   sinew/map.h    maps the joints of one skeleton to those of another
  *   sinew/skin.h   poses a mesh with its weights
  *
  * Way of a call:
@@ -21,6 +22,7 @@
 #define SINEW_SINEW_H
 
 #include "sinew/bind.h"
+#include "sinew/map.h"
 #include "sinew/model.h"
 #include "sinew/rig.h"
 #include "sinew/skin.h"

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+// Once front is known: hips, spine, chains beside it, arms, chest.
+#include "mapping/anatomy.hpp"
+
+namespace sinew::mapping {
+
+void Anatomy::find_body() {
+  const Hierarchy& r = *rig;
+  if (quad && leg_count >= 2) {
+    for (int32_t k = 1; k < leg_count; ++k) {  // from the rear, stable
+      const LimbPair pair = legs[k];
+      int32_t at_k = k;
+      for (; at_k > 0 && pair_ahead(legs[at_k - 1]) > pair_ahead(pair); --at_k) legs[at_k] = legs[at_k - 1];
+      legs[at_k] = pair;
+    }
+    hip_pair = legs[0];
+    const int32_t a = limb(hip_pair.a).attach, b = limb(hip_pair.b).attach;
+    const int32_t both = a >= 0 && b >= 0 ? r.common(b, a) : -1;
+    if (both >= 0) hip = both;
+  }
+  take_spine(pick_spine());
+  take_hips_from_floor();
+  find_others();
+  find_arms();
+  find_chest();
+  find_head();
+}
+
+int32_t Anatomy::pick_spine() {
+  open_paths();
+  double first = 0, last = 0;
+  for (int32_t k = 0; k < leg_count; ++k) {
+    first = k == 0 ? pair_ahead(legs[k]) : lesser(first, pair_ahead(legs[k]));
+    last = k == 0 ? pair_ahead(legs[k]) : greater(last, pair_ahead(legs[k]));
+  }
+  const double size = rig->size;
+  int32_t best = -1;
+  double most = 0;
+  for (int32_t k = rig->place[hip]; k < rig->place[hip] + rig->count[hip]; ++k) {
+    const int32_t leaf = rig->order[k];
+    if (!is_path_end(leaf)) continue;
+    double carried = 0, top = height[leaf];
+    int32_t inner = 0;
+    for (int32_t i = leaf; i != hip; i = rig->parent[i]) {
+      for (int32_t b = limb_head[i]; b >= 0; b = limb_next[b])
+        carried += 0.05 * root(limb(b).tree) + limb(b).length / size;
+      top = greater(top, height[i]);
+      inner += is_inner(ahead(at(i)), first, last) ? 1 : 0;
+    }
+    const double way = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
+    double score = 2 * carried;
+    score += quad ? (0.4 * way + 0.8 * rise + 1.5 * forward) / size : (0.6 * way + 1.5 * rise + 0.3 * forward) / size;
+    if (leg_count == 0) score += 1.5 * way / size;
+    if (quad) {
+      score += 0.5 * inner;
+      if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
+    }
+    score += path_names(leaf);
+    if (best >= 0 && !(score > most + 1e-9)) continue;
+    best = leaf;
+    most = score;
+  }
+  return best;
+}
+
+// A root on the floor with the legs on it: its child that leads on is the body.
+void Anatomy::take_hips_from_floor() {
+  if (leg_count == 0) return;
+  int32_t from = 0;
+  while (spine_count - from > 1 && height[hip] < ground + 0.06 * tall && height[spine[from]] > ground + 0.15 * tall) {
+    hip = spine[from++];
+  }
+  for (int32_t k = from; k < spine_count; ++k) spine[k - from] = spine[k];
+  spine_count -= from;
+}
+
+// Chains in the plane beside the spine: tail, jaw.
+void Anatomy::find_others() {
+  const Hierarchy& r = *rig;
+  others_first = limbs.count;
+  const auto look_at = [&](int32_t i) {
+    each_kid(r, i, [&](int32_t kid) {
+      if (side[kid] != 0 || r.end[kid] != 0 || r.holds(kid, hip)) return;
+      for (int32_t k = 0; k < spine_count; ++k) {
+        if (spine[k] == kid) return;
+      }
+      if (limbs.count - others_first < kMostSideLimbs) (void)limbs.begin(r, kid, 0, i);
+    });
+  };
+  look_at(hip);
+  for (int32_t k = 0; k < spine_count; ++k) look_at(spine[k]);
+  for (int32_t i = r.parent[hip]; i >= 0; i = r.parent[i]) look_at(i);
+  others_count = limbs.count - others_first;
+  limbs.grow(r, others_first);
+}
+
+void Anatomy::find_arms() {
+  arms = LimbPair();
+  double best = 0;
+  for (int32_t k = 0; k < limbs.pair_count; ++k) {
+    const LimbPair& pair = limbs.pairs[k];
+    const Limb& a = limb(pair.a);
+    if (pair.a == hip_pair.a || (is_leg(pair.a) && !quad)) continue;
+    const double own = 0.02 * a.tree + a.length / rig->size;
+    if (arms.a >= 0 && !(own > best || (own == best && limbs.joint(a, 0) < limbs.joint(limb(arms.a), 0)))) continue;
+    best = own;
+    arms = pair;
+  }
+  if (arms.a >= 0 && !(best > 0.12)) arms = LimbPair();
+}
+
+void Anatomy::find_chest() {
+  const Hierarchy& r = *rig;
+  chest = -1;
+  if (arms.a >= 0 && spine_count > 0) {
+    const int32_t attach = limb(arms.a).attach;
+    for (int32_t k = 0; k < spine_count; ++k) {
+      if (spine[k] == attach) chest = k;
+    }
+    if (chest < 0 && attach >= 0 && r.holds(attach, hip)) {
+      const Point middle = 0.5 * (limbs.point(limb(arms.a), 0) + limbs.point(limb(arms.b), 0));
+      double nearest = 0;
+      for (int32_t k = 0; k < spine_count; ++k) {
+        const double d = distance(middle, at(spine[k]));
+        if (chest >= 0 && !(d < nearest)) continue;
+        chest = k;
+        nearest = d;
+      }
+    }
+  }
+  if (chest > 0 && !quad) {  // arms hang on the neck: the chest is the joint below
+    const double level = 0.5 * dot(limbs.point(limb(arms.a), 0) + limbs.point(limb(arms.b), 0), frame.up);
+    if (chest + 1 < spine_count && head_of(chest + 1, spine[chest]) == chest + 1 &&
+        height[spine[chest]] > level + 0.01 * tall && height[spine[chest - 1]] < level) {
+      --chest;
+    }
+  }
+  if (chest < 0 || quad || leg_count == 0) return;
+  // A joint or two above the legs' common one in the hierarchy, on the same spot: they are the hips.
+  const double up_to_chest = greater(dot(at(spine[chest]) - at(hip), frame.up), 1e-9);
+  for (int32_t p = r.parent[hip]; p >= 0; p = r.parent[p]) {
+    int32_t kids = 0;
+    each_kid(r, p, [&](int32_t k) { kids += r.end[k] == 0 ? 1 : 0; });
+    if (!(absolute(height[p] - height[hip]) < 0.15 * up_to_chest + 1e-9) || kids != 1 ||
+        (r.parent[p] < 0 && !(height[p] > ground + 0.2 * tall)) || (r.has_names && r.cls(hip).word == Word::kHips)) {
+      break;
+    }
+    for (int32_t k = spine_count; k > 0; --k) spine[k] = spine[k - 1];
+    spine[0] = hip;
+    ++spine_count;
+    ++chest;
+    hip = p;
+  }
+}
+
+void Anatomy::find_head() {
+  const Hierarchy& r = *rig;
+  head = other_head = -1;
+  line_count = 1;
+  line[0] = at(hip);
+  const Point along = spine_count > 0 ? at(spine[spine_count - 1]) - at(hip) : Point();
+  if (leg_count == 0 && absolute(ahead(along)) > 0.6 * absolute(dot(along, frame.up))) {
+    // Fish, snakes: one chain without landmarks.
+    chest = -1;
+    arms = LimbPair();
+    trunk = greater(length(along), 0.05 * r.size);
+    line[1] = at(hip) + (trunk / 2) * frame.front;
+    line[2] = at(hip) + trunk * frame.front;
+    line_count = 3;
+    return;
+  }
+  const int32_t first = chest + 1;
+  if (first < spine_count) {
+    head = head_of(first, first > 0 ? spine[first - 1] : hip);
+  } else if (chest > 0 && quad) {
+    head = spine_count - 1;
+  }
+  if (chest >= 0 && head >= 0 && head <= chest) chest = head > 0 ? head - 1 : -1;
+  const int32_t upper = chest >= 0  ? spine[chest]
+                        : head >= 0 ? spine[head]
+                                    : (spine_count > 0 ? spine[spine_count - 1] : hip);
+  trunk = greater(r.bone(hip, upper), 0.05 * r.size);
+  if (head >= 0 && !r.has_names && head - 1 >= first && head == spine_count - 1 && !r.has_end_kid(spine[head]))
+    other_head = head - 1;
+  if (chest >= 0) line[line_count++] = at(spine[chest]);
+  if (head >= 0) line[line_count++] = at(spine[head]);
+}
+
+// Index in spine, from `first` on, of what is most likely a head; `base` is the joint before.
+int32_t Anatomy::head_of(int32_t first, int32_t base) const {
+  const Hierarchy& r = *rig;
+  int32_t count = spine_count;
+  for (int32_t k = first; k < count && r.has_names; ++k) {
+    if (r.cls(spine[k]).word == Word::kHead && !r.cls(spine[k]).end) return k;
+  }
+  for (int32_t k = first; k < count; ++k) {
+    int32_t kids = 0, central = 0, sided = 0;
+    Point sum;
+    each_kid(r, spine[k], [&](int32_t kid) {
+      if (r.end[kid] != 0 || is_arm_root(kid)) return;
+      ++kids;
+      if (side[kid] == 0) {
+        ++central;
+      } else {
+        ++sided;
+        sum = sum + at(kid);
+      }
+    });
+    if (kids < 2) continue;
+    if (k + 1 < count && sided > 0 && central == 1) {  // ears that sit nearer to the next joint: that one is the head
+      const Point ears = (1.0 / sided) * sum;
+      if (distance(ears, at(spine[k + 1])) < 0.7 * distance(ears, at(spine[k]))) return k + 1;
+    }
+    return k;
+  }
+  if (count - first == 1) return first;
+  if (!quad) {  // a plait hangs down: the head is before it
+    for (int32_t k = first + 1; k < count; ++k) {
+      if (height[spine[k]] < height[spine[k - 1]] - 1e-6 * r.size) {
+        count = k;
+        break;
+      }
+    }
+  }
+  if (count - first == 1) return first;
+  const int32_t last = spine[count - 1], before = spine[count - 2];
+  const double bone = r.bone(last, before), bone_before = r.bone(before, count - 3 >= first ? spine[count - 3] : base);
+  return bone > 1.15 * bone_before && !r.has_end_kid(last) ? count - 2 : count - 1;
+}
+
+double Anatomy::head_ratio(int32_t spine_index) const {
+  const auto second = [&](int32_t l) {
+    return limbs.point(limb(l), limb(arms.a).point_count > 1 && limb(l).point_count > 1 ? 1 : 0);
+  };
+  const Point shoulders = 0.5 * (second(arms.a) + second(arms.b));
+  return distance(at(spine[spine_index]), shoulders) / greater(distance(shoulders, at(hip)), 1e-9);
+}
+
+double Anatomy::trunk_place(const Point& p) const {
+  double nearest = 0, place = 0;
+  for (int32_t k = 0; k + 1 < line_count; ++k) {
+    const Point d = line[k + 1] - line[k];
+    const double t =
+        clamped(dot(p - line[k], d) / greater(dot(d, d), 1e-12), k == 0 ? -1 : 0, k + 2 < line_count ? 1 : 2);
+    const double e = distance(p, line[k] + t * d);
+    if (k > 0 && !(e < nearest - 1e-9)) continue;
+    nearest = e;
+    place = k + t;
+  }
+  return place;
+}
+
+int32_t Anatomy::thumb(const Limb& hand, const int32_t* fingers, int32_t count) const {
+  const Point w = wrist(hand);
+  Point sum;
+  for (int32_t k = 0; k < count; ++k) sum = sum + limbs.last_point(limb(fingers[k]));
+  Point along = (1.0 / count) * sum - w;
+  const double l = length(along);
+  if (l < 1e-9) return fingers[0];
+  along = (1 / l) * along;
+  double reach = 0;
+  for (int32_t k = 0; k < count; ++k) {
+    const Limb& f = limb(fingers[k]);
+    for (int32_t i = 0; i < f.point_count; ++i) {
+      const double own = dot(limbs.point(f, i) - w, along);
+      reach = k == 0 && i == 0 ? own : greater(reach, own);
+    }
+  }
+  if (reach == 0) reach = 1;
+  int32_t best = fingers[0];
+  double least = 0;
+  for (int32_t k = 0; k < count; ++k) {
+    const Limb& f = limb(fingers[k]);
+    const Point own = f.point_count > 1 ? limbs.last_point(f) - limbs.point(f, 0) : limbs.point(f, 0) - w;
+    const double score =
+        dot(limbs.mean_point(f) - w, along) / reach + 0.7 * dot(own, along) / greater(length(own), 1e-9);
+    if (k > 0 && !(score < least)) continue;
+    least = score;
+    best = fingers[k];
+  }
+  return best;
+}
+
+}  // namespace sinew::mapping

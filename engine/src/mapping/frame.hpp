@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// A rig's own axes: the normal of its mirror plane, which way is up, and which joints are mirror images.
+#ifndef SINEW_MAPPING_FRAME_HPP
+#define SINEW_MAPPING_FRAME_HPP
+
+#include "mapping/hierarchy.hpp"
+
+namespace sinew::mapping {
+
+struct Frame {
+  Point across, up, front;  // unit vectors; across points to the left once front is known
+  double plane = 0;         // the mirror plane lies at P.across = plane
+  double symmetry = 0;      // how many joints have a mirror image, each at most 1
+  int32_t* mate = nullptr;  // [n] the joint's mirror image, -1 = none
+
+  bool allocate(Arena& arena, uint32_t joints);
+};
+
+// Fills a frame; the sign of `front` is not known yet. `up` null: guessed.
+bool find_frame(const Hierarchy& rig, const Point* up, Arena& arena, Frame* frame);
+
+}  // namespace sinew::mapping
+#endif

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+// What branches off limbs that belong together: fingers by their order from the thumb, their joints by the way from the
+// wrist.
+#include "mapping/matcher.hpp"
+
+namespace sinew::mapping {
+namespace {
+
+constexpr double kFingerAlone = 0.9;
+
+// The direction in which points spread most: the eigenvector of their covariance, by Jacobi's rotations.
+Point main_axis(const Point* points, int32_t count) {
+  Point mean;
+  for (int32_t k = 0; k < count; ++k) mean = mean + points[k];
+  mean = (1.0 / count) * mean;
+  double m[3][3] = {}, v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (int32_t k = 0; k < count; ++k) {
+    const Point d = points[k] - mean;
+    const double c[3] = {d.x, d.y, d.z};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) m[i][j] += c[i] * c[j];
+    }
+  }
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    for (int p = 0; p < 2; ++p) {
+      for (int q = p + 1; q < 3; ++q) {
+        if (absolute(m[p][q]) <= 1e-300) continue;
+        const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+        const double t =
+            absolute(theta) > 1e100 ? 0.5 / theta : (theta < 0 ? -1 : 1) / (absolute(theta) + root(theta * theta + 1));
+        const double c = 1 / root(t * t + 1), s = t * c;
+        for (int k = 0; k < 3; ++k) {
+          const double a = m[k][p], b = m[k][q];
+          m[k][p] = c * a - s * b;
+          m[k][q] = s * a + c * b;
+        }
+        for (int k = 0; k < 3; ++k) {
+          const double a = m[p][k], b = m[q][k];
+          m[p][k] = c * a - s * b;
+          m[q][k] = s * a + c * b;
+        }
+        for (int k = 0; k < 3; ++k) {
+          const double a = v[k][p], b = v[k][q];
+          v[k][p] = c * a - s * b;
+          v[k][q] = s * a + c * b;
+        }
+      }
+    }
+  }
+  const int best = m[0][0] >= m[1][1] && m[0][0] >= m[2][2] ? 0 : m[1][1] >= m[2][2] ? 1 : 2;
+  return {v[0][best], v[1][best], v[2][best]};
+}
+
+// Place of finger k of n, the thumb aside: with two of them one is at either end, three lack the last but one.
+double finger_place(int32_t k, int32_t n) {
+  if (n == 1) return 0;
+  if (n == 3) return k == 0 ? 0 : k == 1 ? 0.4 : 0.9;
+  return static_cast<double>(k) / (n - 1);
+}
+
+Word finger_word(const Anatomy& rig, int32_t finger) {
+  const Limb& limb = rig.limb(finger);
+  for (int32_t k = 0; k < limb.joint_count; ++k) {
+    const Word w = rig.rig->cls(rig.limbs.joint(limb, k)).word;
+    if (is_finger(w)) return w;
+  }
+  return Word::kNone;
+}
+
+}  // namespace
+
+void Matcher::match_all_fingers() {
+  for (int32_t k = 0; k < finger_pairs_; ++k) {  // more come on the way
+    const Limb &a = a_->limb(fingers_[k].a), &b = b_->limb(fingers_[k].b);
+    int32_t fa[kMostFingers], fb[kMostFingers];
+    const auto gather = [](const Anatomy& rig, const Limb& limb, int32_t* list) {
+      int32_t n = 0;
+      rig.limbs.each_sub(limb, [&](int32_t t) {
+        if (n < kMostFingers) list[n++] = t;
+      });
+      return n;
+    };
+    const int32_t na = gather(*a_, a, fa), nb = gather(*b_, b, fb);
+    if (na >= 2 && nb >= 2) {
+      match_hand(a, b, fa, na, fb, nb);
+      continue;
+    }
+    assignment_.rows = na;
+    assignment_.columns = nb;
+    for (int32_t i = 0; i < na; ++i) {
+      for (int32_t j = 0; j < nb; ++j) assignment_.at(i, j) = limb_cost(fa[i], fb[j]);
+    }
+    assignment_.solve(kFingerAlone);
+    for (int32_t i = 0; i < na; ++i) {
+      if (assignment_.match[i] >= 0) match_finger(fa[i], fb[assignment_.match[i]], a, b);
+    }
+  }
+}
+
+// Fingers without the thumb, from its side on. Returns how many there are.
+int32_t Matcher::sort_fingers(const Anatomy& rig, const Limb& limb, int32_t* fingers, int32_t count,
+                              int32_t thumb) const {
+  (void)limb;
+  int32_t n = 0;
+  for (int32_t k = 0; k < count; ++k) {
+    if (fingers[k] != thumb) fingers[n++] = fingers[k];
+  }
+  if (n <= 1) return n;
+  Point points[kMostFingers], mean;
+  for (int32_t k = 0; k < n; ++k) {
+    const Limb& f = rig.limb(fingers[k]);
+    points[k] = 0.5 * (rig.limbs.point(f, f.joint_count > 1 ? 1 : 0) + rig.limbs.point(f, 0));
+    mean = mean + points[k];
+  }
+  mean = (1.0 / n) * mean;
+  Point axis = main_axis(points, n);
+  const Limb& t = rig.limb(thumb);
+  if (dot(rig.at(rig.limbs.last_joint(t)) - mean, axis) > 0) axis = -axis;
+  double place[kMostFingers];
+  for (int32_t k = 0; k < n; ++k) {  // stable
+    const double own = dot(points[k] - mean, axis);
+    const int32_t finger = fingers[k];
+    int32_t at = k;
+    for (; at > 0 && place[at - 1] > own; --at) {
+      place[at] = place[at - 1];
+      fingers[at] = fingers[at - 1];
+    }
+    place[at] = own;
+    fingers[at] = finger;
+  }
+  return n;
+}
+
+void Matcher::match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_t na, const int32_t* fb, int32_t nb) {
+  int32_t ra[kMostFingers], rb[kMostFingers];
+  int32_t ca = 0, cb = 0;
+  int32_t thumb_a = a_->thumb(a, fa, na), thumb_b = b_->thumb(b, fb, nb);
+  if (names_) {
+    constexpr int kWords = static_cast<int>(kLastFinger) - static_cast<int>(kFirstFinger) + 1;
+    const auto by_word = [](const Anatomy& rig, const int32_t* list, int32_t n, int32_t* of) {
+      for (int w = 0; w < kWords; ++w) of[w] = -1;
+      for (int32_t k = 0; k < n; ++k) {
+        const Word w = finger_word(rig, list[k]);
+        if (w != Word::kNone) of[static_cast<int>(w) - static_cast<int>(kFirstFinger)] = list[k];
+      }
+    };
+    int32_t of_a[kWords], of_b[kWords];
+    by_word(*a_, fa, na, of_a);
+    by_word(*b_, fb, nb, of_b);
+    bool common = false;
+    for (int w = 0; w < kWords; ++w) {
+      if (of_a[w] < 0 || of_b[w] < 0) continue;
+      common = true;
+      match_finger(of_a[w], of_b[w], a, b);
+    }
+    if (common) {  // the rest in their order
+      if (of_a[0] >= 0) thumb_a = of_a[0];
+      if (of_b[0] >= 0) thumb_b = of_b[0];
+      const auto rest = [&](const Anatomy& rig, const int32_t* list, int32_t n, const int32_t* own,
+                            const int32_t* other, int32_t thumb, int32_t* out) {
+        int32_t count = 0;
+        for (int32_t k = 0; k < n; ++k) {
+          const int w = static_cast<int>(finger_word(rig, list[k])) - static_cast<int>(kFirstFinger);
+          const bool done = w >= 0 && w < kWords && own[w] == list[k] && other[w] >= 0;
+          if (!done && w != 0) out[count++] = list[k];
+        }
+        return sort_fingers(rig, a, out, count, thumb);
+      };
+      ca = rest(*a_, fa, na, of_a, of_b, thumb_a, ra);
+      cb = rest(*b_, fb, nb, of_b, of_a, thumb_b, rb);
+      for (int32_t k = 0; k < ca && k < cb; ++k) match_finger(ra[k], rb[k], a, b);
+      return;
+    }
+  }
+  match_finger(thumb_a, thumb_b, a, b);
+  for (int32_t k = 0; k < na; ++k) ra[k] = fa[k];
+  for (int32_t k = 0; k < nb; ++k) rb[k] = fb[k];
+  ca = sort_fingers(*a_, a, ra, na, thumb_a);
+  cb = sort_fingers(*b_, b, rb, nb, thumb_b);
+  (void)aligner_.run(ca, cb, 3.0,
+                     [&](int32_t i, int32_t j) { return absolute(finger_place(i, ca) - finger_place(j, cb)); });
+  // match_finger() aligns joints with the same table: keep the fingers' own.
+  int32_t match[kMostFingers];
+  for (int32_t i = 0; i < ca; ++i) match[i] = aligner_.match[i];
+  for (int32_t i = 0; i < ca; ++i) {
+    if (match[i] >= 0) match_finger(ra[i], rb[match[i]], a, b);
+  }
+}
+
+// Joints of two fingers by their way from the wrist, whatever their size.
+void Matcher::match_finger(int32_t x, int32_t y, const Limb& a, const Limb& b) {
+  const Limb &fx = a_->limb(x), &fy = b_->limb(y);
+  const int32_t n = fx.joint_count, m = fy.joint_count;
+  if (n == m) {
+    for (int32_t i = 0; i < n; ++i) put(a_->limbs.joint(fx, i), b_->limbs.joint(fy, i), 0.1);
+  } else {
+    const auto places = [](const Anatomy& rig, const Limb& f, const Limb& hand, double* out) {
+      add_up_way(rig.limbs.points + f.first_point, f.joint_count, rig.wrist(hand), out);
+      const double whole = greater(out[f.joint_count - 1], 1e-9);
+      for (int32_t k = 0; k < f.joint_count; ++k) out[k] /= whole;
+    };
+    places(*a_, fx, a, ua_);
+    places(*b_, fy, b, ub_);
+    constexpr double kScales[] = {0.6, 0.7, 0.8, 0.9, 1, 1.12, 1.25, 1.45, 1.7};
+    double least = 0, best = 0;
+    const auto cost = [&](double scale, int32_t i, int32_t j) {
+      return absolute(ua_[i] * scale - ub_[j]) + joint_cost(a_->limbs.joint(fx, i), b_->limbs.joint(fy, j));
+    };
+    for (const double scale : kScales) {
+      const double sum = aligner_.fill(n, m, 0.5, [&](int32_t i, int32_t j) { return cost(scale, i, j); }) +
+                         0.3 * absolute(logarithm(scale));
+      if (best > 0 && !(sum < least - 1e-9)) continue;
+      least = sum;
+      best = scale;
+    }
+    (void)aligner_.run(n, m, 0.5, [&](int32_t i, int32_t j) { return cost(best, i, j); });
+    for (int32_t i = 0; i < n; ++i) {
+      const int32_t j = aligner_.match[i];
+      if (j >= 0) put(a_->limbs.joint(fx, i), b_->limbs.joint(fy, j), 0.1 + cost(best, i, j));
+    }
+  }
+  if (fx.first_sub >= 0 && fy.first_sub >= 0 && finger_pairs_ < kMostLimbs) fingers_[finger_pairs_++] = {x, y};
+}
+
+}  // namespace sinew::mapping

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// A rig as mapping sees it: places in doubles, children, an order in which every subtree is one run.
+#ifndef SINEW_MAPPING_HIERARCHY_HPP
+#define SINEW_MAPPING_HIERARCHY_HPP
+
+#include "core/arena.hpp"
+#include "mapping/maths.hpp"
+#include "mapping/names.hpp"
+#include "sinew/map.h"
+
+namespace sinew::mapping {
+
+struct Hierarchy {
+  int32_t n = 0;  // joints
+  Point* at = nullptr;
+  int32_t* parent = nullptr;
+  int32_t* kid_offsets = nullptr;  // [n + 2] into kids; row n holds the roots
+  int32_t* kids = nullptr;         // [n] in the order of their numbers
+  int32_t* order = nullptr;        // [n] parents first, a subtree in one run
+  int32_t* place = nullptr;        // [n] index in order
+  int32_t* depth = nullptr;        // [n] 0 for roots
+  int32_t* count = nullptr;        // [n] joints of the subtree
+  double* reach = nullptr;         // [n] longest way down
+  uint8_t* end = nullptr;          // [n] only says where a bone ends
+  NameWords* words = nullptr;      // [n] what names say
+  bool has_names = false;
+  bool has_ends = false;  // the caller told which are ends
+  double size = 1;        // diagonal of the joints' box
+
+  bool allocate(Arena& arena, uint32_t joints);
+  // From the caller's rig. SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
+  sinew_status build(const sinew_map_rig& rig, bool with_names);
+
+  int32_t kid_count(int32_t joint) const { return kid_offsets[joint + 1] - kid_offsets[joint]; }
+  int32_t kid(int32_t joint, int32_t k) const { return kids[kid_offsets[joint] + k]; }
+  bool has_end_kid(int32_t joint) const {
+    for (int32_t k = 0; k < kid_count(joint); ++k) {
+      if (end[kid(joint, k)] != 0) return true;
+    }
+    return false;
+  }
+  int32_t first_root() const { return kids[kid_offsets[n]]; }
+  // Whether `above` is `joint` or one of its ancestors.
+  bool holds(int32_t above, int32_t joint) const {
+    return place[above] <= place[joint] && place[joint] < place[above] + count[above];
+  }
+  // The deepest joint that holds both, -1 = none.
+  int32_t common(int32_t a, int32_t b) const {
+    while (a >= 0 && !holds(a, b)) a = parent[a];
+    return a;
+  }
+  double bone(int32_t a, int32_t b) const { return distance(at[a], at[b]); }
+  const Class& cls(int32_t joint) const { return words[joint].cls; }
+};
+
+// Calls body(child) for each child in the order of their numbers.
+template <class Body>
+void each_kid(const Hierarchy& rig, int32_t joint, const Body& body) {
+  for (int32_t k = rig.kid_offsets[joint]; k < rig.kid_offsets[joint + 1]; ++k) body(rig.kids[k]);
+}
+
+}  // namespace sinew::mapping
+#endif

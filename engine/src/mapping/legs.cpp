@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Which pairs of limbs are legs, feet that hang elsewhere, and the joint that carries the legs.
+#include "mapping/anatomy.hpp"
+
+namespace sinew::mapping {
+
+double Anatomy::low(const LimbPair& pair) const {
+  return lesser(limbs.lowest(limb(pair.a), frame.up), limbs.lowest(limb(pair.b), frame.up));
+}
+
+double Anatomy::drop(const LimbPair& pair) const {
+  return greater(dot(limbs.point(limb(pair.a), 0), frame.up), dot(limbs.point(limb(pair.b), 0), frame.up)) - low(pair);
+}
+
+int32_t Anatomy::common_attach(const LimbPair& pair) const {
+  const int32_t a = limb(pair.a).attach, b = limb(pair.b).attach;
+  const int32_t both = rig->common(a >= 0 ? a : rig->first_root(), b >= 0 ? b : rig->first_root());
+  return both >= 0 ? both : rig->first_root();
+}
+
+void Anatomy::find_legs() {
+  const double size = rig->size;
+  ground = height[0];
+  double top = height[0];
+  for (int32_t i = 1; i < rig->n; ++i) {
+    ground = lesser(ground, height[i]);
+    top = greater(top, height[i]);
+  }
+  tall = greater(top - ground, 1e-9);
+  LimbPair* const pairs = limbs.pairs;
+  const int32_t pair_count = limbs.pair_count;
+  const auto single = [&](const LimbPair& p) { return limb(p.a).joint_count == 1 && limb(p.b).joint_count == 1; };
+
+  leg_count = foot_count = 0;
+  int32_t few = 0;
+  for (int32_t k = 0; k < pair_count; ++k) {
+    const bool near_ground = low(pairs[k]) < ground + 0.15 * tall;
+    if (near_ground) feet[foot_count++] = pairs[k];
+    if (near_ground && drop(pairs[k]) > 0.12 * tall && drop(pairs[k]) > 0.06 * size) legs[leg_count++] = pairs[k];
+    few += single(pairs[k]) ? 1 : 0;
+  }
+  if (leg_count == 1 && tall <= 0.3 * size && drop(legs[0]) <= 0.1 * size) leg_count = 0;  // fins under a flat body
+  if (leg_count == 0 && (tall > 0.3 * size || few >= 2)) {  // legs of one joint: the lowest pairs
+    const auto short_leg = [&](const LimbPair& p) {
+      const Limb& a = limb(p.a);
+      return a.joint_count <= 2 && limb(p.b).joint_count <= 2 &&
+             dot(limbs.point(a, 0) - limbs.last_point(a), frame.up) >= 0;
+    };
+    double least = 0;
+    bool any = false;
+    for (int32_t k = 0; k < pair_count; ++k) {
+      if (!short_leg(pairs[k])) continue;
+      least = any ? lesser(least, low(pairs[k])) : low(pairs[k]);
+      any = true;
+    }
+    if (any && least < ground + 0.5 * tall) {
+      for (int32_t k = 0; k < pair_count; ++k) {
+        if (short_leg(pairs[k]) && low(pairs[k]) < least + 0.12 * tall) legs[leg_count++] = pairs[k];
+      }
+      if (leg_count == 1 && limb(legs[0].a).joint_count == 1) {  // feet alone under the root: the legs above them
+        const Point& foot = limbs.point(limb(legs[0].a), 0);
+        double nearest = 0;
+        int32_t best = -1;
+        for (int32_t k = 0; k < pair_count; ++k) {
+          const Limb& q = limb(pairs[k].a);
+          if (pairs[k].a == legs[0].a || q.joint_count < 2 ||
+              !(dot(limbs.point(q, 0) - limbs.last_point(q), frame.up) > 0.2 * q.length)) {
+            continue;
+          }
+          const double d = distance(limbs.last_point(q), foot);
+          if (best < 0 || d < nearest) {
+            nearest = d;
+            best = k;
+          }
+        }
+        if (best >= 0) legs[0] = pairs[best];
+      }
+    }
+  }
+  if (leg_count > 1) {  // IK feet: short pairs that begin near the ground are no legs of their own
+    const auto both = [&](const LimbPair& p) { return limb(p.a).length + limb(p.b).length; };
+    double longest = 0;
+    for (int32_t k = 0; k < leg_count; ++k) longest = greater(longest, both(legs[k]));
+    int32_t kept = 0;
+    for (int32_t k = 0; k < leg_count; ++k) {
+      if (both(legs[k]) > 0.35 * longest) legs[kept++] = legs[k];
+    }
+    leg_count = kept;
+  }
+  join_feet();
+
+  hip_pair = LimbPair();
+  hip = -1;
+  if (leg_count > 0) {
+    int32_t best = 0;
+    for (int32_t k = 1; k < leg_count; ++k) {
+      if (rig->depth[common_attach(legs[k])] < rig->depth[common_attach(legs[best])]) best = k;
+    }
+    hip_pair = legs[best];
+    hip = common_attach(hip_pair);
+    return;
+  }
+  for (int32_t k = 0; k < rig->n && hip < 0; ++k) {
+    if (side[rig->order[k]] == 0 && rig->kid_count(rig->order[k]) >= 2) hip = rig->order[k];
+  }
+  for (int32_t k = 0; k < rig->n && hip < 0; ++k) {
+    if (side[rig->order[k]] == 0) hip = rig->order[k];
+  }
+  if (hip < 0) hip = rig->first_root();
+}
+
+// Feet that hang under an IK root go on where a leg ends.
+void Anatomy::join_feet() {
+  int32_t kept = 0;
+  for (int32_t f = 0; f < foot_count; ++f) {
+    const LimbPair foot = feet[f];
+    int32_t best = -1;
+    double nearest = 0;
+    for (int32_t k = 0; k < leg_count && !is_leg(foot.a); ++k) {
+      const LimbPair& leg = legs[k];
+      const double gap = distance(limbs.last_point(limb(leg.a)), limbs.point(limb(foot.a), 0)) +
+                         distance(limbs.last_point(limb(leg.b)), limbs.point(limb(foot.b), 0));
+      if (limb(foot.a).attach == limbs.last_joint(limb(leg.a)) || !(gap < (leg_count != 1 ? 0.12 : 0.5) * rig->size)) {
+        continue;
+      }
+      if (best < 0 || gap < nearest) {
+        best = k;
+        nearest = gap;
+      }
+    }
+    if (best < 0) {
+      feet[kept++] = foot;
+      continue;
+    }
+    limbs.append(legs[best].a, foot.a);
+    limbs.append(legs[best].b, foot.b);
+    int32_t left = 0;
+    for (int32_t k = 0; k < limbs.pair_count; ++k) {
+      if (limbs.pairs[k].a != foot.a) limbs.pairs[left++] = limbs.pairs[k];
+    }
+    limbs.pair_count = left;
+  }
+  foot_count = kept;
+}
+
+}  // namespace sinew::mapping

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What limbs are compared by: where they hang, how long they are, where they point, what they are called.
+#include "mapping/anatomy.hpp"
+
+namespace sinew::mapping {
+
+void Anatomy::find_features() {
+  const Hierarchy& r = *rig;
+  hashes_used = 0;
+  for (int32_t k = 0; k < limbs.count; ++k) {
+    const Limb& l = limb(k);
+    LimbFeatures& f = features[k];
+    f = LimbFeatures();
+    const Point& start = limbs.point(l, 0);
+    f.attach = trunk_place(start - (dot(start, frame.across) - frame.plane) * frame.across);
+    f.log_length = logarithm(greater(l.length, 0.02 * r.size) / trunk);
+    f.log_tree = logarithm(l.tree);
+    const Point way =
+        direction(l.point_count > 1 ? limbs.last_point(l) - start : (l.attach >= 0 ? start - at(l.attach) : Point()));
+    f.way = {dot(way, frame.across) * (l.side != 0 ? l.side : 1), dot(way, frame.up), ahead(way)};
+    const double low = limbs.lowest(l, frame.up);
+    f.grounded = low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall;
+    f.hip = hip_pair.a == k || hip_pair.b == k;
+    f.arm = arms.a == k || arms.b == k;
+    f.first_hash = hashes_used;
+    if (!r.has_names) continue;
+    for (int32_t i = 0; i < l.joint_count; ++i) {
+      const NameWords& words = r.words[limbs.joint(l, i)];
+      const Word word = limb_word(words.cls.word);
+      if (word != Word::kNone) f.words |= 1u << static_cast<uint32_t>(word);
+      for (int32_t w = 0; w < words.count; ++w) {
+        if ((words.long_mask >> w & 1) == 0) continue;
+        bool known = false;
+        for (int32_t h = f.first_hash; h < hashes_used; ++h) known = known || hashes[h] == words.hashes[w];
+        if (!known) hashes[hashes_used++] = words.hashes[w];
+      }
+    }
+    f.hash_count = hashes_used - f.first_hash;
+  }
+}
+
+}  // namespace sinew::mapping

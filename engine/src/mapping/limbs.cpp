@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// Where a limb goes on and where it ends: the child that carries most, or reaches much further than the others.
+#include "mapping/limbs.hpp"
+
+namespace sinew::mapping {
+
+bool Limbs::allocate(Arena& arena, uint32_t rig_joints) {
+  // A joint is in one limb off the trunk and, below a chain in the plane, in another. What is appended is copied, as long
+  // as there is room. A limb has a point more than joints.
+  joints_room = static_cast<int32_t>(4 * rig_joints);
+  kept_room = static_cast<int32_t>(rig_joints);
+  at = arena.alloc<Limb>(kMostLimbs);
+  pairs = arena.alloc<LimbPair>(kMostSideLimbs);
+  joints = arena.alloc<int32_t>(static_cast<size_t>(joints_room));
+  points = arena.alloc<Point>(static_cast<size_t>(joints_room + kMostLimbs));
+  return arena.ok();
+}
+
+Point Limbs::mean_point(const Limb& limb) const {
+  Point sum;
+  for (int32_t k = 0; k < limb.point_count; ++k) sum = sum + point(limb, k);
+  return (1.0 / limb.point_count) * sum;
+}
+
+double Limbs::lowest(const Limb& limb, const Point& up) const {
+  double low = dot(point(limb, 0), up);
+  for (int32_t k = 1; k < limb.point_count; ++k) low = lesser(low, dot(point(limb, k), up));
+  return low;
+}
+
+int32_t Limbs::begin(const Hierarchy& rig, int32_t joint, int8_t side, int32_t attach) {
+  if (count >= kMostLimbs) {
+    full = true;
+    return -1;
+  }
+  Limb& limb = at[count];
+  limb = Limb();
+  limb.side = side;
+  limb.attach = attach;
+  limb.tree = rig.count[joint];
+  limb.first_joint = joint;  // until its chain is followed
+  return count++;
+}
+
+void Limbs::follow(const Hierarchy& rig, int32_t number) {
+  Limb& limb = at[number];
+  int32_t i = limb.first_joint, tips = 0, tip = -1;
+  limb.first_joint = joints_used;
+  limb.first_point = points_used;
+  for (;;) {
+    joints[joints_used++] = i;
+    points[points_used++] = rig.at[i];
+    ++limb.joint_count;
+    int32_t kids = 0, first = -1, all = 0;
+    each_kid(rig, i, [&](int32_t k) {
+      if (rig.end[k] != 0) return;
+      ++kids;
+      all += rig.count[k];
+      const bool before = first >= 0 && (rig.count[first] > rig.count[k] ||
+                                         (rig.count[first] == rig.count[k] && rig.reach[first] >= rig.reach[k]));
+      if (!before) first = k;
+    });
+    if (kids == 0) {
+      each_kid(rig, i, [&](int32_t k) {
+        ++tips;
+        tip = k;
+      });
+      break;
+    }
+    if (kids > 1) {
+      double other = 0;
+      each_kid(rig, i, [&](int32_t k) {
+        if (rig.end[k] == 0 && k != first) other = greater(other, rig.reach[k] + rig.bone(i, k));
+      });
+      const int32_t own = rig.count[first], rest = all - own;
+      const double way = rig.reach[first] + rig.bone(i, first);
+      if (!(own >= 2 * rest || (own > rest && way > 2.5 * other) || way > 4 * other)) break;
+    }
+    i = first;
+  }
+  limb.point_count = limb.joint_count;
+  // What branches off, in the order of the chain.
+  int32_t tail = -1;
+  for (int32_t k = 0; k < limb.joint_count; ++k) {
+    const int32_t j = joint(limb, k), next = k + 1 < limb.joint_count ? joint(limb, k + 1) : -1;
+    each_kid(rig, j, [&](int32_t kid) {
+      if (kid == next || rig.end[kid] != 0) return;
+      const int32_t sub = begin(rig, kid, limb.side, j);
+      if (sub < 0) return;
+      (tail < 0 ? limb.first_sub : at[tail].next) = sub;
+      tail = sub;
+    });
+  }
+  const auto add_point = [&](const Point& p) {
+    points[points_used++] = p;
+    ++limb.point_count;
+  };
+  if (tips == 1) add_point(rig.at[tip]);
+  const int32_t last = last_joint(limb);
+  int32_t fingers = 0;
+  Point sum;
+  for (int32_t t = limb.first_sub; t >= 0; t = at[t].next) {
+    if (at[t].attach != last) continue;
+    ++fingers;
+    sum = sum + rig.at[at[t].first_joint];  // still its first joint's number
+  }
+  if (fingers >= 2 && limb.joint_count >= 2) {  // fingers far away from the last joint: a hand that is no joint
+    const Point hand = (1.0 / fingers) * sum;
+    if (distance(hand, rig.at[last]) > 0.5 * rig.bone(joint(limb, limb.joint_count - 2), last)) {
+      add_point(hand);
+      limb.has_hand = true;
+    }
+  }
+  for (int32_t k = 1; k < limb.point_count; ++k) limb.length += distance(point(limb, k - 1), point(limb, k));
+}
+
+void Limbs::grow(const Hierarchy& rig, int32_t from) {
+  for (int32_t k = from; k < count; ++k) follow(rig, k);  // `count` grows on the way
+}
+
+void Limbs::append(int32_t number, int32_t foot) {
+  Limb& limb = at[number];
+  const Limb& more = at[foot];
+  const int32_t all = limb.joint_count + more.joint_count, all_points = limb.joint_count + more.point_count;
+  if (joints_used + all + kept_room > joints_room) return;
+  const int32_t first_joint = joints_used, first_point = points_used;
+  for (int32_t k = 0; k < limb.joint_count; ++k) {
+    joints[joints_used++] = joint(limb, k);
+    points[points_used++] = point(limb, k);  // without the point beyond its last joint
+  }
+  for (int32_t k = 0; k < more.joint_count; ++k) joints[joints_used++] = joint(more, k);
+  for (int32_t k = 0; k < more.point_count; ++k) points[points_used++] = point(more, k);
+  limb.first_joint = first_joint;
+  limb.joint_count = all;
+  limb.first_point = first_point;
+  limb.point_count = all_points;
+  int32_t tail = -1;
+  each_sub(limb, [&](int32_t t) { tail = t; });
+  (tail < 0 ? limb.first_sub : at[tail].next) = more.first_sub;
+  limb.has_hand = false;
+  limb.length = 0;
+  for (int32_t k = 1; k < limb.point_count; ++k) limb.length += distance(point(limb, k - 1), point(limb, k));
+}
+
+}  // namespace sinew::mapping

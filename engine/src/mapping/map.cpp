@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Checks, both rigs' anatomy, the method, pins, and what is told about the result.
+#include "mapping/map.hpp"
+
+#include <stddef.h>
+
+#include "core/struct_size.hpp"
+#include "mapping/branches.hpp"
+#include "mapping/matcher.hpp"
+
+namespace sinew::mapping {
+namespace {
+
+constexpr double kWhole = 32768;  // certainty
+
+// A rig with what is known of it.
+struct Side {
+  Hierarchy rig;
+  Anatomy anatomy;
+  Point up;
+  bool has_up = false;
+
+  bool allocate(Arena& arena, uint32_t joints) {
+    (void)rig.allocate(arena, joints);
+    (void)anatomy.allocate(arena, joints);
+    return arena.ok();
+  }
+  void read_up(const sinew_map_rig& given) {
+    up = direction(
+        {static_cast<double>(given.up[0]), static_cast<double>(given.up[1]), static_cast<double>(given.up[2])});
+    has_up = dot(up, up) > 0.5;
+  }
+  bool build(bool flip, Arena& arena) { return anatomy.build(rig, has_up ? &up : nullptr, flip, arena); }
+};
+
+struct Result {
+  int32_t* sources = nullptr;  // [target n]
+  double* costs = nullptr;     // [target n]
+
+  bool allocate(Arena& arena, uint32_t joints) {
+    sources = arena.alloc<int32_t>(joints);
+    costs = arena.alloc<double>(joints);
+    return arena.ok();
+  }
+};
+
+void read_pins(const MapPlan& plan, Pins* pins) {
+  for (uint32_t i = 0; i < plan.target.joint_count; ++i) pins->source_of[i] = Pins::kFree;
+  for (uint32_t j = 0; j < plan.source.joint_count; ++j) pins->target_of[j] = Pins::kFree;
+  pins->any = plan.options.pin_count > 0;
+  for (uint32_t k = 0; k < plan.options.pin_count; ++k) {
+    const sinew_map_pin& pin = plan.options.pins[k];
+    pins->source_of[pin.target] = pin.source;
+    if (pin.source >= 0) pins->target_of[pin.source] = static_cast<int32_t>(pin.target);
+  }
+}
+
+// Whether pins say that the target's left is the source's right.
+bool pins_turn(const Anatomy& target, const Anatomy& source, const MapPlan& plan) {
+  int32_t sum = 0;
+  for (uint32_t k = 0; k < plan.options.pin_count; ++k) {
+    const sinew_map_pin& pin = plan.options.pins[k];
+    if (pin.source >= 0) sum += target.side[pin.target] * source.side[pin.source];
+  }
+  return sum < 0;
+}
+
+// Puts pins in, and takes out what shares a source with another joint or crosses the way of one.
+class Cleaner {
+ public:
+  Cleaner(const Hierarchy& target, const Hierarchy& source, const Pins& pins, int32_t* sources, uint8_t* reasons,
+          int32_t* owner)
+      : a_(target), b_(source), pins_(pins), sources_(sources), reasons_(reasons), owner_(owner) {}
+
+  void run(bool one_to_one) {
+    for (int32_t i = 0; i < a_.n; ++i) reasons_[i] = SINEW_MAP_FOUND;
+    for (int32_t i = 0; i < a_.n && pins_.any; ++i) {
+      if (pins_.source_of[i] == Pins::kFree) continue;
+      sources_[i] = pins_.source_of[i];
+      reasons_[i] = SINEW_MAP_PINNED;
+    }
+    if (one_to_one) share();
+    for (int32_t i = 0; i < a_.n && pins_.any; ++i) {
+      if (reasons_[i] == SINEW_MAP_PINNED && sources_[i] >= 0) clear_way_of(i);
+    }
+    for (int32_t k = 0; k < a_.n; ++k) {
+      const int32_t t = a_.order[k];
+      if (sources_[t] < 0 || reasons_[t] == SINEW_MAP_PINNED) continue;
+      for (int32_t above = a_.parent[t]; above >= 0; above = a_.parent[above]) {
+        if (!crosses(above, t)) continue;
+        drop(t);
+        break;
+      }
+    }
+  }
+
+ private:
+  bool crosses(int32_t above, int32_t below) const {
+    const int32_t s = sources_[above], t = sources_[below];
+    return s >= 0 && t >= 0 && s != t && b_.holds(t, s);
+  }
+  void drop(int32_t i) {
+    sources_[i] = -1;
+    reasons_[i] = SINEW_MAP_TAKEN;
+  }
+  // A source goes to the joint that is pinned to it, else to the first in the order of the hierarchy.
+  void share() {
+    for (int32_t j = 0; j < b_.n; ++j) owner_[j] = pins_.any ? pins_.target_of[j] : Pins::kFree;
+    for (int32_t k = 0; k < a_.n; ++k) {
+      const int32_t i = a_.order[k], j = sources_[i];
+      if (j < 0) continue;
+      if (owner_[j] == Pins::kFree) owner_[j] = i;
+      if (owner_[j] != i) drop(i);
+    }
+  }
+  void clear_way_of(int32_t pinned) {
+    for (int32_t i = a_.parent[pinned]; i >= 0; i = a_.parent[i]) {
+      if (reasons_[i] != SINEW_MAP_PINNED && crosses(i, pinned)) drop(i);
+    }
+    for (int32_t k = a_.place[pinned] + 1; k < a_.place[pinned] + a_.count[pinned]; ++k) {
+      const int32_t i = a_.order[k];
+      if (reasons_[i] != SINEW_MAP_PINNED && crosses(pinned, i)) drop(i);
+    }
+  }
+
+  const Hierarchy &a_, &b_;
+  const Pins& pins_;
+  int32_t* sources_;
+  uint8_t* reasons_;
+  int32_t* owner_;
+};
+
+// Why what has no source has none.
+void explain(const Anatomy& target, const int32_t* sources, uint8_t* reasons) {
+  const Hierarchy& rig = *target.rig;
+  for (int32_t i = 0; i < rig.n; ++i) {
+    if (sources[i] >= 0 || reasons[i] != SINEW_MAP_FOUND) continue;
+    reasons[i] = rig.end[i] != 0             ? SINEW_MAP_END
+                 : !rig.holds(target.hip, i) ? SINEW_MAP_OUTSIDE
+                 : target.limbs.full         ? SINEW_MAP_BESIDE_LIMITS
+                                             : SINEW_MAP_NO_COUNTERPART;
+  }
+  const auto chain = [&](const int32_t* joints, int32_t count) {
+    bool any = false;
+    for (int32_t k = 0; k < count; ++k) any = any || sources[joints[k]] >= 0;
+    for (int32_t k = 0; k < count; ++k) {
+      uint8_t& reason = reasons[joints[k]];
+      if (sources[joints[k]] >= 0 || reason == SINEW_MAP_PINNED || reason == SINEW_MAP_TAKEN || reason == SINEW_MAP_END)
+        continue;
+      reason = any ? SINEW_MAP_FEWER_JOINTS : SINEW_MAP_NO_COUNTERPART;
+    }
+  };
+  chain(target.spine, target.spine_count);
+  for (int32_t k = 0; k < target.limbs.count; ++k)
+    chain(target.limbs.joints + target.limb(k).first_joint, target.limb(k).joint_count);
+}
+
+// 0..1: how sure front and sides are; a rig without sides needs no front.
+double certainty(const Anatomy& rig) {
+  if (rig.limbs.pair_count == 0) return 0.5;
+  return rig.sure / (rig.sure + 0.3);
+}
+
+}  // namespace
+
+sinew_status plan_map(const sinew_map_rig* target, const sinew_map_rig* source, const sinew_map_options* options,
+                      MapPlan* plan) {
+  constexpr uint32_t kFirstRig = sizeof(sinew_map_rig), kFirstOptions = sizeof(sinew_map_options);
+  sinew_status status = read_struct(target, kFirstRig, sizeof plan->target, &plan->target);
+  if (status == SINEW_OK) status = read_struct(source, kFirstRig, sizeof plan->source, &plan->source);
+  plan->options = sinew_map_options_init();
+  if (status == SINEW_OK && options != nullptr)
+    status = read_struct(options, kFirstOptions, sizeof plan->options, &plan->options);
+  if (status != SINEW_OK) return status;
+  const sinew_map_options& o = plan->options;
+  if (o.method > SINEW_MAP_BRANCHES || (o.pin_count > 0 && o.pins == nullptr)) return SINEW_ERROR_ARGUMENT;
+  if (o.reserved != 0) return SINEW_ERROR_VERSION;
+  const sinew_map_rig* const rigs[2] = {&plan->target, &plan->source};
+  for (const sinew_map_rig* rig : rigs) {
+    if (rig->positions == nullptr || rig->parents == nullptr) return SINEW_ERROR_ARGUMENT;
+    if (rig->reserved != 0) return SINEW_ERROR_VERSION;
+    if (rig->joint_count == 0 || rig->joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
+    for (const float u : rig->up) {
+      if (u - u != 0) return SINEW_ERROR_ARGUMENT;
+    }
+  }
+  for (uint32_t k = 0; k < o.pin_count; ++k) {
+    if (o.pins[k].target >= plan->target.joint_count || o.pins[k].source < -1 ||
+        o.pins[k].source >= static_cast<int32_t>(plan->source.joint_count)) {
+      return SINEW_ERROR_RANGE;
+    }
+  }
+  return SINEW_OK;
+}
+
+sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outputs) {
+  const uint32_t n = plan.target.joint_count, m = plan.source.joint_count;
+  Side target, source;
+  Result own, published;
+  Pins pins;
+  (void)target.allocate(arena, n);
+  (void)source.allocate(arena, m);
+  (void)own.allocate(arena, n);
+  (void)published.allocate(arena, n);
+  pins.source_of = arena.alloc<int32_t>(n);
+  pins.target_of = arena.alloc<int32_t>(m);
+  int32_t* const owner = arena.alloc<int32_t>(m);
+  uint8_t* const reasons = arena.alloc<uint8_t>(n);
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  if (!arena.measuring()) {
+    const bool names = plan.target.names != nullptr && plan.source.names != nullptr;
+    sinew_status status = target.rig.build(plan.target, names);
+    if (status == SINEW_OK) status = source.rig.build(plan.source, names);
+    if (status != SINEW_OK) return status;
+    target.read_up(plan.target);
+    source.read_up(plan.source);
+    read_pins(plan, &pins);
+    for (uint32_t k = 0; k < plan.options.pin_count; ++k) {  // one of two that say different things was overwritten
+      const sinew_map_pin& pin = plan.options.pins[k];
+      if (pins.source_of[pin.target] != pin.source ||
+          (pin.source >= 0 && pins.target_of[pin.source] != static_cast<int32_t>(pin.target))) {
+        return SINEW_ERROR_RANGE;
+      }
+    }
+  }
+  if (!target.build(false, arena) || !source.build(false, arena)) return SINEW_ERROR_WORKSPACE;
+  if (!arena.measuring() && pins_turn(target.anatomy, source.anatomy, plan)) {
+    if (!target.build(true, arena)) return SINEW_ERROR_WORKSPACE;
+  }
+  uint32_t method = plan.options.method;
+  {
+    const ArenaScope scope(arena);
+    Matcher matcher;
+    if (!matcher.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring()) {
+      matcher.run(target.anatomy, source.anatomy, target.rig.has_names, pins, own.sources, own.costs);
+    }
+  }
+  {
+    const ArenaScope scope(arena);
+    Branches branches;
+    if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
+    if (arena.measuring()) return SINEW_OK;
+    if (method == SINEW_MAP_BRANCHES) {
+      if (branches.prepare(target.rig, source.rig) == UINT64_MAX) return SINEW_ERROR_COUNT;
+      (void)branches.run(published.sources, published.costs);
+    } else {
+      method = SINEW_MAP_SINEW;
+    }
+  }
+  const Result& result = method == SINEW_MAP_BRANCHES ? published : own;
+  Cleaner(target.rig, source.rig, pins, result.sources, reasons, owner).run(method == SINEW_MAP_SINEW);
+  explain(target.anatomy, result.sources, reasons);
+
+  const double sure = lesser(certainty(target.anatomy), certainty(source.anatomy));
+  outputs->method = method;
+  outputs->mapped = 0;
+  outputs->certainty = static_cast<uint32_t>(kWhole * sure);
+  for (uint32_t i = 0; i < n; ++i) {
+    outputs->sources[i] = result.sources[i];
+    if (result.sources[i] >= 0) ++outputs->mapped;
+    if (outputs->reasons != nullptr) outputs->reasons[i] = reasons[i];
+    if (outputs->confidence == nullptr) continue;
+    const double side = target.anatomy.side[i] != 0 ? sure : 1;
+    double own_share = reasons[i] == SINEW_MAP_PINNED ? 1 : side / (1 + greater(0, result.costs[i]));
+    if (result.sources[i] < 0) own_share = 0;
+    outputs->confidence[i] = static_cast<uint16_t>(kWhole * own_share);
+  }
+  outputs->used_bytes = arena.high_water();
+  return SINEW_OK;
+}
+
+}  // namespace sinew::mapping
