@@ -14,6 +14,7 @@
 #include "rig/hands.hpp"
 #include "rig/rig.hpp"
 #include "rig/rig_task.hpp"
+#include "simplify/simplify.hpp"
 #endif
 #include "sinew/sinew.h"
 
@@ -31,6 +32,7 @@ constexpr uint32_t kFirstRigOutputsSize = offsetof(sinew_rig_outputs, used_bytes
 static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
 static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
 static_assert(sizeof(sinew_rig_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*), "a hole in sinew_rig_options");
+static_assert(sizeof(sinew_simplify_options) == 4 * sizeof(uint32_t), "a hole in sinew_simplify_options");
 static_assert(sizeof(sinew_map_rig) == 6 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_rig");
 static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
 static_assert(sizeof(sinew_map_outputs) == 4 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_outputs");
@@ -225,8 +227,42 @@ sinew_status sinew_map(const sinew_map_rig* target, const sinew_map_rig* source,
   return status;
 }
 
+sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  sinew::SimplifyPlan plan;
+  const sinew_status status = sinew::plan_simplify(joint_count, nullptr, &plan);
+  if (status != SINEW_OK) return status;
+  sinew::Arena arena;
+  if (sinew::run_simplify(plan, arena, nullptr) != SINEW_OK || !arena.ok()) return SINEW_ERROR_COUNT;
+  *size_bytes = arena.high_water();
+  return SINEW_OK;
+}
+
+sinew_status sinew_simplify(const float* positions, const int32_t* parents, uint32_t joint_count, const float* areas,
+                            const uint8_t* keep, const sinew_simplify_options* options, void* workspace,
+                            size_t workspace_bytes, uint32_t* into) {
+  if (positions == nullptr || parents == nullptr || workspace == nullptr || into == nullptr)
+    return SINEW_ERROR_ARGUMENT;
+  sinew::SimplifyPlan plan;
+  const sinew_status status = sinew::plan_simplify(joint_count, options, &plan);
+  if (status != SINEW_OK) return status;
+  if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  plan.positions = positions;
+  plan.parents = parents;
+  plan.areas = areas;
+  plan.keep = keep;
+  sinew::Arena arena(workspace, workspace_bytes);
+  return sinew::run_simplify(plan, arena, into);
+}
+
 #else
 
+sinew_status sinew_simplify_workspace_size(uint32_t, size_t*) { return SINEW_ERROR_ARGUMENT; }
+sinew_status sinew_simplify(const float*, const int32_t*, uint32_t, const float*, const uint8_t*,
+                            const sinew_simplify_options*, void*, size_t, uint32_t*) {
+  return SINEW_ERROR_ARGUMENT;
+}
 sinew_status sinew_map_workspace_size(uint32_t, uint32_t, size_t*) { return SINEW_ERROR_ARGUMENT; }
 sinew_status sinew_map(const sinew_map_rig*, const sinew_map_rig*, const sinew_map_options*, void*, size_t,
                        sinew_map_outputs*) {

@@ -25,6 +25,7 @@
 #include "sinew/map.h"
 #include "sinew/model.h"
 #include "sinew/rig.h"
+#include "sinew/simplify.h"
 #include "sinew/skin.h"
 #include "sinew/types.h"
 

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT
+ * Simplification: a skeleton of fewer joints, for levels of detail. Which joint becomes part of which. */
+#ifndef SINEW_SIMPLIFY_H
+#define SINEW_SIMPLIFY_H
+
+#include <string.h>
+
+#include "sinew/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* How much goes. A joint becomes part of its parent where one of these holds: it is a leaf of a parent with more bones than
+ * `bones`; it moves less of the surface than `area`; its bone is shorter than `length` (share of the diagonal of the joints'
+ * box). */
+typedef enum sinew_simplify_level {
+  SINEW_SIMPLIFY_HIGH = 0, /* detail: 5 bones, 0.1 % of the surface, 1.2 % of the size: helpers and end markers go */
+  SINEW_SIMPLIFY_LOW = 1   /* detail: 4 bones, 0.6 % of the surface, 4 % of the size: fingers, faces and twists go */
+} sinew_simplify_level;
+
+/* What a call is asked to do: inputs only. Start from sinew_simplify_options_init(). Later versions add members at the end;
+ * see struct_size in sinew/types.h. */
+typedef struct sinew_simplify_options {
+  uint32_t struct_size; /* sizeof(sinew_simplify_options) */
+  uint32_t level;       /* sinew_simplify_level */
+  uint32_t
+      joint_count; /* 0: as the level says; else so many joints stay, whatever the level, as far as roots and `keep` let */
+  uint32_t reserved; /* 0 */
+} sinew_simplify_options;
+
+/* Options that ask for every default. */
+static inline sinew_simplify_options sinew_simplify_options_init(void) {
+  sinew_simplify_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* Bytes sinew_simplify() needs for so many joints. A pure function of its argument. Returns SINEW_OK, or SINEW_ERROR_ARGUMENT
+ * or SINEW_ERROR_COUNT; size_bytes is 0 then. */
+SINEW_API sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_t* size_bytes);
+
+/* Collapses bones, the cheapest first: cost = shape + 0.1 sampling. Shape is how far the bone's middle lies from the lines of
+ * the bones at both ends, squared; sampling is the bone's length times the sum of the bones' at the joint. Joints of equal
+ * cost go together, so that both sides of a symmetric skeleton stay alike (not where joint_count is given).
+ *   positions  in   [J x 3] rest pose, any unit
+ *   parents    in   [J] parent index or -1; any order
+ *   areas      in   [J] share of the surface that moves with the joint (sums of weights will do), at least 0; null = not
+ *                   known, no joint goes for it
+ *   keep       in   [J] 1: the joint stays; null = none has to. Roots stay
+ *   options         null = all defaults
+ *   workspace       scratch, 64-byte aligned, size from sinew_simplify_workspace_size()
+ *   into       out  [J] the joint that it is part of now: itself where it stays. Joints keep their places; the parent of one
+ *                   that stays is into[its parent]; weights of the others are summed up there
+ *
+ * Nothing may overlap the output or the workspace. The same bytes on every platform: doubles in one order, without libm.
+ *
+ * Returns SINEW_OK, or with `into` untouched
+ *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out of
+ *                           its range, or this build is without it (SINEW_SMALL_CODE)
+ *   SINEW_ERROR_VERSION     a member behind those that this library knows, or a reserved one, is not 0
+ *   SINEW_ERROR_COUNT       no joint, or more than SINEW_MAX_JOINTS
+ *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
+ *   SINEW_ERROR_NOT_FINITE  a position or an area is NaN or infinite
+ *   SINEW_ERROR_RANGE       an area is below 0
+ *   SINEW_ERROR_INDEX       a parent is no joint
+ *   SINEW_ERROR_HIERARCHY   parents form a cycle
+ * Source: edge collapse of curve skeletons by quadrics (Au et al. 2008, section 5), conditions as for skeleton mapping. */
+SINEW_API sinew_status sinew_simplify(const float* positions, const int32_t* parents, uint32_t joint_count,
+                                      const float* areas, const uint8_t* keep, const sinew_simplify_options* options,
+                                      void* workspace, size_t workspace_bytes, uint32_t* into);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

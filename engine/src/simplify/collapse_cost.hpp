@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What it costs to collapse an edge of a graph in space: how far its middle is from the lines of the edges at both ends.
+#ifndef SINEW_SIMPLIFY_COLLAPSE_COST_HPP
+#define SINEW_SIMPLIFY_COLLAPSE_COST_HPP
+
+#include "mapping/maths.hpp"
+
+namespace sinew {
+
+constexpr double kSamplingWeight = 0.1;  // beside the shape's 1
+
+// The edges at a node. The squared distance of p from the line through n along the unit vector a is |a x (p - n)|^2; their
+// sum over the edges is (p - n)^T A (p - n) with A = sum of (1 - a a^T), because every line goes through the node.
+struct EdgesAtNode {
+  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;  // A
+  double lengths = 0;
+
+  void add(const mapping::Point& along) {
+    const double squared = mapping::dot(along, along);
+    if (!(squared > 1e-24)) return;
+    lengths += mapping::root(squared);
+    const double s = 1 / squared;
+    xx += 1 - s * along.x * along.x;
+    yy += 1 - s * along.y * along.y;
+    zz += 1 - s * along.z * along.z;
+    xy -= s * along.x * along.y;
+    yz -= s * along.y * along.z;
+    zx -= s * along.z * along.x;
+  }
+  double error(const mapping::Point& d) const {
+    return xx * d.x * d.x + yy * d.y * d.y + zz * d.z * d.z + 2 * (xy * d.x * d.y + yz * d.y * d.z + zx * d.z * d.x);
+  }
+};
+
+// Of the edge from node a, which goes, to node b; `along` is b - a.
+inline double collapse_cost(const EdgesAtNode& a, const EdgesAtNode& b, const mapping::Point& along) {
+  const mapping::Point half = 0.5 * along;
+  return a.error(half) + b.error(half) + kSamplingWeight * mapping::length(along) * a.lengths;
+}
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// The cheapest bone that may go goes, and with it the one of the same cost on the other side, until none may.
+#include "simplify/simplify.hpp"
+
+#include "core/struct_size.hpp"
+#include "mapping/hierarchy.hpp"
+#include "simplify/collapse_cost.hpp"
+
+namespace sinew {
+namespace {
+
+using mapping::Hierarchy;
+using mapping::Point;
+
+constexpr int32_t kNone = -1;
+constexpr double kSame = 1e-3;  // costs of mirrored joints differ by no more, as a share
+
+// A tree that loses joints: children in linked lists.
+class Shrinking {
+ public:
+  bool allocate(Arena& arena, uint32_t count) {
+    n_ = static_cast<int32_t>(count);
+    at_ = arena.alloc<Point>(count);
+    parent_ = arena.alloc<int32_t>(count);
+    first_ = arena.alloc<int32_t>(count);
+    next_ = arena.alloc<int32_t>(count);
+    bones_ = arena.alloc<uint32_t>(count);
+    area_ = arena.alloc<double>(count);
+    cost_ = arena.alloc<double>(count);
+    length_ = arena.alloc<double>(count);
+    edges_ = arena.alloc<EdgesAtNode>(count);
+    into_ = arena.alloc<int32_t>(count);
+    return arena.ok();
+  }
+
+  sinew_status start(const SimplifyPlan& plan, const Hierarchy& rig) {
+    left_ = 0;
+    for (int32_t i = 0; i < n_; ++i) {
+      at_[i] = (1 / rig.size) * rig.at[i];
+      parent_[i] = rig.parent[i];
+      first_[i] = next_[i] = kNone;
+      bones_[i] = parent_[i] >= 0 ? 1 : 0;
+      into_[i] = i;
+      const double area = plan.areas != nullptr ? static_cast<double>(plan.areas[i]) : 0;
+      if (!(area - area == 0)) return SINEW_ERROR_NOT_FINITE;
+      if (area < 0) return SINEW_ERROR_RANGE;
+      area_[i] = area;
+      whole_ += area;
+      ++left_;
+    }
+    if (!(whole_ - whole_ == 0)) return SINEW_ERROR_NOT_FINITE;
+    for (int32_t i = n_; i-- > 0;) {
+      if (parent_[i] < 0) continue;
+      next_[i] = first_[parent_[i]];
+      first_[parent_[i]] = i;
+      ++bones_[parent_[i]];
+    }
+    for (int32_t i = 0; i < n_; ++i) measure(i);
+    for (int32_t i = 0; i < n_; ++i) price(i);
+    return SINEW_OK;
+  }
+
+  void run(const SimplifyPlan& plan) {
+    for (;;) {
+      int32_t best = kNone;
+      for (int32_t i = 0; i < n_; ++i) {
+        if (may_go(plan, i) && (best == kNone || cost_[i] < cost_[best])) best = i;
+      }
+      if (best == kNone) return;
+      int32_t twin = kNone;
+      for (int32_t i = 0; i < n_ && plan.wanted == 0; ++i) {
+        if (i == best || cost_[i] > cost_[best] * (1 + kSame) || !may_go(plan, i)) continue;
+        if (twin == kNone || cost_[i] < cost_[twin]) twin = i;
+      }
+      if (twin != kNone && (parent_[twin] == best || parent_[best] == twin)) twin = kNone;  // no mirror image
+      collapse(best);
+      if (twin != kNone) collapse(twin);
+    }
+  }
+
+  void write(uint32_t* into) const {
+    for (int32_t i = 0; i < n_; ++i) {
+      int32_t stays = i;
+      while (into_[stays] != stays) stays = into_[stays];
+      into[i] = static_cast<uint32_t>(stays);
+    }
+  }
+
+ private:
+  bool may_go(const SimplifyPlan& plan, int32_t i) const {
+    if (into_[i] != i || parent_[i] < 0 || (plan.keep != nullptr && plan.keep[i] != 0)) return false;
+    if (plan.wanted > 0) return left_ > plan.wanted;
+    if (first_[i] == kNone && bones_[parent_[i]] > plan.most_bones) return true;
+    if (plan.areas != nullptr && area_[i] < plan.least_area * whole_) return true;
+    return length_[i] < plan.least_length;
+  }
+  void measure(int32_t i) {
+    edges_[i] = EdgesAtNode();
+    if (parent_[i] >= 0) edges_[i].add(at_[parent_[i]] - at_[i]);
+    for (int32_t k = first_[i]; k != kNone; k = next_[k]) edges_[i].add(at_[k] - at_[i]);
+  }
+  void price(int32_t i) {
+    if (parent_[i] < 0) return;
+    const Point along = at_[parent_[i]] - at_[i];
+    length_[i] = mapping::length(along);
+    cost_[i] = collapse_cost(edges_[i], edges_[parent_[i]], along);
+  }
+  // Joint i becomes part of its parent, which gets its children at the end of its own.
+  void collapse(int32_t i) {
+    const int32_t p = parent_[i];
+    int32_t* link = &first_[p];
+    while (*link != i) link = &next_[*link];
+    *link = next_[i];
+    while (*link != kNone) link = &next_[*link];
+    *link = first_[i];
+    --bones_[p];
+    for (int32_t k = first_[i]; k != kNone; k = next_[k]) {
+      parent_[k] = p;
+      ++bones_[p];
+      measure(k);
+    }
+    area_[p] += area_[i];
+    into_[i] = p;
+    --left_;
+    measure(p);
+    price(p);
+    for (int32_t k = first_[p]; k != kNone; k = next_[k]) {
+      price(k);
+      for (int32_t g = first_[k]; g != kNone && parent_[k] == p; g = next_[g]) price(g);
+    }
+  }
+
+  int32_t n_ = 0;
+  uint32_t left_ = 0;
+  double whole_ = 0;
+  Point* at_ = nullptr;                         // the joints' box has a diagonal of 1
+  int32_t* parent_ = nullptr;                   // among those that are left
+  int32_t *first_ = nullptr, *next_ = nullptr;  // children
+  uint32_t* bones_ = nullptr;                   // to the parent and to children
+  double *area_ = nullptr, *cost_ = nullptr, *length_ = nullptr;  // of roots only the area means something
+  EdgesAtNode* edges_ = nullptr;
+  int32_t* into_ = nullptr;
+};
+
+}  // namespace
+
+sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* options, SimplifyPlan* plan) {
+  sinew_simplify_options o = sinew_simplify_options_init();
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, sizeof o, sizeof o, &o);
+  if (status != SINEW_OK) return status;
+  if (o.reserved != 0) return SINEW_ERROR_VERSION;
+  if (o.level > SINEW_SIMPLIFY_LOW) return SINEW_ERROR_ARGUMENT;
+  if (joint_count == 0 || joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
+  const bool low = o.level == SINEW_SIMPLIFY_LOW;
+  *plan = SimplifyPlan();
+  plan->joint_count = joint_count;
+  plan->wanted = o.joint_count;
+  plan->most_bones = low ? 4 : 5;
+  plan->least_area = low ? 0.006 : 0.001;
+  plan->least_length = low ? 0.04 : 0.012;
+  return SINEW_OK;
+}
+
+sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into) {
+  Hierarchy rig;
+  Shrinking tree;
+  (void)rig.allocate(arena, plan.joint_count);
+  if (!tree.allocate(arena, plan.joint_count)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
+  sinew_status status =
+      rig.build(sinew_map_rig_init(plan.positions, plan.parents, plan.joint_count), /*with_names=*/false);
+  if (status == SINEW_OK) status = tree.start(plan, rig);
+  if (status != SINEW_OK) return status;
+  tree.run(plan);
+  tree.write(into);
+  return SINEW_OK;
+}
+
+}  // namespace sinew

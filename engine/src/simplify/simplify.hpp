@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A skeleton with fewer joints, see sinew/simplify.h.
+#ifndef SINEW_SIMPLIFY_SIMPLIFY_HPP
+#define SINEW_SIMPLIFY_SIMPLIFY_HPP
+
+#include "core/arena.hpp"
+#include "sinew/simplify.h"
+
+namespace sinew {
+
+struct SimplifyPlan {
+  const float* positions = nullptr;
+  const int32_t* parents = nullptr;
+  const float* areas = nullptr;   // or null
+  const uint8_t* keep = nullptr;  // or null
+  uint32_t joint_count = 0;
+  uint32_t wanted = 0;  // joints, 0 = as the limits say
+  uint32_t most_bones = 0;
+  double least_area = 0, least_length = 0;
+};
+
+// Checks the options and makes a plan of them. SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION, SINEW_ERROR_COUNT.
+sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* options, SimplifyPlan* plan);
+// into: [J]. With a measuring arena nothing but joint_count is read. SINEW_ERROR_WORKSPACE, SINEW_ERROR_NOT_FINITE,
+// SINEW_ERROR_RANGE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
+sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into);
+
+}  // namespace sinew
+#endif
