@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// sinew simplify: a character or a skeleton with fewer joints, for levels of detail.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "sinew_formats/simplify_skeleton.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string rig, mesh, level = "high", output;
+  std::vector<std::string> keep;
+  bool json = false;
+};
+
+SimplifyOptions parse_level(const Settings& s) {
+  SimplifyOptions options;
+  options.keep = s.keep;
+  options.low = s.level == "low";
+  if (s.level == "high" || s.level == "low") return options;
+  const bool digits =
+      !s.level.empty() && s.level.size() < 6 && s.level.find_first_not_of("0123456789") == std::string::npos;
+  options.joints = digits ? static_cast<uint32_t>(std::stoul(s.level)) : 0;
+  if (options.joints == 0)
+    throw UsageError("--level " + s.level + ": expected high, low or how many joints are to be left");
+  return options;
+}
+
+// A skeleton alone, with the mesh beside it or with another one.
+Character read_input(const Settings& s) {
+  const bool text = has_extension(s.rig, ".txt");
+  if (!s.mesh.empty()) {
+    if (!text) throw UsageError("--mesh is for a skeleton of its own file; " + s.rig + " has its mesh in it");
+    Character character = read_mesh(s.mesh);
+    read_skeleton(s.rig, true, &character);
+    return character;
+  }
+  if (!text) return read_character(s.rig);
+  const std::filesystem::path beside = std::filesystem::path(s.rig).parent_path() / (stem_of(s.rig) + ".obj");
+  std::error_code ignored;
+  if (has_extension(s.rig, ".rig.txt") && std::filesystem::exists(beside, ignored)) return read_character(s.rig);
+  Character character;
+  character.name = stem_of(s.rig);
+  read_skeleton(s.rig, false, &character);
+  return character;
+}
+
+void run(const Settings& s) {
+  const SimplifyOptions options = parse_level(s);
+  check_output(s.output, character_outputs(), true);
+  if (s.output == "-" && s.json)
+    throw UsageError("-o - and --json both want standard output: give the skeleton a file name");
+  Character character = read_input(s);
+  if (character.vertices.empty() && s.output != "-" && !has_extension(s.output, ".rig.txt"))
+    throw UsageError(s.output + ": " + s.rig + " has no mesh; expected -o OUT.rig.txt, or --mesh MESH.obj beside it");
+  const std::vector<Joint> before = character.joints;
+  const Simplified simplified = simplify_skeleton(options, &character);
+  write_character(s.output, character);
+  if (s.json) {
+    Json json;
+    json["rig"] = s.rig;
+    json["output"] = s.output;
+    json["joints_before"] = before.size();
+    json["joints"] = character.joints.size();
+    for (size_t j = 0; j < before.size(); ++j)
+      if (simplified.into[j] != j) json["into"][before[j].name] = before[simplified.into[j]].name;
+    std::printf("%s\n", json_line(json).c_str());
+    return;
+  }
+  std::FILE* const out = s.output == "-" ? stderr : stdout;
+  std::fprintf(out, "%s: %zu of %zu joints are left\n", printable(s.rig).c_str(), character.joints.size(),
+               before.size());
+  if (options.joints > 0 && character.joints.size() > options.joints)
+    std::fprintf(out, "  roots and joints that are kept are more than %u\n", options.joints);
+  if (s.output != "-") std::fprintf(out, "wrote %s\n", printable(s.output).c_str());
+}
+
+}  // namespace
+
+void add_simplify(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("simplify", "Leave out joints: levels of detail of a skeleton, weights with it");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("rig", s->rig,
+                  "Skinned .glb, .gltf or .vrm, NAME.obj with NAME.rig.txt beside it, or a .rig.txt alone")
+      ->required()
+      ->type_name("RIG");
+  sub->add_option("--mesh", s->mesh, "The mesh that a .rig.txt alone has weights for")->type_name("MESH");
+  sub->add_option("--level", s->level,
+                  "high: helpers, end markers and what moves next to nothing go; low: fingers, faces and twists too; a "
+                  "number: so many joints are left")
+      ->type_name("high|low|N")
+      ->capture_default_str();
+  sub->add_option("--keep", s->keep, "A joint that stays; may be repeated")
+      ->type_name("JOINT")
+      ->allow_extra_args(false);
+  sub->add_flag("--json", s->json, "One line of JSON: which joint became part of which");
+  sub->add_option("-o,--output", s->output, "Output: .glb, .gltf, .obj, .rig.txt, or - for rig.txt on standard output")
+      ->required()
+      ->type_name("OUT");
+  sub->footer(
+      "Examples:\n  sinew simplify hero.glb --level low -o hero.far.glb\n"
+      "  sinew simplify hero.rig.txt --level 20 --keep head -o hero20.rig.txt");
+  sub->callback([s] { run(*s); });
+}
+
+}  // namespace sinew::cli

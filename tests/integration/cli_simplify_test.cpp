@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// sinew simplify: files in, files out, wrong calls.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli_fixture.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace sinew {
+namespace {
+
+const std::string kRobed = kData + "/biped__robed.obj", kRobedRig = kData + "/biped__robed.rig.txt";
+
+class CliSimplify : public Cli {};
+
+TEST_F(CliSimplify, WeightsFollowTheirJoints) {
+  const Outcome outcome = good("simplify " + kRobed + " --level 9 --json -o few.glb");
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["joints"], 9);
+  const Character before = read_character(kRobed), after = read_character(in("few.glb"));
+  ASSERT_EQ(after.joints.size(), 9u);
+  ASSERT_EQ(json["into"].size() + 9, before.joints.size());
+  EXPECT_FALSE(after.influences.empty());
+  for (const auto& row : after.influences) {
+    float sum = 0;
+    for (const Influence& influence : row) sum += influence.weight;
+    if (!row.empty()) {
+      EXPECT_NEAR(sum, 1, 1e-3);
+    }
+  }
+}
+
+TEST_F(CliSimplify, ASkeletonAloneBecomesASkeleton) {
+  fs::copy_file(kRobedRig, in("alone.rig.txt"));
+  good("simplify alone.rig.txt --level 12 -o less.rig.txt");
+  good("simplify alone.rig.txt --level low --mesh " + kRobed + " -o less.glb");
+  Character all, less;
+  read_skeleton(kRobedRig, false, &all);
+  read_skeleton(in("less.rig.txt"), false, &less);
+  EXPECT_LT(less.joints.size(), all.joints.size());
+  EXPECT_GT(less.joints.size(), 5u);
+}
+
+TEST_F(CliSimplify, KeptJointsStay) {
+  const Character before = read_character(kRobed);
+  const std::string last = before.joints.back().name;
+  good("simplify " + kRobed + " --level 3 --keep " + last + " -o few.rig.txt");
+  Character after;
+  read_skeleton(in("few.rig.txt"), false, &after);
+  ASSERT_EQ(after.joints.size(), 3u);
+  EXPECT_TRUE(std::any_of(after.joints.begin(), after.joints.end(), [&](const Joint& j) { return j.name == last; }));
+}
+
+TEST_F(CliSimplify, WrongCallsSayWhatIsWrong) {
+  EXPECT_NE(bad(2, "simplify " + kRobed + " --level few -o o.glb").error.find("high, low or how many"),
+            std::string::npos);
+  bad(2, "simplify " + kRobed + " --level 0 -o o.glb");
+  bad(2, "simplify " + kRobed + " -o o.png");
+  bad(1, "simplify " + kRobed + " --keep nobody -o o.glb");
+  bad(1, "simplify missing.glb -o o.glb");
+  bad(2, "simplify " + kRobed + " --mesh " + kRobed + " -o o.glb");
+  fs::copy_file(kRobedRig, in("alone.rig.txt"));
+  EXPECT_NE(bad(2, "simplify alone.rig.txt -o o.glb").error.find("no mesh"), std::string::npos);
+  EXPECT_FALSE(fs::exists(in("o.glb")));
+}
+
+}  // namespace
+}  // namespace sinew
