@@ -508,7 +508,7 @@ void run_rig(const Settings& s, const CLI::App& sub) {
       throw UsageError(name + " does not go with --task hands, which takes --model, --json and --jobs");
   }
   if (s.method == "heat" || s.method == "nearest")
-    throw UsageError("--method " + s.method + " binds; with --task rig it is votes, shape or slots");
+    throw UsageError("--method " + s.method + " binds; with --task rig it is votes, shape, regions or slots");
   if (!s.method.empty() && !s.predictions.empty()) throw UsageError("--predictions and --method: give one of the two");
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.predictions.empty() && !s.model.empty()) throw UsageError("--predictions and --model: give one of the two");
@@ -533,7 +533,7 @@ void run_rig(const Settings& s, const CLI::App& sub) {
 
 void run(const Settings& s) {
   if (s.bind) throw UsageError("--bind goes with --task rig only");
-  if (s.method == "votes" || s.method == "slots" || s.method == "shape")
+  if (s.method == "votes" || s.method == "slots" || s.method == "shape" || s.method == "regions")
     throw UsageError("--method " + s.method + " predicts skeletons: it goes with --task rig");
   if (!s.method.empty() && !(s.model.empty() && s.checkpoint.empty()))
     throw UsageError("--method " + s.method + " needs neither --model nor --checkpoint");
@@ -582,7 +582,7 @@ void add_eval(CLI::App& app) {
          "--method", s->method,
          "heat: no model; nearest: every vertex rigid to the nearest bone; with --task rig votes, or slots = the "
          "published method, of --model CKPT")
-      ->check(CLI::IsMember({"heat", "nearest", "votes", "shape", "slots"}));
+      ->check(CLI::IsMember({"heat", "nearest", "votes", "shape", "regions", "slots"}));
   sub->add_option("--predictions", s->predictions,
                   "Folder for NAME.rig.txt of every character and status.json; with --task rig the folder to read the "
                   "predicted NAME.rig.txt from")

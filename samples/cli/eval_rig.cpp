@@ -122,6 +122,8 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
     predictor.slots = load_slots(evaluation.model);
   else if (evaluation.method == "shape")
     predictor.method = SINEW_RIG_SHAPE;
+  else if (evaluation.method == "regions")
+    predictor.method = SINEW_RIG_REGIONS;
   else if (evaluation.predictions.empty())
     predictor.model = load_model(evaluation.model, ModelUse::kRig);
   std::unique_ptr<LoadedModel> weights;

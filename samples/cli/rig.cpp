@@ -48,7 +48,7 @@ Models load_models(const Settings& s) {
   Models models;
   if (s.method.slots())
     models.slots = load_slots(s.model);
-  else if (s.prediction.empty() && s.method.method != "shape")
+  else if (s.prediction.empty() && !s.method.extracts())
     models.rig = load_model(s.model, ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   if (s.detail != "body") models.hands = load_model(s.hands_model, ModelUse::kHands);
@@ -80,8 +80,8 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
     return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
   }
   SkeletonOptions options;
-  if (s.method.method == "shape") {
-    options.method = SINEW_RIG_SHAPE;
+  if (s.method.extracts()) {
+    options.method = s.method.engine_method();
   } else {
     options.model = &models.rig->model;
   }
@@ -336,6 +336,31 @@ void add_rig(CLI::App& app) {
     s->edits = edits->in_order();
     run(*s);
   });
+}
+
+void add_extract(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("extract", "Make a skeleton from a mesh's shape alone, for what no model knows");
+  auto s = std::make_shared<Settings>();
+  s->method.method = "shape";
+  sub->add_option("mesh", s->mesh, "Mesh: .obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input")
+      ->required()
+      ->type_name("MESH");
+  sub->add_option("-o,--output", s->output,
+                  "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output")
+      ->required()
+      ->type_name("OUT");
+  sub->add_option(
+         "--method", s->method.method,
+         "shape: joints along the middle line; regions: as published, boxes around pieces of the surface, whose "
+         "contacts are collapsed to a tree")
+      ->check(CLI::IsMember({"shape", "regions"}))
+      ->capture_default_str();
+  sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
+  sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
+  sub->add_flag("--json", s->json, "Print joints and numbers as JSON");
+  sub->footer("Example:\n  sinew extract machine.obj --method regions -o machine.glb --png machine.png");
+  sub->callback([s] { run(*s); });
 }
 
 }  // namespace sinew::cli

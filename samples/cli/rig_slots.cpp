@@ -13,9 +13,10 @@ void add_method_options(CLI::App* sub, MethodOptions* options) {
          "--method", options->method,
          "votes: points of the surface vote for bones; shape: joints along the middle line of the mesh, without a "
          "model; "
-         "auto: votes, or shape where the votes know nothing; slots: the published method, joints in fixed slots and a "
-         "matrix of connections, for comparison (float; --model CKPT)")
-      ->check(CLI::IsMember({"auto", "votes", "shape", "slots"}))
+         "auto: votes, or shape where the votes know nothing; for comparison, as published: slots, joints in fixed "
+         "slots "
+         "and a matrix of connections (float; --model CKPT), and regions, boxes around pieces of the surface")
+      ->check(CLI::IsMember({"auto", "votes", "shape", "slots", "regions"}))
       ->capture_default_str();
   sub->add_option("--category", options->category,
                   "With --method slots: what kind of body, which says what slots it has")

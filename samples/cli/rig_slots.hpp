@@ -18,6 +18,11 @@ namespace sinew::cli {
 struct MethodOptions {
   std::string method = "auto", category = "any";
   bool slots() const { return method == "slots"; }
+  // From the mesh alone, without a model.
+  bool extracts() const { return method == "shape" || method == "regions"; }
+  uint32_t engine_method() const {
+    return method == "shape" ? SINEW_RIG_SHAPE : method == "regions" ? SINEW_RIG_REGIONS : SINEW_RIG_VOTES;
+  }
 };
 void add_method_options(CLI::App* sub, MethodOptions* options);
 // Throws UsageError for options that the method does not take. Called before any work.

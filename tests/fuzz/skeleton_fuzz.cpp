@@ -53,7 +53,7 @@ struct Call : MeshInput {
       options.no_toes = in.below(8) == 7 ? 2 : in.below(2);
       options.no_ends = in.below(8) == 7 ? 2 : in.below(2);
       options.weights_in_place = in.below(8) == 7 ? 2 : in.below(2);
-      options.method = in.below(3) % 2 * (1 + in.below(8) / 7);
+      options.method = in.below(2) * in.below(4);
     }
     all_outputs = (extras & 16) == 0;
     if ((extras & 32) != 0) short_by = 1 + in.u16();

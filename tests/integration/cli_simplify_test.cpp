@@ -53,6 +53,21 @@ TEST_F(CliSimplify, KeptJointsStay) {
   EXPECT_TRUE(std::any_of(after.joints.begin(), after.joints.end(), [&](const Joint& j) { return j.name == last; }));
 }
 
+TEST_F(CliSimplify, ExtractMakesASkeletonOfTheShapeAlone) {
+  for (const std::string method : {"shape", "regions"}) {
+    const Outcome outcome = good("extract " + kRobed + " --method " + method + " --json -o " + method + ".glb");
+    const auto json = nlohmann::json::parse(outcome.out);
+    const Character bound = read_character(in(method + ".glb"));
+    EXPECT_EQ(json["joints"].size(), bound.joints.size());
+    EXPECT_EQ(json["symmetric"], method == "shape");
+    EXPECT_GT(bound.joints.size(), 8u);
+    expect_bound(bound, 4);
+  }
+  bad(2, "extract " + kRobed + " --method votes -o o.glb");
+  bad(1, "extract missing.obj -o o.glb");
+  EXPECT_EQ(files(), 2u);
+}
+
 TEST_F(CliSimplify, WrongCallsSayWhatIsWrong) {
   EXPECT_NE(bad(2, "simplify " + kRobed + " --level few -o o.glb").error.find("high, low or how many"),
             std::string::npos);

@@ -281,6 +281,31 @@ TEST(SkeletonOfAMesh, TheShapeAloneGivesALineThroughEveryLimb) {
   EXPECT_EQ(bottom, 1u);
 }
 
+// As published: nodes of boxes around pieces, joined where the pieces touch. Every piece of the post has some.
+TEST(SkeletonOfAMesh, RegionsOfTheSurfaceGiveATreeThroughEveryPart) {
+  sinew_rig_options options = sinew_rig_options_init();
+  options.method = SINEW_RIG_REGIONS;
+  const RiggedScene rigged(post_with_arms(), options, nullptr);
+  rigged.expect_sound();
+  EXPECT_EQ(rigged.outputs.mirrored, 0u);
+  EXPECT_GE(rigged.count, 5u);
+  EXPECT_LE(rigged.count, 48u);
+  float most[3] = {-9, -9, -9}, least[3] = {9, 9, 9};
+  for (uint32_t j = 0; j < rigged.count; ++j) {
+    EXPECT_EQ(rigged.classes[j], SINEW_CLASS_OTHER);
+    for (size_t axis = 0; axis < 3; ++axis) {
+      most[axis] = std::max(most[axis], rigged.positions[3 * size_t{j} + axis]);
+      least[axis] = std::min(least[axis], rigged.positions[3 * size_t{j} + axis]);
+    }
+  }
+  EXPECT_GT(most[0], 2);
+  EXPECT_LT(least[0], -2);
+  EXPECT_GT(most[1], 4.5f);
+  EXPECT_LT(least[1], 1.5f);
+  EXPECT_LE(most[0], 3.5f);
+  EXPECT_GE(least[1], 0);
+}
+
 // Votes of a sheet are sure of themselves for no reason.
 TEST(SkeletonOfAMesh, ASheetIsSaidToBeUnknown) {
   MeshScene sheet;
@@ -323,8 +348,10 @@ TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
       sinew_rig_options options = sinew_rig_options_init();
       options.mirror = mirror;
       RiggedScene(scenes[i], options).expect_sound();
-      options.method = SINEW_RIG_SHAPE;
-      RiggedScene(scenes[i], options, nullptr).expect_sound();
+      for (const uint32_t method : {SINEW_RIG_SHAPE, SINEW_RIG_REGIONS}) {
+        options.method = method;
+        RiggedScene(scenes[i], options, nullptr).expect_sound();
+      }
     }
   }
 }
@@ -348,8 +375,10 @@ TEST(SkeletonOfAMesh, RandomMeshesAreSound) {
     options.no_toes = below(2);
     options.no_ends = below(2);
     RiggedScene(scene, options).expect_sound();
-    options.method = SINEW_RIG_SHAPE;
-    RiggedScene(scene, options, nullptr).expect_sound();
+    for (const uint32_t method : {SINEW_RIG_SHAPE, SINEW_RIG_REGIONS}) {
+      options.method = method;
+      RiggedScene(scene, options, nullptr).expect_sound();
+    }
   }
 }
 
@@ -366,7 +395,7 @@ TEST(SkeletonOfAMesh, WrongCallsAreRefused) {
   options.spine_count = 17;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options = sinew_rig_options_init();
-  options.method = 2;
+  options.method = 3;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options = sinew_rig_options_init();
   options.struct_size = 0;

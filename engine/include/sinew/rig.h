@@ -51,8 +51,10 @@ typedef enum sinew_mirror {
 /* Where the skeleton comes from. */
 typedef enum sinew_rig_method {
   SINEW_RIG_VOTES = 0, /* from what the model has learnt */
-  SINEW_RIG_SHAPE = 1  /* from the middle line of the mesh alone, for what no model knows: the model may be null. Joints
+  SINEW_RIG_SHAPE = 1, /* from the middle line of the mesh alone, for what no model knows: the model may be null. Joints
                         * are named Bone, of class OTHER and confidence 0; spread is 0, quarter_turns 0 or 1 */
+  SINEW_RIG_REGIONS = 2 /* as SHAPE, but from regions of the surface, their boxes and contacts, as published for mapping
+                        * skeletons: for comparison. Nothing is mirrored */
 } sinew_rig_method;
 
 /* What a call is asked to do: inputs only. Start from sinew_rig_options_init(), which asks for every default.

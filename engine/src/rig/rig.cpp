@@ -13,6 +13,7 @@
 #include "rig/joint_names.hpp"
 #include "rig/point_voter.hpp"
 #include "rig/read_votes.hpp"
+#include "rig/regions.hpp"
 #include "rig/rig_task.hpp"
 #include "rig/wishes.hpp"
 
@@ -115,11 +116,18 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, Mir
   return SINEW_OK;
 }
 
-// The mesh's own middle line, without a network.
+// Without a network: the mesh's own middle line, or the regions that its surface falls into.
 sinew_status follow_shape(const RigPlan& plan, const MirrorFrame& frame, const Mesh& mesh, Arena& arena, Rig* rig) {
   const ArenaScope scope(arena);
   Interior interior;
   FoldedTree* const tree = arena.alloc<FoldedTree>(1);
+  if (plan.method == SINEW_RIG_REGIONS) {
+    if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+    if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
+    const sinew_status status = grow_regions(mesh, plan.counts, arena, tree);
+    if (status == SINEW_OK && !arena.measuring()) unfold_tree(plan.tree, tree, rig);
+    return status;
+  }
   if (!interior.allocate(arena) || !build_interior(mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
   if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
   const sinew_status status = grow_curve(interior, frame.folded && plan.tree.fold, arena, tree);
@@ -157,7 +165,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   if (o.up_axis > 1 || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
-      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SHAPE) {
+      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_REGIONS) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.method == SINEW_RIG_VOTES) {
@@ -177,7 +185,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->tree.spine = o.spine_count == 0 ? -1 : static_cast<int32_t>(o.spine_count);
   plan->tree.toes = o.no_toes == 0;
   plan->tree.ends = o.no_ends == 0;
-  plan->mirroring = static_cast<Mirroring>(o.mirror);
+  plan->mirroring = o.method == SINEW_RIG_REGIONS ? Mirroring::kNever : static_cast<Mirroring>(o.mirror);
   plan->method = o.method;
   plan->up_axis = o.up_axis;
   plan->kernel = o.kernel;

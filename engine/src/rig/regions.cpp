@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// Farthest points, growth, boxes, contacts, collapse, tree: each over all that the one before left.
+#include "rig/regions.hpp"
+
+#include <string.h>
+
+#include "core/vector_math.hpp"
+#include "rig/oriented_box.hpp"
+#include "simplify/collapse_cost.hpp"
+
+namespace sinew {
+namespace {
+
+using mapping::Point;
+
+constexpr uint32_t kMostSeeds = 96;
+constexpr uint32_t kSamples = 64;                    // points of a region that are compared with another's
+constexpr int64_t kNear = kSide / 50;                // points of regions in contact
+constexpr double kLeastArea = 0.001;                // of the whole surface
+constexpr double kShort = 0.03, kAround = 0.1;  // of the longest side; the second where two share a neighbour
+constexpr uint32_t kMostEdges = 5;                   // at the neighbour of a leaf that stays
+constexpr uint32_t kNone = 0xFFFFFFFFu;
+
+Point point(Vec3i p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }
+int32_t nearest_integer(double a) { return static_cast<int32_t>(a < 0 ? a - 0.5 : a + 0.5); }
+
+struct Node {
+  Point at;
+  double area = 0;
+  bool alive = true;
+  EdgesAtNode edges;
+};
+
+class Regions {
+ public:
+  explicit Regions(const Mesh& mesh) : mesh_(mesh) {}
+
+  bool allocate(Arena& arena, const Counts& counts) {
+    label_ = arena.alloc<uint32_t>(counts.vertices);
+    way_ = arena.alloc<uint64_t>(counts.vertices);
+    boxes_ = arena.alloc<OrientedBox>(kMostSeeds);
+    nodes_ = arena.alloc<Node>(kMostSeeds);
+    samples_ = arena.alloc<uint32_t>(size_t{kMostSeeds} * kSamples);
+    near_ = arena.alloc<uint8_t>(size_t{kMostSeeds} * kMostSeeds);
+    return arena.ok();
+  }
+
+  void run(FoldedTree* tree) {
+    place_seeds();
+    grow();
+    build_boxes();
+    find_contacts();
+    collapse();
+    write_tree(tree);
+  }
+
+ private:
+  // Every next seed is the vertex farthest from all before; the first is farthest from the middle.
+  void place_seeds() {
+    Vec3l sum = {0, 0, 0};
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
+      const Vec3i p = mesh_.positions[v];
+      sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+    }
+    Vec3i from = round_div(sum, mesh_.welded_count);
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) way_[v] = UINT64_MAX;
+    for (count_ = 0; count_ < kMostSeeds; ++count_) {
+      uint32_t farthest = 0;
+      uint64_t most = 0;
+      for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
+        const Vec3i d = mesh_.positions[v] - from;
+        const uint64_t own = static_cast<uint64_t>(dot(d, d));
+        if (count_ == 0 || own < way_[v]) way_[v] = own;
+        if (way_[v] > most) {
+          most = way_[v];
+          farthest = v;
+        }
+      }
+      if (count_ > 0 && most == 0) break;  // as many as there are places
+      seeds_[count_] = farthest;
+      from = mesh_.positions[farthest];
+      if (count_ == 0)
+        for (uint32_t v = 0; v < mesh_.welded_count; ++v) way_[v] = UINT64_MAX;
+    }
+  }
+
+  // Ways over edges from the nearest seed, by sweeps to and fro until nothing changes; a part without a seed goes to the
+  // seed that is nearest through the air.
+  void grow() {
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
+      label_[v] = kNone;
+      way_[v] = UINT64_MAX;
+    }
+    for (uint32_t s = 0; s < count_; ++s) {
+      label_[seeds_[s]] = s;
+      way_[seeds_[s]] = 0;
+    }
+    bool changed = true;
+    for (uint32_t sweep = 0; changed; ++sweep) {
+      changed = false;
+      for (uint32_t i = 0; i < mesh_.welded_count; ++i) {
+        const uint32_t v = sweep % 2 == 0 ? i : mesh_.welded_count - 1 - i;
+        for (uint32_t e = mesh_.row_offsets[v]; e < mesh_.row_offsets[v + 1]; ++e) {
+          const uint32_t u = mesh_.col_indices[e];
+          if (label_[u] == kNone) continue;
+          const uint64_t way = way_[u] + sinew::length(mesh_.positions[u] - mesh_.positions[v]);
+          if (way > way_[v] || (way == way_[v] && label_[u] >= label_[v])) continue;
+          way_[v] = way;
+          label_[v] = label_[u];
+          changed = true;
+        }
+      }
+    }
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
+      if (label_[v] != kNone) continue;
+      uint64_t least = UINT64_MAX;
+      for (uint32_t s = 0; s < count_; ++s) {
+        const Vec3i d = mesh_.positions[v] - mesh_.positions[seeds_[s]];
+        if (static_cast<uint64_t>(dot(d, d)) >= least) continue;
+        least = static_cast<uint64_t>(dot(d, d));
+        label_[v] = s;
+      }
+    }
+  }
+
+  void build_boxes() {
+    uint32_t sizes[kMostSeeds] = {}, seen[kMostSeeds] = {};
+    for (uint32_t s = 0; s < count_; ++s) {
+      boxes_[s] = OrientedBox();
+      nodes_[s] = Node();
+    }
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
+      const uint32_t s = label_[v];
+      boxes_[s].add(point(mesh_.positions[v]));
+      nodes_[s].area += static_cast<double>(mesh_.areas[v]);
+      whole_ += static_cast<double>(mesh_.areas[v]);
+      ++sizes[s];
+    }
+    for (uint32_t s = 0; s < count_; ++s) boxes_[s].turn();
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
+      const uint32_t s = label_[v];
+      boxes_[s].hold(point(mesh_.positions[v]));
+      // Sample k is vertex k * size / samples of the region.
+      const uint32_t taken = sizes[s] < kSamples ? sizes[s] : kSamples;
+      const uint32_t k = static_cast<uint32_t>(uint64_t{seen[s]} * taken / sizes[s]);
+      samples_[s * kSamples + k] = v;
+      ++seen[s];
+    }
+    for (uint32_t s = 0; s < count_; ++s) {
+      sample_counts_[s] = sizes[s] < kSamples ? sizes[s] : kSamples;
+      nodes_[s].at = boxes_[s].middle();
+    }
+  }
+
+  void find_contacts() {
+    memset(near_, 0, size_t{kMostSeeds} * kMostSeeds);
+    for (uint32_t a = 0; a < count_; ++a) {
+      for (uint32_t b = 0; b < a; ++b) {
+        if (boxes_[a].overlaps(boxes_[b], static_cast<double>(kNear)) && come_near(a, b)) join(a, b, true);
+      }
+    }
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) {  // what an edge joins is near, however long the edge
+      for (uint32_t e = mesh_.row_offsets[v]; e < mesh_.row_offsets[v + 1]; ++e)
+        if (label_[v] != label_[mesh_.col_indices[e]]) join(label_[v], label_[mesh_.col_indices[e]], true);
+    }
+  }
+  bool come_near(uint32_t a, uint32_t b) const {
+    for (uint32_t i = 0; i < sample_counts_[a]; ++i) {
+      for (uint32_t j = 0; j < sample_counts_[b]; ++j) {
+        const Vec3i d = mesh_.positions[samples_[a * kSamples + i]] - mesh_.positions[samples_[b * kSamples + j]];
+        if (dot(d, d) < kNear * kNear) return true;
+      }
+    }
+    return false;
+  }
+
+  bool joined(uint32_t a, uint32_t b) const { return near_[a * kMostSeeds + b] != 0; }
+  void join(uint32_t a, uint32_t b, bool on) {
+    near_[a * kMostSeeds + b] = near_[b * kMostSeeds + a] = on && a != b ? 1 : 0;
+  }
+  uint32_t edges_at(uint32_t a) const {
+    uint32_t count = 0;
+    for (uint32_t b = 0; b < count_; ++b) count += joined(a, b) ? 1 : 0;
+    return count;
+  }
+  void measure(uint32_t a) {
+    nodes_[a].edges = EdgesAtNode();
+    for (uint32_t b = 0; b < count_; ++b) {
+      if (joined(a, b)) nodes_[a].edges.add((1.0 / kSide) * (nodes_[b].at - nodes_[a].at));
+    }
+  }
+  bool share_neighbour(uint32_t a, uint32_t b) const {
+    for (uint32_t c = 0; c < count_; ++c) {
+      if (joined(a, c) && joined(b, c)) return true;
+    }
+    return false;
+  }
+  // Whether the edge from a, which goes, to b may be collapsed.
+  bool may_go(uint32_t a, uint32_t b, bool too_many) const {
+    const double way = mapping::distance(nodes_[a].at, nodes_[b].at);
+    if (too_many || way < kShort * kSide || nodes_[a].area < kLeastArea * whole_) return true;
+    return (way < kAround * kSide && share_neighbour(a, b)) || (edges_at(a) == 1 && edges_at(b) > kMostEdges);
+  }
+
+  void collapse() {
+    uint32_t left = count_;
+    for (uint32_t a = 0; a < count_; ++a) measure(a);
+    for (;;) {
+      uint32_t from = kNone, to = kNone;
+      double least = 0;
+      for (uint32_t a = 0; a < count_; ++a) {
+        for (uint32_t b = 0; b < count_; ++b) {
+          if (!joined(a, b) || !may_go(a, b, left > kMaxFoldedJoints)) continue;
+          const double cost =
+              collapse_cost(nodes_[a].edges, nodes_[b].edges, (1.0 / kSide) * (nodes_[b].at - nodes_[a].at));
+          if (from != kNone && cost >= least) continue;
+          least = cost;
+          from = a;
+          to = b;
+        }
+      }
+      if (from == kNone) return;
+      merge(from, to);
+      --left;
+    }
+  }
+  // Into one node at the middle of both surfaces.
+  void merge(uint32_t a, uint32_t b) {
+    const double area = nodes_[a].area + nodes_[b].area;
+    const double share = area > 0 ? nodes_[a].area / area : 0.5;
+    nodes_[b].at = nodes_[b].at + share * (nodes_[a].at - nodes_[b].at);
+    nodes_[b].area = area;
+    nodes_[a].alive = false;
+    for (uint32_t c = 0; c < count_; ++c) {
+      if (!joined(a, c)) continue;
+      join(a, c, false);
+      join(b, c, true);
+    }
+    measure(b);
+    for (uint32_t c = 0; c < count_; ++c) {
+      if (joined(b, c)) measure(c);
+    }
+  }
+
+  // Prim's algorithm over contacts; a part that touches nothing is joined where it comes nearest.
+  void write_tree(FoldedTree* tree) const {
+    Point middle;
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) middle = middle + point(mesh_.positions[v]);
+    middle = (1.0 / mesh_.welded_count) * middle;
+    uint32_t number[kMostSeeds] = {};
+    uint32_t next = kNone, parent = kNone;
+    for (uint32_t a = 0; a < count_; ++a) {
+      number[a] = kNone;
+      if (!nodes_[a].alive) continue;
+      if (next == kNone || mapping::distance(nodes_[a].at, middle) < mapping::distance(nodes_[next].at, middle))
+        next = a;
+    }
+    *tree = {};
+    while (next != kNone && tree->count < kMaxFoldedJoints) {
+      FoldedNode& node = tree->nodes[tree->count];
+      const Point& p = nodes_[next].at;
+      node.at = {nearest_integer(p.x), nearest_integer(p.y), nearest_integer(p.z)};
+      node.parent = parent == kNone ? -1 : static_cast<int16_t>(number[parent]);
+      node.joint_class = kClassOther;
+      number[next] = tree->count++;
+      double least = 0;
+      next = parent = kNone;
+      for (uint32_t a = 0; a < count_; ++a) {
+        if (!nodes_[a].alive || number[a] == kNone) continue;
+        for (uint32_t b = 0; b < count_; ++b) {
+          if (!nodes_[b].alive || number[b] != kNone) continue;
+          const double way = mapping::distance(nodes_[a].at, nodes_[b].at) + (joined(a, b) ? 0 : 4.0 * kSide);
+          if (next != kNone && way >= least) continue;
+          least = way;
+          next = b;
+          parent = a;
+        }
+      }
+    }
+  }
+
+  const Mesh& mesh_;
+  uint32_t count_ = 0;            // N regions
+  uint32_t* label_ = nullptr;     // [U] region
+  uint64_t* way_ = nullptr;       // [U] from its seed, grid units
+  OrientedBox* boxes_ = nullptr;  // [N]
+  Node* nodes_ = nullptr;         // [N]
+  uint32_t* samples_ = nullptr;   // [N x kSamples] vertices
+  uint8_t* near_ = nullptr;       // [N x N] the graph
+  double whole_ = 0;              // area
+  uint32_t seeds_[kMostSeeds] = {}, sample_counts_[kMostSeeds] = {};
+};
+
+}  // namespace
+
+SINEW_RARE sinew_status grow_regions(const Mesh& mesh, const Counts& counts, Arena& arena, FoldedTree* tree) {
+  const ArenaScope scope(arena);
+  Regions regions(mesh);
+  if (!regions.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
+  if (!arena.measuring()) regions.run(tree);
+  return SINEW_OK;
+}
+
+}  // namespace sinew
