@@ -175,7 +175,7 @@ class FrontVotes {
     });
     const double sure = any ? hyperbolic_tangent((spine_weight_ - other) / 0.5) : 1;
     double top = a_.ahead(a_.at(a_.spine[a_.spine_count - 1]));
-    if (a_.spine_count >= 2) top = 0.5 * (top + a_.ahead(a_.at(a_.spine[a_.spine_count - 2])));
+    if (a_.spine_count >= 3) top = 0.5 * (top + a_.ahead(a_.at(a_.spine[a_.spine_count - 2])));
     add((top - middle) / size_ / 0.05, 2 * sure);
     const double hips = a_.ahead(a_.at(a_.hip));
     if (absolute(hips - middle) > 0.12 * (last_leg_ - first_leg_)) add((middle - hips) / size_ / 0.05, 1);

@@ -83,7 +83,7 @@ void Anatomy::find_legs() {
     for (int32_t k = 0; k < leg_count; ++k) longest = greater(longest, both(legs[k]));
     int32_t kept = 0;
     for (int32_t k = 0; k < leg_count; ++k) {
-      if (both(legs[k]) > 0.35 * longest) legs[kept++] = legs[k];
+      if (both(legs[k]) >= 0.35 * longest) legs[kept++] = legs[k];
     }
     leg_count = kept;
   }
