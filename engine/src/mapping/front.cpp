@@ -72,7 +72,7 @@ class FrontVotes {
     }
     if (a_.leg_count == 0 && a_.spine_count > 0) {  // fish, snakes: the long path is the tail
       const Point d = a_.at(a_.spine[a_.spine_count - 1]) - a_.at(a_.hip);
-      if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(-a_.ahead(d) / size_ / 0.1, 1);
+      if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(-a_.ahead(d) / size_ / 0.1, 0.8);
     }
     if (a_.leg_count == 0) fins();
     find_arm();
@@ -186,7 +186,7 @@ class FrontVotes {
   void trunk_and_tail() {
     if (a_.spine_count == 0) return;
     const int32_t top = a_.spine[a_.spine_count - 1];
-    const Point d = a_.at(top) - a_.at(a_.hip);
+    const Point d = a_.at(top) - a_.at(a_.spine_count >= 3 ? a_.spine[0] : a_.hip);
     if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(a_.ahead(d) / size_ / 0.1, 1);
     each_path([&](int32_t leaf) {
       if (leaf == top || rig_.depth[leaf] - rig_.depth[a_.hip] < 2 || rig_.holds(a_.spine[0], leaf)) return;
