@@ -71,6 +71,7 @@ struct MapCall {
   bool names = false, ends = true, up_known = true;
   uint32_t method = SINEW_MAP_AUTO;
   std::vector<sinew_map_pin> pins;
+  int fill = 0xCD;  // what the workspace holds before
 
   sinew_status status = SINEW_OK;
   std::vector<int32_t> sources;
@@ -97,6 +98,7 @@ struct MapCall {
     status = sinew_map_workspace_size(to.joint_count, from.joint_count, &bytes);
     if (status != SINEW_OK) return *this;
     sinew::test::AlignedBytes block(bytes);
+    std::memset(block.data(), fill, bytes);
     sources.assign(to.joint_count, -7);
     confidence.assign(to.joint_count, 7);
     reasons.assign(to.joint_count, 77);
@@ -111,14 +113,6 @@ struct MapCall {
     return j < 0 ? "-" : source.names[static_cast<size_t>(j)];
   }
 };
-
-// Whether `above` is a strict ancestor of `joint`.
-inline bool is_above(const TestRig& rig, int32_t above, int32_t joint) {
-  for (joint = rig.parents[static_cast<size_t>(joint)]; joint >= 0; joint = rig.parents[static_cast<size_t>(joint)]) {
-    if (joint == above) return true;
-  }
-  return false;
-}
 
 }  // namespace sinew_test
 #endif
