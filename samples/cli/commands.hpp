@@ -20,6 +20,7 @@ void add_pose(CLI::App& app);
 void add_rig(CLI::App& app);
 void add_extract(CLI::App& app);
 void add_simplify(CLI::App& app);
+void add_map(CLI::App& app);
 
 }  // namespace sinew::cli
 #endif

@@ -82,6 +82,7 @@ struct Input {
   std::vector<float> positions, joints;
   std::vector<uint32_t> offsets = {0}, corners;
   std::vector<int32_t> parents;
+  std::vector<std::string> names;
   sinew_mesh mesh = {};
   sinew_skeleton skeleton = {};
 };
@@ -99,7 +100,7 @@ Input read_input(const std::string& obj) {
       in.offsets.push_back(static_cast<uint32_t>(in.corners.size()));
     }
   }
-  std::vector<std::string> names;
+  std::vector<std::string>& names = in.names;
   const auto rig = read_words(obj.substr(0, obj.size() - 4) + ".rig.txt");
   for (const auto& line : rig) {
     if (line.empty() || line[0] != "joints") continue;
@@ -251,6 +252,8 @@ struct SetLine {
       const uint32_t value = static_cast<uint32_t>(std::strtoul(text, nullptr, 10));
       if (key == "model") {
         model = text;
+      } else if (key == "map") {
+        source = text;
       } else if (uint32_t* const option = find(key)) {
         *option = value;
       } else {
@@ -279,11 +282,17 @@ struct SetLine {
     if (key == "method") return &rig_options.method;
     if (key == "mirror") return &rig_options.mirror;
     if (key == "spine") return &rig_options.spine_count;
+    if (key == "names") return &names;
+    if (key == "pin") return &pin;
     if (key == "no-toes") return &rig_options.no_toes;
     return nullptr;
   }
 
   std::string character, model;
+  std::string
+      source;  // the character whose joints are mapped to this one's; method, names, up (1 = guessed) and pin count
+  uint32_t names = 0;
+  uint32_t pin = 0;  // joint of the target that has the source's joint 1, if it is not 0
   sinew_options options = sinew_options_init();
   uint32_t hint_step = 0;    // every so many vertices one is a hint
   uint32_t answer_step = 0;  // every so many vertices one's part has an answer, of the kinds in turn
@@ -432,6 +441,44 @@ void hash_rig(const char* name, const SetLine& line, const Input& in, const sine
   print(name, "names", names_hash);
 }
 
+// Everything that sinew_map() gives to a caller.
+void hash_map(const char* name, const SetLine& line, const Input& in, const Input& source) {
+  std::vector<const char*> names[2];
+  const auto rig_of = [&](const Input& of, std::vector<const char*>* texts) {
+    sinew_map_rig rig = sinew_map_rig_init(of.joints.data(), of.parents.data(), of.skeleton.joint_count);
+    for (const std::string& one : of.names) texts->push_back(one.c_str());
+    if (line.names != 0) rig.names = texts->data();
+    if (line.options.up_axis != 0) rig.up[1] = 0;
+    return rig;
+  };
+  const sinew_map_rig to = rig_of(in, &names[0]), from = rig_of(source, &names[1]);
+  const sinew_map_pin pin = {line.pin, 1};
+  sinew_map_options options = sinew_map_options_init();
+  options.method = line.rig_options.method;
+  options.pins = &pin;
+  options.pin_count = line.pin != 0 ? 1 : 0;
+  size_t bytes = 0;
+  check(sinew_map_workspace_size(to.joint_count, from.joint_count, &bytes));
+  Block block(bytes);
+  std::vector<int32_t> sources(to.joint_count, 0);
+  std::vector<uint16_t> confidence(to.joint_count, 0);
+  std::vector<uint8_t> reasons(to.joint_count, 0);
+  sinew_map_outputs outputs = sinew_map_outputs_init(sources.data());
+  outputs.confidence = confidence.data();
+  outputs.reasons = reasons.data();
+  check(sinew_map(&to, &from, &options, block.data, bytes, &outputs));
+  Hash memory, map;
+  const uint64_t size = bytes;
+  memory.add(&size, 1);
+  map.add(sources.data(), sources.size());
+  map.add(confidence.data(), confidence.size());
+  map.add(reasons.data(), reasons.size());
+  map.add(&outputs.method, 1);
+  map.add(&outputs.certainty, 1);
+  print(name, "memory", memory);
+  print(name, "map", map);
+}
+
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 void hash_set(const std::string& path, uint32_t kernel) {
@@ -442,7 +489,9 @@ void hash_set(const std::string& path, uint32_t kernel) {
     const Input in = read_input(folder + line.character);
     std::string name = base_name(words[0]);
     for (size_t i = 1; i < words.size(); ++i) name += "," + base_name(words[i]);
-    if (line.model.empty()) {
+    if (!line.source.empty()) {
+      hash_map(name.c_str(), line, in, read_input(folder + line.source));
+    } else if (line.model.empty()) {
       hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size, kernel);
     } else if (line.model == "heat") {
       hash_line(name.c_str(), line, in, nullptr, kernel);

@@ -11,6 +11,11 @@
 //   sinew::RiggedSkeleton rigged;
 //   sinew_status status = sinew::rig(&rig_model, mesh, {}, &workspace, &rigged);
 //   if (status == SINEW_OK) status = sinew::bind(&model, mesh, rigged.view(), {}, &workspace, &skin);
+//
+// Joints of one skeleton for another's:
+//
+//   sinew::JointMap map;
+//   sinew_status status = sinew::map_joints(target, source, {}, &workspace, &map);
 #ifndef SINEW_SINEW_HPP
 #define SINEW_SINEW_HPP
 
@@ -213,6 +218,44 @@ inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const 
   made.plane = outputs.plane;
   made.spread = outputs.spread;
   *skeleton = std::move(made);
+  return SINEW_OK;
+}
+
+// sinew_map_options that ask for every default; {} where a function takes settings.
+struct MapSettings : sinew_map_options {
+  MapSettings() : sinew_map_options(sinew_map_options_init()) {}
+  MapSettings(const sinew_map_options& options) : sinew_map_options(options) {}
+};
+
+// Which joint stands for which, see sinew_map_outputs.
+struct JointMap {
+  std::vector<int32_t> sources;      // [target J] -1 = none
+  std::vector<uint16_t> confidence;  // [target J]
+  std::vector<uint8_t> reasons;      // [target J] sinew_map_reason
+  uint32_t method = 0, mapped = 0, certainty = 0;
+};
+
+// sinew_map() with the size query, the workspace and the outputs taken care of. Returns what sinew_map() does;
+// SINEW_ERROR_WORKSPACE where memory is short. *map is untouched on failure.
+inline sinew_status map_joints(const sinew_map_rig& target, const sinew_map_rig& source, const MapSettings& settings,
+                               Workspace* workspace, JointMap* map) {
+  size_t bytes = 0;
+  const sinew_status status = sinew_map_workspace_size(target.joint_count, source.joint_count, &bytes);
+  if (status != SINEW_OK) return status;
+  if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+  JointMap made;
+  made.sources.resize(target.joint_count);
+  made.confidence.resize(target.joint_count);
+  made.reasons.resize(target.joint_count);
+  sinew_map_outputs outputs = sinew_map_outputs_init(made.sources.data());
+  outputs.confidence = made.confidence.data();
+  outputs.reasons = made.reasons.data();
+  const sinew_status mapped = sinew_map(&target, &source, &settings, workspace->data(), workspace->size(), &outputs);
+  if (mapped != SINEW_OK) return mapped;
+  made.method = outputs.method;
+  made.mapped = outputs.mapped;
+  made.certainty = outputs.certainty;
+  *map = std::move(made);
   return SINEW_OK;
 }
 

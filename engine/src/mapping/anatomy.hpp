@@ -14,7 +14,7 @@ struct LimbFeatures {
   double log_length = 0;  // against the trunk's
   Point way;              // start to end, outward, up, front; of length 1
   double log_tree = 0;    // joints
-  bool grounded = false, hip = false, arm = false;
+  bool point = false, grounded = false, hip = false, arm = false;
   uint32_t words = 0;                      // bit per Word, arms and legs as one each
   int32_t first_hash = 0, hash_count = 0;  // in Anatomy::hashes
 };

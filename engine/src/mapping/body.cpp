@@ -70,6 +70,11 @@ void Anatomy::take_hips_from_floor() {
   while (spine_count - from > 1 && height[hip] < ground + 0.06 * tall && height[spine[from]] > ground + 0.15 * tall) {
     hip = spine[from++];
   }
+  // All legs on one joint between them: the hips are where the spine begins near the hind legs.
+  if (quad && from == 0 && spine_count > 1 && common_attach(legs[leg_count - 1]) == hip) {
+    const double hind = pair_ahead(legs[0]);
+    if (absolute(ahead(at(spine[0])) - hind) < absolute(ahead(at(hip)) - hind)) hip = spine[from++];
+  }
   for (int32_t k = from; k < spine_count; ++k) spine[k - from] = spine[k];
   spine_count -= from;
 }
@@ -106,7 +111,7 @@ void Anatomy::find_arms() {
     best = own;
     arms = pair;
   }
-  if (arms.a >= 0 && !(best > 0.12)) arms = LimbPair();
+  if (arms.a >= 0 && !(best > 0.12) && !is_leg(arms.a)) arms = LimbPair();
 }
 
 void Anatomy::find_chest() {
@@ -128,6 +133,11 @@ void Anatomy::find_chest() {
       }
     }
   }
+  const auto above_chest = [&](int32_t joint) {
+    const Word word = r.cls(joint).word;
+    return r.has_names && (word == Word::kNeck || word == Word::kHead);
+  };
+  while (chest >= 0 && above_chest(spine[chest])) --chest;
   if (chest > 0 && !quad) {  // arms hang on the neck: the chest is the joint below
     const double level = 0.5 * dot(limbs.point(limb(arms.a), 0) + limbs.point(limb(arms.b), 0), frame.up);
     if (chest + 1 < spine_count && head_of(chest + 1, spine[chest]) == chest + 1 &&
@@ -172,7 +182,7 @@ void Anatomy::find_head() {
   const int32_t first = chest + 1;
   if (first < spine_count) {
     head = head_of(first, first > 0 ? spine[first - 1] : hip);
-  } else if (chest > 0 && quad) {
+  } else if (chest >= 0 && quad) {
     head = spine_count - 1;
   }
   if (chest >= 0 && head >= 0 && head <= chest) chest = head > 0 ? head - 1 : -1;

@@ -7,8 +7,9 @@
 namespace sinew::mapping {
 namespace {
 
-constexpr double kNear = 0.05;    // share of the size: as near as this is a mirror image
-constexpr double kOff = 0.02;     // share of the size: off the plane
+constexpr double kNear = 0.05;  // share of the size: as near as this is a mirror image
+constexpr double kOff = 0.02;   // share of the size: off the plane
+constexpr double kAlone = 0.06, kAlonePrice = 0.3;
 constexpr double kBetter = 0.3;   // a later normal has to be better by that
 constexpr double kTilted = 0.26;  // sine of the most that a rig may lean
 constexpr int kAxes = 3, kFromPairs = 12;
@@ -124,7 +125,7 @@ struct MirrorScore {
       return along[a] != along[b] ? along[a] < along[b] : a < b;
     });
     const double planes[4] = {along[rig.first_root()], sum / rig.n, median, 0.5 * (low + high)};
-    double best = -1;
+    double best = -1e30;
     for (const double o : planes) {
       const double own = score_plane(normal, o);
       if (!(own > best + 1e-9)) continue;
@@ -165,7 +166,11 @@ struct MirrorScore {
           j = line[from];
         }
       }
-      if (j < 0 || j == i || !(off * (along[j] - o) < 0)) continue;
+      if (j < 0 || j == i || !(off * (along[j] - o) < 0)) {
+        // What is alone should lie in the plane.
+        if (absolute(off) > kAlone * rig.size) sum -= kAlonePrice;
+        continue;
+      }
       trial[i] = j;
       const double x = rig.count[i], y = rig.count[j];
       sum += (1 - 0.7 * root(nearest) / near) * (lesser(x, y) / greater(x, y));  // images carry about as much

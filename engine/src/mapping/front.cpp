@@ -72,8 +72,9 @@ class FrontVotes {
     }
     if (a_.leg_count == 0 && a_.spine_count > 0) {  // fish, snakes: the long path is the tail
       const Point d = a_.at(a_.spine[a_.spine_count - 1]) - a_.at(a_.hip);
-      if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(-a_.ahead(d) / size_ / 0.1, 1);
+      if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(-a_.ahead(d) / size_ / 0.1, 0.8);
     }
+    if (a_.leg_count == 0) fins();
     find_arm();
     bends();
     arms();
@@ -152,9 +153,10 @@ class FrontVotes {
         for (int32_t i = from > 1 ? from : 1; i < count; ++i) {
           const Point bone = point(i) - point(i - 1);
           const double start = dot(point(i - 1), a_.frame.up), stop = dot(point(i), a_.frame.up);
-          if (lesser(start, stop) < a_.ground + 0.08 * a_.tall && start < a_.ground + 0.2 * a_.tall &&
+          if (lesser(start, stop) < a_.ground + 0.08 * a_.tall && start < a_.ground + 0.35 * a_.tall &&
               absolute(a_.ahead(bone)) > 0.5 * absolute(dot(bone, a_.frame.up))) {
-            add(a_.ahead(bone) / size_ / 0.04, a_.quad ? 0.6 : 1.2);
+            const double weight = a_.quad ? 0.6 : 1.2;
+            add(a_.ahead(bone) / size_ / 0.04, start < a_.ground + 0.2 * a_.tall ? weight : 0.5 * weight);
           }
         }
       }
@@ -175,7 +177,7 @@ class FrontVotes {
     });
     const double sure = any ? hyperbolic_tangent((spine_weight_ - other) / 0.5) : 1;
     double top = a_.ahead(a_.at(a_.spine[a_.spine_count - 1]));
-    if (a_.spine_count >= 2) top = 0.5 * (top + a_.ahead(a_.at(a_.spine[a_.spine_count - 2])));
+    if (a_.spine_count >= 3) top = 0.5 * (top + a_.ahead(a_.at(a_.spine[a_.spine_count - 2])));
     add((top - middle) / size_ / 0.05, 2 * sure);
     const double hips = a_.ahead(a_.at(a_.hip));
     if (absolute(hips - middle) > 0.12 * (last_leg_ - first_leg_)) add((middle - hips) / size_ / 0.05, 1);
@@ -184,12 +186,23 @@ class FrontVotes {
   void trunk_and_tail() {
     if (a_.spine_count == 0) return;
     const int32_t top = a_.spine[a_.spine_count - 1];
-    const Point d = a_.at(top) - a_.at(a_.hip);
+    const Point d = a_.at(top) - a_.at(a_.spine_count >= 3 ? a_.spine[0] : a_.hip);
     if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(a_.ahead(d) / size_ / 0.1, 1);
     each_path([&](int32_t leaf) {
       if (leaf == top || rig_.depth[leaf] - rig_.depth[a_.hip] < 2 || rig_.holds(a_.spine[0], leaf)) return;
       add(-a_.ahead(a_.at(leaf) - a_.at(a_.hip)) / size_ / 0.1, 1.5);
     });
+  }
+
+  // Fins lie back.
+  void fins() {
+    for (int32_t k = 0; k < a_.limbs.pair_count; ++k) {
+      for (int s = 0; s < 2; ++s) {
+        const Limb& limb = a_.limb(a_.limbs.pairs[k].of(s));
+        const Point way = a_.limbs.last_point(limb) - a_.limbs.point(limb, 0);
+        if (limb.point_count > 1 && limb.length > 0.05 * size_) add(-a_.ahead(way) / size_ / 0.05, 0.5);
+      }
+    }
   }
 
   void find_arm() {
@@ -236,10 +249,10 @@ class FrontVotes {
 
   // Arms reach forward, and so do thumbs.
   void arms() {
-    if (arm_.a < 0 || a_.quad) return;
+    if (arm_.a < 0 || a_.quad || a_.leg_count == 0) return;
     for (int s = 0; s < 2; ++s) {
       const Limb& limb = a_.limb(arm_.of(s));
-      if (!(limb.length > 0.15 * size_)) continue;
+      if (!(limb.length > 0.1 * size_)) continue;
       add(a_.ahead(a_.limbs.point(limb, limb.joint_count - 1) - a_.limbs.point(limb, 0)) / size_ / 0.1, 0.4);
       int32_t fingers[kMostFingers];
       int32_t count = 0;

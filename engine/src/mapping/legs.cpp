@@ -39,7 +39,8 @@ void Anatomy::find_legs() {
     if (near_ground && drop(pairs[k]) > 0.12 * tall && drop(pairs[k]) > 0.06 * size) legs[leg_count++] = pairs[k];
     few += single(pairs[k]) ? 1 : 0;
   }
-  if (leg_count == 1 && tall <= 0.3 * size && drop(legs[0]) <= 0.1 * size) leg_count = 0;  // fins under a flat body
+  if (leg_count == 1 && tall <= 0.3 * size && drop(legs[0]) <= (limb(legs[0].a).joint_count <= 2 ? 0.2 : 0.1) * size)
+    leg_count = 0;                                          // fins under a flat body
   if (leg_count == 0 && (tall > 0.3 * size || few >= 2)) {  // legs of one joint: the lowest pairs
     const auto short_leg = [&](const LimbPair& p) {
       const Limb& a = limb(p.a);
@@ -83,7 +84,7 @@ void Anatomy::find_legs() {
     for (int32_t k = 0; k < leg_count; ++k) longest = greater(longest, both(legs[k]));
     int32_t kept = 0;
     for (int32_t k = 0; k < leg_count; ++k) {
-      if (both(legs[k]) > 0.35 * longest) legs[kept++] = legs[k];
+      if (both(legs[k]) >= 0.35 * longest) legs[kept++] = legs[k];
     }
     leg_count = kept;
   }

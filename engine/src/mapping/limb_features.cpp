@@ -19,7 +19,8 @@ void Anatomy::find_features() {
         direction(l.point_count > 1 ? limbs.last_point(l) - start : (l.attach >= 0 ? start - at(l.attach) : Point()));
     f.way = {dot(way, frame.across) * (l.side != 0 ? l.side : 1), dot(way, frame.up), ahead(way)};
     const double low = limbs.lowest(l, frame.up);
-    f.grounded = low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall;
+    f.point = l.point_count == 1;
+    f.grounded = (f.point && is_leg(k)) || (low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);
     f.hip = hip_pair.a == k || hip_pair.b == k;
     f.arm = arms.a == k || arms.b == k;
     f.first_hash = hashes_used;

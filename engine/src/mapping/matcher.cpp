@@ -6,8 +6,9 @@ namespace sinew::mapping {
 namespace {
 
 constexpr double kPairAlone = 0.9, kSingleAlone = 0.7, kOtherAlone = 0.8;  // leaving out costs this, each side
-constexpr double kOtherSide = 2;                                           // a single limb on the other side
-constexpr double kPin = 40;                                                // more than anything else that is compared
+constexpr double kPointLimb = 0.3;
+constexpr double kOtherSide = 2;  // a single limb on the other side
+constexpr double kPin = 40;       // more than anything else that is compared
 
 }  // namespace
 
@@ -101,9 +102,12 @@ double Matcher::limb_pins(const Limb& a, const Limb& b) const {
 
 double Matcher::limb_cost(int32_t la, int32_t lb) const {
   const LimbFeatures &a = a_->features[la], &b = b_->features[lb];
-  double cost = lesser(absolute(a.attach - b.attach), 1.5) + 0.4 * absolute(a.log_length - b.log_length) +
-                0.5 * (1 - dot(a.way, b.way)) + (a.grounded != b.grounded ? 1 : 0) +
+  double cost = lesser(absolute(a.attach - b.attach), 1.5) + (a.grounded != b.grounded ? 1 : 0) +
                 0.2 * absolute(a.log_tree - b.log_tree);
+  if (!a.point && !b.point)  // a limb of one joint has no length and points nowhere
+    cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.way, b.way));
+  else
+    cost += kPointLimb;
   if (a.hip != b.hip) cost += 0.8;
   if (a.hip && b.hip) cost -= 0.5;
   if (a.arm && b.arm) cost -= 0.4;

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// sinew map: which joint of one skeleton stands for which of another, as text that can be edited and given back.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/map_skeleton.hpp"
+#include "sinew_formats/print.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr float kDoubtfulSides = 0.5f;
+
+struct Settings {
+  std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file;
+  std::vector<std::string> pins;
+  bool no_names = false, no_ends = false, json = false;
+};
+
+MapRig read_rig_for_map(const std::string& path) {
+  try {
+    return read_map_rig(path);
+  } catch (const Error& error) {
+    if (path.rfind("template:", 0) == 0) throw UsageError(error.what());
+    throw;
+  }
+}
+
+// RIG JOINT, or JOINT alone for both rigs; other rigs' lines are left out.
+void read_ends(const std::string& path, MapRig* rig) {
+  std::string stem = stem_of(rig->name);
+  if (has_extension(stem, ".rig")) stem = stem_of(stem);
+  rig->ends.assign(rig->joints.size(), 0);
+  const std::string text = read_text_file(path);
+  size_t number = 0;
+  for (size_t at = 0; at < text.size();) {
+    size_t end = text.find('\n', at);
+    if (end == std::string::npos) end = text.size();
+    std::string line = text.substr(at, end - at);
+    at = end + 1;
+    ++number;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.empty() || line[0] == '#') continue;
+    const size_t tab = line.find('\t');
+    if (tab != std::string::npos && line.substr(0, tab) != stem) continue;
+    const std::string name = tab == std::string::npos ? line : line.substr(tab + 1);
+    const auto found =
+        std::find_if(rig->joints.begin(), rig->joints.end(), [&](const Joint& joint) { return joint.name == name; });
+    if (found != rig->joints.end()) {
+      rig->ends[static_cast<size_t>(found - rig->joints.begin())] = 1;
+    } else if (tab != std::string::npos) {
+      throw Error(path + ":" + std::to_string(number) + ": expected a joint of " + rig->name + ", found '" + name +
+                  "'");
+    }
+  }
+}
+
+// The file's pins, then those of --set, which win.
+std::vector<sinew_map_pin> read_pins(const Settings& s, const MapRig& target, const MapRig& source) {
+  std::vector<sinew_map_pin> pins;
+  if (!s.pins_file.empty()) pins = read_map_file(s.pins_file, target, source);
+  std::vector<sinew_map_pin> said;
+  for (const std::string& text : s.pins) {
+    sinew_map_pin pin;
+    try {
+      pin = parse_map_pin(text, target, source);
+    } catch (const Error& error) {
+      throw UsageError(std::string("--set: ") + error.what());
+    }
+    for (const sinew_map_pin& other : said)
+      if (other.target == pin.target || (pin.source >= 0 && other.source == pin.source))
+        throw UsageError("--set " + text + ": one of its joints has another --set; give each joint once");
+    said.push_back(pin);
+  }
+  for (const sinew_map_pin& pin : said) {
+    std::erase_if(pins, [&](const sinew_map_pin& one) {
+      return one.target == pin.target || (pin.source >= 0 && one.source == pin.source);
+    });
+    pins.push_back(pin);
+  }
+  return pins;
+}
+
+Json map_json(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map) {
+  Json json;
+  json["target"] = target.name;
+  json["source"] = source.name;
+  if (s.output != "-") json["output"] = s.output;
+  json["method"] = map.method == SINEW_MAP_BRANCHES ? "branches" : "sinew";
+  json["mapped"] = map.mapped;
+  json["certainty"] = map.certainty;
+  json["seconds"] = map.seconds;
+  json["workspace_bytes"] = map.workspace_bytes;
+  for (size_t j = 0; j < target.joints.size(); ++j) {
+    Json one;
+    one["target"] = target.joints[j].name;
+    if (map.sources[j] >= 0) {
+      one["source"] = source.joints[static_cast<size_t>(map.sources[j])].name;
+      one["confidence"] = map.confidence[j];
+    } else {
+      one["source"] = nullptr;
+    }
+    if (map.reasons[j] != SINEW_MAP_FOUND) one["reason"] = map_reason_text(map.reasons[j]);
+    json["joints"].push_back(std::move(one));
+  }
+  return json;
+}
+
+void tell(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map, std::FILE* out) {
+  std::fprintf(out, "%s: %zu of %zu joints from %s, which has %zu; %.1f ms%s\n", printable(target.name).c_str(),
+               map.mapped, target.joints.size(), printable(source.name).c_str(), source.joints.size(),
+               1e3 * map.seconds, map.method == SINEW_MAP_BRANCHES ? ", by branches" : "");
+  if (map.method != SINEW_MAP_BRANCHES && map.certainty < kDoubtfulSides)
+    std::fprintf(out,
+                 "  warning: which way is front is not sure (%.0f %%), left and right may be exchanged; "
+                 "--set with one pair of a side settles it\n",
+                 100 * static_cast<double>(map.certainty));
+  for (size_t j = 0; j < target.joints.size(); ++j)
+    if (map.sources[j] < 0 && map.reasons[j] != SINEW_MAP_END)
+      std::fprintf(out, "  %s: none, %s\n", printable(target.joints[j].name).c_str(), map_reason_text(map.reasons[j]));
+  if (s.output != "-") std::fprintf(out, "wrote %s\n", printable(s.output).c_str());
+}
+
+void run(Settings s) {
+  if (s.source.empty() == s.preset.empty())
+    throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
+  if (!s.preset.empty()) s.source = "template:" + s.preset;
+  if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
+  if (s.output != "-") check_output(s.output, {".txt", ".map", ".json"});
+  if (s.no_ends && !s.ends_file.empty()) throw UsageError("--ends and --no-ends: give one of the two");
+  MapRig target = read_rig_for_map(s.target), source = read_rig_for_map(s.source);
+  if (!s.ends_file.empty()) {
+    read_ends(s.ends_file, &target);
+    read_ends(s.ends_file, &source);
+  }
+  MapSkeletonOptions options;
+  options.method = s.method == "sinew" ? SINEW_MAP_SINEW : s.method == "branches" ? SINEW_MAP_BRANCHES : SINEW_MAP_AUTO;
+  options.names = !s.no_names;
+  options.ends = !s.no_ends;
+  options.target_up = s.up[0];
+  options.source_up = s.source_up[0];
+  options.pins = read_pins(s, target, source);
+  const MappedSkeleton map = map_skeleton(target, source, options);
+  const std::string json =
+      s.json ? map_json(s, target, source, map).dump(2, ' ', false, Json::error_handler_t::replace) : std::string();
+  if (s.output != "-") {
+    const bool as_json = has_extension(s.output, ".json");
+    write_text_file(
+        s.output, as_json ? map_json(s, target, source, map).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                          : map_text(target, source, map));
+  }
+  if (s.json) {
+    std::printf("%s\n", json.c_str());
+  } else if (s.output == "-") {
+    std::printf("%s", map_text(target, source, map).c_str());
+    tell(s, target, source, map, stderr);
+  } else {
+    tell(s, target, source, map, stdout);
+  }
+}
+
+}  // namespace
+
+void add_map(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("map", "Find out which joint of a skeleton stands for which of another");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("target", s->target,
+                  "Skeleton whose joints get a source: .rig.txt, .obj with its .rig.txt, .glb, .gltf, .vrm, .fbx, .dae "
+                  "or template:NAME")
+      ->required()
+      ->type_name("TARGET");
+  sub->add_option("--from", s->source, "Skeleton where the sources are: the same kinds of files")->type_name("SOURCE");
+  sub->add_option("--to", s->preset, "In place of --from: the names of a standard rig (sinew rig --list-templates)")
+      ->type_name("NAME");
+  sub->add_option("-o,--output", s->output,
+                  "Where the map goes, lines TARGET_JOINT SOURCE_JOINT, '-' for none: .txt, .map, or .json with "
+                  "confidence and reasons; - is standard output")
+      ->type_name("OUT")
+      ->capture_default_str();
+  sub->add_option("--method", s->method,
+                  "sinew: by anatomy; branches: the published method, for comparison; auto: sinew, and branches for "
+                  "nearly equal rigs without a body")
+      ->check(CLI::IsMember({"auto", "sinew", "branches"}))
+      ->capture_default_str();
+  sub->add_flag("--no-names", s->no_names, "Do not read the joints' names");
+  sub->add_option("--set", s->pins, "Keep this pair, and let the rest follow; - for no source. Any number of times")
+      ->type_name("TARGET_JOINT=SOURCE_JOINT|-")
+      ->allow_extra_args(false);
+  sub->add_option("--map", s->pins_file,
+                  "Keep what this map says, such as an edited one; joints without a line are found anew")
+      ->type_name("FILE");
+  sub->add_option("--up", s->up, "Axis that points up; auto finds out")
+      ->check(CLI::IsMember({"x", "y", "z", "auto"}))
+      ->capture_default_str();
+  sub->add_option("--from-up", s->source_up, "The same of the source [as --up]")
+      ->check(CLI::IsMember({"x", "y", "z", "auto"}));
+  sub->add_option("--ends", s->ends_file,
+                  "Joints that only end bones, for files without weights: lines JOINT, or RIG and JOINT with a tab")
+      ->type_name("FILE");
+  sub->add_flag("--no-ends", s->no_ends, "Do not read from the skin weights which joints only end bones");
+  sub->add_flag("--json", s->json, "Print the map with confidence and reasons as JSON");
+  sub->footer(
+      "Examples:\n  sinew map hero.glb --from walk.glb -o hero.map\n"
+      "  sinew map hero.glb --from walk.glb --map hero.map --set LeftHand=hand_l -o hero.map\n"
+      "  sinew map hero.glb --to mixamo\n"
+      "Confidence is 1 for what is sure. A rig that does not show its front may get its sides exchanged: one --set "
+      "turns "
+      "all of it.");
+  sub->callback([s] { run(*s); });
+}
+
+}  // namespace sinew::cli

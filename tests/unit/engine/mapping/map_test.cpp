@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// sinew_map() on known bodies: what belongs together, pins, other poses and axes, and every refusal.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "map_rig.hpp"
+
+namespace {
+
+using sinew_test::humanoid;
+using sinew_test::MapCall;
+using sinew_test::TestRig;
+
+// The same rig turned, scaled and moved.
+TestRig moved(TestRig rig, bool z_up, bool half_turn, float scale) {
+  for (size_t i = 0; i < rig.names.size(); ++i) {
+    float* const p = &rig.places[3 * i];
+    if (half_turn) {
+      p[0] = -p[0];
+      p[2] = -p[2];
+    }
+    if (z_up) {
+      const float y = p[1];
+      p[1] = -p[2];
+      p[2] = y;
+    }
+    for (int k = 0; k < 3; ++k) p[k] = scale * p[k] + 3.0f * static_cast<float>(k);
+  }
+  return rig;
+}
+
+void expect_named_pairs(const MapCall& call, const TestRig& target, const TestRig& source, const char* what) {
+  ASSERT_EQ(call.status, SINEW_OK) << what;
+  for (const std::string& name : target.names) {
+    if (source.find(name) < 0 || name.find("Spine") != std::string::npos) continue;
+    EXPECT_EQ(call.source_of(target, source, name), name) << what << " " << name;
+  }
+}
+
+TEST(Map, BodiesOfOtherPosesAndCountsFindEachOther) {
+  const TestRig a = humanoid(2, true), b = humanoid(4, false);
+  MapCall call;
+  expect_named_pairs(call.run(a, b), a, b, "T pose from hanging arms");
+  expect_named_pairs(call.run(b, a), b, a, "hanging arms from T pose");
+  EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_SINEW));
+  EXPECT_EQ(call.reasons[static_cast<size_t>(b.find("Spine2"))] == SINEW_MAP_FEWER_JOINTS ||
+                call.reasons[static_cast<size_t>(b.find("Spine1"))] == SINEW_MAP_FEWER_JOINTS,
+            true);
+  for (size_t i = 0; i < call.sources.size(); ++i) {
+    EXPECT_EQ(call.sources[i] >= 0, call.reasons[i] == SINEW_MAP_FOUND);
+    EXPECT_EQ(call.sources[i] >= 0, call.confidence[i] > 0);
+    EXPECT_LE(call.confidence[i], 32768);
+  }
+}
+
+TEST(Map, SizePlaceTurnAndUpDoNotMatter) {
+  const TestRig a = humanoid(2, true);
+  for (const bool half_turn : {false, true}) {
+    const TestRig b = moved(humanoid(3, false), false, half_turn, 40);
+    MapCall call;
+    expect_named_pairs(call.run(a, b), a, b, half_turn ? "half turn" : "scaled");
+    call.up_known = false;
+    const TestRig z = moved(humanoid(3, true), true, half_turn, 0.01f);
+    expect_named_pairs(call.run(a, z), a, z, "z up, not told");
+  }
+}
+
+TEST(Map, NamesOnlyHelp) {
+  const TestRig a = humanoid(3, true), b = humanoid(3, true, "x:");
+  MapCall named;
+  named.names = true;
+  named.run(a, b);
+  MapCall bare;
+  bare.run(a, b);
+  EXPECT_EQ(named.sources, bare.sources);
+}
+
+TEST(Map, OrderOfJointsDoesNotMatter) {
+  const TestRig a = humanoid(3, true), b = humanoid(2, false);
+  TestRig turned;
+  std::vector<int32_t> new_of(a.count());
+  for (uint32_t i = 0; i < a.count(); ++i) new_of[a.count() - 1 - i] = static_cast<int32_t>(i);
+  for (uint32_t i = 0; i < a.count(); ++i) {
+    const size_t old = a.count() - 1 - i;
+    turned.add(a.names[old], a.parents[old] < 0 ? -1 : new_of[static_cast<size_t>(a.parents[old])], a.places[3 * old],
+               a.places[3 * old + 1], a.places[3 * old + 2], a.ends[old] != 0);
+  }
+  MapCall x, y;
+  x.run(a, b);
+  y.run(turned, b);
+  for (const std::string& name : a.names) EXPECT_EQ(x.source_of(a, b, name), y.source_of(turned, b, name)) << name;
+}
+
+TEST(Map, PinsAreKeptAndTheRestFollows) {
+  const TestRig a = humanoid(2, true), b = humanoid(4, true);
+  MapCall call;
+  call.pins = {{static_cast<uint32_t>(a.find("Spine1")), b.find("Spine4")},
+               {static_cast<uint32_t>(a.find("Head")), -1}};
+  call.run(a, b);
+  ASSERT_EQ(call.status, SINEW_OK);
+  EXPECT_EQ(call.source_of(a, b, "Spine1"), "Spine4");
+  EXPECT_EQ(call.source_of(a, b, "Head"), "-");
+  EXPECT_EQ(call.reasons[static_cast<size_t>(a.find("Head"))], SINEW_MAP_PINNED);
+  EXPECT_EQ(call.reasons[static_cast<size_t>(a.find("Spine1"))], SINEW_MAP_PINNED);
+  EXPECT_EQ(call.confidence[static_cast<size_t>(a.find("Spine1"))], 32768);
+  EXPECT_EQ(call.confidence[static_cast<size_t>(a.find("Head"))], 0);
+  EXPECT_EQ(call.source_of(a, b, "LeftHand"), "LeftHand");
+  // One pair of a side turns all of it.
+  call.pins = {{static_cast<uint32_t>(a.find("LeftHand")), b.find("RightHand")}};
+  call.run(a, b);
+  EXPECT_EQ(call.source_of(a, b, "RightFoot"), "LeftFoot");
+  EXPECT_EQ(call.source_of(a, b, "LeftArm"), "RightArm");
+  // Limbs that are pinned together are matched as such.
+  call.pins = {{static_cast<uint32_t>(a.find("LeftHand")), b.find("LeftFoot")}};
+  call.run(a, b);
+  EXPECT_EQ(call.source_of(a, b, "LeftHand"), "LeftFoot");
+  EXPECT_EQ(call.source_of(a, b, "LeftFoot") == "LeftFoot", false) << "a source is given once";
+}
+
+TEST(Map, ByBranchesTheSameRigIsItself) {
+  const TestRig a = humanoid(3, true);
+  MapCall call;
+  call.method = SINEW_MAP_BRANCHES;
+  call.run(a, a);
+  ASSERT_EQ(call.status, SINEW_OK);
+  EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_BRANCHES));
+  for (size_t i = 0; i < call.sources.size(); ++i) EXPECT_EQ(call.sources[i], static_cast<int32_t>(i));
+}
+
+TEST(Map, OneJointAndBonesWithoutLength) {
+  TestRig one, same;
+  one.add("a", -1, 1, 2, 3);
+  for (int i = 0; i < 5; ++i) same.add("b" + std::to_string(i), i - 1, 1, 1, 1);
+  for (const uint32_t method : {SINEW_MAP_AUTO, SINEW_MAP_SINEW, SINEW_MAP_BRANCHES}) {
+    MapCall call;
+    call.method = method;
+    EXPECT_EQ(call.run(one, same).status, SINEW_OK);
+    EXPECT_EQ(call.sources[0], 0);
+    EXPECT_EQ(call.run(same, one).status, SINEW_OK);
+    EXPECT_EQ(call.sources[0], 0);
+    EXPECT_EQ(call.run(same, same).status, SINEW_OK);
+  }
+}
+
+class MapRefusals : public ::testing::Test {
+ protected:
+  MapRefusals() {
+    a_ = humanoid(2, true);
+    rig_ = call_.view(a_, &names_);
+    (void)sinew_map_workspace_size(a_.count(), a_.count(), &bytes_);
+    block_ = sinew::test::AlignedBytes(bytes_);
+    sources_.assign(a_.count(), -7);
+    outputs_ = sinew_map_outputs_init(sources_.data());
+  }
+  void expect(sinew_status status, const char* what) {
+    EXPECT_EQ(sinew_map(&rig_, &rig_, &options_, block_.data(), bytes_, &outputs_), status) << what;
+    EXPECT_EQ(std::count(sources_.begin(), sources_.end(), -7), static_cast<long>(sources_.size())) << what;
+  }
+  TestRig a_;
+  MapCall call_;
+  std::vector<const char*> names_;
+  sinew_map_rig rig_;
+  sinew_map_options options_ = sinew_map_options_init();
+  size_t bytes_ = 0;
+  sinew::test::AlignedBytes block_{0};
+  std::vector<int32_t> sources_;
+  sinew_map_outputs outputs_ = {};
+};
+
+TEST_F(MapRefusals, Arguments) {
+  outputs_.sources = nullptr;
+  expect(SINEW_ERROR_ARGUMENT, "no array");
+  outputs_.sources = sources_.data();
+  options_.method = 3;
+  expect(SINEW_ERROR_ARGUMENT, "method");
+  options_.method = 0;
+  options_.pin_count = 1;
+  expect(SINEW_ERROR_ARGUMENT, "no pins");
+  options_.pin_count = 0;
+  rig_.up[1] = std::numeric_limits<float>::quiet_NaN();
+  expect(SINEW_ERROR_ARGUMENT, "up");
+  rig_.up[1] = 1;
+  rig_.positions = nullptr;
+  expect(SINEW_ERROR_ARGUMENT, "positions");
+  EXPECT_EQ(sinew_map(nullptr, &rig_, nullptr, block_.data(), bytes_, &outputs_), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_map_workspace_size(1, 1, nullptr), SINEW_ERROR_ARGUMENT);
+}
+
+TEST_F(MapRefusals, StructsOfOtherVersions) {
+  options_.struct_size = 4;
+  expect(SINEW_ERROR_ARGUMENT, "too small");
+  options_ = sinew_map_options_init();
+  options_.reserved = 1;
+  expect(SINEW_ERROR_VERSION, "reserved");
+  options_.reserved = 0;
+  rig_.reserved = 1;
+  expect(SINEW_ERROR_VERSION, "reserved of a rig");
+  rig_.reserved = 0;
+  struct Future {
+    sinew_map_options known;
+    uint64_t more;
+  } future = {sinew_map_options_init(), 0};
+  future.known.struct_size = sizeof future;
+  EXPECT_EQ(sinew_map(&rig_, &rig_, &future.known, block_.data(), bytes_, &outputs_), SINEW_OK);
+  future.more = 1;
+  EXPECT_EQ(sinew_map(&rig_, &rig_, &future.known, block_.data(), bytes_, &outputs_), SINEW_ERROR_VERSION);
+}
+
+TEST_F(MapRefusals, CountsAndWorkspace) {
+  rig_.joint_count = 0;
+  expect(SINEW_ERROR_COUNT, "no joint");
+  rig_.joint_count = SINEW_MAX_JOINTS + 1;
+  expect(SINEW_ERROR_COUNT, "too many joints");
+  size_t size = 1;
+  EXPECT_EQ(sinew_map_workspace_size(SINEW_MAX_JOINTS + 1, 1, &size), SINEW_ERROR_COUNT);
+  EXPECT_EQ(size, 0u);
+  rig_.joint_count = a_.count();
+  EXPECT_EQ(sinew_map(&rig_, &rig_, nullptr, block_.data(), bytes_ - 64, &outputs_), SINEW_ERROR_WORKSPACE);
+  EXPECT_EQ(sinew_map(&rig_, &rig_, nullptr, block_.data() + 8, bytes_, &outputs_), SINEW_ERROR_WORKSPACE);
+  EXPECT_EQ(sinew_map(&rig_, &rig_, nullptr, block_.data(), bytes_, &outputs_), SINEW_OK);
+  EXPECT_EQ(outputs_.used_bytes, bytes_);
+}
+
+TEST_F(MapRefusals, PlacesAndParents) {
+  a_.places[4] = std::numeric_limits<float>::infinity();
+  expect(SINEW_ERROR_NOT_FINITE, "infinite");
+  a_.places[4] = 1;
+  a_.parents[3] = static_cast<int32_t>(a_.count());
+  expect(SINEW_ERROR_INDEX, "no such parent");
+  a_.parents[3] = -2;
+  expect(SINEW_ERROR_INDEX, "negative parent");
+  a_.parents[3] = 4;
+  expect(SINEW_ERROR_HIERARCHY, "circle");
+  a_.parents[3] = 3;
+  expect(SINEW_ERROR_HIERARCHY, "own parent");
+}
+
+TEST_F(MapRefusals, Pins) {
+  sinew_map_pin pins[2] = {{a_.count(), 0}, {1, 1}};
+  options_.pins = pins;
+  options_.pin_count = 1;
+  expect(SINEW_ERROR_RANGE, "target");
+  pins[0] = {0, static_cast<int32_t>(a_.count())};
+  expect(SINEW_ERROR_RANGE, "source");
+  pins[0] = {0, -2};
+  expect(SINEW_ERROR_RANGE, "below -1");
+  options_.pin_count = 2;
+  pins[0] = {1, 2};
+  expect(SINEW_ERROR_RANGE, "target twice");
+  pins[0] = {2, 1};
+  expect(SINEW_ERROR_RANGE, "source twice");
+}
+
+TEST_F(MapRefusals, ASmallBodyFitsAMegabyte) {
+  size_t size = 0;
+  ASSERT_EQ(sinew_map_workspace_size(60, 60, &size), SINEW_OK);
+  EXPECT_LE(size, size_t{1} << 20);
+}
+
+}  // namespace
