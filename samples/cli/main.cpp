@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
   sinew::cli::add_dataset(app);
   sinew::cli::add_inspect(app);
   sinew::cli::add_pose(app);
+  sinew::cli::add_animate(app);
   try {
     app.parse(argc, argv);  // runs the chosen subcommand's callback
   } catch (const CLI::Success& done) {
