@@ -96,7 +96,7 @@ SINEW_API sinew_status sinew_retarget_height(sinew_retarget* plan, const float* 
                                              float* height);
 
 /* How high a standing ankle of a clip is: the 5th percentile of its frames' heights. The source's own at rest where it
- * stands on the clip's floor: its lowest joint is within 10 % of a leg of the origin's height, or the two heights are
+ * stands on the clip's floor: its lowest joint is within 20 % of a leg of the origin's height, or the two heights are
  * within 5 % of a leg of each other.
  *   heights  [count] of sinew_retarget_height(); sorted on return. None: the source's own at rest
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */

@@ -132,7 +132,7 @@ sinew_status standing_height(const sinew_retarget& plan, float* heights, size_t 
   const double next = static_cast<double>(heights[below + 1 < count ? below + 1 : below]);
   const double fifth = low + (at - static_cast<double>(below)) * (next - low);
   const auto size = [](double x) { return x < 0 ? -x : x; };
-  const bool stands = size(plan.source_lowest) <= 0.1 * plan.leg_length;
+  const bool stands = size(plan.source_lowest) <= 0.2 * plan.leg_length;
   if (!stands && size(fifth - plan.source_floor) > 0.05 * plan.leg_length) *ground = static_cast<float>(fifth);
   return SINEW_OK;
 }

@@ -19,8 +19,8 @@ Character read_mesh(const std::string& path);
 Character read_obj(const std::string& path);
 Character read_gltf(const std::string& path);
 
-// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm/.fbx/.dae
-// (its skin's joints, world positions).
+// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, .gltf/.glb/.vrm/.fbx/.dae
+// (its skin's joints, world positions) or .bvh (offsets of its rest pose, End Sites as NAME_end).
 void read_skeleton(const std::string& path, bool with_skin, Character* character);
 // Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
 Character read_character(const std::string& path);

@@ -10,6 +10,7 @@
 #include "motion/turns.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
+#include "sinew_formats/print.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"
 
@@ -211,20 +212,28 @@ class GltfMotionReader {
     return out;
   }
 
-  // The rate of the keys that stand closest; of slow ones a multiple that smooth motion needs.
+  // The rate of the track whose keys stand closest, in the mean where they are even; of slow ones a multiple that smooth
+  // motion needs.
   static double rate_of(const std::map<size_t, NodeTracks>& animated) {
-    double least = 0;
+    double least = 0, fps = kPlainFps;
     for (const auto& [node, tracks] : animated)
-      for (const Track* track : {tracks.translation, tracks.rotation, tracks.scale})
-        for (size_t k = 1; track != nullptr && k < track->times.size(); ++k) {
+      for (const Track* track : {tracks.translation, tracks.rotation, tracks.scale}) {
+        if (track == nullptr || track->times.size() < 2) continue;
+        double shortest = 1e30, longest = 0;
+        for (size_t k = 1; k < track->times.size(); ++k) {
           const double gap = static_cast<double>(track->times[k]) - static_cast<double>(track->times[k - 1]);
-          if (least == 0 || gap < least) least = gap;
+          shortest = std::min(shortest, gap);
+          longest = std::max(longest, gap);
         }
-    if (least == 0) return kPlainFps;
-    double fps = 1 / least;
+        const double span = static_cast<double>(track->times.back()) - static_cast<double>(track->times.front());
+        if (longest < 1.01 * shortest) shortest = span / static_cast<double>(track->times.size() - 1);
+        if (least != 0 && shortest >= least) continue;
+        least = shortest;
+        fps = 1 / shortest;
+        const double whole = std::round(fps);
+        if (std::abs(fps - whole) * span < 1e-3) fps = whole;  // times are floats
+      }
     if (fps > kMostFps) return kPlainFps;
-    const double whole = std::round(fps);
-    if (std::abs(fps - whole) < 5e-4 * fps) fps = whole;
     return fps < kFewestFps ? fps * std::ceil(kFewestFps / fps - 1e-6) : fps;
   }
 
@@ -251,11 +260,10 @@ class GltfMotionReader {
     clip.name = name_of(number);
     const double fps = fps_ > 0 ? fps_ : rate_of(animated);
     clip.frame_time = 1 / fps;
-    const double count = std::floor((last - first) * fps + 1e-4) + 1;
+    const double count = std::floor((last - first) * fps + 1e-2) + 1;
     if (!(count * static_cast<double>(motion_.joints.size()) <= static_cast<double>(kMostTurns)))
       throw Error(path_ + ": animation " + in_quotes(clip.name) + ": expected at most " + std::to_string(kMostTurns) +
-                  " frames times joints, found " + std::to_string(last - first) + " seconds at " + std::to_string(fps) +
-                  " frames a second");
+                  " frames times joints, found " + print("%g seconds at %g frames a second", last - first, fps));
     const std::vector<size_t> nodes = order();
     for (size_t f = 0; f < static_cast<size_t>(count); ++f)
       clip.frames.push_back(frame_of(animated, nodes, first + static_cast<double>(f) / fps));
