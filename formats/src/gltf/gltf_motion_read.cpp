@@ -17,7 +17,7 @@
 namespace sinew {
 namespace {
 
-constexpr size_t kMostTurns = size_t{1} << 27;  // frames times joints of a clip: what a broken time could ask for
+constexpr size_t kMostTurns = size_t{1} << 24;  // frames times joints of a clip: what a broken time could ask for
 constexpr double kFewestFps = 24, kMostFps = 240, kPlainFps = 30;
 
 enum class Blend { kLinear, kStep, kCubic };
