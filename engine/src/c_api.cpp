@@ -11,6 +11,7 @@
 #include "network/packed_layers.hpp"
 #if !defined(SINEW_SMALL_CODE)
 #include "mapping/map.hpp"
+#include "motion/retarget.hpp"
 #include "rig/hands.hpp"
 #include "rig/rig.hpp"
 #include "rig/rig_task.hpp"
@@ -36,6 +37,7 @@ static_assert(sizeof(sinew_simplify_options) == 4 * sizeof(uint32_t), "a hole in
 static_assert(sizeof(sinew_map_rig) == 6 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_rig");
 static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
 static_assert(sizeof(sinew_map_outputs) == 4 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_outputs");
+static_assert(sizeof(sinew_retarget_options) == 6 * sizeof(uint32_t), "a hole in sinew_retarget_options");
 static_assert(sizeof(sinew_rig_outputs) == 6 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
 extern "C" {
@@ -362,5 +364,70 @@ sinew_status sinew_skin_dual_quaternion(const float* positions, uint32_t vertex_
   return sinew::skin_dual_quaternion(positions, vertex_count, joints, weights, influence_count, palette, joint_count,
                                      out);
 }
+
+#if !defined(SINEW_SMALL_CODE)
+
+sinew_status sinew_retarget_size(uint32_t source_joints, uint32_t target_joints, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  if (source_joints == 0 || target_joints == 0 || source_joints > SINEW_MAX_JOINTS || target_joints > SINEW_MAX_JOINTS)
+    return SINEW_ERROR_COUNT;
+  *size_bytes = sinew::measure_plan(source_joints, target_joints);
+  return SINEW_OK;
+}
+
+sinew_status sinew_retarget_create(const sinew_motion_rig* source, const sinew_motion_rig* target, const int32_t* map,
+                                   const uint8_t* target_classes, const sinew_retarget_options* options, void* memory,
+                                   size_t memory_bytes, sinew_retarget** plan) {
+  if (source == nullptr || target == nullptr || map == nullptr || memory == nullptr || plan == nullptr ||
+      source->positions == nullptr || source->parents == nullptr || target->positions == nullptr ||
+      target->parents == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew::RetargetOptions own;
+  sinew_status status = sinew::read_retarget_options(options, &own);
+  size_t bytes = 0;
+  if (status == SINEW_OK) status = sinew_retarget_size(source->joint_count, target->joint_count, &bytes);
+  if (status != SINEW_OK) return status;
+  if (memory_bytes < bytes || reinterpret_cast<uintptr_t>(memory) % SINEW_WORKSPACE_ALIGNMENT != 0)
+    return SINEW_ERROR_WORKSPACE;
+  return sinew::create_plan(*source, *target, map, target_classes, own, memory, memory_bytes, plan);
+}
+
+sinew_status sinew_retarget_height(sinew_retarget* plan, const float* rotations, const float* translations,
+                                   float* height) {
+  if (plan == nullptr || rotations == nullptr || translations == nullptr || height == nullptr)
+    return SINEW_ERROR_ARGUMENT;
+  return sinew::source_height(plan, rotations, translations, height);
+}
+
+sinew_status sinew_retarget_ground(const sinew_retarget* plan, float* heights, size_t count, float* ground) {
+  if (plan == nullptr || ground == nullptr || (heights == nullptr && count > 0)) return SINEW_ERROR_ARGUMENT;
+  return sinew::standing_height(*plan, heights, count, ground);
+}
+
+sinew_status sinew_retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations, float ground,
+                                  float* out_rotations, float* out_translations) {
+  if (plan == nullptr || rotations == nullptr || translations == nullptr || out_rotations == nullptr ||
+      out_translations == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  return sinew::retarget_frame(plan, rotations, translations, ground, out_rotations, out_translations);
+}
+
+#else
+
+sinew_status sinew_retarget_size(uint32_t, uint32_t, size_t*) { return SINEW_ERROR_ARGUMENT; }
+sinew_status sinew_retarget_create(const sinew_motion_rig*, const sinew_motion_rig*, const int32_t*, const uint8_t*,
+                                   const sinew_retarget_options*, void*, size_t, sinew_retarget**) {
+  return SINEW_ERROR_ARGUMENT;
+}
+sinew_status sinew_retarget_height(sinew_retarget*, const float*, const float*, float*) { return SINEW_ERROR_ARGUMENT; }
+sinew_status sinew_retarget_ground(const sinew_retarget*, float*, size_t, float*) { return SINEW_ERROR_ARGUMENT; }
+sinew_status sinew_retarget_frame(sinew_retarget*, const float*, const float*, float, float*, float*) {
+  return SINEW_ERROR_ARGUMENT;
+}
+
+#endif
 
 }  // extern "C"

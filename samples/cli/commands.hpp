@@ -21,6 +21,7 @@ void add_rig(CLI::App& app);
 void add_extract(CLI::App& app);
 void add_simplify(CLI::App& app);
 void add_map(CLI::App& app);
+void add_animate(CLI::App& app);
 
 }  // namespace sinew::cli
 #endif

@@ -12,17 +12,19 @@
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
+#include "sinew_formats/print.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string character, output, up = "y";
+  std::string character, output, up = "y", animation;
   std::vector<std::string> turns;
   uint64_t seed = 0;
-  double limit = 35;
-  bool random = false, dual_quaternion = false;
+  double limit = 35, time = 0;
+  bool random = false, dual_quaternion = false, animated = false;
 };
 
 // NAME=rx,ry,rz in degrees; the name may hold '=' itself, so the last one counts.
@@ -63,20 +65,46 @@ std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, d
   return turns;
 }
 
-void run(const Settings& s) {
-  if (s.random == !s.turns.empty()) throw UsageError("give either --random SEED or one --joint NAME=rx,ry,rz or more");
-  check_output(s.output, {".obj", ".png"});
-  const Character character = read_character(s.character);
-  if (character.joints.empty() || character.influences.empty()) {
-    throw Error(s.character + ": has no skin weights to pose; bind it first with sinew bind");
-  }
+// By turns of joints.
+std::vector<Affine> turned_palette(const Settings& s, const Character& character, size_t* count) {
   std::vector<JointTurn> turns;
   if (s.random) {
     turns = random_turns(character, s.seed, s.limit);
   } else {
     for (const std::string& text : s.turns) turns.push_back(parse_turn(text, character));
   }
-  const Character posed = apply_pose(character, pose_palette(character, turns), s.dual_quaternion);
+  *count = turns.size();
+  return pose_palette(character, turns);
+}
+
+// A moment of one of the file's own animations.
+std::vector<Affine> animated_palette(const Settings& s, const Character& character, std::string* what) {
+  if (character.gltf == nullptr)
+    throw Error(s.character + ": has no animations, they lie in glTF files; expected a .glb, .gltf or .vrm");
+  const Motion motion = read_gltf_motion(s.character);
+  const Clip& clip = find_clip(motion, s.character, s.animation);
+  const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
+  if (s.time > seconds + 1e-6)
+    throw Error(s.character +
+                print(": --time %g is behind the end of the animation, which lasts %g seconds", s.time, seconds));
+  *what = print("%s at %g of %g seconds", clip.name.c_str(), s.time, seconds);
+  return motion_palette(motion, frame_at(clip, s.time), character.joints.size());
+}
+
+void run(const Settings& s) {
+  if (int{s.random} + int{!s.turns.empty()} + int{s.animated} != 1)
+    throw UsageError("give either --random SEED, one --joint NAME=rx,ry,rz or more, or --animation NAME");
+  check_output(s.output, {".obj", ".png"});
+  const Character character = read_character(s.character);
+  if (character.joints.empty() || character.influences.empty()) {
+    throw Error(s.character + ": has no skin weights to pose; bind it first with sinew bind");
+  }
+  size_t turned = 0;
+  std::string what;
+  const std::vector<Affine> palette =
+      s.animated ? animated_palette(s, character, &what) : turned_palette(s, character, &turned);
+  if (!s.animated) what = std::to_string(turned) + " joints turned";
+  const Character posed = apply_pose(character, palette, s.dual_quaternion);
   if (has_extension(s.output, ".png")) {
     RenderOptions view;
     view.up_z = s.up == "z";
@@ -84,7 +112,7 @@ void run(const Settings& s) {
   } else {
     write_obj(s.output, posed);
   }
-  std::printf("%s: %zu joints turned, wrote %s\n", character.name.c_str(), turns.size(), s.output.c_str());
+  std::printf("%s: %s, wrote %s\n", character.name.c_str(), printable(what).c_str(), s.output.c_str());
 }
 
 }  // namespace
@@ -103,6 +131,12 @@ void add_pose(CLI::App& app) {
   sub->add_option("--joint", s->turns, "Turn one joint about x, then y, then z, in degrees; may be repeated")
       ->type_name("NAME=rx,ry,rz")
       ->allow_extra_args(false);
+  auto* animation = sub->add_option("--animation", s->animation, "One of the file's own animations, by name or number")
+                        ->type_name("NAME");
+  sub->add_option("--time", s->time, "Second of the animation")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(animation)
+      ->type_name("T");
   sub->add_flag("--dual-quaternion", s->dual_quaternion, "Dual quaternion instead of linear blend skinning");
   sub->add_option("--up", s->up, "Axis that points up in the picture")
       ->check(CLI::IsMember({"y", "z"}))
@@ -110,9 +144,11 @@ void add_pose(CLI::App& app) {
   sub->add_option("-o,--output", s->output, "Output: .obj or .png")->required()->type_name("OUT");
   sub->footer(
       "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"
-      "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj");
-  sub->callback([s, seed] {
+      "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj\n"
+      "  sinew pose hero.glb --animation walk --time 0.5 -o walk.png");
+  sub->callback([s, seed, animation] {
     s->random = seed->count() > 0;
+    s->animated = animation->count() > 0;
     run(*s);
   });
 }

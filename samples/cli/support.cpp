@@ -62,7 +62,7 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
   }
   if (has_extension(skeleton, ".obj")) {
     throw UsageError("--skeleton " + skeleton +
-                     ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb, .vrm, .fbx or .dae");
+                     ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb, .vrm, .fbx, .dae or .bvh");
   }
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) {

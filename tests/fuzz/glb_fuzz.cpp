@@ -3,6 +3,34 @@
 // be written as a skinned GLB, which reads back.
 #include "reader_checks.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace {
+
+// Animations: refused as the mesh is, or joints whole in every frame.
+void read_motion_of(const std::string& path) {
+  using namespace sinew;
+  using namespace sinew::test;
+  Motion motion;
+  try {
+    motion = read_gltf_motion(path);
+  } catch (const Error& error) {
+    check_refusal(error.what(), path);
+    return;
+  }
+  demand(!motion.clips.empty() && !motion.joints.empty(), "a motion has clips and joints");
+  for (const Clip& clip : motion.clips) {
+    demand(clip.frame_time > 0 && !clip.frames.empty(), "a clip has frames and a rate");
+    for (const MotionFrame& frame : clip.frames) {
+      demand(frame.rotations.size() == motion.joints.size(), "a frame has every joint");
+      for (const Quaternion& q : frame.rotations)
+        demand(std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1) < 1e-9, "turns have length 1");
+      for (const Point3& p : frame.translations) demand(std::isfinite(p[0] + p[1] + p[2]), "places are finite");
+    }
+  }
+}
+
+}  // namespace
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace sinew;
@@ -10,6 +38,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string path = input_file(data, size, "input.glb");
   const auto character = read_or_refuse(path, [&] { return read_gltf(path); });
   if (!character) return 0;
+  read_motion_of(path);
   check_character(*character);
   const Character once_more = read_gltf(path);
   demand(same_mesh(*character, once_more) && same_joints(*character, once_more), "a second reading gives the same");

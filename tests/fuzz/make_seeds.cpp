@@ -108,6 +108,19 @@ void write_glbs(const std::string& folder) {
              nlohmann::json::array({{{"attributes", {{"POSITION", bare.positions({0, 0, 0, 1, 0, 0, 0, 1, 0})}}}}})}});
   bare.root({{"mesh", 0}, {"scale", {2, 2, 2}}});
   write(folder + "/bare.glb", bare.glb());
+  GlbBuilder moving = two_joint_strip();
+  const std::vector<float> times = {0, 0.5f, 1}, turns = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f, 0, 0.6f, 0, 0.8f};
+  const std::vector<float> places = {0, 0, 0, 10, 0, 0, 1, 0,  0, 1, 0, 0, 11, 2,
+                                     0, 0, 0, 0,  0, 0, 0, 10, 0, 5, 0, 0, 0};
+  moving.add("animations", {{"channels",
+                             {{{"sampler", 0}, {"target", {{"node", 1}, {"path", "rotation"}}}},
+                              {{"sampler", 1}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+                            {"samplers",
+                             {{{"input", moving.accessor(times, "SCALAR")}, {"output", moving.accessor(turns, "VEC4")}},
+                              {{"input", moving.accessor(times, "SCALAR")},
+                               {"output", moving.accessor(places, "VEC3")},
+                               {"interpolation", "CUBICSPLINE"}}}}});
+  write(folder + "/moving.glb", moving.glb());
 #ifdef SINEW_HAS_MESHOPT
   write(folder + "/meshopt.glb", meshopt_packed(two_joint_strip()).glb());
 #endif

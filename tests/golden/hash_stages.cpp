@@ -285,6 +285,7 @@ struct SetLine {
     if (key == "names") return &names;
     if (key == "pin") return &pin;
     if (key == "no-toes") return &rig_options.no_toes;
+    if (key == "motion") return &motion_frames;
     return nullptr;
   }
 
@@ -299,6 +300,7 @@ struct SetLine {
   uint32_t confidence = 0;
   uint32_t rig = 0;  // 1: a skeleton for the mesh alone
   sinew_rig_options rig_options = sinew_rig_options_init();
+  uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
 };
 
 std::vector<sinew_answer> make_answers(uint32_t step, const Input& in) {
@@ -479,6 +481,65 @@ void hash_map(const char* name, const SetLine& line, const Input& in, const Inpu
   print(name, "map", map);
 }
 
+// A source of the character's own joints, larger, on its side and in another rest pose, and frames in which everything
+// turns: numbers of a small generator, no libm. Every fifth joint has no source; classes follow the depth, so that there are
+// legs and arms.
+void hash_motion(const char* name, const SetLine& line, const Input& in) {
+  const uint32_t joints = in.skeleton.joint_count;
+  uint32_t state = 7;
+  const auto draw = [&state] {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<float>(static_cast<int32_t>(state >> 8) - (1 << 23)) / static_cast<float>(1 << 23);
+  };
+  const uint8_t by_depth[] = {SINEW_CLASS_PELVIS,    SINEW_CLASS_THIGH,   SINEW_CLASS_CALF, SINEW_CLASS_FOOT,
+                              SINEW_CLASS_UPPER_ARM, SINEW_CLASS_FOREARM, SINEW_CLASS_HAND, SINEW_CLASS_OTHER};
+  std::vector<float> positions, rotations;
+  std::vector<int32_t> map;
+  std::vector<uint8_t> classes;
+  for (uint32_t j = 0; j < joints; ++j) {
+    const float* const p = in.joints.data() + size_t{3} * j;
+    positions.insert(positions.end(), {1.5f * p[0] + 0.05f * draw(), -1.5f * p[2], 1.5f * p[1] + 0.05f * draw()});
+    rotations.insert(rotations.end(), {draw(), draw(), draw(), 2 + draw()});
+    map.push_back(j % 5 == 4 ? -1 : static_cast<int32_t>(j));
+    uint32_t depth = 0;
+    for (int32_t up = in.parents[j]; up >= 0 && depth < 7; up = in.parents[static_cast<size_t>(up)]) ++depth;
+    classes.push_back(by_depth[depth]);
+  }
+  const sinew_motion_rig source = {positions.data(), in.parents.data(), rotations.data(), joints};
+  const sinew_motion_rig target = {in.joints.data(), in.parents.data(), nullptr, joints};
+  size_t bytes = 0;
+  check(sinew_retarget_size(joints, joints, &bytes));
+  Block block(bytes);
+  sinew_retarget* plan = nullptr;
+  check(sinew_retarget_create(&source, &target, map.data(), classes.data(), nullptr, block.data, bytes, &plan));
+  std::vector<std::vector<float>> turns(line.motion_frames), places(turns);
+  std::vector<float> heights(line.motion_frames);
+  for (uint32_t f = 0; f < line.motion_frames; ++f) {
+    for (uint32_t j = 0; j < joints; ++j) {
+      turns[f].insert(turns[f].end(), {draw(), draw(), draw(), 2 + draw()});
+      places[f].insert(places[f].end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
+    }
+    check(sinew_retarget_height(plan, turns[f].data(), places[f].data(), &heights[f]));
+  }
+  float ground = 0;
+  check(sinew_retarget_ground(plan, heights.data(), heights.size(), &ground));
+  Hash poses;
+  const auto add = [&poses](const std::vector<float>& values) {
+    std::vector<uint32_t> bits(values.size());
+    std::memcpy(bits.data(), values.data(), values.size() * sizeof(uint32_t));
+    poses.add(bits.data(), bits.size());
+  };
+  add(heights);
+  add({ground});
+  std::vector<float> out_turns(size_t{4} * joints), out_places(size_t{3} * joints);
+  for (uint32_t f = 0; f < line.motion_frames; ++f) {
+    check(sinew_retarget_frame(plan, turns[f].data(), places[f].data(), ground, out_turns.data(), out_places.data()));
+    add(out_turns);
+    add(out_places);
+  }
+  print(name, "motion", poses);
+}
+
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 void hash_set(const std::string& path, uint32_t kernel) {
@@ -491,6 +552,8 @@ void hash_set(const std::string& path, uint32_t kernel) {
     for (size_t i = 1; i < words.size(); ++i) name += "," + base_name(words[i]);
     if (!line.source.empty()) {
       hash_map(name.c_str(), line, in, read_input(folder + line.source));
+    } else if (line.motion_frames != 0) {
+      hash_motion(name.c_str(), line, in);
     } else if (line.model.empty()) {
       hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size, kernel);
     } else if (line.model == "heat") {

@@ -5,6 +5,7 @@
  *   sinew/types.h  version, limits, status, kernels, callbacks, mesh, skeleton
  *   sinew/model.h  opens a model and packs its weights
  *   sinew/bind.h   predicts skin weights
+ *   sinew/motion.h plays motion of another skeleton
  *   sinew/rig.h    predicts a skeleton for a bare mesh
  *   sinew/map.h    maps the joints of one skeleton to those of another
  *   sinew/skin.h   poses a mesh with its weights
@@ -24,6 +25,7 @@
 #include "sinew/bind.h"
 #include "sinew/map.h"
 #include "sinew/model.h"
+#include "sinew/motion.h"
 #include "sinew/rig.h"
 #include "sinew/simplify.h"
 #include "sinew/skin.h"

@@ -259,5 +259,46 @@ inline sinew_status map_joints(const sinew_map_rig& target, const sinew_map_rig&
   return SINEW_OK;
 }
 
+// sinew_retarget_options that ask for every default; {} where a function takes settings.
+struct RetargetSettings : sinew_retarget_options {
+  RetargetSettings() : sinew_retarget_options(sinew_retarget_options_init()) {}
+  RetargetSettings(const sinew_retarget_options& options) : sinew_retarget_options(options) {}
+};
+
+// A sinew_retarget and its memory:
+//
+//   sinew::RetargetPlan plan;
+//   sinew_status status = plan.make(source, target, map, target_classes);
+//   if (status == SINEW_OK) status = plan.frame(rotations, translations, ground, out_rotations, out_translations);
+class RetargetPlan {
+ public:
+  // Size query, memory and sinew_retarget_create(). Returns what they do; SINEW_ERROR_WORKSPACE where memory is short. On
+  // failure there is no plan, and the functions below return SINEW_ERROR_ARGUMENT.
+  sinew_status make(const sinew_motion_rig& source, const sinew_motion_rig& target, const int32_t* map,
+                    const uint8_t* target_classes, const RetargetSettings& settings = {}) {
+    plan_ = nullptr;
+    size_t bytes = 0;
+    const sinew_status status = sinew_retarget_size(source.joint_count, target.joint_count, &bytes);
+    if (status != SINEW_OK) return status;
+    if (!memory_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+    return sinew_retarget_create(&source, &target, map, target_classes, &settings, memory_.data(), memory_.size(),
+                                 &plan_);
+  }
+  sinew_status height(const float* rotations, const float* translations, float* height) {
+    return sinew_retarget_height(plan_, rotations, translations, height);
+  }
+  sinew_status ground(float* heights, size_t count, float* ground) const {
+    return sinew_retarget_ground(plan_, heights, count, ground);
+  }
+  sinew_status frame(const float* rotations, const float* translations, float ground, float* out_rotations,
+                     float* out_translations) {
+    return sinew_retarget_frame(plan_, rotations, translations, ground, out_rotations, out_translations);
+  }
+
+ private:
+  Workspace memory_;
+  sinew_retarget* plan_ = nullptr;
+};
+
 }  // namespace sinew
 #endif

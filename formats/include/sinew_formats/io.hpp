@@ -19,8 +19,8 @@ Character read_mesh(const std::string& path);
 Character read_obj(const std::string& path);
 Character read_gltf(const std::string& path);
 
-// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, or .gltf/.glb/.vrm/.fbx/.dae
-// (its skin's joints, world positions).
+// Adds joints (and influences when with_skin) from a skeleton file to a mesh: .rig.txt / .txt, .gltf/.glb/.vrm/.fbx/.dae
+// (its skin's joints, world positions) or .bvh (offsets of its rest pose, End Sites as NAME_end).
 void read_skeleton(const std::string& path, bool with_skin, Character* character);
 // Mesh with its own skin (glTF) or NAME.obj + NAME.rig.txt. `path` is the mesh file, or the .rig.txt beside an .obj.
 Character read_character(const std::string& path);
@@ -43,8 +43,11 @@ void write_rig(const std::string& path, const Character& character);
 // vertices, UVs, normals, materials and nodes back, with skin. From OBJ: its objects, corner UVs and normals (vertices
 // split at seams), or smooth normals. Weights unorm16 with exact sums (unorm8 when `unorm8`), sorted, JOINTS_0.. as many
 // sets as needed.
+struct Motion;  // motion.hpp
 struct GlbOptions {
   bool unorm8 = false;
+  bool keep_skin = false;          // the skin of the input's own document stays as it is, to the byte
+  const Motion* motion = nullptr;  // of the character's joints, in their order: its clips become animations
 };
 void write_gltf(const std::string& path, const Character& character, const GlbOptions& options = {});
 inline void write_glb(const std::string& path, const Character& character, const GlbOptions& options = {}) {

@@ -7,6 +7,7 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 #include "text/rig.hpp"
 
 namespace sinew {
@@ -30,11 +31,13 @@ std::string way_out(const std::string& path) {
       return "; Blender makes a .glb of it: blender --background --python-expr \"import bpy; "
              "bpy.ops.wm.usd_import(filepath='" +
              path + "'); " + export_glb;
+  if (has_extension(path, ".bvh"))
+    return "; a BVH has a skeleton and motion: take it with --skeleton, or with sinew animate --motion";
   if (has_extension(path, ".max")) return "; in 3ds Max: File > Export > FBX or glTF";
   if (has_extension(path, ".ma") || has_extension(path, ".mb"))
     return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";
   if (has_extension(path, ".c4d")) return "; in Cinema 4D: File > Export > glTF or FBX";
-  for (const char* extension : {".3ds", ".stl", ".ply", ".x", ".lwo", ".abc", ".x3d", ".pmx", ".bvh"})
+  for (const char* extension : {".3ds", ".stl", ".ply", ".x", ".lwo", ".abc", ".x3d", ".pmx"})
     if (has_extension(path, extension)) return "; import it in Blender and export it: File > Export > glTF 2.0 or OBJ";
   return "";
 }
@@ -55,9 +58,15 @@ void read_skeleton(const std::string& path, bool with_skin, Character* character
   character->meshes.clear();  // they hung on the joints of another skeleton
   character->vertex_meshes.clear();
   if (has_extension(path, ".txt")) return read_rig(path, with_skin, character);
+  if (has_extension(path, ".bvh")) {
+    if (with_skin) throw Error(path + ": expected skin weights, found a BVH, which has none");
+    character->joints = rest_joints(read_bvh(path));
+    character->influences.clear();
+    return;
+  }
   if (!is_scene(path))
     throw Error(path +
-                ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm, .fbx, .dae), found another extension" +
+                ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh), found another extension" +
                 way_out(path));
   Character other = read_gltf_character(path, with_skin);
   if (other.joints.empty()) throw Error(path + ": expected a skeleton, found a file without a skin");

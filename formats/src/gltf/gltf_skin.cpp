@@ -64,7 +64,7 @@ class SkinWriter {
         document_(source->document),
         nodes_(gltf_nodes(path, source->model)) {}
 
-  void write() {
+  GltfJoints write() {
     keeps_joints_ = !source_.joint_nodes.empty() && same_joints(character_.joints, source_.joints);
     joint_nodes_ = keeps_joints_ ? source_.joint_nodes : add_joint_nodes(path_, character_.joints, &document_);
     for (size_t j = 0; j < joint_nodes_.size(); ++j) {
@@ -88,6 +88,7 @@ class SkinWriter {
     drop_unused_skins();
     join_skeletons();
     drop_unused_accessors(orphans_, &source_);
+    return {std::move(joint_nodes_), std::move(joint_worlds_)};
   }
 
  private:
@@ -550,9 +551,9 @@ int add_accessor(GltfSource* source, const void* values, size_t size_bytes, cons
   return static_cast<int>(document["accessors"].size()) - 1;
 }
 
-void write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source) {
+GltfJoints write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source) {
   try {
-    SkinWriter(path, character, unorm8, source).write();
+    return SkinWriter(path, character, unorm8, source).write();
   } catch (const nlohmann::json::exception& error) {
     throw Error(path + ": cannot write, the input document has an unexpected form: " + one_line(error.what()));
   }

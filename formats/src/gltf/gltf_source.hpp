@@ -12,6 +12,7 @@
 #include "gltf/tinygltf.hpp"
 #include "sinew_formats/affine.hpp"
 #include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 
@@ -73,9 +74,16 @@ std::vector<uint32_t> accessor_integers(const std::string& where, const tinygltf
 std::vector<Affine> inverse_bind_matrices(const std::string& where, const tinygltf::Model& model,
                                           const tinygltf::Skin& skin);
 
+// Where a Character's joints are in a document.
+struct GltfJoints {
+  std::vector<int> nodes;      // [J]
+  std::vector<Affine> worlds;  // [J] in the pose that the weights are meant for
+};
 // Gives the document's mesh nodes the skin that `character` describes (its influences are not empty). Nodes whose
 // vertices are all unbound, or which hang on a joint and belong to it alone, stay as they are.
-void write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source);
+GltfJoints write_gltf_skin(const std::string& path, const Character& character, bool unorm8, GltfSource* source);
+// Adds clips as animations of the joints, which are the motion's. Animations of the same name get a number.
+void write_gltf_motion(const std::string& path, const Motion& motion, const GltfJoints& joints, GltfSource* source);
 // Adds the character's joints as nodes and returns their numbers [J].
 std::vector<int> add_joint_nodes(const std::string& path, const std::vector<Joint>& joints, Json* document);
 // A document with one mesh node from a Character that has none of its own (an OBJ).

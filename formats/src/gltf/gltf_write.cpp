@@ -168,17 +168,37 @@ bool same_folder(const std::string& a, const std::string& b) {
   return !first && !second && x == y;
 }
 
-// The document with the character's skin; pictures are not yet in it.
+// Where the skin of the document as it was read has its joints.
+GltfJoints own_joints(const GltfSource& source) {
+  GltfJoints joints = {source.joint_nodes, {}};
+  for (const int node : joints.nodes) joints.worlds.push_back(source.bind_pose.worlds[static_cast<size_t>(node)]);
+  return joints;
+}
+
+// The document with the character's skin and motion; pictures are not yet in it.
 GltfSource skinned_document(const std::string& path, const Character& character, const GlbOptions& options) {
   const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
-  if (!character.influences.empty() && !character.joints.empty()) {
+  GltfJoints joints;
+  if (options.keep_skin && has_document && !source.joint_nodes.empty()) {
+    joints = own_joints(source);
+  } else if (!character.influences.empty() && !character.joints.empty()) {
     if (character.influences.size() != character.vertices.size())
       throw Error(path + ": cannot write, expected influences for " + std::to_string(character.vertices.size()) +
                   " vertices, found " + std::to_string(character.influences.size()));
-    write_gltf_skin(path, character, options.unorm8, &source);
+    joints = write_gltf_skin(path, character, options.unorm8, &source);
   } else if (!has_document) {
-    add_joint_nodes(path, character.joints, &source.document);
+    joints.nodes = add_joint_nodes(path, character.joints, &source.document);
+    for (const Joint& joint : character.joints)
+      joints.worlds.push_back({1, 0, 0, static_cast<double>(joint.position.x), 0, 1, 0,
+                               static_cast<double>(joint.position.y), 0, 0, 1, static_cast<double>(joint.position.z)});
+  }
+  if (options.motion != nullptr && !options.motion->clips.empty()) {
+    if (joints.nodes.size() != character.joints.size() || joints.nodes.size() != options.motion->joints.size())
+      throw Error(path + ": cannot write, expected a motion of the character's " +
+                  std::to_string(character.joints.size()) + " joints, found one of " +
+                  std::to_string(options.motion->joints.size()));
+    write_gltf_motion(path, *options.motion, joints, &source);
   }
   Json& asset = source.document["asset"];
   if (!asset.contains("generator")) asset["generator"] = "sinew";

@@ -47,6 +47,11 @@ inline std::optional<float> to_float(std::string_view word) {
   return value;
 }
 
+inline std::optional<double> to_double(std::string_view word) {
+  if (!is_decimal(word)) return std::nullopt;
+  return std::strtod(std::string(word).c_str(), nullptr);
+}
+
 inline std::string shortest(float value) {
   char text[32];
   for (int digits = 1;; ++digits) {
@@ -77,6 +82,18 @@ inline std::optional<float> decimal_to_float(std::string_view word) {
   return value;
 #else
   return plain::to_float(word);
+#endif
+}
+
+// The same with the precision of a double; what no float can hold is refused as well.
+inline std::optional<double> decimal_to_double(std::string_view word) {
+  if (!decimal_to_float(word)) return std::nullopt;
+#if defined(__cpp_lib_to_chars)
+  double value = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() ? value : 0.0;  // too small for a double
+#else
+  return plain::to_double(word);
 #endif
 }
 

@@ -55,6 +55,8 @@ inline std::string_view without_plus(std::string_view word) {
 // Decimal number that is finite as a float; nullopt otherwise ("nan", "inf", "1e99", "0x10", "1,5", "").
 inline std::optional<float> to_finite_float(std::string_view word) { return decimal_to_float(without_plus(word)); }
 
+inline std::optional<double> to_finite_double(std::string_view word) { return decimal_to_double(without_plus(word)); }
+
 inline std::optional<int64_t> to_integer(std::string_view word) {
   word = without_plus(word);
   int64_t value = 0;

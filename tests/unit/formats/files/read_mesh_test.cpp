@@ -22,7 +22,8 @@ TEST(ReadMesh, FilesOfOtherProgramsAreShownTheWayOut) {
   EXPECT_ERROR(read_character("cat.MB"), "Maya", "FBX");
   EXPECT_ERROR(read_mesh("cat.stl"), "Blender");
   Character c;
-  EXPECT_ERROR(read_skeleton("cat.bvh", false, &c), "expected a skeleton", "Blender");
+  EXPECT_ERROR(read_skeleton("cat.stl", false, &c), "expected a skeleton", "Blender");
+  EXPECT_ERROR(read_mesh("cat.bvh"), "sinew animate --motion");
 }
 
 }  // namespace

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT
+ * Motion: plays what was recorded on one skeleton on another one. A plan is made once per pair of skeletons and map, then
+ * one call per frame. Same bytes on every platform. */
+#ifndef SINEW_MOTION_H
+#define SINEW_MOTION_H
+
+#include <string.h>
+
+#include "sinew/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A skeleton in its rest pose, borrowed for the time of a call. A pose of it is an array of local rotations [J x 4], x y z
+ * w, and one of local translations [J x 3], both in the axes of the joint's parent, or of the world for a root. */
+typedef struct sinew_motion_rig {
+  const float* positions; /* [joint_count x 3] in the world; any unit */
+  const int32_t* parents; /* [joint_count] parent index or -1; any order */
+  /* [joint_count x 4] x y z w, how the joints' axes are turned in the world; null = as the world's, which is BVH's way */
+  const float* rotations;
+  uint32_t joint_count; /* 1 .. SINEW_MAX_JOINTS */
+} sinew_motion_rig;
+
+typedef enum sinew_retarget_method {
+  SINEW_RETARGET_AUTO = 0, /* the best that this library has for the inputs */
+  /* Every mapped joint turns as its source does. Upper and lower arms and legs point to where the source's do, whatever the
+   * two rest poses are; joints without a source follow their parents; the hips move by as much as the legs are longer */
+  SINEW_RETARGET_COPY = 1
+} sinew_retarget_method;
+
+typedef enum sinew_up {
+  SINEW_UP_AUTO = 0, /* away from where the legs point at rest; Y without legs */
+  SINEW_UP_X = 1,
+  SINEW_UP_Y = 2,
+  SINEW_UP_Z = 3
+} sinew_up;
+
+/* What a plan is asked to do: inputs only. Start from sinew_retarget_options_init(), which asks for every default. Later
+ * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
+typedef struct sinew_retarget_options {
+  uint32_t struct_size; /* sizeof(sinew_retarget_options) */
+  uint32_t method;      /* sinew_retarget_method */
+  uint32_t source_up;   /* sinew_up; the motion's world may have another axis up than the target's */
+  uint32_t target_up;   /* sinew_up */
+  uint32_t in_place;    /* 1: the target stays above where it stands at rest */
+  float scale; /* lengths of the target per length of the source; 0 = by their legs, else by all mapped bones */
+} sinew_retarget_options;
+
+/* Options that ask for every default. */
+static inline sinew_retarget_options sinew_retarget_options_init(void) {
+  sinew_retarget_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* A plan; it lies in the caller's memory, holds pointers into it and must not be moved. */
+typedef struct sinew_retarget sinew_retarget;
+
+/* Bytes a plan needs for skeletons of these counts. A pure function of its arguments: the same on every host with
+ * pointers of one size.
+ *   size_bytes  out, 0 on failure
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT. */
+SINEW_API sinew_status sinew_retarget_size(uint32_t source_joints, uint32_t target_joints, size_t* size_bytes);
+
+/* Makes a plan.
+ *   map             [target->joint_count] the source joint that a target joint moves as, or -1. Several may have one source
+ *   target_classes  [target->joint_count] sinew_joint_class: which bones are arms and legs. What is no joint of a body has
+ *                   SINEW_CLASS_OTHER. null = all have it: rest poses must agree then
+ *   options         null = all defaults
+ *   memory          64-byte aligned, size from sinew_retarget_size(); the plan's until the last call with it
+ *   plan            out; untouched on failure
+ * The map also says how the source's world is turned: of the quarter turns that bring one up axis to the other the one
+ * that brings mapped joints nearest to each other at rest.
+ *
+ * Returns SINEW_OK, or
+ *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out
+ *                           of its range, or this build is without it (SINEW_SMALL_CODE)
+ *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
+ *   SINEW_ERROR_COUNT       no joint, or more than SINEW_MAX_JOINTS
+ *   SINEW_ERROR_NOT_FINITE  a position or rotation is NaN or infinite
+ *   SINEW_ERROR_INDEX       a parent or a mapped joint does not exist
+ *   SINEW_ERROR_HIERARCHY   parents form a cycle
+ *   SINEW_ERROR_NO_JOINT    no joint is mapped
+ *   SINEW_ERROR_WORKSPACE   the memory is too small or not aligned */
+SINEW_API sinew_status sinew_retarget_create(const sinew_motion_rig* source, const sinew_motion_rig* target,
+                                             const int32_t* map, const uint8_t* target_classes,
+                                             const sinew_retarget_options* options, void* memory, size_t memory_bytes,
+                                             sinew_retarget** plan);
+
+/* How high the lower ankle of one source frame is, in the source's units; of the lowest mapped joint where there are no
+ * legs. What sinew_retarget_ground() is made from.
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */
+SINEW_API sinew_status sinew_retarget_height(sinew_retarget* plan, const float* rotations, const float* translations,
+                                             float* height);
+
+/* How high a standing ankle of a clip is: the 5th percentile of its frames' heights. The source's own at rest where it
+ * stands on the clip's floor: its lowest joint is within 20 % of a leg of the origin's height, or the two heights are
+ * within 5 % of a leg of each other.
+ *   heights  [count] of sinew_retarget_height(); sorted on return. None: the source's own at rest
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */
+SINEW_API sinew_status sinew_retarget_ground(const sinew_retarget* plan, float* heights, size_t count, float* ground);
+
+/* One frame. A plan has its scratch in its memory: one thread at a time.
+ *   rotations, translations          [source joints x 4], [source joints x 3] the source's pose. Rotations need not be of
+ *                                    length 1; one of length 0 is none
+ *   ground                           height of a standing ankle in this clip, of sinew_retarget_ground()
+ *   out_rotations, out_translations  [target joints x 4], [target joints x 3] the target's pose; must not overlap inputs
+ * Returns SINEW_OK, or with outputs untouched SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */
+SINEW_API sinew_status sinew_retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations,
+                                            float ground, float* out_rotations, float* out_translations);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

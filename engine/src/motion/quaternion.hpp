@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Vectors and unit quaternions in double, of one order of operations and without the maths library: the same bits
+// everywhere.
+#ifndef SINEW_MOTION_QUATERNION_HPP
+#define SINEW_MOTION_QUATERNION_HPP
+
+#include <stdint.h>
+#include <string.h>
+
+namespace sinew {
+
+struct Vec3d {
+  double x, y, z;
+};
+inline Vec3d operator+(Vec3d a, Vec3d b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec3d operator-(Vec3d a, Vec3d b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3d operator*(double s, Vec3d a) { return {s * a.x, s * a.y, s * a.z}; }
+inline double dot(Vec3d a, Vec3d b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3d cross(Vec3d a, Vec3d b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+
+// 1 / sqrt(x) for normal x > 0: a guess that halves the exponent, 3.5 % off, and five Newton steps, each of which squares
+// the error.
+inline double reciprocal_sqrt(double x) {
+  uint64_t word;
+  memcpy(&word, &x, sizeof word);
+  word = 0x5FE6EB50C7B537A9u - (word >> 1);
+  double y;
+  memcpy(&y, &word, sizeof y);
+  for (int i = 0; i < 5; ++i) y = y * (1.5 - 0.5 * x * y * y);
+  return y;
+}
+
+// Squares of floats are above this unless the float is 0 or no length that anything could stand on.
+constexpr double kLeastSquare = 1e-80;
+
+inline double length(Vec3d v) {
+  const double square = dot(v, v);
+  return square > kLeastSquare ? square * reciprocal_sqrt(square) : 0.0;
+}
+// (0, 0, 0) for a vector without length.
+inline Vec3d unit(Vec3d v) {
+  const double square = dot(v, v);
+  return square > kLeastSquare ? reciprocal_sqrt(square) * v : Vec3d{0, 0, 0};
+}
+
+struct Quat {
+  double x, y, z, w;
+};
+constexpr Quat kNoTurn = {0, 0, 0, 1};
+
+// a after b.
+inline Quat operator*(Quat a, Quat b) {
+  return {a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
+          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
+}
+inline Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
+// No turn for a quaternion without length.
+inline Quat normalised(Quat q) {
+  const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  if (!(square > kLeastSquare)) return kNoTurn;
+  const double s = reciprocal_sqrt(square);
+  return {q.x * s, q.y * s, q.z * s, q.w * s};
+}
+inline Vec3d rotate(Quat q, Vec3d v) {
+  const Vec3d u = {q.x, q.y, q.z};
+  const Vec3d t = 2.0 * cross(u, v);
+  return v + q.w * t + cross(u, t);
+}
+
+// The shortest turn from one direction to another; half a turn about some axis across where they are opposite, none where
+// one of them has no length.
+inline Quat shortest_arc(Vec3d from, Vec3d to) {
+  const Vec3d a = unit(from), b = unit(to);
+  const double c = dot(a, b);
+  if (c < -0.999999) {
+    const Vec3d other = a.x < 0.9 && a.x > -0.9 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+    const Vec3d axis = unit(other - dot(other, a) * a);
+    return {axis.x, axis.y, axis.z, 0};
+  }
+  if (dot(a, a) == 0 || dot(b, b) == 0) return kNoTurn;
+  const Vec3d axis = cross(a, b);
+  return normalised({axis.x, axis.y, axis.z, 1 + c});
+}
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What a pair of skeletons and a map have in common, found once: how the source's world is turned, which bones are long
+// ones of limbs and how far their rest poses are apart, how much larger the target is, and what stands on the floor.
+#ifndef SINEW_MOTION_RETARGET_PLAN_HPP
+#define SINEW_MOTION_RETARGET_PLAN_HPP
+
+#include "motion/motion_rig.hpp"
+
+// The type of the interface: the plan is one block of memory, this is its beginning.
+struct sinew_retarget {
+  sinew::MotionRig source, target;
+  int32_t* map = nullptr;        // [target joints] source joint or -1
+  int32_t* long_ends = nullptr;  // [target joints] where a limb's long bone that begins here ends, else -1
+  sinew::Quat* align = nullptr;  // [target joints] from the target's rest direction of its long bone to the source's
+  uint8_t* moved = nullptr;      // [target joints] 1 below `mover`, itself included
+  uint32_t* anchors = nullptr;   // [anchor_count] target joints whose middle goes where that of their sources goes
+  uint32_t* floor_joints = nullptr;  // [floor_count] target joints the lowest of which stands on the floor
+  uint32_t anchor_count = 0, floor_count = 0;
+  bool has_legs = false;
+  int32_t mover = -1;                 // target joint that takes the translation
+  int32_t root = -1;                  // target joint above the mover that moves as a root of the source does, or -1
+  sinew::Quat turn = sinew::kNoTurn;  // from the source's world to the target's
+  sinew::Vec3d up = {0, 1, 0};        // of the target's world
+  double scale = 1;                   // lengths of the target per length of the source
+  double source_floor = 0;            // height of the floor joints' sources at rest, the source's units
+  double source_lowest = 0;           // of all its joints
+  double leg_length = 0;              // of the source; without legs its extent
+  double target_floor = 0;            // height of the floor joints at rest
+  bool in_place = false;
+  // Scratch of a frame: turned against the rest pose, and where; the source's in the target's world.
+  sinew::Quat* source_turns = nullptr;
+  sinew::Vec3d* source_places = nullptr;
+  sinew::Quat* target_turns = nullptr;
+  sinew::Vec3d* target_places = nullptr;
+};
+
+namespace sinew {
+
+// The options of the interface, checked.
+struct RetargetOptions {
+  uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;
+  bool in_place = false;
+  double scale = 0;
+};
+// Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.
+sinew_status read_retarget_options(const sinew_retarget_options* options, RetargetOptions* out);
+
+// Bytes of a plan, what it needs while it is made included.
+size_t measure_plan(uint32_t source_joints, uint32_t target_joints);
+
+// As sinew_retarget_create() after its checks of pointers, counts and memory.
+sinew_status create_plan(const sinew_motion_rig& source, const sinew_motion_rig& target, const int32_t* map,
+                         const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
+                         sinew_retarget** plan);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Recorded motion of a skeleton: BVH files and glTF animations in, both out, and what is done with clips between.
+#ifndef SINEW_FORMATS_MOTION_HPP
+#define SINEW_FORMATS_MOTION_HPP
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+using Point3 = std::array<double, 3>;
+using Quaternion = std::array<double, 4>;  // x y z w, of length 1
+constexpr Quaternion kNoTurn4 = {0, 0, 0, 1};
+
+// At rest every joint's axes are those of the world, as in a BVH file; readers of others turn their poses into this.
+struct MotionJoint {
+  std::string name;
+  int parent = -1;     // index into Motion::joints; any order
+  Point3 offset = {};  // from the parent at rest, a root's from the origin
+  bool end = false;    // of a bone alone: a BVH's End Site, which never turns
+};
+
+// One pose: local turns against the rest pose, and where joints stand from their parents, in the parent's turned axes.
+struct MotionFrame {
+  std::vector<Quaternion> rotations;  // [J]
+  std::vector<Point3> translations;   // [J] a joint that keeps its place has its offset here
+};
+
+struct Clip {
+  std::string name;
+  double frame_time = 1.0 / 30;  // seconds
+  std::vector<MotionFrame> frames;
+};
+
+struct Motion {
+  std::string name;  // file stem
+  std::vector<MotionJoint> joints;
+  std::vector<Clip> clips;
+  std::vector<std::string> notes;  // remarks of the reader for the user, a line each
+};
+
+// .bvh, or an animated .gltf, .glb or .vrm. Animations are sampled at `fps` frames a second, 0 = at the rate of their own
+// keys, 30 where these have none. Throws Error for a file without motion.
+Motion read_motion(const std::string& path, double fps = 0);
+Motion read_bvh(const std::string& path);
+// Joints are those that read_gltf() gives, in its order and with its names, then animated nodes above and below them; in a
+// file without a skin all animated nodes. The rest pose is the one that the skin was bound in.
+Motion read_gltf_motion(const std::string& path, double fps = 0);
+
+// One clip; channels Zrotation Xrotation Yrotation, positions for roots and for joints that leave their place.
+void write_bvh(const std::string& path, const Motion& motion, const Clip& clip);
+
+// Places at rest in the world, names, parents.
+std::vector<Joint> rest_joints(const Motion& motion);
+// A motion's skeleton for clips to be made: its rest pose is the character's.
+Motion motion_of(const std::vector<Joint>& joints);
+
+// By name; "3" is the fourth where no clip is called so; the only clip for an empty name. Throws Error that lists the names.
+const Clip& find_clip(const Motion& motion, const std::string& file, const std::string& name);
+// Frames from `from` to `to` seconds.
+Clip cut(const Clip& clip, double from, double to);
+// Frames at another rate over the same time: turns along the shortest arc at constant speed, places along lines.
+Clip resample(const Clip& clip, double fps);
+MotionFrame frame_at(const Clip& clip, double seconds);
+
+// Turns against the rest pose in the world, and places. [J]
+struct WorldPose {
+  std::vector<Quaternion> rotations;
+  std::vector<Point3> positions;
+};
+WorldPose world_pose(const Motion& motion, const MotionFrame& frame);
+// Pose times inverse bind for the first `count` joints.
+std::vector<Affine> motion_palette(const Motion& motion, const MotionFrame& frame, size_t count);
+
+}  // namespace sinew
+#endif

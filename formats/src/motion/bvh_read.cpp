@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// BVH (Biovision): a tree of joints with offsets and channels, then a line of numbers per frame.
+#include <algorithm>
+#include <numbers>
+
+#include "motion/turns.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "text/joint_names.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+// One column of the frames.
+struct Channel {
+  size_t joint = 0;
+  size_t axis = 0;
+  bool turns = false;  // else it moves
+};
+
+// Keywords are written in any case.
+bool is_word(std::string_view found, std::string_view wanted) {
+  return std::equal(found.begin(), found.end(), wanted.begin(), wanted.end(), [](char a, char b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return lower(a) == lower(b);
+  });
+}
+
+class BvhReader {
+ public:
+  BvhReader(const std::string& path, std::string_view text) : path_(path), lines_(path, text) {}
+
+  Motion read() {
+    motion_.name = stem_of(path_);
+    read_hierarchy();
+    read_frames();
+    std::vector<std::string> names;
+    for (const MotionJoint& joint : motion_.joints) names.push_back(joint.name);
+    make_names_unique(&names);
+    for (size_t j = 0; j < names.size(); ++j) motion_.joints[j].name = std::move(names[j]);
+    return std::move(motion_);
+  }
+
+ private:
+  // The next line that is not blank; an Error at the end of the file.
+  void next(const char* expected) {
+    do {
+      if (!lines_.next())
+        throw Error(path_ + ": truncated BVH, expected " + expected + " behind line " +
+                    std::to_string(lines_.number()) + ", found the end of the file");
+    } while (lines_.words().empty());
+  }
+  std::string_view word(size_t i) const { return i < lines_.words().size() ? lines_.words()[i] : std::string_view(); }
+  double number(size_t i, const char* what) const {
+    const std::optional<double> value = to_finite_double(word(i));
+    if (!value) lines_.fail(std::string("a finite number as ") + what, word(i));
+    return *value;
+  }
+
+  // Everything behind the first word; `brace` is set where a { ends the line.
+  std::string name_behind(size_t first, bool* brace) const {
+    std::string name;
+    for (size_t i = first; i < lines_.words().size(); ++i) {
+      *brace = lines_.words()[i] == "{" && i + 1 == lines_.words().size();
+      if (!*brace) name += (name.empty() ? "" : " ") + std::string(lines_.words()[i]);
+    }
+    return name;
+  }
+
+  void read_hierarchy() {
+    next("HIERARCHY");
+    if (!is_word(word(0), "HIERARCHY")) lines_.fail("HIERARCHY", lines_.line());
+    for (;;) {
+      next("a joint, '}' or MOTION");
+      if (is_word(word(0), "MOTION") && open_.empty()) break;
+      if (word(0) == "}") {
+        close();
+      } else if (is_word(word(0), "ROOT") || is_word(word(0), "JOINT") || is_word(word(0), "End")) {
+        open_joint();
+      } else if (!open_.empty() && is_word(word(0), "OFFSET")) {
+        read_offset();
+      } else if (!open_.empty() && is_word(word(0), "CHANNELS")) {
+        read_channels();
+      } else {
+        lines_.fail(open_.empty() ? "ROOT or MOTION" : "OFFSET, CHANNELS, JOINT, 'End Site' or '}'", lines_.line());
+      }
+    }
+    if (motion_.joints.empty()) lines_.fail("a ROOT before MOTION", lines_.line());
+  }
+
+  void open_joint() {
+    const bool root = is_word(word(0), "ROOT"), end = is_word(word(0), "End");
+    if (root != open_.empty())
+      lines_.fail(open_.empty() ? "ROOT or MOTION" : "JOINT or 'End Site' inside of a joint", lines_.line());
+    if (end && !is_word(word(1), "Site")) lines_.fail("'End Site'", lines_.line());
+    if (!open_.empty() && motion_.joints[open_.back()].end) lines_.fail("OFFSET and '}' in an End Site", lines_.line());
+    bool brace = false;
+    MotionJoint joint;
+    joint.name = name_behind(end ? 2 : 1, &brace);
+    joint.parent = open_.empty() ? -1 : static_cast<int>(open_.back());
+    joint.end = end;
+    if (end) joint.name = motion_.joints[open_.back()].name + "_end";
+    if (joint.name.empty()) lines_.fail("a name behind " + std::string(word(0)), lines_.line());
+    open_.push_back(motion_.joints.size());
+    motion_.joints.push_back(std::move(joint));
+    has_offset_.push_back(false);
+    has_channels_.push_back(false);
+    if (brace) return;
+    next("'{'");
+    if (lines_.words().size() != 1 || word(0) != "{") lines_.fail("'{'", lines_.line());
+  }
+
+  void close() {
+    if (open_.empty() || lines_.words().size() != 1)
+      lines_.fail(open_.empty() ? "ROOT or MOTION" : "'}' alone on its line", lines_.line());
+    if (!has_offset_[open_.back()])
+      lines_.fail("an OFFSET in " + in_quotes(motion_.joints[open_.back()].name) + " before its '}'", lines_.line());
+    open_.pop_back();
+  }
+
+  void read_offset() {
+    const size_t joint = open_.back();
+    if (lines_.words().size() != 4) lines_.fail("'OFFSET x y z'", lines_.line());
+    if (has_offset_[joint]) lines_.fail("one OFFSET per joint", lines_.line());
+    has_offset_[joint] = true;
+    for (size_t i = 0; i < 3; ++i) motion_.joints[joint].offset[i] = number(i + 1, "an offset");
+  }
+
+  void read_channels() {
+    const size_t joint = open_.back();
+    const std::optional<int64_t> count = to_integer(word(1));
+    if (!count || *count < 0 || *count > 6) lines_.fail("0 to 6 behind CHANNELS", word(1));
+    if (lines_.words().size() != static_cast<size_t>(*count) + 2)
+      lines_.fail(std::to_string(*count) + " channels", lines_.line());
+    if (has_channels_[joint]) lines_.fail("one CHANNELS per joint", lines_.line());
+    if (motion_.joints[joint].end) lines_.fail("no CHANNELS in an End Site", lines_.line());
+    has_channels_[joint] = true;
+    const size_t first = channels_.size();
+    for (size_t i = 2; i < lines_.words().size(); ++i) {
+      const std::string_view name = word(i);
+      const size_t axis = std::string_view("xyzXYZ").find(name[0]);
+      const bool turns = is_word(name.substr(1), "rotation");
+      if (axis == std::string_view::npos || (!turns && !is_word(name.substr(1), "position")))
+        lines_.fail("Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation", name);
+      const Channel channel = {joint, axis % 3, turns};
+      for (size_t c = first; c < channels_.size(); ++c)
+        if (channels_[c].axis == channel.axis && channels_[c].turns == turns) lines_.fail("each channel once", name);
+      channels_.push_back(channel);
+    }
+  }
+
+  void read_frames() {
+    next("'Frames: N'");
+    const bool apart = word(1) == ":";
+    if (!is_word(word(0), apart ? "Frames" : "Frames:")) lines_.fail("'Frames: N'", lines_.line());
+    const std::optional<int64_t> count = to_integer(word(apart ? 2 : 1));
+    if (!count || *count < 0) lines_.fail("the number of frames", word(apart ? 2 : 1));
+    next("'Frame Time: SECONDS'");
+    const bool time_apart = word(2) == ":";
+    if (!is_word(word(0), "Frame") || !is_word(word(1), time_apart ? "Time" : "Time:"))
+      lines_.fail("'Frame Time: SECONDS'", lines_.line());
+    Clip clip;
+    clip.name = motion_.name;
+    clip.frame_time = number(time_apart ? 3 : 2, "the time of a frame");
+    if (!(clip.frame_time > 0)) {
+      if (*count > 1) lines_.fail("a time of a frame above 0", lines_.line());
+      clip.frame_time = Clip().frame_time;
+    }
+    while (lines_.next()) {
+      if (lines_.words().empty()) continue;
+      if (clip.frames.size() == static_cast<size_t>(*count))
+        lines_.fail("no more than the " + std::to_string(*count) + " frames that line 'Frames:' promises",
+                    lines_.line());
+      clip.frames.push_back(read_frame(clip.frames.size()));
+    }
+    if (clip.frames.size() != static_cast<size_t>(*count))
+      throw Error(path_ + ": truncated BVH, expected " + std::to_string(*count) + " frames, found " +
+                  std::to_string(clip.frames.size()));
+    if (!clip.frames.empty()) motion_.clips.push_back(std::move(clip));
+  }
+
+  // Positions stand in place of the offset, as programs write them; turns apply from the last to the first.
+  MotionFrame read_frame(size_t index) const {
+    if (lines_.words().size() != channels_.size())
+      lines_.fail(std::to_string(channels_.size()) + " numbers in frame " + std::to_string(index),
+                  std::to_string(lines_.words().size()) + " of them");
+    MotionFrame frame;
+    frame.rotations.assign(motion_.joints.size(), kNoTurn4);
+    for (const MotionJoint& joint : motion_.joints) frame.translations.push_back(joint.offset);
+    for (size_t c = 0; c < channels_.size(); ++c) {
+      const Channel& channel = channels_[c];
+      const double value = number(c, "a channel's value");
+      if (channel.turns) {
+        Quaternion& q = frame.rotations[channel.joint];
+        q = multiply(q, axis_turn(channel.axis, value * (std::numbers::pi / 180)));
+      } else {
+        frame.translations[channel.joint][channel.axis] = value;
+      }
+    }
+    for (Quaternion& q : frame.rotations) q = normalised(q);
+    return frame;
+  }
+
+  const std::string path_;
+  TextLines lines_;
+  Motion motion_;
+  std::vector<size_t> open_;  // joints whose '}' is to come
+  std::vector<bool> has_offset_, has_channels_;
+  std::vector<Channel> channels_;
+};
+
+}  // namespace
+
+Motion read_bvh(const std::string& path) {
+  const std::string text = read_text_file(path);
+  if (text.empty()) throw Error(path + ": expected a BVH, found an empty file");
+  if (text.find('\0') != std::string::npos)
+    throw Error(path + ": expected a BVH text file, found binary data (a zero byte)");
+  return BvhReader(path, text).read();
+}
+
+}  // namespace sinew

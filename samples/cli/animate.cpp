@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// sinew animate: motion of any skeleton for a character, into its own file.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "motion_map.hpp"
+#include "motion_sheet.hpp"
+#include "progress.hpp"
+#include "rig_mesh.hpp"
+#include "sinew_datasets/image.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "sinew_formats/retarget.hpp"
+#include "support.hpp"
+
+namespace sinew::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet;
+  std::vector<std::string> motions;
+  double fps = 0, from = 0, to = 1e9;
+  bool in_place = false, json = false;
+};
+
+// FILE or FILE#CLIP; a file whose own name has a # is one.
+struct MotionChoice {
+  std::string file, clip;
+};
+MotionChoice parse_choice(const std::string& text) {
+  const size_t mark = text.rfind('#');
+  std::error_code ignored;
+  if (mark == std::string::npos || std::filesystem::is_regular_file(text, ignored)) return {text, ""};
+  return {text.substr(0, mark), text.substr(mark + 1)};
+}
+
+// What became of one clip.
+struct Made {
+  std::string file, clip, map;
+  size_t frames = 0, mapped = 0;
+  double frame_time = 0;
+};
+
+struct Animated {
+  Character character;
+  Motion motion;  // of its joints
+  std::vector<Made> made;
+  bool rigged = false;  // was a bare mesh
+};
+
+// A bound character as it is; a mesh without a skeleton gets one.
+void read_animated(const std::string& path, Animated* out) {
+  std::error_code ignored;
+  const bool pair = has_extension(path, ".rig.txt") ||
+                    (has_extension(path, ".obj") && std::filesystem::is_regular_file(rig_path_beside(path), ignored));
+  out->character = pair ? read_character(path) : read_mesh(path);
+  if (out->character.joints.empty()) {
+    out->character = rig_bare_mesh(path);
+    out->rigged = true;
+  }
+  if (out->character.influences.empty())
+    throw Error(path + ": has a skeleton but no skin weights to animate; bind it first with sinew bind");
+}
+
+uint32_t up_of(const std::string& text) {
+  return text == "x" ? SINEW_UP_X : text == "y" ? SINEW_UP_Y : text == "z" ? SINEW_UP_Z : SINEW_UP_AUTO;
+}
+
+std::vector<Clip> chosen_clips(const Settings& s, const MotionChoice& choice, const Motion& source) {
+  if (source.clips.empty()) throw Error(choice.file + ": expected a motion, found a skeleton without frames");
+  std::vector<Clip> chosen;
+  if (choice.clip.empty())
+    chosen = source.clips;
+  else
+    chosen.push_back(find_clip(source, choice.file, choice.clip));
+  for (Clip& clip : chosen) {
+    const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
+    clip = cut(clip, s.from, s.to);
+    if (clip.frames.empty())
+      throw Error(choice.file + ": clip " + clip.name +
+                  print(" has no frame between --from %g and --to %g; it lasts %g seconds", s.from, s.to, seconds));
+    if (s.fps > 0 && clip.frame_time * s.fps != 1) clip = resample(clip, s.fps);
+  }
+  return chosen;
+}
+
+void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
+  const Motion source = read_motion(choice.file, s.fps);
+  const std::vector<Clip> clips = chosen_clips(s, choice, source);
+  const std::vector<Joint> joints = rest_joints(source);
+  const JointMap map = map_joints(out->character.joints, joints, s.character, choice.file, s.map);
+  RetargetSettings settings;
+  settings.method = s.method == "copy" ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
+  settings.in_place = s.in_place ? 1 : 0;
+  settings.target_up = up_of(s.up);
+  settings.source_up = up_of(s.motion_up);
+  Retargeter retargeter(source, out->character.joints, map.sources,
+                        motion_classes(out->character.joints, joints, map.sources), settings);
+  size_t frames = 0, mapped = 0;
+  for (const Clip& clip : clips) frames += clip.frames.size();
+  for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
+  Progress progress(frames, "frames of " + file_name(choice.file));
+  for (const Clip& clip : clips) {
+    out->motion.clips.push_back(retargeter.run(clip, [&] {
+      progress.step();
+      return !stop;
+    }));
+    out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time});
+  }
+  for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
+}
+
+void tell(const Settings& s, const Animated& animated) {
+  const size_t joints = animated.character.joints.size();
+  if (s.json) {
+    Json json;
+    json["character"] = s.character;
+    json["output"] = s.output;
+    json["joints"] = joints;
+    json["rigged"] = animated.rigged;
+    for (const Made& one : animated.made)
+      json["clips"].push_back({{"motion", one.file},
+                               {"name", one.clip},
+                               {"frames", one.frames},
+                               {"fps", 1 / one.frame_time},
+                               {"mapped", one.mapped},
+                               {"map", one.map}});
+    json["notes"] = animated.motion.notes;
+    std::printf("%s\n", json_line(json).c_str());
+    return;
+  }
+  if (animated.rigged)
+    std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
+  for (const Made& one : animated.made)
+    std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
+                printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
+                printable(one.map).c_str());
+  for (const std::string& note : animated.motion.notes) std::printf("  %s\n", printable(note).c_str());
+  std::printf("wrote %s\n", printable(s.output).c_str());
+}
+
+void run(const Settings& s) {
+  check_output(s.output, {".glb", ".gltf", ".vrm", ".bvh"});
+  if (!s.sheet.empty()) check_output(s.sheet, {".png"});
+  if (!(s.from <= s.to)) throw UsageError(print("--from %g is behind --to %g", s.from, s.to));
+  const bool as_bvh = has_extension(s.output, ".bvh");
+  const std::atomic<bool>& stop = stop_on_signals();
+  Animated animated;
+  read_animated(s.character, &animated);
+  animated.motion = motion_of(animated.character.joints);
+  for (const std::string& text : s.motions) add_motion(s, parse_choice(text), stop, &animated);
+  if (as_bvh && animated.motion.clips.size() != 1)
+    throw UsageError(s.output + ": a BVH holds one clip, and there are " +
+                     std::to_string(animated.motion.clips.size()) +
+                     "; say which with --motion FILE#CLIP, or write a .glb");
+  std::vector<uint8_t> sheet;
+  if (!s.sheet.empty()) sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z"));
+  if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
+  if (as_bvh) {
+    write_bvh(s.output, animated.motion, animated.motion.clips[0]);
+  } else {
+    GlbOptions options;
+    options.keep_skin = !animated.rigged;
+    options.motion = &animated.motion;
+    write_gltf(s.output, animated.character, options);
+  }
+  if (!s.sheet.empty()) write_file(s.sheet, sheet);
+  tell(s, animated);
+}
+
+}  // namespace
+
+void add_animate(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("animate", "Play motion of another skeleton on a character");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("character", s->character,
+                  "Skinned .glb, .gltf or .vrm, NAME.obj with NAME.rig.txt beside it, or a bare mesh, which gets a "
+                  "skeleton first")
+      ->required()
+      ->type_name("CHARACTER");
+  sub->add_option("--motion", s->motions,
+                  "Motion: .bvh, or a .glb, .gltf or .vrm with animations, all of them or the one behind #; may be "
+                  "repeated")
+      ->required()
+      ->type_name("FILE[#CLIP]")
+      ->allow_extra_args(false);
+  sub->add_option("-o,--output", s->output,
+                  "Output: the character with its new animations as .glb, .gltf or .vrm, or one clip as .bvh")
+      ->required()
+      ->type_name("OUT");
+  sub->add_option("--map", s->map, "Which joint moves as which: lines TARGET_JOINT SOURCE_JOINT, - for none")
+      ->type_name("FILE");
+  sub->add_option("--method", s->method, "copy: every joint turns as its source does, rest poses aligned")
+      ->check(CLI::IsMember({"auto", "copy"}))
+      ->capture_default_str();
+  sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
+  sub->add_option("--fps", s->fps, "Frames a second [as the motion has]")->check(CLI::Range(0.1, 1000.0));
+  sub->add_option("--from", s->from, "First second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
+  sub->add_option("--to", s->to, "Last second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
+  sub->add_option("--up", s->up, "Axis that points up for the character")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}))
+      ->capture_default_str();
+  sub->add_option("--motion-up", s->motion_up, "Axis that points up for the motions")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}))
+      ->capture_default_str();
+  sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
+  sub->add_flag("--json", s->json, "Print what was done as JSON");
+  sub->footer(
+      "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
+      "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o hero.moves.glb\n"
+      "  sinew animate mesh.obj --motion walk.bvh -o walking.glb");
+  sub->callback([s] { run(*s); });
+}
+
+}  // namespace sinew::cli

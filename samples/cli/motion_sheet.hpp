@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A picture of clips: a row of frames each.
+#ifndef SINEW_CLI_MOTION_SHEET_HPP
+#define SINEW_CLI_MOTION_SHEET_HPP
+
+#include "sinew_datasets/image.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew::cli {
+
+// The character in frames at equal distances, seen from its front at one scale; it may walk, the picture goes with it.
+Image motion_sheet(const Character& character, const Motion& motion, bool up_z);
+
+}  // namespace sinew::cli
+#endif

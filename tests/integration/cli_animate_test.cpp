@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// sinew animate and sinew pose --animation: motions onto characters, and what a user may get wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli_fixture.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+namespace {
+
+class CliAnimate : public Cli {
+ protected:
+  // A clip for the robed biped's own joints in which one arm swings and the body rises; in x.bvh.
+  Motion make_clip(const std::string& name, size_t frames = 10) {
+    Character biped;
+    read_skeleton(kData + "/biped__robed.rig.txt", false, &biped);
+    Motion motion = motion_of(biped.joints);
+    motion.name = "clip";
+    Clip clip = {name, 0.05, {}};
+    for (size_t f = 0; f < frames; ++f) {
+      MotionFrame frame;
+      for (const MotionJoint& joint : motion.joints) {
+        frame.rotations.push_back(kNoTurn4);
+        frame.translations.push_back(joint.offset);
+      }
+      const double angle = 0.1 * static_cast<double>(f);
+      frame.rotations[arm_of(biped)] = {0, 0, std::sin(angle / 2), std::cos(angle / 2)};
+      for (size_t j = 0; j < motion.joints.size(); ++j)
+        if (motion.joints[j].parent < 0) frame.translations[j][2] += 0.02 * static_cast<double>(f);
+      clip.frames.push_back(frame);
+    }
+    motion.clips.push_back(clip);
+    write_bvh(in(name + ".bvh"), motion, motion.clips[0]);
+    return motion;
+  }
+  // A leaf's parent: some joint of a limb.
+  static size_t arm_of(const Character& character) { return static_cast<size_t>(character.joints.back().parent); }
+};
+
+TEST_F(CliAnimate, TheSameRigPlaysAsItWasRecorded) {
+  const Motion clip = make_clip("swing");
+  good("bind " + kData + "/biped__robed.obj --skeleton " + kData + "/biped__robed.rig.txt --all-joints -o hero.glb");
+  const Outcome told = good("animate hero.glb --motion swing.bvh -o moved.glb --sheet sheet.png");
+  EXPECT_NE(told.out.find("swing.bvh, swing: 10 frames, 20 a second"), std::string::npos) << told.out;
+  EXPECT_GT(fs::file_size(in("sheet.png")), 2000u);
+  const Motion moved = read_gltf_motion(in("moved.glb"), 20);
+  ASSERT_EQ(moved.clips.size(), 1u);
+  EXPECT_EQ(moved.clips[0].name, "swing");
+  ASSERT_EQ(moved.clips[0].frames.size(), 10u);
+  for (size_t f = 0; f < 10; ++f) {
+    const WorldPose a = world_pose(moved, moved.clips[0].frames[f]), b = world_pose(clip, clip.clips[0].frames[f]);
+    for (size_t j = 0; j < clip.joints.size(); ++j)
+      for (size_t i = 0; i < 3; ++i) ASSERT_NEAR(a.positions[j][i], b.positions[j][i], 5e-6) << f << " " << j;
+  }
+  // The file again as a motion, one clip chosen, in two formats.
+  good("animate hero.glb --motion moved.glb#swing --motion swing.bvh -o both.gltf");
+  EXPECT_EQ(read_gltf_motion(in("both.gltf")).clips.size(), 2u);
+  good("animate hero.glb --motion moved.glb --fps 10 --from 0.1 --to 0.4 -o part.bvh");
+  const Motion part = read_bvh(in("part.bvh"));
+  ASSERT_EQ(part.clips[0].frames.size(), 4u);
+  EXPECT_NEAR(part.clips[0].frame_time, 0.1, 1e-9);
+  // Its own animation as a pose.
+  good("pose moved.glb --animation swing --time 0.45 -o posed.obj");
+  good("pose moved.glb --animation 0 -o first.png");
+  const Character rest = read_gltf(in("hero.glb")), posed = read_obj(in("posed.obj"));
+  double most = 0;
+  for (size_t v = 0; v < rest.vertices.size(); ++v)
+    most = std::max(most, static_cast<double>(std::abs(posed.vertices[v].z - rest.vertices[v].z)));
+  EXPECT_GT(most, 0.17);
+  const auto json =
+      nlohmann::json::parse(good("animate hero.glb --motion swing.bvh --in-place -o still.glb --json").out);
+  EXPECT_EQ(json["clips"][0]["frames"], 10);
+  EXPECT_EQ(json["clips"][0]["map"], "their names");
+  const Motion still = read_gltf_motion(in("still.glb"), 20);
+  EXPECT_NEAR(world_pose(still, still.clips[0].frames[9]).positions[0][2],
+              world_pose(still, still.clips[0].frames[0]).positions[0][2], 0.02);
+}
+
+TEST_F(CliAnimate, AMapSaysWhichJointMovesAsWhich) {
+  make_clip("swing");
+  const std::string robot = kData + "/biped__robot.obj";
+  Character target, source;
+  read_skeleton(kData + "/biped__robot.rig.txt", false, &target);
+  read_skeleton(kData + "/biped__robed.rig.txt", false, &source);
+  const std::string a = target.joints[0].name, b = source.joints[0].name;
+  put(in("map.txt"), "# by hand\n" + a + " " + b + "\n" + target.joints[1].name + " -\n");
+  const Outcome told = good("animate " + robot + " --motion swing.bvh --map map.txt -o moved.glb");
+  EXPECT_NE(told.out.find("1 of " + std::to_string(target.joints.size()) + " joints move by map.txt"),
+            std::string::npos)
+      << told.out;
+  const auto expect = [&](const std::string& map, const char* wanted) {
+    put(in("map.txt"), map);
+    const size_t before = files();
+    const Outcome refused = bad(1, "animate " + robot + " --motion swing.bvh --map map.txt -o new.glb");
+    EXPECT_NE(refused.error.find(wanted), std::string::npos) << refused.error;
+    EXPECT_EQ(files(), before);
+  };
+  expect(a + "\n", "map.txt:1: expected 'TARGET_JOINT SOURCE_JOINT'");
+  expect("\nnobody " + b + "\n", "map.txt:2: expected a joint of ");
+  expect(a + " nobody\n", "map.txt:1: expected a joint of swing.bvh or -, found nobody");
+  expect(a + " " + b + "\n" + a + " -\n", "map.txt:2: expected each joint of ");
+  expect("", "no joint moves as one of swing.bvh");
+}
+
+TEST_F(CliAnimate, ABareMeshGetsASkeletonFirst) {
+  put(in("figure.obj"), slurp(kData + "/biped__robot.obj"));
+  good("rig figure.obj -o figure.glb");
+  const Character rigged = read_gltf(in("figure.glb"));
+  Motion motion = motion_of(rigged.joints);
+  Clip clip = {"nod", 0.1, {}};
+  for (int f = 0; f < 3; ++f) {
+    clip.frames.push_back({std::vector<Quaternion>(motion.joints.size(), kNoTurn4), {}});
+    for (const MotionJoint& joint : motion.joints) clip.frames.back().translations.push_back(joint.offset);
+    clip.frames.back().translations[0][1] += 0.1 * f;
+  }
+  write_bvh(in("nod.bvh"), motion, clip);
+  const Outcome told = good("animate figure.obj --motion nod.bvh -o moved.glb");
+  EXPECT_NE(told.out.find("had no skeleton and got one of " + std::to_string(rigged.joints.size())), std::string::npos)
+      << told.out;
+  EXPECT_EQ(read_gltf_motion(in("moved.glb"), 10).clips[0].frames.size(), 3u);
+  EXPECT_EQ(read_gltf(in("moved.glb")).joints.size(), rigged.joints.size());
+}
+
+TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
+  make_clip("swing");
+  const std::string hero = kData + "/biped__robed.obj";
+  put(in("out.glb"), "old");
+  const auto expect = [&](int status, const std::string& arguments, const char* wanted) {
+    const Outcome refused = bad(status, "animate " + arguments);
+    EXPECT_NE(refused.error.find(wanted), std::string::npos) << refused.error;
+    EXPECT_TRUE(slurp(in("out.glb")) == "old") << arguments;
+  };
+  expect(1, hero + " --motion none.bvh -o out.glb", "none.bvh: no such file");
+  expect(2, hero + " --motion swing.bvh -o out.fbx", "does not write it");
+  expect(2, hero + " --motion swing.bvh -o out.glb --method magic", "magic");
+  expect(2, hero + " --motion swing.bvh -o out.glb --from 2 --to 1", "--from 2 is behind --to 1");
+  expect(2, hero + " --motion swing.bvh -o out.glb --sheet sheet.gif", "sheet.gif");
+  expect(2, hero + " -o out.glb", "--motion");
+  expect(1, hero + " --motion swing.bvh#run -o out.glb", "expected one of its clips, 'swing', found 'run'");
+  expect(1, hero + " --motion swing.bvh --from 5 -o out.glb", "has no frame between");
+  expect(2, hero + " --motion swing.bvh --motion swing.bvh -o two.bvh", "a BVH holds one clip");
+  expect(1, hero + " --motion " + kData + "/biped__robot.obj -o out.glb", "expected a motion");
+  expect(1, hero + " --motion " + kCaped + " -o out.glb", "expected an animation, found none");
+  expect(1, hero + " --motion move.fbx -o out.glb", "export them as .glb or .bvh");
+  put(in("other.bvh"),
+      "HIERARCHY\nROOT other\n{\nOFFSET 0 0 0\nCHANNELS 1 Yposition\n}\nMOTION\nFrames: 1\nFrame Time: 1\n0\n");
+  expect(1, hero + " --motion other.bvh -o out.glb", "the two name none alike; give --map FILE");
+  put(in("broken.bvh"), "HIERARCHY\nROOT a\n{\n");
+  expect(1, hero + " --motion broken.bvh -o out.glb", "truncated BVH");
+  Outcome refused = bad(1, "pose " + kCaped + " --animation walk -o a.png");
+  EXPECT_NE(refused.error.find("expected an animation, found none"), std::string::npos) << refused.error;
+  refused = bad(1, "pose " + hero + " --animation walk -o a.png");
+  EXPECT_NE(refused.error.find("has no animations"), std::string::npos) << refused.error;
+  bad(2, "pose " + hero + " --animation walk --random 3 -o a.png");
+}
+
+}  // namespace
+}  // namespace sinew

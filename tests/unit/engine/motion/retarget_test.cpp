@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+// sinew_retarget_*: the same rig gives the same motion, another rest pose, world, unit or body the motion it should, and
+// what is wrong is refused before anything is written.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "motion_scene.hpp"
+
+namespace {
+
+using namespace sinew_test;
+using sinew::RetargetPlan;
+using sinew::RetargetSettings;
+
+constexpr double kHeight = 1.7;  // of body()
+
+Pose play(const MotionScene& source, const MotionScene& target, const std::vector<int32_t>& map, const Pose& pose,
+          const RetargetSettings& settings = {}, bool with_classes = true) {
+  RetargetPlan plan;
+  EXPECT_EQ(
+      plan.make(source.view(), target.view(), map.data(), with_classes ? target.classes.data() : nullptr, settings),
+      SINEW_OK);
+  float ground = 0;
+  EXPECT_EQ(plan.ground(nullptr, 0, &ground), SINEW_OK);
+  Pose out(target.count());
+  EXPECT_EQ(plan.frame(pose.rotations.data(), pose.translations.data(), ground, out.rotations.data(),
+                       out.translations.data()),
+            SINEW_OK);
+  return out;
+}
+
+double farthest(const Placed& a, const Placed& b) {
+  double most = 0;
+  for (size_t j = 0; j < a.places.size(); ++j) most = std::max(most, distance(a.places[j], b.places[j]));
+  return most;
+}
+
+TEST(Retarget, TheSameRigMovesAsItself) {
+  MotionScene turned = body(40);
+  for (uint32_t j = 0; j < turned.count(); ++j) {  // joints with axes of their own, as editors give them
+    const Quat q = sinew::normalised({0.3 * j, 0.5, -0.2 * j, 1});
+    for (const double x : {q.x, q.y, q.z, q.w}) turned.rotations.push_back(static_cast<float>(x));
+  }
+  for (const MotionScene& scene : {body(40), turned}) {
+    for (uint32_t seed = 0; seed < 20; ++seed) {
+      const Pose pose = random_pose(scene, seed, 1.5, {0.3 * seed, 0.1, -2});
+      const Pose out = play(scene, scene, one_to_one(scene.count()), pose);
+      EXPECT_LT(farthest(placed(scene, out), placed(scene, pose)), 1e-6 * kHeight);
+    }
+  }
+}
+
+// Arms that hang 40 degrees at rest point to where those of a T pose do.
+TEST(Retarget, ArmsOfAnAPosePointToWhereThoseOfATPoseDo) {
+  const MotionScene source = body(0), target = body(40);
+  for (uint32_t seed = 0; seed < 20; ++seed) {
+    const Pose pose = random_pose(source, seed, 1.0);
+    const Placed wanted = placed(source, pose), found = placed(target, play(source, target, one_to_one(17), pose));
+    for (const auto& [from, to] : {std::pair{kLeftUpperArm, kLeftForearm},
+                                   {kLeftForearm, kLeftHand},
+                                   {kRightForearm, kRightHand},
+                                   {kLeftThigh, kLeftCalf},
+                                   {kRightCalf, kRightFoot}}) {
+      const Vec3d a = sinew::unit(wanted.places[to] - wanted.places[from]);
+      const Vec3d b = sinew::unit(found.places[to] - found.places[from]);
+      EXPECT_LT(distance(a, b), 1e-5) << from;
+    }
+  }
+  // Without classes nothing is aligned.
+  const Pose rest = rest_pose(source);
+  const Placed loose = placed(target, play(source, target, one_to_one(17), rest, {}, false));
+  EXPECT_GT(distance(loose.places[kLeftHand], source.at(kLeftHand)), 0.2);
+  const Placed aligned = placed(target, play(source, target, one_to_one(17), rest));
+  EXPECT_LT(distance(aligned.places[kLeftHand], source.at(kLeftHand)), 0.01);
+  EXPECT_LT(distance(aligned.places[kLeftFinger], source.at(kLeftFinger)), 0.02) << "below a hand all turns with it";
+}
+
+TEST(Retarget, AnotherAxisUpAndCentimetresGiveTheSameMotion) {
+  const MotionScene target = body(10);
+  MotionScene source = body(10, 100);  // z up, facing -y: (x, y, z) is (x, -z, y)
+  for (uint32_t j = 0; j < source.count(); ++j) {
+    const float y = source.positions[3 * j + 1], z = source.positions[3 * j + 2];
+    source.positions[3 * j + 1] = -z;
+    source.positions[3 * j + 2] = y;
+  }
+  const Quat raise = sinew::shortest_arc({0, 1, 0}, {0, 0, 1});
+  for (uint32_t seed = 0; seed < 10; ++seed) {
+    const Pose wanted = random_pose(target, seed, 1.2, {1, 0.2, 0.5});
+    const Placed world = placed(target, wanted);
+    Pose pose(source.count());
+    for (uint32_t j = 0; j < source.count(); ++j) {
+      const Quat turn = raise * world.rotations[j] * conjugate(raise);
+      const int32_t parent = source.parents[j];
+      if (parent < 0) {
+        pose.set(j, turn, 100.0 * rotate(raise, world.places[j]));
+      } else {
+        const size_t p = static_cast<size_t>(parent);
+        const Quat above = raise * world.rotations[p] * conjugate(raise);
+        pose.set(j, conjugate(above) * turn, source.at(j) - source.at(p));
+      }
+    }
+    EXPECT_LT(farthest(placed(target, play(source, target, one_to_one(17), pose)), world), 2e-6 * kHeight);
+  }
+}
+
+TEST(Retarget, AMotionThatFacesAnotherWayIsTurned) {
+  const MotionScene target = body(0);
+  MotionScene source = target;
+  const Quat quarter = {0, std::sqrt(0.5), 0, std::sqrt(0.5)};
+  for (uint32_t j = 0; j < source.count(); ++j) {
+    const Vec3d p = rotate(quarter, source.at(j));
+    source.positions[3 * j] = static_cast<float>(p.x);
+    source.positions[3 * j + 2] = static_cast<float>(p.z);
+  }
+  Pose pose = rest_pose(source);
+  pose.translations[0] += 1;  // the source's front is +x: it walks
+  const Placed found = placed(target, play(source, target, one_to_one(17), pose));
+  EXPECT_NEAR(found.places[kPelvis].z, 1, 1e-6);
+  EXPECT_NEAR(found.places[kPelvis].x, 0, 1e-6);
+  EXPECT_LT(distance(found.places[kLeftHand] - found.places[kPelvis], target.at(kLeftHand) - target.at(kPelvis)), 1e-6);
+}
+
+TEST(Retarget, HipsGoByTheLengthOfTheLegsAndFeetStayOnTheFloor) {
+  const MotionScene source = body(20), target = body(20, 0.5);
+  Pose pose = rest_pose(source);
+  pose.translations[1] += 0.3f;
+  pose.translations[2] += 4;
+  Placed found = placed(target, play(source, target, one_to_one(17), pose));
+  EXPECT_NEAR(found.places[kPelvis].z, 2, 1e-6);
+  EXPECT_NEAR(found.places[kLeftFoot].y, 0.05 + 0.15, 1e-6);
+  RetargetSettings in_place;
+  in_place.in_place = 1;
+  found = placed(target, play(source, target, one_to_one(17), pose, in_place));
+  EXPECT_NEAR(found.places[kPelvis].z, 0, 1e-6);
+  EXPECT_NEAR(found.places[kLeftFoot].y, 0.2, 1e-6);
+  RetargetSettings scaled;
+  scaled.scale = 2;
+  found = placed(target, play(source, target, one_to_one(17), pose, scaled));
+  EXPECT_NEAR(found.places[kPelvis].z, 8, 1e-5);
+}
+
+// A BVH's root stands at 0 at rest: the clip says where the floor is.
+TEST(Retarget, TheFloorIsWhereTheFeetOfAClipStand) {
+  const MotionScene target = body(0);
+  MotionScene source = target;
+  for (uint32_t j = 0; j < source.count(); ++j) source.positions[3 * j + 1] -= 1;
+  RetargetPlan plan;
+  ASSERT_EQ(plan.make(source.view(), target.view(), one_to_one(17).data(), target.classes.data()), SINEW_OK);
+  std::vector<float> heights;
+  Pose pose = rest_pose(source);
+  for (int frame = 0; frame < 101; ++frame) {
+    pose.translations[1] = 1.05f + 0.01f * static_cast<float>(frame);
+    heights.push_back(0);
+    ASSERT_EQ(plan.height(pose.rotations.data(), pose.translations.data(), &heights.back()), SINEW_OK);
+    EXPECT_NEAR(heights.back(), 0.15 + 0.01 * frame, 1e-6);
+  }
+  std::swap(heights[3], heights[90]);
+  float ground = 0;
+  ASSERT_EQ(plan.ground(heights.data(), heights.size(), &ground), SINEW_OK);
+  EXPECT_NEAR(ground, 0.20, 1e-6) << "5th percentile";
+  Pose out(target.count());
+  pose.translations[1] = 1.1f;
+  ASSERT_EQ(plan.frame(pose.rotations.data(), pose.translations.data(), ground, out.rotations.data(),
+                       out.translations.data()),
+            SINEW_OK);
+  EXPECT_NEAR(placed(target, out).places[kLeftFoot].y, 0.1, 1e-6);
+
+  // A source that stands on the floor at rest keeps its own height, however high the clip jumps.
+  ASSERT_EQ(plan.make(target.view(), target.view(), one_to_one(17).data(), target.classes.data()), SINEW_OK);
+  ASSERT_EQ(plan.ground(heights.data(), heights.size(), &ground), SINEW_OK);
+  EXPECT_NEAR(ground, 0.1, 1e-6);
+}
+
+TEST(Retarget, JointsWithoutASourceFollowTheirParents) {
+  const MotionScene scene = body(0);
+  std::vector<int32_t> map = one_to_one(17);
+  map[kNeck] = map[kLeftForearm] = map[kLeftHand] = -1;
+  const Pose pose = random_pose(scene, 3, 1.0);
+  const Pose out = play(scene, scene, map, pose);
+  for (const uint32_t j : {kNeck, kLeftForearm, kLeftHand}) {
+    EXPECT_FLOAT_EQ(out.rotations[4 * j + 3], 1) << j;
+    for (size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(out.translations[3 * j + i], rest_pose(scene).translations[3 * j + i], 1e-6);
+  }
+  const Placed found = placed(scene, out), wanted = placed(scene, pose);
+  EXPECT_LT(
+      distance(found.places[kRightHand] - found.places[kPelvis], wanted.places[kRightHand] - wanted.places[kPelvis]),
+      1e-6);
+}
+
+// A floor joint above the hips, as games have it, stays where it is; one that moves in the source moves.
+TEST(Retarget, ARootOnTheFloorStaysThere) {
+  MotionScene target = body(0);
+  for (int32_t& parent : target.parents) ++parent;
+  target.parents.insert(target.parents.begin(), -1);
+  target.classes.insert(target.classes.begin(), SINEW_CLASS_OTHER);
+  target.positions.insert(target.positions.begin(), {0, 0, 0});
+  const MotionScene source = body(0);
+  std::vector<int32_t> map = one_to_one(17);
+  map.insert(map.begin(), -1);
+  Pose pose = rest_pose(source);
+  pose.translations[2] += 1;
+  Placed found = placed(target, play(source, target, map, pose));
+  EXPECT_LT(distance(found.places[0], {0, 0, 0}), 1e-9);
+  EXPECT_NEAR(found.places[1].z, 1, 1e-6);
+
+  Pose rooted = rest_pose(target);
+  rooted.translations[2] = 3;
+  found = placed(target, play(target, target, one_to_one(18), rooted));
+  EXPECT_NEAR(found.places[0].z, 3, 1e-6);
+  EXPECT_NEAR(found.places[1].z, 3, 1e-6);
+}
+
+TEST(Retarget, ChainsAndSingleJointsMove) {
+  MotionScene chain;
+  for (int j = 0; j < 6; ++j) chain.add({0, 0.1, 0.2 * j}, j - 1, SINEW_CLASS_OTHER);
+  const Pose pose = random_pose(chain, 5, 0.8, {1, 0, 2});
+  EXPECT_LT(farthest(placed(chain, play(chain, chain, one_to_one(6), pose)), placed(chain, pose)), 1e-6);
+  MotionScene one;
+  one.add({1, 2, 3}, -1, SINEW_CLASS_OTHER);
+  const Pose alone = random_pose(one, 1, 0.5, {1, 1, 1});
+  EXPECT_LT(farthest(placed(one, play(one, one, {0}, alone)), placed(one, alone)), 1e-6);
+  // Joints in any order: children first.
+  MotionScene backwards;
+  backwards.positions = {0, 1, 0, 0, 0, 0};
+  backwards.parents = {1, -1};
+  backwards.classes = {SINEW_CLASS_OTHER, SINEW_CLASS_OTHER};
+  Pose turned(2);
+  turned.set(0, {0, 0, 0.6, 0.8}, {0, 1, 0});
+  turned.set(1, {0.6, 0, 0, 0.8}, {0, 0, 0});
+  const Pose out = play(backwards, backwards, {0, 1}, turned);
+  for (size_t i = 0; i < 8; ++i) EXPECT_NEAR(out.rotations[i], turned.rotations[i], 1e-6);
+}
+
+TEST(Retarget, WhatIsWrongIsRefusedAndNothingIsWritten) {
+  const MotionScene scene = body(0);
+  const std::vector<int32_t> map = one_to_one(17);
+  size_t bytes = 0;
+  ASSERT_EQ(sinew_retarget_size(17, 17, &bytes), SINEW_OK);
+  EXPECT_EQ(sinew_retarget_size(0, 17, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(bytes, 0u);
+  EXPECT_EQ(sinew_retarget_size(17, SINEW_MAX_JOINTS + 1, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(sinew_retarget_size(17, 17, nullptr), SINEW_ERROR_ARGUMENT);
+  ASSERT_EQ(sinew_retarget_size(17, 17, &bytes), SINEW_OK);
+  const sinew::Workspace block(bytes);
+  sinew_retarget* plan = nullptr;
+  const auto create = [&](const MotionScene& source, const MotionScene& target, const std::vector<int32_t>& m,
+                          const sinew_retarget_options* options, size_t missing = 0) {
+    plan = nullptr;
+    const sinew_motion_rig a = source.view(), b = target.view();
+    const sinew_status status =
+        sinew_retarget_create(&a, &b, m.data(), target.classes.data(), options, block.data(), bytes - missing, &plan);
+    EXPECT_EQ(plan != nullptr, status == SINEW_OK);
+    return status;
+  };
+  EXPECT_EQ(create(scene, scene, map, nullptr), SINEW_OK);
+  EXPECT_EQ(create(scene, scene, map, nullptr, 1), SINEW_ERROR_WORKSPACE);
+  std::vector<int32_t> wrong = map;
+  wrong[3] = 17;
+  EXPECT_EQ(create(scene, scene, wrong, nullptr), SINEW_ERROR_INDEX);
+  wrong[3] = -2;
+  EXPECT_EQ(create(scene, scene, wrong, nullptr), SINEW_ERROR_INDEX);
+  EXPECT_EQ(create(scene, scene, std::vector<int32_t>(17, -1), nullptr), SINEW_ERROR_NO_JOINT);
+  MotionScene broken = scene;
+  broken.parents[kPelvis] = kHead;
+  EXPECT_EQ(create(broken, scene, map, nullptr), SINEW_ERROR_HIERARCHY);
+  broken.parents[kPelvis] = 17;
+  EXPECT_EQ(create(scene, broken, map, nullptr), SINEW_ERROR_INDEX);
+  broken = scene;
+  broken.positions[7] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(create(scene, broken, map, nullptr), SINEW_ERROR_NOT_FINITE);
+  broken = scene;
+  broken.rotations.assign(68, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(create(broken, scene, map, nullptr), SINEW_ERROR_NOT_FINITE);
+  sinew_retarget_options options = sinew_retarget_options_init();
+  for (uint32_t* const member : {&options.method, &options.source_up, &options.target_up, &options.in_place}) {
+    *member = 9;
+    EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
+    *member = 0;
+  }
+  options.scale = -1;
+  EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
+  options.scale = 0;
+  options.struct_size = 4;
+  EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
+  const sinew_motion_rig view = scene.view();
+  EXPECT_EQ(sinew_retarget_create(nullptr, &view, map.data(), nullptr, nullptr, block.data(), bytes, &plan),
+            SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_retarget_create(&view, &view, map.data(), nullptr, nullptr, static_cast<char*>(block.data()) + 8,
+                                  bytes, &plan),
+            SINEW_ERROR_WORKSPACE);
+
+  ASSERT_EQ(create(scene, scene, map, nullptr), SINEW_OK);
+  Pose pose = rest_pose(scene), out(17);
+  pose.rotations[20] = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<float> before = out.rotations;
+  float height = 7;
+  EXPECT_EQ(sinew_retarget_height(plan, pose.rotations.data(), pose.translations.data(), &height),
+            SINEW_ERROR_NOT_FINITE);
+  EXPECT_EQ(height, 7);
+  EXPECT_EQ(sinew_retarget_frame(plan, pose.rotations.data(), pose.translations.data(), 0, out.rotations.data(),
+                                 out.translations.data()),
+            SINEW_ERROR_NOT_FINITE);
+  EXPECT_EQ(sinew_retarget_ground(plan, &pose.rotations[20], 1, &height), SINEW_ERROR_NOT_FINITE);
+  EXPECT_EQ(out.rotations, before);
+  pose = rest_pose(scene);
+  for (size_t i = 0; i < 4; ++i) pose.rotations[i] = 0;  // no turn
+  EXPECT_EQ(sinew_retarget_frame(plan, pose.rotations.data(), pose.translations.data(), 0.1f, out.rotations.data(),
+                                 out.translations.data()),
+            SINEW_OK);
+  EXPECT_FLOAT_EQ(out.rotations[3], 1);
+}
+
+TEST(Quaternion, ReciprocalRootsAndArcs) {
+  for (const double x : {1e-70, 3.7e-9, 0.5, 1.0, 2.0, 12345.678, 1e60})
+    EXPECT_NEAR(sinew::reciprocal_sqrt(x) * std::sqrt(x), 1, 4e-16) << x;
+  const Vec3d a = sinew::unit({1, 2, 3});
+  for (const Vec3d b : {a, sinew::unit({-3, 1, 2}), -1.0 * a, Vec3d{0, 1, 0}, Vec3d{0, -1, 0}})
+    EXPECT_LT(distance(rotate(sinew::shortest_arc(a, b), a), b), 1e-12);
+  EXPECT_EQ(sinew::shortest_arc(a, {0, 0, 0}).w, 1);
+  EXPECT_NEAR(sinew::shortest_arc(a, a).w, 1, 1e-15);
+  EXPECT_EQ(sinew::shortest_arc(a, a).x, 0);
+}
+
+}  // namespace
