@@ -32,6 +32,8 @@ struct Settings {
   bool in_place = false, json = false;
 };
 
+constexpr float kDoubtfulSides = 0.5f;
+
 // FILE or FILE#CLIP; a file whose own name has a # is one.
 struct MotionChoice {
   std::string file, clip;
@@ -96,15 +98,17 @@ std::vector<Clip> chosen_clips(const Settings& s, const MotionChoice& choice, co
 void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
   const Motion source = read_motion(choice.file, s.fps);
   const std::vector<Clip> clips = chosen_clips(s, choice, source);
-  const std::vector<Joint> joints = rest_joints(source);
-  const JointMap map = map_joints(out->character.joints, joints, s.character, choice.file, s.map);
+  MapRig target = map_rig_of(out->character), from = map_rig_of(source);
+  target.name = s.character;
+  from.name = choice.file;
+  const MotionMap map = map_motion(target, from, s.up, s.motion_up, s.map);
   RetargetSettings settings;
   settings.method = s.method == "copy" ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
   settings.in_place = s.in_place ? 1 : 0;
   settings.target_up = up_of(s.up);
   settings.source_up = up_of(s.motion_up);
-  Retargeter retargeter(source, out->character.joints, map.sources,
-                        motion_classes(out->character.joints, joints, map.sources), settings);
+  Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
+                        settings);
   size_t frames = 0, mapped = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
   for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
@@ -116,6 +120,12 @@ void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic
     }));
     out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time});
   }
+  if (map.certainty < kDoubtfulSides)
+    out->motion.notes.push_back(
+        choice.file +
+        print(": which way is front is not sure (%.0f %%), left and right may be exchanged; sinew map with "
+              "one --set settles it, and --map takes what it writes",
+              100 * static_cast<double>(map.certainty)));
   for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
 }
 

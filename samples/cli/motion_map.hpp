@@ -7,22 +7,25 @@
 #include <string>
 #include <vector>
 
-#include "sinew_formats/character.hpp"
+#include "sinew_formats/map_skeleton.hpp"
 
 namespace sinew::cli {
 
-struct JointMap {
+struct MotionMap {
   std::vector<int> sources;  // [target] joint of the source, or -1
-  std::string how;           // "their names", for the user
+  std::string how;           // "anatomy and names", for the user
+  float certainty = 1;       // of front and sides, see MappedSkeleton
 };
 
-// From a file where `map_file` is not empty, else by equal names. The names of both files are for messages. Throws Error with the
-// line for a joint that does not exist, and where no joint is mapped.
-JointMap map_joints(const std::vector<Joint>& target, const std::vector<Joint>& source, const std::string& target_file,
-                    const std::string& source_file, const std::string& map_file);
+// From a file where `map_file` is not empty: what has no line there has no source. Else by map_skeleton(). The rigs' names are
+// their files, for messages. Throws Error with the line for a joint that does not exist, and where no joint is mapped.
+//   target_up, source_up  "x", "y", "z", or "auto"
+MotionMap map_motion(const MapRig& target, const MapRig& source, const std::string& target_up,
+                     const std::string& source_up, const std::string& map_file);
 
-// sinew_joint_class [target]: by the joints' own names, else by those of their sources.
-std::vector<uint8_t> motion_classes(const std::vector<Joint>& target, const std::vector<Joint>& source,
+// sinew_joint_class [target]: by the joints' own names, else by those of their sources; where both say nothing of arms and
+// legs, by what a human body has there.
+std::vector<uint8_t> motion_classes(const MapRig& target, const MapRig& source, const std::string& target_up,
                                     const std::vector<int>& sources);
 
 }  // namespace sinew::cli

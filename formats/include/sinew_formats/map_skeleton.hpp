@@ -9,6 +9,7 @@
 
 #include "sinew/sinew.h"
 #include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 
@@ -19,11 +20,13 @@ struct MapRig {
   std::vector<uint8_t> ends;  // [J] 1: only says where a bone ends; empty = not known
 };
 
-// From .rig.txt, .txt, .obj with its .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, or template:NAME. Where the file has skin
+// From .rig.txt, .txt, .obj with its .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh, or template:NAME. Where the file has skin
 // weights, leaves without any are ends. Throws Error.
 MapRig read_map_rig(const std::string& path);
-// The same of a character in memory.
+// The same of a character or a motion in memory. Ends of a motion are its End Sites, and joints whose only child is an End Site
+// that repeats their own offset.
 MapRig map_rig_of(const Character& character);
+MapRig map_rig_of(const Motion& motion);
 
 struct MapSkeletonOptions {
   uint32_t method = SINEW_MAP_AUTO;
@@ -52,8 +55,10 @@ const char* map_reason_text(uint8_t reason);
 // A map as text: a line TARGET_JOINT SOURCE_JOINT, or TARGET_JOINT - for none, for each joint; # begins a comment. Blanks
 // in names are written as '_'.
 std::string map_text(const MapRig& target, const MapRig& source, const MappedSkeleton& map);
-// The lines of such a file as pins: what has a line is kept, what has none is free. Throws Error with the line.
-std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source);
+// The lines of such a file as pins: what has a line is kept, what has none is free. Every target once, and every source, unless
+// it may be one of several (`sources_once` false: maps that motion is copied by). Throws Error with the line.
+std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source,
+                                         bool sources_once = true);
 // TARGET_JOINT=SOURCE_JOINT, or TARGET_JOINT=- for none. Throws Error.
 sinew_map_pin parse_map_pin(const std::string& text, const MapRig& target, const MapRig& source);
 

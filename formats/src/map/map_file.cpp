@@ -70,7 +70,8 @@ std::string map_text(const MapRig& target, const MapRig& source, const MappedSke
   return text;
 }
 
-std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source) {
+std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source,
+                                         bool sources_once) {
   const std::string text = read_text_file(path);
   const JointIndex targets(target), sources(source);
   std::vector<sinew_map_pin> pins;
@@ -90,7 +91,7 @@ std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& 
     once(&target_lines, pin.target, words[0]);
     if (words[1] != "-") {
       const uint32_t joint = sources.get(where, std::string(words[1]));
-      once(&source_lines, joint, words[1]);
+      if (sources_once) once(&source_lines, joint, words[1]);
       pin.source = static_cast<int32_t>(joint);
     }
     pins.push_back(pin);

@@ -75,6 +75,24 @@ MapRig map_rig_of(const Character& character) {
   return rig;
 }
 
+MapRig map_rig_of(const Motion& motion) {
+  MapRig rig;
+  rig.name = motion.name;
+  rig.joints = rest_joints(motion);
+  std::vector<size_t> children(motion.joints.size(), 0);
+  for (const MotionJoint& joint : motion.joints)
+    if (joint.parent >= 0) ++children[static_cast<size_t>(joint.parent)];
+  for (const MotionJoint& joint : motion.joints) rig.ends.push_back(joint.end ? 1 : 0);
+  for (const MotionJoint& joint : motion.joints) {
+    if (!joint.end || joint.parent < 0) continue;
+    const size_t above = static_cast<size_t>(joint.parent);
+    if (children[above] == 1 && joint.offset == motion.joints[above].offset && joint.offset != Point3{})
+      rig.ends[above] = 1;
+  }
+  if (std::all_of(rig.ends.begin(), rig.ends.end(), [](uint8_t end) { return end == 0; })) rig.ends.clear();
+  return rig;
+}
+
 MapRig read_map_rig(const std::string& path) {
   MapRig rig;
   if (path.rfind(kTemplate, 0) == 0) {
@@ -82,6 +100,8 @@ MapRig read_map_rig(const std::string& path) {
     for (const Joint& joint : rig.joints) rig.ends.push_back(joint.deforms.value_or(true) ? 0 : 1);
   } else if (has_extension(path, ".obj")) {
     rig = map_rig_of(read_character(path));
+  } else if (has_extension(path, ".bvh")) {
+    rig = map_rig_of(read_bvh(path));
   } else if (has_extension(path, ".txt")) {
     Character character;
     character.vertices.resize(skin_vertices(path));
