@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "motion_map.hpp"
 #include "motion_sheet.hpp"
 #include "progress.hpp"
 #include "rig_mesh.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_datasets/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
@@ -31,8 +31,6 @@ struct Settings {
   double fps = 0, from = 0, to = 1e9;
   bool in_place = false, json = false;
 };
-
-constexpr float kDoubtfulSides = 0.5f;
 
 // FILE or FILE#CLIP; a file whose own name has a # is one.
 struct MotionChoice {

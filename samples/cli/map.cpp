@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "sinew_datasets/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/map_skeleton.hpp"
@@ -19,8 +20,6 @@ namespace sinew::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr float kDoubtfulSides = 0.5f;
 
 struct Settings {
   std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file;

@@ -8,6 +8,7 @@ export const isMesh = (name) => meshEndings.some((ending) => lower(name).endsWit
 export const isRig = (name) => lower(name).endsWith(".txt");
 export const isModel = (name) => lower(name).endsWith(".sinew");
 export const isStyle = (name) => lower(name).endsWith(".style");
+export const isMotion = (name) => lower(name).endsWith(".bvh"); // glTF files are characters, unless one says so
 const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl)$/.test(lower(name)); // parts of a .gltf or .obj
 
 export function stem(name) {
@@ -16,15 +17,16 @@ export function stem(name) {
 
 // names: of the files now dropped. waiting: {mesh, rig} names of earlier files that a skeleton, or a mesh, may still follow:
 // a lone .obj is a character without skeleton until then.
-// Returns {characters: [{name, mesh, skeleton}], model, style, waiting, problems: [one line each]}.
+// Returns {characters: [{name, mesh, skeleton}], model, style, motion, waiting, problems: [one line each]}.
 export function pairFiles(names, waiting = {}) {
   const problems = [];
-  const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isBeside(n));
+  const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
-    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .sinew or .style, found another kind of file`);
+    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .bvh, .sinew or .style, found another kind of file`);
   }
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);
+  const motions = names.filter(isMotion);
   const meshes = names.filter(isMesh);
   const rigs = names.filter(isRig);
   if (waiting.mesh && rigs.length > 0 && meshes.length === 0) meshes.push(waiting.mesh);
@@ -49,8 +51,8 @@ export function pairFiles(names, waiting = {}) {
     if (lonely.length === 1) next.mesh = lonely[0].mesh;
     if (free.length === 1) next.rig = free[0];
   }
-  if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length + styles.length === 0) {
+  if (names.length > 0 && problems.length === 0 && characters.length === 0 && models.length + styles.length + motions.length === 0) {
     problems.push(`${names[0]}: holds no mesh; drop an .obj or a .glb`);
   }
-  return { characters, model: models[0] ?? "", style: styles[0] ?? "", waiting: next, problems };
+  return { characters, model: models[0] ?? "", style: styles[0] ?? "", motion: motions[0] ?? "", waiting: next, problems };
 }

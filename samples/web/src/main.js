@@ -3,6 +3,7 @@
 import { Engine } from "./engine.js";
 import { pairFiles } from "./files.js";
 import { Latest } from "./latest.js";
+import { MotionPlayer } from "./player.js";
 import { Pose } from "./pose.js";
 import { kinds, partName, Questions } from "./questions.js";
 import { answersFor, editKinds, movedJoints, SkeletonEditor, sureColour } from "./skeleton.js";
@@ -39,6 +40,7 @@ let pose = null;
 let mode = modes.joints;
 let questions;
 let editor;
+let player;
 let style = null; // {name}: answers for the characters from now on
 
 // ---- one thing after another
@@ -105,6 +107,7 @@ async function openFiles(list) {
     await useStyleAnswers();
     await bind();
   }
+  if (found.motion !== "") await playMotion(found.motion);
   if (found.problems.length > 0) throw new Error(found.problems.join("; "));
 }
 
@@ -156,6 +159,8 @@ async function load(source, anew = false) {
   if (loaded.joints.length === 0 || (anew && loaded.predicted)) await predict();
   await useStyleAnswers();
   await bind();
+  const isScene = /\.(glb|gltf|vrm)$/i.test(mesh);
+  if (isScene && source.motion === undefined && !character.predicted) await openMotion(mesh).catch(() => {}); // most files have no animations
 }
 
 function longestSide(positions) {
@@ -195,6 +200,56 @@ async function bind(answers = character.source.answers, focus) {
   }
   listJoints();
   await colour();
+  await retarget();
+  await sendPose();
+}
+
+// ---- motion
+
+// A file that the module has: its clips play on the character from now on.
+async function openMotion(name) {
+  if (!character?.result) throw new Error(`${name}: is a motion; open a character first`);
+  const own = name === character.source.mesh;
+  const motion = await engine.call("motion", { name, upAxis: character.upAxis, own });
+  character.source.motion = { name, own };
+  showMotion({ name, ...motion });
+}
+
+// The motion again, for a character that was bound or whose skeleton was changed.
+async function retarget() {
+  const { motion } = character.source;
+  if (!motion) {
+    await engine.call("motion", { name: "", upAxis: 0, own: false });
+    return showMotion(null);
+  }
+  try {
+    await openMotion(motion.name);
+  } catch (error) {
+    character.source.motion = null;
+    showMotion(null);
+    throw error;
+  }
+}
+
+function showMotion(motion) {
+  player.show(motion, Boolean(character?.result));
+  showSkeleton();
+}
+
+async function openMotionFile(file) {
+  await engine.call("write", { files: [{ name: file.name, bytes: await file.arrayBuffer() }] });
+  await playMotion(file.name);
+}
+
+async function playMotion(name) {
+  await openMotion(name);
+  if (view.editing) setEditing(false);
+  await sendPose();
+}
+
+async function closeMotion() {
+  character.source.motion = null;
+  await retarget();
   await sendPose();
 }
 
@@ -251,8 +306,14 @@ function showSure() {
 const poses = new Latest(async () => {
   if (!character?.result) return;
   const posed = pose;
+  const dualQuaternion = $("skinning").value === "1";
+  if (player.motion && !view.editing) {
+    const { buffers } = await engine.call("frame", { clip: player.clip, seconds: player.seconds, dualQuaternion });
+    if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, pose.turns);
+    return;
+  }
   const turns = view.editing ? new Float32Array(pose.turns.length) : pose.turns; // a skeleton is edited at rest
-  const { buffers } = await engine.call("pose", { turns, dualQuaternion: $("skinning").value === "1" });
+  const { buffers } = await engine.call("pose", { turns, dualQuaternion });
   if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns);
 });
 const sendPose = () => poses.want();
@@ -274,6 +335,9 @@ function choose(joint) {
 
 function showPose() {
   const joint = view.selected;
+  $("pose").hidden = view.editing || Boolean(player.motion);
+  $("motion").hidden = view.editing;
+  view.turnable = !player.motion;
   $("joint-name").textContent = joint < 0 ? "No joint chosen" : character.joints[joint].name;
   ["x", "y", "z"].forEach((axis, i) => {
     const slider = $(`turn-${axis}`);
@@ -364,7 +428,9 @@ function setEditing(editing) {
   view.editing = editing;
   for (const input of document.querySelectorAll("#work input")) input.checked = (input.value === "skeleton") === editing;
   $("edit").hidden = !editing;
-  $("pose").hidden = $("ask").hidden = editing;
+  $("ask").hidden = editing;
+  if (editing) player.pause();
+  showPose();
 }
 
 function edit(editing) {
@@ -717,6 +783,10 @@ function listen() {
   editor.onEdit = (edits, chosen) => run(() => (clearError(), editSkeleton(edits, chosen)));
   editor.onPredict = (wishes) => character && run(async () => (clearError(), await predict(wishes), await bind()));
   editor.onMiddle = toMiddle;
+  player = new MotionPlayer();
+  player.onOpen = (file) => run(() => (clearError(), openMotionFile(file)));
+  player.onClose = () => run(() => (clearError(), closeMotion()));
+  player.onFrame = () => sendPose().catch((error) => showError(error.message));
   $("work").onchange = ({ target }) => edit(target.value === "skeleton");
   $("undo-edit").onclick = () => undo(false);
   $("redo-edit").onclick = () => undo(true);
@@ -802,7 +872,10 @@ function listen() {
       "/": () => $("search").focus(),
       f: () => character && view.frame(),
       s: toggleSkeleton,
-      r: () => !view.editing && pose?.reset() && poseChanged(),
+      " ": () => player.toggle(),
+      ",": () => player.step(-1),
+      ".": () => player.step(1),
+      r: () => !view.editing && !player.motion && pose?.reset() && poseChanged(),
       e: () => edit(!view.editing),
       a: () => view.editing && editor.add(),
       m: () => view.editing && toMiddle(),

@@ -51,6 +51,7 @@ export class View {
   onDragEnd = () => {};
   selected = -1;
   toMiddle = true; // a dragged joint goes to the middle of the limb behind the pointer; with Alt the other way round
+  #turnable = true; // whether the rings turn the chosen joint
   draggable = false; // whether joints can be dragged while the skeleton is edited
   planeOf = () => null; // joint -> {axis, at} of the plane it stays on, or null
 
@@ -164,6 +165,11 @@ export class View {
     this.#editing = editing;
     this.select(this.selected);
   }
+  set turnable(turnable) {
+    if (turnable === this.#turnable) return;
+    this.#turnable = turnable;
+    this.select(this.selected);
+  }
   get dragging() {
     return this.#drag?.moved ?? false;
   }
@@ -192,7 +198,7 @@ export class View {
 
   select(joint) {
     this.selected = joint;
-    if (joint < 0 || this.#editing) this.#gizmo.detach();
+    if (joint < 0 || this.#editing || !this.#turnable) this.#gizmo.detach();
     else this.#gizmo.attach(this.#handles[joint]);
     this.#paintBones();
     this.redraw();

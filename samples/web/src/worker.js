@@ -130,6 +130,12 @@ const calls = {
     }
     return { buffers: take(["positions", "normals", "jointPositions"]) };
   },
+  // name: of a .bvh or an animated glTF, "" for none any more
+  motion: ({ name, upAxis, own }) => withText(name && plain(name), (at) => checked(module._web_motion(at, upAxis, own))),
+  frame({ clip, seconds, dualQuaternion }) {
+    checked(module._web_frame(clip, seconds, dualQuaternion ? 1 : 0));
+    return { buffers: take(["positions", "normals", "jointPositions"]) };
+  },
   glb({ name }) {
     const file = `${plain(name)}.bound.glb`;
     withText(file, (at) => checked(module._web_write_glb(at)));

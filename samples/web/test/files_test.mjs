@@ -6,7 +6,7 @@ import { pairFiles, stem } from "../src/files.js";
 const character = (name, mesh, skeleton) => ({ name, mesh, skeleton });
 const check = (names, waiting, want) => {
   const got = pairFiles(names, waiting);
-  assert.deepEqual({ characters: got.characters, model: got.model, style: got.style, waiting: got.waiting }, { characters: [], model: "", style: "", waiting: {}, ...want });
+  assert.deepEqual({ characters: got.characters, model: got.model, style: got.style, motion: got.motion, waiting: got.waiting }, { characters: [], model: "", style: "", motion: "", waiting: {}, ...want });
   return got.problems;
 };
 
@@ -40,4 +40,6 @@ assert.match(check(["a.glb", "x.docx"], {}, { characters: [character("a", "a.glb
 assert.match(check(["hero.bin"], {}, {})[0], /holds no mesh/);
 assert.deepEqual(check(["mine.sinew"], {}, { model: "mine.sinew" }), []);
 assert.deepEqual(check(["studio.style", "hero.glb"], {}, { style: "studio.style", characters: [character("hero", "hero.glb", "")] }), []);
+assert.deepEqual(check(["walk.BVH"], {}, { motion: "walk.BVH" }), []);
+assert.deepEqual(check(["hero.glb", "walk.bvh"], {}, { motion: "walk.bvh", characters: [character("hero", "hero.glb", "")] }), []);
 console.log("files_test: ok");

@@ -4,7 +4,7 @@
 //   page_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { launch, serve } from "./browser.mjs";
 
@@ -35,6 +35,29 @@ function rigged(mesh, ...more) {
   const summary = execFileSync(sinew, ["rig", mesh, "-o", glb, "--json", ...more], { stdio: "pipe" });
   execFileSync(sinew, ["rig", mesh, "-o", rig, ...more], { stdio: "pipe" });
   return { ...JSON.parse(summary), glb: readFileSync(glb), rig: readFileSync(rig, "utf8") };
+}
+// Thirty frames in a second, as BVH: the left upper arm turns about z, the root goes along z.
+function wave(rig) {
+  const children = (name) => rig.filter((joint) => joint.parent === name);
+  const order = [];
+  const lines = ["HIERARCHY"];
+  const add = (joint, from, keyword) => {
+    order.push(joint.name);
+    lines.push(`${keyword} ${joint.name}`, "{", `OFFSET ${joint.position.map((x, i) => x - from[i]).join(" ")}`);
+    lines.push(keyword === "ROOT" ? "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation" : "CHANNELS 3 Zrotation Xrotation Yrotation");
+    const below = children(joint.name);
+    for (const child of below.filter(({ end }) => !end)) add(child, joint.position, "JOINT");
+    if (below.every(({ end }) => end)) lines.push("End Site", "{", `OFFSET ${below.length ? below[0].position.map((x, i) => x - joint.position[i]).join(" ") : "0 0 0.1"}`, "}");
+    lines.push("}");
+  };
+  const root = rig.find(({ parent }) => parent === "");
+  add(root, [0, 0, 0], "ROOT");
+  lines.push("MOTION", "Frames: 31", "Frame Time: 0.0333333");
+  for (let f = 0; f <= 30; ++f) {
+    const place = [root.position[0], root.position[1], root.position[2] + 0.01 * f];
+    lines.push([...place, ...order.flatMap((name) => [name === "LeftArm" ? 2 * f : 0, 0, 0])].join(" "));
+  }
+  return lines.join("\n");
 }
 const nativeQuestions = new Map([...native.keys()].map((name) => [name, command(name, "--questions", "8").questions]));
 
@@ -763,6 +786,56 @@ try {
     assert.equal(await errorLine(), "");
     await give(file("snake__long.obj"), file("snake__long.rig.txt"));
     assert.equal(await hash(), native.get("snake__long"));
+  });
+
+  await step("motion", async () => {
+    // A motion for the skeleton that the bare mesh gets: the left arm goes up, the hips forward.
+    copyFileSync(join(data, "biped__robed.obj"), join(work, "figure.obj"));
+    const { joints: rig } = rigged(join(work, "figure.obj"));
+    writeFileSync(join(work, "wave.bvh"), wave(rig));
+    const glb = join(work, "waving.glb");
+    const told = JSON.parse(execFileSync(sinew, ["animate", join(work, "figure.obj"), "--motion", join(work, "wave.bvh"), "-o", glb, "--json"], { stdio: "pipe" }));
+    await give(made("wave.bvh", "HIERARCHY\n"));
+    assert.match(await errorLine(), /^wave\.bvh/);
+    await give(made("figure.obj", readFileSync(join(work, "figure.obj"))));
+    const rest = await positions();
+    assert.ok(!(await page.locator("#player").isVisible()));
+    await give(made("wave.bvh", readFileSync(join(work, "wave.bvh"))));
+    assert.equal(await errorLine(), "");
+    assert.match(await page.locator("#motion-about").innerText(), new RegExp(`${told.clips[0].mapped} of ${told.joints} joints move`));
+    assert.ok((await downloaded("#download")).bytes.equals(readFileSync(glb)), "the page's GLB differs from the command's");
+    await page.fill("#time", "0.5");
+    await settled();
+    const middle = await positions();
+    assert.notDeepEqual(middle, rest);
+    await shoot("motion");
+    await page.focus("#joints");
+    await page.keyboard.press(".");
+    await settled();
+    assert.notDeepEqual(await positions(), middle);
+    await page.keyboard.press(",");
+    await settled();
+    assert.deepEqual(await positions(), middle);
+    await page.keyboard.press(" ");
+    await page.waitForFunction((before) => document.getElementById("time").value !== before, await page.inputValue("#time"));
+    assert.equal(await page.locator("#play").innerText(), "Pause");
+    await page.click("#play");
+    await settled();
+    // The skeleton is edited at rest; the motion follows it.
+    await page.keyboard.press("e");
+    await settled();
+    assert.deepEqual(await positions(), rest);
+    await page.keyboard.press("e");
+    await settled();
+    await page.click("#close-motion");
+    await settled();
+    assert.deepEqual(await positions(), rest);
+    assert.equal(await errorLine(), "");
+    // A file's own animations play at once, and its GLB gets them no second time.
+    await give(made("waving.glb", readFileSync(glb)));
+    assert.match(await page.locator("#motion-about").innerText(), /^waving\.glb: /);
+    const own = JSON.parse((await downloaded("#download")).bytes.subarray(20).toString().split("\0")[0].replace(/^[^{]*/, "").replace(/[^}]*$/, "").split("BIN")[0]);
+    assert.equal(own.animations.length, 1);
   });
 
   await step("options", async () => {

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "player.hpp"
 #include "rig_json.hpp"
 #include "rigs.hpp"
 #include "sinew/sinew.h"
@@ -73,6 +74,7 @@ struct Session {
   std::map<uint32_t, web::Rigs> rigs_of;  // of all characters that are open, by the page's numbers
   uint32_t number = 0;                    // the character's
   Style style;                            // for the next characters
+  web::Player player;
   web::Rigs& rigs() { return rigs_of[number]; }
   const web::Rigs& rigs() const { return rigs_of.at(number); }
   web::Surface surface;
@@ -408,14 +410,7 @@ void colour(Session& s, uint32_t mode, uint32_t joint) {
     s.colours.insert(s.colours.end(), of_vertex[v].begin(), of_vertex[v].end());
 }
 
-// turns: [J x 3] degrees about x, then y, then z.
-void pose(Session& s, const float* turns, bool dual_quaternion) {
-  std::vector<JointTurn> list;
-  for (size_t j = 0; j < s.character.joints.size(); ++j) {
-    const float* const turn = turns + 3 * j;
-    if (turn[0] != 0 || turn[1] != 0 || turn[2] != 0) list.push_back({j, turn[0], turn[1], turn[2]});
-  }
-  const std::vector<Affine> palette = pose_palette(s.character, list);
+void show_pose(Session& s, const std::vector<Affine>& palette, bool dual_quaternion) {
   std::vector<float> matrices;
   s.joint_positions.clear();
   for (size_t j = 0; j < palette.size(); ++j) {
@@ -429,6 +424,16 @@ void pose(Session& s, const float* turns, bool dual_quaternion) {
         skin(s.rest.data(), static_cast<uint32_t>(s.character.vertices.size()), s.joints.data(), s.weights.data(),
              kInfluences, matrices.data(), static_cast<uint32_t>(palette.size()), s.posed.data()));
   show(s);
+}
+
+// turns: [J x 3] degrees about x, then y, then z.
+void pose(Session& s, const float* turns, bool dual_quaternion) {
+  std::vector<JointTurn> list;
+  for (size_t j = 0; j < s.character.joints.size(); ++j) {
+    const float* const turn = turns + 3 * j;
+    if (turn[0] != 0 || turn[1] != 0 || turn[2] != 0) list.push_back({j, turn[0], turn[1], turn[2]});
+  }
+  show_pose(s, pose_palette(s.character, list), dual_quaternion);
 }
 
 void need_weights(const Session& s) {
@@ -556,11 +561,33 @@ EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t dual_quat
   });
 }
 
+// Clips of a .bvh or an animated glTF for the character as it is; "" closes what was open.
+EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* path, uint32_t up_axis, uint32_t own) {
+  return answer([&]() -> Json {
+    Session& s = session();
+    need_weights(s);
+    if (*path != 0) return s.player.open(path, s.character, up_axis, own != 0);
+    s.player.close();
+    return Json::object();
+  });
+}
+
+EMSCRIPTEN_KEEPALIVE const char* web_frame(uint32_t clip, double seconds, uint32_t dual_quaternion) {
+  return answer([&] {
+    need_weights(session());
+    show_pose(session(), session().player.palette(clip, seconds), dual_quaternion != 0);
+    return Json::object();
+  });
+}
+
+// With the clips of the motion that is open.
 EMSCRIPTEN_KEEPALIVE const char* web_write_glb(const char* path) {
   return answer([&] {
     need_weights(session());
     end_preview(session());
-    write_glb(path, session().character);
+    GlbOptions options;
+    options.motion = session().player.for_file();
+    write_glb(path, session().character, options);
     return Json::object();
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps from files and by anatomy; classes by names, else by anatomy.
-#include "motion_map.hpp"
+#include "sinew_datasets/motion_map.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/skeleton_template.hpp"
 
-namespace sinew::cli {
+namespace sinew {
 namespace {
 
 char up_letter(const std::string& up) { return up[0]; }  // "auto" is 'a'
@@ -72,4 +72,4 @@ std::vector<uint8_t> motion_classes(const MapRig& target, const MapRig& source, 
   return classes;
 }
 
-}  // namespace sinew::cli
+}  // namespace sinew

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which joint of a character moves as which joint of a motion, and what joints are for.
-#ifndef SINEW_CLI_MOTION_MAP_HPP
-#define SINEW_CLI_MOTION_MAP_HPP
+#ifndef SINEW_DATASETS_MOTION_MAP_HPP
+#define SINEW_DATASETS_MOTION_MAP_HPP
 
 #include <cstdint>
 #include <string>
@@ -9,7 +9,10 @@
 
 #include "sinew_formats/map_skeleton.hpp"
 
-namespace sinew::cli {
+namespace sinew {
+
+// Below it left and right may be exchanged.
+constexpr float kDoubtfulSides = 0.5f;
 
 struct MotionMap {
   std::vector<int> sources;  // [target] joint of the source, or -1
@@ -28,5 +31,5 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, const std::stri
 std::vector<uint8_t> motion_classes(const MapRig& target, const MapRig& source, const std::string& target_up,
                                     const std::vector<int>& sources);
 
-}  // namespace sinew::cli
+}  // namespace sinew
 #endif
