@@ -2,11 +2,13 @@
 // sinew simplify: files in, files out, wrong calls.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli_fixture.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/motion.hpp"
 
 namespace sinew {
 namespace {
@@ -51,6 +53,36 @@ TEST_F(CliSimplify, KeptJointsStay) {
   read_skeleton(in("few.rig.txt"), false, &after);
   ASSERT_EQ(after.joints.size(), 3u);
   EXPECT_TRUE(std::any_of(after.joints.begin(), after.joints.end(), [&](const Joint& j) { return j.name == last; }));
+}
+
+TEST_F(CliSimplify, AnimationsStayOnTheJointsThatAreLeft) {
+  good("bind " + kRobed + " --skeleton " + kRobedRig + " -o hero.glb");
+  const Character hero = read_gltf(in("hero.glb"));
+  Motion motion = motion_of(hero.joints);
+  Clip clip = {"lean", 0.1, {}};
+  for (int f = 0; f < 5; ++f) {
+    clip.frames.push_back({std::vector<Quaternion>(hero.joints.size(), kNoTurn4), {}});
+    for (const MotionJoint& joint : motion.joints) clip.frames.back().translations.push_back(joint.offset);
+    clip.frames.back().rotations[0] = {0, 0, std::sin(0.1 * f), std::cos(0.1 * f)};
+    clip.frames.back().translations[0][2] += 0.1 * f;
+  }
+  write_bvh(in("lean.bvh"), motion, clip);
+  good("animate hero.glb --motion lean.bvh -o leaning.glb");
+  good("simplify leaning.glb --level 8 -o few.glb");
+  const Motion before = read_gltf_motion(in("leaning.glb"), 10), after = read_gltf_motion(in("few.glb"), 10);
+  ASSERT_EQ(after.clips.size(), 1u);
+  EXPECT_EQ(after.clips[0].name, "lean");
+  ASSERT_EQ(after.clips[0].frames.size(), before.clips[0].frames.size());
+  const WorldPose was = world_pose(before, before.clips[0].frames[4]), is = world_pose(after, after.clips[0].frames[4]);
+  size_t compared = 0;
+  for (size_t j = 0; j < after.joints.size(); ++j) {
+    for (size_t k = 0; k < before.joints.size(); ++k) {
+      if (before.joints[k].name != after.joints[j].name) continue;
+      ++compared;
+      for (size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(is.positions[j][axis], was.positions[k][axis], 1e-4);
+    }
+  }
+  EXPECT_GE(compared, 8u);
 }
 
 TEST_F(CliSimplify, ExtractMakesASkeletonOfTheShapeAlone) {

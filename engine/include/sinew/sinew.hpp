@@ -221,6 +221,28 @@ inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const 
   return SINEW_OK;
 }
 
+// sinew_simplify_options that ask for every default; {} where a function takes settings.
+struct SimplifySettings : sinew_simplify_options {
+  SimplifySettings() : sinew_simplify_options(sinew_simplify_options_init()) {}
+  SimplifySettings(const sinew_simplify_options& options) : sinew_simplify_options(options) {}
+};
+
+// sinew_simplify() with the size query, the workspace and the output taken care of. Returns what sinew_simplify() does;
+// SINEW_ERROR_WORKSPACE where memory is short. *into is untouched on failure.
+inline sinew_status simplify(const float* positions, const int32_t* parents, uint32_t joint_count, const float* areas,
+                             const uint8_t* keep, const SimplifySettings& settings, Workspace* workspace,
+                             std::vector<uint32_t>* into) {
+  size_t bytes = 0;
+  const sinew_status status = sinew_simplify_workspace_size(joint_count, &bytes);
+  if (status != SINEW_OK) return status;
+  if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+  std::vector<uint32_t> made(joint_count);
+  const sinew_status simplified = sinew_simplify(positions, parents, joint_count, areas, keep, &settings,
+                                                 workspace->data(), workspace->size(), made.data());
+  if (simplified == SINEW_OK) *into = std::move(made);
+  return simplified;
+}
+
 // sinew_map_options that ask for every default; {} where a function takes settings.
 struct MapSettings : sinew_map_options {
   MapSettings() : sinew_map_options(sinew_map_options_init()) {}

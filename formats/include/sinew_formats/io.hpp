@@ -47,6 +47,7 @@ struct Motion;  // motion.hpp
 struct GlbOptions {
   bool unorm8 = false;
   bool keep_skin = false;          // the skin of the input's own document stays as it is, to the byte
+  bool drop_animations = false;    // those of the input's own document go
   const Motion* motion = nullptr;  // of the character's joints, in their order: its clips become animations
 };
 void write_gltf(const std::string& path, const Character& character, const GlbOptions& options = {});

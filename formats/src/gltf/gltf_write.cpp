@@ -193,6 +193,7 @@ GltfSource skinned_document(const std::string& path, const Character& character,
       joints.worlds.push_back({1, 0, 0, static_cast<double>(joint.position.x), 0, 1, 0,
                                static_cast<double>(joint.position.y), 0, 0, 1, static_cast<double>(joint.position.z)});
   }
+  if (options.drop_animations) source.document.erase("animations");
   if (options.motion != nullptr && !options.motion->clips.empty()) {
     if (joints.nodes.size() != character.joints.size() || joints.nodes.size() != options.motion->joints.size())
       throw Error(path + ": cannot write, expected a motion of the character's " +

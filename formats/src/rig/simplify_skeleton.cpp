@@ -85,22 +85,16 @@ Simplified simplify_skeleton(const SimplifyOptions& options, Character* characte
     parents.push_back(joint.parent);
   }
   const std::vector<float> areas = joint_areas(*character);
-  sinew_simplify_options engine = sinew_simplify_options_init();
-  engine.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
-  engine.joint_count = options.joints;
+  SimplifySettings settings;
+  settings.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
+  settings.joint_count = options.joints;
   const uint32_t count = static_cast<uint32_t>(joints.size());
-  const auto check = [&](sinew_status status) {
-    if (status != SINEW_OK)
-      throw Error(character->name + ": the skeleton cannot be simplified: " + sinew_status_text(status));
-  };
-  size_t bytes = 0;
-  check(sinew_simplify_workspace_size(count, &bytes));
-  const Workspace workspace(bytes);
-  if (workspace.size() < bytes) throw OutOfMemory(character->name + ": no memory to simplify its skeleton");
+  Workspace workspace;
   Simplified simplified;
-  simplified.into.resize(count);
-  check(sinew_simplify(positions.data(), parents.data(), count, areas.empty() ? nullptr : areas.data(), keep.data(),
-                       &engine, workspace.data(), workspace.size(), simplified.into.data()));
+  const sinew_status status = simplify(positions.data(), parents.data(), count, areas.empty() ? nullptr : areas.data(),
+                                       keep.data(), settings, &workspace, &simplified.into);
+  if (status != SINEW_OK)
+    throw Error(character->name + ": the skeleton cannot be simplified: " + sinew_status_text(status));
 
   std::vector<Joint> left;
   for (size_t j = 0; j < count; ++j) {

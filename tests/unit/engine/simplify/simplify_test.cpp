@@ -23,14 +23,11 @@ struct Tree {
     return static_cast<uint32_t>(parents.size() - 1);
   }
   sinew_status run(const sinew_simplify_options& options, std::vector<uint32_t>* into) const {
-    const uint32_t count = static_cast<uint32_t>(parents.size());
-    size_t bytes = 0;
-    const sinew_status sized = sinew_simplify_workspace_size(count, &bytes);
-    if (sized != SINEW_OK) return sized;
-    const sinew::Workspace workspace(bytes);
-    into->assign(count, 77777);
-    return sinew_simplify(positions.data(), parents.data(), count, areas.empty() ? nullptr : areas.data(),
-                          keep.empty() ? nullptr : keep.data(), &options, workspace.data(), bytes, into->data());
+    into->assign(parents.size(), 77777);
+    sinew::Workspace workspace;
+    return sinew::simplify(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()),
+                           areas.empty() ? nullptr : areas.data(), keep.empty() ? nullptr : keep.data(), options,
+                           &workspace, into);
   }
   std::vector<uint32_t> simplify(uint32_t level, uint32_t joints = 0) const {
     sinew_simplify_options options = sinew_simplify_options_init();
