@@ -243,7 +243,10 @@ async function openMotionFile(file) {
 
 async function playMotion(name) {
   await openMotion(name);
-  if (view.editing) setEditing(false);
+  if (view.editing) {
+    setEditing(false);
+    showSkeleton();
+  }
   await sendPose();
 }
 

@@ -836,6 +836,8 @@ try {
     assert.match(await page.locator("#motion-about").innerText(), /^waving\.glb: /);
     const own = JSON.parse((await downloaded("#download")).bytes.subarray(20).toString().split("\0")[0].replace(/^[^{]*/, "").replace(/[^}]*$/, "").split("BIN")[0]);
     assert.equal(own.animations.length, 1);
+    await give(file("snake__long.obj"), file("snake__long.rig.txt"));
+    assert.ok(!(await page.locator("#player").isVisible()));
   });
 
   await step("options", async () => {
