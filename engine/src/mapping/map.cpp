@@ -242,7 +242,8 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
     if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
     if (arena.measuring()) return SINEW_OK;
     if (method == SINEW_MAP_BRANCHES) {
-      if (branches.prepare(target.rig, source.rig) == UINT64_MAX) return SINEW_ERROR_COUNT;
+      if (branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame) == UINT64_MAX)
+        return SINEW_ERROR_COUNT;
       (void)branches.run(published.sources, published.costs);
     } else {
       method = SINEW_MAP_SINEW;
