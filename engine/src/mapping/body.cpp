@@ -119,7 +119,7 @@ void Anatomy::find_others() {
   for (int32_t k = 0; k < spine_count; ++k) look_at(spine[k]);
   for (int32_t i = r.parent[hip]; i >= 0; i = r.parent[i]) look_at(i);
   others_count = limbs.count - others_first;
-  limbs.grow(r, others_first);
+  limbs.grow(r, side, others_first);
 }
 
 void Anatomy::find_arms() {

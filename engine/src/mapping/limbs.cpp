@@ -44,6 +44,12 @@ int32_t Limbs::begin(const Hierarchy& rig, int32_t joint, int8_t side, int32_t a
 
 namespace {
 
+// Whether a limb may go on or branch there: no end marker, and of a chain in the plane nothing beside it, which is a limb
+// of its own.
+bool is_limb_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, int32_t kid) {
+  return rig.end[kid] == 0 && side[kid] == side[joint];
+}
+
 bool has_limb_kid(const Hierarchy& rig, int32_t joint) {
   for (int32_t k = 0; k < rig.kid_count(joint); ++k) {
     if (rig.end[rig.kid(joint, k)] == 0) return true;
@@ -53,10 +59,10 @@ bool has_limb_kid(const Hierarchy& rig, int32_t joint) {
 
 // The child that carries most, or reaches furthest of those; -1 = none. `leads`: it carries or reaches so much more than
 // the others that a limb goes on with it.
-int32_t first_kid(const Hierarchy& rig, int32_t joint, bool* leads) {
+int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool* leads) {
   int32_t first = -1, all = 0;
   each_kid(rig, joint, [&](int32_t k) {
-    if (rig.end[k] != 0) return;
+    if (!is_limb_kid(rig, side, joint, k)) return;
     all += rig.count[k];
     const bool before = first >= 0 && (rig.count[first] > rig.count[k] ||
                                        (rig.count[first] == rig.count[k] && rig.reach[first] >= rig.reach[k]));
@@ -67,7 +73,7 @@ int32_t first_kid(const Hierarchy& rig, int32_t joint, bool* leads) {
   double other = 0, gap = 0;
   int32_t kids = 0;
   each_kid(rig, joint, [&](int32_t k) {
-    if (rig.end[k] != 0) return;
+    if (!is_limb_kid(rig, side, joint, k)) return;
     ++kids;
     if (k == first) return;
     other = greater(other, rig.reach[k] + rig.bone(joint, k));
@@ -83,7 +89,7 @@ int32_t first_kid(const Hierarchy& rig, int32_t joint, bool* leads) {
 
 }  // namespace
 
-void Limbs::follow(const Hierarchy& rig, int32_t number) {
+void Limbs::follow(const Hierarchy& rig, const int8_t* side, int32_t number) {
   Limb& limb = at[number];
   int32_t i = limb.first_joint;
   limb.first_joint = joints_used;
@@ -93,7 +99,7 @@ void Limbs::follow(const Hierarchy& rig, int32_t number) {
     points[points_used++] = rig.at[i];
     ++limb.joint_count;
     bool leads = false;
-    const int32_t next = first_kid(rig, i, &leads);
+    const int32_t next = first_kid(rig, side, i, &leads);
     if (next < 0) break;
     if (!leads) break;
     i = next;
@@ -104,7 +110,7 @@ void Limbs::follow(const Hierarchy& rig, int32_t number) {
   for (int32_t k = 0; k < limb.joint_count; ++k) {
     const int32_t j = joint(limb, k), next = k + 1 < limb.joint_count ? joint(limb, k + 1) : -1;
     each_kid(rig, j, [&](int32_t kid) {
-      if (kid == next || rig.end[kid] != 0) return;
+      if (kid == next || !is_limb_kid(rig, side, j, kid)) return;
       const int32_t sub = begin(rig, kid, limb.side, j);
       if (sub < 0) return;
       (tail < 0 ? limb.first_sub : at[tail].next) = sub;
@@ -134,8 +140,8 @@ void Limbs::follow(const Hierarchy& rig, int32_t number) {
   for (int32_t k = 1; k < limb.point_count; ++k) limb.length += distance(point(limb, k - 1), point(limb, k));
 }
 
-void Limbs::grow(const Hierarchy& rig, int32_t from) {
-  for (int32_t k = from; k < count; ++k) follow(rig, k);  // `count` grows on the way
+void Limbs::grow(const Hierarchy& rig, const int8_t* side, int32_t from) {
+  for (int32_t k = from; k < count; ++k) follow(rig, side, k);  // `count` grows on the way
 }
 
 void Limbs::append(int32_t number, int32_t foot) {

@@ -11,7 +11,9 @@
 namespace sinew::mapping {
 namespace {
 
-constexpr double kWhole = 32768;  // certainty
+constexpr double kWhole = 32768;                        // certainty
+constexpr double kNearlyEqual = 0.5;                    // mean cost of a pair of joints by branches
+constexpr uint64_t kMostAutoCells = uint64_t{1} << 22;  // pairs of joints that are compared without being asked
 
 // A rig with what is known of it.
 struct Side {
@@ -43,6 +45,12 @@ struct Result {
     return arena.ok();
   }
 };
+
+uint32_t mapped_count(const int32_t* sources, uint32_t joints) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < joints; ++i) count += sources[i] >= 0 ? 1 : 0;
+  return count;
+}
 
 void read_pins(const MapPlan& plan, Pins* pins) {
   for (uint32_t i = 0; i < plan.target.joint_count; ++i) pins->source_of[i] = Pins::kFree;
@@ -241,12 +249,18 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
     Branches branches;
     if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
     if (arena.measuring()) return SINEW_OK;
-    if (method == SINEW_MAP_BRANCHES) {
-      if (branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame) == UINT64_MAX)
-        return SINEW_ERROR_COUNT;
-      (void)branches.run(published.sources, published.costs);
-    } else {
-      method = SINEW_MAP_SINEW;
+    // Two nearly equal rigs without a body that could be read: a machine and its later version.
+    const bool odd = method == SINEW_MAP_AUTO && target.anatomy.leg_count == 0 && source.anatomy.leg_count == 0 &&
+                     10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
+    const bool asked = method == SINEW_MAP_BRANCHES;
+    const uint64_t cells = asked || odd
+                               ? branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame)
+                               : UINT64_MAX;
+    if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
+    method = SINEW_MAP_SINEW;
+    if (asked || cells < kMostAutoCells) {
+      const double cost = branches.run(published.sources, published.costs);
+      if (asked || cost < kNearlyEqual) method = SINEW_MAP_BRANCHES;
     }
   }
   const Result& result = method == SINEW_MAP_BRANCHES ? published : own;
@@ -255,11 +269,10 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
 
   const double sure = lesser(certainty(target.anatomy), certainty(source.anatomy));
   outputs->method = method;
-  outputs->mapped = 0;
+  outputs->mapped = mapped_count(result.sources, n);
   outputs->certainty = static_cast<uint32_t>(kWhole * sure);
   for (uint32_t i = 0; i < n; ++i) {
     outputs->sources[i] = result.sources[i];
-    if (result.sources[i] >= 0) ++outputs->mapped;
     if (outputs->reasons != nullptr) outputs->reasons[i] = reasons[i];
     if (outputs->confidence == nullptr) continue;
     const double side = target.anatomy.side[i] != 0 ? sure : 1;
