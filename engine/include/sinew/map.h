@@ -44,7 +44,8 @@ typedef struct sinew_map_rig {
   const char* const* names; /* [J] UTF-8, what joints are called; null = not known. They help, and never override what
                              * places say elsewhere. Both rigs have some, or none are read */
   const uint8_t* ends;      /* [J] 1: the joint only says where a bone ends (BVH End Sites, leaves without skin weight);
-                             * null = not known, they are guessed */
+                             * null = not known; without names all leaves are taken for ends, or none, whatever makes the
+                             * rigs more alike */
   float up[3];              /* which way is up, not 0 in length; all 0 = not known, it is guessed */
   uint32_t reserved;
 } sinew_map_rig;

@@ -109,7 +109,7 @@ void Anatomy::begin_limbs() {
     limb_next[b] = limb_head[a];
     limb_head[a] = b;
   }
-  limbs.grow(r, 0);
+  limbs.grow(r, side, 0);
 }
 
 bool Anatomy::pair_limbs(Arena& arena) {

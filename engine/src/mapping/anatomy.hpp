@@ -37,6 +37,7 @@ struct Anatomy {
   LimbPair* feet = nullptr;  // [kMostSideLimbs] pairs that come near the ground
   int32_t foot_count = 0;
   bool quad = false;
+  bool lying = false;       // no legs, longer than high
   LimbPair hip_pair, arms;  // a = -1: none
   int32_t hip = 0;
   int32_t* spine = nullptr;  // [n] joints above the hips, up to a leaf
@@ -85,6 +86,7 @@ struct Anatomy {
   void find_front(bool flip_it);
   void flip();
   void find_body();
+  void find_lying();
   void find_others();
   void find_arms();
   void find_chest();

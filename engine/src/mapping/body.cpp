@@ -18,12 +18,34 @@ void Anatomy::find_body() {
     const int32_t both = a >= 0 && b >= 0 ? r.common(b, a) : -1;
     if (both >= 0) hip = both;
   }
+  find_lying();
   take_spine(pick_spine());
   take_hips_from_floor();
   find_others();
   find_arms();
   find_chest();
   find_head();
+}
+
+// Fish, snakes: a body without legs that is longer than high. From the rear to the front it is its own line.
+void Anatomy::find_lying() {
+  lying = false;
+  if (leg_count > 0) return;
+  bool any = false;
+  double rear = 0, front = 0, low = 0, high = 0;
+  for (int32_t i = 0; i < rig->n; ++i) {
+    if (side[i] != 0) continue;
+    const double a = ahead(at(i)), h = height[i];
+    rear = any ? lesser(rear, a) : a;
+    front = any ? greater(front, a) : a;
+    low = any ? lesser(low, h) : h;
+    high = any ? greater(high, h) : h;
+    any = true;
+  }
+  lying = front - rear > high - low;
+  const double half = greater(0.5 * (front - rear), 0.05 * rig->size);
+  for (int32_t k = 0; k < 3 && lying; ++k) line[k] = at(hip) + (rear + k * half - ahead(at(hip))) * frame.front;
+  if (lying) trunk = half;
 }
 
 int32_t Anatomy::pick_spine() {
@@ -50,7 +72,8 @@ int32_t Anatomy::pick_spine() {
     const double way = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
     double score = 2 * carried;
     score += quad ? (0.4 * way + 0.8 * rise + 1.5 * forward) / size : (0.6 * way + 1.5 * rise + 0.3 * forward) / size;
-    if (leg_count == 0) score += 1.5 * way / size;
+    if (lying) score = forward / size + 0.01 * way / size;  // what leads to the head
+    if (leg_count == 0 && !lying) score += 1.5 * way / size;
     if (quad) {
       score += 0.5 * inner;
       if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
@@ -96,7 +119,7 @@ void Anatomy::find_others() {
   for (int32_t k = 0; k < spine_count; ++k) look_at(spine[k]);
   for (int32_t i = r.parent[hip]; i >= 0; i = r.parent[i]) look_at(i);
   others_count = limbs.count - others_first;
-  limbs.grow(r, others_first);
+  limbs.grow(r, side, others_first);
 }
 
 void Anatomy::find_arms() {
@@ -166,19 +189,14 @@ void Anatomy::find_chest() {
 void Anatomy::find_head() {
   const Hierarchy& r = *rig;
   head = other_head = -1;
-  line_count = 1;
-  line[0] = at(hip);
-  const Point along = spine_count > 0 ? at(spine[spine_count - 1]) - at(hip) : Point();
-  if (leg_count == 0 && absolute(ahead(along)) > 0.6 * absolute(dot(along, frame.up))) {
-    // Fish, snakes: one chain without landmarks.
+  if (lying) {  // one chain without landmarks
     chest = -1;
     arms = LimbPair();
-    trunk = greater(length(along), 0.05 * r.size);
-    line[1] = at(hip) + (trunk / 2) * frame.front;
-    line[2] = at(hip) + trunk * frame.front;
     line_count = 3;
     return;
   }
+  line_count = 1;
+  line[0] = at(hip);
   const int32_t first = chest + 1;
   if (first < spine_count) {
     head = head_of(first, first > 0 ? spine[first - 1] : hip);

@@ -25,14 +25,15 @@ bool Branches::Rig::allocate(Arena& arena, uint32_t joints) {
   return arena.ok();
 }
 
-void Branches::Rig::prepare(const Hierarchy& hierarchy) {
+void Branches::Rig::prepare(const Hierarchy& hierarchy, const Frame& frame) {
   rig = &hierarchy;
   const Point root_at = rig->at[rig->first_root()];
   double farthest = 0;
   for (int32_t i = 0; i < rig->n; ++i) farthest = greater(farthest, distance(rig->at[i], root_at));
   branches = 0;
   for (int32_t i = 0; i < rig->n; ++i) {
-    at[i] = (1 / greater(farthest, 1e-9)) * (rig->at[i] - root_at);
+    const Point p = (1 / greater(farthest, 1e-9)) * (rig->at[i] - root_at);
+    at[i] = {dot(p, frame.across), dot(p, frame.up), dot(p, frame.front)};
     through[i] = 0;
     if (rig->kid_count(i) == 0) leaves[branches++] = i;
   }
@@ -95,7 +96,8 @@ double Branches::joint_cost(int32_t i, int32_t j) const {
          kDegree * (degree < 0 ? -degree : degree);
 }
 
-uint64_t Branches::prepare(const Hierarchy& target, const Hierarchy& source) {
+uint64_t Branches::prepare(const Hierarchy& target, const Frame& target_frame, const Hierarchy& source,
+                           const Frame& source_frame) {
   uint64_t lengths[2] = {0, 0}, leaves[2] = {0, 0};
   for (int r = 0; r < 2; ++r) {
     const Hierarchy& rig = r == 0 ? target : source;
@@ -106,8 +108,8 @@ uint64_t Branches::prepare(const Hierarchy& target, const Hierarchy& source) {
     }
   }
   if (leaves[0] * leaves[1] > kMostBranchPairs || lengths[0] * lengths[1] > kMostBranchCells) return UINT64_MAX;
-  a_.prepare(target);
-  b_.prepare(source);
+  a_.prepare(target, target_frame);
+  b_.prepare(source, source_frame);
   return lengths[0] * lengths[1];
 }
 

@@ -4,7 +4,7 @@
 #define SINEW_MAPPING_BRANCHES_HPP
 
 #include "mapping/align.hpp"
-#include "mapping/hierarchy.hpp"
+#include "mapping/frame.hpp"
 
 namespace sinew::mapping {
 
@@ -13,8 +13,9 @@ constexpr uint64_t kMostBranchPairs = uint64_t{1} << 18, kMostBranchCells = uint
 class Branches {
  public:
   bool allocate(Arena& arena, uint32_t target_joints, uint32_t source_joints);
-  // Prepares both rigs. Returns how many pairs of joints run() would compare; UINT64_MAX beyond the limits.
-  uint64_t prepare(const Hierarchy& target, const Hierarchy& source);
+  // Prepares both rigs, each in its own axes: left, up, front. Returns how many pairs of joints run() would compare; UINT64_MAX beyond the limits.
+  uint64_t prepare(const Hierarchy& target, const Frame& target_frame, const Hierarchy& source,
+                   const Frame& source_frame);
   // Fills sources [target n], -1 = none, and each pair's cost. Returns the mean cost of the pairs.
   double run(int32_t* sources, double* costs);
 
@@ -31,7 +32,7 @@ class Branches {
     int32_t branches = 0, length = 0;
 
     bool allocate(Arena& arena, uint32_t joints);
-    void prepare(const Hierarchy& hierarchy);
+    void prepare(const Hierarchy& hierarchy, const Frame& frame);
     void take(int32_t branch);
     void find_mirrors();
     int32_t degree(int32_t j) const { return rig->kid_count(j) + (rig->parent[j] >= 0 ? 1 : 0); }

@@ -28,7 +28,7 @@ double Anatomy::path_length(int32_t leaf) const {
 }
 
 double Anatomy::path_names(int32_t leaf) const {
-  if (!rig->has_names) return 0;
+  if (!rig->has_names || leg_count == 0) return 0;  // without legs the longest way counts, head or tail
   bool is_head = false, is_trunk = false, is_tail = false, is_face = false;
   for (int32_t i = leaf; i != hip; i = rig->parent[i]) {
     const Word w = rig->cls(i).word;
@@ -70,9 +70,10 @@ class FrontVotes {
     } else if (a_.leg_count > 0) {
       trunk_and_tail();
     }
-    if (a_.leg_count == 0 && a_.spine_count > 0) {  // fish, snakes: the long path is the tail
+    if (a_.leg_count == 0 && a_.spine_count > 0) {  // fish, snakes: the long path is the tail, if it is not called head
       const Point d = a_.at(a_.spine[a_.spine_count - 1]) - a_.at(a_.hip);
-      if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(-a_.ahead(d) / size_ / 0.1, 0.8);
+      const double weight = named_tail();
+      if (absolute(a_.ahead(d)) > 0.6 * absolute(dot(d, a_.frame.up))) add(-a_.ahead(d) / size_ / 0.1, weight);
     }
     if (a_.leg_count == 0) fins();
     find_arm();
@@ -192,6 +193,16 @@ class FrontVotes {
       if (leaf == top || rig_.depth[leaf] - rig_.depth[a_.hip] < 2 || rig_.holds(a_.spine[0], leaf)) return;
       add(-a_.ahead(a_.at(leaf) - a_.at(a_.hip)) / size_ / 0.1, 1.5);
     });
+  }
+
+  // How much the spine is a tail.
+  double named_tail() const {
+    for (int32_t k = 0; k < a_.spine_count && rig_.has_names; ++k) {
+      const Word w = rig_.cls(a_.spine[k]).word;
+      if (w == Word::kTail) return 3;
+      if (w == Word::kHead) return -3;
+    }
+    return 0.8;
   }
 
   // Fins lie back.

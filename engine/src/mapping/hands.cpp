@@ -194,13 +194,24 @@ void Matcher::match_finger(int32_t x, int32_t y, const Limb& a, const Limb& b) {
   if (n == m) {
     for (int32_t i = 0; i < n; ++i) put(a_->limbs.joint(fx, i), b_->limbs.joint(fy, i), 0.1);
   } else {
+    // In shares of the limb's length up to the hand, so that a finger whose last joints are missing stays short.
     const auto places = [](const Anatomy& rig, const Limb& f, const Limb& hand, double* out) {
-      add_up_way(rig.limbs.points + f.first_point, f.joint_count, rig.wrist(hand), out);
-      const double whole = greater(out[f.joint_count - 1], 1e-9);
-      for (int32_t k = 0; k < f.joint_count; ++k) out[k] /= whole;
+      const Point wrist = rig.wrist(hand);
+      add_up_way(rig.limbs.points + f.first_point, f.joint_count, wrist, out);
+      double whole = 0;
+      for (int32_t k = 1; k < hand.joint_count; ++k)
+        whole += distance(rig.limbs.point(hand, k - 1), rig.limbs.point(hand, k));
+      return whole;
     };
-    places(*a_, fx, a, ua_);
-    places(*b_, fy, b, ub_);
+    const double arm_a = places(*a_, fx, a, ua_), arm_b = places(*b_, fy, b, ub_);
+    const bool known = arm_a > 1e-9 && arm_b > 1e-9;
+    const double size_a = known ? root(arm_a * ua_[n - 1]) : ua_[n - 1],
+                 size_b = known ? root(arm_b * ub_[m - 1]) : ub_[m - 1];
+    for (int32_t k = 0; k < n; ++k) ua_[k] /= greater(size_a, 1e-9);
+    for (int32_t k = 0; k < m; ++k) ub_[k] /= greater(size_b, 1e-9);
+    const double whole = greater(greater(ua_[n - 1], ub_[m - 1]), 1e-9);
+    for (int32_t k = 0; k < n; ++k) ua_[k] /= whole;
+    for (int32_t k = 0; k < m; ++k) ub_[k] /= whole;
     constexpr double kScales[] = {0.6, 0.7, 0.8, 0.9, 1, 1.12, 1.25, 1.45, 1.7};
     double least = 0, best = 0;
     const auto cost = [&](double scale, int32_t i, int32_t j) {

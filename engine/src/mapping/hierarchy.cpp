@@ -28,7 +28,7 @@ bool Hierarchy::allocate(Arena& arena, uint32_t joints) {
 sinew_status Hierarchy::build(const sinew_map_rig& rig, bool with_names) {
   n = static_cast<int32_t>(rig.joint_count);
   has_names = with_names;
-  has_ends = rig.ends != nullptr;
+  has_ends = rig.ends != nullptr;  // or names tell of some, see below
   Point low, high;
   for (int32_t i = 0; i < n; ++i) {
     const float* const p = rig.positions + size_t{3} * static_cast<size_t>(i);
@@ -89,9 +89,16 @@ sinew_status Hierarchy::build(const sinew_map_rig& rig, bool with_names) {
     words[i] = NameWords();
     if (!with_names) continue;
     words[i].read(rig.names[i]);
-    if (words[i].cls.end && kid_count(i) == 0) end[i] = 1;
+    if (words[i].cls.end && kid_count(i) == 0) {
+      end[i] = 1;
+      has_ends = true;
+    }
   }
   return SINEW_OK;
+}
+
+void Hierarchy::take_leaves_as_ends(bool yes) {
+  for (int32_t i = 0; i < n && !has_ends; ++i) end[i] = yes && kid_count(i) == 0 && parent[i] >= 0 ? 1 : 0;
 }
 
 }  // namespace sinew::mapping

@@ -24,12 +24,15 @@ struct Hierarchy {
   uint8_t* end = nullptr;          // [n] only says where a bone ends
   NameWords* words = nullptr;      // [n] what names say
   bool has_names = false;
-  bool has_ends = false;  // the caller told which are ends
+  bool has_ends = false;  // the caller or names told which are ends
   double size = 1;        // diagonal of the joints' box
 
   bool allocate(Arena& arena, uint32_t joints);
   // From the caller's rig. SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
   sinew_status build(const sinew_map_rig& rig, bool with_names);
+
+  // Where nobody told which joints are ends: all leaves, or none.
+  void take_leaves_as_ends(bool yes);
 
   int32_t kid_count(int32_t joint) const { return kid_offsets[joint + 1] - kid_offsets[joint]; }
   int32_t kid(int32_t joint, int32_t k) const { return kids[kid_offsets[joint] + k]; }

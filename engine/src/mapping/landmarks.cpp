@@ -5,6 +5,7 @@
 namespace sinew::mapping {
 namespace {
 
+constexpr double kBranch = 0.4;
 constexpr int32_t kMostStarts = 4, kMostPoints = 64;  // points of a limb that may be landmarks
 
 }  // namespace
@@ -16,6 +17,13 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   const auto point = [&](int32_t k) -> const Point& { return rig.limbs.point(limb, k); };
   const int32_t joints = limb.joint_count, real = limb.point_count;
   const int32_t subs = rig.limbs.end_subs(limb);
+  // Where fingers or toes branch off before the chain's end: a hand or foot.
+  int32_t branch = -1;
+  rig.limbs.each_sub(limb, [&](int32_t sub) {
+    for (int32_t k = 2; k + 1 < joints; ++k) {
+      if (rig.limbs.joint(limb, k) == rig.limb(sub).attach && k > branch) branch = k;
+    }
+  });
   t[0] = 0;
   for (int32_t k = 1; k < real; ++k) {
     const double way = distance(point(k - 1), point(k));
@@ -45,7 +53,8 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         const double u = t[b] - t[a], v = t[c] - t[b];
         if (u < 1e-9 || v < 1e-9) continue;
         double score = 1.5 * absolute(logarithm(u / v)) - 2.5 * lesser((u + v) / greater(whole, 1e-9), 1);
-        if (c == joints - 1) score -= subs >= 2 || real > joints ? 0.4 : 0.1;
+        if (c == joints - 1) score -= subs >= 2 || (real > joints && branch < 0) ? 0.4 : 0.1;
+        if (c == branch) score -= kBranch;
         if (c >= real) {
           score += 0.5;
         } else if (c >= joints) {
@@ -92,7 +101,8 @@ void Matcher::long_bone_places(const Anatomy& rig, const Limb& limb, const doubl
     } else if (k <= at.c) {
       places[k] = 2 + (t[k] - t[at.b]) / greater(t[at.c] - t[at.b], 1e-9);
     } else {
-      places[k] = 3 + (way - way_c) / greater(0.5 * (way_c - way_a), 1e-9);
+      // A joint on the same spot comes after the landmark.
+      places[k] = 3 + 0.02 * (k - at.c) + (way - way_c) / greater(0.5 * (way_c - way_a), 1e-9);
     }
   }
 }

@@ -42,41 +42,67 @@ int32_t Limbs::begin(const Hierarchy& rig, int32_t joint, int8_t side, int32_t a
   return count++;
 }
 
-void Limbs::follow(const Hierarchy& rig, int32_t number) {
+namespace {
+
+// Whether a limb may go on or branch there: no end marker, and of a chain in the plane nothing beside it, which is a limb
+// of its own.
+bool is_limb_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, int32_t kid) {
+  return rig.end[kid] == 0 && side[kid] == side[joint];
+}
+
+bool has_limb_kid(const Hierarchy& rig, int32_t joint) {
+  for (int32_t k = 0; k < rig.kid_count(joint); ++k) {
+    if (rig.end[rig.kid(joint, k)] == 0) return true;
+  }
+  return false;
+}
+
+// The child that carries most, or reaches furthest of those; -1 = none. `leads`: it carries or reaches so much more than
+// the others that a limb goes on with it.
+int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool* leads) {
+  int32_t first = -1, all = 0;
+  each_kid(rig, joint, [&](int32_t k) {
+    if (!is_limb_kid(rig, side, joint, k)) return;
+    all += rig.count[k];
+    const bool before = first >= 0 && (rig.count[first] > rig.count[k] ||
+                                       (rig.count[first] == rig.count[k] && rig.reach[first] >= rig.reach[k]));
+    if (!before) first = k;
+  });
+  *leads = false;
+  if (first < 0) return first;
+  double other = 0, gap = 0;
+  int32_t kids = 0;
+  each_kid(rig, joint, [&](int32_t k) {
+    if (!is_limb_kid(rig, side, joint, k)) return;
+    ++kids;
+    if (k == first) return;
+    other = greater(other, rig.reach[k] + rig.bone(joint, k));
+    gap = greater(gap, rig.bone(first, k));
+  });
+  const int32_t own = rig.count[first], rest = all - own;
+  const double way = rig.reach[first] + rig.bone(joint, first);
+  *leads = own >= 2 * rest || (own > rest && way > 2.5 * other) || way > 4 * other;
+  // A thumb that begins where the hand does.
+  if (kids == 2 && own > rest && gap < 0.02 * rig.bone(joint, first)) *leads = true;
+  return first;
+}
+
+}  // namespace
+
+void Limbs::follow(const Hierarchy& rig, const int8_t* side, int32_t number) {
   Limb& limb = at[number];
-  int32_t i = limb.first_joint, tips = 0, tip = -1;
+  int32_t i = limb.first_joint;
   limb.first_joint = joints_used;
   limb.first_point = points_used;
   for (;;) {
     joints[joints_used++] = i;
     points[points_used++] = rig.at[i];
     ++limb.joint_count;
-    int32_t kids = 0, first = -1, all = 0;
-    each_kid(rig, i, [&](int32_t k) {
-      if (rig.end[k] != 0) return;
-      ++kids;
-      all += rig.count[k];
-      const bool before = first >= 0 && (rig.count[first] > rig.count[k] ||
-                                         (rig.count[first] == rig.count[k] && rig.reach[first] >= rig.reach[k]));
-      if (!before) first = k;
-    });
-    if (kids == 0) {
-      each_kid(rig, i, [&](int32_t k) {
-        ++tips;
-        tip = k;
-      });
-      break;
-    }
-    if (kids > 1) {
-      double other = 0;
-      each_kid(rig, i, [&](int32_t k) {
-        if (rig.end[k] == 0 && k != first) other = greater(other, rig.reach[k] + rig.bone(i, k));
-      });
-      const int32_t own = rig.count[first], rest = all - own;
-      const double way = rig.reach[first] + rig.bone(i, first);
-      if (!(own >= 2 * rest || (own > rest && way > 2.5 * other) || way > 4 * other)) break;
-    }
-    i = first;
+    bool leads = false;
+    const int32_t next = first_kid(rig, side, i, &leads);
+    if (next < 0) break;
+    if (!leads) break;
+    i = next;
   }
   limb.point_count = limb.joint_count;
   // What branches off, in the order of the chain.
@@ -84,7 +110,7 @@ void Limbs::follow(const Hierarchy& rig, int32_t number) {
   for (int32_t k = 0; k < limb.joint_count; ++k) {
     const int32_t j = joint(limb, k), next = k + 1 < limb.joint_count ? joint(limb, k + 1) : -1;
     each_kid(rig, j, [&](int32_t kid) {
-      if (kid == next || rig.end[kid] != 0) return;
+      if (kid == next || !is_limb_kid(rig, side, j, kid)) return;
       const int32_t sub = begin(rig, kid, limb.side, j);
       if (sub < 0) return;
       (tail < 0 ? limb.first_sub : at[tail].next) = sub;
@@ -95,8 +121,8 @@ void Limbs::follow(const Hierarchy& rig, int32_t number) {
     points[points_used++] = p;
     ++limb.point_count;
   };
-  if (tips == 1) add_point(rig.at[tip]);
   const int32_t last = last_joint(limb);
+  if (!has_limb_kid(rig, last) && rig.kid_count(last) == 1) add_point(rig.at[rig.kid(last, 0)]);
   int32_t fingers = 0;
   Point sum;
   for (int32_t t = limb.first_sub; t >= 0; t = at[t].next) {
@@ -114,8 +140,8 @@ void Limbs::follow(const Hierarchy& rig, int32_t number) {
   for (int32_t k = 1; k < limb.point_count; ++k) limb.length += distance(point(limb, k - 1), point(limb, k));
 }
 
-void Limbs::grow(const Hierarchy& rig, int32_t from) {
-  for (int32_t k = from; k < count; ++k) follow(rig, k);  // `count` grows on the way
+void Limbs::grow(const Hierarchy& rig, const int8_t* side, int32_t from) {
+  for (int32_t k = from; k < count; ++k) follow(rig, side, k);  // `count` grows on the way
 }
 
 void Limbs::append(int32_t number, int32_t foot) {

@@ -70,12 +70,13 @@ struct Limbs {
   // A limb that begins at `joint`, without its chain yet. -1 when there is no room.
   int32_t begin(const Hierarchy& rig, int32_t joint, int8_t side, int32_t attach);
   // Follows the chains of limbs from number `from` on, and of all that branch off them.
-  void grow(const Hierarchy& rig, int32_t from);
+  //   side  [n] 1, -1, or 0 in the plane
+  void grow(const Hierarchy& rig, const int8_t* side, int32_t from);
   // Joints, points and limbs of `foot` go on where `limb` ends. Nothing happens where there is no room.
   void append(int32_t limb, int32_t foot);
 
  private:
-  void follow(const Hierarchy& rig, int32_t limb);
+  void follow(const Hierarchy& rig, const int8_t* side, int32_t limb);
 };
 
 }  // namespace sinew::mapping

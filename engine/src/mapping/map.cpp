@@ -11,7 +11,10 @@
 namespace sinew::mapping {
 namespace {
 
-constexpr double kWhole = 32768;  // certainty
+constexpr double kWhole = 32768;                        // certainty
+constexpr double kGuess = 0.08;                         // how much more alike rigs must be for leaves to be end markers
+constexpr double kNearlyEqual = 0.5;                    // mean cost of a pair of joints by branches
+constexpr uint64_t kMostAutoCells = uint64_t{1} << 22;  // pairs of joints that are compared without being asked
 
 // A rig with what is known of it.
 struct Side {
@@ -44,6 +47,12 @@ struct Result {
   }
 };
 
+uint32_t mapped_count(const int32_t* sources, uint32_t joints) {
+  uint32_t count = 0;
+  for (uint32_t i = 0; i < joints; ++i) count += sources[i] >= 0 ? 1 : 0;
+  return count;
+}
+
 void read_pins(const MapPlan& plan, Pins* pins) {
   for (uint32_t i = 0; i < plan.target.joint_count; ++i) pins->source_of[i] = Pins::kFree;
   for (uint32_t j = 0; j < plan.source.joint_count; ++j) pins->target_of[j] = Pins::kFree;
@@ -63,6 +72,24 @@ bool pins_turn(const Anatomy& target, const Anatomy& source, const MapPlan& plan
     if (pin.source >= 0) sum += target.side[pin.target] * source.side[pin.source];
   }
   return sum < 0;
+}
+
+// Share of the joints of both rigs, end markers aside, that have no counterpart.
+double unlikeness(const Hierarchy& target, const Hierarchy& source, const int32_t* sources, int32_t* used) {
+  int32_t all = 0, alone = 0;
+  for (int32_t j = 0; j < source.n; ++j) used[j] = 0;
+  for (int32_t i = 0; i < target.n; ++i) {
+    if (sources[i] >= 0) used[sources[i]] = 1;
+    if (target.end[i] != 0) continue;
+    ++all;
+    alone += sources[i] < 0 || source.end[sources[i]] != 0 ? 1 : 0;
+  }
+  for (int32_t j = 0; j < source.n; ++j) {
+    if (source.end[j] != 0) continue;
+    ++all;
+    alone += used[j] == 0 ? 1 : 0;
+  }
+  return static_cast<double>(alone) / (all > 0 ? all : 1);
 }
 
 // Puts pins in, and takes out what shares a source with another joint or crosses the way of one.
@@ -223,29 +250,56 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
       }
     }
   }
-  if (!target.build(false, arena) || !source.build(false, arena)) return SINEW_ERROR_WORKSPACE;
-  if (!arena.measuring() && pins_turn(target.anatomy, source.anatomy, plan)) {
-    if (!target.build(true, arena)) return SINEW_ERROR_WORKSPACE;
-  }
   uint32_t method = plan.options.method;
   {
     const ArenaScope scope(arena);
     Matcher matcher;
     if (!matcher.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
-    if (!arena.measuring()) {
+    const auto match = [&](bool target_ends, bool source_ends) {
+      if (!arena.measuring()) {
+        target.rig.take_leaves_as_ends(target_ends);
+        source.rig.take_leaves_as_ends(source_ends);
+      }
+      if (!target.build(false, arena) || !source.build(false, arena)) return false;
+      if (arena.measuring()) return true;
+      if (pins_turn(target.anatomy, source.anatomy, plan) && !target.build(true, arena)) return false;
       matcher.run(target.anatomy, source.anatomy, target.rig.has_names, pins, own.sources, own.costs);
+      return true;
+    };
+    // Where nothing tells end markers, leaves are some in all of a rig or in none: what makes the two rigs most alike.
+    bool best_target = false, best_source = false;
+    double least = 1e30;
+    for (int guess = 0; guess < 4 && !arena.measuring() && !target.rig.has_names; ++guess) {
+      const bool target_ends = (guess & 1) != 0, source_ends = (guess & 2) != 0;
+      if ((target_ends && target.rig.has_ends) || (source_ends && source.rig.has_ends)) continue;
+      if (target.rig.has_ends && source.rig.has_ends) break;
+      if (!match(target_ends, source_ends)) return SINEW_ERROR_WORKSPACE;
+      const double doubt =
+          unlikeness(target.rig, source.rig, own.sources, owner) + kGuess * (target_ends + source_ends);
+      if (!(doubt < least)) continue;
+      least = doubt;
+      best_target = target_ends;
+      best_source = source_ends;
     }
+    if (!match(best_target, best_source)) return SINEW_ERROR_WORKSPACE;
   }
   {
     const ArenaScope scope(arena);
     Branches branches;
     if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
     if (arena.measuring()) return SINEW_OK;
-    if (method == SINEW_MAP_BRANCHES) {
-      if (branches.prepare(target.rig, source.rig) == UINT64_MAX) return SINEW_ERROR_COUNT;
-      (void)branches.run(published.sources, published.costs);
-    } else {
-      method = SINEW_MAP_SINEW;
+    // Two nearly equal rigs without a body that could be read: a machine and its later version.
+    const bool odd = method == SINEW_MAP_AUTO && target.anatomy.leg_count == 0 && source.anatomy.leg_count == 0 &&
+                     10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
+    const bool asked = method == SINEW_MAP_BRANCHES;
+    const uint64_t cells = asked || odd
+                               ? branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame)
+                               : UINT64_MAX;
+    if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
+    method = SINEW_MAP_SINEW;
+    if (asked || cells < kMostAutoCells) {
+      const double cost = branches.run(published.sources, published.costs);
+      if (asked || cost < kNearlyEqual) method = SINEW_MAP_BRANCHES;
     }
   }
   const Result& result = method == SINEW_MAP_BRANCHES ? published : own;
@@ -254,11 +308,10 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
 
   const double sure = lesser(certainty(target.anatomy), certainty(source.anatomy));
   outputs->method = method;
-  outputs->mapped = 0;
+  outputs->mapped = mapped_count(result.sources, n);
   outputs->certainty = static_cast<uint32_t>(kWhole * sure);
   for (uint32_t i = 0; i < n; ++i) {
     outputs->sources[i] = result.sources[i];
-    if (result.sources[i] >= 0) ++outputs->mapped;
     if (outputs->reasons != nullptr) outputs->reasons[i] = reasons[i];
     if (outputs->confidence == nullptr) continue;
     const double side = target.anatomy.side[i] != 0 ? sure : 1;
