@@ -11,6 +11,7 @@
 #include "network/packed_layers.hpp"
 #if !defined(SINEW_SMALL_CODE)
 #include "mapping/map.hpp"
+#include "motion/contacts.hpp"
 #include "motion/retarget.hpp"
 #include "rig/hands.hpp"
 #include "rig/rig.hpp"
@@ -415,8 +416,63 @@ sinew_status sinew_retarget_frame(sinew_retarget* plan, const float* rotations, 
   return sinew::retarget_frame(plan, rotations, translations, ground, out_rotations, out_translations);
 }
 
+sinew_status sinew_retarget_contacts_size(const sinew_retarget* plan, const sinew_motion_body* target,
+                                          uint32_t frame_count, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  if (plan == nullptr || target == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = sinew::measure_contacts(plan->source.count, plan->target.count, target->vertex_count,
+                                        target->triangle_count, frame_count);
+  return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
+}
+
+sinew_status sinew_retarget_contacts(sinew_retarget* plan, const sinew_motion_body* source,
+                                     const sinew_motion_body* target, const sinew_motion_clip* clip,
+                                     const sinew_contact_options* options, void* workspace, size_t workspace_bytes) {
+  if (plan == nullptr || target == nullptr || clip == nullptr || workspace == nullptr ||
+      (source != nullptr && source->vertex_count != target->vertex_count)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  if (clip->frame_count > 0 && (clip->source_rotations == nullptr || clip->source_translations == nullptr ||
+                                clip->rotations == nullptr || clip->translations == nullptr)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew_contact_options own = sinew_contact_options_init();
+  sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, sizeof own, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  const double fps = own.fps == 0 ? 30.0 : static_cast<double>(own.fps);
+  if (!(fps >= 1 && fps <= 1000)) return SINEW_ERROR_ARGUMENT;
+  status = sinew::check_body(*target, plan->target.count);
+  if (status == SINEW_OK && source != nullptr) {
+    sinew_motion_body same = *source;
+    same.triangle_count = 0;
+    status = sinew::check_body(same, plan->source.count);
+  }
+  if (status != SINEW_OK) return status;
+  if (!sinew::is_finite(static_cast<double>(clip->ground))) return SINEW_ERROR_NOT_FINITE;
+  if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  sinew::ContactInputs inputs;
+  inputs.frames = clip->frame_count;
+  inputs.source_rotations = clip->source_rotations;
+  inputs.source_translations = clip->source_translations;
+  inputs.ground = static_cast<double>(clip->ground);
+  inputs.fps = fps;
+  inputs.rotations = clip->rotations;
+  inputs.translations = clip->translations;
+  inputs.progress = sinew::Progress{own.progress, own.progress_user};
+  sinew::Arena arena(workspace, workspace_bytes);
+  return sinew::run_contacts(plan, source, *target, inputs, arena);
+}
+
 #else
 
+sinew_status sinew_retarget_contacts_size(const sinew_retarget*, const sinew_motion_body*, uint32_t, size_t*) {
+  return SINEW_ERROR_ARGUMENT;
+}
+sinew_status sinew_retarget_contacts(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
+                                     const sinew_motion_clip*, const sinew_contact_options*, void*, size_t) {
+  return SINEW_ERROR_ARGUMENT;
+}
 sinew_status sinew_retarget_size(uint32_t, uint32_t, size_t*) { return SINEW_ERROR_ARGUMENT; }
 sinew_status sinew_retarget_create(const sinew_motion_rig*, const sinew_motion_rig*, const int32_t*, const uint8_t*,
                                    const sinew_retarget_options*, void*, size_t, sinew_retarget**) {

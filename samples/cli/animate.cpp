@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // sinew animate: motion of any skeleton for a character, into its own file.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -93,6 +95,21 @@ std::vector<Clip> chosen_clips(const Settings& s, const MotionChoice& choice, co
   return chosen;
 }
 
+// The motion's own body, if it has one, says what touches what.
+void keep_contacts(const Settings& s, const std::string& file, Animated* out, Retargeter* retargeter) {
+  std::optional<Character> source;
+  if (!has_extension(file, ".bvh")) {
+    try {
+      source = read_mesh(file);
+    } catch (const Error&) {  // a skeleton alone
+    }
+  }
+  const size_t shared = retargeter->keep_contacts(out->character, source ? &*source : nullptr);
+  if (s.method == "contacts" && shared == 0)
+    out->motion.notes.push_back(file +
+                                ": has no body of the character's own mesh, so feet are held and hands are copied");
+}
+
 void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
   const Motion source = read_motion(choice.file, s.fps);
   const std::vector<Clip> clips = chosen_clips(s, choice, source);
@@ -107,9 +124,14 @@ void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic
   settings.source_up = up_of(s.motion_up);
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
                         settings);
+  if (s.method != "copy") keep_contacts(s, choice.file, out, &retargeter);
   size_t frames = 0, mapped = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
   for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
+  if (3 * mapped < 2 * std::min(joints.size(), out->character.joints.size()))
+    out->motion.notes.push_back(print("warning: only %zu joints of ", mapped) + choice.file + " move the character's " +
+                                std::to_string(out->character.joints.size()) +
+                                "; look at the result, and say the others with --map");
   Progress progress(frames, "frames of " + file_name(choice.file));
   for (const Clip& clip : clips) {
     out->motion.clips.push_back(retargeter.run(clip, [&] {
@@ -207,8 +229,11 @@ void add_animate(CLI::App& app) {
       ->type_name("OUT");
   sub->add_option("--map", s->map, "Which joint moves as which: lines TARGET_JOINT SOURCE_JOINT, - for none")
       ->type_name("FILE");
-  sub->add_option("--method", s->method, "copy: every joint turns as its source does, rest poses aligned")
-      ->check(CLI::IsMember({"auto", "copy"}))
+  sub->add_option("--method", s->method,
+                  "copy: every joint turns as its source does, rest poses aligned; contacts: then feet stay where they "
+                  "stand, and where the motion has a body of the same mesh, hands keep in touch with it and out of it; "
+                  "auto: contacts")
+      ->check(CLI::IsMember({"auto", "copy", "contacts"}))
       ->capture_default_str();
   sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
   sub->add_option("--fps", s->fps, "Frames a second [as the motion has]")->check(CLI::Range(0.1, 1000.0));

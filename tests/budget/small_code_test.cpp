@@ -90,6 +90,19 @@ TEST(SmallCode, RefusesWhatWasLeftOut) {
   }
 }
 
+TEST(SmallCode, HasNoMotion) {
+  size_t bytes = 7;
+  EXPECT_EQ(sinew_retarget_size(1, 1, &bytes), SINEW_ERROR_ARGUMENT);
+  const float origin[3] = {0, 0, 0};
+  const int32_t parent = -1, map = 0;
+  const sinew_motion_rig rig = {origin, &parent, nullptr, 1};
+  const Block block = block_of(1 << 16);
+  sinew_retarget* plan = nullptr;
+  EXPECT_EQ(sinew_retarget_create(&rig, &rig, &map, nullptr, nullptr, block.get(), 1 << 16, &plan),
+            SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(plan, nullptr);
+}
+
 TEST(SmallCode, RefusesModelsWithSpectralFeatures) {
   EXPECT_EQ(Model("data/sinew_classic.sinew").status, SINEW_ERROR_MODEL_VERSION);
   EXPECT_EQ(Model("data/sinew_default.sinew").status, SINEW_OK);

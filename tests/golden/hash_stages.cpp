@@ -512,14 +512,15 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   Block block(bytes);
   sinew_retarget* plan = nullptr;
   check(sinew_retarget_create(&source, &target, map.data(), classes.data(), nullptr, block.data, bytes, &plan));
-  std::vector<std::vector<float>> turns(line.motion_frames), places(turns);
-  std::vector<float> heights(line.motion_frames);
+  std::vector<float> turns, places, heights;
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
+    heights.push_back(0);
     for (uint32_t j = 0; j < joints; ++j) {
-      turns[f].insert(turns[f].end(), {draw(), draw(), draw(), 2 + draw()});
-      places[f].insert(places[f].end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
+      turns.insert(turns.end(), {0.1f * draw(), 0.1f * draw(), 0.1f * draw(), 2 + draw()});
+      places.insert(places.end(), {0.2f * draw(), 0.2f * draw(), 0.2f * draw()});
     }
-    check(sinew_retarget_height(plan, turns[f].data(), places[f].data(), &heights[f]));
+    check(sinew_retarget_height(plan, turns.data() + size_t{4} * joints * f, places.data() + size_t{3} * joints * f,
+                                &heights[f]));
   }
   float ground = 0;
   check(sinew_retarget_ground(plan, heights.data(), heights.size(), &ground));
@@ -531,13 +532,53 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   };
   add(heights);
   add({ground});
-  std::vector<float> out_turns(size_t{4} * joints), out_places(size_t{3} * joints);
+  std::vector<float> out_turns(turns.size()), out_places(places.size());
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
-    check(sinew_retarget_frame(plan, turns[f].data(), places[f].data(), ground, out_turns.data(), out_places.data()));
-    add(out_turns);
-    add(out_places);
+    const size_t four = size_t{4} * joints * f, three = size_t{3} * joints * f;
+    check(sinew_retarget_frame(plan, turns.data() + four, places.data() + three, ground, out_turns.data() + four,
+                               out_places.data() + three));
   }
+  add(out_turns);
+  add(out_places);
   print(name, "motion", poses);
+  // Contacts between the mesh and a larger one on its side, each vertex bound to the nearest joint.
+  std::vector<float> body;
+  std::vector<uint16_t> nearest;
+  for (uint32_t v = 0; v < in.mesh.vertex_count; ++v) {
+    const float* const p = in.positions.data() + size_t{3} * v;
+    body.insert(body.end(), {1.5f * p[0], -1.5f * p[2], 1.25f * p[1]});
+    double least = 0;
+    nearest.push_back(0);
+    for (uint32_t j = 0; j < joints; ++j) {
+      double square = 0;
+      for (size_t i = 0; i < 3; ++i) {
+        const double way = static_cast<double>(p[i]) - static_cast<double>(in.joints[size_t{3} * j + i]);
+        square += way * way;
+      }
+      if (j > 0 && square >= least) continue;
+      least = square;
+      nearest.back() = static_cast<uint16_t>(j);
+    }
+  }
+  const std::vector<uint16_t> whole(nearest.size(), 65535);
+  std::vector<uint32_t> triangles;
+  for (uint32_t f = 0; f < in.mesh.face_count; ++f) {
+    for (uint32_t c = in.offsets[f] + 2; c < in.offsets[f + 1]; ++c)
+      triangles.insert(triangles.end(), {in.corners[in.offsets[f]], in.corners[c - 1], in.corners[c]});
+  }
+  const uint32_t vertices = in.mesh.vertex_count, triangle_count = static_cast<uint32_t>(triangles.size() / 3);
+  const sinew_motion_body own = {in.positions.data(), nearest.data(), whole.data(), triangles.data(), vertices, 1,
+                                 triangle_count};
+  const sinew_motion_body other = {body.data(), nearest.data(), whole.data(), nullptr, vertices, 1, 0};
+  const sinew_motion_clip clip = {turns.data(),      places.data(),      out_turns.data(),
+                                  out_places.data(), line.motion_frames, ground};
+  check(sinew_retarget_contacts_size(plan, &own, line.motion_frames, &bytes));
+  Block workspace(bytes);
+  check(sinew_retarget_contacts(plan, &other, &own, &clip, nullptr, workspace.data, bytes));
+  poses = Hash();
+  add(out_turns);
+  add(out_places);
+  print(name, "contacts", poses);
 }
 
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }

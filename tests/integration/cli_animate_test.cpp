@@ -107,6 +107,22 @@ TEST_F(CliAnimate, AMapSaysWhichJointMovesAsWhich) {
   expect("", "no joint moves as one of swing.bvh");
 }
 
+// The same mesh on a broader rig: the motion has a body of the character's mesh, so contacts work with it.
+TEST_F(CliAnimate, ContactsKnowABodyOfTheSameMesh) {
+  make_clip("swing");
+  Character hero = read_character(kData + "/biped__robed.obj"), broad = hero;
+  for (Vec3& v : broad.vertices) v = {1.4f * v.x, v.y, 1.6f * v.z};
+  for (Joint& j : broad.joints) j.position = {1.4f * j.position.x, j.position.y, 1.6f * j.position.z};
+  write_gltf(in("hero.glb"), hero);
+  write_gltf(in("broad.glb"), broad);
+  good("animate hero.glb --motion swing.bvh --method copy -o moved.glb");
+  const Outcome told = good("animate broad.glb --motion moved.glb --method contacts -o kept.glb");
+  EXPECT_EQ(told.out.find("has no body"), std::string::npos) << told.out;
+  EXPECT_EQ(read_gltf_motion(in("kept.glb"), 20).clips[0].frames.size(), 10u);
+  const Outcome feet = good("animate broad.glb --motion swing.bvh --method contacts -o feet.glb");
+  EXPECT_NE(feet.out.find("has no body of the character's own mesh"), std::string::npos) << feet.out;
+}
+
 TEST_F(CliAnimate, ABareMeshGetsASkeletonFirst) {
   put(in("figure.obj"), slurp(kData + "/biped__robot.obj"));
   good("rig figure.obj -o figure.glb");

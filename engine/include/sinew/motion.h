@@ -26,7 +26,7 @@ typedef enum sinew_retarget_method {
   SINEW_RETARGET_AUTO = 0, /* the best that this library has for the inputs */
   /* Every mapped joint turns as its source does. Upper and lower arms and legs point to where the source's do, whatever the
    * two rest poses are; joints without a source follow their parents; the hips move by as much as the legs are longer */
-  SINEW_RETARGET_COPY = 1
+  SINEW_RETARGET_COPY = 1 /* contacts come after it, see sinew_retarget_contacts() */
 } sinew_retarget_method;
 
 typedef enum sinew_up {
@@ -110,6 +110,69 @@ SINEW_API sinew_status sinew_retarget_ground(const sinew_retarget* plan, float* 
  * Returns SINEW_OK, or with outputs untouched SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */
 SINEW_API sinew_status sinew_retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations,
                                             float ground, float* out_rotations, float* out_translations);
+
+/* A skinned mesh of a motion rig, borrowed for the time of a call. */
+typedef struct sinew_motion_body {
+  const float* positions;    /* [vertex_count x 3] at rest, in the world */
+  const uint16_t* joints;    /* [vertex_count x influence_count] */
+  const uint16_t* weights;   /* [vertex_count x influence_count] of sum 65535 a row */
+  const uint32_t* triangles; /* [triangle_count x 3] */
+  uint32_t vertex_count;
+  uint32_t influence_count; /* 1 .. SINEW_MAX_INFLUENCES */
+  uint32_t triangle_count;
+} sinew_motion_body;
+
+/* Start from sinew_contact_options_init(). Later versions add members at the end, as in sinew_retarget_options. */
+typedef struct sinew_contact_options {
+  uint32_t struct_size;    /* sizeof(sinew_contact_options) */
+  float fps;               /* frames a second; 0 = 30 */
+  sinew_progress progress; /* or null */
+  void* progress_user;
+} sinew_contact_options;
+
+static inline sinew_contact_options sinew_contact_options_init(void) {
+  sinew_contact_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* A clip's frames, one behind the other. */
+typedef struct sinew_motion_clip {
+  const float* source_rotations;    /* [frame_count x source joints x 4] as in sinew_retarget_frame() */
+  const float* source_translations; /* [frame_count x source joints x 3] */
+  float* rotations;                 /* [frame_count x target joints x 4] in: of sinew_retarget_frame(); out: changed */
+  float* translations;              /* [frame_count x target joints x 3] the same */
+  uint32_t frame_count;
+  float ground; /* of sinew_retarget_ground() */
+} sinew_motion_clip;
+
+/* Bytes sinew_retarget_contacts() needs. 0 bytes on failure.
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT, or SINEW_ERROR_COUNT where that is more than memory can hold. */
+SINEW_API sinew_status sinew_retarget_contacts_size(const sinew_retarget* plan, const sinew_motion_body* target,
+                                                    uint32_t frame_count, size_t* size_bytes);
+
+/* Keeps contacts in a clip that sinew_retarget_frame() made. Feet that stand in the source stay where they stand, and are as high over
+ * the floor; a hand near a place of the source's body goes to the same place of the target's, hands and forearms come out of the
+ * body as far as the source's are not in it. Legs and arms bend for it; bones keep their length, hands and feet their turn.
+ * It looks at frames before and behind, so it works on whole clips.
+ *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at);
+ *           null: feet alone, by their joints
+ * Limbs are found by the plan's map and classes: both bones of a limb must be mapped.
+ * Returns SINEW_OK, or with the clip untouched
+ *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the two bodies have not as many vertices, struct_size or
+ *                           fps is out of its range, or this build is without it (SINEW_SMALL_CODE)
+ *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
+ *   SINEW_ERROR_COUNT       a body without vertices, or more of anything than the limits
+ *   SINEW_ERROR_RANGE       a weight's joint does not exist
+ *   SINEW_ERROR_INDEX       a triangle's vertex does not exist
+ *   SINEW_ERROR_NOT_FINITE  a number is NaN or infinite
+ *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
+ * or with the clip in an undefined state SINEW_ERROR_CANCELLED. */
+SINEW_API sinew_status sinew_retarget_contacts(sinew_retarget* plan, const sinew_motion_body* source,
+                                               const sinew_motion_body* target, const sinew_motion_clip* clip,
+                                               const sinew_contact_options* options, void* workspace,
+                                               size_t workspace_bytes);
 
 #ifdef __cplusplus
 }

@@ -287,6 +287,12 @@ struct RetargetSettings : sinew_retarget_options {
   RetargetSettings(const sinew_retarget_options& options) : sinew_retarget_options(options) {}
 };
 
+// sinew_contact_options that ask for every default; {} where a function takes settings.
+struct ContactSettings : sinew_contact_options {
+  ContactSettings() : sinew_contact_options(sinew_contact_options_init()) {}
+  ContactSettings(const sinew_contact_options& options) : sinew_contact_options(options) {}
+};
+
 // A sinew_retarget and its memory:
 //
 //   sinew::RetargetPlan plan;
@@ -315,6 +321,15 @@ class RetargetPlan {
   sinew_status frame(const float* rotations, const float* translations, float ground, float* out_rotations,
                      float* out_translations) {
     return sinew_retarget_frame(plan_, rotations, translations, ground, out_rotations, out_translations);
+  }
+  // sinew_retarget_contacts() with the size query and the workspace taken care of.
+  sinew_status contacts(const sinew_motion_body* source, const sinew_motion_body& target, const sinew_motion_clip& clip,
+                        const ContactSettings& settings, Workspace* workspace) {
+    size_t bytes = 0;
+    const sinew_status status = sinew_retarget_contacts_size(plan_, &target, clip.frame_count, &bytes);
+    if (status != SINEW_OK) return status;
+    if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+    return sinew_retarget_contacts(plan_, source, &target, &clip, &settings, workspace->data(), workspace->size());
   }
 
  private:

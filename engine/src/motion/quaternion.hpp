@@ -72,7 +72,7 @@ inline Vec3d rotate(Quat q, Vec3d v) {
 inline Quat shortest_arc(Vec3d from, Vec3d to) {
   const Vec3d a = unit(from), b = unit(to);
   const double c = dot(a, b);
-  if (c < -0.999999) {
+  if (c < 1e-12 - 1) {
     const Vec3d other = a.x < 0.9 && a.x > -0.9 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
     const Vec3d axis = unit(other - dot(other, a) * a);
     return {axis.x, axis.y, axis.z, 0};

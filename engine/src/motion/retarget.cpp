@@ -7,30 +7,6 @@
 namespace sinew {
 namespace {
 
-// Fills the plan's source_turns (against the rest pose) and source_places, both in the target's world.
-sinew_status pose_source(sinew_retarget* plan, const float* rotations, const float* translations) {
-  const MotionRig& rig = plan->source;
-  for (uint32_t i = 0; i < rig.count; ++i) {
-    const uint32_t j = rig.order[i];
-    const float* const q = rotations + size_t{4} * j;
-    const float* const t = translations + size_t{3} * j;
-    const Quat given = {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
-                        static_cast<double>(q[3])};
-    const Vec3d way = {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
-    if (!is_finite(given.x + given.y + given.z + given.w + way.x + way.y + way.z)) return SINEW_ERROR_NOT_FINITE;
-    const Quat local = normalised(given);
-    const int32_t parent = rig.parents[j];
-    plan->source_turns[j] = parent < 0 ? local : plan->source_turns[parent] * local;
-    plan->source_places[j] = parent < 0 ? way : plan->source_places[parent] + rotate(plan->source_turns[parent], way);
-  }
-  const Quat back = conjugate(plan->turn);
-  for (uint32_t j = 0; j < rig.count; ++j) {
-    plan->source_turns[j] = plan->turn * (plan->source_turns[j] * conjugate(rig.rotations[j])) * back;
-    plan->source_places[j] = rotate(plan->turn, plan->source_places[j]);
-  }
-  return SINEW_OK;
-}
-
 double lowest_floor_joint(const sinew_retarget& plan) {
   double lowest = 0;
   for (uint32_t i = 0; i < plan.floor_count; ++i) {
@@ -86,7 +62,53 @@ void pose_target(sinew_retarget* plan, double ground) {
   }
 }
 
-void write_locals(const sinew_retarget& plan, float* rotations, float* translations) {
+}  // namespace
+
+sinew_status pose_source(sinew_retarget* plan, const float* rotations, const float* translations) {
+  const MotionRig& rig = plan->source;
+  for (uint32_t i = 0; i < rig.count; ++i) {
+    const uint32_t j = rig.order[i];
+    const float* const q = rotations + size_t{4} * j;
+    const float* const t = translations + size_t{3} * j;
+    const Quat given = {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
+                        static_cast<double>(q[3])};
+    const Vec3d way = {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
+    if (!is_finite(given.x + given.y + given.z + given.w + way.x + way.y + way.z)) return SINEW_ERROR_NOT_FINITE;
+    const Quat local = normalised(given);
+    const int32_t parent = rig.parents[j];
+    plan->source_turns[j] = parent < 0 ? local : plan->source_turns[parent] * local;
+    plan->source_places[j] = parent < 0 ? way : plan->source_places[parent] + rotate(plan->source_turns[parent], way);
+  }
+  const Quat back = conjugate(plan->turn);
+  for (uint32_t j = 0; j < rig.count; ++j) {
+    plan->source_turns[j] = plan->turn * (plan->source_turns[j] * conjugate(rig.rotations[j])) * back;
+    plan->source_places[j] = rotate(plan->turn, plan->source_places[j]);
+  }
+  return SINEW_OK;
+}
+
+void load_target(sinew_retarget* plan, const float* rotations, const float* translations) {
+  const MotionRig& rig = plan->target;
+  for (uint32_t i = 0; i < rig.count; ++i) {
+    const uint32_t t = rig.order[i];
+    const float* const q = rotations + size_t{4} * t;
+    const float* const p = translations + size_t{3} * t;
+    Quat turn = normalised(
+        {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]), static_cast<double>(q[3])});
+    Vec3d place = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+    const int32_t parent = rig.parents[t];
+    if (parent >= 0) {
+      const Quat above = plan->target_turns[parent] * rig.rotations[parent];
+      turn = above * turn;
+      place = plan->target_places[parent] + rotate(above, place);
+    }
+    // Turns against the rest pose are kept; children need the parent's own again, which the product gives.
+    plan->target_turns[t] = turn * conjugate(rig.rotations[t]);
+    plan->target_places[t] = place;
+  }
+}
+
+void store_target(const sinew_retarget& plan, float* rotations, float* translations) {
   const MotionRig& rig = plan.target;
   for (uint32_t t = 0; t < rig.count; ++t) {
     const int32_t parent = rig.parents[t];
@@ -110,8 +132,6 @@ void write_locals(const sinew_retarget& plan, float* rotations, float* translati
     p[2] = static_cast<float>(way.z);
   }
 }
-
-}  // namespace
 
 sinew_status source_height(sinew_retarget* plan, const float* rotations, const float* translations, float* height) {
   const sinew_status status = pose_source(plan, rotations, translations);
@@ -144,7 +164,7 @@ sinew_status retarget_frame(sinew_retarget* plan, const float* rotations, const 
   const sinew_status status = pose_source(plan, rotations, translations);
   if (status != SINEW_OK) return status;
   pose_target(plan, height);
-  write_locals(*plan, out_rotations, out_translations);
+  store_target(*plan, out_rotations, out_translations);
   return SINEW_OK;
 }
 

@@ -7,6 +7,13 @@
 
 namespace sinew {
 
+// A source's frame into the plan's source_turns and source_places, in the target's world. SINEW_OK or
+// SINEW_ERROR_NOT_FINITE.
+sinew_status pose_source(sinew_retarget* plan, const float* rotations, const float* translations);
+// A target's frame into target_turns and target_places, and back.
+void load_target(sinew_retarget* plan, const float* rotations, const float* translations);
+void store_target(const sinew_retarget& plan, float* rotations, float* translations);
+
 // As in sinew/motion.h; the caller has checked for null pointers.
 sinew_status source_height(sinew_retarget* plan, const float* rotations, const float* translations, float* height);
 sinew_status standing_height(const sinew_retarget& plan, float* heights, size_t count, float* ground);

@@ -31,8 +31,8 @@ bool is_leg_class(uint32_t c) { return c == SINEW_CLASS_THIGH || c == SINEW_CLAS
 
 class Planner {
  public:
-  Planner(const uint8_t* classes, const RetargetOptions& options, sinew_retarget* plan)
-      : classes_(classes), options_(options), plan_(*plan), source_(plan->source), target_(plan->target) {}
+  Planner(const RetargetOptions& options, sinew_retarget* plan)
+      : options_(options), plan_(*plan), source_(plan->source), target_(plan->target) {}
 
   void run(uint8_t* has_mapped) {
     find_long_bones();
@@ -44,7 +44,7 @@ class Planner {
   }
 
  private:
-  uint32_t class_of(uint32_t t) const { return classes_ == nullptr ? uint32_t{SINEW_CLASS_OTHER} : classes_[t]; }
+  uint32_t class_of(uint32_t t) const { return plan_.classes[t]; }
   bool is_mapped(uint32_t t) const { return plan_.map[t] >= 0; }
   uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(plan_.map[t]); }
   Vec3d source_position(uint32_t t) const { return source_.positions[source_of(t)]; }
@@ -237,6 +237,7 @@ class Planner {
     plan_.scale = options_.scale > 0 ? options_.scale : s > 0 && t > 0 ? t / s : 1;
     plan_.leg_length = by_legs ? s / plan_.anchor_count : s;
 
+    find_same_rig();
     double source_sum = 0, target_sum = 0, source_low = 0, target_low = 0;
     for (uint32_t i = 0; i < plan_.floor_count; ++i) {
       const uint32_t joint = plan_.floor_joints[i];
@@ -255,7 +256,18 @@ class Planner {
     }
   }
 
-  const uint8_t* const classes_;
+  // Within a hundred-thousandth of a leg, as seen from the first anchor.
+  void find_same_rig() {
+    const double off = plan_.scale < 1 ? 1 - plan_.scale : plan_.scale - 1;
+    plan_.same_rig = off < 1e-6;
+    const uint32_t a = plan_.anchors[0];
+    for (uint32_t t = 0; t < target_.count; ++t) {
+      if (!is_mapped(t)) continue;
+      const Vec3d from = rotate(plan_.turn, source_position(t) - source_position(a));
+      if (length(target_.positions[t] - target_.positions[a] - from) > 1e-5 * plan_.leg_length) plan_.same_rig = false;
+    }
+  }
+
   const RetargetOptions& options_;
   sinew_retarget& plan_;
   const MotionRig& source_;
@@ -290,6 +302,7 @@ struct PlanMemory {
     (void)made.source.allocate(arena, source_joints);
     (void)made.target.allocate(arena, target_joints);
     made.map = arena.alloc<int32_t>(target_joints);
+    made.classes = arena.alloc<uint8_t>(target_joints);
     made.long_ends = arena.alloc<int32_t>(target_joints);
     made.align = arena.alloc<Quat>(target_joints);
     made.moved = arena.alloc<uint8_t>(target_joints);
@@ -328,11 +341,12 @@ sinew_status create_plan(const sinew_motion_rig& source, const sinew_motion_rig&
   for (uint32_t t = 0; t < target.joint_count; ++t) {
     if (map[t] < -1 || map[t] >= static_cast<int32_t>(source.joint_count)) return SINEW_ERROR_INDEX;
     made.map[t] = map[t];
+    made.classes[t] = classes == nullptr ? uint8_t{SINEW_CLASS_OTHER} : classes[t];
     any = any || map[t] >= 0;
   }
   if (!any) return SINEW_ERROR_NO_JOINT;
   made.in_place = options.in_place;
-  Planner(classes, options, &made).run(reinterpret_cast<uint8_t*>(room.scratch));
+  Planner(options, &made).run(reinterpret_cast<uint8_t*>(room.scratch));
   *room.plan = made;
   *plan = room.plan;
   return SINEW_OK;

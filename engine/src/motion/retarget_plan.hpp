@@ -10,6 +10,7 @@
 struct sinew_retarget {
   sinew::MotionRig source, target;
   int32_t* map = nullptr;        // [target joints] source joint or -1
+  uint8_t* classes = nullptr;    // [target joints] sinew_joint_class
   int32_t* long_ends = nullptr;  // [target joints] where a limb's long bone that begins here ends, else -1
   sinew::Quat* align = nullptr;  // [target joints] from the target's rest direction of its long bone to the source's
   uint8_t* moved = nullptr;      // [target joints] 1 below `mover`, itself included
@@ -27,6 +28,7 @@ struct sinew_retarget {
   double leg_length = 0;              // of the source; without legs its extent
   double target_floor = 0;            // height of the floor joints at rest
   bool in_place = false;
+  bool same_rig = false;  // mapped joints lie as their sources do: nothing is left to be mended
   // Scratch of a frame: turned against the rest pose, and where; the source's in the target's world.
   sinew::Quat* source_turns = nullptr;
   sinew::Vec3d* source_places = nullptr;

@@ -2,7 +2,9 @@
 // Views of motions for the engine, frame by frame.
 #include "sinew_formats/retarget.hpp"
 
+#include "motion/common_body.hpp"
 #include "motion/turns.hpp"
+#include "pose/weight_rows.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -24,23 +26,28 @@ struct RigArrays {
   }
 };
 
+// All frames of a clip, one behind the other.
 struct FrameArrays {
+  size_t joints;
   std::vector<float> rotations, translations;
 
-  explicit FrameArrays(size_t joints) : rotations(4 * joints), translations(3 * joints) {}
-  void take(const MotionFrame& frame) {
-    for (size_t j = 0; j < frame.rotations.size(); ++j) {
-      for (size_t i = 0; i < 4; ++i) rotations[4 * j + i] = static_cast<float>(frame.rotations[j][i]);
-      for (size_t i = 0; i < 3; ++i) translations[3 * j + i] = static_cast<float>(frame.translations[j][i]);
+  FrameArrays(size_t joint_count, size_t frames)
+      : joints(joint_count), rotations(4 * joint_count * frames), translations(3 * joint_count * frames) {}
+  float* rotations_at(size_t f) { return rotations.data() + 4 * joints * f; }
+  float* translations_at(size_t f) { return translations.data() + 3 * joints * f; }
+  void take(size_t f, const MotionFrame& frame) {
+    for (size_t j = 0; j < joints; ++j) {
+      for (size_t i = 0; i < 4; ++i) rotations_at(f)[4 * j + i] = static_cast<float>(frame.rotations[j][i]);
+      for (size_t i = 0; i < 3; ++i) translations_at(f)[3 * j + i] = static_cast<float>(frame.translations[j][i]);
     }
   }
-  MotionFrame frame() const {
+  MotionFrame frame(size_t f) {
     MotionFrame out;
-    for (size_t j = 0; j < translations.size() / 3; ++j) {
+    for (size_t j = 0; j < joints; ++j) {
       Quaternion q{};
       Point3 p{};
-      for (size_t i = 0; i < 4; ++i) q[i] = static_cast<double>(rotations[4 * j + i]);
-      for (size_t i = 0; i < 3; ++i) p[i] = static_cast<double>(translations[3 * j + i]);
+      for (size_t i = 0; i < 4; ++i) q[i] = static_cast<double>(rotations_at(f)[4 * j + i]);
+      for (size_t i = 0; i < 3; ++i) p[i] = static_cast<double>(translations_at(f)[3 * j + i]);
       out.rotations.push_back(normalised(q));
       out.translations.push_back(p);
     }
@@ -61,24 +68,74 @@ Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, c
   check(plan_.make(from.view(), to.view(), map.data(), classes.data(), settings));
 }
 
+Retargeter::Body Retargeter::body_of(const Character& character, const std::vector<uint32_t>& vertices) {
+  const WeightRows rows = weight_rows(character);
+  Body body;
+  body.slots = static_cast<uint32_t>(rows.slots);
+  for (const uint32_t v : vertices) {
+    const Vec3& p = character.vertices[v];
+    body.positions.insert(body.positions.end(), {p.x, p.y, p.z});
+    for (size_t i = v * rows.slots; i < (v + 1) * rows.slots; ++i) {
+      body.joints.push_back(rows.joints[i]);
+      body.weights.push_back(rows.weights[i]);
+    }
+  }
+  return body;
+}
+
+sinew_motion_body Retargeter::view(const Body& body) const {
+  return {body.positions.data(),
+          body.joints.data(),
+          body.weights.data(),
+          triangles_.data(),
+          static_cast<uint32_t>(body.positions.size() / 3),
+          body.slots,
+          static_cast<uint32_t>(triangles_.size() / 3)};
+}
+
+size_t Retargeter::keep_contacts(const Character& target, const Character* source) {
+  CommonBody common;
+  if (source != nullptr && source->influences.size() == source->vertices.size()) common = common_body(target, *source);
+  constexpr size_t kFewest = 100;  // triangles that could be a body
+  has_source_ = common.triangles.size() >= 3 * kFewest;
+  const size_t shared = has_source_ ? common.triangles.size() / 3 : 0;
+  if (has_source_) source_body_ = body_of(*source, common.second);
+  if (!has_source_) common = common_body(target, target);
+  target_body_ = body_of(target, common.first);
+  triangles_ = std::move(common.triangles);
+  contacts_ = !target_body_.positions.empty();
+  return shared;
+}
+
 Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going) {
-  FrameArrays from(source_count_), to(target_count_);
-  std::vector<float> heights;
-  for (const MotionFrame& frame : clip.frames) {
-    from.take(frame);
-    heights.push_back(0);
-    check(plan_.height(from.rotations.data(), from.translations.data(), &heights.back()));
+  const size_t frames = clip.frames.size();
+  FrameArrays from(source_count_, frames), to(target_count_, frames);
+  std::vector<float> heights(frames);
+  for (size_t f = 0; f < frames; ++f) {
+    from.take(f, clip.frames[f]);
+    check(plan_.height(from.rotations_at(f), from.translations_at(f), &heights[f]));
   }
   float ground = 0;
   check(plan_.ground(heights.data(), heights.size(), &ground));
-  Clip out = {clip.name, clip.frame_time, {}};
-  for (const MotionFrame& frame : clip.frames) {
+  const auto go_on = [&] {
     if (keep_going && !keep_going()) throw Error(name_ + ": cannot go on, the work was interrupted");
-    from.take(frame);
-    check(plan_.frame(from.rotations.data(), from.translations.data(), ground, to.rotations.data(),
-                      to.translations.data()));
-    out.frames.push_back(to.frame());
+  };
+  for (size_t f = 0; f < frames; ++f) {
+    go_on();
+    check(
+        plan_.frame(from.rotations_at(f), from.translations_at(f), ground, to.rotations_at(f), to.translations_at(f)));
   }
+  if (contacts_) {
+    const sinew_motion_clip whole = {from.rotations.data(),  from.translations.data(),      to.rotations.data(),
+                                     to.translations.data(), static_cast<uint32_t>(frames), ground};
+    const sinew_motion_body target = view(target_body_), source = view(source_body_);
+    ContactSettings settings;
+    settings.fps = static_cast<float>(1 / clip.frame_time);
+    check(plan_.contacts(has_source_ ? &source : nullptr, target, whole, settings, &workspace_));
+    go_on();
+  }
+  Clip out = {clip.name, clip.frame_time, {}};
+  for (size_t f = 0; f < frames; ++f) out.frames.push_back(to.frame(f));
   return out;
 }
 

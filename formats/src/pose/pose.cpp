@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "pose/weight_rows.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
 
@@ -99,6 +100,32 @@ std::vector<Affine> pose_palette(const Character& character, const std::vector<J
   return palette;
 }
 
+WeightRows weight_rows(const Character& character) {
+  const size_t vertex_count = character.vertices.size(), joint_count = character.joints.size();
+  WeightRows rows;
+  for (size_t v = 0; v < vertex_count; ++v) {
+    for (const Influence& influence : character.influences[v]) {
+      if (influence.joint >= joint_count) {
+        throw Error(character.name + ": vertex " + std::to_string(v) + " is bound to joint " +
+                    std::to_string(influence.joint) + ", but there are " + std::to_string(joint_count) + " joints");
+      }
+    }
+    rows.slots = std::max(rows.slots, character.influences[v].size());
+  }
+  rows.slots = std::min<size_t>(rows.slots, SINEW_MAX_INFLUENCES);
+  rows.joints.assign(vertex_count * rows.slots, 0);
+  rows.weights.assign(vertex_count * rows.slots, 0);
+  rows.bound.assign(vertex_count, 1);
+  for (size_t v = 0; v < vertex_count; ++v) {
+    uint16_t* row_weights = rows.weights.data() + v * rows.slots;
+    if (!quantise_row(character.influences[v], rows.slots, rows.joints.data() + v * rows.slots, row_weights)) {
+      rows.bound[v] = 0;
+      row_weights[0] = 65535;  // the engine wants a full row
+    }
+  }
+  return rows;
+}
+
 Character apply_pose(const Character& character, const std::vector<Affine>& palette, bool dual_quaternion) {
   const size_t vertex_count = character.vertices.size(), joint_count = character.joints.size();
   if (character.influences.size() != vertex_count) {
@@ -109,27 +136,7 @@ Character apply_pose(const Character& character, const std::vector<Affine>& pale
     throw Error(character.name + ": a pose needs one matrix per joint, expected " + std::to_string(joint_count) +
                 ", found " + std::to_string(palette.size()));
   }
-  size_t slots = 1;
-  for (size_t v = 0; v < vertex_count; ++v) {
-    for (const Influence& influence : character.influences[v]) {
-      if (influence.joint >= joint_count) {
-        throw Error(character.name + ": vertex " + std::to_string(v) + " is bound to joint " +
-                    std::to_string(influence.joint) + ", but there are " + std::to_string(joint_count) + " joints");
-      }
-    }
-    slots = std::max(slots, character.influences[v].size());
-  }
-  slots = std::min<size_t>(slots, SINEW_MAX_INFLUENCES);
-
-  std::vector<uint16_t> joints(vertex_count * slots, 0), weights(vertex_count * slots, 0);
-  std::vector<uint8_t> bound(vertex_count, 1);
-  for (size_t v = 0; v < vertex_count; ++v) {
-    uint16_t* row_weights = weights.data() + v * slots;
-    if (!quantise_row(character.influences[v], slots, joints.data() + v * slots, row_weights)) {
-      bound[v] = 0;
-      row_weights[0] = 65535;  // the API wants a full row; the vertex is put back below
-    }
-  }
+  const WeightRows rows = weight_rows(character);
   std::vector<float> positions;
   positions.reserve(3 * vertex_count);
   for (const Vec3& p : character.vertices) positions.insert(positions.end(), {p.x, p.y, p.z});
@@ -141,13 +148,13 @@ Character apply_pose(const Character& character, const std::vector<Affine>& pale
   std::vector<float> moved(positions.size());
   const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
   const sinew_status status =
-      skin(positions.data(), static_cast<uint32_t>(vertex_count), joints.data(), weights.data(),
-           static_cast<uint32_t>(slots), matrices.data(), static_cast<uint32_t>(joint_count), moved.data());
+      skin(positions.data(), static_cast<uint32_t>(vertex_count), rows.joints.data(), rows.weights.data(),
+           static_cast<uint32_t>(rows.slots), matrices.data(), static_cast<uint32_t>(joint_count), moved.data());
   if (status != SINEW_OK) throw Error(character.name + ": posing failed: " + sinew_status_text(status));
 
   Character posed = character;
   for (size_t v = 0; v < vertex_count; ++v)
-    if (bound[v]) posed.vertices[v] = {moved[3 * v], moved[3 * v + 1], moved[3 * v + 2]};
+    if (rows.bound[v] != 0) posed.vertices[v] = {moved[3 * v], moved[3 * v + 1], moved[3 * v + 2]};
   for (size_t j = 0; j < joint_count; ++j) {
     const auto [x, y, z] = rest_position(character.joints[j]);
     posed.joints[j].position = to_vec3(transform_point(palette[j], x, y, z));

@@ -171,4 +171,21 @@ TEST(CppWrapper, WorkspaceGrowsAndMoves) {
   EXPECT_EQ(moved.size(), 1000u);
 }
 
+TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
+  const float positions[6] = {0, 0, 0, 0, 1, 0};
+  const int32_t parents[2] = {-1, 0}, map[2] = {0, 1}, none[2] = {-1, -1};
+  const sinew_motion_rig rig = {positions, parents, nullptr, 2};
+  const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, places[6] = {1, 2, 3, 0, 1, 0};
+  float turned[8], moved[6], ground = 0;
+  sinew::RetargetPlan plan;
+  EXPECT_EQ(plan.frame(rotations, places, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+  ASSERT_EQ(plan.make(rig, rig, map, nullptr), SINEW_OK);
+  ASSERT_EQ(plan.ground(nullptr, 0, &ground), SINEW_OK);
+  ASSERT_EQ(plan.frame(rotations, places, ground, turned, moved), SINEW_OK);
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(turned[i], rotations[i], 1e-6f);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(moved[i], places[i], 1e-6f);
+  EXPECT_EQ(plan.make(rig, rig, none, nullptr), SINEW_ERROR_NO_JOINT);
+  EXPECT_EQ(plan.frame(rotations, places, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+}
+
 }  // namespace

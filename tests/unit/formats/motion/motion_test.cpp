@@ -8,6 +8,7 @@
 
 #include "expect_affine.hpp"
 #include "expect_error.hpp"
+#include "motion/common_body.hpp"
 #include "motion/turns.hpp"
 #include "sinew_formats/pose.hpp"
 #include "sinew_formats/retarget.hpp"
@@ -72,6 +73,50 @@ TEST(Motion, PalettesArePosesAgainstRest) {
   sinew_test::expect_affine(palette[1], {c, -s, 0, 2 + s, s, c, 0, 1 - c, 0, 0, 1, 0});
   const Motion still = motion_of(rest_joints(motion));
   EXPECT_EQ(still.joints[1].offset, motion.joints[1].offset);
+}
+
+// A strip of quads along y with `extra` triangles behind it, `shift` vertices that no face names before it.
+Character strip(size_t quads, size_t extra, size_t shift, float width) {
+  Character c;
+  c.name = "strip";
+  c.joints = {{"a", {0, 0, 0}, -1}};
+  c.vertices.resize(shift);
+  for (size_t i = 0; i <= quads; ++i) {
+    c.vertices.push_back({0, static_cast<float>(i), 0});
+    c.vertices.push_back({width, static_cast<float>(i), 0});
+  }
+  const auto face = [&](std::initializer_list<size_t> corners) {
+    for (const size_t v : corners) c.face_vertices.push_back(static_cast<uint32_t>(v + shift));
+    c.face_offsets.push_back(static_cast<uint32_t>(c.face_vertices.size()));
+  };
+  for (size_t i = 0; i < quads; ++i) face({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
+  for (size_t i = 0; i < extra; ++i) face({0, 2 * i + 2, 1});
+  c.influences.assign(c.vertices.size(), {{0, 1.0f}});
+  return c;
+}
+
+TEST(CommonBody, IsWhatTwoMeshesBeginWith) {
+  const CommonBody body = common_body(strip(60, 4, 0, 1), strip(60, 0, 7, 2));
+  EXPECT_EQ(body.triangles.size(), 3u * 120);
+  EXPECT_EQ(body.first.size(), 122u);
+  for (size_t v = 0; v < body.first.size(); ++v) EXPECT_EQ(body.first[v] + 7, body.second[v]);
+  EXPECT_EQ(common_body(strip(60, 4, 0, 1), strip(60, 4, 0, 1)).triangles.size(), 3u * 124);
+  Character other = strip(60, 0, 0, 1);
+  other.face_vertices[40] = 0;  // a corner of the eleventh quad
+  EXPECT_EQ(common_body(strip(60, 0, 0, 1), other).triangles.size(), 3u * 20);
+}
+
+TEST(Retargeter, SaysHowMuchBodyTheTwoShare) {
+  const Motion motion = swing(5);
+  const Character thin = strip(60, 3, 0, 1), wide = strip(60, 0, 0, 2), other = strip(20, 0, 0, 1);
+  Retargeter retargeter(motion, rest_joints(motion), {0, 1}, {17, 17});
+  EXPECT_EQ(retargeter.keep_contacts(thin, &wide), 120u);
+  EXPECT_EQ(retargeter.keep_contacts(thin, &other), 0u) << "40 triangles are no body";
+  EXPECT_EQ(retargeter.keep_contacts(thin, nullptr), 0u);
+  EXPECT_EQ(retargeter.run(motion.clips[0]).frames.size(), 5u);
+  Character unbound = wide;
+  unbound.influences.clear();
+  EXPECT_EQ(retargeter.keep_contacts(thin, &unbound), 0u);
 }
 
 TEST(Retargeter, PlaysAClipAndCanBeStopped) {

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Limbs by the long bones of a plan; the law of cosines without angles.
+#include "motion/limbs.hpp"
+
+#include "sinew/rig.h"
+
+namespace sinew {
+namespace {
+
+double root(double x) { return x > kLeastSquare ? x * reciprocal_sqrt(x) : 0.0; }
+
+// The part of v across u, of length 1; (0, 0, 0) where they are in line.
+Vec3d across(Vec3d v, Vec3d u, double least) {
+  const Vec3d side = v - dot(v, u) * u;
+  return length(side) > least ? unit(side) : Vec3d{0, 0, 0};
+}
+
+}  // namespace
+
+LimbList find_limbs(const sinew_retarget& plan) {
+  LimbList list;
+  const MotionRig& rig = plan.target;
+  for (uint32_t t = 0; t < rig.count && list.count < kMostLimbs; ++t) {
+    const uint32_t own = plan.classes[t];
+    if ((own != SINEW_CLASS_THIGH && own != SINEW_CLASS_UPPER_ARM) || plan.long_ends[t] < 0) continue;
+    Limb limb;
+    limb.first = t;
+    limb.middle = static_cast<uint32_t>(plan.long_ends[t]);
+    limb.leg = own == SINEW_CLASS_THIGH;
+    if (plan.long_ends[limb.middle] < 0) continue;
+    limb.last = static_cast<uint32_t>(plan.long_ends[limb.middle]);
+    for (uint32_t i = 0; i < rig.count && limb.toe < 0; ++i) {
+      const uint32_t j = rig.order[i];
+      if (plan.classes[j] == SINEW_CLASS_TOE && plan.map[j] >= 0 && rig.is_below(j, limb.last))
+        limb.toe = static_cast<int32_t>(j);
+    }
+    list.limbs[list.count++] = limb;
+  }
+  return list;
+}
+
+void move_limb(const Limb& limb, Vec3d goal, sinew_retarget* plan) {
+  const MotionRig& rig = plan->target;
+  const Vec3d a = plan->target_places[limb.first], b = plan->target_places[limb.middle],
+              c = plan->target_places[limb.last];
+  const double upper = length(b - a), lower = length(c - b);
+  if (upper <= 0 || lower <= 0) return;
+  const double gap = upper > lower ? upper - lower : lower - upper;
+  const double nearest = 1.001 * gap + 1e-6 * upper, farthest = 0.9995 * (upper + lower);
+  const Vec3d way = goal - a;
+  double reach = length(way);
+  const Vec3d u = reach > 0 ? unit(way) : unit(c - a);
+  reach = reach < nearest ? nearest : reach > farthest ? farthest : reach;
+  Vec3d side = across(b - a, u, 1e-4 * upper);
+  if (dot(side, side) == 0) side = across(b - a, unit(c - a), 1e-6 * upper);  // as it is bent now
+  side = across(side, u, 1e-6);
+  if (dot(side, side) == 0) return;  // straight: nothing says which way it bends
+  double cosine = (upper * upper + reach * reach - lower * lower) / (2 * upper * reach);
+  cosine = cosine > 1 ? 1 : cosine < -1 ? -1 : cosine;
+  const Vec3d middle = a + upper * (cosine * u + root(1 - cosine * cosine) * side);
+  const Quat first = shortest_arc(b - a, middle - a);
+  const Quat second = shortest_arc(rotate(first, c - b), a + reach * u - middle) * first;
+  for (uint32_t i = 0; i < rig.count; ++i) {
+    const uint32_t t = rig.order[i];
+    if (!rig.is_below(t, limb.first)) continue;
+    if (t != limb.first) {
+      const uint32_t parent = static_cast<uint32_t>(rig.parents[t]);
+      plan->target_places[t] =
+          plan->target_places[parent] + rotate(plan->target_turns[parent], rig.positions[t] - rig.positions[parent]);
+    }
+    if (rig.is_below(t, limb.last)) continue;
+    plan->target_turns[t] = (rig.is_below(t, limb.middle) ? second : first) * plan->target_turns[t];
+  }
+}
+
+}  // namespace sinew

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// A body in a pose: its skinned vertices and the middles and normals of its triangles.
+#ifndef SINEW_MOTION_POSED_BODY_HPP
+#define SINEW_MOTION_POSED_BODY_HPP
+
+#include "core/arena.hpp"
+#include "motion/motion_rig.hpp"
+
+namespace sinew {
+
+struct PosedBody {
+  const sinew_motion_body* body = nullptr;
+  const MotionRig* rig = nullptr;
+  Quat turn = kNoTurn;            // from the body's world to the one that it is posed in
+  Vec3d* vertices = nullptr;      // [vertices]
+  Vec3d* middles = nullptr;       // [triangles]
+  Vec3d* normals = nullptr;       // [triangles] of length 1, or 0
+  double* matrices = nullptr;     // [joints x 12]
+  double lowest = 0, height = 0;  // at rest, along `up`
+
+  bool allocate(Arena& arena, uint32_t vertex_count, uint32_t triangle_count, uint32_t joint_count);
+  // After the members above: measures the rest pose.
+  void measure(Vec3d up);
+  // By turns against the rest pose and places [joints], both in the world that it is posed in.
+  void pose(const Quat* turns, const Vec3d* places);
+  // With pose(): what contacts look at.
+  void find_triangles(const uint32_t* triangles, uint32_t count);
+
+  Vec3d rest(uint32_t v) const {
+    const float* const p = body->positions + size_t{3} * v;
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  }
+};
+
+// Counts, indices and numbers of a body. SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_COUNT, SINEW_ERROR_RANGE for a joint
+// that does not exist, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX for a triangle's vertex.
+sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count);
+
+}  // namespace sinew
+#endif
