@@ -128,7 +128,7 @@ void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic
   size_t frames = 0, mapped = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
   for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
-  if (3 * mapped < 2 * std::min(joints.size(), out->character.joints.size()))
+  if (3 * mapped < 2 * std::min(source.joints.size(), out->character.joints.size()))
     out->motion.notes.push_back(print("warning: only %zu joints of ", mapped) + choice.file + " move the character's " +
                                 std::to_string(out->character.joints.size()) +
                                 "; look at the result, and say the others with --map");
