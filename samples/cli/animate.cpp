@@ -97,13 +97,7 @@ std::vector<Clip> chosen_clips(const Settings& s, const MotionChoice& choice, co
 
 // The motion's own body, if it has one, says what touches what.
 void keep_contacts(const Settings& s, const std::string& file, Animated* out, Retargeter* retargeter) {
-  std::optional<Character> source;
-  if (!has_extension(file, ".bvh")) {
-    try {
-      source = read_mesh(file);
-    } catch (const Error&) {  // a skeleton alone
-    }
-  }
+  const std::optional<Character> source = body_of_motion(file);
   const size_t shared = retargeter->keep_contacts(out->character, source ? &*source : nullptr);
   if (s.method == "contacts" && shared == 0)
     out->motion.notes.push_back(file +

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
+
+// The mesh of a motion's own file, which keep_contacts() compares with; none in a .bvh or a file with a skeleton alone.
+std::optional<Character> body_of_motion(const std::string& path);
 
 class Retargeter {
  public:

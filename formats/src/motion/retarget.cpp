@@ -6,6 +6,8 @@
 #include "motion/turns.hpp"
 #include "pose/weight_rows.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
 
 namespace sinew {
 namespace {
@@ -56,6 +58,15 @@ struct FrameArrays {
 };
 
 }  // namespace
+
+std::optional<Character> body_of_motion(const std::string& path) {
+  if (has_extension(path, ".bvh")) return std::nullopt;
+  try {
+    return read_mesh(path);
+  } catch (const Error&) {  // a skeleton alone
+    return std::nullopt;
+  }
+}
 
 void Retargeter::check(sinew_status status) const {
   if (status != SINEW_OK) throw Error(name_ + ": cannot retarget the motion: " + sinew_status_text(status));

@@ -22,6 +22,8 @@ nlohmann::ordered_json Player::open(const std::string& file, const Character& ch
   settings.target_up = up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO;
   Retargeter retargeter(source, character.joints, map.sources, motion_classes(target, from, axis, map.sources),
                         settings);
+  const std::optional<Character> body = body_of_motion(file);
+  (void)retargeter.keep_contacts(character, body ? &*body : nullptr);
   Motion made = motion_of(character.joints);
   nlohmann::ordered_json reply;
   reply["clips"] = nlohmann::ordered_json::array();
