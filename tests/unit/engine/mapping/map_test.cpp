@@ -113,11 +113,13 @@ TEST(Map, PinsAreKeptAndTheRestFollows) {
   call.run(a, b);
   EXPECT_EQ(call.source_of(a, b, "RightFoot"), "LeftFoot");
   EXPECT_EQ(call.source_of(a, b, "LeftArm"), "RightArm");
-  // Limbs that are pinned together are matched as such.
-  call.pins = {{static_cast<uint32_t>(a.find("LeftHand")), b.find("LeftFoot")}};
+  // Limbs that are pinned together are matched as such, on both sides, and a source is given once.
+  call.pins = {{static_cast<uint32_t>(a.find("LeftForeArm")), b.find("LeftLeg")}};
   call.run(a, b);
-  EXPECT_EQ(call.source_of(a, b, "LeftHand"), "LeftFoot");
-  EXPECT_EQ(call.source_of(a, b, "LeftFoot") == "LeftFoot", false) << "a source is given once";
+  EXPECT_EQ(call.source_of(a, b, "LeftForeArm"), "LeftLeg");
+  EXPECT_EQ(call.source_of(a, b, "LeftArm"), "LeftUpLeg");
+  EXPECT_EQ(call.source_of(a, b, "RightArm"), "RightUpLeg");
+  EXPECT_NE(call.source_of(a, b, "LeftFoot"), "LeftFoot");
 }
 
 TEST(Map, ByBranchesTheSameRigIsItself) {
@@ -128,6 +130,29 @@ TEST(Map, ByBranchesTheSameRigIsItself) {
   ASSERT_EQ(call.status, SINEW_OK);
   EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_BRANCHES));
   for (size_t i = 0; i < call.sources.size(); ++i) EXPECT_EQ(call.sources[i], static_cast<int32_t>(i));
+}
+
+TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
+  TestRig urchin;
+  urchin.add("a", -1, 0, 0, 0);
+  for (int i = 0; i < 500; ++i) {
+    const float height = 1 - 0.004f * static_cast<float>(i), turn = 2.4f * static_cast<float>(i);
+    const float wide = std::sqrt(1 - height * height);
+    const float x = wide * std::cos(turn), z = wide * std::sin(turn);
+    const int32_t spine = urchin.add("b", 0, x, height, z);
+    urchin.add("c", spine, 2 * x, 2 * height, 2 * z);
+  }
+  TestRig later = urchin;
+  for (size_t i = 0; i < later.places.size(); ++i) later.places[i] *= 1.001f;
+  MapCall call;
+  call.method = SINEW_MAP_SINEW;
+  call.run(urchin, later);
+  EXPECT_LT(call.outputs.mapped, urchin.count() * 6 / 10);
+  EXPECT_GT(std::count(call.reasons.begin(), call.reasons.end(), SINEW_MAP_BESIDE_LIMITS), 0);
+  call.method = SINEW_MAP_AUTO;
+  call.run(urchin, later);
+  EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_BRANCHES));
+  for (size_t i = 0; i < call.sources.size(); ++i) ASSERT_EQ(call.sources[i], static_cast<int32_t>(i));
 }
 
 TEST(Map, OneJointAndBonesWithoutLength) {
