@@ -132,6 +132,37 @@ TEST(Map, ByBranchesTheSameRigIsItself) {
   for (size_t i = 0; i < call.sources.size(); ++i) EXPECT_EQ(call.sources[i], static_cast<int32_t>(i));
 }
 
+TEST(Map, TwistJointsAreNoFingers) {
+  // Five fingers on each hand of both; the target has twist joints on its arms, too.
+  const auto with_fingers = [](TestRig rig, bool twists) {
+    for (const float s : {1.0f, -1.0f}) {
+      const std::string side = s > 0 ? "Left" : "Right";
+      const int32_t hand = rig.find(side + "Hand");
+      for (int f = 0; f < 5; ++f) {
+        const float z = 0.04f - 0.02f * static_cast<float>(f), start = f == 0 ? 0.73f : 0.78f;
+        int32_t last = hand;
+        for (int k = 0; k < 3; ++k)
+          last = rig.add(side + "Finger" + std::to_string(f) + std::to_string(k), last,
+                         s * (start + 0.03f * static_cast<float>(k)), 1.42f,
+                         f == 0 ? 0.05f + 0.02f * static_cast<float>(k) : z);
+      }
+      if (!twists) continue;
+      rig.add(side + "ArmTwist", rig.find(side + "Arm"), 0.3f * s, 1.42f, -0.005f);
+      rig.add(side + "ForeArmTwist", rig.find(side + "ForeArm"), 0.6f * s, 1.42f, -0.004f);
+    }
+    return rig;
+  };
+  const TestRig a = with_fingers(humanoid(2, true), true), b = with_fingers(humanoid(3, true), false);
+  MapCall call;
+  call.run(a, b);
+  for (const std::string& name : a.names) {
+    if (name.find("Finger") != std::string::npos) EXPECT_EQ(call.source_of(a, b, name), name);
+    if (name.find("Twist") != std::string::npos) EXPECT_EQ(call.source_of(a, b, name), "-") << name;
+  }
+  call.run(a, a);
+  EXPECT_EQ(call.source_of(a, a, "LeftForeArmTwist"), "LeftForeArmTwist");
+}
+
 TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
   TestRig urchin;
   urchin.add("a", -1, 0, 0, 0);
