@@ -156,8 +156,12 @@ TEST(Map, TwistJointsAreNoFingers) {
   MapCall call;
   call.run(a, b);
   for (const std::string& name : a.names) {
-    if (name.find("Finger") != std::string::npos) EXPECT_EQ(call.source_of(a, b, name), name);
-    if (name.find("Twist") != std::string::npos) EXPECT_EQ(call.source_of(a, b, name), "-") << name;
+    if (name.find("Finger") != std::string::npos) {
+      EXPECT_EQ(call.source_of(a, b, name), name);
+    }
+    if (name.find("Twist") != std::string::npos) {
+      EXPECT_EQ(call.source_of(a, b, name), "-") << name;
+    }
   }
   call.run(a, a);
   EXPECT_EQ(call.source_of(a, a, "LeftForeArmTwist"), "LeftForeArmTwist");
