@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "map_picture.hpp"
 #include "sinew_datasets/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -22,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file;
+  std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file, png;
   std::vector<std::string> pins;
   bool no_names = false, no_ends = false, json = false;
 };
@@ -137,6 +138,7 @@ void run(Settings s) {
   if (!s.preset.empty()) s.source = "template:" + s.preset;
   if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
   if (s.output != "-") check_output(s.output, {".txt", ".map", ".json"});
+  if (!s.png.empty()) check_output(s.png, {".png"});
   if (s.no_ends && !s.ends_file.empty()) throw UsageError("--ends and --no-ends: give one of the two");
   MapRig target = read_rig_for_map(s.target), source = read_rig_for_map(s.source);
   if (!s.ends_file.empty()) {
@@ -159,6 +161,8 @@ void run(Settings s) {
         s.output, as_json ? map_json(s, target, source, map).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                           : map_text(target, source, map));
   }
+  if (!s.png.empty())
+    write_file(s.png, encode_png(draw_map(target, options.target_up, source, options.source_up, map)));
   if (s.json) {
     std::printf("%s\n", json.c_str());
   } else if (s.output == "-") {
@@ -208,11 +212,13 @@ void add_map(CLI::App& app) {
                   "Joints that only end bones, for files without weights: lines JOINT, or RIG and JOINT with a tab")
       ->type_name("FILE");
   sub->add_flag("--no-ends", s->no_ends, "Do not read from the skin weights which joints only end bones");
+  sub->add_option("--png", s->png, "Also draw both skeletons, what stands for each other in one colour")
+      ->type_name("FILE");
   sub->add_flag("--json", s->json, "Print the map with confidence and reasons as JSON");
   sub->footer(
       "Examples:\n  sinew map hero.glb --from walk.glb -o hero.map\n"
       "  sinew map hero.glb --from walk.glb --map hero.map --set LeftHand=hand_l -o hero.map\n"
-      "  sinew map hero.glb --to mixamo\n"
+      "  sinew map hero.glb --to mixamo --png map.png\n"
       "Confidence is 1 for what is sure. A rig that does not show its front may get its sides exchanged: one --set "
       "turns "
       "all of it.");

@@ -119,6 +119,16 @@ TEST_F(CliMap, WrongUsageIsOneLine) {
   EXPECT_FALSE(fs::exists(in("keep.map")));
 }
 
+TEST_F(CliMap, APictureOfBoth) {
+  good("map " + kRobed + " --from " + kRobot + " --up z --png map.png -o map.txt");
+  const std::string png = slurp(in("map.png"));
+  ASSERT_GT(png.size(), 1000u);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  make_chain("t.rig.txt", "t");
+  good("map t.rig.txt --from t.rig.txt --png one.png");  // no width at all
+  EXPECT_NE(bad(2, "map t.rig.txt --from t.rig.txt --png one.jpg").error.find(".png"), std::string::npos);
+}
+
 TEST_F(CliMap, LeavesWithoutWeightAreEnds) {
   make_chain("s.rig.txt", "s");
   put(in("t.rig.txt"), slurp(in("s.rig.txt")) + "skin 0 s0 1\nskin 1 s1 1\n");

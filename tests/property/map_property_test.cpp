@@ -177,6 +177,39 @@ TEST(MapProperty, RandomRigsGiveSoundMaps) {
   }
 }
 
+TEST(MapProperty, PinsAreKeptAndNothingCrossesThem) {
+  for (uint32_t seed = 0; seed < 400; ++seed) {
+    Draw draw(seed + 9000);
+    const TestRig target = random_body(draw), source = random_body(draw);
+    const Below is_below(source);
+    MapCall call;
+    call.method = SINEW_MAP_SINEW;
+    std::set<uint32_t> targets;
+    std::set<int32_t> sources;
+    for (uint32_t k = 1 + draw.below(3); k > 0; --k) {
+      const sinew_map_pin pin = {draw.below(target.count()), static_cast<int32_t>(draw.below(source.count() + 1)) - 1};
+      if (!targets.insert(pin.target).second || (pin.source >= 0 && !sources.insert(pin.source).second)) continue;
+      call.pins.push_back(pin);
+    }
+    call.run(target, source);
+    ASSERT_EQ(call.status, SINEW_OK) << "seed " << seed;
+    for (const sinew_map_pin& pin : call.pins) ASSERT_EQ(call.sources[pin.target], pin.source) << "seed " << seed;
+    std::set<int32_t> used;
+    for (int32_t i = 0; i < static_cast<int32_t>(target.count()); ++i) {
+      const int32_t s = call.sources[static_cast<size_t>(i)];
+      if (s < 0) continue;
+      ASSERT_TRUE(used.insert(s).second) << "seed " << seed;
+      for (int32_t up = target.parents[static_cast<size_t>(i)]; up >= 0; up = target.parents[static_cast<size_t>(up)]) {
+        const int32_t above = call.sources[static_cast<size_t>(up)];
+        const bool both = targets.count(static_cast<uint32_t>(i)) + targets.count(static_cast<uint32_t>(up)) == 2;
+        if (above >= 0 && !both) {  // pins may cross each other
+          ASSERT_FALSE(is_below(above, s)) << "seed " << seed << ": " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(MapProperty, ARigIsItselfToItself) {
   for (uint32_t seed = 0; seed < 200; ++seed) {
     Draw draw(seed);

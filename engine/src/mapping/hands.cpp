@@ -69,6 +69,27 @@ Word finger_word(const Anatomy& rig, int32_t finger) {
 
 }  // namespace
 
+// Takes the twist joints out of two limbs' lists, and puts those side by side that lie on bones which stand for each other.
+void Matcher::match_twists(const Limb& a, const Limb& b, int32_t* fa, int32_t* na, int32_t* fb, int32_t* nb) {
+  int32_t ta[kMostFingers], tb[kMostFingers];
+  const auto part = [](const Anatomy& rig, const Limb& limb, int32_t* fingers, int32_t* count, int32_t* twists) {
+    int32_t kept = 0, out = 0;
+    for (int32_t k = 0; k < *count; ++k)
+      (rig.limbs.is_twist(limb, fingers[k]) ? twists[out++] : fingers[kept++]) = fingers[k];
+    *count = kept;
+    return out;
+  };
+  const int32_t ca = part(*a_, a, fa, na, ta), cb = part(*b_, b, fb, nb, tb);
+  for (int32_t i = 0; i < ca; ++i) {
+    for (int32_t j = 0; j < cb; ++j) {
+      if (tb[j] < 0 || sources_[a_->limb(ta[i]).attach] != b_->limb(tb[j]).attach) continue;
+      match_finger(ta[i], tb[j], a, b);
+      tb[j] = -1;
+      break;
+    }
+  }
+}
+
 void Matcher::match_all_fingers() {
   for (int32_t k = 0; k < finger_pairs_; ++k) {  // more come on the way
     const Limb &a = a_->limb(fingers_[k].a), &b = b_->limb(fingers_[k].b);
@@ -80,7 +101,8 @@ void Matcher::match_all_fingers() {
       });
       return n;
     };
-    const int32_t na = gather(*a_, a, fa), nb = gather(*b_, b, fb);
+    int32_t na = gather(*a_, a, fa), nb = gather(*b_, b, fb);
+    match_twists(a, b, fa, &na, fb, &nb);
     if (na >= 2 && nb >= 2) {
       match_hand(a, b, fa, na, fb, nb);
       continue;

@@ -20,6 +20,7 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   // Where fingers or toes branch off before the chain's end: a hand or foot.
   int32_t branch = -1;
   rig.limbs.each_sub(limb, [&](int32_t sub) {
+    if (rig.limbs.is_twist(limb, sub)) return;
     for (int32_t k = 2; k + 1 < joints; ++k) {
       if (rig.limbs.joint(limb, k) == rig.limb(sub).attach && k > branch) branch = k;
     }

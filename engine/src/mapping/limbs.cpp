@@ -28,6 +28,21 @@ double Limbs::lowest(const Limb& limb, const Point& up) const {
   return low;
 }
 
+bool Limbs::is_twist(const Limb& limb, int32_t sub) const {
+  const Limb& own = at[sub];
+  for (int32_t k = 0; k + 1 < limb.joint_count; ++k) {
+    if (joint(limb, k) != own.attach) continue;
+    const Point start = point(limb, k), bone = point(limb, k + 1) - start;
+    const double squared = dot(bone, bone);
+    if (!(squared > 0.0064 * limb.length * limb.length)) return false;
+    const Point way = point(own, 0) - start;
+    const double share = dot(way, bone) / squared;
+    const Point off = way - share * bone;
+    return share > -0.05 && share < 0.97 && dot(off, off) < 0.01 * squared;
+  }
+  return false;
+}
+
 int32_t Limbs::begin(const Hierarchy& rig, int32_t joint, int8_t side, int32_t attach) {
   if (count >= kMostLimbs) {
     full = true;

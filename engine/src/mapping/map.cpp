@@ -288,9 +288,8 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
     Branches branches;
     if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
     if (arena.measuring()) return SINEW_OK;
-    // Two nearly equal rigs without a body that could be read: a machine and its later version.
-    const bool odd = method == SINEW_MAP_AUTO && target.anatomy.leg_count == 0 && source.anatomy.leg_count == 0 &&
-                     10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
+    // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
+    const bool odd = method == SINEW_MAP_AUTO && !pins.any && 10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
     const bool asked = method == SINEW_MAP_BRANCHES;
     const uint64_t cells = asked || odd
                                ? branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame)

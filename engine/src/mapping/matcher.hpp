@@ -59,6 +59,7 @@ class Matcher {
   void find_landmarks(const Anatomy& rig, int32_t limb, bool leg, double* t, Landmarks* found) const;
   void long_bone_places(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at, double* places);
   void match_all_fingers();
+  void match_twists(const Limb& a, const Limb& b, int32_t* fa, int32_t* na, int32_t* fb, int32_t* nb);
   void match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_t na, const int32_t* fb, int32_t nb);
   void match_finger(int32_t x, int32_t y, const Limb& a, const Limb& b);
   int32_t sort_fingers(const Anatomy& rig, const Limb& limb, int32_t* fingers, int32_t count, int32_t thumb) const;

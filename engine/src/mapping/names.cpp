@@ -138,14 +138,12 @@ struct Text {
   int length;
 
   bool is(const char* word) const {
-    return strlen_of(word) == length && memcmp(at, word, static_cast<size_t>(length)) == 0;
+    for (int i = 0; i < length; ++i) {
+      if (word[i] != at[i]) return false;  // a shorter word ends with 0, which is in no text
+    }
+    return word[length] == 0;
   }
   bool is_number() const { return at[0] >= '0' && at[0] <= '9'; }
-  static int strlen_of(const char* word) {
-    int n = 0;
-    while (word[n] != 0) ++n;
-    return n;
-  }
 };
 
 template <size_t kCount, size_t kLength>
@@ -183,9 +181,11 @@ void NameWords::read(const char* name) {
   const char* start = name;
   int length = 0;
   for (const char* c = name; *c != 0; ++c) {
-    if (*c == ':' || *c == '|') start = c + 1;
+    ++length;
+    if (*c != ':' && *c != '|') continue;
+    start = c + 1;
+    length = 0;
   }
-  while (start[length] != 0) ++length;
   if (length > kMostBytes) {
     start += length - kMostBytes;
     length = kMostBytes;

@@ -33,7 +33,7 @@ double cheapest(const std::vector<double>& cost, int rows, int columns, double a
 
 TEST(MappingAssignment, IsTheCheapestOfAll) {
   std::mt19937 random(5);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < 400; ++round) {
     const int rows = static_cast<int>(random() % 4), columns = static_cast<int>(random() % 5);
     const double alone = 0.1 * static_cast<double>(random() % 12);
     std::vector<double> cost(static_cast<size_t>(rows * columns));

@@ -113,11 +113,13 @@ TEST(Map, PinsAreKeptAndTheRestFollows) {
   call.run(a, b);
   EXPECT_EQ(call.source_of(a, b, "RightFoot"), "LeftFoot");
   EXPECT_EQ(call.source_of(a, b, "LeftArm"), "RightArm");
-  // Limbs that are pinned together are matched as such.
-  call.pins = {{static_cast<uint32_t>(a.find("LeftHand")), b.find("LeftFoot")}};
+  // Limbs that are pinned together are matched as such, on both sides, and a source is given once.
+  call.pins = {{static_cast<uint32_t>(a.find("LeftForeArm")), b.find("LeftLeg")}};
   call.run(a, b);
-  EXPECT_EQ(call.source_of(a, b, "LeftHand"), "LeftFoot");
-  EXPECT_EQ(call.source_of(a, b, "LeftFoot") == "LeftFoot", false) << "a source is given once";
+  EXPECT_EQ(call.source_of(a, b, "LeftForeArm"), "LeftLeg");
+  EXPECT_EQ(call.source_of(a, b, "LeftArm"), "LeftUpLeg");
+  EXPECT_EQ(call.source_of(a, b, "RightArm"), "RightUpLeg");
+  EXPECT_NE(call.source_of(a, b, "LeftFoot"), "LeftFoot");
 }
 
 TEST(Map, ByBranchesTheSameRigIsItself) {
@@ -128,6 +130,64 @@ TEST(Map, ByBranchesTheSameRigIsItself) {
   ASSERT_EQ(call.status, SINEW_OK);
   EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_BRANCHES));
   for (size_t i = 0; i < call.sources.size(); ++i) EXPECT_EQ(call.sources[i], static_cast<int32_t>(i));
+}
+
+TEST(Map, TwistJointsAreNoFingers) {
+  // Five fingers on each hand of both; the target has twist joints on its arms, too.
+  const auto with_fingers = [](TestRig rig, bool twists) {
+    for (const float s : {1.0f, -1.0f}) {
+      const std::string side = s > 0 ? "Left" : "Right";
+      const int32_t hand = rig.find(side + "Hand");
+      for (int f = 0; f < 5; ++f) {
+        const float z = 0.04f - 0.02f * static_cast<float>(f), start = f == 0 ? 0.73f : 0.78f;
+        int32_t last = hand;
+        for (int k = 0; k < 3; ++k)
+          last = rig.add(side + "Finger" + std::to_string(f) + std::to_string(k), last,
+                         s * (start + 0.03f * static_cast<float>(k)), 1.42f,
+                         f == 0 ? 0.05f + 0.02f * static_cast<float>(k) : z);
+      }
+      if (!twists) continue;
+      rig.add(side + "ArmTwist", rig.find(side + "Arm"), 0.3f * s, 1.42f, -0.005f);
+      rig.add(side + "ForeArmTwist", rig.find(side + "ForeArm"), 0.6f * s, 1.42f, -0.004f);
+    }
+    return rig;
+  };
+  const TestRig a = with_fingers(humanoid(2, true), true), b = with_fingers(humanoid(3, true), false);
+  MapCall call;
+  call.run(a, b);
+  for (const std::string& name : a.names) {
+    if (name.find("Finger") != std::string::npos) {
+      EXPECT_EQ(call.source_of(a, b, name), name);
+    }
+    if (name.find("Twist") != std::string::npos) {
+      EXPECT_EQ(call.source_of(a, b, name), "-") << name;
+    }
+  }
+  call.run(a, a);
+  EXPECT_EQ(call.source_of(a, a, "LeftForeArmTwist"), "LeftForeArmTwist");
+}
+
+TEST(Map, NearlyEqualRigsOfTooManyLimbsGoByTheirPlaces) {
+  TestRig urchin;
+  urchin.add("a", -1, 0, 0, 0);
+  for (int i = 0; i < 500; ++i) {
+    const float height = 1 - 0.004f * static_cast<float>(i), turn = 2.4f * static_cast<float>(i);
+    const float wide = std::sqrt(1 - height * height);
+    const float x = wide * std::cos(turn), z = wide * std::sin(turn);
+    const int32_t spine = urchin.add("b", 0, x, height, z);
+    urchin.add("c", spine, 2 * x, 2 * height, 2 * z);
+  }
+  TestRig later = urchin;
+  for (size_t i = 0; i < later.places.size(); ++i) later.places[i] *= 1.001f;
+  MapCall call;
+  call.method = SINEW_MAP_SINEW;
+  call.run(urchin, later);
+  EXPECT_LT(call.outputs.mapped, urchin.count() * 6 / 10);
+  EXPECT_GT(std::count(call.reasons.begin(), call.reasons.end(), SINEW_MAP_BESIDE_LIMITS), 0);
+  call.method = SINEW_MAP_AUTO;
+  call.run(urchin, later);
+  EXPECT_EQ(call.outputs.method, static_cast<uint32_t>(SINEW_MAP_BRANCHES));
+  for (size_t i = 0; i < call.sources.size(); ++i) ASSERT_EQ(call.sources[i], static_cast<int32_t>(i));
 }
 
 TEST(Map, OneJointAndBonesWithoutLength) {

@@ -37,8 +37,8 @@ TEST(SkeletonTemplate, AllParse) {
       EXPECT_EQ(other->position.y, joint.position.y);
     }
   }
-  EXPECT_EQ(kinds, (std::set<std::string>{"bird", "fish", "hand", "mixamo", "quadruped", "rigify", "spider", "unreal",
-                                          "vrm"}));
+  EXPECT_EQ(kinds, (std::set<std::string>{"bird", "fish", "hand", "makehuman", "mixamo", "quadruped", "rigify",
+                                          "spider", "unreal", "vrm"}));
 }
 
 TEST(SkeletonTemplate, NamesAreThoseOfTheConventions) {

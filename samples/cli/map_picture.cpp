@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Skeletons as lines and discs, seen a little from the side so that what lies behind each other stays apart.
+#include "map_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace sinew::cli {
+namespace {
+
+using Colour = std::array<uint8_t, 3>;
+
+constexpr int kWidth = 700, kHeight = 900, kRim = 40;
+constexpr float kYaw = 0.45f, kPitch = 0.17f;  // radians
+constexpr Colour kPaper = {255, 255, 255}, kAlone = {190, 190, 190};
+
+struct Spot {
+  float x, y;
+};
+
+class Panel {
+ public:
+  Panel() {
+    image_.width = kWidth;
+    image_.height = kHeight;
+    image_.rgb.assign(size_t{3} * kWidth * kHeight, kPaper[0]);
+  }
+
+  void disc(Spot at, float radius, Colour colour) {
+    for (int y = static_cast<int>(at.y - radius); y <= static_cast<int>(at.y + radius) + 1; ++y) {
+      for (int x = static_cast<int>(at.x - radius); x <= static_cast<int>(at.x + radius) + 1; ++x) {
+        const float dx = static_cast<float>(x) - at.x, dy = static_cast<float>(y) - at.y;
+        if (dx * dx + dy * dy <= radius * radius) put(x, y, colour);
+      }
+    }
+  }
+  void line(Spot from, Spot to, float radius, Colour colour) {
+    const int steps = 1 + static_cast<int>(std::max(std::fabs(to.x - from.x), std::fabs(to.y - from.y)));
+    for (int i = 0; i <= steps; ++i) {
+      const float t = static_cast<float>(i) / static_cast<float>(steps);
+      disc({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)}, radius, colour);
+    }
+  }
+  Image take() { return std::move(image_); }
+
+ private:
+  void put(int x, int y, Colour colour) {
+    if (x < 0 || y < 0 || x >= kWidth || y >= kHeight) return;
+    std::copy(colour.begin(), colour.end(), image_.rgb.begin() + 3 * (static_cast<long>(y) * kWidth + x));
+  }
+  Image image_;
+};
+
+// Where joints are in the panel: the whole rig fills it.
+std::vector<Spot> project(const MapRig& rig, char up) {
+  std::vector<Spot> spots;
+  for (const Joint& joint : rig.joints) {
+    Vec3 p = joint.position;
+    if (up == 'z') p = {p.x, p.z, -p.y};
+    if (up == 'x') p = {-p.y, p.x, p.z};
+    const float x = std::cos(kYaw) * p.x - std::sin(kYaw) * p.z, z = std::sin(kYaw) * p.x + std::cos(kYaw) * p.z;
+    spots.push_back({x, -(std::cos(kPitch) * p.y - std::sin(kPitch) * z)});
+  }
+  Spot low = spots[0], high = spots[0];
+  for (const Spot& s : spots) {
+    low = {std::min(low.x, s.x), std::min(low.y, s.y)};
+    high = {std::max(high.x, s.x), std::max(high.y, s.y)};
+  }
+  const float side =
+      std::max({(high.x - low.x) / (kWidth - 2 * kRim), (high.y - low.y) / (kHeight - 2 * kRim), 1e-20f});
+  for (Spot& s : spots) {
+    s.x = kWidth / 2.0f + (s.x - (low.x + high.x) / 2) / side;
+    s.y = kHeight / 2.0f + (s.y - (low.y + high.y) / 2) / side;
+  }
+  return spots;
+}
+
+Image draw(const MapRig& rig, char up, const std::vector<Colour>& colours) {
+  Panel panel;
+  const std::vector<Spot> spots = project(rig, up);
+  for (const bool alone : {true, false}) {  // what is mapped lies on top
+    for (size_t j = 0; j < spots.size(); ++j) {
+      if ((colours[j] == kAlone) != alone) continue;
+      const int parent = rig.joints[j].parent;
+      if (parent >= 0) panel.line(spots[static_cast<size_t>(parent)], spots[j], 1.6f, colours[j]);
+    }
+  }
+  for (const bool alone : {true, false}) {
+    for (size_t j = 0; j < spots.size(); ++j)
+      if ((colours[j] == kAlone) == alone) panel.disc(spots[j], alone ? 3.0f : 5.0f, colours[j]);
+  }
+  return panel.take();
+}
+
+}  // namespace
+
+Image draw_map(const MapRig& target, char target_up, const MapRig& source, char source_up, const MappedSkeleton& map) {
+  std::vector<Colour> left(target.joints.size(), kAlone), right(source.joints.size(), kAlone);
+  for (size_t j = 0; j < left.size(); ++j) {
+    if (map.sources[j] < 0) continue;
+    left[j] = joint_colour(j);
+    right[static_cast<size_t>(map.sources[j])] = left[j];
+  }
+  return beside({draw(target, target_up, left), draw(source, source_up, right)});
+}
+
+}  // namespace sinew::cli

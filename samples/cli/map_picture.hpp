@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// A picture of a map: both skeletons side by side, what stands for each other in one colour.
+#ifndef SINEW_CLI_MAP_PICTURE_HPP
+#define SINEW_CLI_MAP_PICTURE_HPP
+
+#include "sinew_datasets/image.hpp"
+#include "sinew_formats/map_skeleton.hpp"
+
+namespace sinew::cli {
+
+// The target on the left. Joints without a counterpart are grey. `up` is x, y or z; anything else counts as y.
+Image draw_map(const MapRig& target, char target_up, const MapRig& source, char source_up, const MappedSkeleton& map);
+
+}  // namespace sinew::cli
+#endif
