@@ -108,6 +108,10 @@ TEST(Bvh, ReadsWhatOtherProgramsWrite) {
               plain, 0);
   expect_same(read_bvh(folder.write("small.bvh", with(kSmall, "1 2 3 90", "1.0e0 +2 3. 9.0E+1"))), plain, 0);
   expect_same(read_bvh(folder.write("small.bvh", kSmall + "\n\n")), plain, 0);
+  const std::string in_line = "End Site { OFFSET 0 -0.5 0 } } }\n";
+  expect_same(read_bvh(folder.write("small.bvh", kSmall.substr(0, kSmall.find("End Site")) + in_line +
+                                                     kSmall.substr(kSmall.find("MOTION")))),
+              plain, 0);
   EXPECT_EQ(read_bvh(folder.write("a.bvh", with(kSmall, "JOINT Leg", "JOINT Left Leg"))).joints[1].name, "Left Leg");
   EXPECT_EQ(read_bvh(folder.write("a.bvh", with(kSmall, "JOINT Leg", "JOINT Hips"))).joints[1].name, "Hips_2");
   // Two roots, one of them a prop.
