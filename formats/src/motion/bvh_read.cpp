@@ -178,7 +178,19 @@ class BvhReader {
     if (clip.frames.size() != static_cast<size_t>(*count))
       throw Error(path_ + ": truncated BVH, expected " + std::to_string(*count) + " frames, found " +
                   std::to_string(clip.frames.size()));
+    put_back_in_place(&clip);
     if (!clip.frames.empty()) motion_.clips.push_back(std::move(clip));
+  }
+
+  // Some programs write differences from the offset: positions of a joint that are 0 in all frames, where its offset is not.
+  void put_back_in_place(Clip* clip) const {
+    for (size_t j = 0; j < motion_.joints.size(); ++j) {
+      const MotionJoint& joint = motion_.joints[j];
+      const bool at_parent = std::all_of(clip->frames.begin(), clip->frames.end(),
+                                         [&](const MotionFrame& frame) { return frame.translations[j] == Point3{}; });
+      if (joint.parent < 0 || !at_parent) continue;
+      for (MotionFrame& frame : clip->frames) frame.translations[j] = joint.offset;
+    }
   }
 
   // Positions stand in place of the offset, as programs write them; turns apply from the last to the first.
