@@ -141,10 +141,11 @@ void add_bind(CLI::App& app) {
                   "mesh in it and below it")
       ->required()
       ->type_name("MESH|DIR");
-  sub->add_option("--skeleton", s->one.skeleton,
-                  "Skeleton: .rig.txt, .gltf, .glb, .vrm, .fbx or .dae. Not needed when the mesh has its own; in a "
-                  "folder, NAME.rig.txt "
-                  "beside NAME.obj is found")
+  sub->add_option(
+         "--skeleton", s->one.skeleton,
+         "Skeleton: .rig.txt, .gltf, .glb, .vrm, .fbx, .dae or .bvh. Not needed when the mesh has its own; in a "
+         "folder, NAME.rig.txt "
+         "beside NAME.obj is found")
       ->type_name("FILE");
   sub->add_option("-o,--output", s->one.output,
                   "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]; "

@@ -310,7 +310,7 @@ void add_rig(CLI::App& app) {
   sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
   sub->add_option("--skeleton", s->skeleton,
                   "Put this skeleton into the mesh, with its own names and hierarchy, where the predicted one is: "
-                  ".rig.txt, .glb, .gltf, .vrm, .fbx, .dae, or template:NAME")
+                  ".rig.txt, .glb, .gltf, .vrm, .fbx, .dae, .bvh or template:NAME")
       ->type_name("FILE");
   sub->add_flag("--keep-lengths", s->keep_lengths,
                 "With --skeleton: turn its bones and scale them all alike, instead of each by itself");

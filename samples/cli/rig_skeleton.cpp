@@ -54,8 +54,9 @@ std::vector<SkeletonEdit> EditOptions::in_order() const {
 
 void check_skeleton_source(const std::string& source) {
   if (has_extension(source, ".obj"))
-    throw UsageError("--skeleton " + source +
-                     ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb, .vrm, .fbx, .dae or template:NAME");
+    throw UsageError(
+        "--skeleton " + source +
+        ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh or template:NAME");
   if (!is_template(source)) return;
   try {
     (void)skeleton_template(source.substr(std::string(kTemplate).size()));

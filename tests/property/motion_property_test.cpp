@@ -48,6 +48,12 @@ TEST(MotionProperty, RandomRigsGiveFinitePosesOfTheirOwnBones) {
     settings.source_up = static_cast<uint32_t>(random()) % 4;
     settings.target_up = static_cast<uint32_t>(random()) % 4;
     settings.in_place = static_cast<uint32_t>(random()) % 2;
+    const auto size_of = [](const MotionScene& scene) {
+      float most = 0;
+      for (const float x : scene.positions) most = std::max(most, std::abs(x));
+      return most;
+    };
+    settings.scale = size_of(target) / std::max(size_of(source), 1e-6f);  // bones of a random map say nothing about it
     sinew::RetargetPlan plan;
     const sinew_status made = plan.make(source.view(), target.view(), map.data(),
                                         random() % 8 == 0 ? nullptr : target.classes.data(), settings);

@@ -25,7 +25,7 @@ typedef struct sinew_motion_rig {
 typedef enum sinew_retarget_method {
   SINEW_RETARGET_AUTO = 0, /* the best that this library has for the inputs */
   /* Every mapped joint turns as its source does. Upper and lower arms and legs point to where the source's do, whatever the
-   * two rest poses are; joints without a source follow their parents; the hips move by as much as the legs are longer */
+   * rest poses are. Joints without a source follow their parents. Hips, and joints that move in theirs, go by the legs' ratio */
   SINEW_RETARGET_COPY = 1 /* contacts come after it, see sinew_retarget_contacts() */
 } sinew_retarget_method;
 

@@ -33,6 +33,15 @@ Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
   return wanted;
 }
 
+// How far a joint's source has left its place in its parent, where the two parents belong together: bones that stretch, feet
+// that hang on the root.
+Vec3d left_place(const sinew_retarget& plan, uint32_t t) {
+  const int32_t joint = plan.map[t], parent = plan.map[plan.target.parents[t]];
+  if (joint < 0 || parent < 0 || plan.source.parents[joint] != parent) return {0, 0, 0};
+  const Vec3d rest = rotate(plan.turn, plan.source.positions[joint] - plan.source.positions[parent]);
+  return plan.source_places[joint] - plan.source_places[parent] - rotate(plan.source_turns[parent], rest);
+}
+
 void pose_target(sinew_retarget* plan, double ground) {
   const MotionRig& rig = plan->target;
   for (uint32_t i = 0; i < rig.count; ++i) {
@@ -45,8 +54,9 @@ void pose_target(sinew_retarget* plan, double ground) {
     }
     Vec3d place = rig.positions[t];
     if (parent >= 0) {
-      place = plan->target_places[parent] + rotate(plan->target_turns[parent], place - rig.positions[parent]);
-    } else if (static_cast<int32_t>(t) == plan->root) {
+      place = plan->target_places[parent] + rotate(plan->target_turns[parent], place - rig.positions[parent]) +
+              plan->scale * left_place(*plan, t);
+    } else if (plan->map[t] >= 0 && static_cast<int32_t>(t) != plan->mover) {  // on the floor, or beside the body
       const uint32_t source = static_cast<uint32_t>(plan->map[t]);
       Vec3d way = plan->scale * (plan->source_places[source] - rotate(plan->turn, plan->source.positions[source]));
       if (plan->in_place) way = dot(way, plan->up) * plan->up;

@@ -85,13 +85,27 @@ class Planner {
     }
     plan_.has_legs = plan_.anchor_count > 0;
     if (plan_.has_legs) return;
+    const uint32_t root = busiest_root(plan_.anchors);
     for (uint32_t t = 0; t < target_.count; ++t) {
-      if (!is_mapped(t)) continue;
+      if (!is_mapped(t) || root_of(t) != root) continue;
       plan_.floor_joints[plan_.floor_count++] = t;
       int32_t above = target_.parents[t];
       while (above >= 0 && !is_mapped(static_cast<uint32_t>(above))) above = target_.parents[above];
       if (above < 0) plan_.anchors[plan_.anchor_count++] = t;
     }
+  }
+
+  uint32_t root_of(uint32_t t) const {
+    while (target_.parents[t] >= 0) t = static_cast<uint32_t>(target_.parents[t]);
+    return t;
+  }
+  // With the most mapped joints below it: sockets and props may be roots of their own. `counts` [target joints] is scratch.
+  uint32_t busiest_root(uint32_t* counts) const {
+    for (uint32_t t = 0; t < target_.count; ++t) counts[t] = 0;
+    for (uint32_t t = 0; t < target_.count; ++t) counts[root_of(t)] += is_mapped(t) ? 1 : 0;
+    uint32_t best = 0;
+    for (uint32_t t = 1; t < target_.count; ++t) best = counts[t] > counts[best] ? t : best;
+    return best;
   }
 
   Vec3d up_of(uint32_t wanted, bool of_source) const {
@@ -177,7 +191,6 @@ class Planner {
       top = only;
     }
     plan_.mover = top;
-    plan_.root = root != top && is_mapped(static_cast<uint32_t>(root)) ? root : -1;
     for (uint32_t i = 0; i < target_.count; ++i) {
       const uint32_t t = target_.order[i];
       const int32_t parent = target_.parents[t];

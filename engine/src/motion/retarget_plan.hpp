@@ -19,7 +19,6 @@ struct sinew_retarget {
   uint32_t anchor_count = 0, floor_count = 0;
   bool has_legs = false;
   int32_t mover = -1;                 // target joint that takes the translation
-  int32_t root = -1;                  // target joint above the mover that moves as a root of the source does, or -1
   sinew::Quat turn = sinew::kNoTurn;  // from the source's world to the target's
   sinew::Vec3d up = {0, 1, 0};        // of the target's world
   double scale = 1;                   // lengths of the target per length of the source

@@ -50,6 +50,7 @@ class Retargeter {
 
   std::string name_;
   size_t source_count_, target_count_;
+  std::vector<uint8_t> classes_;
   RetargetPlan plan_;
   bool contacts_ = false, has_source_ = false;
   Body target_body_, source_body_;

@@ -44,28 +44,30 @@ class BvhReader {
   }
 
  private:
-  // The next line that is not blank; an Error at the end of the file.
+  // The next statement: a line, of which a brace is one of its own. An Error at the end of the file.
   void next(const char* expected) {
-    do {
+    while (at_ >= lines_.words().size()) {
       if (!lines_.next())
         throw Error(path_ + ": truncated BVH, expected " + expected + " behind line " +
                     std::to_string(lines_.number()) + ", found the end of the file");
-    } while (lines_.words().empty());
+      at_ = 0;
+    }
+    const auto is_brace = [&](size_t i) { return lines_.words()[i] == "{" || lines_.words()[i] == "}"; };
+    const size_t first = at_++;
+    while (at_ < lines_.words().size() && !is_brace(first) && !is_brace(at_)) ++at_;
+    const auto begin = lines_.words().begin();
+    words_.assign(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(at_));
   }
-  std::string_view word(size_t i) const { return i < lines_.words().size() ? lines_.words()[i] : std::string_view(); }
+  std::string_view word(size_t i) const { return i < words_.size() ? words_[i] : std::string_view(); }
   double number(size_t i, const char* what) const {
     const std::optional<double> value = to_finite_double(word(i));
     if (!value) lines_.fail(std::string("a finite number as ") + what, word(i));
     return *value;
   }
 
-  // Everything behind the first word; `brace` is set where a { ends the line.
-  std::string name_behind(size_t first, bool* brace) const {
+  std::string name_behind(size_t first) const {
     std::string name;
-    for (size_t i = first; i < lines_.words().size(); ++i) {
-      *brace = lines_.words()[i] == "{" && i + 1 == lines_.words().size();
-      if (!*brace) name += (name.empty() ? "" : " ") + std::string(lines_.words()[i]);
-    }
+    for (size_t i = first; i < words_.size(); ++i) name += (name.empty() ? "" : " ") + std::string(words_[i]);
     return name;
   }
 
@@ -96,9 +98,8 @@ class BvhReader {
       lines_.fail(open_.empty() ? "ROOT or MOTION" : "JOINT or 'End Site' inside of a joint", lines_.line());
     if (end && !is_word(word(1), "Site")) lines_.fail("'End Site'", lines_.line());
     if (!open_.empty() && motion_.joints[open_.back()].end) lines_.fail("OFFSET and '}' in an End Site", lines_.line());
-    bool brace = false;
     MotionJoint joint;
-    joint.name = name_behind(end ? 2 : 1, &brace);
+    joint.name = name_behind(end ? 2 : 1);
     joint.parent = open_.empty() ? -1 : static_cast<int>(open_.back());
     joint.end = end;
     if (end) joint.name = motion_.joints[open_.back()].name + "_end";
@@ -107,14 +108,12 @@ class BvhReader {
     motion_.joints.push_back(std::move(joint));
     has_offset_.push_back(false);
     has_channels_.push_back(false);
-    if (brace) return;
     next("'{'");
-    if (lines_.words().size() != 1 || word(0) != "{") lines_.fail("'{'", lines_.line());
+    if (word(0) != "{") lines_.fail("'{'", lines_.line());
   }
 
   void close() {
-    if (open_.empty() || lines_.words().size() != 1)
-      lines_.fail(open_.empty() ? "ROOT or MOTION" : "'}' alone on its line", lines_.line());
+    if (open_.empty()) lines_.fail("ROOT or MOTION", lines_.line());
     if (!has_offset_[open_.back()])
       lines_.fail("an OFFSET in " + in_quotes(motion_.joints[open_.back()].name) + " before its '}'", lines_.line());
     open_.pop_back();
@@ -122,7 +121,7 @@ class BvhReader {
 
   void read_offset() {
     const size_t joint = open_.back();
-    if (lines_.words().size() != 4) lines_.fail("'OFFSET x y z'", lines_.line());
+    if (words_.size() != 4) lines_.fail("'OFFSET x y z'", lines_.line());
     if (has_offset_[joint]) lines_.fail("one OFFSET per joint", lines_.line());
     has_offset_[joint] = true;
     for (size_t i = 0; i < 3; ++i) motion_.joints[joint].offset[i] = number(i + 1, "an offset");
@@ -132,13 +131,13 @@ class BvhReader {
     const size_t joint = open_.back();
     const std::optional<int64_t> count = to_integer(word(1));
     if (!count || *count < 0 || *count > 6) lines_.fail("0 to 6 behind CHANNELS", word(1));
-    if (lines_.words().size() != static_cast<size_t>(*count) + 2)
+    if (words_.size() != static_cast<size_t>(*count) + 2)
       lines_.fail(std::to_string(*count) + " channels", lines_.line());
     if (has_channels_[joint]) lines_.fail("one CHANNELS per joint", lines_.line());
     if (motion_.joints[joint].end) lines_.fail("no CHANNELS in an End Site", lines_.line());
     has_channels_[joint] = true;
     const size_t first = channels_.size();
-    for (size_t i = 2; i < lines_.words().size(); ++i) {
+    for (size_t i = 2; i < words_.size(); ++i) {
       const std::string_view name = word(i);
       const size_t axis = std::string_view("xyzXYZ").find(name[0]);
       const bool turns = is_word(name.substr(1), "rotation");
@@ -169,7 +168,8 @@ class BvhReader {
       clip.frame_time = Clip().frame_time;
     }
     while (lines_.next()) {
-      if (lines_.words().empty()) continue;
+      words_ = lines_.words();
+      if (words_.empty()) continue;
       if (clip.frames.size() == static_cast<size_t>(*count))
         lines_.fail("no more than the " + std::to_string(*count) + " frames that line 'Frames:' promises",
                     lines_.line());
@@ -178,14 +178,26 @@ class BvhReader {
     if (clip.frames.size() != static_cast<size_t>(*count))
       throw Error(path_ + ": truncated BVH, expected " + std::to_string(*count) + " frames, found " +
                   std::to_string(clip.frames.size()));
+    put_back_in_place(&clip);
     if (!clip.frames.empty()) motion_.clips.push_back(std::move(clip));
+  }
+
+  // Some programs write differences from the offset: positions of a joint that are 0 in all frames, where its offset is not.
+  void put_back_in_place(Clip* clip) const {
+    for (size_t j = 0; j < motion_.joints.size(); ++j) {
+      const MotionJoint& joint = motion_.joints[j];
+      const bool at_parent = std::all_of(clip->frames.begin(), clip->frames.end(),
+                                         [&](const MotionFrame& frame) { return frame.translations[j] == Point3{}; });
+      if (joint.parent < 0 || !at_parent) continue;
+      for (MotionFrame& frame : clip->frames) frame.translations[j] = joint.offset;
+    }
   }
 
   // Positions stand in place of the offset, as programs write them; turns apply from the last to the first.
   MotionFrame read_frame(size_t index) const {
-    if (lines_.words().size() != channels_.size())
+    if (words_.size() != channels_.size())
       lines_.fail(std::to_string(channels_.size()) + " numbers in frame " + std::to_string(index),
-                  std::to_string(lines_.words().size()) + " of them");
+                  std::to_string(words_.size()) + " of them");
     MotionFrame frame;
     frame.rotations.assign(motion_.joints.size(), kNoTurn4);
     for (const MotionJoint& joint : motion_.joints) frame.translations.push_back(joint.offset);
@@ -205,6 +217,8 @@ class BvhReader {
 
   const std::string path_;
   TextLines lines_;
+  std::vector<std::string_view> words_;  // of the statement at hand
+  size_t at_ = 0;                        // behind it, in the line's words
   Motion motion_;
   std::vector<size_t> open_;  // joints whose '}' is to come
   std::vector<bool> has_offset_, has_channels_;

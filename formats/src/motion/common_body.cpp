@@ -42,4 +42,33 @@ CommonBody common_body(const Character& first, const Character& second) {
   return body;
 }
 
+void keep_skin(const Character& first, const std::vector<bool>& in_hand, CommonBody* body) {
+  std::vector<uint32_t> piece(body->first.size());
+  for (uint32_t v = 0; v < piece.size(); ++v) piece[v] = v;
+  const auto find = [&piece](uint32_t v) {
+    while (piece[v] != v) v = piece[v] = piece[piece[v]];
+    return v;
+  };
+  for (size_t i = 0; i < body->triangles.size(); ++i)
+    if (i % 3 != 0) piece[find(body->triangles[i])] = find(body->triangles[i - 1]);
+  std::vector<uint8_t> reaches(piece.size(), 0);  // 1: has a hand, 2: has something else
+  for (uint32_t v = 0; v < piece.size(); ++v) {
+    const std::vector<Influence>& row = first.influences[body->first[v]];
+    const auto most = std::max_element(row.begin(), row.end(),
+                                       [](const Influence& a, const Influence& b) { return a.weight < b.weight; });
+    if (most == row.end()) continue;
+    uint8_t& own = reaches[find(v)];
+    own = static_cast<uint8_t>(own | (in_hand[most->joint] ? 1 : 2));
+  }
+  std::vector<size_t> size(piece.size(), 0);
+  for (size_t t = 0; t < body->triangles.size(); t += 3) ++size[find(body->triangles[t])];
+  std::vector<uint32_t> kept;
+  for (size_t t = 0; t < body->triangles.size(); t += 3) {
+    const uint32_t own = find(body->triangles[t]);
+    if (reaches[own] != 3 || 12 * size[own] < body->triangles.size()) continue;
+    for (size_t c = t; c < t + 3; ++c) kept.push_back(body->triangles[c]);
+  }
+  if (!kept.empty()) body->triangles = std::move(kept);
+}
+
 }  // namespace sinew

@@ -19,5 +19,10 @@ struct CommonBody {
 // numbers them anew. As far as the two go together; of one character with itself all of it.
 CommonBody common_body(const Character& first, const Character& second);
 
+// Takes triangles out that are no skin: of the connected pieces only those that reach from a hand to the rest of the body stay, a
+// quarter of all triangles or more, where there is one. Clothes and hair hang over what a hand touches.
+//   in_hand  [joints of the first character]
+void keep_skin(const Character& first, const std::vector<bool>& in_hand, CommonBody* body);
+
 }  // namespace sinew
 #endif

@@ -74,7 +74,7 @@ void Retargeter::check(sinew_status status) const {
 
 Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
                        const std::vector<uint8_t>& classes, const RetargetSettings& settings)
-    : name_(source.name), source_count_(source.joints.size()), target_count_(target.size()) {
+    : name_(source.name), source_count_(source.joints.size()), target_count_(target.size()), classes_(classes) {
   const RigArrays from(rest_joints(source)), to(target);
   check(plan_.make(from.view(), to.view(), map.data(), classes.data(), settings));
 }
@@ -112,6 +112,14 @@ size_t Retargeter::keep_contacts(const Character& target, const Character* sourc
   const size_t shared = has_source_ ? common.triangles.size() / 3 : 0;
   if (has_source_) source_body_ = body_of(*source, common.second);
   if (!has_source_) common = common_body(target, target);
+  std::vector<bool> in_hand;
+  for (size_t j = 0; j < target.joints.size(); ++j) {
+    int at = static_cast<int>(j);
+    while (at >= 0 && classes_[static_cast<size_t>(at)] != SINEW_CLASS_HAND)
+      at = target.joints[static_cast<size_t>(at)].parent;
+    in_hand.push_back(at >= 0);
+  }
+  keep_skin(target, in_hand, &common);
   target_body_ = body_of(target, common.first);
   triangles_ = std::move(common.triangles);
   contacts_ = !target_body_.positions.empty();

@@ -52,6 +52,20 @@ TEST(Retarget, TheSameRigMovesAsItself) {
   }
 }
 
+// Bones that stretch, feet that hang on the root: places go with the turns, by the ratio of the legs.
+TEST(Retarget, JointsThatLeaveTheirPlacesDoSo) {
+  const MotionScene scene = body(10), half = body(10, 0.5);
+  for (uint32_t seed = 0; seed < 10; ++seed) {
+    Pose pose = random_pose(scene, seed, 1.0, {0.5, 0, 1});
+    for (size_t i = 3; i < pose.translations.size(); ++i)
+      pose.translations[i] += 0.1f * std::sin(static_cast<float>(i) + static_cast<float>(seed));
+    const Placed wanted = placed(scene, pose);
+    EXPECT_LT(farthest(placed(scene, play(scene, scene, one_to_one(17), pose)), wanted), 1e-6 * kHeight);
+    const Placed small = placed(half, play(scene, half, one_to_one(17), pose));
+    for (uint32_t j = 0; j < 17; ++j) EXPECT_LT(distance(small.places[j], 0.5 * wanted.places[j]), 1e-6 * kHeight);
+  }
+}
+
 // Arms that hang 40 degrees at rest point to where those of a T pose do.
 TEST(Retarget, ArmsOfAnAPosePointToWhereThoseOfATPoseDo) {
   const MotionScene source = body(0), target = body(40);
@@ -211,6 +225,16 @@ TEST(Retarget, ARootOnTheFloorStaysThere) {
   found = placed(target, play(target, target, one_to_one(18), rooted));
   EXPECT_NEAR(found.places[0].z, 3, 1e-6);
   EXPECT_NEAR(found.places[1].z, 3, 1e-6);
+}
+
+TEST(Retarget, RootsBesideTheBodyMoveByThemselves) {
+  MotionScene scene;
+  for (int j = 0; j < 4; ++j) scene.add({0, 0.3 * j, 0}, j - 1, SINEW_CLASS_OTHER);
+  scene.add({0.5, 0.6, 0}, 2, SINEW_CLASS_OTHER);
+  scene.add({1, 1, 0}, -1, SINEW_CLASS_OTHER);  // a socket
+  Pose pose = random_pose(scene, 4, 0.7, {0.2, 0, 1});
+  pose.translations[15] = 3;
+  EXPECT_LT(farthest(placed(scene, play(scene, scene, one_to_one(6), pose)), placed(scene, pose)), 1e-6);
 }
 
 TEST(Retarget, ChainsAndSingleJointsMove) {

@@ -108,8 +108,18 @@ TEST(Bvh, ReadsWhatOtherProgramsWrite) {
               plain, 0);
   expect_same(read_bvh(folder.write("small.bvh", with(kSmall, "1 2 3 90", "1.0e0 +2 3. 9.0E+1"))), plain, 0);
   expect_same(read_bvh(folder.write("small.bvh", kSmall + "\n\n")), plain, 0);
+  const std::string in_line = "End Site { OFFSET 0 -0.5 0 } } }\n";
+  expect_same(read_bvh(folder.write("small.bvh", kSmall.substr(0, kSmall.find("End Site")) + in_line +
+                                                     kSmall.substr(kSmall.find("MOTION")))),
+              plain, 0);
   EXPECT_EQ(read_bvh(folder.write("a.bvh", with(kSmall, "JOINT Leg", "JOINT Left Leg"))).joints[1].name, "Left Leg");
   EXPECT_EQ(read_bvh(folder.write("a.bvh", with(kSmall, "JOINT Leg", "JOINT Hips"))).joints[1].name, "Hips_2");
+  // Positions in every joint: as places, or all 0 as differences from the offsets.
+  const std::string six = with(kSmall, "CHANNELS 3 Y", "CHANNELS 6 Xposition Yposition Zposition Y");
+  for (const std::string place : {"0.5 -0.5 0 ", "0 0 0 "}) {
+    const std::string rows = "0 1 0 0 0 0 " + place + "0 0 0\n1 2 3 90 0 0 " + place + "0 0 90\n";
+    expect_same(read_bvh(folder.write("small.bvh", six.substr(0, six.find("0 1 0 0 0 0")) + rows)), plain, 1e-12);
+  }
   // Two roots, one of them a prop.
   const std::string two = with(with(kSmall, "MOTION", "ROOT Ball\n{\nOFFSET 0 0 0\nCHANNELS 1 Yposition\n}\nMOTION"),
                                "0 0 0\n1", "0 0 0 5\n1");
