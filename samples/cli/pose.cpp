@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "commands.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/deform.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
@@ -18,8 +20,9 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string character, output, up = "y";
+  std::string character, output, matrices, deform, up = "y";
   std::vector<std::string> turns;
+  unsigned cells = 0, rounds = 0;
   uint64_t seed = 0;
   double limit = 35;
   bool random = false, dual_quaternion = false;
@@ -63,8 +66,38 @@ std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, d
   return turns;
 }
 
+// The options of the engine's corrections; none for its plain skinning.
+std::optional<sinew_deform_options> deform_options(const Settings& s) {
+  sinew_deform_options options = sinew_deform_options_init();
+  options.cell_count = s.cells;
+  options.round_count = s.rounds;
+  if (s.deform == "xpbd") options.method = SINEW_DEFORM_XPBD;
+  if (s.deform == "delta-mush") options.method = SINEW_DEFORM_DELTA_MUSH;
+  if (s.deform == "volume" || options.method != SINEW_DEFORM_VOLUME) return options;
+  if (s.cells != 0 || s.rounds != 0) throw UsageError("--cells and --rounds need --deform volume, xpbd or delta-mush");
+  return std::nullopt;
+}
+
+Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {
+  const std::optional<sinew_deform_options> options = deform_options(s);
+  if (!options) return apply_pose(character, palette, s.dual_quaternion || s.deform == "dual-quaternion");
+  CharacterDeformer deformer(character, *options);
+  Character posed = deformer.pose_character(character, palette);
+  if (!deformer.corrected()) {
+    std::fprintf(stderr,
+                 "warning: %s: the matrices are not rotations with one common scale, so the pose is plain linear "
+                 "skinning\n",
+                 character.name.c_str());
+  }
+  return posed;
+}
+
 void run(const Settings& s) {
-  if (s.random == !s.turns.empty()) throw UsageError("give either --random SEED or one --joint NAME=rx,ry,rz or more");
+  if ((s.random ? 1 : 0) + (s.turns.empty() ? 0 : 1) + (s.matrices.empty() ? 0 : 1) != 1)
+    throw UsageError("give one of --random SEED, --matrices FILE.pose, and --joint NAME=rx,ry,rz as often as needed");
+  if (s.dual_quaternion && !s.deform.empty())
+    throw UsageError("--dual-quaternion is --deform dual-quaternion: give one of them");
+  (void)deform_options(s);
   check_output(s.output, {".obj", ".png"});
   const Character character = read_character(s.character);
   if (character.joints.empty() || character.influences.empty()) {
@@ -76,7 +109,9 @@ void run(const Settings& s) {
   } else {
     for (const std::string& text : s.turns) turns.push_back(parse_turn(text, character));
   }
-  const Character posed = apply_pose(character, pose_palette(character, turns), s.dual_quaternion);
+  const std::vector<Affine> palette =
+      s.matrices.empty() ? pose_palette(character, turns) : read_pose_matrices(s.matrices, character);
+  const Character posed = deformed(s, character, palette);
   if (has_extension(s.output, ".png")) {
     RenderOptions view;
     view.up_z = s.up == "z";
@@ -84,7 +119,10 @@ void run(const Settings& s) {
   } else {
     write_obj(s.output, posed);
   }
-  std::printf("%s: %zu joints turned, wrote %s\n", character.name.c_str(), turns.size(), s.output.c_str());
+  if (s.matrices.empty())
+    std::printf("%s: %zu joints turned, wrote %s\n", character.name.c_str(), turns.size(), s.output.c_str());
+  else
+    std::printf("%s: posed by %s, wrote %s\n", character.name.c_str(), file_name(s.matrices).c_str(), s.output.c_str());
 }
 
 }  // namespace
@@ -103,14 +141,27 @@ void add_pose(CLI::App& app) {
   sub->add_option("--joint", s->turns, "Turn one joint about x, then y, then z, in degrees; may be repeated")
       ->type_name("NAME=rx,ry,rz")
       ->allow_extra_args(false);
-  sub->add_flag("--dual-quaternion", s->dual_quaternion, "Dual quaternion instead of linear blend skinning");
+  sub->add_option("--matrices", s->matrices,
+                  "A pose of skinning matrices (rest to posed space), a line a joint: pose NAME m00 m01 ... m23")
+      ->type_name("FILE.pose");
+  sub->add_option(
+         "--deform", s->deform,
+         "How the mesh follows: linear or dual-quaternion skinning; volume: bends keep their volume and do not "
+         "pass through themselves; xpbd: the published correction; delta-mush [linear]")
+      ->check(CLI::IsMember({"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"}));
+  sub->add_flag("--dual-quaternion", s->dual_quaternion, "The same as --deform dual-quaternion");
+  sub->add_option("--cells", s->cells, "Cells of the lattice along the longest side, for volume and xpbd [32]")
+      ->check(CLI::Range(8u, SINEW_MAX_DEFORM_CELLS));
+  sub->add_option("--rounds", s->rounds, "Rounds of the solver or, for delta-mush, of smoothing [20, delta-mush 5]")
+      ->check(CLI::Range(1u, SINEW_MAX_DEFORM_ROUNDS));
   sub->add_option("--up", s->up, "Axis that points up in the picture")
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();
   sub->add_option("-o,--output", s->output, "Output: .obj or .png")->required()->type_name("OUT");
   sub->footer(
       "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"
-      "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj");
+      "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj\n"
+      "  sinew pose hero.glb --matrices frame12.pose --deform volume -o pose.obj");
   sub->callback([s, seed] {
     s->random = seed->count() > 0;
     run(*s);

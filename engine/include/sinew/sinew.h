@@ -7,6 +7,7 @@
  *   sinew/bind.h   predicts skin weights
  *   sinew/rig.h    predicts a skeleton for a bare mesh
  *   sinew/skin.h   poses a mesh with its weights
+ *   sinew/deform.h poses a mesh so that bends keep their volume
  *
  * Way of a call:
  *   1. sinew_model_open()           checks every byte of a model file in place; SINEW_METHOD_HEAT needs no model
@@ -21,6 +22,7 @@
 #define SINEW_SINEW_H
 
 #include "sinew/bind.h"
+#include "sinew/deform.h"
 #include "sinew/model.h"
 #include "sinew/rig.h"
 #include "sinew/skin.h"
