@@ -350,8 +350,9 @@ sinew_status find_lattice_bounds(const sinew_mesh& mesh, const GridQuantizer& qu
   const uint32_t x = static_cast<uint32_t>(grid->size[0]), y = static_cast<uint32_t>(grid->size[1]),
                  z = static_cast<uint32_t>(grid->size[2]);
   const uint32_t inner = (x - 2) * (y - 2) * (z - 2);
-  bounds->copies = pairs == 0 ? 0 : inner + inner / 8 + 16;
-  bounds->nodes = pairs == 0 ? 0 : (x - 1) * (y - 1) * (z - 1) + inner / 4 + 64;
+  bounds->copies = pairs == 0 ? 0 : inner + inner / 8 + (inner < 1024 ? inner : 1024);
+  const uint32_t points = (x - 1) * (y - 1) * (z - 1);
+  bounds->nodes = pairs == 0 ? 0 : points + points / 2 + 1024;
   return SINEW_OK;
 }
 

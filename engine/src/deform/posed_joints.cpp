@@ -15,7 +15,7 @@ constexpr double kSameMove = 1e-3;
 // Twists below some 3 degrees stay where they are; from there to 6 degrees the bone takes more and more.
 constexpr double kLeastTwist = 0.026, kFullTwist = 0.052;  // sines of half angles
 constexpr uint16_t kTold = 655;                            // weights of less than 1 % strain nothing
-constexpr double kMostTwistShare = 0.4;
+constexpr double kMostTwistShare = 0.3;
 
 Vec3d column(const double* m, int c) { return {m[c], m[4 + c], m[8 + c]}; }
 
