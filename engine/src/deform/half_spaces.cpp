@@ -6,6 +6,7 @@ namespace sinew {
 namespace {
 
 constexpr double kLeastFold = 0.1;        // growth of the cosine between the bones, below which nothing touches
+constexpr double kFullFold = 0.3;         // from here on the plane holds; before, it comes nearer
 constexpr double kLeastNormal = 0.2;      // of the difference of the bones: no plane where they lie on each other
 constexpr double kReach = 0.9;            // of the shorter bone
 constexpr uint32_t kLeastWeight = 39321;  // 0.6 for the joint and its parent together
@@ -14,13 +15,14 @@ constexpr double kGap = 0.0005;           // of the size, between the two sides
 Vec3d turned(const PosedJoint& joint, Vec3d v) { return rotate(joint.motion.real, v); }
 
 BendPlane find_plane(const PosedJoints& posed, uint32_t j) {
-  BendPlane plane = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0};
+  BendPlane plane = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0};
   const RestJoint& joint = posed.rest->skeleton[j];
   if (joint.parent < 0 || joint.hinge == 0) return plane;
   if (posed.joints[j].group == posed.joints[joint.parent].group) return plane;
   const Vec3d up = turned(posed.joints[joint.parent], joint.to_parent),
               along = turned(posed.joints[j], joint.to_children);
-  if (dot(up, along) < dot(joint.to_parent, joint.to_children) + kLeastFold) return plane;
+  const double fold = dot(up, along) - dot(joint.to_parent, joint.to_children);
+  if (fold < kLeastFold) return plane;
   const Vec3d across = up - along;
   if (length(across) < kLeastNormal) return plane;
   plane.rest_normal = unit(joint.to_parent - joint.to_children);
@@ -28,6 +30,7 @@ BendPlane find_plane(const PosedJoints& posed, uint32_t j) {
   plane.centre = move(posed.joints[j].motion, joint.place);
   const double own = joint.bone_length > 0.3 * joint.parent_length ? joint.bone_length : 0.3 * joint.parent_length;
   plane.reach = kReach * (own < joint.parent_length ? own : joint.parent_length);
+  if (fold < kFullFold) plane.slack = plane.reach * (kFullFold - fold) / (kFullFold - kLeastFold);
   return plane;
 }
 
@@ -62,7 +65,7 @@ void find_half_spaces(const PosedJoints& posed, BendPlane* planes, HalfSpace* sp
       const double at_rest = side * dot(plane.rest_normal, from);
       const double least = at_rest > gap ? gap : at_rest < 0 ? at_rest : 0;
       spaces[v].normal = side * plane.normal;
-      spaces[v].offset = side * dot(plane.normal, plane.centre) + least;
+      spaces[v].offset = side * dot(plane.normal, plane.centre) + least - plane.slack;
     }
   }
 }

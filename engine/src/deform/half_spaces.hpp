@@ -25,6 +25,7 @@ inline double outside_by(const HalfSpace& half, Vec3d x) {
 struct BendPlane {
   Vec3d rest_normal, normal, centre;  // of the plane at rest and posed; it passes the posed joint
   double reach;                       // 0: the joint does not fold
+  double slack;                       // how far beyond the plane vertices may be: it falls to 0 while a fold begins
 };
 void find_half_spaces(const PosedJoints& posed, BendPlane* planes, HalfSpace* spaces);
 

@@ -15,6 +15,7 @@ constexpr double kSameMove = 1e-3;
 // Twists below some 3 degrees stay where they are; from there to 6 degrees the bone takes more and more.
 constexpr double kLeastTwist = 0.026, kFullTwist = 0.052;  // sines of half angles
 constexpr uint16_t kTold = 655;                            // weights of less than 1 % strain nothing
+constexpr double kOverturned = 0.174;                      // cosine of half of 160 degrees
 constexpr double kMostTwistShare = 0.3;
 
 Vec3d column(const double* m, int c) { return {m[c], m[4 + c], m[8 + c]}; }
@@ -62,6 +63,16 @@ uint32_t find_group(const PosedJoints& posed, uint32_t j) {
   return dot(apart, apart) > kSameMove * kSameMove * kCellUnits * kCellUnits * posed.rest->unit * posed.rest->unit
              ? j
              : group;
+}
+
+// How far a joint is bent beyond what dual quaternions bear: twists about the bone do not count.
+double find_overturn(const PosedJoints& posed, uint32_t j) {
+  const RestJoint& joint = posed.rest->skeleton[j];
+  if (joint.parent < 0) return 0;
+  const Quaternion turn = conjugate(posed.joints[joint.parent].motion.real) * posed.joints[j].motion.real;
+  const double along = turn.x * joint.to_parent.x + turn.y * joint.to_parent.y + turn.z * joint.to_parent.z;
+  const double upright = root(turn.w * turn.w + along * along);  // cosine of half the bend
+  return upright < kOverturned ? (kOverturned - upright) / kOverturned : 0;
 }
 
 // The twist of a joint about the bone that leads to it, given to its parent's bone if that has no other child.
@@ -123,6 +134,7 @@ sinew_status read_palette(const float* palette, PosedJoints* posed) {
     if (parent >= 0 && dot(turn, posed->joints[parent].motion.real) < 0) turn = -1.0 * turn;
     joint.motion = motion(turn, {joint.matrix[3], joint.matrix[7], joint.matrix[11]});
     joint.group = find_group(*posed, j);
+    joint.overturned = find_overturn(*posed, j);
     if (rest.options.method == SINEW_DEFORM_VOLUME && rest.options.no_twist_spread == 0) find_twist(j, posed);
   }
   return SINEW_OK;
@@ -167,6 +179,16 @@ DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, c
                                              : posed.joints[joints[strongest]].motion;
   }
   return sum;
+}
+
+Vec3d blend_dual(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n, Vec3d p) {
+  const Vec3d dual = move(blend_motions(posed, joints, weights, n, p), p);
+  double most = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    const double own = posed.joints[joints[i]].overturned;
+    if (weights[i] > kTold && own > most) most = own;
+  }
+  return most > 0 ? dual + most * (blend_linear(posed, joints, weights, n, p) - dual) : dual;
 }
 
 }  // namespace sinew

@@ -172,6 +172,25 @@ TEST(Deform, BlendsOverMoreThanHalfATurnDoNotJump) {
   EXPECT_LT(most, 0.15f);
 }
 
+// A joint that bends through half a turn, and contact that begins, come on step by step.
+TEST(Deform, SweepsOfABendDoNotJump) {
+  const BentTube tube(2, 0.3);
+  for (const uint32_t no_contact : {0u, 1u}) {
+    sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
+    options.no_contact = no_contact;
+    sinew::Deformer deformer;
+    ASSERT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), options), SINEW_OK);
+    float most = 0;
+    std::vector<float> last;
+    for (int degrees = no_contact != 0 ? 150 : 0; degrees <= (no_contact != 0 ? 210 : 110); ++degrees) {
+      const std::vector<float> now = pose(&deformer, tube.turned({0, 0, 1}, degrees)).positions;
+      if (!last.empty()) most = std::max(most, farthest(last, now));
+      last = now;
+    }
+    EXPECT_LT(most, 0.06f) << no_contact;
+  }
+}
+
 TEST(Deform, APoseDependsOnItsMatricesAlone) {
   const BentTube tube(3);
   sinew::Deformer deformer;
