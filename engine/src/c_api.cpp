@@ -10,6 +10,7 @@
 #include "model/reader.hpp"
 #include "network/packed_layers.hpp"
 #if !defined(SINEW_SMALL_CODE)
+#include "deform/deformer.hpp"
 #include "mapping/map.hpp"
 #include "motion/contacts.hpp"
 #include "motion/retarget.hpp"
@@ -28,6 +29,7 @@ static_assert(sizeof(sinew_model) == (sizeof(void*) == 8 ? 128 : 116), "new memb
 
 // The structs of the first release, 0.1.
 constexpr uint32_t kFirstOutputsSize = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
+constexpr uint32_t kFirstDeformOutputsSize = offsetof(sinew_deform_outputs, inverted_tetrahedra) + sizeof(uint32_t);
 constexpr uint32_t kFirstRigOutputsSize = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);
 
 // No padding: the bytes behind a struct that an older library knows belong to members, so that 0 means "not set".
@@ -39,6 +41,8 @@ static_assert(sizeof(sinew_map_rig) == 6 * sizeof(uint32_t) + 4 * sizeof(void*),
 static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
 static_assert(sizeof(sinew_map_outputs) == 4 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_outputs");
 static_assert(sizeof(sinew_retarget_options) == 6 * sizeof(uint32_t), "a hole in sinew_retarget_options");
+static_assert(sizeof(sinew_deform_options) == 8 * sizeof(uint32_t), "a hole in sinew_deform_options");
+static_assert(sizeof(sinew_deform_outputs) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_deform_outputs");
 static_assert(sizeof(sinew_rig_outputs) == 6 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
 extern "C" {
@@ -230,6 +234,63 @@ sinew_status sinew_map(const sinew_map_rig* target, const sinew_map_rig* source,
   return status;
 }
 
+sinew_status sinew_deform_memory_size(const sinew_mesh* mesh, uint32_t joint_count, uint32_t influence_count,
+                                      const sinew_deform_options* options, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  if (mesh == nullptr || mesh->positions == nullptr || (mesh->face_count > 0 && mesh->face_vertices == nullptr)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew::RestInput input;
+  sinew_status status = sinew::read_deform_options(options, &input.options);
+  if (status != SINEW_OK) return status;
+  input.mesh = *mesh;
+  input.skeleton.joint_count = joint_count;
+  input.skin.influence_count = influence_count;
+  sinew::Arena arena;
+  status = sinew::create_deformer(input, arena, nullptr);
+  if (status == SINEW_ERROR_WORKSPACE || !arena.ok()) return SINEW_ERROR_COUNT;
+  if (status == SINEW_OK) *size_bytes = arena.high_water();
+  return status;
+}
+
+sinew_status sinew_deform_create(const sinew_mesh* mesh, const sinew_skeleton* skeleton, const sinew_skin* skin,
+                                 const sinew_deform_options* options, void* memory, size_t memory_bytes,
+                                 sinew_deformer* deformer) {
+  if (mesh == nullptr || skeleton == nullptr || skin == nullptr || memory == nullptr || deformer == nullptr ||
+      mesh->positions == nullptr || (mesh->face_count > 0 && mesh->face_vertices == nullptr) ||
+      skeleton->positions == nullptr || skeleton->parents == nullptr || skin->joint_indices == nullptr ||
+      skin->weights == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew::RestInput input;
+  const sinew_status status = sinew::read_deform_options(options, &input.options);
+  if (status != SINEW_OK) return status;
+  if (reinterpret_cast<uintptr_t>(memory) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  input.mesh = *mesh;
+  input.skeleton = *skeleton;
+  input.skin = *skin;
+  sinew::Arena arena(memory, memory_bytes);
+  return sinew::create_deformer(input, arena, deformer);
+}
+
+sinew_status sinew_deform_pose(const sinew_deformer* deformer, const float* palette, void* workspace,
+                               size_t workspace_bytes, sinew_deform_outputs* outputs) {
+  if (deformer == nullptr || deformer->memory == nullptr || palette == nullptr || workspace == nullptr ||
+      outputs == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew_deform_outputs own;
+  sinew_status status = sinew::read_struct(outputs, kFirstDeformOutputsSize, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  if (own.positions == nullptr) return SINEW_ERROR_ARGUMENT;
+  if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  sinew::Arena arena(workspace, workspace_bytes);
+  status = sinew::pose_deformer(*static_cast<const sinew::DeformRest*>(deformer->memory), palette, arena, &own);
+  if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
+  return status;
+}
+
 sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
@@ -286,6 +347,17 @@ sinew_status sinew_rig_hands_workspace_size(const sinew_model*, uint32_t, uint32
 }
 sinew_status sinew_rig_hands(const sinew_model*, const sinew_mesh*, const sinew_rig_options*, void*, size_t,
                              sinew_rig_outputs*) {
+  return SINEW_ERROR_ARGUMENT;
+}
+
+sinew_status sinew_deform_memory_size(const sinew_mesh*, uint32_t, uint32_t, const sinew_deform_options*, size_t*) {
+  return SINEW_ERROR_ARGUMENT;
+}
+sinew_status sinew_deform_create(const sinew_mesh*, const sinew_skeleton*, const sinew_skin*,
+                                 const sinew_deform_options*, void*, size_t, sinew_deformer*) {
+  return SINEW_ERROR_ARGUMENT;
+}
+sinew_status sinew_deform_pose(const sinew_deformer*, const float*, void*, size_t, sinew_deform_outputs*) {
   return SINEW_ERROR_ARGUMENT;
 }
 

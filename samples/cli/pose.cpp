@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "commands.hpp"
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/deform.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
@@ -20,8 +22,9 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string character, output, up = "y", animation;
+  std::string character, output, matrices, deform, up = "y", animation;
   std::vector<std::string> turns;
+  unsigned cells = 0, rounds = 0;
   uint64_t seed = 0;
   double limit = 35, time = 0;
   bool random = false, dual_quaternion = false, animated = false;
@@ -65,6 +68,32 @@ std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, d
   return turns;
 }
 
+// The options of the engine's corrections; none for its plain skinning.
+std::optional<sinew_deform_options> deform_options(const Settings& s) {
+  sinew_deform_options options = sinew_deform_options_init();
+  options.cell_count = s.cells;
+  options.round_count = s.rounds;
+  if (s.deform == "xpbd") options.method = SINEW_DEFORM_XPBD;
+  if (s.deform == "delta-mush") options.method = SINEW_DEFORM_DELTA_MUSH;
+  if (s.deform == "volume" || options.method != SINEW_DEFORM_VOLUME) return options;
+  if (s.cells != 0 || s.rounds != 0) throw UsageError("--cells and --rounds need --deform volume, xpbd or delta-mush");
+  return std::nullopt;
+}
+
+Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {
+  const std::optional<sinew_deform_options> options = deform_options(s);
+  if (!options) return apply_pose(character, palette, s.dual_quaternion || s.deform == "dual-quaternion");
+  CharacterDeformer deformer(character, *options);
+  Character posed = deformer.pose_character(character, palette);
+  if (!deformer.corrected()) {
+    std::fprintf(stderr,
+                 "warning: %s: the matrices are not rotations with one common scale, so the pose is plain linear "
+                 "skinning\n",
+                 character.name.c_str());
+  }
+  return posed;
+}
+
 // By turns of joints.
 std::vector<Affine> turned_palette(const Settings& s, const Character& character, size_t* count) {
   std::vector<JointTurn> turns;
@@ -91,20 +120,34 @@ std::vector<Affine> animated_palette(const Settings& s, const Character& charact
   return motion_palette(motion, frame_at(clip, s.time), character.joints.size());
 }
 
+// By what the command line says.
+std::vector<Affine> chosen_palette(const Settings& s, const Character& character, std::string* what) {
+  if (s.animated) return animated_palette(s, character, what);
+  if (!s.matrices.empty()) {
+    *what = "posed by " + file_name(s.matrices);
+    return read_pose_matrices(s.matrices, character);
+  }
+  size_t turned = 0;
+  const std::vector<Affine> palette = turned_palette(s, character, &turned);
+  *what = std::to_string(turned) + " joints turned";
+  return palette;
+}
+
 void run(const Settings& s) {
-  if (int{s.random} + int{!s.turns.empty()} + int{s.animated} != 1)
-    throw UsageError("give either --random SEED, one --joint NAME=rx,ry,rz or more, or --animation NAME");
+  if (int{s.random} + int{!s.turns.empty()} + int{s.animated} + int{!s.matrices.empty()} != 1)
+    throw UsageError("give one of --random SEED, --animation NAME, --matrices FILE.pose, and --joint NAME=rx,ry,rz as "
+                     "often as needed");
+  if (s.dual_quaternion && !s.deform.empty())
+    throw UsageError("--dual-quaternion is --deform dual-quaternion: give one of them");
+  (void)deform_options(s);
   check_output(s.output, {".obj", ".png"});
   const Character character = read_character(s.character);
   if (character.joints.empty() || character.influences.empty()) {
     throw Error(s.character + ": has no skin weights to pose; bind it first with sinew bind");
   }
-  size_t turned = 0;
   std::string what;
-  const std::vector<Affine> palette =
-      s.animated ? animated_palette(s, character, &what) : turned_palette(s, character, &turned);
-  if (!s.animated) what = std::to_string(turned) + " joints turned";
-  const Character posed = apply_pose(character, palette, s.dual_quaternion);
+  const std::vector<Affine> palette = chosen_palette(s, character, &what);
+  const Character posed = deformed(s, character, palette);
   if (has_extension(s.output, ".png")) {
     RenderOptions view;
     view.up_z = s.up == "z";
@@ -137,7 +180,19 @@ void add_pose(CLI::App& app) {
       ->check(CLI::NonNegativeNumber)
       ->needs(animation)
       ->type_name("T");
-  sub->add_flag("--dual-quaternion", s->dual_quaternion, "Dual quaternion instead of linear blend skinning");
+  sub->add_option("--matrices", s->matrices,
+                  "A pose of skinning matrices (rest to posed space), a line a joint: pose NAME m00 m01 ... m23")
+      ->type_name("FILE.pose");
+  sub->add_option(
+         "--deform", s->deform,
+         "How the mesh follows: linear or dual-quaternion skinning; volume: bends keep their volume and do not "
+         "pass through themselves; xpbd: the published correction; delta-mush [linear]")
+      ->check(CLI::IsMember({"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"}));
+  sub->add_flag("--dual-quaternion", s->dual_quaternion, "The same as --deform dual-quaternion");
+  sub->add_option("--cells", s->cells, "Cells of the lattice along the longest side, for volume and xpbd [32]")
+      ->check(CLI::Range(8u, SINEW_MAX_DEFORM_CELLS));
+  sub->add_option("--rounds", s->rounds, "Rounds of the solver or, for delta-mush, of smoothing [20, delta-mush 5]")
+      ->check(CLI::Range(1u, SINEW_MAX_DEFORM_ROUNDS));
   sub->add_option("--up", s->up, "Axis that points up in the picture")
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();
@@ -145,7 +200,8 @@ void add_pose(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"
       "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj\n"
-      "  sinew pose hero.glb --animation walk --time 0.5 -o walk.png");
+      "  sinew pose hero.glb --animation walk --time 0.5 -o walk.png\n"
+      "  sinew pose hero.glb --matrices frame12.pose --deform volume -o pose.obj");
   sub->callback([s, seed, animation] {
     s->random = seed->count() > 0;
     s->animated = animation->count() > 0;

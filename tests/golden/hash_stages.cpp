@@ -279,6 +279,8 @@ struct SetLine {
     if (key == "questions") return &options.question_count;
     if (key == "confidence") return &confidence;
     if (key == "rig") return &rig;
+    if (key == "deform") return &deform;
+    if (key == "cells") return &deform_options.cell_count;
     if (key == "method") return &rig_options.method;
     if (key == "mirror") return &rig_options.mirror;
     if (key == "spine") return &rig_options.spine_count;
@@ -301,6 +303,8 @@ struct SetLine {
   uint32_t rig = 0;  // 1: a skeleton for the mesh alone
   sinew_rig_options rig_options = sinew_rig_options_init();
   uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
+  uint32_t deform = 0;  // 1 + the method: a pose of the mesh as it is bound by heat
+  sinew_deform_options deform_options = sinew_deform_options_init();
 };
 
 std::vector<sinew_answer> make_answers(uint32_t step, const Input& in) {
@@ -581,6 +585,78 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   print(name, "contacts", poses);
 }
 
+// Every joint turned by the angle of a 5-12-13 triangle about an axis of its own, on top of its parent: no sine is needed.
+std::vector<float> bent_palette(const Input& in) {
+  const size_t count = in.skeleton.joint_count;
+  std::vector<double> matrices(12 * count, 0);
+  std::vector<uint8_t> done(count, 0);
+  for (size_t left = count; left > 0;) {
+    for (size_t j = 0; j < count; ++j) {
+      const int32_t parent = in.parents[j];
+      if (done[j] != 0 || (parent >= 0 && done[static_cast<size_t>(parent)] == 0)) continue;
+      double own[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+      const size_t a = j % 3, b = (j + 1) % 3;
+      own[5 * a] = own[5 * b] = 12.0 / 13;
+      own[4 * a + b] = (j % 2 == 0 ? -5.0 : 5.0) / 13;
+      own[4 * b + a] = -own[4 * a + b];
+      for (size_t r = 0; r < 3; ++r) {
+        double moved = 0;
+        for (size_t c = 0; c < 3; ++c) moved += own[4 * r + c] * static_cast<double>(in.joints[3 * j + c]);
+        own[4 * r + 3] = static_cast<double>(in.joints[3 * j + r]) - moved;
+      }
+      for (size_t r = 0; r < 3; ++r) {
+        for (size_t c = 0; c < 4; ++c) {
+          double sum = parent < 0 ? own[4 * r + c] : 0;
+          if (parent >= 0) {
+            const double* const above = &matrices[12 * static_cast<size_t>(parent)];
+            for (size_t k = 0; k < 3; ++k) sum += above[4 * r + k] * own[4 * k + c];
+            if (c == 3) sum += above[4 * r + 3];
+          }
+          matrices[12 * j + 4 * r + c] = sum;
+        }
+      }
+      done[j] = 1;
+      --left;
+    }
+  }
+  return std::vector<float>(matrices.begin(), matrices.end());
+}
+
+// What the deformer needs and makes, and a pose of it.
+void hash_deform(const char* name, const SetLine& line, const Input& in) {
+  sinew_options bind_options = line.options;
+  bind_options.method = SINEW_METHOD_HEAT;
+  size_t bytes = 0;
+  check(sinew_bind_workspace_size(nullptr, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
+                                  in.skeleton.joint_count, &bind_options, &bytes));
+  std::vector<uint16_t> joints(in.mesh.vertex_count * size_t{4}), weights(joints.size());
+  {
+    Block block(bytes);
+    sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
+    check(sinew_bind(nullptr, &in.mesh, &in.skeleton, &bind_options, block.data, bytes, &outputs));
+  }
+  sinew_deform_options options = line.deform_options;
+  options.method = line.deform - 1;
+  const sinew_skin skin = {joints.data(), weights.data(), 4};
+  check(sinew_deform_memory_size(&in.mesh, in.skeleton.joint_count, 4, &options, &bytes));
+  Block memory(bytes);
+  sinew_deformer deformer = {};
+  check(sinew_deform_create(&in.mesh, &in.skeleton, &skin, &options, memory.data, bytes, &deformer));
+  Block workspace(deformer.pose_bytes);
+  std::vector<float> positions(size_t{3} * in.mesh.vertex_count);
+  sinew_deform_outputs outputs = sinew_deform_outputs_init(positions.data());
+  check(sinew_deform_pose(&deformer, bent_palette(in).data(), workspace.data, deformer.pose_bytes, &outputs));
+  Hash lattice, pose;
+  const uint32_t counts[] = {deformer.tetrahedron_count, deformer.node_count,       deformer.split_cell_count,
+                             outputs.corrected,          outputs.active_tetrahedra, outputs.inverted_tetrahedra};
+  lattice.add(counts, 6);
+  std::vector<uint32_t> bits(positions.size());
+  std::memcpy(bits.data(), positions.data(), positions.size() * sizeof(uint32_t));
+  pose.add(bits.data(), bits.size());
+  print(name, "lattice", lattice);
+  print(name, "pose", pose);
+}
+
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 void hash_set(const std::string& path, uint32_t kernel) {
@@ -597,6 +673,8 @@ void hash_set(const std::string& path, uint32_t kernel) {
       hash_motion(name.c_str(), line, in);
     } else if (line.model.empty()) {
       hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size, kernel);
+    } else if (line.deform != 0) {
+      hash_deform(name.c_str(), line, in);
     } else if (line.model == "heat") {
       hash_line(name.c_str(), line, in, nullptr, kernel);
     } else {

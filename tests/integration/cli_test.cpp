@@ -138,6 +138,11 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "pose " + kSnake + " --random 1",
                                           "pose " + kSnake + " --random 1 -o x.glb",
                                           "pose " + kSnake + " --random 1 --joint head=0,0,0 -o x.obj",
+                                          "pose " + kSnake + " --random 1 --matrices a.pose -o x.obj",
+                                          "pose " + kSnake + " --random 1 --deform melt -o x.obj",
+                                          "pose " + kSnake + " --random 1 --deform volume --dual-quaternion -o x.obj",
+                                          "pose " + kSnake + " --random 1 --deform volume --cells 3 -o x.obj",
+                                          "pose " + kSnake + " --random 1 --cells 32 -o x.obj",
                                           "pose " + kSnake + " --joint head=1,2 -o x.obj",
                                           "pose " + kSnake + " --joint head -o x.obj",
                                           "pose " + kSnake + " --joint head=1,2,3x -o x.obj",
@@ -572,6 +577,48 @@ TEST_F(Cli, InspectAndPose) {
   good("pose " + kSnake + " --random 1 --limit 0 -o still.obj");
   const Character rest = read_obj(kSnake), still = read_obj(in("still.obj"));
   for (size_t v = 0; v < rest.vertices.size(); ++v) ASSERT_NEAR(rest.vertices[v].y, still.vertices[v].y, 1e-5f);
+}
+
+TEST_F(Cli, PosesAreCorrectedAndReadFromMatrices) {
+  const std::string turned = "pose " + kSnake + " --joint spine_2=0,0,70";
+  std::set<std::string> results;
+  for (const char* method : {"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"}) {
+    const std::string name = std::string(method) + ".obj";
+    good(turned + " --deform " + method + " -o " + name);
+    results.insert(slurp(in(name)));
+  }
+  EXPECT_EQ(results.size(), 5u);
+  good(turned + " -o plain.obj");
+  EXPECT_TRUE(slurp(in("plain.obj")) == slurp(in("linear.obj")));
+  good(turned + " --deform volume --cells 16 --rounds 3 -o coarse.obj");
+  EXPECT_FALSE(slurp(in("coarse.obj")) == slurp(in("volume.obj")));
+
+  // A quarter turn of everything: joints that are left out stay, so only the root's line and its children's would move all.
+  std::string pose = "# a comment\n\n";
+  const Character snake = read_character(kSnake);
+  for (const Joint& joint : snake.joints) pose += "pose " + joint.name + " 0 -1 0 5 1 0 0 0 0 0 1 0\n";
+  put(in("quarter.pose"), pose);
+  good("pose " + kSnake + " --matrices quarter.pose --deform volume -o quarter.obj");
+  const Character rest = read_obj(kSnake), moved = read_obj(in("quarter.obj"));
+  for (size_t v = 0; v < rest.vertices.size(); ++v) {
+    ASSERT_NEAR(moved.vertices[v].x, 5 - rest.vertices[v].y, 1e-5f);
+    ASSERT_NEAR(moved.vertices[v].y, rest.vertices[v].x, 1e-5f);
+  }
+  // Scales that differ are said to be skinned plainly.
+  put(in("scaled.pose"), "pose head 2 0 0 0 0 2 0 0 0 0 2 0\n");
+  EXPECT_NE(good("pose " + kSnake + " --matrices scaled.pose --deform volume -o scaled.obj").error.find("linear"),
+            std::string::npos);
+  put(in("keep.obj"), "kept");
+  for (const char* broken : {"", "pose tail_9 1 0 0 0 0 1 0 0 0 0 1 0\n", "pose head 1 0 0 0 0 1 0 0 0 0 1\n",
+                             "pose head 1 0 0 0 0 nan 0 0 0 0 1 0\n", "turn head 1\n",
+                             "pose head 1 0 0 0 0 1 0 0 0 0 1 0\npose head 1 0 0 0 0 1 0 0 0 0 1 0\n"}) {
+    put(in("broken.pose"), broken);
+    EXPECT_NE(bad(1, "pose " + kSnake + " --matrices broken.pose -o keep.obj").error.find("broken.pose"),
+              std::string::npos)
+        << broken;
+  }
+  bad(1, "pose " + kSnake + " --matrices missing.pose -o keep.obj");
+  EXPECT_EQ(slurp(in("keep.obj")), "kept");
 }
 
 TEST_F(Cli, RubbishGivesOneLineAndLeavesOutputsAlone) {

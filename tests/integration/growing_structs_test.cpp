@@ -67,6 +67,19 @@ SINEW_KEEPS(sinew_rig_outputs, quarter_turns);
 SINEW_KEEPS(sinew_rig_outputs, plane);
 SINEW_KEEPS(sinew_rig_outputs, spread);
 SINEW_KEEPS(sinew_rig_outputs, used_bytes);
+SINEW_KEEPS(sinew_deform_options, struct_size);
+SINEW_KEEPS(sinew_deform_options, method);
+SINEW_KEEPS(sinew_deform_options, cell_count);
+SINEW_KEEPS(sinew_deform_options, round_count);
+SINEW_KEEPS(sinew_deform_options, softness);
+SINEW_KEEPS(sinew_deform_options, no_twist_spread);
+SINEW_KEEPS(sinew_deform_options, no_contact);
+SINEW_KEEPS(sinew_deform_options, no_smoothing);
+SINEW_KEEPS(sinew_deform_outputs, struct_size);
+SINEW_KEEPS(sinew_deform_outputs, corrected);
+SINEW_KEEPS(sinew_deform_outputs, positions);
+SINEW_KEEPS(sinew_deform_outputs, active_tetrahedra);
+SINEW_KEEPS(sinew_deform_outputs, inverted_tetrahedra);
 
 namespace {
 
@@ -330,6 +343,107 @@ TEST_F(GrowingRigStructs, ASizeThatWasNeverSetIsRefused) {
   for (const uint32_t size : {0u, uint32_t{sizeof(sinew_rig_outputs_0_1)} - 1, 4097u}) {
     sinew_rig_outputs outputs = rig_outputs<sinew_rig_outputs>(size);
     EXPECT_EQ(rig(options, &outputs), SINEW_ERROR_ARGUMENT) << size;
+  }
+}
+
+// The same for deformers.
+struct FutureDeformOptions {
+  sinew_deform_options known;
+  uint32_t wish;
+};
+struct FutureDeformOutputs {
+  sinew_deform_outputs known;
+  void* more;
+};
+
+class GrowingDeformStructs : public GrowingStructs {
+ protected:
+  GrowingDeformStructs() {
+    for (uint32_t v = 0; v < kVertices; ++v) {
+      joints[v * kInfluences] = positions[3 * v + 1] > 1.5f;
+      weights[v * kInfluences] = 65535;
+    }
+  }
+  // Makes a deformer and poses it; the first status that is not SINEW_OK.
+  template <class DeformOptions, class Outputs>
+  sinew_status deform(const DeformOptions& options, Outputs* outputs) {
+    const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 1.5f, 0.5f};
+    const int32_t parents[] = {-1, 0};
+    const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
+    const sinew_skeleton skeleton = {joint_positions, parents, nullptr, 2};
+    const sinew_skin skin = {joints.data(), weights.data(), kInfluences};
+    const float palette[24] = {1,    0,     0, 0,    0,    1,    0, 0,    0, 0, 1, 0,
+                               0.6f, -0.8f, 0, 1.4f, 0.8f, 0.6f, 0, 0.2f, 0, 0, 1, 0};
+    const auto* const o = reinterpret_cast<const sinew_deform_options*>(&options);
+    size_t bytes = 0;
+    const sinew_status sized = sinew_deform_memory_size(&mesh, 2, kInfluences, o, &bytes);
+    sinew::Workspace memory(sized == SINEW_OK ? bytes : size_t{1} << 22);
+    sinew_deformer made = {};
+    const sinew_status status = sinew_deform_create(&mesh, &skeleton, &skin, o, memory.data(), memory.size(), &made);
+    EXPECT_EQ(sized, status);
+    if (status != SINEW_OK) return status;
+    sinew::Workspace workspace(made.pose_bytes);
+    return sinew_deform_pose(&made, palette, workspace.data(), workspace.size(),
+                             reinterpret_cast<sinew_deform_outputs*>(outputs));
+  }
+  template <class DeformOptions>
+  static DeformOptions filled_deform(uint32_t size) {
+    DeformOptions options = {};
+    options.struct_size = size;
+    options.cell_count = 12;
+    options.round_count = 3;
+    return options;
+  }
+  template <class Outputs>
+  Outputs deform_outputs(uint32_t size) {
+    Outputs outputs = {};
+    outputs.struct_size = size;
+    outputs.positions = places.data();
+    return outputs;
+  }
+  std::vector<float> places = std::vector<float>(3 * kVertices);
+};
+
+TEST_F(GrowingDeformStructs, ProgramsOfTheFirstReleaseAndOfTheFutureDeformAsEver) {
+  auto expected = deform_outputs<sinew_deform_outputs>(sizeof(sinew_deform_outputs));
+  ASSERT_EQ(deform(filled_deform<sinew_deform_options>(sizeof(sinew_deform_options)), &expected), SINEW_OK);
+  EXPECT_GT(expected.active_tetrahedra, 0u);
+  const std::vector<float> expected_places = std::exchange(places, std::vector<float>(places.size()));
+  struct {
+    sinew_deform_outputs_0_1 outputs;
+    uint8_t behind[256];
+  } memory;
+  std::memset(memory.behind, 0x5A, sizeof memory.behind);
+  memory.outputs = deform_outputs<sinew_deform_outputs_0_1>(sizeof(sinew_deform_outputs_0_1));
+  ASSERT_EQ(deform(filled_deform<sinew_deform_options_0_1>(sizeof(sinew_deform_options_0_1)), &memory.outputs),
+            SINEW_OK);
+  EXPECT_EQ(places, expected_places);
+  EXPECT_EQ(memory.outputs.active_tetrahedra, expected.active_tetrahedra);
+  for (const uint8_t byte : memory.behind) ASSERT_EQ(byte, 0x5A) << "a member that this program lacks was written";
+
+  places.assign(places.size(), 0);
+  FutureDeformOptions options = {filled_deform<sinew_deform_options>(sizeof(FutureDeformOptions)), 0};
+  FutureDeformOutputs outputs = {deform_outputs<sinew_deform_outputs>(sizeof(FutureDeformOutputs)), nullptr};
+  ASSERT_EQ(deform(options, &outputs), SINEW_OK);
+  EXPECT_EQ(places, expected_places);
+  places.assign(places.size(), 0);
+  options.wish = 1;
+  EXPECT_EQ(deform(options, &outputs), SINEW_ERROR_VERSION);
+  options.wish = 0;
+  outputs.more = &calls;
+  EXPECT_EQ(deform(options, &outputs), SINEW_ERROR_VERSION);
+  EXPECT_EQ(places, std::vector<float>(places.size())) << "outputs were written";
+}
+
+TEST_F(GrowingDeformStructs, ASizeThatWasNeverSetIsRefused) {
+  for (const uint32_t size : {0u, uint32_t{sizeof(sinew_deform_options_0_1)} - 1, 4097u}) {
+    auto outputs = deform_outputs<sinew_deform_outputs>(sizeof(sinew_deform_outputs));
+    EXPECT_EQ(deform(filled_deform<sinew_deform_options>(size), &outputs), SINEW_ERROR_ARGUMENT) << size;
+  }
+  for (const uint32_t size : {0u, uint32_t{sizeof(sinew_deform_outputs_0_1)} - 1, 4097u}) {
+    auto outputs = deform_outputs<sinew_deform_outputs>(size);
+    EXPECT_EQ(deform(filled_deform<sinew_deform_options>(sizeof(sinew_deform_options)), &outputs), SINEW_ERROR_ARGUMENT)
+        << size;
   }
 }
 

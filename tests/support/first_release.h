@@ -70,4 +70,23 @@ typedef struct sinew_rig_outputs_0_1 {
   size_t used_bytes;
 } sinew_rig_outputs_0_1;
 
+typedef struct sinew_deform_options_0_1 {
+  uint32_t struct_size;
+  uint32_t method;
+  uint32_t cell_count;
+  uint32_t round_count;
+  uint32_t softness;
+  uint32_t no_twist_spread;
+  uint32_t no_contact;
+  uint32_t no_smoothing;
+} sinew_deform_options_0_1;
+
+typedef struct sinew_deform_outputs_0_1 {
+  uint32_t struct_size;
+  uint32_t corrected;
+  float* positions;
+  uint32_t active_tetrahedra;
+  uint32_t inverted_tetrahedra;
+} sinew_deform_outputs_0_1;
+
 #endif

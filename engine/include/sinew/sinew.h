@@ -9,6 +9,7 @@
  *   sinew/rig.h    predicts a skeleton for a bare mesh
  *   sinew/map.h    maps the joints of one skeleton to those of another
  *   sinew/skin.h   poses a mesh with its weights
+ *   sinew/deform.h poses a mesh so that bends keep their volume
  *
  * Way of a call:
  *   1. sinew_model_open()           checks every byte of a model file in place; SINEW_METHOD_HEAT needs no model
@@ -23,6 +24,7 @@
 #define SINEW_SINEW_H
 
 #include "sinew/bind.h"
+#include "sinew/deform.h"
 #include "sinew/map.h"
 #include "sinew/model.h"
 #include "sinew/motion.h"

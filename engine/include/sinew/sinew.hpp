@@ -337,5 +337,42 @@ class RetargetPlan {
   sinew_retarget* plan_ = nullptr;
 };
 
+// sinew_deform_options that ask for every default; {} where a function takes deform options.
+struct DeformOptions : sinew_deform_options {
+  DeformOptions() : sinew_deform_options(sinew_deform_options_init()) {}
+  DeformOptions(const sinew_deform_options& options) : sinew_deform_options(options) {}
+};
+
+// A deformer with its memory and a workspace for one pose at a time.
+class Deformer {
+ public:
+  // sinew_deform_create() with the size query and the memory taken care of. Returns what they do; SINEW_ERROR_WORKSPACE where
+  // memory is short. On failure there is no deformer.
+  sinew_status create(const sinew_mesh& mesh, const sinew_skeleton& skeleton, const sinew_skin& skin,
+                      const DeformOptions& options) {
+    deformer_ = {};
+    size_t bytes = 0;
+    sinew_status status = sinew_deform_memory_size(&mesh, skeleton.joint_count, skin.influence_count, &options, &bytes);
+    if (status != SINEW_OK) return status;
+    if (!memory_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+    status = sinew_deform_create(&mesh, &skeleton, &skin, &options, memory_.data(), memory_.size(), &deformer_);
+    if (status == SINEW_OK && !workspace_.reserve(deformer_.pose_bytes)) {
+      deformer_ = {};
+      status = SINEW_ERROR_WORKSPACE;
+    }
+    return status;
+  }
+  // As sinew_deform_pose(). SINEW_ERROR_ARGUMENT without a deformer.
+  sinew_status pose(const float* palette, sinew_deform_outputs* outputs) {
+    return sinew_deform_pose(&deformer_, palette, workspace_.data(), workspace_.size(), outputs);
+  }
+  const sinew_deformer& get() const { return deformer_; }
+  size_t memory_bytes() const { return memory_.size(); }
+
+ private:
+  sinew_deformer deformer_ = {};
+  Workspace memory_, workspace_;
+};
+
 }  // namespace sinew
 #endif

@@ -21,25 +21,6 @@ void weld(const sinew_mesh& input, const GridQuantizer& quantizer, const MortonS
   mesh->vertex_count = count;
 }
 
-sinew_status check_faces(const sinew_mesh& input) {
-  if (input.face_offsets == nullptr) {
-    if (static_cast<uint64_t>(input.face_count) * 3 != input.corner_count) return SINEW_ERROR_INDEX;
-  } else if (input.face_count > 0) {
-    if (input.face_offsets[0] != 0 || input.face_offsets[input.face_count] != input.corner_count)
-      return SINEW_ERROR_INDEX;
-    for (uint32_t f = 0; f < input.face_count; ++f) {
-      if (input.face_offsets[f] > input.face_offsets[f + 1]) return SINEW_ERROR_INDEX;
-      if (input.face_offsets[f + 1] - input.face_offsets[f] < 2) return SINEW_ERROR_INDEX;
-    }
-  } else if (input.corner_count != 0) {
-    return SINEW_ERROR_INDEX;
-  }
-  for (uint32_t c = 0; c < input.corner_count; ++c) {
-    if (input.face_vertices[c] >= input.vertex_count) return SINEW_ERROR_INDEX;
-  }
-  return SINEW_OK;
-}
-
 // Walks the fan triangles of a polygon mesh in welded indices, smallest first, degenerate ones left out. A face that is
 // read backwards has its fan around its last corner, as a file has it whose every face is written the other way.
 class FanWalk {
@@ -135,6 +116,25 @@ bool find_inward(const sinew_mesh& input, const Mesh& mesh, Vec3l* volumes, uint
 }
 
 }  // namespace
+
+sinew_status check_faces(const sinew_mesh& input) {
+  if (input.face_offsets == nullptr) {
+    if (static_cast<uint64_t>(input.face_count) * 3 != input.corner_count) return SINEW_ERROR_INDEX;
+  } else if (input.face_count > 0) {
+    if (input.face_offsets[0] != 0 || input.face_offsets[input.face_count] != input.corner_count)
+      return SINEW_ERROR_INDEX;
+    for (uint32_t f = 0; f < input.face_count; ++f) {
+      if (input.face_offsets[f] > input.face_offsets[f + 1]) return SINEW_ERROR_INDEX;
+      if (input.face_offsets[f + 1] - input.face_offsets[f] < 2) return SINEW_ERROR_INDEX;
+    }
+  } else if (input.corner_count != 0) {
+    return SINEW_ERROR_INDEX;
+  }
+  for (uint32_t c = 0; c < input.corner_count; ++c) {
+    if (input.face_vertices[c] >= input.vertex_count) return SINEW_ERROR_INDEX;
+  }
+  return SINEW_OK;
+}
 
 bool Mesh::allocate(Arena& arena, const Counts& counts) {
   const size_t v = counts.vertices, t = counts.triangles();

@@ -44,6 +44,9 @@ struct Mesh {
   bool allocate(Arena& arena, const Counts& counts);
 };
 
+// Whether the faces obey the rules of build_mesh(). Returns SINEW_OK or SINEW_ERROR_INDEX.
+sinew_status check_faces(const sinew_mesh& input);
+
 // Fills a mesh, allocated beforehand, from the caller's view. The quantizer was made from all of its vertices. Faces
 // are checked: every corner names a vertex, face_offsets start at 0, never fall and end at corner_count; without them
 // corner_count is 3 face_count. Faces of two corners are legal and ignored, of fewer not. Parts whose faces are turned

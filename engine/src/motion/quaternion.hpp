@@ -7,16 +7,9 @@
 #include <stdint.h>
 #include <string.h>
 
-namespace sinew {
+#include "core/vec3d.hpp"
 
-struct Vec3d {
-  double x, y, z;
-};
-inline Vec3d operator+(Vec3d a, Vec3d b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec3d operator-(Vec3d a, Vec3d b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec3d operator*(double s, Vec3d a) { return {s * a.x, s * a.y, s * a.z}; }
-inline double dot(Vec3d a, Vec3d b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec3d cross(Vec3d a, Vec3d b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+namespace sinew {
 
 // 1 / sqrt(x) for normal x > 0: a guess that halves the exponent, 3.5 % off, and five Newton steps, each of which squares
 // the error.

@@ -47,6 +47,11 @@ struct VoxelGrid {
   }
 };
 
+// Makes the outermost layer border cells and all others inside ones. The grid is laid.
+void clear_cells(VoxelGrid* grid);
+// Outside are the inside cells that can be reached from the border over faces. `queue` is scratch of [cell_count].
+void flood_outside(uint32_t* queue, VoxelGrid* grid);
+
 // Lays the grid over the mesh and fills the states. `queue` is scratch of [max_cells]. Surface cells are exactly the
 // closed cells that a triangle or vertex touches (separating axes, Akenine-Moeller 2001), so a face-connected flood
 // cannot slip through.

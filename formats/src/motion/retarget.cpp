@@ -4,7 +4,7 @@
 
 #include "motion/common_body.hpp"
 #include "motion/turns.hpp"
-#include "pose/weight_rows.hpp"
+#include "pose/skin_arrays.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -80,15 +80,16 @@ Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, c
 }
 
 Retargeter::Body Retargeter::body_of(const Character& character, const std::vector<uint32_t>& vertices) {
-  const WeightRows rows = weight_rows(character);
+  const SkinArrays rows = skin_arrays(character);
   Body body;
-  body.slots = static_cast<uint32_t>(rows.slots);
+  body.slots = rows.influences;
   for (const uint32_t v : vertices) {
     const Vec3& p = character.vertices[v];
     body.positions.insert(body.positions.end(), {p.x, p.y, p.z});
-    for (size_t i = v * rows.slots; i < (v + 1) * rows.slots; ++i) {
+    const size_t first = size_t{v} * body.slots;
+    for (size_t i = first; i < first + body.slots; ++i) {
       body.joints.push_back(rows.joints[i]);
-      body.weights.push_back(rows.weights[i]);
+      body.weights.push_back(i == first && rows.weights[i] == 0 ? 65535 : rows.weights[i]);  // the engine wants a full row
     }
   }
   return body;

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "pose/weight_rows.hpp"
+#include "pose/skin_arrays.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
 
@@ -26,8 +26,8 @@ Point rest_position(const Joint& joint) {
 }
 
 // One row for the C API: the strongest `slots` influences as unorm16 with sum 65535. The rounding remainder (at most
-// half a step per slot) goes to the largest, which holds at least 65535 / 12. Returns false for a row without weight.
-bool quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joints, uint16_t* weights) {
+// half a step per slot) goes to the largest, which holds at least 65535 / 12. A row without weight is left as it is.
+void quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joints, uint16_t* weights) {
   std::vector<Influence> kept;
   for (const Influence& influence : row)
     if (influence.weight > 0) kept.push_back(influence);
@@ -36,7 +36,7 @@ bool quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joi
   if (kept.size() > slots) kept.resize(slots);
   double sum = 0;
   for (const Influence& influence : kept) sum += static_cast<double>(influence.weight);
-  if (kept.empty() || !std::isfinite(sum)) return false;
+  if (kept.empty() || !std::isfinite(sum)) return;
   int remainder = 65535;
   for (size_t s = 0; s < kept.size(); ++s) {
     const double share = static_cast<double>(kept[s].weight) / sum;
@@ -45,7 +45,6 @@ bool quantise_row(const std::vector<Influence>& row, size_t slots, uint16_t* joi
     remainder -= weights[s];
   }
   weights[0] = static_cast<uint16_t>(weights[0] + remainder);
-  return true;
 }
 
 }  // namespace
@@ -100,9 +99,13 @@ std::vector<Affine> pose_palette(const Character& character, const std::vector<J
   return palette;
 }
 
-WeightRows weight_rows(const Character& character) {
+SkinArrays skin_arrays(const Character& character) {
   const size_t vertex_count = character.vertices.size(), joint_count = character.joints.size();
-  WeightRows rows;
+  if (character.influences.size() != vertex_count) {
+    throw Error(character.name + ": posing needs weights for each of its " + std::to_string(vertex_count) +
+                " vertices, found " + std::to_string(character.influences.size()) + " rows; bind it first");
+  }
+  size_t slots = 1;
   for (size_t v = 0; v < vertex_count; ++v) {
     for (const Influence& influence : character.influences[v]) {
       if (influence.joint >= joint_count) {
@@ -110,52 +113,39 @@ WeightRows weight_rows(const Character& character) {
                     std::to_string(influence.joint) + ", but there are " + std::to_string(joint_count) + " joints");
       }
     }
-    rows.slots = std::max(rows.slots, character.influences[v].size());
+    slots = std::max(slots, character.influences[v].size());
   }
-  rows.slots = std::min<size_t>(rows.slots, SINEW_MAX_INFLUENCES);
-  rows.joints.assign(vertex_count * rows.slots, 0);
-  rows.weights.assign(vertex_count * rows.slots, 0);
-  rows.bound.assign(vertex_count, 1);
-  for (size_t v = 0; v < vertex_count; ++v) {
-    uint16_t* row_weights = rows.weights.data() + v * rows.slots;
-    if (!quantise_row(character.influences[v], rows.slots, rows.joints.data() + v * rows.slots, row_weights)) {
-      rows.bound[v] = 0;
-      row_weights[0] = 65535;  // the engine wants a full row
-    }
-  }
-  return rows;
+  slots = std::min<size_t>(slots, SINEW_MAX_INFLUENCES);
+  SkinArrays arrays;
+  arrays.influences = static_cast<uint32_t>(slots);
+  arrays.joints.resize(vertex_count * slots);
+  arrays.weights.resize(vertex_count * slots);
+  for (size_t v = 0; v < vertex_count; ++v)
+    quantise_row(character.influences[v], slots, arrays.joints.data() + v * slots, arrays.weights.data() + v * slots);
+  arrays.positions.reserve(3 * vertex_count);
+  for (const Vec3& p : character.vertices) arrays.positions.insert(arrays.positions.end(), {p.x, p.y, p.z});
+  return arrays;
 }
 
-Character apply_pose(const Character& character, const std::vector<Affine>& palette, bool dual_quaternion) {
-  const size_t vertex_count = character.vertices.size(), joint_count = character.joints.size();
-  if (character.influences.size() != vertex_count) {
-    throw Error(character.name + ": posing needs weights for each of its " + std::to_string(vertex_count) +
-                " vertices, found " + std::to_string(character.influences.size()) + " rows; bind it first");
-  }
+std::vector<float> palette_array(const Character& character, const std::vector<Affine>& palette) {
+  const size_t joint_count = character.joints.size();
   if (palette.size() != joint_count) {
     throw Error(character.name + ": a pose needs one matrix per joint, expected " + std::to_string(joint_count) +
                 ", found " + std::to_string(palette.size()));
   }
-  const WeightRows rows = weight_rows(character);
-  std::vector<float> positions;
-  positions.reserve(3 * vertex_count);
-  for (const Vec3& p : character.vertices) positions.insert(positions.end(), {p.x, p.y, p.z});
   std::vector<float> matrices;
   matrices.reserve(12 * joint_count);
   for (const Affine& m : palette)
     for (double x : m) matrices.push_back(static_cast<float>(x));
+  return matrices;
+}
 
-  std::vector<float> moved(positions.size());
-  const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
-  const sinew_status status =
-      skin(positions.data(), static_cast<uint32_t>(vertex_count), rows.joints.data(), rows.weights.data(),
-           static_cast<uint32_t>(rows.slots), matrices.data(), static_cast<uint32_t>(joint_count), moved.data());
-  if (status != SINEW_OK) throw Error(character.name + ": posing failed: " + sinew_status_text(status));
-
+Character posed_character(const Character& character, const std::vector<Affine>& palette,
+                          const std::vector<float>& positions) {
   Character posed = character;
-  for (size_t v = 0; v < vertex_count; ++v)
-    if (rows.bound[v] != 0) posed.vertices[v] = {moved[3 * v], moved[3 * v + 1], moved[3 * v + 2]};
-  for (size_t j = 0; j < joint_count; ++j) {
+  for (size_t v = 0; v < posed.vertices.size(); ++v)
+    posed.vertices[v] = {positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]};
+  for (size_t j = 0; j < posed.joints.size(); ++j) {
     const auto [x, y, z] = rest_position(character.joints[j]);
     posed.joints[j].position = to_vec3(transform_point(palette[j], x, y, z));
   }
@@ -163,6 +153,29 @@ Character apply_pose(const Character& character, const std::vector<Affine>& pale
   posed.corner_normals.clear();
   posed.gltf.reset();
   return posed;
+}
+
+Character apply_pose(const Character& character, const std::vector<Affine>& palette, bool dual_quaternion) {
+  SkinArrays arrays = skin_arrays(character);
+  const std::vector<float> matrices = palette_array(character, palette);
+  const uint32_t vertex_count = static_cast<uint32_t>(character.vertices.size());
+  std::vector<uint8_t> bound(vertex_count, 1);
+  for (size_t v = 0; v < vertex_count; ++v) {
+    uint16_t& strongest = arrays.weights[v * arrays.influences];
+    bound[v] = strongest != 0;
+    if (strongest == 0) strongest = 65535;  // the API wants a full row; the vertex is put back below
+  }
+  std::vector<float> moved(arrays.positions.size());
+  const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
+  const sinew_status status =
+      skin(arrays.positions.data(), vertex_count, arrays.joints.data(), arrays.weights.data(), arrays.influences,
+           matrices.data(), static_cast<uint32_t>(character.joints.size()), moved.data());
+  if (status != SINEW_OK) throw Error(character.name + ": posing failed: " + sinew_status_text(status));
+  for (size_t v = 0; v < vertex_count; ++v)
+    if (!bound[v])
+      std::copy_n(arrays.positions.begin() + static_cast<std::ptrdiff_t>(3 * v), 3,
+                  moved.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  return posed_character(character, palette, moved);
 }
 
 }  // namespace sinew

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: MIT
+ * Deformation: poses a bound mesh so that bends keep their volume, where sinew/skin.h alone collapses or twists them.
+ * A deformer is made once per character and poses it any number of times. */
+#ifndef SINEW_DEFORM_H
+#define SINEW_DEFORM_H
+
+#include <string.h>
+
+#include "sinew/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define SINEW_MAX_DEFORM_CELLS 64u
+#define SINEW_MAX_DEFORM_ROUNDS 200u
+
+/* How a pose is corrected. Numbers are never reused. */
+typedef enum sinew_deform_method {
+  SINEW_DEFORM_VOLUME =
+      0,                 /* dual quaternions, then tetrahedra of a lattice that keep their volume; contact in bends. The
+                            * solver runs in integers */
+  SINEW_DEFORM_XPBD = 1, /* the published correction as drawn: linear blending, stretch, volume and energy (k = 0.2)
+                            * constraints, contact, two rounds of smoothing over the bends. Keeps less volume */
+  SINEW_DEFORM_DELTA_MUSH =
+      2 /* linear blending, smoothed, with the rest pose's detail put back. For hard weights and small
+                               * bends: large bends lose volume */
+} sinew_deform_method;
+
+/* What the character is: weights as sinew_bind() gives them with SINEW_WEIGHT_UNORM16. */
+typedef struct sinew_skin {
+  const uint16_t* joint_indices; /* [vertex_count x influence_count] */
+  const uint16_t* weights;       /* [vertex_count x influence_count]; rows sum to 65535, by falling weight */
+  uint32_t influence_count;      /* 1..SINEW_MAX_INFLUENCES */
+} sinew_skin;
+
+/* What a deformer is asked to be: inputs only. Start from sinew_deform_options_init(), which asks for every default. Later
+ * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
+typedef struct sinew_deform_options {
+  uint32_t struct_size; /* sizeof(sinew_deform_options) */
+  uint32_t method;      /* sinew_deform_method */
+  uint32_t cell_count; /* lattice cells along the longest side, 8..SINEW_MAX_DEFORM_CELLS; 0 = 32. Not for delta mush */
+  uint32_t round_count; /* 1..SINEW_MAX_DEFORM_ROUNDS; 0 = 20, delta mush 5. More are slower and keep more volume */
+  uint32_t softness; /* compliance of the stretch in 1/256, 1..65535; 0 = 1280. Less is calmer over time and keeps less
+                            * volume. SINEW_DEFORM_VOLUME alone */
+  uint32_t
+      no_twist_spread; /* 1: a joint's twist about its parent's bone stays at the joint. 0: the bone takes a part of it,
+                            * as twist joints do. SINEW_DEFORM_VOLUME alone */
+  uint32_t no_contact; /* 1: the two sides of a bend may pass through each other */
+  uint32_t no_smoothing; /* 1: no smoothing at the end of SINEW_DEFORM_XPBD */
+} sinew_deform_options;
+
+/* Options that ask for every default. */
+static inline sinew_deform_options sinew_deform_options_init(void) {
+  sinew_deform_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* A deformer, filled by sinew_deform_create(). Keeps its size. Its memory is the caller's and must stay as it is while the
+ * deformer is used; the mesh, skeleton and weights that it was made from need not. Any number of threads may pose one
+ * deformer, each with a workspace of its own. */
+typedef struct sinew_deformer {
+  const void* memory;         /* as given */
+  size_t pose_bytes;          /* workspace that sinew_deform_pose() needs */
+  uint32_t vertex_count;      /* of the mesh */
+  uint32_t joint_count;       /* of the skeleton */
+  uint32_t tetrahedron_count; /* 0 for a mesh without faces: such a one is only skinned */
+  uint32_t node_count;        /* corners of the tetrahedra */
+  uint32_t split_cell_count;  /* cells that hold several parts of the body apart */
+  uint32_t reserved[7];       /* 0 */
+} sinew_deformer;
+
+/* What a pose gives: the caller's array, and numbers that the call writes. Start from sinew_deform_outputs_init(). */
+typedef struct sinew_deform_outputs {
+  uint32_t struct_size;         /* sizeof(sinew_deform_outputs) */
+  uint32_t corrected;           /* written: 1; 0 where the matrices are not rotations with one common scale, so that
+                                * positions are those of sinew_skin_linear() */
+  float* positions;             /* [vertex_count x 3] in the mesh's units and axes */
+  uint32_t active_tetrahedra;   /* written: how many took part: those near bends */
+  uint32_t inverted_tetrahedra; /* written: how many of them ended inside out */
+} sinew_deform_outputs;
+
+/* Outputs with the array that every call fills. */
+static inline sinew_deform_outputs sinew_deform_outputs_init(float* positions) {
+  sinew_deform_outputs outputs;
+  memset(&outputs, 0, sizeof outputs);
+  outputs.struct_size = sizeof outputs;
+  outputs.positions = positions;
+  return outputs;
+}
+
+/* Bytes that sinew_deform_create() needs for this mesh. Walks the mesh once, without memory. The same on every host.
+ *   influence_count  of the weights, 1..SINEW_MAX_INFLUENCES
+ *   options          null = all defaults
+ *   size_bytes       out, 0 on failure
+ * Returns what sinew_deform_create() does. */
+SINEW_API sinew_status sinew_deform_memory_size(const sinew_mesh* mesh, uint32_t joint_count, uint32_t influence_count,
+                                                const sinew_deform_options* options, size_t* size_bytes);
+
+/* Makes a deformer of a bound mesh in the caller's memory.
+ *   mesh       any topology: open, many parts, not watertight. Vertices of one place are welded for the lattice
+ *   skeleton   joints at rest; flags are not looked at
+ *   skin       copied
+ *   memory     64-byte aligned, size from sinew_deform_memory_size()
+ *   deformer   out, untouched on failure
+ * Returns SINEW_OK, or
+ *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out of
+ *                           its range, or this build is without it (SINEW_SMALL_CODE)
+ *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
+ *   SINEW_ERROR_COUNT       no vertex or joint, more of anything than the limits in sinew/types.h, or fewer than two corners a
+ *                           face
+ *   SINEW_ERROR_WORKSPACE   the memory is too small or not aligned
+ *   SINEW_ERROR_NOT_FINITE  a position is NaN or infinite
+ *   SINEW_ERROR_INDEX       faces break the rules of sinew_mesh, or a parent is no joint
+ *   SINEW_ERROR_HIERARCHY   the joint parents form a cycle
+ *   SINEW_ERROR_RANGE       a joint index of the weights is no joint */
+SINEW_API sinew_status sinew_deform_create(const sinew_mesh* mesh, const sinew_skeleton* skeleton,
+                                           const sinew_skin* skin, const sinew_deform_options* options, void* memory,
+                                           size_t memory_bytes, sinew_deformer* deformer);
+
+/* Poses a mesh. Depends on its arguments alone, so that frames may be asked for in any order. The rest pose comes back
+ * exactly. The same bytes on every platform.
+ *   palette    in  [joint_count x 12] row-major 3x4, pose times inverse bind per joint
+ *   workspace  scratch, 64-byte aligned, deformer->pose_bytes; its content is undefined afterwards
+ *   outputs    positions must be set
+ * Returns SINEW_OK, or with outputs untouched
+ *   SINEW_ERROR_ARGUMENT    a pointer is null, or struct_size is out of its range
+ *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
+ *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
+ *   SINEW_ERROR_NOT_FINITE  an element of a matrix is NaN or infinite, or above 1e15 */
+SINEW_API sinew_status sinew_deform_pose(const sinew_deformer* deformer, const float* palette, void* workspace,
+                                         size_t workspace_bytes, sinew_deform_outputs* outputs);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The corrected poses, one function a method.
+#ifndef SINEW_DEFORM_CORRECTION_HPP
+#define SINEW_DEFORM_CORRECTION_HPP
+
+#include "deform/posed_joints.hpp"
+
+namespace sinew {
+
+struct PoseCounts {
+  uint32_t active_tetrahedra = 0, inverted_tetrahedra = 0;
+};
+
+// Each fills places [V] with the posed vertices, the common scale divided out. The matrices are rotations (posed.rigid). Works
+// with a measuring arena; scratch is released. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
+sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts);
+sinew_status pose_published(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts);
+sinew_status pose_delta_mush(const PosedJoints& posed, Arena& arena, Vec3d* places);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Free nodes by weights, pinned ones by bones.
+#include "deform/pins.hpp"
+
+#include "deform/dual_quaternion.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint16_t kRigidWeight = 64225;  // 0.98
+constexpr uint16_t kBoneWeight = 32768;   // a node goes with a bone that has more than half of it
+constexpr double kBoneReach = 0.5;        // cells
+
+double square_to_segment(Vec3d p, Vec3d a, Vec3d b) {
+  const Vec3d along = b - a, from = p - a;
+  const double length = dot(along, along);
+  double share = length > 1e-280 ? dot(from, along) / length : 0;
+  share = share < 0 ? 0 : share > 1 ? 1 : share;
+  const Vec3d off = from - share * along;
+  return dot(off, off);
+}
+
+}  // namespace
+
+void grow_nodes(const Lattice& lattice, uint8_t mask, uint32_t rounds, uint8_t* flags) {
+  // A second bit keeps this round's members from being seen in it.
+  constexpr uint8_t kNew = 128;
+  for (uint32_t round = 0; round < rounds; ++round) {
+    for (uint32_t t = 0; t < lattice.tetrahedron_count; ++t) {
+      const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(t);
+      if (((flags[at[0]] | flags[at[1]] | flags[at[2]] | flags[at[3]]) & mask) == 0) continue;
+      for (int k = 0; k < 4; ++k) flags[at[k]] |= kNew;
+    }
+    for (uint32_t n = 0; n < lattice.node_count; ++n) {
+      if ((flags[n] & kNew) != 0) flags[n] = static_cast<uint8_t>((flags[n] & ~kNew) | mask);
+    }
+  }
+}
+
+void find_pins(DeformRest* rest) {
+  const Lattice& lattice = rest->lattice;
+  for (uint32_t n = 0; n < lattice.node_count; ++n) {
+    rest->node_flags[n] = lattice.rows[n].weights[0] < kRigidWeight ? kNodeFree : 0;
+  }
+  grow_nodes(lattice, kNodeFree, 2, rest->node_flags);
+  const double reach = kBoneReach * kCellUnits * rest->unit;
+  // The bones of the joint that has more than half: its stretches to its children.
+  for (uint32_t n = 0; n < lattice.node_count; ++n) {
+    const WeightRow& row = lattice.rows[n];
+    if (row.weights[0] < kBoneWeight) continue;
+    const Vec3d place = rest->node_place(n);
+    const RestJoint& joint = rest->skeleton[row.joints[0]];
+    bool near = false;
+    if (joint.child_count == 0) {
+      const double stub = joint.parent >= 0 ? 0.5 * joint.parent_length : 0;
+      const Vec3d away = joint.place - stub * joint.to_parent;
+      near = square_to_segment(place, joint.place, away) < reach * reach;
+    } else {
+      for (uint32_t j = 0; j < rest->joint_count && !near; ++j) {
+        if (rest->skeleton[j].parent != static_cast<int32_t>(row.joints[0])) continue;
+        near = square_to_segment(place, joint.place, rest->skeleton[j].place) < reach * reach;
+      }
+    }
+    if (near) rest->node_flags[n] = kNodeAtBone;
+  }
+}
+
+}  // namespace sinew

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Which nodes of the lattice a pose may move.
+#ifndef SINEW_DEFORM_PINS_HPP
+#define SINEW_DEFORM_PINS_HPP
+
+#include "deform/rest.hpp"
+
+namespace sinew {
+
+// Grows a set of nodes over tetrahedra: one with a member makes members of all four. Bits `mask` of flags [n].
+void grow_nodes(const Lattice& lattice, uint8_t mask, uint32_t rounds, uint8_t* flags);
+
+// Fills rest->node_flags: free are nodes whose largest weight is below 0.98, grown twice, but those at bones.
+void find_pins(DeformRest* rest);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Scale, quaternions along the hierarchy, rigid groups and twists of a palette.
+#include "deform/posed_joints.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kLargest = 1e15;         // of an element of a matrix
+constexpr double kScaleTolerance = 2e-3;  // of squared lengths, and of cosines between columns
+constexpr double kSameScale = 1e-4;       // closer to 1 is 1: matrices of floats
+// Joints that turn by less than a thousandth of a radian against each other, or move by less than a thousandth of a cell, are
+// one rigid piece.
+constexpr double kSameTurn = 1 - 1.25e-7;
+constexpr double kSameMove = 1e-3;
+// Twists below some 3 degrees stay where they are; from there to 6 degrees the bone takes more and more.
+constexpr double kLeastTwist = 0.026, kFullTwist = 0.052;  // sines of half angles
+constexpr uint16_t kTold = 655;                            // weights of less than 1 % strain nothing
+constexpr double kOverturned = 0.174;                      // cosine of half of 160 degrees
+constexpr double kMostTwistShare = 0.3;
+
+Vec3d column(const double* m, int c) { return {m[c], m[4 + c], m[8 + c]}; }
+
+bool is_number(float x) { return x >= -static_cast<float>(kLargest) && x <= static_cast<float>(kLargest); }
+
+// Whether all matrices are rotations with one scale, which is divided out.
+bool divide_scale(PosedJoints* posed) {
+  const uint32_t count = posed->rest->joint_count;
+  const Vec3d first = column(posed->joints[0].matrix, 0);
+  const double square = dot(first, first);
+  if (!(square > 1e-20)) return false;
+  for (uint32_t j = 0; j < count; ++j) {
+    const Vec3d x = column(posed->joints[j].matrix, 0), y = column(posed->joints[j].matrix, 1),
+                z = column(posed->joints[j].matrix, 2);
+    const double offs[6] = {dot(x, x) - square, dot(y, y) - square, dot(z, z) - square,
+                            dot(x, y),          dot(y, z),          dot(z, x)};
+    for (const double off : offs) {
+      if (off > kScaleTolerance * square || off < -kScaleTolerance * square) return false;
+    }
+    if (dot(cross(x, y), z) < 0) return false;  // a mirror
+  }
+  posed->scale = root(square);
+  if (posed->scale > 1 - kSameScale && posed->scale < 1 + kSameScale) posed->scale = 1;
+  if (posed->scale == 1) return true;
+  for (uint32_t j = 0; j < count; ++j) {
+    for (double& element : posed->joints[j].matrix) element = element / posed->scale;
+  }
+  return true;
+}
+
+Vec3d image(const double* m, Vec3d p) {
+  return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
+          m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
+}
+
+// The group of a joint's parent, if the joint goes with it.
+uint32_t find_group(const PosedJoints& posed, uint32_t j) {
+  const RestJoint& joint = posed.rest->skeleton[j];
+  if (joint.parent < 0) return j;
+  const uint32_t group = posed.joints[joint.parent].group;
+  const PosedJoint &one = posed.joints[j], &other = posed.joints[group];
+  if (dot(one.motion.real, other.motion.real) < kSameTurn) return j;
+  const Vec3d apart = image(one.matrix, joint.place) - image(other.matrix, joint.place);
+  return dot(apart, apart) > kSameMove * kSameMove * kCellUnits * kCellUnits * posed.rest->unit * posed.rest->unit
+             ? j
+             : group;
+}
+
+// How far a joint is bent beyond what dual quaternions bear: twists about the bone do not count.
+double find_overturn(const PosedJoints& posed, uint32_t j) {
+  const RestJoint& joint = posed.rest->skeleton[j];
+  if (joint.parent < 0) return 0;
+  const Quaternion turn = conjugate(posed.joints[joint.parent].motion.real) * posed.joints[j].motion.real;
+  const double along = turn.x * joint.to_parent.x + turn.y * joint.to_parent.y + turn.z * joint.to_parent.z;
+  const double upright = root(turn.w * turn.w + along * along);  // cosine of half the bend
+  return upright < kOverturned ? (kOverturned - upright) / kOverturned : 0;
+}
+
+// The twist of a joint about the bone that leads to it, given to its parent's bone if that has no other child.
+void find_twist(uint32_t j, PosedJoints* posed) {
+  const RestJoint& joint = posed->rest->skeleton[j];
+  if (joint.parent < 0) return;
+  const RestJoint& above = posed->rest->skeleton[joint.parent];
+  if (above.child_count != 1 || joint.parent_length < 1e-3 * posed->rest->size) return;
+  PosedJoint& bone = posed->joints[joint.parent];
+  const Quaternion turn = conjugate(bone.motion.real) * posed->joints[j].motion.real;
+  const Vec3d axis = -1.0 * joint.to_parent;
+  const double along = turn.x * axis.x + turn.y * axis.y + turn.z * axis.z;
+  const double square = turn.w * turn.w + along * along;
+  if (square < 1e-3) return;  // half a turn across: no twist can be told
+  const double inverse = reciprocal_root(square);
+  double w = turn.w * inverse, s = along * inverse;
+  if (w < 0) {
+    w = -w;
+    s = -s;
+  }
+  const double sine = s < 0 ? -s : s;
+  if (sine < kLeastTwist) return;
+  if (sine < kFullTwist) {  // between nothing and all of it
+    const double share = (sine - kLeastTwist) / (kFullTwist - kLeastTwist);
+    s = s * share;
+    w = root(1 - s * s);
+  }
+  const Quaternion twist = {w, s * axis.x, s * axis.y, s * axis.z};
+  bone.twisted = bone.motion * motion(twist, above.place - rotate(twist, above.place));
+  bone.twists = true;
+}
+
+}  // namespace
+
+bool PosedJoints::allocate(Arena& arena, const DeformRest& of) {
+  rest = &of;
+  joints = arena.alloc<PosedJoint>(of.joint_count);
+  return arena.ok();
+}
+
+sinew_status read_palette(const float* palette, PosedJoints* posed) {
+  const DeformRest& rest = *posed->rest;
+  for (size_t i = 0; i < static_cast<size_t>(rest.joint_count) * 12; ++i) {
+    if (!is_number(palette[i])) return SINEW_ERROR_NOT_FINITE;
+  }
+  for (uint32_t j = 0; j < rest.joint_count; ++j) {
+    for (uint32_t e = 0; e < 12; ++e) {
+      posed->joints[j].matrix[e] = static_cast<double>(palette[static_cast<size_t>(j) * 12 + e]);
+    }
+    posed->joints[j].twists = false;
+    posed->joints[j].group = j;
+  }
+  posed->rigid = divide_scale(posed);
+  if (!posed->rigid) return SINEW_OK;
+  for (uint32_t j = rest.first_joint; j < rest.joint_count; j = rest.skeleton[j].next) {
+    PosedJoint& joint = posed->joints[j];
+    Quaternion turn = rotation_quaternion(joint.matrix);
+    const int32_t parent = rest.skeleton[j].parent;
+    if (parent >= 0 && dot(turn, posed->joints[parent].motion.real) < 0) turn = -1.0 * turn;
+    joint.motion = motion(turn, {joint.matrix[3], joint.matrix[7], joint.matrix[11]});
+    joint.group = find_group(*posed, j);
+    joint.overturned = find_overturn(*posed, j);
+    if (rest.options.method == SINEW_DEFORM_VOLUME && rest.options.no_twist_spread == 0) find_twist(j, posed);
+  }
+  return SINEW_OK;
+}
+
+bool is_strained(const PosedJoints& posed, const WeightRow& row) {
+  const uint32_t group = posed.joints[row.joints[0]].group;
+  for (uint32_t s = 0; s < kNodeSlots && row.weights[s] > kTold; ++s) {
+    const PosedJoint& joint = posed.joints[row.joints[s]];
+    if (joint.group != group || joint.twists) return true;
+  }
+  return false;
+}
+
+double twist_share(const RestJoint& joint, Vec3d place) {
+  // The bone leads to the only child.
+  double share = dot(place - joint.place, joint.to_children) / joint.bone_length;
+  share = share < 0 ? 0 : share > 1 ? 1 : share;
+  return kMostTwistShare * share * share * (3 - 2 * share);
+}
+
+DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n,
+                             Vec3d place) {
+  DualQuaternion sum = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+  uint32_t strongest = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    if (weights[i] == 0) continue;
+    if (weights[i] > weights[strongest]) strongest = i;
+    const PosedJoint& joint = posed.joints[joints[i]];
+    if (!joint.twists) {
+      add_scaled(&sum, weights[i], joint.motion);
+      continue;
+    }
+    const double share = twist_share(posed.rest->skeleton[joints[i]], place);
+    DualQuaternion own = {(1 - share) * joint.motion.real, (1 - share) * joint.motion.dual};
+    add_scaled(&own, share, joint.twisted);
+    add_scaled(&sum, weights[i] * reciprocal_root(dot(own.real, own.real)), own);
+  }
+  // Motions that cancel: the strongest alone.
+  if (dot(sum.real, sum.real) < 65535.0) {
+    return n == 0 || weights[strongest] == 0 ? DualQuaternion{{1, 0, 0, 0}, {0, 0, 0, 0}}
+                                             : posed.joints[joints[strongest]].motion;
+  }
+  return sum;
+}
+
+Vec3d blend_dual(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n, Vec3d p) {
+  const Vec3d dual = move(blend_motions(posed, joints, weights, n, p), p);
+  double most = 0;
+  for (uint32_t i = 0; i < n; ++i) {
+    const double own = posed.joints[joints[i]].overturned;
+    if (weights[i] > kTold && own > most) most = own;
+  }
+  return most > 0 ? dual + most * (blend_linear(posed, joints, weights, n, p) - dual) : dual;
+}
+
+}  // namespace sinew

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What a deformer knows of a character at rest: everything that poses are made from, in the caller's memory.
+#ifndef SINEW_DEFORM_REST_HPP
+#define SINEW_DEFORM_REST_HPP
+
+#include "deform/lattice.hpp"
+#include "core/vec3d.hpp"
+#include "sinew/sinew.h"
+
+namespace sinew {
+
+constexpr uint8_t kNodeFree = 1;    // may move: near a blend of weights, and not at a bone
+constexpr uint8_t kNodeAtBone = 2;  // never moves
+
+// A joint between its parent and its children.
+struct RestJoint {
+  Vec3d place;        // the caller's units
+  int32_t parent;     // -1 for a root
+  uint32_t next;      // the joint that comes next where parents come before their children
+  Vec3d to_parent;    // unit vector, (0, 0, 0) without a parent
+  Vec3d to_children;  // unit vector along the bone; a leaf's leads away from its parent
+  double parent_length, bone_length;
+  uint32_t child_count;
+  uint32_t hinge;  // 1: parent and bone lead apart, so that its bends may be held apart by a plane
+};
+
+// V vertices, U welded ones, J joints, N influences, T triangles.
+struct DeformRest {
+  sinew_deform_options options = {};  // defaults filled in
+  uint32_t vertex_count = 0, joint_count = 0, influence_count = 0, welded_count = 0, triangle_count = 0;
+  uint32_t first_joint = 0;       // of the order, see RestJoint::next
+  double size = 0;                // longest side, the caller's units
+  Vec3d corner = {0, 0, 0};       // the grid's, the caller's units
+  double unit = 0;                // a lattice unit in the caller's
+  float* positions = nullptr;     // [V x 3]
+  uint16_t* joints = nullptr;     // [V x N]
+  uint16_t* weights = nullptr;    // [V x N]
+  RestJoint* skeleton = nullptr;  // [J]
+  uint32_t* welded = nullptr;     // [V] welded vertex
+  uint32_t* first = nullptr;      // [U] the caller's first vertex at a place
+  // Of a volume or published pose.
+  Lattice lattice;
+  uint8_t* node_flags = nullptr;  // [n]
+  // For smoothing, as in Mesh, and whether a vertex has an edge of one triangle.
+  uint32_t *triangles = nullptr, *row_offsets = nullptr, *col_indices = nullptr;
+  uint8_t* border = nullptr;  // [U]
+  Vec3d* smooth = nullptr;    // [U] delta mush: the smoothed rest pose
+
+  bool has_lattice() const { return options.method != SINEW_DEFORM_DELTA_MUSH; }
+  bool has_surface() const { return options.method != SINEW_DEFORM_VOLUME; }
+  Vec3d position(uint32_t vertex) const {
+    const float* const p = positions + 3 * static_cast<size_t>(vertex);
+    return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+  }
+  Vec3d node_place(uint32_t node) const { return corner + unit * to_double(lattice.nodes[node]); }
+};
+
+struct RestInput {
+  sinew_mesh mesh = {};
+  sinew_skeleton skeleton = {};
+  sinew_skin skin = {};
+  sinew_deform_options options = {};  // defaults filled in
+};
+
+// Takes the caller's options and fills in the defaults. Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.
+sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform_options* options);
+
+// Checks the input and makes everything. With a measuring arena the skeleton and the weights are not read, but for their
+// counts. Errors are those of sinew_deform_create().
+sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Position-based solver of a lattice in integers: soft edges, hard volumes, half spaces of embedded points. The same steps on
+// every target, in index order.
+#ifndef SINEW_DEFORM_SOLVER_HPP
+#define SINEW_DEFORM_SOLVER_HPP
+
+#include "deform/lattice.hpp"
+
+namespace sinew {
+
+// Places beyond are clamped to it, in lattice units: 16,384 cells.
+constexpr int32_t kFarthest = 1 << 28;
+
+struct SolverEdge {
+  uint32_t a, b;
+  int32_t rest;    // Q4 lattice units
+  int32_t lambda;  // Q4
+};
+
+// An embedded point stays where normal . x >= offset.
+struct SolverPoint {
+  uint32_t nodes[4];
+  int16_t shares[4];  // Q14
+  Vec3i normal;       // Q14
+  int32_t offset;     // lattice units
+  int64_t stiffness;  // Q14: the sum of the moving nodes' squared shares; not 0
+};
+
+struct SolverState {
+  Vec3i* nodes = nullptr;          // [n] in and out, lattice units
+  uint8_t* moves = nullptr;        // [n] 1: the node may be moved
+  uint32_t* tetrahedra = nullptr;  // [t] of the lattice, those with a node that moves
+  uint32_t tetrahedron_count = 0;
+  SolverEdge* edges = nullptr;  // [e] those with an end that moves
+  uint32_t edge_count = 0;
+  SolverPoint* points = nullptr;
+  uint32_t point_count = 0;
+
+  bool allocate(Arena& arena, uint32_t nodes, uint32_t tetrahedra, uint32_t edges, uint32_t points);
+};
+
+// Lists tetrahedra and edges after `moves` is filled.
+void list_constraints(const Lattice& lattice, SolverState* state);
+// A point goes to the list if its moving nodes can carry it there.
+void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int32_t offset, SolverState* state);
+// Method: M. Mueller et al., "Position Based Dynamics", 2007; M. Macklin, M. Mueller, N. Chentanez, "XPBD", 2016, for edges, with
+// a time step of 1. softness: their compliance in 1/256.
+void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, SolverState* state);
+// Tetrahedra of the list that are inside out.
+uint32_t count_inverted(const Lattice& lattice, const SolverState& state);
+
+}  // namespace sinew
+#endif

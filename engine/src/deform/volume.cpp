@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Volume: dual quaternions, then the lattice near bends solved in integers and mapped back.
+#include "core/vector_math.hpp"
+#include "deform/correction.hpp"
+#include "deform/half_spaces.hpp"
+#include "deform/pins.hpp"
+#include "deform/solver.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kRingsAroundStrain = 3;
+
+int32_t to_units(double x) {
+  const double most = kFarthest;
+  if (!(x > -most)) return -kFarthest;
+  if (!(x < most)) return kFarthest;
+  const int32_t whole = static_cast<int32_t>(x);  // toward zero
+  const double rest = x - whole;
+  return rest >= 0.5 ? whole + 1 : rest < -0.5 ? whole - 1 : whole;
+}
+
+class VolumePose {
+ public:
+  VolumePose(const PosedJoints& posed, Vec3d* places, PoseCounts* counts)
+      : posed_(posed), rest_(*posed.rest), lattice_(rest_.lattice), places_(places), counts_(*counts) {}
+
+  sinew_status run(Arena& arena) {
+    const ArenaScope scope(arena);
+    spaces_ = arena.alloc<HalfSpace>(rest_.vertex_count);
+    BendPlane* const planes = arena.alloc<BendPlane>(rest_.joint_count);
+    begin_ = arena.alloc<Vec3i>(lattice_.node_count);
+    flags_ = arena.alloc<uint8_t>(lattice_.node_count);
+    if (!state_.allocate(arena, lattice_.node_count, lattice_.tetrahedron_count, lattice_.edge_count,
+                         rest_.welded_count)) {
+      return SINEW_ERROR_WORKSPACE;
+    }
+    if (arena.measuring()) return SINEW_OK;
+    skin_vertices();
+    if (rest_.options.no_contact == 0) {
+      find_half_spaces(posed_, planes, spaces_);
+    } else {
+      for (uint32_t v = 0; v < rest_.vertex_count; ++v) spaces_[v] = {{0, 0, 0}, 0};
+    }
+    if (lattice_.tetrahedron_count > 0 && find_moving()) {
+      skin_nodes();
+      list_constraints(lattice_, &state_);
+      if (rest_.options.no_contact == 0) list_points();
+      counts_.active_tetrahedra = state_.tetrahedron_count;
+      solve(lattice_, rest_.options.round_count, rest_.options.softness, &state_);
+      counts_.inverted_tetrahedra = count_inverted(lattice_, state_);
+      map_back();
+    }
+    for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
+      places_[v] = places_[v] - outside_by(spaces_[v], places_[v]) * spaces_[v].normal;
+    }
+    return SINEW_OK;
+  }
+
+ private:
+  void skin_vertices() {
+    const uint32_t n = rest_.influence_count;
+    for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
+      const size_t at = static_cast<size_t>(v) * n;
+      places_[v] = blend_dual(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
+    }
+  }
+
+  // Free nodes near strained ones move, and those around vertices on the wrong side of their plane. False if none does.
+  bool find_moving() {
+    constexpr uint8_t kStrained = 1, kOutside = 2;
+    for (uint32_t n = 0; n < lattice_.node_count; ++n)
+      flags_[n] = is_strained(posed_, lattice_.rows[n]) ? kStrained : 0;
+    for (uint32_t u = 0; u < rest_.welded_count; ++u) {
+      const uint32_t v = rest_.first[u], t = lattice_.vertices[u].tetrahedron;
+      if (t == kNoTetrahedron || !(outside_by(spaces_[v], places_[v]) < 0)) continue;
+      for (size_t k = 0; k < 4; ++k) flags_[lattice_.tetrahedra[4 * static_cast<size_t>(t) + k]] |= kOutside;
+    }
+    grow_nodes(lattice_, kStrained, kRingsAroundStrain, flags_);
+    grow_nodes(lattice_, kOutside, 1, flags_);
+    bool any = false;
+    for (uint32_t n = 0; n < lattice_.node_count; ++n) {
+      const bool free = (rest_.node_flags[n] & kNodeFree) != 0 && (flags_[n] & kStrained) != 0;
+      const bool freed = (rest_.node_flags[n] & kNodeAtBone) == 0 && (flags_[n] & kOutside) != 0;
+      state_.moves[n] = free || freed ? 1 : 0;
+      any = any || free || freed;
+    }
+    return any;
+  }
+
+  // Lattice units around the first vertex, wherever the character is.
+  void skin_nodes() {
+    middle_ = places_[0];
+    const double per_unit = 1 / rest_.unit;
+    for (uint32_t n = 0; n < lattice_.node_count; ++n) {
+      const WeightRow& row = lattice_.rows[n];
+      const Vec3d p =
+          per_unit * (blend_dual(posed_, row.joints, row.weights, kNodeSlots, rest_.node_place(n)) - middle_);
+      begin_[n] = {to_units(p.x), to_units(p.y), to_units(p.z)};
+      state_.nodes[n] = begin_[n];
+    }
+  }
+
+  void list_points() {
+    state_.point_count = 0;
+    const double per_unit = 1 / rest_.unit;
+    for (uint32_t u = 0; u < rest_.welded_count; ++u) {
+      const HalfSpace& half = spaces_[rest_.first[u]];
+      if (!half.set() || lattice_.vertices[u].tetrahedron == kNoTetrahedron) continue;
+      const Vec3i normal = {to_units(half.normal.x * 16384), to_units(half.normal.y * 16384),
+                            to_units(half.normal.z * 16384)};
+      const int32_t offset = to_units(per_unit * (half.offset - dot(half.normal, middle_)));
+      add_point(lattice_, lattice_.vertices[u], normal, offset, &state_);
+    }
+  }
+
+  // Where all is pinned a vertex keeps its skinned place exactly; where all moves it goes with the lattice, which smooths it.
+  // What the rounded shares are off at rest is taken out.
+  void map_back() {
+    for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
+      const Embedding& place = lattice_.vertices[rest_.welded[v]];
+      if (place.tetrahedron == kNoTetrahedron) continue;
+      const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+      int64_t moved[3] = {0, 0, 0}, start[3] = {0, 0, 0}, own[3] = {0, 0, 0}, moving = 0;
+      for (int k = 0; k < 4; ++k) {
+        const int64_t share = place.shares[k];
+        const Vec3i before = begin_[at[k]], change = state_.nodes[at[k]] - before, still = lattice_.nodes[at[k]];
+        if (state_.moves[at[k]] != 0) moving += share;
+        const int32_t changes[3] = {change.x, change.y, change.z}, befores[3] = {before.x, before.y, before.z},
+                      stills[3] = {still.x, still.y, still.z};
+        for (int axis = 0; axis < 3; ++axis) {
+          moved[axis] += share * changes[axis];
+          start[axis] += share * befores[axis];
+          own[axis] += share * stills[axis];
+        }
+      }
+      if (moving == 0) continue;
+      constexpr double kOne = 1.0 / (1 << kShareBits);
+      const double unit = rest_.unit * kOne, share = static_cast<double>(moving) * kOne;
+      const Vec3d correction =
+          unit * Vec3d{static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])};
+      const Vec3d embedded = middle_ + unit * Vec3d{static_cast<double>(start[0]), static_cast<double>(start[1]),
+                                                    static_cast<double>(start[2])};
+      const Vec3d embedded_at_rest =
+          rest_.corner +
+          unit * Vec3d{static_cast<double>(own[0]), static_cast<double>(own[1]), static_cast<double>(own[2])};
+      const Vec3d off = embedded_at_rest - rest_.position(v);
+      places_[v] = places_[v] + correction + share * ((embedded - places_[v]) - off);
+    }
+  }
+
+  const PosedJoints& posed_;
+  const DeformRest& rest_;
+  const Lattice& lattice_;
+  Vec3d* const places_;
+  PoseCounts& counts_;
+  SolverState state_;
+  HalfSpace* spaces_ = nullptr;
+  Vec3i* begin_ = nullptr;
+  uint8_t* flags_ = nullptr;
+  Vec3d middle_ = {0, 0, 0};
+};
+
+}  // namespace
+
+sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts) {
+  return VolumePose(posed, places, counts).run(arena);
+}
+
+}  // namespace sinew
