@@ -18,6 +18,7 @@ void add_dataset(CLI::App& app);
 void add_inspect(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_rig(CLI::App& app);
+void add_transfer(CLI::App& app);
 
 }  // namespace sinew::cli
 #endif

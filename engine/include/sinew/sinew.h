@@ -6,6 +6,7 @@
  *   sinew/model.h  opens a model and packs its weights
  *   sinew/bind.h   predicts skin weights
  *   sinew/rig.h    predicts a skeleton for a bare mesh
+ *   sinew/transfer.h  carries weights to another mesh
  *   sinew/skin.h   poses a mesh with its weights
  *
  * Way of a call:
@@ -24,6 +25,7 @@
 #include "sinew/model.h"
 #include "sinew/rig.h"
 #include "sinew/skin.h"
+#include "sinew/transfer.h"
 #include "sinew/types.h"
 
 #endif
