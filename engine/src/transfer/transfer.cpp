@@ -113,9 +113,9 @@ class Transfer {
     return plan_.progress.report(kMeshesEnd) ? SINEW_OK : SINEW_ERROR_CANCELLED;
   }
 
-  // A joint that moves nothing in the source is to move nothing in the binds either. The end of a chain is an exception: a
-  // bind needs it for its parent's length, and its weight goes to the parent afterwards. A garment may cover what of the body
-  // is not there: all joints are as the caller says.
+  // A joint that moves nothing in the source is to move nothing in the binds either. Ends of chains are an exception: whether
+  // they or their parents move what is there is a matter of taste, and the target's caller says which. Where rows are
+  // compared, they count as their parents. A garment may cover what of the body is not there: all joints are as the caller says.
   void set_flags() {
     const auto given = [](const sinew_skeleton& skeleton, uint32_t j) -> uint8_t {
       return skeleton.flags != nullptr ? skeleton.flags[j] : 0;
@@ -148,8 +148,8 @@ class Transfer {
     }
     for (uint32_t j = 0; j < source.joint_count; ++j) {
       const int32_t parent = source.parents[j];
-      if (moves(j) || pair_.source_joints.child_count[j] > 0 || parent < 0 ||
-          !moves(static_cast<uint32_t>(parent)) || (given(source, j) & SINEW_JOINT_NEVER) != 0)
+      if (moves(j) || pair_.source_joints.child_count[j] > 0 || parent < 0 || !moves(static_cast<uint32_t>(parent)) ||
+          (given(source, j) & SINEW_JOINT_NEVER) != 0)
         continue;
       ends_[j] = 1;
     }
@@ -164,12 +164,11 @@ class Transfer {
       folds_to_[to] = static_cast<uint16_t>(target.parents[to]);
     }
     bool usable = false;
-    for (uint32_t j = 0; j < target.joint_count; ++j)
-      usable = usable || (target_flags_[j] & SINEW_JOINT_NEVER) == 0;
+    for (uint32_t j = 0; j < target.joint_count; ++j) usable = usable || (target_flags_[j] & SINEW_JOINT_NEVER) == 0;
     for (uint32_t j = 0; j < target.joint_count && !usable; ++j) target_flags_[j] = given(target, j);
   }
 
-  // Ends of chains give what a bind gave them to their parents.
+  // Ends of chains give their weight to their parents.
   void fold_ends(const Rows& rows, uint32_t count) const {
     for (uint32_t v = 0; v < count; ++v) {
       for (uint32_t i = 0; i < kRowSlots; ++i) {
@@ -223,10 +222,8 @@ class Transfer {
     if (plan_.garment) return SINEW_OK;
     const Progress progress = plan_.progress.part(kSourceBindsEnd, kTargetBindEnds);
     if (!arena_.measuring()) {
-      const sinew_status status = bind_rows(plan_.target_binds[bound_by_], progress, input_.target, target,
-                                            pair_.target, nullptr, arena_, &bound_, nullptr);
-      if (status == SINEW_OK) fold_ends(bound_.rows(), pair_.target.welded_count);
-      return status;
+      return bind_rows(plan_.target_binds[bound_by_], progress, input_.target, target, pair_.target, nullptr, arena_,
+                       &bound_, nullptr);
     }
     for (uint32_t method = first; method <= SINEW_METHOD_HEAT; ++method)
       (void)bind_rows(plan_.target_binds[method], progress, input_.target, target, pair_.target, nullptr, arena_,
@@ -278,6 +275,7 @@ class Transfer {
       balance_.style[v] = match_.carry(source_style_, v);
       match_.carry(source_bound_.rows(), v, one, 0);
       fold_new_joints(pair_.map, bound_.rows(), v, folded, 0);
+      fold_ends(folded, 1);
       balance_.mismatch[v] = kUnit * row_distance(one, 0, folded, 0);
     }
     if (plan_.garment) {
@@ -308,8 +306,8 @@ class Transfer {
   double* source_style_ = nullptr;
   uint32_t* map_scratch_ = nullptr;
   uint8_t *source_flags_ = nullptr, *target_flags_ = nullptr;
-  uint8_t* ends_ = nullptr;        // [source joints] 1: the end of a chain, without weight
-  uint16_t* folds_to_ = nullptr;   // [target joints] itself, or the parent of the end of a chain
+  uint8_t* ends_ = nullptr;       // [source joints] 1: the end of a chain, without weight
+  uint16_t* folds_to_ = nullptr;  // [target joints] itself, or the parent of the end of a chain
   uint32_t bound_by_ = kNothingBound;
 };
 
