@@ -43,10 +43,14 @@ struct TransferResult {
   double seconds = 0;  // of sinew_transfer() alone
 };
 
-// SINEW_JOINT_* of the target's joints: one that stands for a joint with weight in the source deforms whatever its name says,
-// one that stands for joints without weight does not (but in a garment), and names tell of the others.
-std::vector<uint8_t> transfer_joint_flags(const Character& source, const Character& target, const JointMapping& mapping,
-                                          bool garment);
+// Which joints of the target may get weight: those that stand for a joint with weight in the source may whatever their names say,
+// names tell of the others. What moves nothing in the source, the engine itself leaves out.
+struct TransferJoints {
+  std::vector<uint8_t> flags;  // [J] SINEW_JOINT_*
+  // [J] itself, or for the end of a chain that moves nothing in the source the joint that takes its weight
+  std::vector<uint32_t> takes;
+};
+TransferJoints choose_transfer_joints(const Character& source, const Character& target, const JointMapping& mapping);
 
 // Throws Error with a character's name and the status' text, and OutOfMemory when there is no memory for the workspace.
 //   mapping  [source joints] as map_joints_by_name() gives it, with at least one joint

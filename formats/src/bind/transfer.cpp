@@ -42,6 +42,26 @@ uint32_t longest_row(const std::vector<std::vector<Influence>>& rows) {
   return static_cast<uint32_t>(std::min<size_t>(longest, SINEW_MAX_INFLUENCES));
 }
 
+// Gives the weight of ends of chains to the joints that take it; sorted as the engine sorts.
+void fold_row(const std::vector<uint32_t>& takes, std::vector<Influence>* row) {
+  const auto folds = [&](const Influence& influence) { return takes[influence.joint] != influence.joint; };
+  if (std::none_of(row->begin(), row->end(), folds)) return;
+  std::vector<Influence> folded;
+  for (const Influence& influence : *row) {
+    const uint32_t joint = takes[influence.joint];
+    const auto at =
+        std::find_if(folded.begin(), folded.end(), [joint](const Influence& one) { return one.joint == joint; });
+    if (at == folded.end())
+      folded.push_back({joint, influence.weight});
+    else
+      at->weight += influence.weight;
+  }
+  std::sort(folded.begin(), folded.end(), [](const Influence& a, const Influence& b) {
+    return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+  });
+  *row = std::move(folded);
+}
+
 // A status that only a transfer has a reason for.
 [[noreturn]] void throw_transfer(const Character& source, const Character& target, const TransferOptions& options,
                                  sinew_status status) {
@@ -58,28 +78,26 @@ uint32_t longest_row(const std::vector<std::vector<Influence>>& rows) {
 
 }  // namespace
 
-std::vector<uint8_t> transfer_joint_flags(const Character& source, const Character& target, const JointMapping& mapping,
-                                          bool garment) {
+TransferJoints choose_transfer_joints(const Character& source, const Character& target, const JointMapping& mapping) {
   const JointChoice choice = choose_joints(target, JointsFrom::kNames);
-  std::vector<uint8_t> flags = choice.flags;
-  for (const size_t tip : choice.tips) flags[tip] |= SINEW_JOINT_NEVER;
-  std::vector<uint8_t> moves(source.joints.size(), 0), known(target.joints.size(), 0), deforms = known;
+  TransferJoints joints;
+  joints.flags = choice.flags;
+  std::vector<uint8_t> moves(source.joints.size(), 0), deforms(target.joints.size(), 0);
   for (const auto& row : source.influences)
     for (const Influence& influence : row)
       if (influence.weight > 0) moves[influence.joint] = 1;
-  for (size_t j = 0; j < mapping.size(); ++j) {
-    if (mapping[j] < 0) continue;
-    known[static_cast<size_t>(mapping[j])] = 1;
-    deforms[static_cast<size_t>(mapping[j])] |= moves[j];
+  for (size_t j = 0; j < mapping.size(); ++j)
+    if (mapping[j] >= 0) deforms[static_cast<size_t>(mapping[j])] |= moves[j];
+  for (size_t j = 0; j < deforms.size(); ++j) {
+    joints.takes.push_back(static_cast<uint32_t>(j));
+    if (deforms[j] != 0) joints.flags[j] = 0;
   }
-  for (size_t j = 0; j < flags.size(); ++j) {
-    if (deforms[j] != 0)
-      flags[j] = 0;
-    else if (known[j] != 0 && !garment)
-      flags[j] = SINEW_JOINT_NEVER;
+  for (const size_t tip : choice.tips) {
+    const int parent = target.joints[tip].parent;
+    if (deforms[tip] == 0 && parent >= 0 && (joints.flags[static_cast<size_t>(parent)] & SINEW_JOINT_NEVER) == 0)
+      joints.takes[tip] = static_cast<uint32_t>(parent);
   }
-  if (std::all_of(flags.begin(), flags.end(), [](uint8_t flag) { return flag != 0; })) flags.assign(flags.size(), 0);
-  return flags;
+  return joints;
 }
 
 TransferResult transfer(const Character& source, const Character& target, const JointMapping& mapping,
@@ -87,7 +105,8 @@ TransferResult transfer(const Character& source, const Character& target, const 
   check_bindable(source);
   check_bindable(target);
   const EngineViews from(source, {});
-  const EngineViews to(target, transfer_joint_flags(source, target, mapping, options.garment));
+  const TransferJoints joints = choose_transfer_joints(source, target, mapping);
+  const EngineViews to(target, joints.flags);
   const EngineRows rows(source.influences, source.vertices.size(), longest_row(source.influences));
   const sinew_bound_character bound = {&from.mesh, &from.skeleton,       rows.joints.data(), rows.weights.data(),
                                        rows.count, SINEW_WEIGHT_UNORM16, mapping.data()};
@@ -145,6 +164,7 @@ TransferResult transfer(const Character& source, const Character& target, const 
     for (size_t i = v * n; i < (v + 1) * n; ++i)
       if (out.weights[i] != 0)
         result.influences[v].push_back({out.joints[i], static_cast<float>(out.weights[i]) / 65535.0f});
+    if (options.locked.empty() || options.locked[v] == 0) fold_row(joints.takes, &result.influences[v]);
   }
   return result;
 }
