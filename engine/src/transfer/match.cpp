@@ -57,7 +57,7 @@ void map_row(const JointMap& map, const Rows& rows, uint32_t vertex) {
 
 void Match::carry(const Rows& source_rows, uint32_t vertex, const Rows& out, uint32_t out_vertex) const {
   out.clear(out_vertex);
-  const SurfacePoint& p = points[vertex];
+  const MatchedPoint& p = points[vertex];
   for (uint32_t k = 0; k < 3; ++k) {
     const uint16_t* const joints = source_rows.joints_of(p.corners[k]);
     const uint32_t* const weights = source_rows.weights_of(p.corners[k]);

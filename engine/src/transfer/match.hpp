@@ -29,17 +29,17 @@ void map_row(const JointMap& map, const Rows& rows, uint32_t vertex);
 
 // A vertex of the target as points of the source: `points` with weights that sum to 1 belong to vertices of the source.
 struct Match {
-  SurfacePoint* points = nullptr;  // [target U]
+  MatchedPoint* points = nullptr;  // [target U]
 
   bool allocate(Arena& arena, const Counts& target) {
-    points = arena.alloc<SurfacePoint>(target.vertices);
+    points = arena.alloc<MatchedPoint>(target.vertices);
     return arena.ok();
   }
   // The source's row at the vertex, scaled to a whole one; empty where the source has none.
   void carry(const Rows& source_rows, uint32_t vertex, const Rows& out, uint32_t out_vertex) const;
   // The same of a number [source U].
   double carry(const double* values, uint32_t vertex) const {
-    const SurfacePoint& p = points[vertex];
+    const MatchedPoint& p = points[vertex];
     return p.shares[0] * values[p.corners[0]] + p.shares[1] * values[p.corners[1]] + p.shares[2] * values[p.corners[2]];
   }
 };

@@ -156,7 +156,7 @@ double SurfaceTree::distance2(const Box& box, Vec3d p) const {
   return sum;
 }
 
-SurfacePoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) const {
+MatchedPoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) const {
   struct Waiting {
     double bound;
     uint32_t level, index;
@@ -164,7 +164,7 @@ SurfacePoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) cons
   Waiting stack[kFan * kLevels];
   uint32_t depth = 0;
   const bool any_normal = dot(normal, normal) > 0.25 && !of_points_;
-  SurfacePoint best;
+  MatchedPoint best;
   double least = 1e300;  // cost squared
   stack[depth++] = {0, level_count_ - 1, 0};
   while (depth > 0) {
@@ -186,7 +186,7 @@ SurfacePoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) cons
     }
     const uint32_t end = begin + kFan < item_count_ ? begin + kFan : item_count_;
     for (uint32_t i = begin; i < end; ++i) {
-      SurfacePoint here;
+      MatchedPoint here;
       corners_of(i, here.corners);
       const Vec3d a = places_[here.corners[0]], b = places_[here.corners[1]], c = places_[here.corners[2]];
       nearest_shares(a, b, c, point, here.shares);

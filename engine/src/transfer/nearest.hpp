@@ -8,7 +8,7 @@
 
 namespace sinew {
 
-struct SurfacePoint {
+struct MatchedPoint {
   uint32_t corners[3] = {0, 0, 0};
   double shares[3] = {1, 0, 0};  // sum to 1
   double distance = 0;
@@ -34,7 +34,7 @@ class SurfaceTree {
   uint32_t item_count() const { return item_count_; }
   // The point of least cost; of several the first in the tree's order. normal is a unit vector or (0, 0, 0), then every face
   // costs the same. item_count() > 0.
-  SurfacePoint nearest(Vec3d point, Vec3d normal, Facing facing) const;
+  MatchedPoint nearest(Vec3d point, Vec3d normal, Facing facing) const;
 
  private:
   static constexpr uint32_t kFan = 4;      // items of a leaf, and boxes of a box

@@ -17,7 +17,7 @@ uint8_t confidence_of(const TransferResult& r, uint32_t v) {
     const double carried = r.balance.carried[v];
     sure = 1 - 0.5 * (carried * r.balance.mismatch[v] + (1 - carried) * r.balance.style[v]);
   } else if (r.plan.method == SINEW_TRANSFER_NEAREST) {
-    const SurfacePoint& p = r.match.points[v];
+    const MatchedPoint& p = r.match.points[v];
     sure = (1 - clamped(p.distance / kLost, 0, 1)) * clamped(p.cosine, 0, 1);
   } else {
     uint32_t largest = 0;

@@ -21,7 +21,7 @@ class SparseLdl {
     mark_ = arena.alloc<uint32_t>(rows);
     pattern_ = arena.alloc<uint32_t>(rows);
     fill_ = arena.alloc<uint32_t>(rows);
-    start_ = arena.alloc<size_t>(static_cast<size_t>(rows) + 1);
+    start_ = arena.alloc<uint32_t>(static_cast<size_t>(rows) + 1);
     diagonal_ = arena.alloc<double>(rows);
     work_ = arena.alloc<double>(rows);
     row_ = arena.alloc<uint32_t>(entries);
@@ -40,7 +40,7 @@ class SparseLdl {
   uint32_t rows_ = 0;
   size_t capacity_ = 0;
   uint32_t *parent_ = nullptr, *mark_ = nullptr, *pattern_ = nullptr, *fill_ = nullptr, *row_ = nullptr;
-  size_t* start_ = nullptr;
+  uint32_t* start_ = nullptr;  // entries are below 2^32 by what is reserved
   double *diagonal_ = nullptr, *work_ = nullptr, *value_ = nullptr;
 };
 
@@ -89,8 +89,8 @@ bool SparseLdl::factorise(uint32_t rows, const Row& row) {
       const uint32_t i = pattern_[top];
       const double y = work_[i];
       work_[i] = 0;
-      const size_t end = start_[i] + fill_[i];
-      for (size_t p = start_[i]; p < end; ++p) work_[row_[p]] -= value_[p] * y;
+      const uint32_t end = start_[i] + fill_[i];
+      for (uint32_t p = start_[i]; p < end; ++p) work_[row_[p]] -= value_[p] * y;
       const double l = y / diagonal_[i];
       d -= l * y;
       row_[end] = k;
@@ -107,7 +107,7 @@ bool SparseLdl::factorise(uint32_t rows, const Row& row) {
 inline void SparseLdl::solve(double* x) const {
   for (uint32_t k = 0; k < rows_; ++k) {
     const double* const from = x + static_cast<size_t>(k) * kBatch;
-    for (size_t p = start_[k]; p < start_[k + 1]; ++p) {
+    for (uint32_t p = start_[k]; p < start_[k + 1]; ++p) {
       double* const to = x + static_cast<size_t>(row_[p]) * kBatch;
       for (uint32_t m = 0; m < kBatch; ++m) to[m] -= value_[p] * from[m];
     }
@@ -115,7 +115,7 @@ inline void SparseLdl::solve(double* x) const {
   for (uint32_t k = rows_; k-- > 0;) {
     double* const to = x + static_cast<size_t>(k) * kBatch;
     for (uint32_t m = 0; m < kBatch; ++m) to[m] /= diagonal_[k];
-    for (size_t p = start_[k]; p < start_[k + 1]; ++p) {
+    for (uint32_t p = start_[k]; p < start_[k + 1]; ++p) {
       const double* const from = x + static_cast<size_t>(row_[p]) * kBatch;
       for (uint32_t m = 0; m < kBatch; ++m) to[m] -= value_[p] * from[m];
     }

@@ -259,7 +259,7 @@ class Transfer {
     }
     for (uint32_t v = 0; v < count; ++v) {
       match_.carry(source_rows_.rows(), v, rows_, v);
-      const SurfacePoint& p = match_.points[v];
+      const MatchedPoint& p = match_.points[v];
       known[v] = p.distance < kKnownDistance && p.cosine > kKnownCosine && has_weight(rows_, v) ? 1 : 0;
     }
     const sinew_status status = inpaint(pair_.target, known, plan_.target.joints, plan_.target, arena_, &rows_);
