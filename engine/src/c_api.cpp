@@ -18,6 +18,7 @@
 #include "rig/rig.hpp"
 #include "rig/rig_task.hpp"
 #include "simplify/simplify.hpp"
+#include "transfer/transfer.hpp"
 #endif
 #include "sinew/sinew.h"
 
@@ -29,6 +30,7 @@ static_assert(sizeof(sinew_model) == (sizeof(void*) == 8 ? 128 : 116), "new memb
 
 // The structs of the first release, 0.1.
 constexpr uint32_t kFirstOutputsSize = offsetof(sinew_bind_outputs, used_bytes) + sizeof(size_t);
+constexpr uint32_t kFirstTransferOutputsSize = offsetof(sinew_transfer_outputs, used_bytes) + sizeof(size_t);
 constexpr uint32_t kFirstDeformOutputsSize = offsetof(sinew_deform_outputs, inverted_tetrahedra) + sizeof(uint32_t);
 constexpr uint32_t kFirstRigOutputsSize = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);
 
@@ -36,6 +38,11 @@ constexpr uint32_t kFirstRigOutputsSize = offsetof(sinew_rig_outputs, used_bytes
 static_assert(sizeof(sinew_options) == 16 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_options");
 static_assert(sizeof(sinew_bind_outputs) == 4 * sizeof(uint32_t) + 7 * sizeof(void*), "a hole in sinew_bind_outputs");
 static_assert(sizeof(sinew_rig_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*), "a hole in sinew_rig_options");
+static_assert(sizeof(sinew_transfer_options) == 12 * sizeof(uint32_t) + 6 * sizeof(void*),
+              "a hole in sinew_transfer_options");
+static_assert(sizeof(sinew_transfer_outputs) == 8 * sizeof(uint32_t) + 6 * sizeof(void*),
+              "a hole in sinew_transfer_outputs");
+static_assert(sizeof(sinew_transfer_part) == 8 * sizeof(uint32_t), "sinew_transfer_part never changes");
 static_assert(sizeof(sinew_simplify_options) == 4 * sizeof(uint32_t), "a hole in sinew_simplify_options");
 static_assert(sizeof(sinew_map_rig) == 6 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_rig");
 static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
@@ -46,7 +53,6 @@ static_assert(sizeof(sinew_deform_outputs) == 4 * sizeof(uint32_t) + sizeof(void
 static_assert(sizeof(sinew_rig_outputs) == 6 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
 extern "C" {
-
 const char* sinew_version(void) {
   return SINEW_STRING(SINEW_VERSION_MAJOR) "." SINEW_STRING(SINEW_VERSION_MINOR) "." SINEW_STRING(SINEW_VERSION_PATCH);
 }
@@ -320,8 +326,67 @@ sinew_status sinew_simplify(const float* positions, const int32_t* parents, uint
   return sinew::run_simplify(plan, arena, into);
 }
 
+sinew_status sinew_transfer_workspace_size(const sinew_model* model, const sinew_bound_character* source,
+                                           const sinew_mesh* target, const sinew_skeleton* skeleton,
+                                           const sinew_transfer_options* options, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  if (source == nullptr || source->mesh == nullptr || source->skeleton == nullptr || target == nullptr ||
+      skeleton == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  const sinew::TransferInput input = {*source, *target, *skeleton};
+  sinew::TransferPlan plan;
+  sinew_status status = sinew::plan_transfer(model, input, options, &plan);
+  if (status != SINEW_OK) return status;
+  sinew::Arena arena;
+  status = sinew::run_transfer(plan, input, arena, nullptr);
+  if (status == SINEW_ERROR_WORKSPACE || !arena.ok()) return SINEW_ERROR_COUNT;
+  if (status == SINEW_OK) *size_bytes = arena.high_water();
+  return status;
+}
+
+sinew_status sinew_transfer(const sinew_model* model, const sinew_bound_character* source, const sinew_mesh* target,
+                            const sinew_skeleton* skeleton, const sinew_transfer_options* options, void* workspace,
+                            size_t workspace_bytes, sinew_transfer_outputs* outputs) {
+  const auto is_mesh = [](const sinew_mesh* mesh) {
+    return mesh != nullptr && mesh->positions != nullptr && (mesh->face_count == 0 || mesh->face_vertices != nullptr);
+  };
+  const auto is_skeleton = [](const sinew_skeleton* one) {
+    return one != nullptr && one->positions != nullptr && one->parents != nullptr;
+  };
+  if (source == nullptr || !is_mesh(source->mesh) || !is_skeleton(source->skeleton) ||
+      source->joint_indices == nullptr || source->weights == nullptr || source->joint_map == nullptr ||
+      !is_mesh(target) || !is_skeleton(skeleton) || workspace == nullptr || outputs == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew_transfer_outputs own;
+  sinew_status status = sinew::read_struct(outputs, kFirstTransferOutputsSize, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  if (own.joint_indices == nullptr || own.weights == nullptr || (own.part_capacity > 0 && own.parts == nullptr))
+    return SINEW_ERROR_ARGUMENT;
+  const sinew::TransferInput input = {*source, *target, *skeleton};
+  sinew::TransferPlan plan;
+  status = sinew::plan_transfer(model, input, options, &plan);
+  if (status != SINEW_OK) return status;
+  if (reinterpret_cast<uintptr_t>(workspace) % SINEW_WORKSPACE_ALIGNMENT != 0) return SINEW_ERROR_WORKSPACE;
+  sinew::Arena arena(workspace, workspace_bytes);
+  status = sinew::run_transfer(plan, input, arena, &own);
+  if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
+  return status;
+}
+
 #else
 
+sinew_status sinew_transfer_workspace_size(const sinew_model*, const sinew_bound_character*, const sinew_mesh*,
+                                           const sinew_skeleton*, const sinew_transfer_options*, size_t* size_bytes) {
+  if (size_bytes != nullptr) *size_bytes = 0;
+  return SINEW_ERROR_ARGUMENT;
+}
+sinew_status sinew_transfer(const sinew_model*, const sinew_bound_character*, const sinew_mesh*, const sinew_skeleton*,
+                            const sinew_transfer_options*, void*, size_t, sinew_transfer_outputs*) {
+  return SINEW_ERROR_ARGUMENT;
+}
 sinew_status sinew_simplify_workspace_size(uint32_t, size_t*) { return SINEW_ERROR_ARGUMENT; }
 sinew_status sinew_simplify(const float*, const int32_t*, uint32_t, const float*, const uint8_t*,
                             const sinew_simplify_options*, void*, size_t, uint32_t*) {

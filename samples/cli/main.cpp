@@ -61,6 +61,7 @@ int main(int argc, char** argv) {
       "SINEW_KERNEL=ref|avx2|avxvnni|vnni in the environment chooses the instructions; results never depend on it.");
   sinew::cli::add_rig(app);
   sinew::cli::add_bind(app);
+  sinew::cli::add_transfer(app);
   sinew::cli::add_eval(app);
   sinew::cli::add_train(app);
   sinew::cli::add_crossval(app);

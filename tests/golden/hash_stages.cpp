@@ -254,6 +254,8 @@ struct SetLine {
         model = text;
       } else if (key == "map") {
         source = text;
+      } else if (key == "to") {
+        target = text;
       } else if (uint32_t* const option = find(key)) {
         *option = value;
       } else {
@@ -288,6 +290,10 @@ struct SetLine {
     if (key == "pin") return &pin;
     if (key == "no-toes") return &rig_options.no_toes;
     if (key == "motion") return &motion_frames;
+    if (key == "transfer") return &transfer.method;
+    if (key == "garment") return &transfer.garment;
+    if (key == "as-drawn") return &transfer.as_drawn;
+    if (key == "locked") return &locked_step;
     return nullptr;
   }
 
@@ -303,8 +309,11 @@ struct SetLine {
   uint32_t rig = 0;  // 1: a skeleton for the mesh alone
   sinew_rig_options rig_options = sinew_rig_options_init();
   uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
-  uint32_t deform = 0;  // 1 + the method: a pose of the mesh as it is bound by heat
+  uint32_t deform = 0;         // 1 + the method: a pose of the mesh as it is bound by heat
   sinew_deform_options deform_options = sinew_deform_options_init();
+  std::string target;  // the character that takes the weights of this one, if any
+  sinew_transfer_options transfer = sinew_transfer_options_init();
+  uint32_t locked_step = 0;  // every so many vertices one is locked
 };
 
 std::vector<sinew_answer> make_answers(uint32_t step, const Input& in) {
@@ -657,6 +666,76 @@ void hash_deform(const char* name, const SetLine& line, const Input& in) {
   print(name, "pose", pose);
 }
 
+// Everything that sinew_transfer() gives to a caller. The source is bound by heat and then painted: every third vertex
+// moves with the next joint in part. Joints of one number are one.
+void hash_transfer(const char* name, const SetLine& line, const Input& source, const Input& target,
+                   const sinew_model* model, uint32_t kernel) {
+  constexpr uint32_t kInfluences = 4;
+  const size_t slots = size_t{kInfluences} * source.mesh.vertex_count;
+  std::vector<uint16_t> joints(slots), weights(slots);
+  size_t bytes = 0;
+  {
+    sinew_options heat = sinew_options_init();
+    heat.method = SINEW_METHOD_HEAT;
+    heat.kernel = kernel;
+    sinew_bind_outputs bound = sinew_bind_outputs_init(joints.data(), weights.data());
+    check(sinew_bind_workspace_size(nullptr, source.mesh.vertex_count, source.mesh.face_count, source.mesh.corner_count,
+                                    source.skeleton.joint_count, &heat, &bytes));
+    Block block(bytes);
+    check(sinew_bind(nullptr, &source.mesh, &source.skeleton, &heat, block.data, bytes, &bound));
+  }
+  for (size_t v = 0; v < source.mesh.vertex_count; v += 3) {
+    const uint16_t half = weights[v * kInfluences] / 2;
+    joints[v * kInfluences + 3] = static_cast<uint16_t>((joints[v * kInfluences] + 1) % source.skeleton.joint_count);
+    weights[v * kInfluences] = static_cast<uint16_t>(weights[v * kInfluences] - half);
+    weights[v * kInfluences + 3] = half;
+  }
+  std::vector<int32_t> map;
+  for (uint32_t j = 0; j < source.skeleton.joint_count; ++j)
+    map.push_back(j < target.skeleton.joint_count ? static_cast<int32_t>(j) : -1);
+  const sinew_bound_character bound = {&source.mesh, &source.skeleton,     joints.data(), weights.data(),
+                                       kInfluences,  SINEW_WEIGHT_UNORM16, map.data()};
+  sinew_transfer_options options = line.transfer;
+  options.influence_count = line.options.influence_count;
+  options.up_axis = line.options.up_axis;
+  options.weights_in_place = line.options.weights_in_place;
+  const uint32_t n = options.influence_count != 0 ? options.influence_count : 4, vertices = target.mesh.vertex_count;
+  std::vector<uint16_t> out_joints(size_t{n} * vertices, 0), out_weights(out_joints);
+  std::vector<uint8_t> locked(vertices, 0), confidence(vertices, 0);
+  for (uint32_t v = 0; line.locked_step != 0 && v < vertices; v += line.locked_step) locked[v] = 1;
+  if (line.locked_step != 0) options.locked = locked.data();
+  std::vector<sinew_transfer_part> parts(vertices);
+  std::vector<uint32_t> vertex_parts(vertices, 0);
+  sinew_transfer_outputs outputs = sinew_transfer_outputs_init(out_joints.data(), out_weights.data());
+  outputs.confidence = confidence.data();
+  outputs.parts = parts.data();
+  outputs.part_capacity = vertices;
+  outputs.vertex_parts = vertex_parts.data();
+  check(sinew_transfer_workspace_size(model, &bound, &target.mesh, &target.skeleton, &options, &bytes));
+  options.kernel = kernel;
+  Block block(bytes);
+  check(sinew_transfer(model, &bound, &target.mesh, &target.skeleton, &options, block.data, bytes, &outputs));
+  Hash memory, rows, extras;
+  const uint64_t size = bytes;
+  memory.add(&size, 1);
+  rows.add(out_joints.data(), out_joints.size());
+  rows.add(out_weights.data(), out_weights.size());
+  extras.add(confidence.data(), vertices);
+  extras.add(vertex_parts.data(), vertices);
+  for (uint32_t p = 0; p < outputs.part_count; ++p) {
+    const sinew_transfer_part& part = parts[p];
+    for (const uint32_t value : {part.vertex, part.vertex_count, part.reason, part.carried_q16, part.style_q16,
+                                 part.mismatch_q16, part.distance_q16})
+      extras.add(&value, 1);
+  }
+  for (const uint32_t value : {outputs.part_count, outputs.bound_by, outputs.carried_q16, outputs.style_q16,
+                               outputs.mismatch_q16, outputs.reference_count})
+    extras.add(&value, 1);
+  print(name, "memory", memory);
+  print(name, "rows", rows);
+  print(name, "extras", extras);
+}
+
 std::string base_name(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 void hash_set(const std::string& path, uint32_t kernel) {
@@ -671,6 +750,14 @@ void hash_set(const std::string& path, uint32_t kernel) {
       hash_map(name.c_str(), line, in, read_input(folder + line.source));
     } else if (line.motion_frames != 0) {
       hash_motion(name.c_str(), line, in);
+    } else if (!line.target.empty()) {
+      const Input target = read_input(folder + line.target);
+      if (line.model == "heat") {
+        hash_transfer(name.c_str(), line, in, target, nullptr, kernel);
+      } else {
+        const ModelFile file((folder + line.model).c_str(), false);
+        hash_transfer(name.c_str(), line, in, target, &file.model, kernel);
+      }
     } else if (line.model.empty()) {
       hash_stages(name.c_str(), in, line.options.candidate_count, line.options.grid_size, kernel);
     } else if (line.deform != 0) {

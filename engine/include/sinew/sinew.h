@@ -8,6 +8,7 @@
  *   sinew/motion.h plays motion of another skeleton
  *   sinew/rig.h    predicts a skeleton for a bare mesh
  *   sinew/map.h    maps the joints of one skeleton to those of another
+ *   sinew/transfer.h  carries weights to another mesh
  *   sinew/skin.h   poses a mesh with its weights
  *   sinew/deform.h poses a mesh so that bends keep their volume
  *
@@ -31,6 +32,7 @@
 #include "sinew/rig.h"
 #include "sinew/simplify.h"
 #include "sinew/skin.h"
+#include "sinew/transfer.h"
 #include "sinew/types.h"
 
 #endif

@@ -4,31 +4,9 @@
 #ifndef SINEW_DEFORM_DUAL_QUATERNION_HPP
 #define SINEW_DEFORM_DUAL_QUATERNION_HPP
 
-#include <string.h>
-
 #include "core/vec3d.hpp"
 
 namespace sinew {
-
-// 1 / sqrt(x) for normal x > 0: a guess that halves the exponent, then five Newton steps, which bring its 3.5 % error to the
-// last bits.
-inline double reciprocal_root(double x) {
-  uint64_t word;
-  memcpy(&word, &x, sizeof word);
-  word = 0x5FE6EB50C7B537A9u - (word >> 1);
-  double y;
-  memcpy(&y, &word, sizeof y);
-  for (int i = 0; i < 5; ++i) y = y * (1.5 - 0.5 * x * y * y);
-  return y;
-}
-// sqrt(x), 0 for what is below 1e-280.
-inline double root(double x) { return x < 1e-280 ? 0 : x * reciprocal_root(x); }
-inline double length(Vec3d v) { return root(dot(v, v)); }
-// v / |v|, (0, 0, 0) for what has no length.
-inline Vec3d unit(Vec3d v) {
-  const double square = dot(v, v);
-  return square < 1e-280 ? Vec3d{0, 0, 0} : reciprocal_root(square) * v;
-}
 
 struct Quaternion {
   double w, x, y, z;

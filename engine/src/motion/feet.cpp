@@ -19,7 +19,7 @@ struct FootHeights {
 double fade_at(double fps) {
   double fade = kFade, rate = kFps;
   while (fps >= 2 * rate) {  // twice the frames, the root
-    fade = fade * reciprocal_sqrt(fade);
+    fade = fade * reciprocal_root(fade);
     rate *= 2;
   }
   while (2 * fps <= rate) {

@@ -151,7 +151,7 @@ class Hands {
       }
     }
     if (near) {
-      const double share = (reach - length_of(least)) / ((kFar - kTouch) * height);
+      const double share = (reach - root(least)) / ((kFar - kTouch) * height);
       const double t = share > 1 ? 1 : share;
       out->alpha = t * t * (3 - 2 * t);
       remember_place(picked, height, out);
@@ -163,8 +163,6 @@ class Hands {
       if (own > out->depth) out->depth = own;
     }
   }
-  static double length_of(double square) { return square > kLeastSquare ? square * reciprocal_sqrt(square) : 0.0; }
-
   // The nearest triangles with the vertex's place in each one's axes.
   void remember_place(uint32_t picked, double height, HandContact* out) const {
     double distances[kNearTriangles];
@@ -183,7 +181,7 @@ class Hands {
     }
     double sum = 0;
     for (uint32_t i = 0; i < out->count; ++i) {
-      out->shares[i] = bell((length_of(distances[i]) - length_of(distances[0])) / (kSpread * height));
+      out->shares[i] = bell((root(distances[i]) - root(distances[0])) / (kSpread * height));
       sum += out->shares[i];
       Vec3d axis[3];
       axes(s_.source, out->triangles[i], axis);

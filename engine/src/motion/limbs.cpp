@@ -7,8 +7,6 @@
 namespace sinew {
 namespace {
 
-double root(double x) { return x > kLeastSquare ? x * reciprocal_sqrt(x) : 0.0; }
-
 // The part of v across u, of length 1; (0, 0, 0) where they are in line.
 Vec3d across(Vec3d v, Vec3d u, double least) {
   const Vec3d side = v - dot(v, u) * u;

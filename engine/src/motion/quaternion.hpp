@@ -1,40 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Vectors and unit quaternions in double, of one order of operations and without the maths library: the same bits
+// Unit quaternions in double, of one order of operations and without the maths library: the same bits
 // everywhere.
 #ifndef SINEW_MOTION_QUATERNION_HPP
 #define SINEW_MOTION_QUATERNION_HPP
 
-#include <stdint.h>
-#include <string.h>
-
 #include "core/vec3d.hpp"
 
 namespace sinew {
-
-// 1 / sqrt(x) for normal x > 0: a guess that halves the exponent, 3.5 % off, and five Newton steps, each of which squares
-// the error.
-inline double reciprocal_sqrt(double x) {
-  uint64_t word;
-  memcpy(&word, &x, sizeof word);
-  word = 0x5FE6EB50C7B537A9u - (word >> 1);
-  double y;
-  memcpy(&y, &word, sizeof y);
-  for (int i = 0; i < 5; ++i) y = y * (1.5 - 0.5 * x * y * y);
-  return y;
-}
-
-// Squares of floats are above this unless the float is 0 or no length that anything could stand on.
-constexpr double kLeastSquare = 1e-80;
-
-inline double length(Vec3d v) {
-  const double square = dot(v, v);
-  return square > kLeastSquare ? square * reciprocal_sqrt(square) : 0.0;
-}
-// (0, 0, 0) for a vector without length.
-inline Vec3d unit(Vec3d v) {
-  const double square = dot(v, v);
-  return square > kLeastSquare ? reciprocal_sqrt(square) * v : Vec3d{0, 0, 0};
-}
 
 struct Quat {
   double x, y, z, w;
@@ -51,7 +23,7 @@ inline Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
 inline Quat normalised(Quat q) {
   const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   if (!(square > kLeastSquare)) return kNoTurn;
-  const double s = reciprocal_sqrt(square);
+  const double s = reciprocal_root(square);
   return {q.x * s, q.y * s, q.z * s, q.w * s};
 }
 inline Vec3d rotate(Quat q, Vec3d v) {

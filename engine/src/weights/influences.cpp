@@ -55,4 +55,21 @@ void keep_largest(const uint16_t* joints, const uint32_t* weights, uint32_t coun
   }
 }
 
+void store_weights(const uint16_t* row, uint32_t count, uint32_t format, size_t first, void* weights) {
+  for (uint32_t i = 0; i < count; ++i) {
+    switch (format) {
+      case SINEW_WEIGHT_UNORM8:
+        static_cast<uint8_t*>(weights)[first + i] = static_cast<uint8_t>(row[i]);
+        break;
+      case SINEW_WEIGHT_UNORM16:
+        static_cast<uint16_t*>(weights)[first + i] = row[i];
+        break;
+      // One correctly rounded IEEE division: the same on every target.
+      default:
+        static_cast<float*>(weights)[first + i] = static_cast<float>(row[i]) / 65535.0f;
+        break;
+    }
+  }
+}
+
 }  // namespace sinew

@@ -3,6 +3,7 @@
 #ifndef SINEW_WEIGHTS_INFLUENCES_HPP
 #define SINEW_WEIGHTS_INFLUENCES_HPP
 
+#include <stddef.h>
 #include <stdint.h>
 
 namespace sinew {
@@ -21,6 +22,9 @@ void prune_q16(uint32_t* probabilities, uint32_t count);
 //   out_joints, out_weights [keep]
 void keep_largest(const uint16_t* joints, const uint32_t* weights, uint32_t count, uint32_t keep, uint32_t total,
                   uint16_t* out_joints, uint16_t* out_weights);
+
+// A finished row as the caller's weights (sinew_weight_format) from index `first` on.
+void store_weights(const uint16_t* row, uint32_t count, uint32_t format, size_t first, void* weights);
 
 }  // namespace sinew
 #endif

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: MIT
+// sinew transfer: the weights of a finished character go to other meshes.
+#include "sinew_formats/transfer.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "folder_files.hpp"
+#include "sinew_datasets/image.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "support.hpp"
+#include "thread_pool.hpp"
+#include "transfer_target.hpp"
+
+namespace sinew::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string source, output, model, lock, png, png_confidence;
+  std::string method = "auto", up = "y", source_up, format = "glb";
+  std::vector<std::string> targets, pairs;
+  TargetSource from;
+  unsigned influences = 4, threads = 1;
+  bool as_drawn = false, heat = false, json = false;
+};
+
+sinew_transfer_method method_of(const std::string& name) {
+  if (name == "nearest") return SINEW_TRANSFER_NEAREST;
+  if (name == "biharmonic") return SINEW_TRANSFER_BIHARMONIC;
+  if (name == "rebind") return SINEW_TRANSFER_REBIND;
+  return SINEW_TRANSFER_AUTO;
+}
+
+const char* reason_text(uint32_t reason) {
+  switch (reason) {
+    case SINEW_TRANSFER_STYLE:
+      return "carried over: the source's weights differ from a bind's, and the match is good";
+    case SINEW_TRANSFER_MISMATCH:
+      return "bound anew: the match is off by more than the source's weights differ from a bind's";
+    case SINEW_TRANSFER_PLAIN:
+      return "bound anew: the source's weights are what a bind gives";
+    case SINEW_TRANSFER_NEAR:
+      return "carried over: it lies on the body";
+    case SINEW_TRANSFER_FAR:
+      return "bound anew: it lies away from the body";
+    case SINEW_TRANSFER_NO_MATCH:
+      return "bound anew: nothing of the source matches it";
+    case SINEW_TRANSFER_KEPT:
+      return "kept: locked";
+    default:
+      return "as asked";
+  }
+}
+
+// V=W: a vertex of the source and one of the target.
+sinew_vertex_pair parse_pair(const std::string& text, const Character& source, const Character& target) {
+  const size_t equals = text.find('=');
+  const auto number = [&](const std::string& word, const Character& of) {
+    char* end = nullptr;
+    const unsigned long long value = std::strtoull(word.c_str(), &end, 10);
+    if (word.empty() || word[0] < '0' || word[0] > '9' || *end != 0)
+      throw UsageError("--pair " + text + ": expected V=W, a vertex of " + source.name + " and one of " + target.name);
+    if (value >= of.vertices.size())
+      throw UsageError("--pair " + text + ": " + of.name + " has vertices 0 to " +
+                       std::to_string(of.vertices.size() - 1));
+    return static_cast<uint32_t>(value);
+  };
+  const std::string first = text.substr(0, equals);
+  return {number(first, source), number(equals == std::string::npos ? "" : text.substr(equals + 1), target)};
+}
+
+// [V] non-zero: keeps its weights; empty without --lock.
+std::vector<uint8_t> read_locks(const Settings& s, const std::string& path, const Character& character) {
+  if (s.lock.empty()) return {};
+  if (character.influences.empty())
+    throw Error(s.lock + ": vertices can keep only weights they have, and " + path + " brings none for its skeleton");
+  std::vector<uint8_t> locked(character.vertices.size(), 0);
+  for (const size_t v : read_vertex_list(s.lock, character)) {
+    if (character.influences[v].empty())
+      throw Error(s.lock + ": vertex " + std::to_string(v) + " has no weights to keep");
+    locked[v] = 1;
+  }
+  return locked;
+}
+
+struct Transferred {
+  TransferTarget target;
+  TransferResult result;
+};
+
+Transferred transfer_one(const Settings& s, const Character& source, const LoadedModel* model, const std::string& path,
+                         TargetReader* reader) {
+  Transferred done;
+  done.target = reader->read(path);
+  Character& character = done.target.character;
+  TransferOptions options;
+  options.method = method_of(s.method);
+  options.model = model != nullptr ? &model->model : nullptr;
+  options.influence_count = s.influences;
+  options.up_axis = s.up == "z" ? 1 : 0;
+  options.source_up_axis = (s.source_up.empty() ? s.up : s.source_up) == "z" ? 1 : 0;
+  options.garment = s.from.garment;
+  options.as_drawn = s.as_drawn;
+  for (const std::string& pair : s.pairs) options.pairs.push_back(parse_pair(pair, source, character));
+  options.locked = read_locks(s, path, character);
+  options.thread_count = s.threads;
+  ThreadPool pool(s.threads);
+  options.parallel_for = ThreadPool::parallel_for;
+  options.parallel_user = &pool;
+  done.result = transfer(source, character, done.target.mapping, options);
+  character.influences = done.result.influences;
+  return done;
+}
+
+Json part_json(const sinew_transfer_part& part) {
+  constexpr double kUnit = 1.0 / 65536;
+  Json json;
+  json["vertex"] = part.vertex;
+  json["vertices"] = part.vertex_count;
+  json["carried"] = kUnit * part.carried_q16;
+  json["style"] = kUnit * part.style_q16;
+  json["mismatch"] = kUnit * part.mismatch_q16;
+  json["distance"] = kUnit * part.distance_q16;
+  json["reason"] = reason_text(part.reason);
+  return json;
+}
+
+Json summary_json(const Settings& s, const Character& source, const Transferred& done, const std::string& path,
+                  const std::string& output) {
+  const TransferResult& r = done.result;
+  Json json;
+  json["source"] = s.source;
+  json["target"] = path;
+  json["output"] = output;
+  json["method"] = s.method;
+  json["skeleton"] = done.target.skeleton;
+  json["mapped_joints"] = mapped_count(done.target.mapping);
+  json["source_joints"] = source.joints.size();
+  json["mapped_by"] = done.target.mapped_by;
+  json["bound_by"] = !r.bound ? "" : r.bound_by == SINEW_METHOD_HEAT ? "heat" : "model";
+  json["carried"] = r.carried;
+  json["style"] = r.style;
+  json["mismatch"] = r.mismatch;
+  if (r.reference_count > 0) json["references"] = r.reference_count;
+  json["seconds"] = r.seconds;
+  json["workspace_bytes"] = r.workspace_bytes;
+  for (const sinew_transfer_part& part : r.parts) json["parts"].push_back(part_json(part));
+  json["notes"] = done.target.character.notes;
+  return json;
+}
+
+void tell(const Settings& s, const Character& source, const Transferred& done, const std::string& path,
+          const std::string& output, std::FILE* out) {
+  if (s.json) {
+    std::fprintf(out, "%s\n", json_line(summary_json(s, source, done, path, output)).c_str());
+    return;
+  }
+  constexpr size_t kMostParts = 8;
+  const TransferResult& r = done.result;
+  std::fprintf(out, "%s: skeleton %s%s, %zu of %zu joints of %s mapped by %s\n", printable(path).c_str(),
+               done.target.fitted ? "fitted from " : "", printable(done.target.skeleton).c_str(),
+               mapped_count(done.target.mapping), source.joints.size(), printable(source.name).c_str(),
+               printable(done.target.mapped_by).c_str());
+  if (r.reference_count > 0) std::fprintf(out, "  %u reference points\n", r.reference_count);
+  if (r.bound)
+    std::fprintf(
+        out, "  %.0f %% carried over, the rest bound anew by %s; %s %s differs from a bind by %.2f, %s off by %.2f\n",
+        100 * r.carried, r.bound_by == SINEW_METHOD_HEAT ? "heat" : "the model", printable(source.name).c_str(),
+        "on the whole", r.style, "the match is", r.mismatch);
+  for (size_t p = 0; p < r.parts.size() && p < kMostParts && r.bound; ++p) {
+    const sinew_transfer_part& part = r.parts[p];
+    std::fprintf(out, "  part of vertex %u, %u vertices: %.0f %% %s\n", part.vertex, part.vertex_count,
+                 100.0 * part.carried_q16 / 65536, reason_text(part.reason));
+  }
+  if (r.bound && r.parts.size() > kMostParts)
+    std::fprintf(out, "  and %zu smaller parts; --json tells of all\n", r.parts.size() - kMostParts);
+  for (const std::string& note : done.target.character.notes) std::fprintf(out, "  %s\n", printable(note).c_str());
+  std::fprintf(out, "  %.0f ms", 1e3 * r.seconds);
+  if (output != "-") std::fprintf(out, ", wrote %s", printable(output).c_str());
+  std::fprintf(out, "\n");
+}
+
+void write_one(const Settings& s, const Transferred& done, const std::string& output) {
+  const Character& character = done.target.character;
+  write_character(output, character);
+  RenderOptions view;
+  view.up_z = s.up == "z";
+  if (!s.png.empty()) write_file(s.png, encode_png(render(character, weight_colours(character), view)));
+  if (s.png_confidence.empty()) return;
+  std::vector<float> doubt;
+  for (const uint8_t c : done.result.confidence) doubt.push_back(1.0f - static_cast<float>(c) / 255.0f);
+  write_file(s.png_confidence, encode_png(render(character, heat_colours(doubt, 0.5f), view)));
+}
+
+// What goes where: one file for one target, a folder for several.
+std::vector<std::string> outputs_of(const Settings& s) {
+  const std::vector<std::string> known = {".glb", ".gltf", ".vrm", ".rig.txt"};
+  if (s.targets.size() == 1) {
+    const std::string output = s.output.empty() ? stem_of(s.targets[0]) + ".transferred.glb" : s.output;
+    check_output(output, known, true);
+    return {output};
+  }
+  if (s.output.empty()) throw UsageError("several targets: say with -o OUTDIR where their files go");
+  for (const auto& [name, given] :
+       {std::pair("--png", !s.png.empty()), std::pair("--lock", !s.lock.empty()),
+        std::pair("--png-confidence", !s.png_confidence.empty()), std::pair("--pair", !s.pairs.empty())})
+    if (given) throw UsageError(std::string(name) + " is for one target, and there are several");
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(s.output, ignored))
+    throw Error("-o " + s.output + ": there are several targets, expected a folder for their files; create it first");
+  std::vector<std::string> outputs;
+  std::set<std::string> taken;
+  for (const std::string& target : s.targets) {
+    outputs.push_back((std::filesystem::path(s.output) / (stem_of(target) + "." + s.format)).string());
+    if (!taken.insert(outputs.back()).second)
+      throw UsageError("two targets would become " + outputs.back() + "; transfer one after the other");
+  }
+  return outputs;
+}
+
+// Neither the source nor a target is written over.
+void check_inputs_stay(const Settings& s, const std::vector<std::string>& outputs) {
+  std::vector<std::string> inputs = s.targets;
+  inputs.push_back(s.source);
+  if (has_extension(s.source, ".obj")) inputs.push_back(rig_path_beside(s.source));
+  if (!s.from.skeleton.empty()) inputs.push_back(s.from.skeleton);
+  for (const std::string& output : outputs) {
+    for (const std::string& input : inputs) {
+      std::error_code ignored;
+      if (output != "-" && std::filesystem::equivalent(output, input, ignored))
+        throw UsageError("-o " + output + " is one of the inputs; give another name");
+    }
+  }
+}
+
+void check(const Settings& s) {
+  if (s.method == "biharmonic" && s.from.garment)
+    throw UsageError("--garment and --method biharmonic: a garment lies on its body, give auto, nearest or rebind");
+  if (s.method != "biharmonic" && (!s.pairs.empty() || s.as_drawn))
+    throw UsageError("--pair and --as-drawn are for --method biharmonic");
+  if (s.from.garment && !(s.from.skeleton.empty() && s.from.map.empty()))
+    throw UsageError("--garment has the skeleton of the source: leave out --skeleton and --map");
+  if (s.from.garment && !s.source_up.empty() && s.source_up != s.up)
+    throw UsageError("--garment lies in the space of the source: leave out --source-up");
+  if (s.from.garment && !s.lock.empty())
+    throw UsageError("--garment takes weights of none of its own: leave out --lock");
+  if (s.pairs.size() > SINEW_MAX_TRANSFER_PAIRS)
+    throw UsageError(std::to_string(s.pairs.size()) + " pairs, at most " + std::to_string(SINEW_MAX_TRANSFER_PAIRS));
+  if (s.heat && !s.model.empty()) throw UsageError("--heat uses no model: leave out --model");
+  if (!s.png.empty()) check_output(s.png, {".png"});
+  if (!s.png_confidence.empty()) check_output(s.png_confidence, {".png"});
+}
+
+void run(const Settings& s) {
+  check(s);
+  const std::vector<std::string> outputs = outputs_of(s);
+  check_inputs_stay(s, outputs);
+  if (outputs[0] == "-" && s.json)
+    throw UsageError("-o - and --json both want standard output: give the weights a file name");
+  const Character source = read_character(s.source);
+  if (source.influences.empty())
+    throw Error(s.source +
+                ": has no weights to carry over; expected a bound character (glTF with a skin, or OBJ with a "
+                ".rig.txt that has skin lines beside it)");
+  std::unique_ptr<LoadedModel> model;
+  const bool binds = s.method == "auto" || s.method == "rebind";
+  if (binds && !s.heat) model = load_model(s.model);
+  TargetReader reader(source, s.from);
+  size_t failed = 0;
+  for (size_t i = 0; i < s.targets.size(); ++i) {
+    try {
+      const Transferred done = transfer_one(s, source, model.get(), s.targets[i], &reader);
+      write_one(s, done, outputs[i]);
+      tell(s, source, done, s.targets[i], outputs[i], outputs[i] == "-" ? stderr : stdout);
+    } catch (const UsageError&) {
+      throw;
+    } catch (const Error& error) {
+      if (s.targets.size() == 1) throw;
+      ++failed;
+      std::fprintf(stderr, "sinew: error: %s\n", printable(error.what()).c_str());
+    }
+  }
+  if (failed > 0)
+    throw Error(std::to_string(failed) + " of " + std::to_string(s.targets.size()) + " targets failed, see above");
+}
+
+}  // namespace
+
+void add_transfer(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("transfer", "Carry the weights of a finished character to other meshes");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("source", s->source,
+                  "Bound character: .gltf, .glb, .vrm, .fbx, .dae, or .obj with .rig.txt beside it")
+      ->required()
+      ->type_name("SOURCE");
+  sub->add_option("targets", s->targets, "Meshes that get weights: .obj, .gltf, .glb, .vrm, .fbx, .dae")
+      ->required()
+      ->type_name("TARGET");
+  sub->add_option("--skeleton", s->from.skeleton,
+                  "Skeleton of the targets: .rig.txt, .gltf, .glb, .vrm, .fbx or .dae [the target's own or the "
+                  "NAME.rig.txt beside NAME.obj, else the source's, fitted]")
+      ->type_name("RIG");
+  sub->add_option("--map", s->from.map, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT [joints of equal names]")
+      ->type_name("FILE");
+  sub->add_option("--method", s->method,
+                  "auto: a balance of nearest and rebind, vertex by vertex; nearest: the source's weights alone; "
+                  "biharmonic: by distances along the surface; rebind: by the binder that suits the source")
+      ->check(CLI::IsMember({"auto", "nearest", "biharmonic", "rebind"}))
+      ->capture_default_str();
+  sub->add_option("--pair", s->pairs,
+                  "With --method biharmonic: vertex V of the source is vertex W of the target; give at least four")
+      ->type_name("V=W")
+      ->allow_extra_args(false);
+  sub->add_flag("--as-drawn", s->as_drawn, "With --method biharmonic: compare distances as published");
+  sub->add_flag("--garment", s->from.garment,
+                "The targets are worn by the source: same space, same skeleton; near the body its weights, far from it "
+                "a bind of the dressed whole");
+  sub->add_option("-o,--output", s->output,
+                  "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output "
+                  "[TARGET.transferred.glb]; for several targets a folder")
+      ->type_name("OUT");
+  sub->add_option("--format", s->format, "With several targets: what to write")
+      ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
+      ->capture_default_str();
+  sub->add_option("--influences", s->influences, "Most joints per vertex")
+      ->check(CLI::Range(1, 12))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--lock", s->lock, "Vertices that keep the weights they have, one 0-based index per line")
+      ->type_name("FILE");
+  sub->add_option("--model", s->model, "Model that binds, or bundled = the one in the program [bundled]")
+      ->type_name("FILE");
+  sub->add_flag("--heat", s->heat, "Bind by heat alone, without a model");
+  sub->add_option("--rig-model", s->from.rig_model, "Model of skeletons for targets without one, or bundled [bundled]")
+      ->type_name("FILE");
+  sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  sub->add_option("--source-up", s->source_up, "Axis that points up in the source [as --up]")
+      ->check(CLI::IsMember({"y", "z"}));
+  sub->add_option("--threads", s->threads, "Threads that work on a mesh; the same bytes for any N")
+      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
+      ->capture_default_str()
+      ->type_name("N");
+  sub->add_option("--png", s->png, "Also draw the target with its joints, coloured by weight")->type_name("FILE");
+  sub->add_option("--png-confidence", s->png_confidence, "Also draw where to look: dark blue = sure, red = doubtful")
+      ->type_name("FILE");
+  sub->add_flag("--json", s->json, "Print the summary as JSON, a line for every target");
+  sub->footer(
+      "Examples:\n  sinew transfer hero.glb villain.obj --skeleton villain.rig.txt -o villain.glb --png villain.png\n"
+      "  sinew transfer hero.glb orc.glb --map orc_to_hero.txt -o orc.bound.glb\n"
+      "  sinew transfer body.glb jacket.obj shoes.glb --garment -o dressed\n"
+      "  sinew transfer wolf.glb horse.glb --method biharmonic --pair 10=22 --pair 4=90 --pair 7=1 --pair 80=5");
+  sub->callback([s] {
+    s->from.z_up = s->up == "z";
+    run(*s);
+  });
+}
+
+}  // namespace sinew::cli
