@@ -131,4 +131,10 @@ TEST(SmallCode, ThreadsAndThePlaceOfWeightsChangeNothing) {
   EXPECT_EQ(packed.packed, nullptr);
 }
 
+TEST(SmallCode, PosesAreNotCorrected) {
+  const sinew_mesh mesh = {kPositions, kVertices, nullptr, kCorners, kTriangles, 3 * kTriangles};
+  size_t bytes = 7;
+  EXPECT_EQ(sinew_deform_memory_size(&mesh, kJoints, 4, nullptr, &bytes), SINEW_ERROR_ARGUMENT);
+}
+
 }  // namespace

@@ -594,7 +594,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   print(name, "contacts", poses);
 }
 
-// Every joint turned by the angle of a 5-12-13 triangle about an axis of its own, on top of its parent: no sine is needed.
+// Every joint turned by the angle of a 3-4-5 triangle about an axis of its own, on top of its parent: no sine is needed.
 std::vector<float> bent_palette(const Input& in) {
   const size_t count = in.skeleton.joint_count;
   std::vector<double> matrices(12 * count, 0);
@@ -605,8 +605,8 @@ std::vector<float> bent_palette(const Input& in) {
       if (done[j] != 0 || (parent >= 0 && done[static_cast<size_t>(parent)] == 0)) continue;
       double own[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
       const size_t a = j % 3, b = (j + 1) % 3;
-      own[5 * a] = own[5 * b] = 12.0 / 13;
-      own[4 * a + b] = (j % 2 == 0 ? -5.0 : 5.0) / 13;
+      own[5 * a] = own[5 * b] = 0.6;
+      own[4 * a + b] = j % 2 == 0 ? -0.8 : 0.8;
       own[4 * b + a] = -own[4 * a + b];
       for (size_t r = 0; r < 3; ++r) {
         double moved = 0;

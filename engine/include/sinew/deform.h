@@ -30,8 +30,9 @@ typedef enum sinew_deform_method {
 /* What the character is: weights as sinew_bind() gives them with SINEW_WEIGHT_UNORM16. */
 typedef struct sinew_skin {
   const uint16_t* joint_indices; /* [vertex_count x influence_count] */
-  const uint16_t* weights;       /* [vertex_count x influence_count]; rows sum to 65535, by falling weight */
-  uint32_t influence_count;      /* 1..SINEW_MAX_INFLUENCES */
+  const uint16_t* weights;  /* [vertex_count x influence_count]; rows sum to 65535, by falling weight; a row of zeros
+                                  * stands still */
+  uint32_t influence_count; /* 1..SINEW_MAX_INFLUENCES */
 } sinew_skin;
 
 /* What a deformer is asked to be: inputs only. Start from sinew_deform_options_init(), which asks for every default. Later
