@@ -233,7 +233,7 @@ TEST(Transfer, RubbishIsAStatusOrFinite) {
     bad.corners.reserve(1);
     bad.offsets = {0};
     EXPECT_EQ(status(bad, rows, good), SINEW_ERROR_COUNT);
-    EXPECT_EQ(status(good, rows, bad), SINEW_ERROR_COUNT);
+    EXPECT_EQ(run_transfer(good, rows, bad, method(m)).sized, SINEW_ERROR_COUNT);
 
     BoundRows none = rows;
     none.weights.assign(none.weights.size(), 0);
