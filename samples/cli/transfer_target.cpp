@@ -8,6 +8,7 @@
 #include "sinew_datasets/label_skeleton.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/map_skeleton.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 
 namespace sinew::cli {
@@ -53,12 +54,23 @@ JointMapping TargetReader::find_map(const std::string& path, const Character& ch
     *mapped_by = from_.map;
     return read_joint_map(from_.map, source_.joints, character.joints);
   }
-  *mapped_by = "equal names";
   JointMapping mapping = map_joints_by_name(source_.joints, character.joints);
+  *mapped_by = "equal names";
+  if (2 * mapped_count(mapping) >= std::min(source_.joints.size(), character.joints.size())) return mapping;
+  MapRig target = map_rig_of(character), source = map_rig_of(source_);
+  target.name = path;
+  source.name = source_.name;
+  MapSkeletonOptions options;
+  options.target_up = options.source_up = 'a';
+  const MappedSkeleton found = map_skeleton(target, source, options);
+  *mapped_by = "anatomy and names";
+  mapping.assign(source_.joints.size(), -1);
+  for (size_t t = 0; t < found.sources.size(); ++t)
+    if (found.sources[t] >= 0) mapping[static_cast<size_t>(found.sources[t])] = static_cast<int32_t>(t);
   if (mapped_count(mapping) == 0)
-    throw Error(path + ": none of its " + std::to_string(character.joints.size()) +
-                " joints has the name of a joint of " + source_.name + " (" + character.joints.front().name + ", " +
-                source_.joints.front().name + "); say with --map FILE which joint is which");
+    throw Error(path + ": none of its " + std::to_string(character.joints.size()) + " joints stands for a joint of " +
+                source_.name + " (" + character.joints.front().name + ", " + source_.joints.front().name +
+                "); say with --map FILE which joint is which");
   return mapping;
 }
 
