@@ -135,8 +135,9 @@ std::vector<Affine> chosen_palette(const Settings& s, const Character& character
 
 void run(const Settings& s) {
   if (int{s.random} + int{!s.turns.empty()} + int{s.animated} + int{!s.matrices.empty()} != 1)
-    throw UsageError("give one of --random SEED, --animation NAME, --matrices FILE.pose, and --joint NAME=rx,ry,rz as "
-                     "often as needed");
+    throw UsageError(
+        "give one of --random SEED, --animation NAME, --matrices FILE.pose, and --joint NAME=rx,ry,rz as "
+        "often as needed");
   if (s.dual_quaternion && !s.deform.empty())
     throw UsageError("--dual-quaternion is --deform dual-quaternion: give one of them");
   (void)deform_options(s);

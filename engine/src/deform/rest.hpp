@@ -3,8 +3,8 @@
 #ifndef SINEW_DEFORM_REST_HPP
 #define SINEW_DEFORM_REST_HPP
 
-#include "deform/lattice.hpp"
 #include "core/vec3d.hpp"
+#include "deform/lattice.hpp"
 #include "sinew/sinew.h"
 
 namespace sinew {

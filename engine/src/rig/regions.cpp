@@ -14,11 +14,11 @@ namespace {
 using mapping::Point;
 
 constexpr uint32_t kMostSeeds = 96;
-constexpr uint32_t kSamples = 64;                    // points of a region that are compared with another's
-constexpr int64_t kNear = kSide / 50;                // points of regions in contact
-constexpr double kLeastArea = 0.001;                // of the whole surface
+constexpr uint32_t kSamples = 64;               // points of a region that are compared with another's
+constexpr int64_t kNear = kSide / 50;           // points of regions in contact
+constexpr double kLeastArea = 0.001;            // of the whole surface
 constexpr double kShort = 0.03, kAround = 0.1;  // of the longest side; the second where two share a neighbour
-constexpr uint32_t kMostEdges = 5;                   // at the neighbour of a leaf that stays
+constexpr uint32_t kMostEdges = 5;              // at the neighbour of a leaf that stays
 constexpr uint32_t kNone = 0xFFFFFFFFu;
 
 Point point(Vec3i p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }

@@ -133,10 +133,10 @@ class Shrinking {
   int32_t n_ = 0;
   uint32_t left_ = 0;
   double whole_ = 0;
-  Point* at_ = nullptr;                         // the joints' box has a diagonal of 1
-  int32_t* parent_ = nullptr;                   // among those that are left
-  int32_t *first_ = nullptr, *next_ = nullptr;  // children
-  uint32_t* bones_ = nullptr;                   // to the parent and to children
+  Point* at_ = nullptr;                                           // the joints' box has a diagonal of 1
+  int32_t* parent_ = nullptr;                                     // among those that are left
+  int32_t *first_ = nullptr, *next_ = nullptr;                    // children
+  uint32_t* bones_ = nullptr;                                     // to the parent and to children
   double *area_ = nullptr, *cost_ = nullptr, *length_ = nullptr;  // of roots only the area means something
   EdgesAtNode* edges_ = nullptr;
   int32_t* into_ = nullptr;

@@ -89,7 +89,8 @@ Retargeter::Body Retargeter::body_of(const Character& character, const std::vect
     const size_t first = size_t{v} * body.slots;
     for (size_t i = first; i < first + body.slots; ++i) {
       body.joints.push_back(rows.joints[i]);
-      body.weights.push_back(i == first && rows.weights[i] == 0 ? 65535 : rows.weights[i]);  // the engine wants a full row
+      body.weights.push_back(i == first && rows.weights[i] == 0 ? 65535
+                                                                : rows.weights[i]);  // the engine wants a full row
     }
   }
   return body;
