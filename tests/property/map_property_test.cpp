@@ -4,29 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <random>
 #include <set>
 #include <utility>
 
+#include "draw.hpp"
 #include "map_rig.hpp"
 
 namespace {
 
+using sinew_test::Draw;
 using sinew_test::MapCall;
 using sinew_test::TestRig;
-
-class Draw {
- public:
-  explicit Draw(uint32_t seed) : random_(seed) {}
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
-  bool chance(uint32_t percent) { return below(100) < percent; }
-  float range(float low, float high) {
-    return low + (high - low) * static_cast<float>(static_cast<double>(random_() >> 11) * 0x1p-53);
-  }
-
- private:
-  std::mt19937_64 random_;
-};
 
 const char* const kNames[] = {"Hips",     "Spine_01", "neck", "Head",  "hand.L",     "LeftUpLeg", "toe_end",
                               "IndexR 1", "Tail",     "",     "J\xFF", "mixa:Arm.R", "jaw",       "thumb_02_l"};

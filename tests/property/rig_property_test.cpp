@@ -6,28 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <random>
 
+#include "draw.hpp"
 #include "rig_scene.hpp"
 
 namespace {
 
 using sinew_test::add_cube;
+using sinew_test::Draw;
 using sinew_test::MeshScene;
 using sinew_test::RiggedScene;
-
-class Draw {
- public:
-  explicit Draw(uint32_t seed) : random_(seed) {}
-  uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
-  bool chance(uint32_t percent) { return below(100) < percent; }
-  float range(float low, float high) {
-    return low + (high - low) * static_cast<float>(static_cast<double>(random_() >> 11) * 0x1p-53);
-  }
-
- private:
-  std::mt19937_64 random_;
-};
 
 void add_box(MeshScene* scene, float x, float y, float z, float sx, float sy, float sz) {
   const uint32_t first = scene->vertex_count();
