@@ -49,6 +49,15 @@ typedef struct sinew_deform_options {
                             * as twist joints do. SINEW_DEFORM_VOLUME alone */
   uint32_t no_contact; /* 1: the two sides of a bend may pass through each other */
   uint32_t no_smoothing; /* 1: no smoothing at the end of SINEW_DEFORM_XPBD */
+  sinew_parallel_for
+      parallel_for; /* how the caller lends its threads to sinew_deform_pose(), as in sinew_options; null: a
+                                    * pose runs on the calling thread. The result does not depend on it. Where several
+                                    * threads pose one deformer, each calls it. SINEW_DEFORM_VOLUME alone */
+  void* parallel_user;
+  uint32_t
+      thread_count;  /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1. Worth while for large lattices: at 64
+                          * cells, hardly at 32 */
+  uint32_t reserved; /* 0 */
 } sinew_deform_options;
 
 /* Options that ask for every default. */

@@ -38,7 +38,10 @@ typedef enum sinew_joint_class {
   SINEW_CLASS_INDEX = 20,
   SINEW_CLASS_MIDDLE = 21,
   SINEW_CLASS_RING = 22,
-  SINEW_CLASS_PINKY = 23
+  SINEW_CLASS_PINKY = 23,
+  SINEW_CLASS_EYE = 24, /* of sinew_rig_face() alone */
+  SINEW_CLASS_JAW = 25,
+  SINEW_CLASS_PROP = 26 /* of sinew_rig_props() alone */
 } sinew_joint_class;
 
 /* Whether the skeleton is to be its own mirror image. */
@@ -185,6 +188,39 @@ SINEW_API sinew_status sinew_rig_hands_workspace_size(const sinew_model* model, 
 SINEW_API sinew_status sinew_rig_hands(const sinew_model* model, const sinew_mesh* mesh,
                                        const sinew_rig_options* options, void* workspace, size_t workspace_bytes,
                                        sinew_rig_outputs* outputs);
+
+/* Bytes sinew_rig_face() needs for meshes of at most these counts, whatever the skeleton. A pure function of its arguments.
+ * Returns SINEW_OK, or with *size_bytes 0 SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION or SINEW_ERROR_COUNT. */
+SINEW_API sinew_status sinew_rig_face_workspace_size(uint32_t vertex_count, uint32_t face_count, uint32_t corner_count,
+                                                     const sinew_rig_options* options, size_t* size_bytes);
+
+/* Gives the heads of a skeleton eyes, where two loose parts of the mesh are balls that lie like eyes, and upright heads a
+ * jaw, which follows from them. Heads whose eyes are painted or part of the skin stay as they are. Needs no model. The same
+ * bytes on every platform.
+ *   options    those of sinew_rig(); up_axis, progress and progress_user alone are looked at; null = all defaults
+ *   outputs    in: as for sinew_rig_hands(), and mirrored.
+ *              out: the same with joints behind the others, children of a joint of SINEW_CLASS_HEAD: LeftEye and RightEye
+ *              in the balls' middles (SINEW_CLASS_EYE), Jaw where it turns and the bone end Jaw_end at the chin
+ *              (SINEW_CLASS_JAW); numbered where a name is taken. Heads whose face has no room, and heads that have an eye
+ *              or a jaw, stay as they are. used_bytes.
+ *
+ * Overlap and threads: as for sinew_bind().
+ *
+ * Returns SINEW_OK, or with outputs untouched what sinew_rig_hands() does but for the errors of models and kernels. */
+SINEW_API sinew_status sinew_rig_face(const sinew_mesh* mesh, const sinew_rig_options* options, void* workspace,
+                                      size_t workspace_bytes, sinew_rig_outputs* outputs);
+
+/* Gives the hands of a skeleton that hold something a joint for it, so that it is bound as a rigid child: a loose part of the
+ * mesh that begins at the hand, reaches far beyond it and stays clear of the arm. Needs no model. The same bytes on every
+ * platform. Memory and options are those of sinew_rig_face().
+ *   outputs  in: as for sinew_rig_hands(). Fingers come before or after.
+ *            out: the same with a joint of SINEW_CLASS_PROP behind the others for every hand that holds a part, where the part
+ *            is nearest to the hand, and a bone end where it is farthest: RightHandProp, RightHandProp_end. Hands without
+ *            room, or with a prop, stay as they are. used_bytes.
+ *
+ * Returns what sinew_rig_face() does. */
+SINEW_API sinew_status sinew_rig_props(const sinew_mesh* mesh, const sinew_rig_options* options, void* workspace,
+                                       size_t workspace_bytes, sinew_rig_outputs* outputs);
 
 #ifdef __cplusplus
 }

@@ -16,6 +16,10 @@
 //
 //   sinew::JointMap map;
 //   sinew_status status = sinew::map_joints(target, source, {}, &workspace, &map);
+//
+// Weights of a bound character for another mesh:
+//
+//   sinew_status status = sinew::transfer(&model, bound, mesh, skeleton, {}, &workspace, &skin);
 #ifndef SINEW_SINEW_HPP
 #define SINEW_SINEW_HPP
 
@@ -104,6 +108,20 @@ struct Asked {
   std::vector<uint32_t> vertex_questions, vertex_parts;  // [vertex_count]
 };
 
+// For the functions below. Calls run(Skin<Weight>& rows) with rows of these counts: *skin itself where it has them, else fresh
+// ones that take its place after SINEW_OK. Where *skin is input too (`is_input`) and has others, SINEW_ERROR_ARGUMENT.
+template <class Weight, class Run>
+sinew_status fill_skin(uint32_t vertex_count, uint32_t influence_count, bool is_input, Skin<Weight>* skin, Run run) {
+  const size_t values = static_cast<size_t>(vertex_count) * influence_count;
+  if (skin->influence_count == influence_count && skin->joints.size() == values && skin->weights.size() == values)
+    return run(*skin);
+  if (is_input) return SINEW_ERROR_ARGUMENT;
+  Skin<Weight> fresh{influence_count, std::vector<uint16_t>(values), std::vector<Weight>(values), 0};
+  const sinew_status status = run(fresh);
+  if (status == SINEW_OK) *skin = std::move(fresh);
+  return status;
+}
+
 // sinew_bind() with the size query, the workspace and the outputs taken care of. options.weight_format is set from
 // Weight. With options.locked or options.hints *skin is input too and must hold vertex_count rows of the wanted
 // influence count (else SINEW_ERROR_ARGUMENT). *confidence gets a value a vertex, unless it is null. With
@@ -120,7 +138,6 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
   if (status != SINEW_OK) return status;
   if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
   const uint32_t influences = options.influence_count == 0 ? 4 : options.influence_count;
-  const size_t values = static_cast<size_t>(mesh.vertex_count) * influences;
   if (confidence != nullptr) confidence->resize(mesh.vertex_count);
   const auto run = [&](Skin<Weight>& rows) {
     sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joints.data(), rows.weights.data());
@@ -139,14 +156,7 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
     if (bound == SINEW_OK && asked != nullptr) asked->questions.resize(outputs.questions_written);
     return bound;
   };
-  if (skin->influence_count == influences && skin->joints.size() == values && skin->weights.size() == values) {
-    return run(*skin);
-  }
-  if (options.locked != nullptr || options.hints != nullptr) return SINEW_ERROR_ARGUMENT;
-  Skin<Weight> fresh{influences, std::vector<uint16_t>(values), std::vector<Weight>(values), 0};
-  const sinew_status bound = run(fresh);
-  if (bound == SINEW_OK) *skin = std::move(fresh);
-  return bound;
+  return fill_skin(mesh.vertex_count, influences, options.locked != nullptr || options.hints != nullptr, skin, run);
 }
 
 // sinew_rig_options that ask for every default; {} where a function takes settings.
@@ -279,6 +289,65 @@ inline sinew_status map_joints(const sinew_map_rig& target, const sinew_map_rig&
   made.certainty = outputs.certainty;
   *map = std::move(made);
   return SINEW_OK;
+}
+
+// sinew_transfer_options that ask for every default; {} where a function takes settings.
+struct TransferSettings : sinew_transfer_options {
+  TransferSettings() : sinew_transfer_options(sinew_transfer_options_init()) {}
+  TransferSettings(const sinew_transfer_options& options) : sinew_transfer_options(options) {}
+};
+
+// What a transfer did, see sinew_transfer_outputs.
+struct TransferReport {
+  std::vector<uint8_t> confidence;         // [vertex_count]
+  std::vector<sinew_transfer_part> parts;  // by falling size
+  std::vector<uint32_t> vertex_parts;      // [vertex_count]
+  uint32_t bound_by = 0, carried_q16 = 0, style_q16 = 0, mismatch_q16 = 0, reference_count = 0;
+  size_t used_bytes = 0;
+};
+
+// sinew_transfer() with the size query, the workspace and the outputs taken care of. settings.weight_format is set from Weight.
+// With settings.locked *skin is input too and must hold target.vertex_count rows of the wanted influence count (else
+// SINEW_ERROR_ARGUMENT). Returns what sinew_transfer() does; SINEW_ERROR_WORKSPACE where memory is short. *skin and *report, which
+// may be null, are untouched on failure.
+template <class Weight>
+sinew_status transfer(const sinew_model* model, const sinew_bound_character& source, const sinew_mesh& target,
+                      const sinew_skeleton& skeleton, TransferSettings settings, Workspace* workspace,
+                      Skin<Weight>* skin, TransferReport* report = nullptr) {
+  settings.weight_format = WeightFormat<Weight>::value;
+  size_t bytes = 0;
+  const sinew_status status = sinew_transfer_workspace_size(model, &source, &target, &skeleton, &settings, &bytes);
+  if (status != SINEW_OK) return status;
+  if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+  const auto run = [&](Skin<Weight>& rows) {
+    sinew_transfer_outputs outputs = sinew_transfer_outputs_init(rows.joints.data(), rows.weights.data());
+    TransferReport made;
+    if (report != nullptr) {
+      made.confidence.resize(target.vertex_count);
+      made.parts.resize(target.vertex_count);
+      made.vertex_parts.resize(target.vertex_count);
+      outputs.confidence = made.confidence.data();
+      outputs.parts = made.parts.data();
+      outputs.part_capacity = target.vertex_count;
+      outputs.vertex_parts = made.vertex_parts.data();
+    }
+    const sinew_status transferred =
+        sinew_transfer(model, &source, &target, &skeleton, &settings, workspace->data(), workspace->size(), &outputs);
+    if (transferred != SINEW_OK) return transferred;
+    rows.symmetric_vertices = 0;
+    if (report == nullptr) return transferred;
+    made.parts.resize(outputs.part_count);
+    made.bound_by = outputs.bound_by;
+    made.carried_q16 = outputs.carried_q16;
+    made.style_q16 = outputs.style_q16;
+    made.mismatch_q16 = outputs.mismatch_q16;
+    made.reference_count = outputs.reference_count;
+    made.used_bytes = outputs.used_bytes;
+    *report = std::move(made);
+    return transferred;
+  };
+  const uint32_t influences = settings.influence_count == 0 ? 4 : settings.influence_count;
+  return fill_skin(target.vertex_count, influences, settings.locked != nullptr, skin, run);
 }
 
 // sinew_retarget_options that ask for every default; {} where a function takes settings.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of doubles and their lengths: each operation in one written order, rounded by itself (no contraction), and none from
+// Doubles, vectors of them and their lengths: each operation in one written order, rounded by itself (no contraction), and none from
 // a library, so that every target has the same bits.
 #ifndef SINEW_CORE_VEC3D_HPP
 #define SINEW_CORE_VEC3D_HPP
@@ -10,11 +10,17 @@
 
 namespace sinew {
 
+inline double absolute(double a) { return a < 0 ? -a : a; }
+inline double lesser(double a, double b) { return b < a ? b : a; }
+inline double greater(double a, double b) { return a < b ? b : a; }
+inline double clamped(double a, double low, double high) { return a < low ? low : a > high ? high : a; }
+
 struct Vec3d {
   double x = 0, y = 0, z = 0;
 };
 inline Vec3d operator+(Vec3d a, Vec3d b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3d operator-(Vec3d a, Vec3d b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec3d operator-(Vec3d a) { return {-a.x, -a.y, -a.z}; }
 inline Vec3d operator*(double s, Vec3d a) { return {s * a.x, s * a.y, s * a.z}; }
 inline double dot(Vec3d a, Vec3d b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3d cross(Vec3d a, Vec3d b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }

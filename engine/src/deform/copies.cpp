@@ -2,8 +2,9 @@
 // Patches of triangles in a cell, copies by weights, inner cells in layers, and the union of corners.
 #include "deform/copies.hpp"
 
+#include "core/triangle_point.hpp"
+#include "core/union_find.hpp"
 #include "core/vector_math.hpp"
-#include "deform/triangle_point.hpp"
 #include "voxels/triangle_cells.hpp"
 
 namespace sinew {
@@ -13,21 +14,6 @@ constexpr uint32_t kNone = 0xFFFFFFFFu;
 // Patches of one cell that are compared with each other. More are dust, and join the first that is like them.
 constexpr uint32_t kComparedPatches = 64;
 constexpr uint32_t kSameInside = 98302;  // rows of two inner cells: 1.5 of 2
-
-uint32_t find_root(uint32_t* parents, uint32_t i) {
-  while (parents[i] != i) {
-    parents[i] = parents[parents[i]];
-    i = parents[i];
-  }
-  return i;
-}
-// The smaller index is the root.
-void join(uint32_t* parents, uint32_t a, uint32_t b) {
-  a = find_root(parents, a);
-  b = find_root(parents, b);
-  if (a < b) parents[b] = a;
-  if (b < a) parents[a] = b;
-}
 
 int16_t to_q14(double x) {
   const double scaled = x * 16384 + 0.5;
@@ -112,7 +98,7 @@ class CopyMaker {
       const uint32_t* const at = mesh_.triangles + 3 * static_cast<size_t>(copies_.pair_triangles[p]);
       for (int k = 0; k < 3; ++k) {
         if (seen_cell_[at[k]] == cell) {
-          join(parents_, p, seen_pair_[at[k]]);
+          join_sets(parents_, p, seen_pair_[at[k]]);
         } else {
           seen_cell_[at[k]] = cell;
           seen_pair_[at[k]] = p;
@@ -186,9 +172,9 @@ class CopyMaker {
       groups[i] = i;
       const uint32_t compared = i < kComparedPatches ? i : kComparedPatches;
       for (uint32_t k = 0; k < compared; ++k) {
-        if (row_distance(patches_[i].row, patches_[k].row) < kSameRows) join(groups, i, k);
+        if (row_distance(patches_[i].row, patches_[k].row) < kSameRows) join_sets(groups, i, k);
       }
-      if (i >= kComparedPatches) join(groups, i, 0);
+      if (i >= kComparedPatches) join_sets(groups, i, 0);
     }
     uint32_t kinds = 0;
     for (uint32_t i = 0; i < count; ++i) kinds += groups[i] == i ? 1u : 0u;
@@ -323,7 +309,7 @@ void join_all(const VoxelGrid& grid, bool everything, Copies* copies) {
         for (int32_t q = 0; q < 8; ++q) {
           const int32_t x = (q >> 2) - dx, y = (q >> 1 & 1) - dy, z = (q & 1) - dz;
           if (x < 0 || x > 1 || y < 0 || y > 1 || z < 0 || z > 1) continue;
-          join(parents, 8 * a + static_cast<uint32_t>(q), 8 * b + static_cast<uint32_t>(4 * x + 2 * y + z));
+          join_sets(parents, 8 * a + static_cast<uint32_t>(q), 8 * b + static_cast<uint32_t>(4 * x + 2 * y + z));
         }
       }
     }

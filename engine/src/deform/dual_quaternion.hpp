@@ -5,12 +5,11 @@
 #define SINEW_DEFORM_DUAL_QUATERNION_HPP
 
 #include "core/vec3d.hpp"
+#include "deform/rotation_quaternion.hpp"
 
 namespace sinew {
 
-struct Quaternion {
-  double w, x, y, z;
-};
+using Quaternion = QuaternionOf<double>;
 inline Quaternion operator*(double s, const Quaternion& q) { return {s * q.w, s * q.x, s * q.y, s * q.z}; }
 inline Quaternion operator+(const Quaternion& a, const Quaternion& b) {
   return {a.w + b.w, a.x + b.x, a.y + b.y, a.z + b.z};
@@ -27,21 +26,9 @@ inline Vec3d rotate(const Quaternion& q, Vec3d p) {
   return p + 2.0 * cross(v, cross(v, p) + q.w * p);
 }
 
-// Unit quaternion of a rotation, row-major 3x4 (Shepperd 1978): of the four squares 4w^2, 4x^2, 4y^2, 4z^2 the largest is at
-// least 1, so the division is well conditioned.
+// Unit quaternion of a rotation, row-major 3x4.
 inline Quaternion rotation_quaternion(const double* m) {
-  const double xx = m[0], yy = m[5], zz = m[10];
-  const double w2 = 1 + xx + yy + zz, x2 = 1 + xx - yy - zz, y2 = 1 - xx + yy - zz, z2 = 1 - xx - yy + zz;
-  Quaternion q;
-  if (w2 >= x2 && w2 >= y2 && w2 >= z2) {
-    q = {w2, m[9] - m[6], m[2] - m[8], m[4] - m[1]};
-  } else if (x2 >= y2 && x2 >= z2) {
-    q = {m[9] - m[6], x2, m[4] + m[1], m[2] + m[8]};
-  } else if (y2 >= z2) {
-    q = {m[2] - m[8], m[4] + m[1], y2, m[9] + m[6]};
-  } else {
-    q = {m[4] - m[1], m[2] + m[8], m[9] + m[6], z2};
-  }
+  const Quaternion q = long_rotation_quaternion(m);
   return reciprocal_root(dot(q, q)) * q;
 }
 

@@ -10,12 +10,13 @@ constexpr double kFullFold = 0.3;         // from here on the plane holds; befor
 constexpr double kLeastNormal = 0.2;      // of the difference of the bones: no plane where they lie on each other
 constexpr double kReach = 0.9;            // of the shorter bone
 constexpr uint32_t kLeastWeight = 39321;  // 0.6 for the joint and its parent together
+constexpr uint32_t kPiece = 512;          // vertices that a thread takes at once
 constexpr double kGap = 0.0005;           // of the size, between the two sides
 
 Vec3d turned(const PosedJoint& joint, Vec3d v) { return rotate(joint.motion.real, v); }
 
 BendPlane find_plane(const PosedJoints& posed, uint32_t j) {
-  BendPlane plane = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0};
+  BendPlane plane = {j, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0};
   const RestJoint& joint = posed.rest->skeleton[j];
   if (joint.parent < 0 || joint.hinge == 0) return plane;
   if (posed.joints[j].group == posed.joints[joint.parent].group) return plane;
@@ -34,40 +35,42 @@ BendPlane find_plane(const PosedJoints& posed, uint32_t j) {
   return plane;
 }
 
+// The half space of a vertex by a plane, if it is near its joint and belongs to its two bones.
+bool find_side(const DeformRest& rest, const BendPlane& plane, uint32_t v, HalfSpace* space) {
+  const RestJoint& joint = rest.skeleton[plane.joint];
+  const Vec3d from = rest.position(v) - joint.place;
+  if (dot(from, from) >= plane.reach * plane.reach) return false;
+  const size_t n = rest.influence_count;
+  uint32_t own = 0, above = 0;
+  for (size_t at = v * n; at < (v + 1) * n; ++at) {
+    if (rest.joints[at] == plane.joint) own += rest.weights[at];
+    if (static_cast<int32_t>(rest.joints[at]) == joint.parent) above += rest.weights[at];
+  }
+  if (own + above <= kLeastWeight) return false;
+  const double side = above >= own ? 1 : -1, gap = kGap * rest.size;
+  const double at_rest = side * dot(plane.rest_normal, from);
+  const double least = at_rest > gap ? gap : at_rest < 0 ? at_rest : 0;
+  space->normal = side * plane.normal;
+  space->offset = side * dot(plane.normal, plane.centre) + least - plane.slack;
+  return true;
+}
+
 }  // namespace
 
-void find_half_spaces(const PosedJoints& posed, BendPlane* planes, HalfSpace* spaces) {
+void find_half_spaces(const PosedJoints& posed, const Threads& threads, BendPlane* planes, HalfSpace* spaces) {
   const DeformRest& rest = *posed.rest;
-  bool any = false;
+  uint32_t count = 0;
   for (uint32_t j = 0; j < rest.joint_count; ++j) {
-    planes[j] = find_plane(posed, j);
-    any = any || planes[j].reach > 0;
+    const BendPlane plane = find_plane(posed, j);
+    if (plane.reach > 0) planes[count++] = plane;
   }
-  for (uint32_t v = 0; v < rest.vertex_count; ++v) spaces[v] = {{0, 0, 0}, 0};
-  if (!any) return;
-  const uint32_t n = rest.influence_count;
-  const double gap = kGap * rest.size;
-  for (uint32_t j = 0; j < rest.joint_count; ++j) {  // a later joint's plane takes the place of an earlier one's
-    const BendPlane& plane = planes[j];
-    if (!(plane.reach > 0)) continue;
-    const RestJoint& joint = rest.skeleton[j];
-    for (uint32_t v = 0; v < rest.vertex_count; ++v) {
-      uint32_t own = 0, above = 0;
-      for (uint32_t i = 0; i < n; ++i) {
-        const size_t at = static_cast<size_t>(v) * n + i;
-        if (rest.joints[at] == j) own += rest.weights[at];
-        if (static_cast<int32_t>(rest.joints[at]) == joint.parent) above += rest.weights[at];
+  threads.ranges(rest.vertex_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+    for (uint32_t v = begin; v < end; ++v) {
+      spaces[v] = {{0, 0, 0}, 0};
+      for (uint32_t p = count; p > 0 && !find_side(rest, planes[p - 1], v, spaces + v); --p) {  // the last joint's
       }
-      if (own + above <= kLeastWeight) continue;
-      const Vec3d from = rest.position(v) - joint.place;
-      if (dot(from, from) >= plane.reach * plane.reach) continue;
-      const double side = above >= own ? 1 : -1;
-      const double at_rest = side * dot(plane.rest_normal, from);
-      const double least = at_rest > gap ? gap : at_rest < 0 ? at_rest : 0;
-      spaces[v].normal = side * plane.normal;
-      spaces[v].offset = side * dot(plane.normal, plane.centre) + least - plane.slack;
     }
-  }
+  });
 }
 
 }  // namespace sinew

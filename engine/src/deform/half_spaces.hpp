@@ -3,6 +3,7 @@
 #ifndef SINEW_DEFORM_HALF_SPACES_HPP
 #define SINEW_DEFORM_HALF_SPACES_HPP
 
+#include "core/threads.hpp"
 #include "deform/posed_joints.hpp"
 
 namespace sinew {
@@ -23,11 +24,12 @@ inline double outside_by(const HalfSpace& half, Vec3d x) {
 
 // Fills spaces [V]. planes [J] is scratch.
 struct BendPlane {
+  uint32_t joint;
   Vec3d rest_normal, normal, centre;  // of the plane at rest and posed; it passes the posed joint
   double reach;                       // 0: the joint does not fold
   double slack;                       // how far beyond the plane vertices may be: it falls to 0 while a fold begins
 };
-void find_half_spaces(const PosedJoints& posed, BendPlane* planes, HalfSpace* spaces);
+void find_half_spaces(const PosedJoints& posed, const Threads& threads, BendPlane* planes, HalfSpace* spaces);
 
 }  // namespace sinew
 #endif

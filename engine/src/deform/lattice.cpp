@@ -3,9 +3,9 @@
 #include "deform/lattice.hpp"
 
 #include "core/sort.hpp"
+#include "core/triangle_point.hpp"
 #include "core/vector_math.hpp"
 #include "deform/copies.hpp"
-#include "deform/triangle_point.hpp"
 #include "mesh/topology.hpp"
 #include "voxels/triangle_cells.hpp"
 
@@ -21,43 +21,15 @@ constexpr int kFillRounds = 4;
 // positive.
 constexpr uint8_t kFive[2][5][4] = {{{0, 1, 3, 5}, {0, 3, 2, 6}, {0, 5, 4, 6}, {3, 5, 6, 7}, {0, 3, 5, 6}},
                                     {{1, 0, 2, 4}, {1, 2, 3, 7}, {1, 4, 5, 7}, {2, 4, 6, 7}, {1, 2, 4, 7}}};
-// The edges of these: the cell's twelve, and six diagonals of its sides.
-constexpr uint8_t kEighteen[2][18][2] = {{{0, 1},
-                                          {2, 3},
-                                          {4, 5},
-                                          {6, 7},
-                                          {0, 2},
-                                          {1, 3},
-                                          {4, 6},
-                                          {5, 7},
-                                          {0, 4},
-                                          {1, 5},
-                                          {2, 6},
-                                          {3, 7},
-                                          {0, 3},
-                                          {0, 5},
-                                          {0, 6},
-                                          {3, 5},
-                                          {3, 6},
-                                          {5, 6}},
-                                         {{0, 1},
-                                          {2, 3},
-                                          {4, 5},
-                                          {6, 7},
-                                          {0, 2},
-                                          {1, 3},
-                                          {4, 6},
-                                          {5, 7},
-                                          {0, 4},
-                                          {1, 5},
-                                          {2, 6},
-                                          {3, 7},
-                                          {1, 2},
-                                          {1, 4},
-                                          {1, 7},
-                                          {2, 4},
-                                          {2, 7},
-                                          {4, 7}}};
+// The edges of these: the cell's twelve, and six diagonals of its sides, by the same parity.
+constexpr uint8_t kTwelve[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
+                                    {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+constexpr uint8_t kSix[2][6][2] = {{{0, 3}, {0, 5}, {0, 6}, {3, 5}, {3, 6}, {5, 6}},
+                                   {{1, 2}, {1, 4}, {1, 7}, {2, 4}, {2, 7}, {4, 7}}};
+constexpr uint32_t kEdgesOfCell = 18;
+const uint8_t (&edge_of_cell(uint32_t odd, uint32_t number))[2] {
+  return number < 12 ? kTwelve[number] : kSix[odd][number - 12];
+}
 
 Vec3i corner_of(uint32_t q) {
   return {static_cast<int32_t>(q >> 2), static_cast<int32_t>(q >> 1 & 1), static_cast<int32_t>(q & 1)};
@@ -89,6 +61,7 @@ class LatticeMaker {
     uint32_t* const offsets = arena.alloc<uint32_t>(static_cast<size_t>(bounds_.nodes) + 1);
     uint32_t* const members = arena.alloc<uint32_t>(static_cast<size_t>(bounds_.copies) * 36);
     uint8_t* const known = arena.alloc<uint8_t>(bounds_.nodes);
+    uint8_t* const listed = arena.alloc<uint8_t>(static_cast<size_t>(bounds_.copies) * 36);
     uint32_t* const face_of = arena.alloc<uint32_t>(bounds_.vertices);
     if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
     if (arena.measuring()) return SINEW_OK;
@@ -96,6 +69,8 @@ class LatticeMaker {
     make_tetrahedra();
     weigh_nodes(offsets, members, known);
     connect(offsets, members);
+    cut_pieces();
+    list_edges(offsets, members, listed);
     fill(offsets, members, known);
     embed(face_of);
     return SINEW_OK;
@@ -166,14 +141,15 @@ class LatticeMaker {
     }
   }
 
-  // Neighbours of every node, both ways, ascending and once each; then the permanent half.
+  // Neighbours of every node, both ways, ascending and once each.
   void connect(uint32_t* offsets, uint32_t* members) {
     const uint32_t count = lattice_.node_count;
     for (uint32_t n = 0; n <= count; ++n) offsets[n] = 0;
     const auto each = [this](const auto& visit) {
       for (uint32_t c = 0; c < copies_.count; ++c) {
         const uint32_t* const nodes = copies_.corners + 8 * static_cast<size_t>(c);
-        for (const auto& edge : kEighteen[parity(copies_.cells[c])]) {
+        for (uint32_t e = 0; e < kEdgesOfCell; ++e) {
+          const uint8_t(&edge)[2] = edge_of_cell(parity(copies_.cells[c]), e);
           visit(nodes[edge[0]], nodes[edge[1]]);
           visit(nodes[edge[1]], nodes[edge[0]]);
         }
@@ -183,23 +159,69 @@ class LatticeMaker {
     sum_up(offsets, count + 1);
     each([offsets, members](uint32_t a, uint32_t b) { members[--offsets[a]] = b; });
     uint32_t kept = 0;
-    lattice_.edge_count = 0;
     for (uint32_t n = 0; n < count; ++n) {
       const uint32_t begin = offsets[n], end = offsets[n + 1];
       sort_ascending(members + begin, end - begin);
       offsets[n] = kept;
-      lattice_.edge_offsets[n] = lattice_.edge_count;
       uint32_t last = n;  // no node is its own neighbour
       for (uint32_t m = begin; m < end; ++m) {
         const uint32_t other = members[m];
         if (other == last) continue;
         last = other;
         members[kept++] = other;
-        if (other > n) lattice_.edge_ends[lattice_.edge_count++] = other;
       }
     }
     offsets[count] = kept;
-    lattice_.edge_offsets[count] = lattice_.edge_count;
+  }
+
+  // Cells of one parity on every axis have no corner in common. Copies of one cell may, and stay in one piece.
+  void cut_pieces() {
+    uint32_t taken = 0, pieces = 0;
+    for (uint32_t colour = 0; colour < kColours; ++colour) {
+      lattice_.colour_pieces[colour] = pieces;
+      uint32_t begin = taken, cell = 0;
+      for (uint32_t c = 0; c < copies_.count; ++c) {
+        const Vec3i at = cell_coordinates(grid_, copies_.cells[c]);
+        if ((static_cast<uint32_t>(at.x & 1) | static_cast<uint32_t>(at.y & 1) << 1 |
+             static_cast<uint32_t>(at.z & 1) << 2) != colour) {
+          continue;
+        }
+        if (taken - begin >= kPieceCopies && copies_.cells[c] != cell) {
+          lattice_.piece_copies[pieces++] = begin;
+          begin = taken;
+        }
+        cell = copies_.cells[c];
+        lattice_.copy_order[taken++] = c;
+      }
+      if (taken > begin) lattice_.piece_copies[pieces++] = begin;
+    }
+    lattice_.colour_pieces[kColours] = pieces;
+    lattice_.piece_copies[pieces] = taken;
+  }
+
+  // Edges of one kind follow each other in a piece: they share few nodes, so that a processor need not wait for one to begin
+  // the next. listed: of an entry of members.
+  void list_edges(const uint32_t* offsets, const uint32_t* members, uint8_t* listed) {
+    for (uint32_t m = 0; m < offsets[lattice_.node_count]; ++m) listed[m] = 0;
+    lattice_.edge_count = 0;
+    for (uint32_t piece = 0; piece < lattice_.piece_count(); ++piece) {
+      lattice_.piece_edges[piece] = lattice_.edge_count;
+      for (uint32_t e = 0; e < kEdgesOfCell; ++e) {
+        for (uint32_t i = lattice_.piece_copies[piece]; i < lattice_.piece_copies[piece + 1]; ++i) {
+          const uint32_t copy = lattice_.copy_order[i];
+          const uint8_t(&ends)[2] = edge_of_cell(parity(copies_.cells[copy]), e);
+          const uint32_t x = copies_.corners[8 * static_cast<size_t>(copy) + ends[0]],
+                         y = copies_.corners[8 * static_cast<size_t>(copy) + ends[1]];
+          const uint32_t a = x < y ? x : y, b = x < y ? y : x;
+          uint32_t m = offsets[a];
+          while (members[m] != b) ++m;  // there is one
+          if (listed[m] != 0) continue;
+          listed[m] = 1;
+          lattice_.edges[lattice_.edge_count++] = {a, b};
+        }
+      }
+    }
+    lattice_.piece_edges[lattice_.piece_count()] = lattice_.edge_count;
   }
 
   // Nodes that no triangle is near: the mean of their neighbours, from the outside inwards, then smoothed.
@@ -319,8 +341,11 @@ bool Lattice::allocate(Arena& arena, const LatticeBounds& bounds) {
   nodes = arena.alloc<Vec3i>(bounds.nodes);
   rows = arena.alloc<WeightRow>(bounds.nodes);
   tetrahedra = arena.alloc<uint32_t>(static_cast<size_t>(bounds.copies) * 20);
-  edge_offsets = arena.alloc<uint32_t>(static_cast<size_t>(bounds.nodes) + 1);
-  edge_ends = arena.alloc<uint32_t>(static_cast<size_t>(bounds.copies) * 18);
+  const size_t pieces = bounds.copies / kPieceCopies + kColours + 1;
+  copy_order = arena.alloc<uint32_t>(bounds.copies);
+  piece_copies = arena.alloc<uint32_t>(pieces);
+  piece_edges = arena.alloc<uint32_t>(pieces);
+  edges = arena.alloc<LatticeEdge>(static_cast<size_t>(bounds.copies) * 18);
   vertices = arena.alloc<Embedding>(bounds.vertices);
   return arena.ok();
 }

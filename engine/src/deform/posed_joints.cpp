@@ -15,7 +15,12 @@ constexpr double kSameMove = 1e-3;
 // Twists below some 3 degrees stay where they are; from there to 6 degrees the bone takes more and more.
 constexpr double kLeastTwist = 0.026, kFullTwist = 0.052;  // sines of half angles
 constexpr uint16_t kTold = 655;                            // weights of less than 1 % strain nothing
-constexpr double kOverturned = 0.174;                      // cosine of half of 160 degrees
+// Joints that swing by more than 148 degrees are overturned more and more, by 170 degrees wholly. Those that twist as well are from
+// 110 degrees on, and wholly by 150. Cosines of half angles.
+constexpr double kBeginSwung = 0.2756, kFullSwung = 0.0872, kBeginMixed = 0.5736, kFullMixed = 0.2588;
+// A turn whose swing is below 20 degrees is a twist, and one whose twist is below 20 a swing; from 50 degrees of the other on it
+// is wholly mixed. Sines of half angles.
+constexpr double kPure = 0.1736, kMixed = 0.4226;
 constexpr double kMostTwistShare = 0.3;
 
 Vec3d column(const double* m, int c) { return {m[c], m[4 + c], m[8 + c]}; }
@@ -52,11 +57,12 @@ Vec3d image(const double* m, Vec3d p) {
           m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
 }
 
-// The group of a joint's parent, if the joint goes with it.
+// The group of a joint's parent, if the joint goes with it. A further root may go with the first one.
 uint32_t find_group(const PosedJoints& posed, uint32_t j) {
   const RestJoint& joint = posed.rest->skeleton[j];
-  if (joint.parent < 0) return j;
-  const uint32_t group = posed.joints[joint.parent].group;
+  if (j == posed.rest->first_joint) return j;
+  const uint32_t group =
+      posed.joints[joint.parent < 0 ? posed.rest->first_joint : static_cast<uint32_t>(joint.parent)].group;
   const PosedJoint &one = posed.joints[j], &other = posed.joints[group];
   if (dot(one.motion.real, other.motion.real) < kSameTurn) return j;
   const Vec3d apart = image(one.matrix, joint.place) - image(other.matrix, joint.place);
@@ -65,14 +71,24 @@ uint32_t find_group(const PosedJoints& posed, uint32_t j) {
              : group;
 }
 
-// How far a joint is bent beyond what dual quaternions bear: twists about the bone do not count.
+double ramp(double x, double from, double to) {
+  const double share = (x - from) / (to - from);
+  return share <= 0 ? 0 : share >= 1 ? 1 : share * share * (3 - 2 * share);
+}
+
+// How near to half a turn a joint is, where the quaternion that it has changes sides.
 double find_overturn(const PosedJoints& posed, uint32_t j) {
   const RestJoint& joint = posed.rest->skeleton[j];
   if (joint.parent < 0) return 0;
   const Quaternion turn = conjugate(posed.joints[joint.parent].motion.real) * posed.joints[j].motion.real;
   const double along = turn.x * joint.to_parent.x + turn.y * joint.to_parent.y + turn.z * joint.to_parent.z;
-  const double upright = root(turn.w * turn.w + along * along);  // cosine of half the bend
-  return upright < kOverturned ? (kOverturned - upright) / kOverturned : 0;
+  const double upright = turn.w * turn.w + along * along;  // squared cosine of half the swing
+  const double swing = root(upright < 1 ? 1 - upright : 0);
+  const double twist = upright > 1e-9 ? (along < 0 ? -along : along) * reciprocal_root(upright) : 0;
+  const double mixed = ramp(twist, kPure, kMixed);
+  return ramp(turn.w, kBeginSwung + mixed * (kBeginMixed - kBeginSwung),
+              kFullSwung + mixed * (kFullMixed - kFullSwung)) *
+         ramp(swing, kPure, kMixed);
 }
 
 // The twist of a joint about the bone that leads to it, given to its parent's bone if that has no other child.
@@ -100,6 +116,12 @@ void find_twist(uint32_t j, PosedJoints* posed) {
     s = s * share;
     w = root(1 - s * s);
   }
+  const double kept = 1 - posed->joints[j].overturned;
+  if (kept <= 0) return;
+  if (kept < 1) {
+    s = s * kept;
+    w = root(1 - s * s);
+  }
   const Quaternion twist = {w, s * axis.x, s * axis.y, s * axis.z};
   bone.twisted = bone.motion * motion(twist, above.place - rotate(twist, above.place));
   bone.twists = true;
@@ -125,6 +147,7 @@ sinew_status read_palette(const float* palette, PosedJoints* posed) {
     posed->joints[j].twists = false;
     posed->joints[j].group = j;
   }
+  posed->overturned = false;
   posed->rigid = divide_scale(posed);
   if (!posed->rigid) return SINEW_OK;
   for (uint32_t j = rest.first_joint; j < rest.joint_count; j = rest.skeleton[j].next) {
@@ -135,6 +158,7 @@ sinew_status read_palette(const float* palette, PosedJoints* posed) {
     joint.motion = motion(turn, {joint.matrix[3], joint.matrix[7], joint.matrix[11]});
     joint.group = find_group(*posed, j);
     joint.overturned = find_overturn(*posed, j);
+    posed->overturned = posed->overturned || joint.overturned > 0;
     if (rest.options.method == SINEW_DEFORM_VOLUME && rest.options.no_twist_spread == 0) find_twist(j, posed);
   }
   return SINEW_OK;
@@ -181,13 +205,26 @@ DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, c
   return sum;
 }
 
+double row_overturn(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n) {
+  if (!posed.overturned) return 0;
+  const RestJoint* const skeleton = posed.rest->skeleton;
+  double most = 0;
+  for (uint32_t i = 1; i < n; ++i) {
+    if (weights[i] <= kTold) continue;
+    // From the first joint and this one up to where their ways meet.
+    int32_t a = joints[0], b = joints[i];
+    while (a != b && a >= 0 && b >= 0) {
+      int32_t& below = skeleton[a].rank > skeleton[b].rank ? a : b;
+      if (posed.joints[below].overturned > most) most = posed.joints[below].overturned;
+      below = skeleton[below].parent;
+    }
+  }
+  return most;
+}
+
 Vec3d blend_dual(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n, Vec3d p) {
   const Vec3d dual = move(blend_motions(posed, joints, weights, n, p), p);
-  double most = 0;
-  for (uint32_t i = 0; i < n; ++i) {
-    const double own = posed.joints[joints[i]].overturned;
-    if (weights[i] > kTold && own > most) most = own;
-  }
+  const double most = row_overturn(posed, joints, weights, n);
   return most > 0 ? dual + most * (blend_linear(posed, joints, weights, n, p) - dual) : dual;
 }
 

@@ -13,7 +13,7 @@ struct PosedJoint {
   DualQuaternion motion;   // its quaternion lies on the parent's side
   DualQuaternion twisted;  // `motion` after all of the child's twist about the bone
   bool twists;             // this joint's bone takes a part of its one child's twist
-  double overturned;       // 0..1: bent by nearly half a turn against the parent, where dual quaternions change sides
+  double overturned;       // 0..1: turned by nearly half a turn against the parent, where dual quaternions change sides
   uint32_t group;          // the joint that this one moves with as one rigid piece: itself, or one above
 };
 
@@ -21,6 +21,7 @@ struct PosedJoints {
   const DeformRest* rest = nullptr;
   PosedJoint* joints = nullptr;  // [J]
   double scale = 1;              // of all matrices
+  bool overturned = false;       // one of the joints is
   bool rigid = false;            // false: the matrices are not rotations with one scale, and only `matrix` is filled
 
   bool allocate(Arena& arena, const DeformRest& of);
@@ -55,6 +56,8 @@ double twist_share(const RestJoint& joint, Vec3d place);
 // Sum of the motions of a row at a place. A row without weights stands still.
 DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n,
                              Vec3d place);
+// How far the joints of a row, by falling weight, are overturned against each other: the most of any joint between them.
+double row_overturn(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n);
 // Dual quaternion blending: L. Kavan, S. Collins, J. Zara, C. O'Sullivan, ACM TOG 27(4), 2008. Overturned joints blend more
 // and more linearly, so that nothing jumps where the quaternions change sides.
 Vec3d blend_dual(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n, Vec3d p);

@@ -37,7 +37,7 @@ class PublishedPose {
       spaces_[v] = {{0, 0, 0}, 0};
     }
     if (lattice_.tetrahedron_count == 0 || !find_moving()) return SINEW_OK;
-    if (rest_.options.no_contact == 0) find_half_spaces(posed_, planes, spaces_);
+    if (rest_.options.no_contact == 0) find_half_spaces(posed_, rest_.threads(), planes, spaces_);
     cell_ = rest_.unit * kCellUnits;
     solve();
     map_back(mask);
@@ -64,11 +64,7 @@ class PublishedPose {
   void solve() {
     for (uint32_t t = 0; t < lattice_.tetrahedron_count; ++t) counts_.active_tetrahedra += moving(t) > 0 ? 1u : 0u;
     for (uint32_t round = 0; round < rest_.options.round_count; ++round) {
-      for (uint32_t a = 0; a < lattice_.node_count; ++a) {
-        for (uint32_t e = lattice_.edge_offsets[a]; e < lattice_.edge_offsets[a + 1]; ++e) {
-          stretch(a, lattice_.edge_ends[e]);
-        }
-      }
+      for (uint32_t e = 0; e < lattice_.edge_count; ++e) stretch(lattice_.edges[e].a, lattice_.edges[e].b);
       for (uint32_t t = 0; t < lattice_.tetrahedron_count; ++t) {
         if (moving(t) == 0) continue;
         energy(lattice_.tetrahedra + 4 * static_cast<size_t>(t));

@@ -10,7 +10,7 @@
 #include "deform/dual_quaternion.hpp"
 #include "deform/pins.hpp"
 #include "deform/smoothing.hpp"
-#include "rig/caller_units.hpp"
+#include "grid/caller_units.hpp"
 
 namespace sinew {
 namespace {
@@ -48,7 +48,10 @@ sinew_status order_joints(const sinew_skeleton& skeleton, uint32_t* queue, Defor
   }
   if (tail != count) return SINEW_ERROR_HIERARCHY;
   rest->first_joint = queue[0];
-  for (uint32_t i = 0; i < count; ++i) rest->skeleton[queue[i]].next = i + 1 < count ? queue[i + 1] : count;
+  for (uint32_t i = 0; i < count; ++i) {
+    rest->skeleton[queue[i]].rank = i;
+    rest->skeleton[queue[i]].next = i + 1 < count ? queue[i + 1] : count;
+  }
   return SINEW_OK;
 }
 
@@ -140,9 +143,10 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     if (status != SINEW_OK) return status;
   }
   sinew_deform_options& o = *options;
+  if (o.reserved != 0) return SINEW_ERROR_VERSION;
   if (o.method > SINEW_DEFORM_DELTA_MUSH || o.round_count > SINEW_MAX_DEFORM_ROUNDS || o.softness > 65535 ||
       (o.cell_count != 0 && (o.cell_count < 8 || o.cell_count > SINEW_MAX_DEFORM_CELLS)) || o.no_twist_spread > 1 ||
-      o.no_contact > 1 || o.no_smoothing > 1) {
+      o.no_contact > 1 || o.no_smoothing > 1 || o.thread_count > SINEW_MAX_THREADS) {
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.cell_count == 0) o.cell_count = 32;

@@ -3,6 +3,7 @@
 #ifndef SINEW_DEFORM_REST_HPP
 #define SINEW_DEFORM_REST_HPP
 
+#include "core/threads.hpp"
 #include "core/vec3d.hpp"
 #include "deform/lattice.hpp"
 #include "sinew/sinew.h"
@@ -16,7 +17,8 @@ constexpr uint8_t kNodeAtBone = 2;  // never moves
 struct RestJoint {
   Vec3d place;        // the caller's units
   int32_t parent;     // -1 for a root
-  uint32_t next;      // the joint that comes next where parents come before their children
+  uint32_t rank;      // in an order in which parents come before their children
+  uint32_t next;      // the joint of the next rank, J behind the last
   Vec3d to_parent;    // unit vector, (0, 0, 0) without a parent
   Vec3d to_children;  // unit vector along the bone; a leaf's leads away from its parent
   double parent_length, bone_length;
@@ -46,6 +48,9 @@ struct DeformRest {
   uint8_t* border = nullptr;  // [U]
   Vec3d* smooth = nullptr;    // [U] delta mush: the smoothed rest pose
 
+  Threads threads() const {
+    return {options.thread_count != 0 ? options.thread_count : 1, options.parallel_for, options.parallel_user};
+  }
   bool has_lattice() const { return options.method != SINEW_DEFORM_DELTA_MUSH; }
   bool has_surface() const { return options.method != SINEW_DEFORM_VOLUME; }
   Vec3d position(uint32_t vertex) const {

@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "deform/rotation_quaternion.hpp"
+
 namespace sinew {
 namespace {
 
@@ -28,9 +30,7 @@ float reciprocal_sqrt(float x) {
   return y;
 }
 
-struct Quaternion {
-  float w, x, y, z;
-};
+using Quaternion = QuaternionOf<float>;
 Quaternion scaled(const Quaternion& q, float s) { return {q.w * s, q.x * s, q.y * s, q.z * s}; }
 void add_scaled(Quaternion* sum, const Quaternion& q, float s) {
   sum->w += q.w * s;
@@ -40,21 +40,9 @@ void add_scaled(Quaternion* sum, const Quaternion& q, float s) {
 }
 float dot(const Quaternion& a, const Quaternion& b) { return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// Unit quaternion of a rotation matrix (Shepperd 1978): of the four squares 4w^2, 4x^2, 4y^2, 4z^2 the largest is at
-// least 1, so the division is well conditioned.
+// Unit quaternion of a rotation matrix.
 Quaternion rotation_quaternion(const float* m) {
-  const float xx = m[0], yy = m[5], zz = m[10];
-  const float w2 = 1.0f + xx + yy + zz, x2 = 1.0f + xx - yy - zz, y2 = 1.0f - xx + yy - zz, z2 = 1.0f - xx - yy + zz;
-  Quaternion q;
-  if (w2 >= x2 && w2 >= y2 && w2 >= z2) {
-    q = {w2, m[9] - m[6], m[2] - m[8], m[4] - m[1]};
-  } else if (x2 >= y2 && x2 >= z2) {
-    q = {m[9] - m[6], x2, m[4] + m[1], m[2] + m[8]};
-  } else if (y2 >= z2) {
-    q = {m[2] - m[8], m[4] + m[1], y2, m[9] + m[6]};
-  } else {
-    q = {m[4] - m[1], m[2] + m[8], m[9] + m[6], z2};
-  }
+  const Quaternion q = long_rotation_quaternion(m);
   return scaled(q, reciprocal_sqrt(dot(q, q)));
 }
 

@@ -14,6 +14,10 @@ constexpr int64_t kSmallVolume = int64_t{1} << (2 * kCellBits);  // six volumes 
 constexpr int64_t kLeastDenominator = 36 * (int64_t{1} << (2 * kCellBits)) / 5;
 constexpr int64_t kLongestStep = kCellUnits / 4;
 constexpr int kRatioBits = 18;
+constexpr uint32_t kWorthThreads = 2048;
+// A node keeps 0.8 of the way of its last round, at most a cell. 20 rounds reach what took more than 30.
+constexpr int32_t kMomentum = 205;      // Q8
+constexpr uint32_t kRoundsWithout = 2;  // at the end, in which the constraints settle
 
 int32_t clamped(int32_t x, int32_t most) { return x > most ? most : x < -most ? -most : x; }
 Vec3i clamped(Vec3i v, int32_t most) { return {clamped(v.x, most), clamped(v.y, most), clamped(v.z, most)}; }
@@ -100,11 +104,38 @@ void solve_point(const SolverPoint& point, const uint8_t* moves, Vec3i* nodes) {
   }
 }
 
-// Ways from an end of an edge to the other: each coordinate falls, stays or rises.
-constexpr uint32_t kDirections = 27;
-uint32_t direction_of(Vec3i d) {
-  const auto sign = [](int32_t x) { return x < 0 ? 0u : x == 0 ? 1u : 2u; };
-  return 9 * sign(d.x) + 3 * sign(d.y) + sign(d.z);
+// Every node goes on in the way that it came since the last round's end.
+void add_momentum(bool on, uint32_t count, SolverState* state) {
+  for (uint32_t n = 0; n < count; ++n) {
+    if (state->moves[n] == 0) continue;
+    const Vec3i way = clamped(state->nodes[n] - state->last[n], kCellUnits);
+    state->last[n] = state->nodes[n];
+    if (on) step(&state->nodes[n], kMomentum, way, 8);
+  }
+}
+
+// Constraints of every piece, colour by colour. begins [pieces + 1].
+template <class Solve>
+void each_piece(const Lattice& lattice, const uint32_t* begins, bool backwards, const Threads& threads,
+                const Solve& one) {
+  for (uint32_t i = 0; i < kColours; ++i) {
+    const uint32_t colour = backwards ? kColours - 1 - i : i;
+    const uint32_t first = lattice.colour_pieces[colour], pieces = lattice.colour_pieces[colour + 1] - first;
+    const auto piece = [&](uint32_t p, uint32_t) {
+      const uint32_t begin = begins[first + p], end = begins[first + p + 1];
+      if (backwards) {
+        for (uint32_t k = end; k-- > begin;) one(k);
+      } else {
+        for (uint32_t k = begin; k < end; ++k) one(k);
+      }
+    };
+    // Fewer are done before threads have begun.
+    if (begins[first + pieces] - begins[first] < kWorthThreads) {
+      for (uint32_t p = 0; p < pieces; ++p) piece(p, 0);
+    } else {
+      threads.each(pieces, piece);
+    }
+  }
 }
 
 // Six volumes at rest over the cell's edge: the fifth tetrahedron of a cell is twice as large.
@@ -115,44 +146,43 @@ int64_t rest_volume(uint32_t tetrahedron) { return tetrahedron % 5 == 4 ? 2 * kS
 bool SolverState::allocate(Arena& arena, uint32_t node_count, uint32_t tetrahedra_most, uint32_t edges_most,
                            uint32_t points_most) {
   nodes = arena.alloc<Vec3i>(node_count);
+  last = arena.alloc<Vec3i>(node_count);
   moves = arena.alloc<uint8_t>(node_count);
   tetrahedra = arena.alloc<uint32_t>(tetrahedra_most);
   edges = arena.alloc<SolverEdge>(edges_most);
   points = arena.alloc<SolverPoint>(points_most);
+  const size_t pieces = tetrahedra_most / (5 * kPieceCopies) + kColours + 1;
+  piece_tetrahedra = arena.alloc<uint32_t>(pieces);
+  piece_edges = arena.alloc<uint32_t>(pieces);
   return arena.ok();
 }
 
 void list_constraints(const Lattice& lattice, SolverState* state) {
-  // Constraints of one kind and parity follow each other: they share few nodes, so that a processor need not wait for one to
-  // begin the next. 15 % less time than in the order of cells.
-  state->tetrahedron_count = 0;
-  for (uint32_t kind = 0; kind < 10; ++kind) {
-    for (uint32_t t = kind % 5 + 5 * (kind / 5); t < lattice.tetrahedron_count; t += 10) {
-      const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(t);
-      if ((state->moves[at[0]] | state->moves[at[1]] | state->moves[at[2]] | state->moves[at[3]]) != 0) {
-        state->tetrahedra[state->tetrahedron_count++] = t;
-      }
-    }
-  }
+  const uint8_t* const moves = state->moves;
   constexpr int32_t kStraight = kCellUnits * 16;
   const int32_t diagonal = static_cast<int32_t>(isqrt64(uint64_t{2} * kStraight * kStraight));
-  uint32_t begins[kDirections + 1] = {};
-  const auto each_edge = [&](const auto& visit) {
-    for (uint32_t a = 0; a < lattice.node_count; ++a) {
-      for (uint32_t e = lattice.edge_offsets[a]; e < lattice.edge_offsets[a + 1]; ++e) {
-        const uint32_t b = lattice.edge_ends[e];
-        if ((state->moves[a] | state->moves[b]) != 0) visit(a, b, direction_of(lattice.nodes[b] - lattice.nodes[a]));
+  uint32_t tetrahedra = 0, edges = 0;
+  for (uint32_t piece = 0; piece < lattice.piece_count(); ++piece) {
+    state->piece_tetrahedra[piece] = tetrahedra;
+    state->piece_edges[piece] = edges;
+    // Those of one kind follow each other, as with edges.
+    for (uint32_t kind = 0; kind < 5; ++kind) {
+      for (uint32_t i = lattice.piece_copies[piece]; i < lattice.piece_copies[piece + 1]; ++i) {
+        const uint32_t t = 5 * lattice.copy_order[i] + kind;
+        const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(t);
+        if ((moves[at[0]] | moves[at[1]] | moves[at[2]] | moves[at[3]]) != 0) state->tetrahedra[tetrahedra++] = t;
       }
     }
-  };
-  each_edge([&](uint32_t, uint32_t, uint32_t direction) { ++begins[direction + 1]; });
-  for (uint32_t d = 0; d < kDirections; ++d) begins[d + 1] += begins[d];
-  state->edge_count = begins[kDirections];
-  each_edge([&](uint32_t a, uint32_t b, uint32_t direction) {
-    const Vec3i d = lattice.nodes[b] - lattice.nodes[a];
-    const int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
-    state->edges[begins[direction]++] = {a, b, axes == 1 ? kStraight : diagonal, 0};
-  });
+    for (uint32_t e = lattice.piece_edges[piece]; e < lattice.piece_edges[piece + 1]; ++e) {
+      const LatticeEdge& edge = lattice.edges[e];
+      if ((moves[edge.a] | moves[edge.b]) == 0) continue;
+      const Vec3i d = lattice.nodes[edge.b] - lattice.nodes[edge.a];
+      const int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
+      state->edges[edges++] = {edge.a, edge.b, axes == 1 ? kStraight : diagonal, 0};
+    }
+  }
+  state->piece_tetrahedra[lattice.piece_count()] = state->tetrahedron_count = tetrahedra;
+  state->piece_edges[lattice.piece_count()] = state->edge_count = edges;
 }
 
 void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int32_t offset, SolverState* state) {
@@ -172,19 +202,25 @@ void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int
   ++state->point_count;
 }
 
-void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, SolverState* state) {
+void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const Threads& threads, SolverState* state) {
   EdgeRates rates;
   rates.softness = softness;
   for (int64_t ends = 1; ends <= 2; ++ends)
     rates.inverse[ends - 1] = (int64_t{1} << 24) / (256 * ends + rates.softness);
   Vec3i* const nodes = state->nodes;
+  const uint8_t* const moves = state->moves;
+  for (uint32_t n = 0; n < lattice.node_count; ++n) state->last[n] = nodes[n];
   for (uint32_t round = 0; round < rounds; ++round) {
-    for (uint32_t e = 0; e < state->edge_count; ++e) solve_edge(rates, state->moves, nodes, state->edges + e);
-    for (uint32_t i = 0; i < state->tetrahedron_count; ++i) {
+    // Every other round goes backwards, so that no direction is ahead of the others.
+    const bool backwards = round % 2 != 0;
+    each_piece(lattice, state->piece_edges, backwards, threads,
+               [&](uint32_t e) { solve_edge(rates, moves, nodes, state->edges + e); });
+    each_piece(lattice, state->piece_tetrahedra, backwards, threads, [&](uint32_t i) {
       const uint32_t t = state->tetrahedra[i];
-      solve_volume(lattice.tetrahedra + 4 * static_cast<size_t>(t), rest_volume(t), state->moves, nodes);
-    }
-    for (uint32_t i = 0; i < state->point_count; ++i) solve_point(state->points[i], state->moves, nodes);
+      solve_volume(lattice.tetrahedra + 4 * static_cast<size_t>(t), rest_volume(t), moves, nodes);
+    });
+    for (uint32_t i = 0; i < state->point_count; ++i) solve_point(state->points[i], moves, nodes);
+    add_momentum(round > 0 && round + kRoundsWithout < rounds, lattice.node_count, state);
   }
 }
 

@@ -10,6 +10,8 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kRingsAroundStrain = 3;
+constexpr int kFadeBits = 14;
+constexpr uint32_t kPiece = 512;  // vertices or nodes that a thread takes at once
 
 int32_t to_units(double x) {
   const double most = kFarthest;
@@ -23,7 +25,12 @@ int32_t to_units(double x) {
 class VolumePose {
  public:
   VolumePose(const PosedJoints& posed, Vec3d* places, PoseCounts* counts)
-      : posed_(posed), rest_(*posed.rest), lattice_(rest_.lattice), places_(places), counts_(*counts) {}
+      : posed_(posed),
+        rest_(*posed.rest),
+        lattice_(rest_.lattice),
+        places_(places),
+        counts_(*counts),
+        threads_(rest_.threads()) {}
 
   sinew_status run(Arena& arena) {
     const ArenaScope scope(arena);
@@ -31,6 +38,7 @@ class VolumePose {
     BendPlane* const planes = arena.alloc<BendPlane>(rest_.joint_count);
     begin_ = arena.alloc<Vec3i>(lattice_.node_count);
     flags_ = arena.alloc<uint8_t>(lattice_.node_count);
+    faded_ = arena.alloc<uint16_t>(2 * static_cast<size_t>(lattice_.node_count));
     if (!state_.allocate(arena, lattice_.node_count, lattice_.tetrahedron_count, lattice_.edge_count,
                          rest_.welded_count)) {
       return SINEW_ERROR_WORKSPACE;
@@ -38,21 +46,23 @@ class VolumePose {
     if (arena.measuring()) return SINEW_OK;
     skin_vertices();
     if (rest_.options.no_contact == 0) {
-      find_half_spaces(posed_, planes, spaces_);
+      find_half_spaces(posed_, threads_, planes, spaces_);
     } else {
       for (uint32_t v = 0; v < rest_.vertex_count; ++v) spaces_[v] = {{0, 0, 0}, 0};
     }
+    if (posed_.overturned) fade();
     if (lattice_.tetrahedron_count > 0 && find_moving()) {
       skin_nodes();
       list_constraints(lattice_, &state_);
       if (rest_.options.no_contact == 0) list_points();
       counts_.active_tetrahedra = state_.tetrahedron_count;
-      solve(lattice_, rest_.options.round_count, rest_.options.softness, &state_);
+      solve(lattice_, rest_.options.round_count, rest_.options.softness, threads_, &state_);
       counts_.inverted_tetrahedra = count_inverted(lattice_, state_);
       map_back();
     }
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-      places_[v] = places_[v] - outside_by(spaces_[v], places_[v]) * spaces_[v].normal;
+      const double outside = outside_by(spaces_[v], places_[v]);
+      if (outside < 0) places_[v] = places_[v] - kept(v) * outside * spaces_[v].normal;
     }
     return SINEW_OK;
   }
@@ -60,10 +70,41 @@ class VolumePose {
  private:
   void skin_vertices() {
     const uint32_t n = rest_.influence_count;
-    for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-      const size_t at = static_cast<size_t>(v) * n;
-      places_[v] = blend_dual(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
+    threads_.ranges(rest_.vertex_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+      for (uint32_t v = begin; v < end; ++v) {
+        const size_t at = static_cast<size_t>(v) * n;
+        places_[v] = blend_dual(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
+      }
+    });
+  }
+
+  // Around overturned joints nothing is corrected: a small motion there would turn the correction over.
+  void fade() {
+    const uint32_t count = lattice_.node_count;
+    uint16_t* const next = faded_ + count;
+    for (uint32_t n = 0; n < count; ++n) {
+      const WeightRow& row = lattice_.rows[n];
+      faded_[n] = static_cast<uint16_t>((1 << kFadeBits) * row_overturn(posed_, row.joints, row.weights, kNodeSlots));
     }
+    for (uint32_t ring = 0; ring < kRingsAroundStrain; ++ring) {
+      for (uint32_t n = 0; n < count; ++n) next[n] = faded_[n];
+      for (uint32_t t = 0; t < lattice_.tetrahedron_count; ++t) {
+        const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(t);
+        uint16_t most = 0;
+        for (int k = 0; k < 4; ++k) most = faded_[at[k]] > most ? faded_[at[k]] : most;
+        for (int k = 0; k < 4 && most > 0; ++k) next[at[k]] = most > next[at[k]] ? most : next[at[k]];
+      }
+      for (uint32_t n = 0; n < count; ++n) faded_[n] = next[n];
+    }
+  }
+  // Share of the correction that a vertex keeps.
+  double kept(uint32_t v) const {
+    const Embedding& place = lattice_.vertices[rest_.welded[v]];
+    if (!posed_.overturned || place.tetrahedron == kNoTetrahedron) return 1;
+    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+    int64_t faded = 0;
+    for (int k = 0; k < 4; ++k) faded += static_cast<int64_t>(place.shares[k]) * faded_[at[k]];
+    return 1 - static_cast<double>(faded) / (1 << (kShareBits + kFadeBits));
   }
 
   // Free nodes near strained ones move, and those around vertices on the wrong side of their plane. False if none does.
@@ -92,13 +133,15 @@ class VolumePose {
   void skin_nodes() {
     middle_ = places_[0];
     const double per_unit = 1 / rest_.unit;
-    for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-      const WeightRow& row = lattice_.rows[n];
-      const Vec3d p =
-          per_unit * (blend_dual(posed_, row.joints, row.weights, kNodeSlots, rest_.node_place(n)) - middle_);
-      begin_[n] = {to_units(p.x), to_units(p.y), to_units(p.z)};
-      state_.nodes[n] = begin_[n];
-    }
+    threads_.ranges(lattice_.node_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
+      for (uint32_t n = begin; n < end; ++n) {
+        const WeightRow& row = lattice_.rows[n];
+        const Vec3d p =
+            per_unit * (blend_dual(posed_, row.joints, row.weights, kNodeSlots, rest_.node_place(n)) - middle_);
+        begin_[n] = {to_units(p.x), to_units(p.y), to_units(p.z)};
+        state_.nodes[n] = begin_[n];
+      }
+    });
   }
 
   void list_points() {
@@ -117,7 +160,10 @@ class VolumePose {
   // Where all is pinned a vertex keeps its skinned place exactly; where all moves it goes with the lattice, which smooths it.
   // What the rounded shares are off at rest is taken out.
   void map_back() {
-    for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
+    threads_.ranges(rest_.vertex_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) { map_back(begin, end); });
+  }
+  void map_back(uint32_t first, uint32_t last) {
+    for (uint32_t v = first; v < last; ++v) {
       const Embedding& place = lattice_.vertices[rest_.welded[v]];
       if (place.tetrahedron == kNoTetrahedron) continue;
       const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
@@ -136,9 +182,11 @@ class VolumePose {
       }
       if (moving == 0) continue;
       constexpr double kOne = 1.0 / (1 << kShareBits);
-      const double unit = rest_.unit * kOne, share = static_cast<double>(moving) * kOne;
+      const double keep = kept(v);
+      const double unit = rest_.unit * kOne, share = keep * static_cast<double>(moving) * kOne;
       const Vec3d correction =
-          unit * Vec3d{static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])};
+          keep * unit *
+          Vec3d{static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])};
       const Vec3d embedded = middle_ + unit * Vec3d{static_cast<double>(start[0]), static_cast<double>(start[1]),
                                                     static_cast<double>(start[2])};
       const Vec3d embedded_at_rest =
@@ -154,10 +202,12 @@ class VolumePose {
   const Lattice& lattice_;
   Vec3d* const places_;
   PoseCounts& counts_;
+  const Threads threads_;
   SolverState state_;
   HalfSpace* spaces_ = nullptr;
   Vec3i* begin_ = nullptr;
   uint8_t* flags_ = nullptr;
+  uint16_t* faded_ = nullptr;  // [2 n] Q14, of overturned joints; the second half is scratch
   Vec3d middle_ = {0, 0, 0};
 };
 

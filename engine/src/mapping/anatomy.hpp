@@ -82,6 +82,7 @@ struct Anatomy {
   void begin_limbs();
   bool pair_limbs(Arena& arena);
   void find_legs();
+  void climb_to_trunk();
   void join_feet();
   void find_front(bool flip_it);
   void flip();

@@ -169,12 +169,14 @@ void Anatomy::find_chest() {
     }
   }
   if (chest < 0 || quad || leg_count == 0) return;
-  // A joint or two above the legs' common one in the hierarchy, on the same spot: they are the hips.
+  // A joint or two above the legs' common one in the hierarchy, on the same spot or on the legs' level: they are the hips.
   const double up_to_chest = greater(dot(at(spine[chest]) - at(hip), frame.up), 1e-9);
+  const double level = 0.5 * dot(limbs.point(limb(hip_pair.a), 0) + limbs.point(limb(hip_pair.b), 0), frame.up);
   for (int32_t p = r.parent[hip]; p >= 0; p = r.parent[p]) {
     int32_t kids = 0;
     each_kid(r, p, [&](int32_t k) { kids += r.end[k] == 0 ? 1 : 0; });
-    if (!(absolute(height[p] - height[hip]) < 0.15 * up_to_chest + 1e-9) || kids != 1 ||
+    const bool on_level = absolute(height[p] - level) < 0.5 * absolute(height[hip] - level);
+    if ((!on_level && !(absolute(height[p] - height[hip]) < 0.15 * up_to_chest + 1e-9)) || kids != 1 ||
         (r.parent[p] < 0 && !(height[p] > ground + 0.2 * tall)) || (r.has_names && r.cls(hip).word == Word::kHips)) {
       break;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What branches off limbs that belong together: fingers by their order from the thumb, their joints by the way from the
 // wrist.
+#include "core/eigenpairs.hpp"
 #include "mapping/matcher.hpp"
 
 namespace sinew::mapping {
@@ -8,47 +9,22 @@ namespace {
 
 constexpr double kFingerAlone = 0.9;
 
-// The direction in which points spread most: the eigenvector of their covariance, by Jacobi's rotations.
+// The direction in which points spread most: the eigenvector of their covariance.
 Point main_axis(const Point* points, int32_t count) {
   Point mean;
   for (int32_t k = 0; k < count; ++k) mean = mean + points[k];
   mean = (1.0 / count) * mean;
-  double m[3][3] = {}, v[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  double m[9] = {}, v[9];
   for (int32_t k = 0; k < count; ++k) {
     const Point d = points[k] - mean;
     const double c[3] = {d.x, d.y, d.z};
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) m[i][j] += c[i] * c[j];
+      for (int j = 0; j < 3; ++j) m[3 * i + j] += c[i] * c[j];
     }
   }
-  for (int sweep = 0; sweep < 12; ++sweep) {
-    for (int p = 0; p < 2; ++p) {
-      for (int q = p + 1; q < 3; ++q) {
-        if (absolute(m[p][q]) <= 1e-300) continue;
-        const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
-        const double t =
-            absolute(theta) > 1e100 ? 0.5 / theta : (theta < 0 ? -1 : 1) / (absolute(theta) + root(theta * theta + 1));
-        const double c = 1 / root(t * t + 1), s = t * c;
-        for (int k = 0; k < 3; ++k) {
-          const double a = m[k][p], b = m[k][q];
-          m[k][p] = c * a - s * b;
-          m[k][q] = s * a + c * b;
-        }
-        for (int k = 0; k < 3; ++k) {
-          const double a = m[p][k], b = m[q][k];
-          m[p][k] = c * a - s * b;
-          m[q][k] = s * a + c * b;
-        }
-        for (int k = 0; k < 3; ++k) {
-          const double a = v[k][p], b = v[k][q];
-          v[k][p] = c * a - s * b;
-          v[k][q] = s * a + c * b;
-        }
-      }
-    }
-  }
-  const int best = m[0][0] >= m[1][1] && m[0][0] >= m[2][2] ? 0 : m[1][1] >= m[2][2] ? 1 : 2;
-  return {v[0][best], v[1][best], v[2][best]};
+  find_eigenpairs(3, m, v);
+  const int best = m[0] >= m[4] && m[0] >= m[8] ? 0 : m[4] >= m[8] ? 1 : 2;
+  return {v[best], v[3 + best], v[6 + best]};
 }
 
 // Place of finger k of n, the thumb aside: with two of them one is at either end, three lack the last but one.

@@ -99,6 +99,7 @@ void Anatomy::find_legs() {
     }
     hip_pair = legs[best];
     hip = common_attach(hip_pair);
+    climb_to_trunk();
     return;
   }
   for (int32_t k = 0; k < rig->n && hip < 0; ++k) {
@@ -108,6 +109,33 @@ void Anatomy::find_legs() {
     if (side[rig->order[k]] == 0) hip = rig->order[k];
   }
   if (hip < 0) hip = rig->first_root();
+}
+
+// A pelvis that carries the legs alone, and hangs beside the spine: the hips are what carries both.
+void Anatomy::climb_to_trunk() {
+  const Hierarchy& r = *rig;
+  const auto leads_on = [&](int32_t joint, int32_t but) {  // to a trunk with limbs
+    bool does = false;
+    each_kid(r, joint, [&](int32_t kid) {
+      if (kid == but || side[kid] != 0 || r.end[kid] != 0) return;
+      for (int32_t k = 0; k < limbs.pair_count; ++k) {
+        const int32_t attach = limb(limbs.pairs[k].a).attach;
+        does = does || (attach >= 0 && (attach == kid || r.holds(kid, attach)));
+      }
+    });
+    return does;
+  };
+  int32_t central = 0;
+  each_kid(r, hip, [&](int32_t kid) { central += side[kid] == 0 && r.end[kid] == 0 ? 1 : 0; });
+  if (central > 0) return;
+  int32_t from = hip;
+  for (int32_t up = r.parent[hip]; up >= 0 && side[up] == 0; up = r.parent[up]) {
+    if (leads_on(up, from)) {
+      hip = up;
+      return;
+    }
+    from = up;
+  }
 }
 
 // Feet that hang under an IK root go on where a leg ends.

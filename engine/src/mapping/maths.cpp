@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Root, logarithm and hyperbolic tangent from additions, products and quotients alone, which round alike everywhere.
+// Logarithm and hyperbolic tangent from additions, products and quotients alone, which round alike everywhere.
 #include "mapping/maths.hpp"
 
 #include <string.h>
@@ -31,14 +31,6 @@ double exponential(double a) {
 }
 
 }  // namespace
-
-double root(double a) {
-  if (!(a > 1e-200)) return 0;
-  // Half the exponent is right within 6 %; each step of Newton's doubles the digits.
-  double guess = from_bits((bits_of(a) >> 1) + (static_cast<uint64_t>(1023) << 51));
-  for (int i = 0; i < 4; ++i) guess = 0.5 * (guess + a / guess);
-  return guess;
-}
 
 double logarithm(double a) {
   if (!(a > 1e-300)) a = 1e-300;

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Feet: where the source's stand still the target's do, and they are as high over the floor.
 #include "motion/contacts.hpp"
+#include "motion/foot_search.hpp"
 
 namespace sinew {
 namespace {
 
-// Shares of the source's height: a foot stands below the one, and moves less than the other in a thirtieth of a second.
-constexpr double kContactHeight = 0.02, kContactWay = 0.006;
-constexpr double kFloorReach = 0.1;  // up to this height the floor is felt
+constexpr double kFloorReach = 0.1;  // share of the source's height up to which the floor is felt
 constexpr double kFade = 0.6;        // of an offset, in a thirtieth of a second
-constexpr double kFps = 30;
-
-struct FootHeights {
-  double source, target;  // of the lowest point over the floor
-};
 
 // kFade to the power of 30 / fps: whole powers and roots of it, which need no libm.
 double fade_at(double fps) {
-  double fade = kFade, rate = kFps;
+  double fade = kFade, rate = kContactFps;
   while (fps >= 2 * rate) {  // twice the frames, the root
     fade = fade * reciprocal_root(fade);
     rate *= 2;
@@ -31,24 +25,19 @@ double fade_at(double fps) {
 
 class Feet {
  public:
-  explicit Feet(ContactScene* scene) : s_(*scene), plan_(*scene->plan) {
-    target_floor_ = s_.target.lowest;
-    // The source's floor is as far below a standing ankle as at rest.
-    const double sole =
-        s_.has_source ? plan_.source_floor - s_.source.lowest : (plan_.target_floor - target_floor_) / plan_.scale;
-    source_floor_ = s_.in->ground - sole;
-  }
+  explicit Feet(ContactScene* scene) : s_(*scene), plan_(*scene->plan), search_(scene) {}
 
   sinew_status hold(uint32_t number) {
     const Limb& limb = s_.limbs.limbs[number];
-    find_standing(limb);
+    search_.find_standing(limb, s_.stands);
     lock(limb, number);
     fade(number);
     reach_floor(limb, number);
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
-      s_.load(f);
       const Vec3d move = s_.moves[index(f, number)];
-      move_limb(limb, plan_.target_places[limb.last] + move, &plan_);
+      if (!(dot(move, move) > 0)) continue;
+      s_.load(f);
+      move_limb(limb, plan_.target_places[limb.last] + move, plan_.target_places[limb.middle], &plan_);
       s_.store(f);
     }
     return SINEW_OK;
@@ -56,31 +45,10 @@ class Feet {
 
  private:
   static size_t index(uint32_t frame, uint32_t limb) { return size_t{frame} * kMostLimbs + limb; }
-  uint32_t sole_joint(const Limb& limb) const { return limb.toe >= 0 ? static_cast<uint32_t>(limb.toe) : limb.last; }
-  uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(plan_.map[t]); }
-  double source_height(uint32_t t) const { return dot(plan_.up, plan_.source_places[source_of(t)]); }
-  // As high as the joint is over a standing ankle's height.
-  double lift(uint32_t t) const {
-    const double rest = dot(plan_.up, rotate(plan_.turn, plan_.source.positions[source_of(t)]));
-    return source_height(t) - (rest - plan_.source_floor + s_.in->ground);
-  }
-
-  void find_standing(const Limb& limb) {
-    const uint32_t toe = sole_joint(limb);
-    Vec3d before = {0, 0, 0};
-    for (uint32_t f = 0; f < s_.in->frames; ++f) {
-      (void)s_.load_source(f, false);
-      const double a = lift(limb.last), b = lift(toe);
-      const Vec3d place = plan_.source_places[source_of(toe)];
-      const double way = f == 0 ? 0 : length(place - before) * (s_.in->fps / kFps);
-      before = place;
-      s_.stands[f] = (a < b ? a : b) < kContactHeight * s_.source_height && way < kContactWay * s_.source_height;
-    }
-  }
 
   // In a run of standing frames the toe stays at their mean.
   void lock(const Limb& limb, uint32_t number) {
-    const uint32_t toe = sole_joint(limb), frames = s_.in->frames;
+    const uint32_t toe = search_.sole_joint(limb), frames = s_.in->frames;
     for (uint32_t f = 0; f < frames; ++f) {
       s_.load(f);
       const Vec3d p = plan_.target_places[toe];
@@ -120,33 +88,14 @@ class Feet {
     }
   }
 
-  // The lowest point of a foot: vertices of the body, or the joints as far as they are lifted.
-  FootHeights lowest(const Limb& limb, uint32_t number) const {
-    FootHeights low = {0, 0};
-    bool any = false;
-    for (uint32_t v = 0; v < s_.body->vertex_count; ++v) {
-      if (s_.parts[v] != BodyPart::kFoot || s_.limb_of[v] != number) continue;
-      const double own = dot(plan_.up, s_.target.vertices[v]) - target_floor_;
-      const double from = s_.has_source ? dot(plan_.up, s_.source.vertices[v]) - source_floor_ : 0;
-      if (!any || own < low.target) low.target = own;
-      if (!any || from < low.source) low.source = from;
-      any = true;
-    }
-    if (!s_.has_source) {
-      const double a = lift(limb.last), b = lift(sole_joint(limb));
-      low.source = a < b ? a : b;
-    }
-    if (!any) low.target = plan_.scale * low.source;  // a foot without a vertex: as it is
-    return low;
-  }
-
   void reach_floor(const Limb& limb, uint32_t number) {
     const uint32_t frames = s_.in->frames;
     for (uint32_t f = 0; f < frames; ++f) {
-      (void)s_.load_source(f, true);
+      (void)s_.load_source(f, false);
+      if (s_.has_source) s_.source.take_pose(plan_.source_turns, plan_.source_places);
       s_.load(f);
-      s_.target.pose(plan_.target_turns, plan_.target_places);
-      const FootHeights low = lowest(limb, number);
+      s_.target.take_pose(plan_.target_turns, plan_.target_places);
+      const FootHeights low = search_.lowest(limb, number);
       double felt = 1 - low.source / s_.source_height / kFloorReach;
       felt = s_.stands[f] != 0 || felt > 1 ? 1 : felt < 0 ? 0 : felt;
       s_.heights[f] = felt * (plan_.scale * low.source - low.target);
@@ -163,7 +112,7 @@ class Feet {
 
   ContactScene& s_;
   sinew_retarget& plan_;
-  double source_floor_ = 0, target_floor_ = 0;
+  FootSearch search_;
 };
 
 }  // namespace

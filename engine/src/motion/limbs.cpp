@@ -13,6 +13,25 @@ Vec3d across(Vec3d v, Vec3d u, double least) {
   return length(side) > least ? unit(side) : Vec3d{0, 0, 0};
 }
 
+constexpr double kCosine25 = 0.906307787036650, kCosine45 = 0.707106781186548;
+
+// The end's turn against the second bone, as little changed as brings it within a right angle or to `before`.
+void turn_end(const Limb& limb, double before, sinew_retarget* plan) {
+  const Quat second = plan->target_turns[limb.middle];
+  Quat own = conjugate(second) * plan->target_turns[limb.last];
+  if (own.w < 0) own = {-own.x, -own.y, -own.z, -own.w};
+  const double least = before < kCosine45 ? before : kCosine45;  // cosine of half the angle
+  if (own.w >= least) return;
+  const Vec3d axis = root(1 - least * least) * unit({own.x, own.y, own.z});
+  const Quat turn = second * Quat{axis.x, axis.y, axis.z, least} * conjugate(plan->target_turns[limb.last]);
+  const Vec3d pivot = plan->target_places[limb.last];
+  for (uint32_t t = 0; t < plan->target.count; ++t) {
+    if (!plan->target.is_below(t, limb.last)) continue;
+    plan->target_places[t] = pivot + rotate(turn, plan->target_places[t] - pivot);
+    plan->target_turns[t] = turn * plan->target_turns[t];
+  }
+}
+
 }  // namespace
 
 LimbList find_limbs(const sinew_retarget& plan) {
@@ -37,19 +56,28 @@ LimbList find_limbs(const sinew_retarget& plan) {
   return list;
 }
 
-void move_limb(const Limb& limb, Vec3d goal, sinew_retarget* plan) {
+void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget* plan) {
   const MotionRig& rig = plan->target;
   const Vec3d a = plan->target_places[limb.first], b = plan->target_places[limb.middle],
               c = plan->target_places[limb.last];
   const double upper = length(b - a), lower = length(c - b);
   if (upper <= 0 || lower <= 0) return;
   const double gap = upper > lower ? upper - lower : lower - upper;
-  const double nearest = 1.001 * gap + 1e-6 * upper, farthest = 0.9995 * (upper + lower);
+  double nearest = 1.001 * gap + 1e-6 * upper;
+  // A limb that is straighter already stays so: it would pop where it is hardly bent to one side, then to the other.
+  const double now = length(c - a), straight = 0.9995 * (upper + lower);
+  const double farthest = now > straight ? now : straight;
+  if (limb.natural) {
+    const double folded = root(upper * upper + lower * lower - 2 * kCosine25 * upper * lower);
+    nearest = folded > nearest && folded < farthest ? folded : nearest;
+  }
+  const Quat end = conjugate(plan->target_turns[limb.middle]) * plan->target_turns[limb.last];
   const Vec3d way = goal - a;
   double reach = length(way);
   const Vec3d u = reach > 0 ? unit(way) : unit(c - a);
   reach = reach < nearest ? nearest : reach > farthest ? farthest : reach;
-  Vec3d side = across(b - a, u, 1e-4 * upper);
+  Vec3d side = across(wanted_middle - a, u, 1e-4 * upper);
+  if (dot(side, side) == 0) side = across(b - a, u, 1e-4 * upper);
   if (dot(side, side) == 0) side = across(b - a, unit(c - a), 1e-6 * upper);  // as it is bent now
   side = across(side, u, 1e-6);
   if (dot(side, side) == 0) return;  // straight: nothing says which way it bends
@@ -69,6 +97,7 @@ void move_limb(const Limb& limb, Vec3d goal, sinew_retarget* plan) {
     if (rig.is_below(t, limb.last)) continue;
     plan->target_turns[t] = (rig.is_below(t, limb.middle) ? second : first) * plan->target_turns[t];
   }
+  if (limb.natural) turn_end(limb, end.w < 0 ? -end.w : end.w, plan);
 }
 
 }  // namespace sinew

@@ -7,7 +7,6 @@ namespace sinew {
 bool PosedBody::allocate(Arena& arena, uint32_t vertex_count, uint32_t triangle_count, uint32_t joint_count) {
   vertices = arena.alloc<Vec3d>(vertex_count);
   middles = arena.alloc<Vec3d>(triangle_count);
-  normals = arena.alloc<Vec3d>(triangle_count);
   matrices = arena.alloc<double>(size_t{12} * joint_count);
   return arena.ok();
 }
@@ -22,7 +21,7 @@ void PosedBody::measure(Vec3d up) {
   height = highest - lowest;
 }
 
-void PosedBody::pose(const Quat* turns, const Vec3d* places) {
+void PosedBody::take_pose(const Quat* turns, const Vec3d* places) {
   for (uint32_t j = 0; j < rig->count; ++j) {
     // The body's world, then the joint's turn in the other.
     const Quat q = turns[j] * turn;
@@ -38,28 +37,38 @@ void PosedBody::pose(const Quat* turns, const Vec3d* places) {
     m[7] = way.y;
     m[11] = way.z;
   }
-  const uint32_t slots = body->influence_count;
-  for (uint32_t v = 0; v < body->vertex_count; ++v) {
-    double m[12] = {};
-    for (uint32_t i = 0; i < slots; ++i) {
-      const uint32_t weight = body->weights[size_t{slots} * v + i];
-      if (weight == 0) continue;
-      const double share = static_cast<double>(weight) * (1.0 / 65535.0);
-      const double* const joint = matrices + size_t{12} * body->joints[size_t{slots} * v + i];
-      for (int e = 0; e < 12; ++e) m[e] += share * joint[e];
-    }
-    const Vec3d p = rest(v);
-    vertices[v] = {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
-                   m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
-  }
 }
 
-void PosedBody::find_triangles(const uint32_t* triangles, uint32_t count) {
+Vec3d PosedBody::skinned(uint32_t v) const {
+  const uint32_t slots = body->influence_count;
+  const uint16_t* const row = body->weights + size_t{slots} * v;
+  const uint16_t* const joints = body->joints + size_t{slots} * v;
+  const Vec3d p = rest(v);
+  double sum[12] = {};
+  const double* m = sum;
+  if (row[0] == 65535) {
+    m = matrices + size_t{12} * joints[0];
+  } else {
+    for (uint32_t i = 0; i < slots; ++i) {
+      if (row[i] == 0) continue;
+      const double share = static_cast<double>(row[i]) * (1.0 / 65535.0);
+      const double* const joint = matrices + size_t{12} * joints[i];
+      for (int e = 0; e < 12; ++e) sum[e] += share * joint[e];
+    }
+  }
+  return {m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3], m[4] * p.x + m[5] * p.y + m[6] * p.z + m[7],
+          m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
+}
+
+void PosedBody::pose(const Quat* turns, const Vec3d* places) {
+  take_pose(turns, places);
+  for (uint32_t v = 0; v < body->vertex_count; ++v) vertices[v] = skinned(v);
+}
+
+void PosedBody::find_middles(const uint32_t* triangles, uint32_t count) {
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t* const corner = triangles + size_t{3} * i;
-    const Vec3d a = vertices[corner[0]], b = vertices[corner[1]], c = vertices[corner[2]];
-    middles[i] = (1.0 / 3.0) * (a + b + c);
-    normals[i] = unit(cross(b - a, c - a));
+    middles[i] = (1.0 / 3.0) * (vertices[corner[0]] + vertices[corner[1]] + vertices[corner[2]]);
   }
 }
 

@@ -14,17 +14,25 @@ struct PosedBody {
   Quat turn = kNoTurn;            // from the body's world to the one that it is posed in
   Vec3d* vertices = nullptr;      // [vertices]
   Vec3d* middles = nullptr;       // [triangles]
-  Vec3d* normals = nullptr;       // [triangles] of length 1, or 0
   double* matrices = nullptr;     // [joints x 12]
   double lowest = 0, height = 0;  // at rest, along `up`
 
   bool allocate(Arena& arena, uint32_t vertex_count, uint32_t triangle_count, uint32_t joint_count);
   // After the members above: measures the rest pose.
   void measure(Vec3d up);
-  // By turns against the rest pose and places [joints], both in the world that it is posed in.
+  // By turns against the rest pose and places [joints], both in the world that it is posed in: for skinned() alone, or with all
+  // vertices.
+  void take_pose(const Quat* turns, const Vec3d* places);
   void pose(const Quat* turns, const Vec3d* places);
-  // With pose(): what contacts look at.
-  void find_triangles(const uint32_t* triangles, uint32_t count);
+  // One vertex in the pose.
+  Vec3d skinned(uint32_t v) const;
+  // With pose(): middles of triangles.
+  void find_middles(const uint32_t* triangles, uint32_t count);
+  // With pose(), of length 1, or 0.
+  Vec3d normal(const uint32_t* corner) const {
+    const Vec3d a = vertices[corner[0]];
+    return unit(cross(vertices[corner[1]] - a, vertices[corner[2]] - a));
+  }
 
   Vec3d rest(uint32_t v) const {
     const float* const p = body->positions + size_t{3} * v;

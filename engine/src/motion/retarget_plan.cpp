@@ -159,7 +159,16 @@ class Planner {
     }
   }
 
-  // The first joint from the root at which mapped joints branch; without branches the topmost mapped one.
+  // A mapped joint just above the one that carries the legs: it has skin of its own and goes where they go.
+  bool is_pelvis_of(int32_t above, int32_t joint) const {
+    if (!plan_.has_legs || above < 0 || !is_mapped(static_cast<uint32_t>(above))) return false;
+    constexpr double kNear = 0.2;  // of a leg
+    return length(target_.positions[above] - target_.positions[joint]) <
+           kNear * length(target_.positions[plan_.anchors[0]] - target_.positions[plan_.floor_joints[0]]);
+  }
+
+  // The first joint from the root at which mapped joints branch, or the pelvis just above; without branches the topmost mapped
+  // one.
   void find_mover(uint8_t* has_mapped) {
     for (uint32_t t = 0; t < target_.count; ++t) has_mapped[t] = is_mapped(t) ? 1 : 0;
     for (uint32_t i = target_.count; i-- > 0;) {
@@ -190,6 +199,7 @@ class Planner {
       }
       top = only;
     }
+    while (is_pelvis_of(target_.parents[top], top)) top = target_.parents[top];
     plan_.mover = top;
     for (uint32_t i = 0; i < target_.count; ++i) {
       const uint32_t t = target_.order[i];

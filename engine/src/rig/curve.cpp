@@ -3,6 +3,7 @@
 #include "rig/curve.hpp"
 
 #include "core/sort.hpp"
+#include "core/union_find.hpp"
 #include "core/vector_math.hpp"
 
 namespace sinew {
@@ -64,13 +65,6 @@ class Curve {
     if (regions_[a].begin != regions_[b].begin) return regions_[a].begin < regions_[b].begin;
     return a < b;
   }
-  uint32_t find(uint32_t cell) {
-    while (label_[cell] != cell) {
-      label_[cell] = label_[label_[cell]];
-      cell = label_[cell];
-    }
-    return cell;
-  }
   template <class Visit>
   void each_neighbour(uint32_t cell, Visit&& visit) const {  // of a cell that is not in the border
     for (int32_t z = -1; z <= 1; ++z) {
@@ -89,12 +83,11 @@ class Curve {
       if (label_[c] == kNone) continue;
       each_neighbour(c, [&](uint32_t other) {
         if (other > c || label_[other] == kNone || band(other) != band(c)) return;
-        const uint32_t a = find(other), b = find(c);
-        label_[a > b ? a : b] = a > b ? b : a;
+        join_sets(label_, other, c);
       });
     }
     for (uint32_t c = 0; c < grid_.cell_count; ++c) {
-      if (label_[c] != kNone) label_[c] = find(c);
+      if (label_[c] != kNone) label_[c] = find_root(label_, c);
     }
   }
 

@@ -2,6 +2,7 @@
 // The crop's frame, its triangles, the parts that are the hand, the caps of its holes.
 #include "rig/hand_crop.hpp"
 
+#include "core/union_find.hpp"
 #include "core/vector_math.hpp"
 #include "rig/mirror_frame.hpp"
 
@@ -37,17 +38,6 @@ void set_axes(Vec3i along, Vec3i (&axes)[3]) {
   axes[0] = a;
   axes[1] = {-a.y, kOne - part(a.y, a.y), -part(a.y, a.z)};
   axes[2] = {-a.z, -part(a.y, a.z), kOne - part(a.z, a.z)};
-}
-
-uint32_t find(uint32_t* above, uint32_t v) {
-  while (above[v] != v) v = above[v] = above[above[v]];
-  return v;
-}
-void join(uint32_t* above, uint32_t a, uint32_t b) {
-  a = find(above, a);
-  b = find(above, b);
-  if (a < b) above[b] = a;
-  if (b < a) above[a] = b;
 }
 
 // A loop has three vertices at least, but where triangles have no area.
@@ -123,15 +113,16 @@ class Cutter {
     for (uint32_t i = 0; i < mesh_.triangle_count; ++i) {
       const uint32_t* const t = mesh_.triangles + size_t{3} * i;
       if (!in_region(t)) continue;
-      join(above_, t[0], t[1]);
-      join(above_, t[0], t[2]);
+      join_sets(above_, t[0], t[1]);
+      join_sets(above_, t[0], t[2]);
     }
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
-      if (states_[v] == kInCore) states_[find(above_, v)] = kInCore;  // roots come first: their own state is not lost
+      if (states_[v] == kInCore)
+        states_[find_root(above_, v)] = kInCore;  // roots come first: their own state is not lost
     }
     for (uint32_t i = 0; i < mesh_.triangle_count; ++i) {
       const uint32_t* const t = mesh_.triangles + size_t{3} * i;
-      if (!in_region(t) || states_[find(above_, t[0])] != kInCore) continue;
+      if (!in_region(t) || states_[find_root(above_, t[0])] != kInCore) continue;
       for (int c = 0; c < 3; ++c) number_[t[c]] = 0;
       uint32_t* const kept = crop_.mesh.triangles + size_t{3} * crop_.surface_triangles++;
       for (int c = 0; c < 3; ++c) kept[c] = t[c];
@@ -197,10 +188,10 @@ class Cutter {
       above_[v] = v;
       loop_of_[v] = kNone;
     }
-    each_border([&](uint32_t a, uint32_t b) { join(above_, a, b); });
+    each_border([&](uint32_t a, uint32_t b) { join_sets(above_, a, b); });
     uint32_t count = 0;
     each_border([&](uint32_t a, uint32_t b) {
-      uint32_t& number = loop_of_[find(above_, a)];
+      uint32_t& number = loop_of_[find_root(above_, a)];
       if (number == kNone) {
         if (count == most_loops(mesh_.welded_count)) return;
         number = count;
@@ -215,7 +206,7 @@ class Cutter {
       crop_.mesh.positions[crop_.surface_vertices + l] = round_div(loops_[l].sum, loops_[l].ends);
     crop_.mesh.welded_count = crop_.surface_vertices + count;
     each_border([&](uint32_t a, uint32_t b) {
-      const uint32_t number = loop_of_[find(above_, a)];
+      const uint32_t number = loop_of_[find_root(above_, a)];
       if (number == kNone || crop_.mesh.triangle_count == most_triangles_) return;
       uint32_t* const cap = crop_.mesh.triangles + size_t{3} * crop_.mesh.triangle_count++;
       cap[0] = b;  // the other way round than the triangle that has the edge

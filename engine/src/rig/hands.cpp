@@ -2,11 +2,9 @@
 // Skeleton to hands, each to crop, points, votes, fingers, and back to the caller's units.
 #include "rig/hands.hpp"
 
-#include <string.h>
-
 #include "core/vector_math.hpp"
-#include "rig/caller_units.hpp"
 #include "rig/fingers.hpp"
+#include "rig/given_skeleton.hpp"
 #include "rig/hand_crop.hpp"
 #include "rig/point_voter.hpp"
 #include "rig/read_votes.hpp"
@@ -14,51 +12,18 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kMostJoints = SINEW_MAX_RIG_JOINTS;
+constexpr uint32_t kMostJoints = kMostGivenJoints;
 constexpr int16_t kNone = -1;
 // A hand's length: so much of the way to its bone's end, percent, or of the forearm; never beyond these shares of it.
 constexpr int64_t kOfEnd = 118, kOfForearm = 75, kLeastOfForearm = 30, kMostOfForearm = 200;
 
 constexpr char kFingerNames[kFingers][8] = {"Thumb", "Index", "Middle", "Ring", "Pinky"};
 
-// The caller's skeleton, checked, with places in the mesh's grid.
-struct Body {
-  const sinew_rig_outputs& joints;
-  Vec3i at[kMostJoints];
-  bool end[kMostJoints];
-  uint8_t ends_below[kMostJoints], joints_below[kMostJoints];
-
-  explicit Body(const sinew_rig_outputs& outputs) : joints(outputs) {}
-  SINEW_RARE sinew_status read(const GridQuantizer& quantizer) {
-    if (joints.joint_count == 0 || joints.joint_count > kMostJoints) return SINEW_ERROR_COUNT;
-    memset(ends_below, 0, sizeof ends_below);
-    memset(joints_below, 0, sizeof joints_below);
-    for (uint32_t j = 0; j < joints.joint_count; ++j) {
-      const float* const p = joints.positions + size_t{3} * j;
-      if (!is_finite_point(p)) return SINEW_ERROR_NOT_FINITE;
-      const int32_t parent = joints.parents[j];
-      if (parent < -1 || parent >= static_cast<int32_t>(j)) return SINEW_ERROR_INDEX;
-      if (joints.partners != nullptr &&
-          (joints.partners[j] < -1 || joints.partners[j] >= static_cast<int32_t>(joints.joint_count))) {
-        return SINEW_ERROR_INDEX;
-      }
-      at[j] = quantize_point(quantizer, p);
-      end[j] = joints.flags != nullptr && joints.flags[j] == SINEW_JOINT_NEVER;
-      if (parent >= 0) ++(end[j] ? ends_below : joints_below)[parent];
-    }
-    return SINEW_OK;
-  }
+// A skeleton that has hands.
+struct Body : GivenSkeleton {
+  explicit Body(const sinew_rig_outputs& outputs) : GivenSkeleton(outputs) {}
   bool is_hand(uint32_t j) const {
     return !end[j] && joints.joint_classes[j] == SINEW_CLASS_HAND && joints.parents[j] >= 0 && joints_below[j] == 0;
-  }
-  int32_t partner(uint32_t j) const { return joints.partners == nullptr ? -1 : joints.partners[j]; }
-  // Its only bone end, or -1.
-  int32_t end_of(uint32_t j) const {
-    if (ends_below[j] != 1) return -1;
-    for (uint32_t e = j + 1; e < joints.joint_count; ++e) {
-      if (end[e] && joints.parents[e] == static_cast<int32_t>(j)) return static_cast<int32_t>(e);
-    }
-    return -1;
   }
   // Which side the limb is on, by where it leaves the body.
   bool is_right(uint32_t j, uint32_t quarters) const {
@@ -176,24 +141,14 @@ class Writer {
  private:
   void put(const Finger& finger, uint32_t f, uint32_t k, uint32_t hand, int32_t parent, bool mirrored, uint32_t j) {
     const bool is_end = k == finger.joints;
-    place(finger.at[k], mirrored, out_.positions + size_t{3} * j);
+    place_point(units_, up_axis_, out_, finger.at[k], mirrored ? PointSide::kMirrored : PointSide::kHere,
+                out_.positions + size_t{3} * j);
     out_.parents[j] = parent;
     if (out_.flags != nullptr) out_.flags[j] = is_end ? SINEW_JOINT_NEVER : 0;
     out_.joint_classes[j] = static_cast<uint8_t>(SINEW_CLASS_THUMB + f);
     if (out_.confidence != nullptr) out_.confidence[j] = finger.confidence[k];
     if (out_.parent_confidence != nullptr) out_.parent_confidence[j] = finger.confidence[k > 0 ? k - 1 : 0];
     if (out_.names != nullptr) name(hand, f, k, is_end, out_.names[j]);
-  }
-
-  // The mirror image is as far from the plane.
-  void place(Vec3i p, bool mirrored, float* to) const {
-    double at[3] = {units_.zero(0) + units_.length(p.x), units_.zero(1) + units_.length(p.y),
-                    units_.zero(2) + units_.length(p.z)};
-    double& across = at[(out_.quarter_turns & 1) != 0 ? 2 : 0];
-    if (mirrored) across = 2 * static_cast<double>(out_.plane) - across;
-    to[0] = static_cast<float>(at[0]);
-    to[1] = static_cast<float>(up_axis_ == 0 ? at[1] : -at[2]);
-    to[2] = static_cast<float>(up_axis_ == 0 ? at[2] : at[1]);
   }
 
   // LeftHandThumb1, LeftHandThumb3_end: the hand's name, cut where there is no room.
@@ -218,23 +173,18 @@ class Writer {
 sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const Kernels& kernels, Arena& arena,
                        sinew_rig_outputs* outputs) {
   Mesh mesh;
-  GridQuantizer quantizer;
   HandVoter voter = {plan, kernels};
   (void)mesh.allocate(arena, plan.counts);
   (void)voter.allocate(arena);
   Found* const found = arena.alloc<Found>(kMostJoints);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) {
-    const sinew_status status = build_mesh(mesh_input, quantizer, plan.counts, arena, &mesh);
+    const sinew_status status = build_mesh(mesh_input, GridQuantizer(), plan.counts, arena, &mesh);
     Finger fingers[kFingers];
     return status == SINEW_OK ? voter.run(mesh, {}, {}, arena, fingers) : status;
   }
-  sinew_status status = make_grid_quantizer(mesh_input.positions, mesh_input.vertex_count, plan.up_axis, &quantizer);
-  if (status != SINEW_OK) return status;
   Body body(*outputs);
-  status = body.read(quantizer);
-  if (status != SINEW_OK) return status;
-  status = build_mesh(mesh_input, quantizer, plan.counts, arena, &mesh);
+  sinew_status status = read_given(mesh_input, plan.up_axis, plan.counts, arena, &mesh, &body);
   if (status != SINEW_OK) return status;
   uint32_t hands = 0, count = 0;
   const uint32_t joints = outputs->joint_count;

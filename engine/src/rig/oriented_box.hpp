@@ -3,16 +3,16 @@
 #ifndef SINEW_RIG_ORIENTED_BOX_HPP
 #define SINEW_RIG_ORIENTED_BOX_HPP
 
-#include "mapping/maths.hpp"
+#include "core/vec3d.hpp"
 
 namespace sinew {
 
 // Filled in three steps: add() every point, turn(), hold() every point again.
 class OrientedBox {
  public:
-  void add(const mapping::Point& p) {
+  void add(const Vec3d& p) {
     if (count_ == 0) origin_ = p;
-    const mapping::Point d = p - origin_;
+    const Vec3d d = p - origin_;
     count_ += 1;
     sum_ = sum_ + d;
     const double v[3] = {d.x, d.y, d.z};
@@ -22,16 +22,16 @@ class OrientedBox {
   }
   // Main axes of what was added.
   void turn();
-  void hold(const mapping::Point& p) {
+  void hold(const Vec3d& p) {
     for (int i = 0; i < 3; ++i) {
-      const double along = mapping::dot(axes_[i], p - origin_);
+      const double along = dot(axes_[i], p - origin_);
       if (!held_ || along < low_[i]) low_[i] = along;
       if (!held_ || along > high_[i]) high_[i] = along;
     }
     held_ = true;
   }
-  mapping::Point middle() const {
-    mapping::Point m = origin_;
+  Vec3d middle() const {
+    Vec3d m = origin_;
     for (int i = 0; i < 3; ++i) m = m + (0.5 * (low_[i] + high_[i])) * axes_[i];
     return m;
   }
@@ -40,17 +40,16 @@ class OrientedBox {
 
  private:
   // Half the box's extent along a direction of length 1.
-  double reach(const mapping::Point& direction) const {
+  double reach(const Vec3d& direction) const {
     double sum = 0;
-    for (int i = 0; i < 3; ++i)
-      sum += 0.5 * (high_[i] - low_[i]) * mapping::absolute(mapping::dot(axes_[i], direction));
+    for (int i = 0; i < 3; ++i) sum += 0.5 * (high_[i] - low_[i]) * absolute(dot(axes_[i], direction));
     return sum;
   }
 
-  mapping::Point origin_, sum_;
+  Vec3d origin_, sum_;
   double squares_[3][3] = {};
   double count_ = 0;
-  mapping::Point axes_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Vec3d axes_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   double low_[3] = {}, high_[3] = {};
   bool held_ = false;
 };

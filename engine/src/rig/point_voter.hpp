@@ -51,11 +51,18 @@ struct PointRows {
   }
 };
 
+// Another network in the model's place, for measuring one in float: fills [kSetPoints x kRigOutputs] rows of a set.
+struct OtherNetwork {
+  sinew_status (*run)(void* user, const PointSet& set, int16_t* rows) = nullptr;
+  void* user = nullptr;
+};
+
 struct PointVoter {
   Interior interior;
   PointSet set;
   PointRows rows = {};
   int16_t* outputs = nullptr;  // [kSetPoints x kRigOutputs] what the network said of the last set
+  OtherNetwork other = {};
 
   bool allocate(Arena& arena) {
     (void)interior.allocate(arena);
@@ -70,6 +77,7 @@ struct PointVoter {
                    uint32_t index, const Progress& progress, Arena& arena) {
     constexpr uint64_t kFirstSeed = 7;
     if (!make_point_set(mesh, interior, kFirstSeed + index, arena, &set)) return SINEW_ERROR_WORKSPACE;
+    if (other.run != nullptr && !arena.measuring()) return other.run(other.user, set, outputs);
     return run_network(model, rows.input(set), kernels, progress, arena, outputs, options);
   }
 };

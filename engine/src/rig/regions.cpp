@@ -11,8 +11,6 @@
 namespace sinew {
 namespace {
 
-using mapping::Point;
-
 constexpr uint32_t kMostSeeds = 96;
 constexpr uint32_t kSamples = 64;               // points of a region that are compared with another's
 constexpr int64_t kNear = kSide / 50;           // points of regions in contact
@@ -21,11 +19,10 @@ constexpr double kShort = 0.03, kAround = 0.1;  // of the longest side; the seco
 constexpr uint32_t kMostEdges = 5;              // at the neighbour of a leaf that stays
 constexpr uint32_t kNone = 0xFFFFFFFFu;
 
-Point point(Vec3i p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }
 int32_t nearest_integer(double a) { return static_cast<int32_t>(a < 0 ? a - 0.5 : a + 0.5); }
 
 struct Node {
-  Point at;
+  Vec3d at;
   double area = 0;
   bool alive = true;
   EdgesAtNode edges;
@@ -131,7 +128,7 @@ class Regions {
     }
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
       const uint32_t s = label_[v];
-      boxes_[s].add(point(mesh_.positions[v]));
+      boxes_[s].add(to_double(mesh_.positions[v]));
       nodes_[s].area += static_cast<double>(mesh_.areas[v]);
       whole_ += static_cast<double>(mesh_.areas[v]);
       ++sizes[s];
@@ -139,7 +136,7 @@ class Regions {
     for (uint32_t s = 0; s < count_; ++s) boxes_[s].turn();
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
       const uint32_t s = label_[v];
-      boxes_[s].hold(point(mesh_.positions[v]));
+      boxes_[s].hold(to_double(mesh_.positions[v]));
       // Sample k is vertex k * size / samples of the region.
       const uint32_t taken = sizes[s] < kSamples ? sizes[s] : kSamples;
       const uint32_t k = static_cast<uint32_t>(uint64_t{seen[s]} * taken / sizes[s]);
@@ -197,7 +194,7 @@ class Regions {
   }
   // Whether the edge from a, which goes, to b may be collapsed.
   bool may_go(uint32_t a, uint32_t b, bool too_many) const {
-    const double way = mapping::distance(nodes_[a].at, nodes_[b].at);
+    const double way = length(nodes_[a].at - nodes_[b].at);
     if (too_many || way < kShort * kSide || nodes_[a].area < kLeastArea * whole_) return true;
     return (way < kAround * kSide && share_neighbour(a, b)) || (edges_at(a) == 1 && edges_at(b) > kMostEdges);
   }
@@ -244,21 +241,20 @@ class Regions {
 
   // Prim's algorithm over contacts; a part that touches nothing is joined where it comes nearest.
   void write_tree(FoldedTree* tree) const {
-    Point middle;
-    for (uint32_t v = 0; v < mesh_.welded_count; ++v) middle = middle + point(mesh_.positions[v]);
+    Vec3d middle;
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) middle = middle + to_double(mesh_.positions[v]);
     middle = (1.0 / mesh_.welded_count) * middle;
     uint32_t number[kMostSeeds] = {};
     uint32_t next = kNone, parent = kNone;
     for (uint32_t a = 0; a < count_; ++a) {
       number[a] = kNone;
       if (!nodes_[a].alive) continue;
-      if (next == kNone || mapping::distance(nodes_[a].at, middle) < mapping::distance(nodes_[next].at, middle))
-        next = a;
+      if (next == kNone || length(nodes_[a].at - middle) < length(nodes_[next].at - middle)) next = a;
     }
     *tree = {};
     while (next != kNone && tree->count < kMaxFoldedJoints) {
       FoldedNode& node = tree->nodes[tree->count];
-      const Point& p = nodes_[next].at;
+      const Vec3d& p = nodes_[next].at;
       node.at = {nearest_integer(p.x), nearest_integer(p.y), nearest_integer(p.z)};
       node.parent = parent == kNone ? -1 : static_cast<int16_t>(number[parent]);
       node.joint_class = kClassOther;
@@ -269,7 +265,7 @@ class Regions {
         if (!nodes_[a].alive || number[a] == kNone) continue;
         for (uint32_t b = 0; b < count_; ++b) {
           if (!nodes_[b].alive || number[b] != kNone) continue;
-          const double way = mapping::distance(nodes_[a].at, nodes_[b].at) + (joined(a, b) ? 0 : 4.0 * kSide);
+          const double way = length(nodes_[a].at - nodes_[b].at) + (joined(a, b) ? 0 : 4.0 * kSide);
           if (next != kNone && way >= least) continue;
           least = way;
           next = b;

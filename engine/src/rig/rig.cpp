@@ -2,16 +2,14 @@
 // Mesh to mirror frame to points to votes to joints to the caller's units.
 #include "rig/rig.hpp"
 
-#include <stddef.h>
 #include <string.h>
 
 #include "core/struct_size.hpp"
+#include "grid/caller_units.hpp"
 #include "kernels/select.hpp"
 #include "model/task.hpp"
-#include "rig/caller_units.hpp"
 #include "rig/curve.hpp"
 #include "rig/joint_names.hpp"
-#include "rig/point_voter.hpp"
 #include "rig/read_votes.hpp"
 #include "rig/regions.hpp"
 #include "rig/rig_task.hpp"
@@ -20,8 +18,6 @@
 namespace sinew {
 namespace {
 
-// The struct of the first release, 0.1.
-constexpr uint32_t kFirstOptionsSize = offsetof(sinew_rig_options, progress_user) + sizeof(void*);
 // A sheet's votes are no better than the middle line, however sure they are: no mesh of the training is one. Q16 of the side.
 constexpr uint16_t kSheetSpread = 6554;
 // Ends of the stages, permille.
@@ -98,6 +94,7 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, Mir
                   VoteStore* store, bool* sheet) {
   const ArenaScope scope(arena);
   PointVoter voter;
+  voter.other = plan.other;
   if (!voter.allocate(arena)) return SINEW_ERROR_WORKSPACE;
   const Progress progress = arena.measuring() ? Progress() : plan.progress;  // the size query is silent
   bool turned = false;
@@ -162,7 +159,7 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
 sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
                       const sinew_rig_options* options, RigPlan* plan, uint32_t feature_set) {
   sinew_rig_options o = sinew_rig_options_init();
-  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstRigOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   if (o.up_axis > 1 || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
       o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_REGIONS) {
@@ -190,6 +187,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->up_axis = o.up_axis;
   plan->kernel = o.kernel;
   plan->progress = Progress{o.progress, o.progress_user};
+  plan->other = OtherNetwork();
   return SINEW_OK;
 }
 

@@ -3,10 +3,13 @@
 #ifndef SINEW_RIG_RIG_HPP
 #define SINEW_RIG_RIG_HPP
 
+#include <stddef.h>
+
 #include "core/counts.hpp"
 #include "kernels/table.hpp"
 #include "network/network.hpp"
 #include "rig/mirror_frame.hpp"
+#include "rig/point_voter.hpp"
 #include "rig/rig_task.hpp"
 #include "rig/tree.hpp"
 
@@ -15,6 +18,9 @@ namespace sinew {
 // Sets of points, each a run of the network; their votes are counted together. One gives joints that are 3 % worse, eight none
 // that are better.
 constexpr uint32_t kRigSets = 4;
+
+// The struct of the first release, 0.1.
+constexpr uint32_t kFirstRigOptionsSize = offsetof(sinew_rig_options, progress_user) + sizeof(void*);
 
 struct RigPlan {
   sinew_model model;
@@ -25,6 +31,7 @@ struct RigPlan {
   uint32_t method = SINEW_RIG_VOTES;
   uint32_t up_axis = 0, kernel = 0;
   Progress progress;
+  OtherNetwork other;  // of a body's points; the model still says what memory it takes
 };
 
 // Checks the caller's options and counts, and fills in the defaults. A model of another feature set is one for another

@@ -3,7 +3,7 @@
 #ifndef SINEW_SIMPLIFY_COLLAPSE_COST_HPP
 #define SINEW_SIMPLIFY_COLLAPSE_COST_HPP
 
-#include "mapping/maths.hpp"
+#include "core/vec3d.hpp"
 
 namespace sinew {
 
@@ -15,10 +15,10 @@ struct EdgesAtNode {
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;  // A
   double lengths = 0;
 
-  void add(const mapping::Point& along) {
-    const double squared = mapping::dot(along, along);
+  void add(const Vec3d& along) {
+    const double squared = dot(along, along);
     if (!(squared > 1e-24)) return;
-    lengths += mapping::root(squared);
+    lengths += root(squared);
     const double s = 1 / squared;
     xx += 1 - s * along.x * along.x;
     yy += 1 - s * along.y * along.y;
@@ -27,15 +27,15 @@ struct EdgesAtNode {
     yz -= s * along.y * along.z;
     zx -= s * along.z * along.x;
   }
-  double error(const mapping::Point& d) const {
+  double error(const Vec3d& d) const {
     return xx * d.x * d.x + yy * d.y * d.y + zz * d.z * d.z + 2 * (xy * d.x * d.y + yz * d.y * d.z + zx * d.z * d.x);
   }
 };
 
 // Of the edge from node a, which goes, to node b; `along` is b - a.
-inline double collapse_cost(const EdgesAtNode& a, const EdgesAtNode& b, const mapping::Point& along) {
-  const mapping::Point half = 0.5 * along;
-  return a.error(half) + b.error(half) + kSamplingWeight * mapping::length(along) * a.lengths;
+inline double collapse_cost(const EdgesAtNode& a, const EdgesAtNode& b, const Vec3d& along) {
+  const Vec3d half = 0.5 * along;
+  return a.error(half) + b.error(half) + kSamplingWeight * length(along) * a.lengths;
 }
 
 }  // namespace sinew

@@ -102,7 +102,7 @@ class Shrinking {
   void price(int32_t i) {
     if (parent_[i] < 0) return;
     const Point along = at_[parent_[i]] - at_[i];
-    length_[i] = mapping::length(along);
+    length_[i] = length(along);
     cost_[i] = collapse_cost(edges_[i], edges_[parent_[i]], along);
   }
   // Joint i becomes part of its parent, which gets its children at the end of its own.

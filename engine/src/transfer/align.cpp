@@ -2,7 +2,7 @@
 // One similarity a joint of the source, parents first.
 #include "transfer/align.hpp"
 
-#include "transfer/eigen.hpp"
+#include "transfer/best_rotation.hpp"
 
 namespace sinew {
 namespace {
@@ -20,7 +20,7 @@ struct Whole {
   uint32_t count = 0;
 };
 
-Whole fit_whole(const JointMap& map, const Skeleton& source, const Skeleton& target) {
+Whole fit_whole(const JointCounterparts& map, const Skeleton& source, const Skeleton& target) {
   Whole whole;
   for (uint32_t j = 0; j < source.joint_count; ++j) {
     if (map.same[j] < 0) continue;
@@ -60,7 +60,7 @@ bool Alignment::allocate(Arena& arena, uint32_t source_joints) {
   return arena.ok();
 }
 
-void Alignment::find(const JointMap& map, const Skeleton& source, const Skeleton& target, uint32_t* scratch) {
+void Alignment::find(const JointCounterparts& map, const Skeleton& source, const Skeleton& target, uint32_t* scratch) {
   const uint32_t count = source.joint_count;
   const Whole whole = fit_whole(map, source, target);
   scale = whole.scale;

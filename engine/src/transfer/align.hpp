@@ -3,7 +3,7 @@
 #ifndef SINEW_TRANSFER_ALIGN_HPP
 #define SINEW_TRANSFER_ALIGN_HPP
 
-#include "transfer/joint_map.hpp"
+#include "transfer/joint_counterparts.hpp"
 #include "transfer/real.hpp"
 #include "weights/rows.hpp"
 
@@ -24,7 +24,7 @@ struct Alignment {
   // turns by the smallest rotation, one with several by the one that fits them best, one with none as its parent. A
   // skeleton that faces elsewhere is turned as a whole first. Without mapped joints the boxes are matched.
   //   scratch  [source joints x 3 + 1]
-  void find(const JointMap& map, const Skeleton& source, const Skeleton& target, uint32_t* scratch);
+  void find(const JointCounterparts& map, const Skeleton& source, const Skeleton& target, uint32_t* scratch);
   // Where linear blend skinning with the source's own weights brings a point of the source.
   Vec3d warp(Vec3d point, const uint16_t* row_joints, const uint32_t* row_weights) const;
 };

@@ -57,7 +57,7 @@ void Balance::weigh_by_distance(const Mesh& mesh, const Match& match) {
   for (uint32_t v = 0; v < mesh.welded_count; ++v) carried[v] = 1 - carried[v];
 }
 
-void share_with_new_joints(const JointMap& map, const Rows& bound, uint32_t vertex, const Rows& carried) {
+void share_with_new_joints(const JointCounterparts& map, const Rows& bound, uint32_t vertex, const Rows& carried) {
   const uint16_t* const joints = bound.joints_of(vertex);
   const uint32_t* const weights = bound.weights_of(vertex);
   bool any = false;
@@ -87,7 +87,8 @@ void share_with_new_joints(const JointMap& map, const Rows& bound, uint32_t vert
   }
 }
 
-void fold_new_joints(const JointMap& map, const Rows& bound, uint32_t vertex, const Rows& out, uint32_t out_vertex) {
+void fold_new_joints(const JointCounterparts& map, const Rows& bound, uint32_t vertex, const Rows& out,
+                     uint32_t out_vertex) {
   out.clear(out_vertex);
   for (uint32_t i = 0; i < kRowSlots; ++i) {
     const uint16_t joint = bound.joints_of(vertex)[i];

@@ -24,11 +24,12 @@ struct Balance {
   void smooth(const Mesh& mesh, double* values) const;
 };
 
-// Divides what each joint of a carried row gets among it and the joints below it that the source lacks (JointMap::head), as the
+// Divides what each joint of a carried row gets among it and the joints below it that the source lacks (JointCounterparts::head), as the
 // bound row of the vertex does.
-void share_with_new_joints(const JointMap& map, const Rows& bound, uint32_t vertex, const Rows& carried);
+void share_with_new_joints(const JointCounterparts& map, const Rows& bound, uint32_t vertex, const Rows& carried);
 // The bound row with every joint that the source lacks counted as its head.
-void fold_new_joints(const JointMap& map, const Rows& bound, uint32_t vertex, const Rows& out, uint32_t out_vertex);
+void fold_new_joints(const JointCounterparts& map, const Rows& bound, uint32_t vertex, const Rows& out,
+                     uint32_t out_vertex);
 // share * carried + (1 - share) * bound, into `carried`.
 void mix_rows(const Rows& bound, double share, uint32_t vertex, const Rows& carried);
 

@@ -4,9 +4,9 @@
 
 #include <string.h>
 
+#include "core/eigenpairs.hpp"
 #include "features/parts.hpp"
 #include "solve/ordering.hpp"
-#include "transfer/eigen.hpp"
 #include "transfer/references.hpp"
 #include "transfer/sparse_ldl.hpp"
 #include "transfer/thin_plate.hpp"
@@ -192,7 +192,7 @@ class Distances {
     for (uint32_t i = 0; i < n; ++i) diagonal[i] = matrix_[i * n + i];
     find_eigenpairs(n, matrix_, vectors_);
     double largest = 0;
-    for (uint32_t i = 0; i < n; ++i) largest = larger(largest, matrix_[i * n + i]);
+    for (uint32_t i = 0; i < n; ++i) largest = greater(largest, matrix_[i * n + i]);
     for (uint32_t v = 0; v < mesh.welded_count; ++v) {
       const double* const row = g + size_t{n} * v;
       double sum = 0;
@@ -207,7 +207,7 @@ class Distances {
     }
     for (uint32_t v = 0; v < mesh.welded_count; ++v) {
       double* const row = g + size_t{n} * v;
-      for (uint32_t i = 0; i < n; ++i) row[i] = root(larger(gyy[v] + diagonal[i] - 2 * row[i], 0));
+      for (uint32_t i = 0; i < n; ++i) row[i] = root(greater(gyy[v] + diagonal[i] - 2 * row[i], 0));
     }
     double mean = 0;
     for (uint32_t i = 0; i < n; ++i)

@@ -2,7 +2,7 @@
 // Alignment, then the tree of the aligned source, then one query a vertex.
 #include "transfer/match.hpp"
 
-#include "rig/caller_units.hpp"
+#include "grid/caller_units.hpp"
 
 namespace sinew {
 
@@ -40,7 +40,7 @@ void make_whole(const Rows& rows, uint32_t vertex) {
     weights[i] = static_cast<uint32_t>((static_cast<uint64_t>(weights[i]) * kWholeRow + sum / 2) / sum);
 }
 
-void map_row(const JointMap& map, const Rows& rows, uint32_t vertex) {
+void map_row(const JointCounterparts& map, const Rows& rows, uint32_t vertex) {
   uint16_t joints[kRowSlots];
   uint32_t weights[kRowSlots];
   for (uint32_t i = 0; i < kRowSlots; ++i) {

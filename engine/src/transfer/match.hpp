@@ -14,7 +14,7 @@ namespace sinew {
 struct Pair {
   Mesh source, target;
   Skeleton source_joints, target_joints;
-  JointMap map;
+  JointCounterparts map;
 };
 
 // How far two rows are from each other: sum of the differences, 0 .. 2 * kWholeRow.
@@ -25,7 +25,7 @@ bool has_weight(const Rows& rows, uint32_t vertex);
 void make_whole(const Rows& rows, uint32_t vertex);
 
 // Turns a row in the source's joints to one in the target's.
-void map_row(const JointMap& map, const Rows& rows, uint32_t vertex);
+void map_row(const JointCounterparts& map, const Rows& rows, uint32_t vertex);
 
 // A vertex of the target as points of the source: `points` with weights that sum to 1 belong to vertices of the source.
 struct Match {

@@ -2,39 +2,9 @@
 // Builds the tree along the Morton order of the triangles' middles and walks it from near boxes to far ones.
 #include "transfer/nearest.hpp"
 
+#include "core/triangle_point.hpp"
+
 namespace sinew {
-namespace {
-
-// Shares of the point of triangle a, b, c that is nearest to p (Ericson 2005, "Real-Time Collision Detection", 5.1.5).
-void nearest_shares(Vec3d a, Vec3d b, Vec3d c, Vec3d p, double* shares) {
-  const Vec3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp), d5 = dot(ab, cp),
-               d6 = dot(ac, cp);
-  const double at_c = d1 * d4 - d3 * d2, at_b = d5 * d2 - d1 * d6, at_a = d3 * d6 - d5 * d4;
-  const auto share = [](double part, double whole) { return whole > 0 ? clamped(part / whole, 0, 1) : 0.0; };
-  shares[1] = shares[2] = 0;
-  if (d1 <= 0 && d2 <= 0) {
-  } else if (d3 >= 0 && d4 <= d3) {
-    shares[1] = 1;
-  } else if (d6 >= 0 && d5 <= d6) {
-    shares[2] = 1;
-  } else if (at_c <= 0 && d1 >= 0 && d3 <= 0) {
-    shares[1] = share(d1, d1 - d3);
-  } else if (at_b <= 0 && d2 >= 0 && d6 <= 0) {
-    shares[2] = share(d2, d2 - d6);
-  } else if (at_a <= 0 && d4 >= d3 && d5 >= d6) {
-    shares[2] = share(d4 - d3, (d4 - d3) + (d5 - d6));
-    shares[1] = 1 - shares[2];
-  } else {
-    const double whole = at_a + at_b + at_c;
-    shares[1] = share(at_b, whole);
-    shares[2] = clamped(share(at_c, whole), 0, 1 - shares[1]);
-  }
-  shares[0] = 1 - shares[1] - shares[2];
-}
-
-}  // namespace
-
 bool SurfaceTree::allocate(Arena& arena, const Counts& counts) {
   const uint32_t most = capacity(counts);
   items_ = arena.alloc<uint32_t>(most);
@@ -84,10 +54,10 @@ void SurfaceTree::build(const Mesh& mesh, const Vec3d* places, const uint8_t* of
   Vec3d low = middle(scratch.order[0]), high = low;
   for (uint32_t i = 1; i < item_count_; ++i) {
     const Vec3d m = middle(scratch.order[i]);
-    low = {smaller(low.x, m.x), smaller(low.y, m.y), smaller(low.z, m.z)};
-    high = {larger(high.x, m.x), larger(high.y, m.y), larger(high.z, m.z)};
+    low = {lesser(low.x, m.x), lesser(low.y, m.y), lesser(low.z, m.z)};
+    high = {greater(high.x, m.x), greater(high.y, m.y), greater(high.z, m.z)};
   }
-  const double side = larger(larger(high.x - low.x, high.y - low.y), high.z - low.z);
+  const double side = greater(greater(high.x - low.x, high.y - low.y), high.z - low.z);
   const double cells = side > 1e-30 ? (kSide - 1) / side : 0;
   for (uint32_t i = 0; i < item_count_; ++i) {
     const Vec3d m = cells * (middle(scratch.order[i]) - low);
@@ -122,8 +92,8 @@ void SurfaceTree::fill_boxes() {
         if (level_count_ > 0) {
           const Box& child = boxes_[first_below + i];
           for (int axis = 0; axis < 3; ++axis) {
-            box.low[axis] = smaller(box.low[axis], child.low[axis]);
-            box.high[axis] = larger(box.high[axis], child.high[axis]);
+            box.low[axis] = lesser(box.low[axis], child.low[axis]);
+            box.high[axis] = greater(box.high[axis], child.high[axis]);
           }
           continue;
         }
@@ -133,8 +103,8 @@ void SurfaceTree::fill_boxes() {
           const Vec3d p = places_[corner];
           const double at[3] = {p.x, p.y, p.z};
           for (int axis = 0; axis < 3; ++axis) {
-            box.low[axis] = smaller(box.low[axis], at[axis]);
-            box.high[axis] = larger(box.high[axis], at[axis]);
+            box.low[axis] = lesser(box.low[axis], at[axis]);
+            box.high[axis] = greater(box.high[axis], at[axis]);
           }
         }
       }
@@ -150,7 +120,7 @@ double SurfaceTree::distance2(const Box& box, Vec3d p) const {
   const double at[3] = {p.x, p.y, p.z};
   double sum = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double gap = larger(larger(box.low[axis] - at[axis], at[axis] - box.high[axis]), 0);
+    const double gap = greater(greater(box.low[axis] - at[axis], at[axis] - box.high[axis]), 0);
     sum += gap * gap;
   }
   return sum;
@@ -189,7 +159,7 @@ MatchedPoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) cons
       MatchedPoint here;
       corners_of(i, here.corners);
       const Vec3d a = places_[here.corners[0]], b = places_[here.corners[1]], c = places_[here.corners[2]];
-      nearest_shares(a, b, c, point, here.shares);
+      nearest_on_triangle(point, a, b, c, here.shares);
       const Vec3d gap = here.shares[0] * a + here.shares[1] * b + here.shares[2] * c - point;
       const double square = dot(gap, gap);
       if (square >= least) continue;
@@ -198,7 +168,7 @@ MatchedPoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) cons
       if (square * factor * factor >= least) continue;
       least = square * factor * factor;
       here.distance = root(square);
-      if (facing == Facing::kEither) here.cosine = abs_of(here.cosine);
+      if (facing == Facing::kEither) here.cosine = absolute(here.cosine);
       best = here;
     }
   }

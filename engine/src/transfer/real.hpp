@@ -11,11 +11,6 @@
 
 namespace sinew {
 
-inline double abs_of(double v) { return v < 0 ? -v : v; }
-inline double smaller(double a, double b) { return b < a ? b : a; }
-inline double larger(double a, double b) { return b > a ? b : a; }
-inline double clamped(double v, double low, double high) { return v < low ? low : v > high ? high : v; }
-
 // Row-major 3 x 3.
 struct Mat3 {
   double m[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};

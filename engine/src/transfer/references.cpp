@@ -19,7 +19,7 @@ bool first_hit(const Mesh& mesh, Vec3d origin, Vec3d way, Place3* place, double*
     const Vec3d e1 = place_of(mesh.positions[c[1]]) - a, e2 = place_of(mesh.positions[c[2]]) - a;
     const Vec3d h = cross(way, e2);
     const double det = dot(e1, h);
-    if (abs_of(det) < 1e-14) continue;
+    if (absolute(det) < 1e-14) continue;
     const Vec3d s = origin - a;
     const double u = dot(s, h) / det;
     if (u < 0 || u > 1) continue;
@@ -84,7 +84,7 @@ uint32_t thin_out(const Mesh& source, uint32_t count, uint32_t most, double* dis
     points[kept] = point;
     const Vec3d at = point_of(source, point.source);
     for (uint32_t i = kept + 1; i < count; ++i)
-      distance[i] = smaller(distance[i], length(point_of(source, points[i].source) - at));
+      distance[i] = lesser(distance[i], length(point_of(source, points[i].source) - at));
   }
   return most;
 }
@@ -123,7 +123,7 @@ sinew_status References::find(const TransferPlan& plan, const Pair& pair, Arena&
     if (pair.map.same[j] < 0 || !bone_of(pair, j, &bone)) continue;
     if (length(bone.source_way) < kShortestBone || length(bone.target_way) < kShortestBone) continue;
     const Vec3d along = unit(bone.source_way), target_along = unit(bone.target_way);
-    const Vec3d first = across(abs_of(along.z) < 0.8 ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0}, along);
+    const Vec3d first = across(absolute(along.z) < 0.8 ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0}, along);
     const Vec3d second = cross(along, first);
     for (uint32_t station = 0; station < kStations; ++station) {
       const double at = 0.5 * station;

@@ -10,7 +10,7 @@ namespace {
 uint32_t to_q16(double v) { return static_cast<uint32_t>(clamped(v, 0, 65535) * kWholeRow + 0.5); }
 
 // A carried row is as wrong as the match is off, a bound one as the style differs from a bind: L1 of 2 is all wrong.
-uint8_t confidence_of(const TransferResult& r, uint32_t v) {
+uint8_t confidence_of(const TransferOutcome& r, uint32_t v) {
   constexpr double kLost = 0.1;  // distance at which a match says nothing
   double sure = 1;
   if (r.plan.method == SINEW_TRANSFER_AUTO) {
@@ -28,7 +28,7 @@ uint8_t confidence_of(const TransferResult& r, uint32_t v) {
   return static_cast<uint8_t>(clamped(sure, 0, 1) * 255 + 0.5);
 }
 
-uint32_t reason_of(const TransferResult& r, const PartReport::Sums& part) {
+uint32_t reason_of(const TransferOutcome& r, const PartReport::Sums& part) {
   if (part.locked == part.vertices) return SINEW_TRANSFER_KEPT;
   if (r.plan.method != SINEW_TRANSFER_AUTO) return SINEW_TRANSFER_ASKED;
   const bool carried = 2 * part.carried >= part.welded;
@@ -39,7 +39,7 @@ uint32_t reason_of(const TransferResult& r, const PartReport::Sums& part) {
   return part.mismatch > 0.1 * part.welded ? SINEW_TRANSFER_MISMATCH : SINEW_TRANSFER_PLAIN;
 }
 
-void write_rows(const TransferResult& r, sinew_transfer_outputs* outputs) {
+void write_rows(const TransferOutcome& r, sinew_transfer_outputs* outputs) {
   const uint32_t n = r.plan.influence_count;
   const uint32_t total = r.plan.weight_format == SINEW_WEIGHT_UNORM8 ? 255u : 65535u;
   for (uint32_t v = 0; v < r.pair.target.vertex_count; ++v) {
@@ -61,7 +61,7 @@ void write_rows(const TransferResult& r, sinew_transfer_outputs* outputs) {
 
 }  // namespace
 
-void write_transfer(const TransferResult& r, const PartReport& report, sinew_transfer_outputs* outputs) {
+void write_transfer(const TransferOutcome& r, const PartReport& report, sinew_transfer_outputs* outputs) {
   write_rows(r, outputs);
   const Mesh& mesh = r.pair.target;
   for (uint32_t p = 0; p < mesh.part_count; ++p) report.parts[p] = {0, 0, 0, 0, 0, 0, 0, 0};

@@ -7,7 +7,7 @@
 
 namespace sinew {
 
-struct TransferResult {
+struct TransferOutcome {
   const TransferPlan& plan;
   const Pair& pair;
   const Rows& rows;
@@ -32,7 +32,7 @@ struct PartReport {
 };
 
 // Writes everything: nothing can fail any more.
-void write_transfer(const TransferResult& result, const PartReport& report, sinew_transfer_outputs* outputs);
+void write_transfer(const TransferOutcome& result, const PartReport& report, sinew_transfer_outputs* outputs);
 
 }  // namespace sinew
 #endif

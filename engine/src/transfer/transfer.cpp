@@ -60,7 +60,7 @@ class Transfer {
     status = make_rows();
     if (status != SINEW_OK || arena_.measuring()) return status;
     if (!plan_.progress.report(kRowsEnd)) return SINEW_ERROR_CANCELLED;
-    const TransferResult result = {plan_, pair_, rows_, match_, balance_, bound_by_, distance_match_.reference_count};
+    const TransferOutcome result = {plan_, pair_, rows_, match_, balance_, bound_by_, distance_match_.reference_count};
     write_transfer(result, report_, outputs);
     return SINEW_OK;
   }

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
-// All eigenpairs of a small symmetric matrix, and the rotation that fits vectors best.
-#ifndef SINEW_TRANSFER_EIGEN_HPP
-#define SINEW_TRANSFER_EIGEN_HPP
+// The rotation that fits vectors best, and the smallest one between two.
+#ifndef SINEW_TRANSFER_BEST_ROTATION_HPP
+#define SINEW_TRANSFER_BEST_ROTATION_HPP
 
 #include "transfer/real.hpp"
 
 namespace sinew {
-
-// Cyclic Jacobi rotations (Golub and Van Loan, 8.5.5).
-//   matrix   [n x n] in: symmetric; out: its eigenvalues on the diagonal, in no certain order
-//   vectors  [n x n] out: an eigenvector in each column
-void find_eigenpairs(uint32_t n, double* matrix, double* vectors);
 
 // The rotation R that makes the sum of v . (R u) largest (Horn 1987).
 //   sums  row-major sum of v u^T

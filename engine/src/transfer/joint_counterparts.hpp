@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which joint of the target stands for which of the source, completed where one of the two has joints that the other lacks.
-#ifndef SINEW_TRANSFER_JOINT_MAP_HPP
-#define SINEW_TRANSFER_JOINT_MAP_HPP
+#ifndef SINEW_TRANSFER_JOINT_COUNTERPARTS_HPP
+#define SINEW_TRANSFER_JOINT_COUNTERPARTS_HPP
 
 #include "skeleton/skeleton.hpp"
 
 namespace sinew {
 
-struct JointMap {
+struct JointCounterparts {
   int32_t* same = nullptr;   // [source joints] its counterpart in the target, or -1
   int32_t* takes = nullptr;  // [source joints] the target's joint that takes its weight, or -1
   // [target joints] its nearest ancestor (itself included) that takes weight: a joint that the source lacks shares what

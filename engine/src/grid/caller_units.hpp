@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From the grid back to the caller's units.
-#ifndef SINEW_RIG_CALLER_UNITS_HPP
-#define SINEW_RIG_CALLER_UNITS_HPP
+#ifndef SINEW_GRID_CALLER_UNITS_HPP
+#define SINEW_GRID_CALLER_UNITS_HPP
 
 #include "grid/grid_quantizer.hpp"
 #include "sinew/sinew.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The point of a triangle that is nearest to a place, in doubles of one order of operations.
-#ifndef SINEW_DEFORM_TRIANGLE_POINT_HPP
-#define SINEW_DEFORM_TRIANGLE_POINT_HPP
+#ifndef SINEW_CORE_TRIANGLE_POINT_HPP
+#define SINEW_CORE_TRIANGLE_POINT_HPP
 
 #include "core/vec3d.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Completes the caller's joint map up and down the two hierarchies.
-#include "transfer/joint_map.hpp"
+#include "transfer/joint_counterparts.hpp"
 
 namespace sinew {
 
-bool JointMap::allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints) {
+bool JointCounterparts::allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints) {
   same = arena.alloc<int32_t>(source_joints);
   takes = arena.alloc<int32_t>(source_joints);
   head = arena.alloc<int32_t>(target_joints);
@@ -12,8 +12,8 @@ bool JointMap::allocate(Arena& arena, uint32_t source_joints, uint32_t target_jo
   return arena.ok();
 }
 
-void JointMap::complete(const int32_t* counterparts, const Skeleton& source, const Skeleton& target,
-                        uint32_t* scratch) {
+void JointCounterparts::complete(const int32_t* counterparts, const Skeleton& source, const Skeleton& target,
+                                 uint32_t* scratch) {
   constexpr uint32_t kFar = 0xFFFFFFFFu;
   uint32_t* const steps = scratch;                       // down to the nearest mapped joint
   uint32_t* const below = scratch + source.joint_count;  // that joint

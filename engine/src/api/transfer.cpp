@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// The C API: argument checks of sinew_transfer().
+#include "transfer/transfer.hpp"
+
+#include <stddef.h>
+
+#include "api/arguments.hpp"
+#include "core/struct_size.hpp"
+#include "sinew/transfer.h"
+
+// The struct of the first release, 0.1.
+static constexpr uint32_t kFirstSize = offsetof(sinew_transfer_outputs, used_bytes) + sizeof(size_t);
+static_assert(sizeof(sinew_transfer_options) == 12 * sizeof(uint32_t) + 6 * sizeof(void*),
+              "a hole in sinew_transfer_options");
+static_assert(sizeof(sinew_transfer_outputs) == 8 * sizeof(uint32_t) + 6 * sizeof(void*),
+              "a hole in sinew_transfer_outputs");
+static_assert(sizeof(sinew_transfer_part) == 8 * sizeof(uint32_t), "sinew_transfer_part never changes");
+
+extern "C" {
+
+sinew_status sinew_transfer_workspace_size(const sinew_model* model, const sinew_bound_character* source,
+                                           const sinew_mesh* target, const sinew_skeleton* skeleton,
+                                           const sinew_transfer_options* options, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  if (source == nullptr || source->mesh == nullptr || source->skeleton == nullptr || target == nullptr ||
+      skeleton == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  const sinew::TransferInput input = {*source, *target, *skeleton};
+  sinew::TransferPlan plan;
+  const sinew_status status = sinew::plan_transfer(model, input, options, &plan);
+  if (status != SINEW_OK) return status;
+  return sinew::measure(size_bytes,
+                        [&](sinew::Arena& arena) { return sinew::run_transfer(plan, input, arena, nullptr); });
+}
+
+sinew_status sinew_transfer(const sinew_model* model, const sinew_bound_character* source, const sinew_mesh* target,
+                            const sinew_skeleton* skeleton, const sinew_transfer_options* options, void* workspace,
+                            size_t workspace_bytes, sinew_transfer_outputs* outputs) {
+  if (source == nullptr || !sinew::is_mesh(source->mesh) || !sinew::is_skeleton(source->skeleton) ||
+      source->joint_indices == nullptr || source->weights == nullptr || source->joint_map == nullptr ||
+      !sinew::is_mesh(target) || !sinew::is_skeleton(skeleton) || workspace == nullptr || outputs == nullptr) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  sinew_transfer_outputs own;
+  sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  if (own.joint_indices == nullptr || own.weights == nullptr || (own.part_capacity > 0 && own.parts == nullptr))
+    return SINEW_ERROR_ARGUMENT;
+  const sinew::TransferInput input = {*source, *target, *skeleton};
+  sinew::TransferPlan plan;
+  status = sinew::plan_transfer(model, input, options, &plan);
+  if (status != SINEW_OK) return status;
+  if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
+  sinew::Arena arena(workspace, workspace_bytes);
+  status = sinew::run_transfer(plan, input, arena, &own);
+  if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
+  return status;
+}
+
+}  // extern "C"

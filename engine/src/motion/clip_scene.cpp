@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+// Memory, parts of the body and frames of a clip.
+#include "motion/clip_scene.hpp"
+
+#include "motion/retarget.hpp"
+#include "sinew/rig.h"
+
+namespace sinew {
+namespace {
+
+bool all_finite(const float* values, size_t count) {
+  for (size_t i = 0; i < count; ++i) {
+    if (!is_finite(static_cast<double>(values[i]))) return false;
+  }
+  return true;
+}
+
+// Every joint's part by the limb that it hangs on; shoulders go with their arms. Every vertex's by its heaviest joint.
+void find_parts(ClipScene* scene) {
+  const MotionRig& rig = scene->plan->target;
+  for (uint32_t j = 0; j < rig.count; ++j) {
+    scene->joint_parts[j] = BodyPart::kOther;
+    scene->joint_limbs[j] = kMostLimbs;
+    for (uint32_t l = 0; l < scene->limbs.count; ++l) {
+      const Limb& limb = scene->limbs.limbs[l];
+      uint32_t top = limb.first;
+      while (!limb.leg && rig.parents[top] >= 0 && scene->plan->classes[rig.parents[top]] == SINEW_CLASS_CLAVICLE)
+        top = static_cast<uint32_t>(rig.parents[top]);
+      if (!rig.is_below(j, top)) continue;
+      const bool end = rig.is_below(j, limb.last);
+      scene->joint_limbs[j] = static_cast<uint8_t>(l);
+      scene->joint_parts[j] = limb.leg                       ? (end ? BodyPart::kFoot : BodyPart::kLeg)
+                              : end                          ? BodyPart::kHand
+                              : rig.is_below(j, limb.middle) ? BodyPart::kForearm
+                                                             : BodyPart::kUpperArm;
+    }
+  }
+  const sinew_motion_body& body = *scene->body;
+  const uint32_t slots = body.influence_count;
+  for (uint32_t v = 0; v < body.vertex_count; ++v) {
+    uint32_t best = 0;
+    for (uint32_t i = 1; i < slots; ++i) {
+      if (body.weights[size_t{slots} * v + i] > body.weights[size_t{slots} * v + best]) best = i;
+    }
+    const uint32_t joint = body.joints[size_t{slots} * v + best];
+    scene->parts[v] = scene->joint_parts[joint];
+    scene->limb_of[v] = scene->joint_limbs[joint];
+  }
+}
+
+}  // namespace
+
+bool ClipScene::allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices,
+                         uint32_t triangles) {
+  (void)source.allocate(arena, vertices, triangles, source_joints);
+  (void)target.allocate(arena, vertices, triangles, target_joints);
+  parts = arena.alloc<BodyPart>(vertices);
+  limb_of = arena.alloc<uint8_t>(vertices);
+  joint_parts = arena.alloc<BodyPart>(target_joints);
+  joint_limbs = arena.alloc<uint8_t>(target_joints);
+  return arena.ok();
+}
+
+sinew_status ClipScene::open(sinew_retarget* own_plan, const sinew_motion_body* source_body,
+                             const sinew_motion_body& target_body, const ClipInputs& inputs) {
+  plan = own_plan;
+  in = &inputs;
+  body = &target_body;
+  has_source = source_body != nullptr;
+  target.body = &target_body;
+  target.rig = &plan->target;
+  target.measure(plan->up);
+  source.body = source_body;
+  source.rig = &plan->source;
+  source.turn = plan->turn;
+  if (has_source) source.measure(plan->up);
+  source_height = has_source ? source.height : target.height / plan->scale;
+  limbs = find_limbs(*plan);
+  find_parts(this);
+  const size_t joints = size_t{inputs.frames} * plan->target.count;
+  if (!all_finite(inputs.rotations, 4 * joints) || !all_finite(inputs.translations, 3 * joints))
+    return SINEW_ERROR_NOT_FINITE;
+  for (uint32_t f = 0; f < inputs.frames; ++f) {
+    const sinew_status status = load_source(f, false);
+    if (status != SINEW_OK) return status;
+  }
+  return SINEW_OK;
+}
+
+bool ClipScene::is_same_body() const {
+  if (!plan->same_rig) return false;
+  if (!has_source) return true;
+  const Vec3d first = rotate(source.turn, source.rest(0)) - target.rest(0);
+  for (uint32_t v = 0; v < body->vertex_count; ++v) {
+    const Vec3d way = rotate(source.turn, source.rest(v)) - target.rest(v) - first;
+    if (length(way) > 1e-5 * target.height) return false;
+  }
+  return true;
+}
+
+sinew_status ClipScene::load_source(uint32_t frame, bool with_body) {
+  const size_t joints = plan->source.count;
+  const sinew_status status =
+      pose_source(plan, in->source_rotations + 4 * joints * frame, in->source_translations + 3 * joints * frame);
+  if (status == SINEW_OK && has_source && with_body) {
+    source.pose(plan->source_turns, plan->source_places);
+    source.find_middles(body->triangles, body->triangle_count);
+  }
+  return status;
+}
+void ClipScene::load(uint32_t frame) {
+  const size_t joints = plan->target.count;
+  load_target(plan, in->rotations + 4 * joints * frame, in->translations + 3 * joints * frame);
+}
+void ClipScene::store(uint32_t frame) const {
+  const size_t joints = plan->target.count;
+  store_target(*plan, in->rotations + 4 * joints * frame, in->translations + 3 * joints * frame);
+}
+void ClipScene::pose_target(uint32_t frame) {
+  load(frame);
+  target.pose(plan->target_turns, plan->target_places);
+  target.find_middles(body->triangles, body->triangle_count);
+}
+void ClipScene::pose_target_at_rest() {
+  for (uint32_t v = 0; v < body->vertex_count; ++v) target.vertices[v] = target.rest(v);
+  target.find_middles(body->triangles, body->triangle_count);
+}
+
+}  // namespace sinew

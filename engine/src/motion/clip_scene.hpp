@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// A clip that was copied from one rig to another, with the body that it moves: what every pass over whole clips shares.
+#ifndef SINEW_MOTION_CLIP_SCENE_HPP
+#define SINEW_MOTION_CLIP_SCENE_HPP
+
+#include "core/counts.hpp"
+#include "motion/limbs.hpp"
+#include "motion/posed_body.hpp"
+
+namespace sinew {
+
+// What a vertex of the target belongs to.
+enum class BodyPart : uint8_t { kOther, kUpperArm, kForearm, kHand, kLeg, kFoot };
+
+struct ClipInputs {
+  uint32_t frames = 0;
+  const float* source_rotations = nullptr;     // [frames x source joints x 4]
+  const float* source_translations = nullptr;  // [frames x source joints x 3]
+  double ground = 0, fps = 30;
+  float* rotations = nullptr;     // [frames x target joints x 4]
+  float* translations = nullptr;  // [frames x target joints x 3]
+  Progress progress = {};
+};
+
+struct ClipScene {
+  sinew_retarget* plan = nullptr;
+  const ClipInputs* in = nullptr;
+  const sinew_motion_body* body = nullptr;  // the target's
+  bool has_source = false;
+  PosedBody source, target;
+  LimbList limbs;
+  BodyPart* parts = nullptr;        // [vertices]
+  uint8_t* limb_of = nullptr;       // [vertices] index into limbs, kMostLimbs: none
+  BodyPart* joint_parts = nullptr;  // [target joints]
+  uint8_t* joint_limbs = nullptr;   // [target joints]
+  double source_height = 0;         // of the source's body, in its units
+
+  // Works with a measuring arena. Returns arena.ok().
+  bool allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles);
+  // Fills what was allocated and looks for limbs and parts. `inputs` and the bodies must outlive it; source null: none.
+  // Returns SINEW_OK, or SINEW_ERROR_NOT_FINITE for a frame of either rig, with nothing written to the clip.
+  sinew_status open(sinew_retarget* own_plan, const sinew_motion_body* source_body,
+                    const sinew_motion_body& target_body, const ClipInputs& inputs);
+  // The motion comes from this very rig and body: nothing is left to be mended.
+  bool is_same_body() const;
+
+  // A frame of the source, and its body with middles of triangles where there is one; of the target, without its body.
+  sinew_status load_source(uint32_t frame, bool with_body);
+  void load(uint32_t frame);
+  void store(uint32_t frame) const;
+  // The target's frame with its body and triangles; the body at rest.
+  void pose_target(uint32_t frame);
+  void pose_target_at_rest();
+};
+
+}  // namespace sinew
+#endif

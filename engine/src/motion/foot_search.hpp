@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Where the source's feet stand, and how high feet are over their floors.
+#ifndef SINEW_MOTION_FOOT_SEARCH_HPP
+#define SINEW_MOTION_FOOT_SEARCH_HPP
+
+#include "motion/clip_scene.hpp"
+
+namespace sinew {
+
+constexpr double kContactFps = 30;  // to which ways a frame are related
+
+struct FootHeights {
+  double source = 0, target = 0;  // of the lowest point over the floor, each in its own units
+};
+
+class FootSearch {
+ public:
+  // Of a scene that is open; it must outlive this.
+  explicit FootSearch(ClipScene* scene);
+
+  // The toe, or the ankle of a leg without one.
+  uint32_t sole_joint(const Limb& limb) const { return limb.toe >= 0 ? static_cast<uint32_t>(limb.toe) : limb.last; }
+  // stands [frames]: 1 where ankle or toe is low and the toe is slow. Poses the source.
+  void find_standing(const Limb& limb, uint8_t* stands);
+  // Of vertices of the bodies in the poses that they have now; of the joints as far as they are lifted where there is no source's body.
+  FootHeights lowest(const Limb& limb, uint32_t number) const;
+
+ private:
+  uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(s_.plan->map[t]); }
+  double lift(uint32_t t) const;
+
+  ClipScene& s_;
+  double source_floor_ = 0;
+};
+
+}  // namespace sinew
+#endif

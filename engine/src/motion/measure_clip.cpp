@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// What is left to be mended in a clip, limb by limb.
+#include "motion/contacts.hpp"
+#include "motion/foot_search.hpp"
+#include "motion/natural_range.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kDeep = 0.006;  // share of the height
+
+// Sums over the frames of one limb.
+struct Tally {
+  double depth = 0, greatest_depth = 0, error = 0, greatest_error = 0;
+  uint32_t deep = 0, contacts = 0, out = 0;
+
+  void add_depth(double share) {
+    if (share <= 0) return;
+    depth += share;
+    if (share > greatest_depth) greatest_depth = share;
+    if (share > kDeep) ++deep;
+  }
+  void add_error(double share) {
+    const double own = share < 0 ? -share : share;
+    error += own;
+    if (own > greatest_error) greatest_error = own;
+    ++contacts;
+  }
+};
+
+class Measure {
+ public:
+  explicit Measure(ContactScene* scene)
+      : s_(*scene),
+        feet_(scene),
+        source_share_(share_of(scene->source_height)),
+        share_(share_of(scene->target.height)) {
+    find_hinges(s_, hinges_);
+    s_.search.open(s_);
+  }
+
+  sinew_status run(sinew_limb_measure* out, uint32_t* count) {
+    Tally tallies[kMostLimbs];
+    const uint32_t frames = s_.in->frames;
+    if (!s_.has_source) find_rest_depths();
+    for (uint32_t l = 0; l < s_.limbs.count; ++l) {
+      if (s_.limbs.limbs[l].leg) measure_slide(s_.limbs.limbs[l], &tallies[l]);
+    }
+    for (uint32_t f = 0; f < frames; ++f) {
+      (void)s_.load_source(f, true);
+      s_.pose_target(f);
+      for (uint32_t a = 0; a < s_.search.count(); ++a) measure_arm(a, &tallies[s_.search.limb(a)]);
+      for (uint32_t l = 0; l < s_.limbs.count; ++l) {
+        const Limb& limb = s_.limbs.limbs[l];
+        if (is_out_of_range(*s_.plan, limb, hinges_[l])) ++tallies[l].out;
+        if (!limb.leg) continue;
+        const FootHeights low = feet_.lowest(limb, l);
+        tallies[l].add_depth((low.source < 0 ? source_share_ * low.source : 0) - share_ * low.target);
+      }
+      if (!s_.in->progress.report(static_cast<uint32_t>(uint64_t{f + 1} * 1000 / frames))) return SINEW_ERROR_CANCELLED;
+    }
+    for (uint32_t l = 0; l < s_.limbs.count; ++l) write(s_.limbs.limbs[l], tallies[l], frames, &out[l]);
+    *count = s_.limbs.count;
+    return SINEW_OK;
+  }
+
+ private:
+  // 1 / height; a flat body has no shares.
+  static double share_of(double height) { return height > 0 ? 1 / height : 0; }
+
+  void find_rest_depths() {
+    s_.pose_target_at_rest();
+    for (uint32_t a = 0; a < s_.search.count(); ++a) rest_depths_[a] = s_.search.deepest(s_.target, a, {0, 0, 0}).depth;
+  }
+
+  void measure_arm(uint32_t arm, Tally* tally) {
+    const double own = share_ * s_.search.deepest(s_.target, arm, {0, 0, 0}).depth;
+    if (!s_.has_source) {
+      tally->add_depth(own - share_ * rest_depths_[arm]);
+      return;
+    }
+    tally->add_depth(own - source_share_ * s_.search.deepest(s_.source, arm, {0, 0, 0}).depth);
+    const HandReach from = s_.search.nearest(s_.source, arm);
+    if (!from.near || from.square > kTouch * kTouch * s_.source.height * s_.source.height) return;
+    // The same point of the target's hand: farther than it can see it counts as that far.
+    const double now = s_.search.distance(s_.target, arm, from.vertex);
+    tally->add_error(share_ * now - source_share_ * root(from.square));
+  }
+
+  void measure_slide(const Limb& limb, Tally* tally) {
+    feet_.find_standing(limb, s_.stands);
+    Vec3d before = {0, 0, 0};
+    for (uint32_t f = 0; f < s_.in->frames; ++f) {
+      s_.load(f);
+      const Vec3d place = s_.plan->target_places[feet_.sole_joint(limb)];
+      const Vec3d flat = place - dot(place, s_.plan->up) * s_.plan->up;
+      if (f > 0 && s_.stands[f] != 0 && s_.stands[f - 1] != 0) tally->add_error(share_ * length(flat - before));
+      before = flat;
+    }
+  }
+
+  static void write(const Limb& limb, const Tally& tally, uint32_t frames, sinew_limb_measure* out) {
+    *out = {};
+    out->joint = limb.last;
+    out->leg = limb.leg ? 1 : 0;
+    out->frames = frames;
+    out->deep_frames = tally.deep;
+    out->contact_frames = tally.contacts;
+    out->range_frames = tally.out;
+    out->depth = static_cast<float>(frames > 0 ? tally.depth / frames : 0);
+    out->greatest_depth = static_cast<float>(tally.greatest_depth);
+    out->error = static_cast<float>(tally.contacts > 0 ? tally.error / tally.contacts : 0);
+    out->greatest_error = static_cast<float>(tally.greatest_error);
+  }
+
+  ContactScene& s_;
+  FootSearch feet_;
+  double source_share_, share_;
+  Hinge hinges_[kMostLimbs];
+  double rest_depths_[kMostArms] = {};
+};
+
+}  // namespace
+
+sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body& target,
+                          const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count) {
+  ContactScene scene;
+  if (!scene.allocate_all(arena, plan->source.count, plan->target.count, target.vertex_count, target.triangle_count,
+                          inputs.frames)) {
+    return SINEW_ERROR_WORKSPACE;
+  }
+  const sinew_status status = scene.open(plan, source, target, inputs);
+  return status == SINEW_OK ? Measure(&scene).run(limbs, limb_count) : status;
+}
+
+}  // namespace sinew

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// Influences of triangles on joints, lengths of bones along the way, and limbs put where the sum is.
+#include "motion/reference_points.hpp"
+
+#include "core/struct_size.hpp"
+#include "motion/retarget.hpp"
+#include "sinew/rig.h"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kNone = UINT32_MAX;
+constexpr double kLeastWay =
+    1e-6;  // share of the source's height: bones that are shorter as seen along the way say nothing
+
+// About exp(-x), x >= 0: 0.0003 off at most. A power of a fraction needs no libm.
+double falling(double x) {
+  double d = 1 + x * (1.0 / 256);
+  for (int i = 0; i < 8; ++i) d = d * d;
+  return 1 / d;
+}
+
+double magnitude(double x) { return x < 0 ? -x : x; }
+
+struct ReferenceScene : ClipScene {
+  uint32_t* groups = nullptr;   // [target joints + 1] first triangle in `order` of each nearest joint
+  uint32_t* order = nullptr;    // [triangles] by nearest joint
+  uint32_t* nearest = nullptr;  // [triangles] scratch
+  uint8_t* touches = nullptr;   // [triangles] bit per limb that has a corner
+  double* areas = nullptr;      // [triangles] of the posed source, in shares of their mean
+  Vec3d* normals = nullptr;     // [triangles] of the posed source
+  uint32_t* above =
+      nullptr;  // [target joints] the joint that its bone begins at, kNone for others than nodes and roots
+  uint8_t* is_node = nullptr;     // [target joints] mapped, as the first of its source
+  Vec3d* source_bones = nullptr;  // [target joints] of one way
+  Vec3d* target_bones = nullptr;
+
+  bool allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles) {
+    (void)ClipScene::allocate(arena, source_joints, target_joints, vertices, triangles);
+    groups = arena.alloc<uint32_t>(size_t{target_joints} + 1);
+    order = arena.alloc<uint32_t>(triangles);
+    nearest = arena.alloc<uint32_t>(triangles);
+    touches = arena.alloc<uint8_t>(size_t{2} * triangles);
+    areas = arena.alloc<double>(triangles);
+    normals = arena.alloc<Vec3d>(triangles);
+    above = arena.alloc<uint32_t>(target_joints);
+    is_node = arena.alloc<uint8_t>(target_joints);
+    source_bones = arena.alloc<Vec3d>(target_joints);
+    target_bones = arena.alloc<Vec3d>(target_joints);
+    return arena.ok();
+  }
+};
+
+// Joints that move the body by themselves; fingers, ends and what hangs on it do not say where a triangle belongs.
+bool is_body_class(uint32_t c) { return c <= SINEW_CLASS_TAIL || c == SINEW_CLASS_WING; }
+
+class ReferencePoints {
+ public:
+  ReferencePoints(const ReferenceOptions& options, ReferenceScene* scene)
+      : options_(options),
+        s_(*scene),
+        plan_(*scene->plan),
+        rig_(scene->plan->target),
+        triangles_(scene->body->triangle_count) {
+    find_nodes();
+    find_groups();
+  }
+
+  sinew_status run() {
+    const uint32_t frames = s_.in->frames;
+    for (uint32_t f = 0; f < frames; ++f) {
+      (void)s_.load_source(f, true);
+      measure_triangles();
+      s_.pose_target(f);
+      Vec3d middles[kMostLimbs], lasts[kMostLimbs];
+      for (uint32_t l = 0; l < s_.limbs.count; ++l) {
+        if (!is_moved(l)) continue;
+        middles[l] = place(s_.limbs.limbs[l].middle, l);
+        lasts[l] = place(s_.limbs.limbs[l].last, l);
+      }
+      for (uint32_t l = 0; l < s_.limbs.count; ++l) {
+        if (is_moved(l)) move_limb(s_.limbs.limbs[l], lasts[l], middles[l], &plan_);
+      }
+      s_.store(f);
+      if (!s_.in->progress.report(static_cast<uint32_t>(uint64_t{f + 1} * 1000 / frames))) return SINEW_ERROR_CANCELLED;
+    }
+    return SINEW_OK;
+  }
+
+ private:
+  bool is_moved(uint32_t limb) const { return options_.legs || !s_.limbs.limbs[limb].leg; }
+  uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(plan_.map[t]); }
+  Vec3d source_rest(uint32_t t) const { return rotate(plan_.turn, plan_.source.positions[source_of(t)]); }
+
+  // Of joints with one source the first is a node of the way; its bone begins at the next node above.
+  void find_nodes() {
+    for (uint32_t i = 0; i < rig_.count; ++i) {
+      const uint32_t t = rig_.order[i];
+      uint32_t up = rig_.parents[t] < 0 ? kNone : static_cast<uint32_t>(rig_.parents[t]);
+      while (up != kNone && s_.is_node[up] == 0)
+        up = rig_.parents[up] < 0 ? kNone : static_cast<uint32_t>(rig_.parents[up]);
+      s_.above[t] = up;
+      s_.is_node[t] = plan_.map[t] >= 0 && (up == kNone || plan_.map[up] != plan_.map[t]) ? 1 : 0;
+    }
+  }
+
+  // Triangles by the node that is nearest to their middle in the source's rest pose.
+  void find_groups() {
+    bool any_body = false;
+    for (uint32_t t = 0; t < rig_.count; ++t)
+      any_body = any_body || (s_.is_node[t] != 0 && is_body_class(plan_.classes[t]));
+    for (uint32_t v = 0; v < s_.body->vertex_count; ++v) s_.source.vertices[v] = rotate(plan_.turn, s_.source.rest(v));
+    s_.source.find_middles(s_.body->triangles, triangles_);
+    for (uint32_t j = 0; j <= rig_.count; ++j) s_.groups[j] = 0;
+    for (uint32_t i = 0; i < triangles_; ++i) {
+      double least = 0;
+      uint32_t best = kNone;
+      for (uint32_t t = 0; t < rig_.count; ++t) {
+        if (s_.is_node[t] == 0 || (any_body && !is_body_class(plan_.classes[t]))) continue;
+        const Vec3d way = source_rest(t) - s_.source.middles[i];
+        const double own = dot(way, way);
+        if (best != kNone && own >= least) continue;
+        least = own;
+        best = t;
+      }
+      s_.nearest[i] = best;
+      ++s_.groups[best + 1];
+      uint32_t limbs = 0;
+      for (int c = 0; c < 3; ++c) {
+        const uint32_t limb = s_.limb_of[s_.body->triangles[size_t{3} * i + static_cast<size_t>(c)]];
+        if (limb < kMostLimbs) limbs |= 1u << limb;
+      }
+      s_.touches[size_t{2} * i] = static_cast<uint8_t>(limbs & 255);
+      s_.touches[size_t{2} * i + 1] = static_cast<uint8_t>(limbs >> 8);
+    }
+    for (uint32_t j = 0; j < rig_.count; ++j) s_.groups[j + 1] += s_.groups[j];
+    for (uint32_t i = 0; i < triangles_; ++i) s_.order[s_.groups[s_.nearest[i]]++] = i;
+    for (uint32_t j = rig_.count; j > 0; --j) s_.groups[j] = s_.groups[j - 1];
+    s_.groups[0] = 0;
+  }
+
+  void measure_triangles() {
+    double sum = 0;
+    for (uint32_t i = 0; i < triangles_; ++i) {
+      const uint32_t* const corner = s_.body->triangles + size_t{3} * i;
+      const Vec3d a = s_.source.vertices[corner[0]];
+      const Vec3d twice = cross(s_.source.vertices[corner[1]] - a, s_.source.vertices[corner[2]] - a);
+      s_.areas[i] = length(twice);
+      s_.normals[i] = unit(twice);
+      sum += s_.areas[i];
+    }
+    const double mean = sum / triangles_;
+    for (uint32_t i = 0; i < triangles_; ++i) s_.areas[i] = mean > 0 ? s_.areas[i] / mean : 0;
+  }
+
+  // Bones from a node to another, through the first that is above both. kNone: nothing is above both.
+  uint32_t way(uint32_t from, uint32_t to) {
+    uint32_t meet = from;
+    while (meet != kNone && !rig_.is_below(to, meet)) meet = s_.above[meet];
+    if (meet == kNone) return kNone;
+    uint32_t count = 0;
+    const uint32_t ends[2] = {from, to};
+    for (const uint32_t end : ends) {
+      for (uint32_t t = end; t != meet; t = s_.above[t]) {
+        const uint32_t up = s_.above[t];
+        s_.source_bones[count] = plan_.source_places[source_of(t)] - plan_.source_places[source_of(up)];
+        s_.target_bones[count++] = plan_.target_places[t] - plan_.target_places[up];
+      }
+    }
+    return count;
+  }
+
+  bool is_left_out(uint32_t triangle, uint32_t limb) const {
+    return !options_.own_limb && (s_.touches[size_t{2} * triangle + limb / 8] >> (limb % 8) & 1) != 0;
+  }
+
+  double influence(uint32_t triangle, Vec3d along, double distance) const {
+    const double cosine = magnitude(dot(along, s_.normals[triangle]));
+    double own = cosine > options_.least_cosine ? cosine : options_.least_cosine;
+    for (uint32_t i = 0; i < options_.area_power; ++i) own *= s_.areas[triangle];
+    if (options_.falloff > 0 && s_.source.height > 0) {
+      const double share = distance / (options_.falloff * s_.source.height);
+      own *= falling(share * share);
+    }
+    return own;
+  }
+
+  // Where all triangles together want a joint; where it is, if none has a say.
+  Vec3d place(uint32_t joint, uint32_t limb) {
+    const Vec3d goal = plan_.source_places[source_of(joint)];
+    const double heights = s_.source.height > 0 ? s_.target.height / s_.source.height : 1;
+    Vec3d sum = {0, 0, 0};
+    double all = 0;
+    uint32_t node = joint;
+    while (s_.is_node[node] == 0) node = s_.above[node];
+    for (uint32_t group = 0; group < rig_.count; ++group) {
+      if (s_.groups[group] == s_.groups[group + 1]) continue;
+      const uint32_t bones = way(group, node);
+      for (uint32_t k = s_.groups[group]; k < s_.groups[group + 1]; ++k) {
+        const uint32_t i = s_.order[k];
+        if (is_left_out(i, limb)) continue;
+        const Vec3d v = goal - s_.source.middles[i];
+        const double distance = length(v);
+        const Vec3d along = unit(v);
+        double factor = 1;  // the nearest joint itself: nothing lies between
+        if (bones > 0) {
+          double from = 0, to = 0;
+          for (uint32_t b = 0; bones != kNone && b < bones; ++b) {
+            from += magnitude(dot(along, s_.source_bones[b]));
+            to += magnitude(dot(along, s_.target_bones[b]));
+          }
+          factor = from > kLeastWay * s_.source.height ? to / from : heights;
+        }
+        const double own = influence(i, along, distance);
+        all += own;
+        sum = sum + own * (s_.target.middles[i] + factor * v);
+      }
+    }
+    return all > kLeastSquare ? (1 / all) * sum : plan_.target_places[joint];
+  }
+
+  const ReferenceOptions& options_;
+  ReferenceScene& s_;
+  sinew_retarget& plan_;
+  const MotionRig& rig_;
+  uint32_t triangles_;
+};
+
+}  // namespace
+
+sinew_status read_reference_options(const sinew_reference_options* options, ReferenceOptions* out, Progress* progress) {
+  sinew_reference_options o = sinew_reference_options_init();
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, sizeof o, sizeof o, &o);
+  if (status != SINEW_OK) return status;
+  const double falloff = static_cast<double>(o.falloff), least = static_cast<double>(o.least_cosine);
+  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.no_own_limb > 1 || o.legs > 1 || !(falloff >= 0) ||
+      !is_finite(falloff) || !(least >= 0 && least <= 1)) {
+    return SINEW_ERROR_ARGUMENT;
+  }
+  *out = ReferenceOptions();
+  if (o.area_power != 0) out->area_power = o.area_power == SINEW_NO_AREA ? 0 : o.area_power;
+  out->own_limb = o.no_own_limb == 0;
+  out->legs = o.legs != 0;
+  out->falloff = falloff;
+  if (least > 0) out->least_cosine = least;
+  *progress = Progress{o.progress, o.progress_user};
+  return SINEW_OK;
+}
+
+size_t measure_reference_points(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles) {
+  Arena arena;
+  ReferenceScene scene;
+  (void)scene.allocate(arena, source_joints, target_joints, vertices, triangles);
+  return arena.ok() ? arena.high_water() : 0;
+}
+
+sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body& source,
+                                  const sinew_motion_body& target, const ClipInputs& inputs,
+                                  const ReferenceOptions& options, Arena& arena) {
+  ReferenceScene scene;
+  if (!scene.allocate(arena, plan->source.count, plan->target.count, target.vertex_count, target.triangle_count))
+    return SINEW_ERROR_WORKSPACE;
+  const sinew_status status = scene.open(plan, &source, target, inputs);
+  if (status != SINEW_OK || scene.is_same_body() || target.triangle_count == 0) return status;
+  return ReferencePoints(options, &scene).run();
+}
+
+}  // namespace sinew

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Retargeting by reference points on the mesh, the published method: every triangle of the posed target says where a joint is to
+// be as seen from it, by the way from the same triangle to the joint in the source, as much longer as the bones between are.
+#ifndef SINEW_MOTION_REFERENCE_POINTS_HPP
+#define SINEW_MOTION_REFERENCE_POINTS_HPP
+
+#include "motion/clip_scene.hpp"
+
+namespace sinew {
+
+// The options of the interface, checked.
+struct ReferenceOptions {
+  uint32_t area_power = 3;
+  bool own_limb = true, legs = false;
+  double falloff = 0;  // share of the source's height; 0 = none
+  double least_cosine = 1e-5;
+};
+// Also reads progress into `progress`. Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.
+sinew_status read_reference_options(const sinew_reference_options* options, ReferenceOptions* out, Progress* progress);
+
+// Behind sinew_retarget_reference_points(); the caller has checked pointers and the bodies.
+size_t measure_reference_points(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles);
+sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body& source,
+                                  const sinew_motion_body& target, const ClipInputs& inputs,
+                                  const ReferenceOptions& options, Arena& arena);
+
+}  // namespace sinew
+#endif
