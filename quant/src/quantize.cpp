@@ -15,9 +15,6 @@
 namespace sinew {
 namespace {
 
-constexpr double kFeatureScale = 8192;                        // Q13
-constexpr double kOutputScale = 1024;                         // Q10
-constexpr double kLogitScale = 1024 * 1.4426950408889634074;  // bind: natural log units to log2 units in Q10
 constexpr int32_t kMaxWeight = 32767;
 // A channel whose largest weight has fewer bits than this (sign included) in class N moves its layer to class W.
 constexpr int kLeastWeightBits = 11;

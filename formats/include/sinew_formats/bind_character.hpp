@@ -51,6 +51,13 @@ JointChoice choose_joints(const Character& character, JointsFrom from, const std
 // the user forbids stay out.
 void take_back_joints(const std::vector<size_t>& joints, const std::vector<uint8_t>& said, JointChoice* choice);
 
+// Tips give what weight a bind gave them to their parents, but for those that most of a connected piece of the mesh belongs to.
+//   kept  [meshes] of kept_meshes(): their rows stay as they are; or empty
+//   rows  in/out [V]
+// Returns how many tips gave theirs away.
+size_t fold_tips(const Character& character, const JointChoice& choice, const std::vector<bool>& kept,
+                 std::vector<std::vector<Influence>>* rows);
+
 // Whether a mesh stays as it is: one without a skin that hangs on a joint, or whose neighbours have skins. [meshes]
 std::vector<bool> kept_meshes(const Character& character, bool bind_props);
 

@@ -12,6 +12,12 @@
 
 namespace sinew {
 
+// Integer steps per unit: of the engine's rows of features (Q13), of a network's output (Q10), and of bind's, which are
+// log2 units of what float has in natural ones.
+constexpr double kFeatureScale = 8192;
+constexpr double kOutputScale = 1024;
+constexpr double kLogitScale = 1024 * 1.4426950408889634074;
+
 // One linear layer: weights [out x in] row-major, bias [out].
 struct LinearParameters {
   uint32_t in = 0, out = 0;
@@ -19,7 +25,7 @@ struct LinearParameters {
   std::vector<float> bias;
 };
 
-// Inputs are the engine's int16 rows / 8192. The names of a network that says nothing else are bind's.
+// Inputs are the engine's int16 rows / kFeatureScale. The names of a network that says nothing else are bind's.
 struct FloatNetwork {
   std::string architecture;      // "field" or "classic" for bind
   uint32_t task = kTaskBind;     // engine/src/model/task.hpp
@@ -38,6 +44,11 @@ ModelTask model_task(const FloatNetwork& network);
 // Throws Error unless inputs, buffers, layers and parameters fit together (engine/src/model/layer_list.hpp has the rules).
 //   source  begins the message: the file, or who made the network
 void check_network(const FloatNetwork& network, const std::string& source);
+
+// Fills the parameters of a network of known layers from a model file (.sinew), as float: what the model computes but for
+// its rounding. Throws Error when the file cannot be read, the engine refuses it, or its task, features or layers are not
+// the network's; then *network is as it was.
+void read_model_weights(const std::string& path, FloatNetwork* network);
 
 }  // namespace sinew
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joint of one skeleton stands for which of another: by names, or as a file says.
+// Which joint of one skeleton stands for which of another, by their names. By anatomy and from files: map_skeleton.hpp.
 #ifndef SINEW_FORMATS_JOINT_MAP_HPP
 #define SINEW_FORMATS_JOINT_MAP_HPP
 
@@ -16,12 +16,6 @@ using JointMapping = std::vector<int32_t>;
 
 // Joints of the same name.
 JointMapping map_joints_by_name(const std::vector<Joint>& source, const std::vector<Joint>& target);
-
-// From a file of lines TARGET_JOINT SOURCE_JOINT; # begins a comment line. A target's joint may stand for several of the
-// source's, a source's joint has one counterpart. Names with blanks are written with '_' in their place, as rig.txt does. Throws
-// Error with the line of a joint that does not exist or is mapped twice, and when no joint is mapped.
-JointMapping read_joint_map(const std::string& path, const std::vector<Joint>& source,
-                            const std::vector<Joint>& target);
 
 size_t mapped_count(const JointMapping& mapping);
 

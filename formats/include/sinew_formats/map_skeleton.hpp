@@ -55,10 +55,16 @@ const char* map_reason_text(uint8_t reason);
 // A map as text: a line TARGET_JOINT SOURCE_JOINT, or TARGET_JOINT - for none, for each joint; # begins a comment. Blanks
 // in names are written as '_'.
 std::string map_text(const MapRig& target, const MapRig& source, const MappedSkeleton& map);
-// The lines of such a file as pins: what has a line is kept, what has none is free. Every target once, and every source, unless
-// it may be one of several (`sources_once` false: maps that motion is copied by). Throws Error with the line.
+// Which joints may stand in several lines of a map.
+enum class MapRepeats : uint8_t {
+  kNone,
+  kSources,  // for motion: several joints move as one
+  kTargets   // for weights: several joints give theirs to one
+};
+// The lines of such a file as pins: what has a line is kept, what has none is free. Throws Error with the line, also of a joint
+// that stands there twice and may not.
 std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source,
-                                         bool sources_once = true);
+                                         MapRepeats repeats = MapRepeats::kNone);
 // TARGET_JOINT=SOURCE_JOINT, or TARGET_JOINT=- for none. Throws Error.
 sinew_map_pin parse_map_pin(const std::string& text, const MapRig& target, const MapRig& source);
 

@@ -9,14 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "sinew/motion_clips.h"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew {
 
-// The mesh of a motion's own file, which keep_contacts() compares with; none in a .bvh or a file with a skeleton alone.
+// The mesh of a motion's own file, which take_bodies() compares with; none in a .bvh or a file with a skeleton alone.
 std::optional<Character> body_of_motion(const std::string& path);
+
+// Limbs as they were copied, and as the method left them; as many of both, in one order.
+struct ClipReport {
+  std::vector<sinew_limb_measure> before, after;
+};
 
 class Retargeter {
  public:
@@ -27,14 +33,22 @@ class Retargeter {
   Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
              const std::vector<uint8_t>& classes, const RetargetSettings& settings = {});
 
-  // From now on clips keep their contacts (sinew_retarget_contacts()): feet stay where they stand, and where the two bodies
-  // are one mesh in two shapes, hands that touch go on touching and stay outside. `target` has the target's joints, `source`
-  // the motion's first ones and weights; null: the motion has no body. Returns how many triangles the two bodies share, 0:
-  // feet alone.
-  size_t keep_contacts(const Character& target, const Character* source);
+  // Bodies for what follows. `target` has the target's joints, `source` the motion's first ones and weights; null: the motion has
+  // no body. Returns how many triangles of skin the two share as one mesh in two shapes; 0: the target's own body is looked at
+  // alone.
+  size_t take_bodies(const Character& target, const Character* source);
+  // From now on clips keep their contacts (sinew_retarget_contacts()), for which bodies are there.
+  void keep_contacts();
+  // In place of contacts, arms go where reference points of the mesh want them (sinew_retarget_reference_points()). Throws
+  // Error where the two bodies are not one mesh.
+  void follow_reference_points(const sinew_reference_options& settings);
 
-  // Before each frame `keep_going` is asked; false ends with an Error that says so.
-  Clip run(const Clip& clip, const std::function<bool()>& keep_going = {});
+  // From now on knees and elbows stay in their natural range (sinew_retarget_keep_range()), for which bodies are there.
+  void keep_range() { range_ = true; }
+
+  // Before each frame `keep_going` is asked; false ends with an Error that says so. With a `report` the clip is measured, for
+  // which bodies are there.
+  Clip run(const Clip& clip, const std::function<bool()>& keep_going = {}, ClipReport* report = nullptr);
 
  private:
   void check(sinew_status status) const;
@@ -51,8 +65,10 @@ class Retargeter {
   std::string name_;
   size_t source_count_, target_count_;
   std::vector<uint8_t> classes_;
-  RetargetPlan plan_;
-  bool contacts_ = false, has_source_ = false;
+  Workspace memory_;
+  sinew_retarget* plan_ = nullptr;  // in memory_
+  bool has_source_ = false, contacts_ = false, range_ = false;
+  std::optional<sinew_reference_options> reference_;
   Body target_body_, source_body_;
   std::vector<uint32_t> triangles_;
   Workspace workspace_;

@@ -110,7 +110,7 @@ TransferResult transfer(const Character& source, const Character& target, const 
   const EngineRows rows(source.influences, source.vertices.size(), longest_row(source.influences));
   const sinew_bound_character bound = {&from.mesh, &from.skeleton,       rows.joints.data(), rows.weights.data(),
                                        rows.count, SINEW_WEIGHT_UNORM16, mapping.data()};
-  sinew_transfer_options engine_options = sinew_transfer_options_init();
+  TransferSettings engine_options;
   engine_options.method = options.method;
   engine_options.influence_count = options.influence_count;
   engine_options.up_axis = options.up_axis;
@@ -131,34 +131,31 @@ TransferResult transfer(const Character& source, const Character& target, const 
   sinew_status status = sinew_transfer_workspace_size(options.model, &bound, &to.mesh, &to.skeleton, &engine_options,
                                                       &result.workspace_bytes);
   if (status != SINEW_OK) throw_transfer(source, target, options, status);
-  const Workspace workspace(result.workspace_bytes);
+  Workspace workspace(result.workspace_bytes);
   if (workspace.size() < result.workspace_bytes)
     throw OutOfMemory(target.name + ": no memory for a workspace of " +
                       std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
   const size_t n = options.influence_count, vertices = target.vertices.size();
-  EngineRows out(options.locked.empty() ? std::vector<std::vector<Influence>>() : target.influences, vertices,
-                 options.influence_count);
-  result.confidence.resize(vertices);
-  result.vertex_parts.resize(vertices);
-  result.parts.resize(vertices);
-  sinew_transfer_outputs outputs = sinew_transfer_outputs_init(out.joints.data(), out.weights.data());
-  outputs.confidence = result.confidence.data();
-  outputs.vertex_parts = result.vertex_parts.data();
-  outputs.parts = result.parts.data();
-  outputs.part_capacity = static_cast<uint32_t>(vertices);
+  Skin<uint16_t> out;
+  if (!options.locked.empty()) {
+    const EngineRows own(target.influences, vertices, options.influence_count);
+    out = {own.count, own.joints, own.weights, 0};
+  }
+  TransferReport report;
   const auto start = std::chrono::steady_clock::now();
-  status = sinew_transfer(options.model, &bound, &to.mesh, &to.skeleton, &engine_options, workspace.data(),
-                          workspace.size(), &outputs);
+  status = sinew::transfer(options.model, bound, to.mesh, to.skeleton, engine_options, &workspace, &out, &report);
   if (status != SINEW_OK) throw_transfer(source, target, options, status);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  result.parts.resize(outputs.part_count);
-  result.bound = outputs.bound_by <= SINEW_METHOD_HEAT;
-  result.bound_by = result.bound ? static_cast<sinew_method>(outputs.bound_by) : SINEW_METHOD_MODEL;
-  result.carried = kQ16 * outputs.carried_q16;
-  result.style = kQ16 * outputs.style_q16;
-  result.mismatch = kQ16 * outputs.mismatch_q16;
-  result.reference_count = outputs.reference_count;
-  result.used_bytes = outputs.used_bytes;
+  result.confidence = std::move(report.confidence);
+  result.vertex_parts = std::move(report.vertex_parts);
+  result.parts = std::move(report.parts);
+  result.bound = report.bound_by <= SINEW_METHOD_HEAT;
+  result.bound_by = result.bound ? static_cast<sinew_method>(report.bound_by) : SINEW_METHOD_MODEL;
+  result.carried = kQ16 * report.carried_q16;
+  result.style = kQ16 * report.style_q16;
+  result.mismatch = kQ16 * report.mismatch_q16;
+  result.reference_count = report.reference_count;
+  result.used_bytes = report.used_bytes;
   result.influences.resize(vertices);
   for (size_t v = 0; v < vertices; ++v) {
     for (size_t i = v * n; i < (v + 1) * n; ++i)

@@ -10,6 +10,7 @@
 #include "motion/turns.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
+#include "sinew_formats/morphs.hpp"
 #include "sinew_formats/print.hpp"
 #include "text/joint_names.hpp"
 #include "text/text_lines.hpp"
@@ -78,20 +79,29 @@ class GltfMotionReader {
         nodes_(gltf_nodes(path, source_.model)) {}
 
   Motion read() {
-    motion_.name = stem_of(path_);
     if (model().animations.empty())
       throw Error(path_ + ": expected an animation, found none; the file has " + std::to_string(model().nodes.size()) +
                   " nodes and " + std::to_string(character_.joints.size()) + " joints that stand still");
-    for (size_t a = 0; a < model().animations.size(); ++a) read_tracks(a);
-    choose_joints();
-    for (size_t a = 0; a < model().animations.size(); ++a) read_clip(a);
+    read_clips();
     if (motion_.clips.empty())
       throw Error(path_ + ": expected an animation that moves the skeleton, found none in " +
                   std::to_string(model().animations.size()));
     return std::move(motion_);
   }
 
+  OwnMotion read_own() {
+    read_clips();
+    return {std::move(motion_), std::move(keys_)};
+  }
+
  private:
+  void read_clips() {
+    motion_.name = stem_of(path_);
+    for (size_t a = 0; a < model().animations.size(); ++a) read_tracks(a);
+    choose_joints();
+    for (size_t a = 0; a < model().animations.size(); ++a) read_clip(a);
+  }
+
   const tinygltf::Model& model() const { return source_.model; }
   std::string name_of(size_t animation) const {
     const std::string& name = model().animations[animation].name;
@@ -267,6 +277,11 @@ class GltfMotionReader {
     const std::vector<size_t> nodes = order();
     for (size_t f = 0; f < static_cast<size_t>(count); ++f)
       clip.frames.push_back(frame_of(animated, nodes, first + static_cast<double>(f) / fps));
+    MorphClip keys;
+    keys.animation = number;
+    keys.start = first;
+    keys.frame_time = clip.frame_time;
+    keys_.push_back(std::move(keys));
     motion_.clips.push_back(std::move(clip));
   }
 
@@ -323,6 +338,7 @@ class GltfMotionReader {
   const GltfSource& source_;
   const GltfNodes nodes_;
   Motion motion_;
+  std::vector<MorphClip> keys_;                         // [clips]
   std::vector<std::vector<Track>> tracks_;              // [animations][samplers]
   std::vector<std::map<size_t, NodeTracks>> animated_;  // [animations] by node
   std::vector<size_t> joint_nodes_;                     // [J]
@@ -334,5 +350,7 @@ class GltfMotionReader {
 }  // namespace
 
 Motion read_gltf_motion(const std::string& path, double fps) { return GltfMotionReader(path, fps).read(); }
+
+OwnMotion read_own_motion(const std::string& path) { return GltfMotionReader(path, 0).read_own(); }
 
 }  // namespace sinew

@@ -108,19 +108,17 @@ class MotionWriter {
       if (!back)
         throw Error(path_ + ": cannot write an animation, a node above joint " + in_quotes(motion_.joints[j].name) +
                     " is scaled to nothing");
-      add_parts(multiply(*back, worlds[n]), parts_[n], &(*tracks)[j]);
+      add_parts(parts_of(multiply(*back, worlds[n]), parts_[n]), &(*tracks)[j]);
     }
   }
 
-  static void add_parts(Affine local, const NodeParts& rest, NodeTrack* track) {
+  static void add_parts(const NodeParts& parts, NodeTrack* track) {
     std::array<float, 3> place{}, scale{};
     for (size_t c = 0; c < 3; ++c) {
-      place[c] = static_cast<float>(local[4 * c + 3]);
-      scale[c] = static_cast<float>(std::copysign(std::hypot(local[c], local[4 + c], local[8 + c]), rest.scale[c]));
-      if (rest.scale[c] < 0)  // mirrored: the rotation is what is left
-        for (size_t r = 0; r < 3; ++r) local[4 * r + c] = -local[4 * r + c];
+      place[c] = static_cast<float>(parts.translation[c]);
+      scale[c] = static_cast<float>(parts.scale[c]);
     }
-    const Quaternion q = quaternion_of(rotation_part(local));
+    const Quaternion& q = parts.rotation;
     std::array<float, 4> turn{};
     // Of the two that are the same turn the one near the frame before; at first the one with w above 0.
     double side = q[3];

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "gltf/gltf_container.hpp"
+#include "gltf/gltf_morphs.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/gltf_uri.hpp"
 #include "sinew_formats/error.hpp"
@@ -175,8 +176,9 @@ GltfJoints own_joints(const GltfSource& source) {
   return joints;
 }
 
-// The document with the character's skin and motion; pictures are not yet in it.
-GltfSource skinned_document(const std::string& path, const Character& character, const GlbOptions& options) {
+// The document with the character's skin, motion and shapes; pictures are not yet in it.
+GltfSource skinned_document(const std::string& path, const Character& character, const GlbOptions& options,
+                            const Morphs* morphs) {
   const bool has_document = character.gltf && character.gltf->vertex_count == character.vertices.size();
   GltfSource source = has_document ? *character.gltf : gltf_from_mesh(path, character);
   GltfJoints joints;
@@ -201,6 +203,9 @@ GltfSource skinned_document(const std::string& path, const Character& character,
                   std::to_string(options.motion->joints.size()));
     write_gltf_motion(path, *options.motion, joints, &source);
   }
+  if (morphs != nullptr && !morphs->shapes.empty())
+    add_gltf_morphs(path, character, *morphs, joints, options.motion != nullptr ? options.motion->clips.size() : 0,
+                    &source);
   Json& asset = source.document["asset"];
   if (!asset.contains("generator")) asset["generator"] = "sinew";
   return source;
@@ -224,6 +229,22 @@ bool is_vrm(const GltfSource& source) {
   if (!source.document.contains("extensions")) return false;
   const Json& extensions = source.document["extensions"];
   return extensions.contains("VRM") || extensions.contains("VRMC_vrm");
+}
+
+void write_document(const std::string& path, const Character& character, const GlbOptions& options,
+                    const Morphs* morphs) {
+  const bool as_text = has_extension(path, ".gltf");
+  GltfSource source = skinned_document(path, character, options, morphs);
+  if (has_extension(path, ".vrm") && !is_vrm(source))
+    throw Error(path + ": cannot write a VRM, " + character.name +
+                " has none of its data (extension VRM or VRMC_vrm); write a .glb");
+  try {
+    embed_images(!as_text || source.path.empty() || !same_folder(path, source.path), &source);
+    if (as_text) return write_text_form(path, &source);
+    write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));
+  }
 }
 
 }  // namespace
@@ -254,18 +275,12 @@ bool drop_unused_view(size_t view, Json* document) {
 }
 
 void write_gltf(const std::string& path, const Character& character, const GlbOptions& options) {
-  const bool as_text = has_extension(path, ".gltf");
-  GltfSource source = skinned_document(path, character, options);
-  if (has_extension(path, ".vrm") && !is_vrm(source))
-    throw Error(path + ": cannot write a VRM, " + character.name +
-                " has none of its data (extension VRM or VRMC_vrm); write a .glb");
-  try {
-    embed_images(!as_text || source.path.empty() || !same_folder(path, source.path), &source);
-    if (as_text) return write_text_form(path, &source);
-    write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(path + ": cannot write, a name is not UTF-8 text: " + one_line(error.what()));
-  }
+  write_document(path, character, options, nullptr);
+}
+
+void write_gltf_morphs(const std::string& path, const Character& character, const GlbOptions& options,
+                       const Morphs& morphs) {
+  write_document(path, character, options, &morphs);
 }
 
 }  // namespace sinew

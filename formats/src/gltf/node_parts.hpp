@@ -51,5 +51,18 @@ inline NodeParts parts_of(const tinygltf::Node& node) {
   return parts;
 }
 
+// Of a transform that an animation gives a node whose own parts are `rest`: scales keep their signs.
+inline NodeParts parts_of(Affine local, const NodeParts& rest) {
+  NodeParts parts;
+  for (size_t c = 0; c < 3; ++c) {
+    parts.translation[c] = local[4 * c + 3];
+    parts.scale[c] = std::copysign(std::hypot(local[c], local[4 + c], local[8 + c]), rest.scale[c]);
+    if (rest.scale[c] < 0)  // mirrored: the rotation is what is left
+      for (size_t r = 0; r < 3; ++r) local[4 * r + c] = -local[4 * r + c];
+  }
+  parts.rotation = quaternion_of(rotation_part(local));
+  return parts;
+}
+
 }  // namespace sinew
 #endif

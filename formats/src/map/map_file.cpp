@@ -15,15 +15,11 @@ namespace {
 // Joints by name, as it is and as it is written.
 class JointIndex {
  public:
-  explicit JointIndex(const MapRig& rig) : rig_(rig) {
-    for (size_t j = 0; j < rig.joints.size(); ++j) index_.emplace(rig.joints[j].name, j);
-    const std::vector<std::string> written = names_without_blanks(rig.joints);
-    for (size_t j = 0; j < written.size(); ++j) index_.emplace(written[j], j);
-  }
+  explicit JointIndex(const MapRig& rig) : rig_(rig), index_(joints_by_name(rig.joints)) {}
   std::optional<uint32_t> find(const std::string& name) const {
     const auto found = index_.find(name);
     if (found == index_.end()) return std::nullopt;
-    return static_cast<uint32_t>(found->second);
+    return found->second;
   }
   uint32_t get(const std::string& where, const std::string& name) const {
     const std::optional<uint32_t> found = find(name);
@@ -35,7 +31,7 @@ class JointIndex {
 
  private:
   const MapRig& rig_;
-  std::map<std::string, size_t> index_;
+  std::map<std::string, uint32_t> index_;
 };
 
 }  // namespace
@@ -71,7 +67,7 @@ std::string map_text(const MapRig& target, const MapRig& source, const MappedSke
 }
 
 std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source,
-                                         bool sources_once) {
+                                         MapRepeats repeats) {
   const std::string text = read_text_file(path);
   const JointIndex targets(target), sources(source);
   std::vector<sinew_map_pin> pins;
@@ -88,10 +84,10 @@ std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& 
       lines.fail("'TARGET_JOINT SOURCE_JOINT' or 'TARGET_JOINT -'", lines.line());
     const std::string where = path + ":" + std::to_string(lines.number());
     sinew_map_pin pin = {targets.get(where, std::string(words[0])), -1};
-    once(&target_lines, pin.target, words[0]);
+    if (repeats != MapRepeats::kTargets) once(&target_lines, pin.target, words[0]);
     if (words[1] != "-") {
       const uint32_t joint = sources.get(where, std::string(words[1]));
-      if (sources_once) once(&source_lines, joint, words[1]);
+      if (repeats != MapRepeats::kSources) once(&source_lines, joint, words[1]);
       pin.source = static_cast<int32_t>(joint);
     }
     pins.push_back(pin);

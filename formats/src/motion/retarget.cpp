@@ -76,7 +76,12 @@ Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, c
                        const std::vector<uint8_t>& classes, const RetargetSettings& settings)
     : name_(source.name), source_count_(source.joints.size()), target_count_(target.size()), classes_(classes) {
   const RigArrays from(rest_joints(source)), to(target);
-  check(plan_.make(from.view(), to.view(), map.data(), classes.data(), settings));
+  const sinew_motion_rig source_rig = from.view(), target_rig = to.view();
+  size_t bytes = 0;
+  check(sinew_retarget_size(source_rig.joint_count, target_rig.joint_count, &bytes));
+  check(memory_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+  check(sinew_retarget_create(&source_rig, &target_rig, map.data(), classes.data(), &settings, memory_.data(),
+                              memory_.size(), &plan_));
 }
 
 Retargeter::Body Retargeter::body_of(const Character& character, const std::vector<uint32_t>& vertices) {
@@ -106,7 +111,7 @@ sinew_motion_body Retargeter::view(const Body& body) const {
           static_cast<uint32_t>(triangles_.size() / 3)};
 }
 
-size_t Retargeter::keep_contacts(const Character& target, const Character* source) {
+size_t Retargeter::take_bodies(const Character& target, const Character* source) {
   CommonBody common;
   if (source != nullptr && source->influences.size() == source->vertices.size()) common = common_body(target, *source);
   constexpr size_t kFewest = 100;  // triangles that could be a body
@@ -124,37 +129,74 @@ size_t Retargeter::keep_contacts(const Character& target, const Character* sourc
   keep_skin(target, in_hand, &common);
   target_body_ = body_of(target, common.first);
   triangles_ = std::move(common.triangles);
-  contacts_ = !target_body_.positions.empty();
   return shared;
 }
 
-Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going) {
+void Retargeter::keep_contacts() {
+  contacts_ = true;
+  reference_.reset();
+}
+
+void Retargeter::follow_reference_points(const sinew_reference_options& settings) {
+  if (!has_source_)
+    throw Error(name_ +
+                ": has no body of the character's own mesh, which reference points need; give an animated .glb of that "
+                "mesh, or use the contacts method");
+  contacts_ = false;
+  reference_ = settings;
+}
+
+Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, ClipReport* report) {
   const size_t frames = clip.frames.size();
   FrameArrays from(source_count_, frames), to(target_count_, frames);
   std::vector<float> heights(frames);
   for (size_t f = 0; f < frames; ++f) {
     from.take(f, clip.frames[f]);
-    check(plan_.height(from.rotations_at(f), from.translations_at(f), &heights[f]));
+    check(sinew_retarget_height(plan_, from.rotations_at(f), from.translations_at(f), &heights[f]));
   }
   float ground = 0;
-  check(plan_.ground(heights.data(), heights.size(), &ground));
+  check(sinew_retarget_ground(plan_, heights.data(), heights.size(), &ground));
   const auto go_on = [&] {
     if (keep_going && !keep_going()) throw Error(name_ + ": cannot go on, the work was interrupted");
   };
   for (size_t f = 0; f < frames; ++f) {
     go_on();
-    check(
-        plan_.frame(from.rotations_at(f), from.translations_at(f), ground, to.rotations_at(f), to.translations_at(f)));
+    check(sinew_retarget_frame(plan_, from.rotations_at(f), from.translations_at(f), ground, to.rotations_at(f),
+                               to.translations_at(f)));
   }
-  if (contacts_) {
-    const sinew_motion_clip whole = {from.rotations.data(),  from.translations.data(),      to.rotations.data(),
-                                     to.translations.data(), static_cast<uint32_t>(frames), ground};
-    const sinew_motion_body target = view(target_body_), source = view(source_body_);
-    ContactSettings settings;
-    settings.fps = static_cast<float>(1 / clip.frame_time);
-    check(plan_.contacts(has_source_ ? &source : nullptr, target, whole, settings, &workspace_));
-    go_on();
+  const sinew_motion_clip whole = {from.rotations.data(),  from.translations.data(),      to.rotations.data(),
+                                   to.translations.data(), static_cast<uint32_t>(frames), ground};
+  const sinew_motion_body target = view(target_body_), source = view(source_body_);
+  const sinew_motion_body* const from_body = has_source_ ? &source : nullptr;
+  const bool has_body = target.vertex_count > 0;
+  ContactSettings settings;
+  settings.fps = static_cast<float>(1 / clip.frame_time);
+  size_t bytes = 0;
+  if (has_body) {
+    check(sinew_retarget_contacts_size(plan_, &target, whole.frame_count, &bytes));
+    check(workspace_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
   }
+  const auto measure = [&](std::vector<sinew_limb_measure>* limbs) {
+    uint32_t count = 0;
+    limbs->resize(SINEW_MAX_MOTION_LIMBS);
+    if (has_body)
+      check(sinew_retarget_measure(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size(),
+                                   limbs->data(), &count));
+    limbs->resize(count);
+  };
+  if (report != nullptr) measure(&report->before);
+  if (range_ && has_body)
+    check(sinew_retarget_keep_range(plan_, &target, &whole, workspace_.data(), workspace_.size()));
+  if (contacts_ && has_body)
+    check(sinew_retarget_contacts(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size()));
+  if (reference_) {
+    Workspace room;
+    check(sinew_retarget_reference_points_size(plan_, &target, &bytes));
+    check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+    check(sinew_retarget_reference_points(plan_, &source, &target, &whole, &*reference_, room.data(), room.size()));
+  }
+  if (report != nullptr) measure(&report->after);
+  go_on();
   Clip out = {clip.name, clip.frame_time, {}};
   for (size_t f = 0; f < frames; ++f) out.frames.push_back(to.frame(f));
   return out;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Names of joints made unique, for files that tell joints apart by name.
+// Names of joints made unique, and joints found by them, for files that tell joints apart by name.
 #ifndef SINEW_FORMATS_TEXT_JOINT_NAMES_HPP
 #define SINEW_FORMATS_TEXT_JOINT_NAMES_HPP
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -43,6 +45,15 @@ inline std::vector<std::string> names_without_blanks(const std::vector<Joint>& j
   }
   make_names_unique(&names);
   return names;
+}
+
+// Joints by name, both as the skeleton has it and as a text file writes it; the first joint of a name has it.
+inline std::map<std::string, uint32_t> joints_by_name(const std::vector<Joint>& joints) {
+  std::map<std::string, uint32_t> numbers;
+  for (size_t j = 0; j < joints.size(); ++j) numbers.emplace(joints[j].name, static_cast<uint32_t>(j));
+  const std::vector<std::string> written = names_without_blanks(joints);
+  for (size_t j = 0; j < joints.size(); ++j) numbers.emplace(written[j], static_cast<uint32_t>(j));
+  return numbers;
 }
 
 }  // namespace sinew

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -148,8 +149,13 @@ void TrainingRun::start() {
   }
   FloatNetwork network = task_.make_network();
   if (!options_.init.empty()) {
-    FloatNetwork given = read_checkpoint(options_.init).network;
-    require_same_shape(given, network, options_.init);
+    FloatNetwork given = network;
+    if (std::filesystem::path(options_.init).extension() == ".sinew") {
+      read_model_weights(options_.init, &given);
+    } else {
+      given = read_checkpoint(options_.init).network;
+      require_same_shape(given, network, options_.init);
+    }
     task_.check(given, options_.init);
     network = std::move(given);
   }

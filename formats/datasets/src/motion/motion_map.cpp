@@ -28,7 +28,7 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, const std::stri
   MotionMap map;
   if (!map_file.empty()) {
     map.sources.assign(target.joints.size(), -1);
-    for (const sinew_map_pin& pin : read_map_file(map_file, target, source, /*sources_once=*/false))
+    for (const sinew_map_pin& pin : read_map_file(map_file, target, source, MapRepeats::kSources))
       map.sources[pin.target] = pin.source;
     map.how = map_file;
   } else {

@@ -158,6 +158,7 @@ std::optional<JointClass> joint_class_of(const std::string& name, const std::vec
     return std::any_of(below.begin(), below.end(),
                        [](std::string_view one) { return contains(lower_case(one), "upleg"); });
   };
+  if (plain_name.sided && text == "hip") return upper_leg_follows() ? kClassHip : kClassThigh;  // not the pelvis
   const auto line =
       std::find_if(kTable.begin(), kTable.end(), [&](const Line& each) { return fits_any(text, each.words); });
   switch (line->verdict) {

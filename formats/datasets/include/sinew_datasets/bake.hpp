@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Fits corrective shapes to corrected poses, so that linear skinning with morph targets shows what the engine's deformer does.
+#ifndef SINEW_DATASETS_BAKE_HPP
+#define SINEW_DATASETS_BAKE_HPP
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "sinew/deform.h"
+#include "sinew_formats/morphs.hpp"
+
+namespace sinew {
+
+using Palette = std::vector<Affine>;  // a skinning matrix a joint
+
+struct BakeSettings {
+  sinew_deform_options deform = sinew_deform_options_init();
+  size_t shapes_per_bend = 8;
+  double falloff = 2;        // radians, of the drivers' basis functions
+  double least_move = 5e-5;  // share of the mesh's longest side; a shape leaves vertices out that it moves by less
+};
+
+// Root mean square of distances to the corrected pose, over vertices and poses, as a share of the mesh's longest side.
+struct BakeError {
+  double linear = 0;  // of linear skinning alone
+  double baked = 0;   // with the shapes
+};
+
+// Called once a corrected pose; false ends the work with Error.
+using BakeProgress = std::function<bool()>;
+
+// Shapes for every joint with a parent that bends the surface (vertices follow it and others), driven by that joint's turn. The turns of the
+// basis functions are cluster centres of the poses' own; the moves are least squares over all poses, with a small ridge, in
+// posed space. A joint that turns in no pose, or whose bend moves no vertex enough, gets no shape. Throws Error for missing
+// weights, no pose, or what the deformer refuses.
+Morphs bake_bends(const Character& character, const std::vector<Palette>& poses, const BakeSettings& settings,
+                  const BakeProgress& progress);
+
+// At most `shape_count` shapes for one clip, without drivers: principal components of its corrections. `weights` [poses][shapes].
+Morphs bake_clip(const Character& character, const std::vector<Palette>& poses, const BakeSettings& settings,
+                 size_t shape_count, const BakeProgress& progress, std::vector<std::vector<float>>* weights);
+
+// How far `morphs` are from the corrected poses, with the weights of their drivers or the given ones [poses][shapes].
+BakeError bake_error(const Character& character, const Morphs& morphs, const std::vector<Palette>& poses,
+                     const sinew_deform_options& deform, const BakeProgress& progress,
+                     const std::vector<std::vector<float>>* weights = nullptr);
+
+// Every joint with a parent turned about an axis of its own with a chance of 7 in 10, by up to `limit_degrees`. The same
+// seed gives the same poses everywhere.
+std::vector<Palette> random_palettes(const Character& character, size_t count, double limit_degrees, uint64_t seed);
+
+}  // namespace sinew
+#endif

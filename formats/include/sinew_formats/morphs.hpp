@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Shapes that correct a skinned mesh: morph targets, and what turns them on: rotations of joints, or keys of a clip.
+#ifndef SINEW_FORMATS_MORPHS_HPP
+#define SINEW_FORMATS_MORPHS_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+// Vertices moved before skinning, in the pose that the weights are meant for, world axes, the mesh's units.
+struct MorphShape {
+  std::string name;
+  std::vector<uint32_t> vertices;  // rising
+  std::vector<Vec3> moves;         // [vertices]
+};
+
+// Shapes of one bend, read off the turn of its joint. A turn is the joint's rotation against its parent joint, world axes of
+// the rest pose, as in MotionFrame::rotations. With angle(a, b) = 2 acos |a . b|, shape i has the weight
+//   exp(-(angle(turn, turns[i]) / falloff)^2) - exp(-(angle(none, turns[i]) / falloff)^2)
+// which is 0 at rest: radial basis functions of the pose space (Lewis, Cordner and Fong 2000, Pose Space Deformation).
+struct MorphDriver {
+  size_t joint = 0;               // index into Character::joints
+  double falloff = 1;             // radians
+  std::vector<Quaternion> turns;  // [shapes]
+  std::vector<size_t> shapes;     // [turns] index into Morphs::shapes
+};
+
+// Weights of all shapes frame by frame, for one animation of the written document.
+struct MorphClip {
+  bool is_new = false;                      // one of GlbOptions::motion, else of the input's own document
+  size_t animation = 0;                     // its number there
+  double start = 0, frame_time = 1.0 / 30;  // seconds
+  std::vector<std::vector<float>> weights;  // [frames][shapes]
+};
+
+struct Morphs {
+  std::vector<MorphShape> shapes;
+  std::vector<MorphDriver> drivers;
+  std::vector<MorphClip> clips;
+};
+
+struct GlbOptions;  // io.hpp
+
+// Writes what write_gltf() does, and the shapes as morph targets behind those that its meshes have, with drivers
+// (formats/spec/correctives.md) and weights over time. Everything else of an input's own document stays.
+void write_gltf_morphs(const std::string& path, const Character& character, const GlbOptions& options,
+                       const Morphs& morphs);
+
+// The animations of a glTF file that move its skeleton, as read_gltf_motion() reads them; none is fine.
+struct OwnMotion {
+  Motion motion;
+  std::vector<MorphClip> keys;  // [clips] where each stands in the document; weights are empty
+};
+OwnMotion read_own_motion(const std::string& path);
+
+// The joint's turn in a pose of skinning matrices, its parent's taken off.
+Quaternion joint_turn(const std::vector<Joint>& joints, const std::vector<Affine>& palette, size_t joint);
+// [turns of the driver]
+std::vector<double> driver_weights(const MorphDriver& driver, const Quaternion& turn);
+// Weights of all shapes in a pose; a shape without a driver has 0. [shapes]
+std::vector<float> shape_weights(const std::vector<Joint>& joints, const Morphs& morphs,
+                                 const std::vector<Affine>& palette);
+// The matrix that linear skinning gives a vertex. A row without weight stands still.
+Affine blended_matrix(const std::vector<Influence>& row, const std::vector<Affine>& palette);
+// Linear skinning of the vertices moved by the weighted shapes: what a program without sinew shows. [V]
+std::vector<Vec3> morphed_pose(const Character& character, const Morphs& morphs, const std::vector<float>& weights,
+                               const std::vector<Affine>& palette);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,494 @@
+// SPDX-License-Identifier: MIT
+// Puts corrective shapes into a glTF document: morph targets behind those that a mesh has, what drives them in the extras of
+// their meshes (formats/spec/correctives.md), and weights over time in its animations. Everything else of the document stays.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "gltf/gltf_container.hpp"
+#include "gltf/gltf_morphs.hpp"
+#include "gltf/node_parts.hpp"
+#include "sinew_formats/error.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+using Direction = std::array<double, 3>;
+
+Direction to_direction(const Vec3& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
+// Area-weighted normals of the welded surface, vertex by vertex.
+class SurfaceNormals {
+ public:
+  explicit SurfaceNormals(const Character& character) : character_(character), faces_of_(character.vertices.size()) {
+    for (const Vec3& v : character.vertices) places_.push_back(to_direction(v));
+    for (uint32_t f = 0; f < character.face_count(); ++f)
+      for (size_t c = character.face_offsets[f]; c < character.face_offsets[f + 1]; ++c)
+        faces_of_[character.face_vertices[c]].push_back(f);
+    for (uint32_t v = 0; v < places_.size(); ++v) rest_.push_back(normal_of(v, places_));
+  }
+
+  const Direction& rest(uint32_t vertex) const { return rest_[vertex]; }
+
+  // With the shape at weight 1: of the vertices beside those that it moves. Of length 1 or 0.
+  std::map<uint32_t, Direction> under(const MorphShape& shape) {
+    std::map<uint32_t, Direction> normals;
+    move(shape, 1);
+    for (const uint32_t moved : shape.vertices)
+      for (const uint32_t f : faces_of_[moved])
+        for (size_t c = character_.face_offsets[f]; c < character_.face_offsets[f + 1]; ++c) {
+          const uint32_t v = character_.face_vertices[c];
+          if (normals.count(v) == 0) normals[v] = normal_of(v, places_);
+        }
+    move(shape, 0);
+    return normals;
+  }
+
+ private:
+  void move(const MorphShape& shape, double weight) {
+    for (size_t i = 0; i < shape.vertices.size(); ++i) {
+      const Direction rest = to_direction(character_.vertices[shape.vertices[i]]), way = to_direction(shape.moves[i]);
+      for (size_t c = 0; c < 3; ++c) places_[shape.vertices[i]][c] = rest[c] + weight * way[c];
+    }
+  }
+
+  Direction normal_of(uint32_t vertex, const std::vector<Direction>& places) const {
+    Direction normal{};
+    for (const uint32_t f : faces_of_[vertex])
+      for (size_t c = character_.face_offsets[f] + 2; c < character_.face_offsets[f + 1]; ++c) {
+        const Direction& at = places[character_.face_vertices[character_.face_offsets[f]]];
+        Direction u{}, v{};
+        for (size_t i = 0; i < 3; ++i) {
+          u[i] = places[character_.face_vertices[c - 1]][i] - at[i];
+          v[i] = places[character_.face_vertices[c]][i] - at[i];
+        }
+        for (size_t i = 0; i < 3; ++i) normal[i] += u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+      }
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    for (double& x : normal) x = length > 1e-300 ? x / length : 0;
+    return normal;
+  }
+
+  const Character& character_;
+  std::vector<std::vector<uint32_t>> faces_of_;  // [V]
+  std::vector<Direction> places_, rest_;         // [V]
+};
+
+// `v` turned as the shortest turn takes `from` to `to`, all of length 1.
+Direction turned(const Direction& v, const Direction& from, const Direction& to) {
+  const Direction axis = {from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
+                          from[0] * to[1] - from[1] * to[0]};
+  const double cosine = from[0] * to[0] + from[1] * to[1] + from[2] * to[2];
+  if (!(cosine > -0.99)) return v;
+  const Direction across = {axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
+                            axis[0] * v[1] - axis[1] * v[0]};
+  const double along = (axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2]) / (1 + cosine);
+  return {cosine * v[0] + across[0] + along * axis[0], cosine * v[1] + across[1] + along * axis[1],
+          cosine * v[2] + across[2] + along * axis[2]};
+}
+
+class MorphWriter {
+ public:
+  MorphWriter(const std::string& path, const Character& character, const Morphs& morphs, const GltfJoints& joints,
+              size_t new_animations, GltfSource* source)
+      : path_(path),
+        character_(character),
+        morphs_(morphs),
+        joints_(joints),
+        new_animations_(new_animations),
+        source_(*source),
+        document_(source->document),
+        normals_(character) {}
+
+  void write() {
+    model_ = load_gltf(path_, pack_glb(path_, &document_, source_.bytes)).model;
+    nodes_ = gltf_nodes(path_, model_);
+    joint_of_node_.assign(model_.nodes.size(), -1);
+    for (size_t j = 0; j < joints_.nodes.size(); ++j)
+      joint_of_node_.at(static_cast<size_t>(joints_.nodes[j])) = static_cast<int>(j);
+    for (const tinygltf::Node& node : model_.nodes)
+      if (node.mesh >= 0) ++mesh_users_[node.mesh];
+    for (size_t first = 0; first < source_.parts.size();) {
+      size_t last = first;
+      while (last < source_.parts.size() && source_.parts[last].node == source_.parts[first].node) ++last;
+      write_node(first, last);
+      first = last;
+    }
+    drop_unused_accessors(orphans_, &source_);
+  }
+
+ private:
+  // Shape numbers that move a vertex of these parts.
+  std::vector<size_t> shapes_of(size_t first, size_t last) const {
+    std::vector<char> own(character_.vertices.size(), 0);
+    for (size_t p = first; p < last; ++p)
+      for (const uint32_t v : source_.parts[p].vertex_of) own[v] = 1;
+    std::vector<size_t> found;
+    for (size_t s = 0; s < morphs_.shapes.size(); ++s)
+      if (std::any_of(morphs_.shapes[s].vertices.begin(), morphs_.shapes[s].vertices.end(),
+                      [&](uint32_t v) { return own.at(v) != 0; }))
+        found.push_back(s);
+    return found;
+  }
+
+  void write_node(size_t first, size_t last) {
+    const std::vector<size_t> shapes = shapes_of(first, last);
+    if (shapes.empty()) return;
+    const size_t node = static_cast<size_t>(source_.parts[first].node);
+    int mesh = model_.nodes[node].mesh;
+    if (mesh_users_[mesh] > 1) {  // other nodes show the same mesh with other weights
+      --mesh_users_[mesh];
+      document_["meshes"].push_back(Json(document_["meshes"][static_cast<size_t>(mesh)]));
+      mesh = static_cast<int>(document_["meshes"].size()) - 1;
+      document_["nodes"][node]["mesh"] = mesh;
+    }
+    Json& json = document_["meshes"][static_cast<size_t>(mesh)];
+    const size_t before = model_.meshes[static_cast<size_t>(model_.nodes[node].mesh)].primitives.at(0).targets.size();
+    for (size_t p = first; p < last; ++p) write_targets(source_.parts[p], shapes, &json);
+    // Names and weights that belong to targets grow with them.
+    Json weights = json.value("weights", Json::array());
+    weights.get_ref<Json::array_t&>().resize(before + shapes.size(), 0.0);
+    json["weights"] = std::move(weights);
+    if (document_["nodes"][node].contains("weights"))
+      document_["nodes"][node]["weights"].get_ref<Json::array_t&>().resize(before + shapes.size(), 0.0);
+    write_extras(shapes, before, &json);
+    write_animations(node, shapes, before);
+  }
+
+  void write_targets(const GltfPart& part, const std::vector<size_t>& shapes, Json* mesh) {
+    const std::string where = path_ + ": node " + std::to_string(part.node);
+    const tinygltf::Primitive& primitive =
+        model_.meshes[static_cast<size_t>(model_.nodes[static_cast<size_t>(part.node)].mesh)]
+            .primitives[static_cast<size_t>(part.primitive)];
+    const std::vector<Affine> frames = vertex_frames(where, part, primitive);
+    std::vector<float> normals;
+    if (const auto at = primitive.attributes.find("NORMAL"); at != primitive.attributes.end())
+      normals = accessor_floats(where + ", NORMAL", model_, at->second, 3);
+    std::multimap<uint32_t, uint32_t> copies;  // the file's vertices of one of the character's
+    for (size_t i = 0; i < part.vertex_of.size(); ++i) copies.emplace(part.vertex_of[i], static_cast<uint32_t>(i));
+    Json& targets = (*mesh)["primitives"][static_cast<size_t>(part.primitive)]["targets"];
+    for (const size_t s : shapes) {
+      const MorphShape& shape = morphs_.shapes[s];
+      std::map<uint32_t, std::array<float, 3>> moves, turns;
+      for (size_t i = 0; i < shape.vertices.size(); ++i) {
+        const auto [begin, end] = copies.equal_range(shape.vertices[i]);
+        for (auto at = begin; at != end; ++at) {
+          const std::optional<Affine> back = inverse(frames[at->second]);
+          if (!back) continue;  // flattened: nothing moves it
+          const Direction move = to_direction(shape.moves[i]);
+          std::array<float, 3>& to = moves[at->second];
+          for (size_t r = 0; r < 3; ++r)
+            to[r] = static_cast<float>((*back)[4 * r] * move[0] + (*back)[4 * r + 1] * move[1] +
+                                       (*back)[4 * r + 2] * move[2]);
+        }
+      }
+      Json target = {{"POSITION", add_moves(part.vertex_of.size(), moves, true)}};
+      if (!normals.empty()) {
+        for (const auto& [vertex, posed] : normals_.under(shape)) {
+          const auto [begin, end] = copies.equal_range(vertex);
+          for (auto at = begin; at != end; ++at) {
+            const auto turn = turn_of(vertex, posed, frames[at->second], &normals[3 * at->second]);
+            if (turn) turns[at->second] = *turn;
+          }
+        }
+        target["NORMAL"] = add_moves(part.vertex_of.size(), turns, false);
+      }
+      targets.push_back(std::move(target));
+    }
+  }
+
+  // What is added to a normal of the file, in the mesh's own space.
+  std::optional<std::array<float, 3>> turn_of(uint32_t vertex, const Direction& posed, const Affine& frame,
+                                              const float* normal) const {
+    const Direction& rest = normals_.rest(vertex);
+    double apart = 0;
+    for (size_t c = 0; c < 3; ++c) apart = std::max(apart, std::abs(posed[c] - rest[c]));
+    if (apart < 1e-3) return std::nullopt;
+    const Direction own = {static_cast<double>(normal[0]), static_cast<double>(normal[1]),
+                           static_cast<double>(normal[2])};
+    Direction world = transform_normal(frame, own[0], own[1], own[2]);
+    const double length = std::hypot(world[0], world[1], world[2]);
+    if (!(length > 0)) return std::nullopt;
+    for (double& x : world) x /= length;
+    world = turned(world, rest, posed);
+    Direction back{};  // normals go by the inverse transposed, so back by the transposed
+    for (size_t c = 0; c < 3; ++c) back[c] = frame[c] * world[0] + frame[4 + c] * world[1] + frame[8 + c] * world[2];
+    const double back_length = std::hypot(back[0], back[1], back[2]);
+    if (!(back_length > 0)) return std::nullopt;
+    std::array<float, 3> out{};
+    for (size_t c = 0; c < 3; ++c) out[c] = static_cast<float>(back[c] / back_length - own[c]);
+    return out;
+  }
+
+  // Where skinning (or the node) puts the mesh's own space in the pose that weights are meant for. [vertices of the part]
+  std::vector<Affine> vertex_frames(const std::string& where, const GltfPart& part,
+                                    const tinygltf::Primitive& primitive) const {
+    const size_t count = part.vertex_of.size();
+    const int skin = model_.nodes[static_cast<size_t>(part.node)].skin;
+    if (skin < 0) return std::vector<Affine>(count, source_.bind_pose.worlds.at(static_cast<size_t>(part.node)));
+    const std::vector<int>& skin_joints = model_.skins[static_cast<size_t>(skin)].joints;
+    std::vector<Affine> palette = inverse_bind_matrices(where, model_, model_.skins[static_cast<size_t>(skin)]);
+    for (size_t k = 0; k < palette.size(); ++k) {
+      const int joint = joint_of_node_.at(static_cast<size_t>(skin_joints[k]));
+      palette[k] = multiply(
+          joint >= 0 ? joints_.worlds[static_cast<size_t>(joint)] : nodes_.worlds[static_cast<size_t>(skin_joints[k])],
+          palette[k]);
+    }
+    std::vector<std::vector<Influence>> rows(count);
+    for (int set = 0;; ++set) {
+      const auto at = primitive.attributes.find("JOINTS_" + std::to_string(set)),
+                 with = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
+      if (at == primitive.attributes.end() || with == primitive.attributes.end()) break;
+      const std::vector<uint32_t> numbers = accessor_integers(where, model_, at->second, 4);
+      const std::vector<float> weights = accessor_floats(where, model_, with->second, 4);
+      for (size_t i = 0; i < 4 * count; ++i)
+        if (weights.at(i) > 0) rows[i / 4].push_back({numbers.at(i), weights[i]});
+    }
+    std::vector<Affine> frames;
+    for (const std::vector<Influence>& row : rows) frames.push_back(blended_matrix(row, palette));
+    return frames;
+  }
+
+  // Bytes of a sparse accessor.
+  size_t add_view(const void* values, size_t size_bytes) {
+    source_.bytes.resize((source_.bytes.size() + 3) / 4 * 4);
+    document_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", source_.bytes.size()}, {"byteLength", size_bytes}});
+    const uint8_t* bytes = static_cast<const uint8_t*>(values);
+    source_.bytes.insert(source_.bytes.end(), bytes, bytes + size_bytes);
+    return document_["bufferViews"].size() - 1;
+  }
+
+  // An accessor of vectors that are 0 but for some: sparse where that is smaller.
+  size_t add_moves(size_t count, const std::map<uint32_t, std::array<float, 3>>& moves, bool with_bounds) {
+    std::array<float, 3> low{}, high{};
+    if (moves.size() == count && count != 0) low = high = moves.begin()->second;
+    for (const auto& [vertex, move] : moves)
+      for (size_t c = 0; c < 3; ++c) {
+        low[c] = std::min(low[c], move[c]);
+        high[c] = std::max(high[c], move[c]);
+      }
+    const bool wide = count > 65535;
+    const size_t sparse_bytes = moves.size() * ((wide ? 4 : 2) + 12);
+    size_t number = 0;
+    if (sparse_bytes < count * 12) {
+      std::vector<uint16_t> small;
+      std::vector<uint32_t> large;
+      std::vector<std::array<float, 3>> values;
+      for (const auto& [vertex, move] : moves) {
+        if (wide)
+          large.push_back(vertex);
+        else
+          small.push_back(static_cast<uint16_t>(vertex));
+        values.push_back(move);
+      }
+      Json accessor = {{"componentType", TINYGLTF_COMPONENT_TYPE_FLOAT}, {"count", count}, {"type", "VEC3"}};
+      if (!values.empty()) {  // without: all are 0
+        const size_t indices =
+            wide ? add_view(large.data(), large.size() * 4) : add_view(small.data(), small.size() * 2);
+        accessor["sparse"] = {
+            {"count", values.size()},
+            {"indices",
+             {{"bufferView", indices},
+              {"componentType", wide ? TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT : TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT}}},
+            {"values", {{"bufferView", add_view(values.data(), values.size() * 12)}}}};
+      }
+      document_["accessors"].push_back(std::move(accessor));
+      number = document_["accessors"].size() - 1;
+    } else {
+      std::vector<std::array<float, 3>> values(count, std::array<float, 3>{});
+      for (const auto& [vertex, move] : moves) values[vertex] = move;
+      number = static_cast<size_t>(add_accessor(&source_, values.data(), values.size() * 12, "VEC3",
+                                                TINYGLTF_COMPONENT_TYPE_FLOAT, count, true, false));
+    }
+    if (with_bounds) {
+      document_["accessors"][number]["min"] = low;
+      document_["accessors"][number]["max"] = high;
+    }
+    return number;
+  }
+
+  // The node's own rotation when its joint has turned and nothing else has.
+  Quaternion node_rotation(size_t joint, const Quaternion& turn) const {
+    const size_t node = static_cast<size_t>(joints_.nodes[joint]);
+    const Affine& rest = joints_.worlds[joint];
+    const Affine posed = multiply(rotation_about(rotation_of(turn), {rest[3], rest[7], rest[11]}), rest);
+    Affine above = kIdentity;
+    if (const int parent = nodes_.parents[node]; parent >= 0) {
+      const int parent_joint = joint_of_node_[static_cast<size_t>(parent)];
+      above = parent_joint >= 0 ? joints_.worlds[static_cast<size_t>(parent_joint)]
+                                : nodes_.worlds[static_cast<size_t>(parent)];
+    }
+    const NodeParts parts = parts_of(multiply(inverse(above).value_or(kIdentity), posed), parts_of(model_.nodes[node]));
+    return parts.rotation;
+  }
+
+  void write_extras(const std::vector<size_t>& shapes, size_t before, Json* mesh) {
+    Json extras = mesh->value("extras", Json::object());
+    if (!extras.is_object()) return;  // someone's own: it stays
+    Json names = extras.value("targetNames", Json::array());
+    if (!names.is_array()) names = Json::array();
+    while (names.size() > before) names.erase(names.size() - 1);
+    while (names.size() < before) names.push_back("target_" + std::to_string(names.size()));
+    for (const size_t s : shapes) names.push_back(morphs_.shapes[s].name);
+    extras["targetNames"] = std::move(names);
+    Json drivers = Json::array();
+    for (const MorphDriver& driver : morphs_.drivers) {
+      Json targets = Json::array(), rotations = Json::array();
+      for (size_t i = 0; i < driver.shapes.size(); ++i) {
+        const auto at = std::find(shapes.begin(), shapes.end(), driver.shapes[i]);
+        if (at == shapes.end()) continue;
+        targets.push_back(before + static_cast<size_t>(at - shapes.begin()));
+        rotations.push_back(node_rotation(driver.joint, driver.turns[i]));
+      }
+      if (targets.empty()) continue;
+      drivers.push_back({{"joint", character_.joints[driver.joint].name},
+                         {"node", joints_.nodes[driver.joint]},
+                         {"rest", node_rotation(driver.joint, kNoTurn4)},
+                         {"falloff", driver.falloff},
+                         {"targets", std::move(targets)},
+                         {"rotations", std::move(rotations)}});
+    }
+    if (!drivers.empty()) extras["sinew_correctives"] = std::move(drivers);
+    (*mesh)["extras"] = std::move(extras);
+  }
+
+  void write_animations(size_t node, const std::vector<size_t>& shapes, size_t before) {
+    const size_t count = document_.contains("animations") ? document_["animations"].size() : 0;
+    for (size_t a = 0; a < count; ++a) {
+      const MorphClip* clip = nullptr;
+      for (const MorphClip& one : morphs_.clips)
+        if ((one.is_new ? count - new_animations_ + one.animation : one.animation) == a) clip = &one;
+      Json& animation = document_["animations"][a];
+      Json* channel = nullptr;
+      for (Json& one : animation["channels"])
+        if (one["target"].value("node", SIZE_MAX) == node && one["target"].value("path", std::string()) == "weights")
+          channel = &one;
+      if (channel != nullptr)
+        extend_channel(clip, shapes, before, a, &animation, channel);
+      else if (clip != nullptr)
+        add_channel(*clip, node, shapes, before, &animation);
+    }
+  }
+
+  static std::vector<float> weights_at(const MorphClip& clip, const std::vector<size_t>& shapes, double seconds) {
+    const double at =
+        std::clamp((seconds - clip.start) / clip.frame_time, 0.0, static_cast<double>(clip.weights.size() - 1));
+    const size_t below = static_cast<size_t>(at), above = std::min(below + 1, clip.weights.size() - 1);
+    const float t = static_cast<float>(at - static_cast<double>(below));
+    std::vector<float> out;
+    for (const size_t s : shapes)
+      out.push_back(clip.weights[below][s] + t * (clip.weights[above][s] - clip.weights[below][s]));
+    return out;
+  }
+
+  void add_channel(const MorphClip& clip, size_t node, const std::vector<size_t>& shapes, size_t before,
+                   Json* animation) {
+    if (clip.weights.empty()) return;
+    std::vector<float> times, values;
+    for (size_t f = 0; f < clip.weights.size(); ++f) {
+      const double seconds = clip.start + static_cast<double>(f) * clip.frame_time;
+      times.push_back(static_cast<float>(seconds));
+      values.insert(values.end(), before, 0.0f);
+      const std::vector<float> own = weights_at(clip, shapes, seconds);
+      values.insert(values.end(), own.begin(), own.end());
+    }
+    (*animation)["channels"].push_back(
+        {{"sampler", (*animation)["samplers"].size()}, {"target", {{"node", node}, {"path", "weights"}}}});
+    (*animation)["samplers"].push_back(
+        {{"input", add_times(times)}, {"interpolation", "LINEAR"}, {"output", add_scalars(values)}});
+  }
+
+  // An animation that moves targets which the mesh had before: its keys get values for the new ones, and where they are joined
+  // by lines, keys at the clip's frames too.
+  void extend_channel(const MorphClip* clip, const std::vector<size_t>& shapes, size_t before, size_t number,
+                      Json* animation, Json* channel) {
+    const std::string where = path_ + ": animation " + std::to_string(number);
+    const Json sampler = (*animation)["samplers"].at((*channel)["sampler"].get<size_t>());
+    std::vector<float> times = accessor_floats(where, model_, sampler.at("input").get<int>(), 1);
+    const std::vector<float> old = accessor_floats(where, model_, sampler.at("output").get<int>(), 1);
+    const std::string way = sampler.value("interpolation", std::string("LINEAR"));
+    const size_t values_a_key = way == "CUBICSPLINE" ? 3 : 1;
+    if (times.empty() || old.size() != times.size() * values_a_key * before) return;  // not what glTF says: it stays
+    const std::vector<float> own_times = times;
+    if (clip != nullptr && way == "LINEAR") {
+      for (size_t f = 0; f < clip->weights.size(); ++f)
+        times.push_back(static_cast<float>(clip->start + static_cast<double>(f) * clip->frame_time));
+      std::sort(times.begin(), times.end());
+      times.erase(std::unique(times.begin(), times.end()), times.end());
+    }
+    std::vector<float> values;
+    for (const float time : times) {
+      const auto behind = std::upper_bound(own_times.begin(), own_times.end(), time);
+      const size_t a = behind == own_times.begin() ? 0 : static_cast<size_t>(behind - own_times.begin()) - 1;
+      const size_t b = behind == own_times.begin() ? 0 : std::min(a + 1, own_times.size() - 1);
+      const float t = b == a ? 0 : (time - own_times[a]) / (own_times[b] - own_times[a]);
+      const std::vector<float> ours = clip == nullptr || clip->weights.empty()
+                                          ? std::vector<float>(shapes.size(), 0.0f)
+                                          : weights_at(*clip, shapes, static_cast<double>(time));
+      for (size_t part = 0; part < values_a_key; ++part) {  // of a cubic: tangent in, value, tangent out
+        for (size_t i = 0; i < before; ++i) {
+          const float from = old[(a * values_a_key + part) * before + i];
+          values.push_back(times.size() == own_times.size() ? from : from + t * (old[b * before + i] - from));
+        }
+        for (const float weight : ours) values.push_back(values_a_key == 3 && part != 1 ? 0 : weight);
+      }
+    }
+    Json extended = sampler;
+    if (times.size() != own_times.size()) extended["input"] = add_times(times);
+    extended["output"] = add_scalars(values);
+    const Json shared = (*channel)["sampler"];
+    size_t users = 0;
+    for (const Json& one : (*animation)["channels"]) users += one.at("sampler") == shared ? 1 : 0;
+    if (users == 1) {
+      (*animation)["samplers"][shared.get<size_t>()] = std::move(extended);
+    } else {
+      (*channel)["sampler"] = (*animation)["samplers"].size();
+      (*animation)["samplers"].push_back(std::move(extended));
+    }
+    orphans_.push_back(sampler.at("input").get<int>());
+    orphans_.push_back(sampler.at("output").get<int>());
+  }
+
+  int add_times(const std::vector<float>& times) {
+    const int input = add_scalars(times);
+    document_["accessors"][static_cast<size_t>(input)]["min"] = {times.front()};
+    document_["accessors"][static_cast<size_t>(input)]["max"] = {times.back()};
+    return input;
+  }
+  int add_scalars(const std::vector<float>& values) {
+    return add_accessor(&source_, values.data(), values.size() * sizeof(float), "SCALAR", TINYGLTF_COMPONENT_TYPE_FLOAT,
+                        values.size(), false, false);
+  }
+
+  const std::string& path_;
+  const Character& character_;
+  const Morphs& morphs_;
+  const GltfJoints& joints_;
+  const size_t new_animations_;
+  GltfSource& source_;
+  Json& document_;
+  tinygltf::Model model_;  // of the document as it was given
+  GltfNodes nodes_;
+  std::vector<int> joint_of_node_;  // [N], -1 = no joint
+  std::map<int, int> mesh_users_;   // nodes of each mesh
+  SurfaceNormals normals_;
+  std::vector<int> orphans_;  // accessors that may be used no more
+};
+
+}  // namespace
+
+void add_gltf_morphs(const std::string& path, const Character& character, const Morphs& morphs,
+                     const GltfJoints& joints, size_t new_animations, GltfSource* source) {
+  try {
+    MorphWriter(path, character, morphs, joints, new_animations, source).write();
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(path + ": cannot write, the input document has an unexpected form: " + one_line(error.what()));
+  }
+}
+
+}  // namespace sinew

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Weights of corrective shapes, and meshes under them.
+#include "sinew_formats/morphs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "motion/turns.hpp"
+
+namespace sinew {
+
+Quaternion joint_turn(const std::vector<Joint>& joints, const std::vector<Affine>& palette, size_t joint) {
+  const Quaternion own = quaternion_of(rotation_part(palette.at(joint)));
+  const int parent = joints.at(joint).parent;
+  if (parent < 0) return own;
+  return normalised(multiply(conjugate(quaternion_of(rotation_part(palette.at(static_cast<size_t>(parent))))), own));
+}
+
+std::vector<double> driver_weights(const MorphDriver& driver, const Quaternion& turn) {
+  const auto kernel = [&](const Quaternion& a, const Quaternion& b) {
+    const double angle = 2 * std::acos(std::min(1.0, std::abs(dot(a, b)))) / driver.falloff;
+    return std::exp(-angle * angle);
+  };
+  std::vector<double> weights;
+  for (const Quaternion& centre : driver.turns) weights.push_back(kernel(turn, centre) - kernel(kNoTurn4, centre));
+  return weights;
+}
+
+std::vector<float> shape_weights(const std::vector<Joint>& joints, const Morphs& morphs,
+                                 const std::vector<Affine>& palette) {
+  std::vector<float> weights(morphs.shapes.size(), 0.0f);
+  for (const MorphDriver& driver : morphs.drivers) {
+    const std::vector<double> values = driver_weights(driver, joint_turn(joints, palette, driver.joint));
+    for (size_t i = 0; i < values.size(); ++i) weights.at(driver.shapes[i]) = static_cast<float>(values[i]);
+  }
+  return weights;
+}
+
+Affine blended_matrix(const std::vector<Influence>& row, const std::vector<Affine>& palette) {
+  Affine sum{};
+  double total = 0;
+  for (const Influence& influence : row) {
+    for (size_t i = 0; i < 12; ++i) sum[i] += static_cast<double>(influence.weight) * palette.at(influence.joint)[i];
+    total += static_cast<double>(influence.weight);
+  }
+  if (!(total > 0)) return kIdentity;
+  for (double& value : sum) value /= total;
+  return sum;
+}
+
+std::vector<Vec3> morphed_pose(const Character& character, const Morphs& morphs, const std::vector<float>& weights,
+                               const std::vector<Affine>& palette) {
+  std::vector<Vec3> places = character.vertices;
+  for (size_t s = 0; s < morphs.shapes.size(); ++s) {
+    if (weights.at(s) == 0) continue;
+    const MorphShape& shape = morphs.shapes[s];
+    for (size_t i = 0; i < shape.vertices.size(); ++i) {
+      Vec3& place = places.at(shape.vertices[i]);
+      place.x += weights[s] * shape.moves[i].x;
+      place.y += weights[s] * shape.moves[i].y;
+      place.z += weights[s] * shape.moves[i].z;
+    }
+  }
+  for (size_t v = 0; v < places.size(); ++v) {
+    const Vec3& p = places[v];
+    const std::array<double, 3> moved =
+        transform_point(blended_matrix(character.influences.at(v), palette), static_cast<double>(p.x),
+                        static_cast<double>(p.y), static_cast<double>(p.z));
+    places[v] = {static_cast<float>(moved[0]), static_cast<float>(moved[1]), static_cast<float>(moved[2])};
+  }
+  return places;
+}
+
+}  // namespace sinew

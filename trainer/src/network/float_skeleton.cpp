@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The engine's stages with float rows in between.
+#include "sinew_trainer/float_skeleton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "data/point_sample.hpp"
+#include "kernels/select.hpp"
+#include "rig/rig.hpp"
+#include "sinew/sinew.hpp"
+#include "sinew_formats/bind.hpp"
+#include "sinew_formats/engine_views.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_trainer/network.hpp"
+
+namespace sinew {
+namespace {
+
+struct FloatRows {
+  const FloatNetwork& network;
+  NetworkRunner runner;
+
+  static sinew_status run(void* user, const PointSet& set, int16_t* rows) {
+    FloatRows& self = *static_cast<FloatRows*>(user);
+    const std::vector<float>& exact = self.runner.forward(self.network, point_sample(set));
+    for (size_t i = 0; i < exact.size(); ++i) {
+      const double steps = std::floor(static_cast<double>(exact[i]) * kOutputScale + 0.5);
+      rows[i] = static_cast<int16_t>(std::clamp(steps, -32767.0, 32767.0));
+    }
+    return SINEW_OK;
+  }
+};
+
+// Left, right or on the plane, by which of a joint and its image is further along.
+int side_of(const PredictedSkeleton& s, size_t j) {
+  const int partner = s.partners[j];
+  if (partner < 0 || partner == static_cast<int>(j)) return 0;
+  const auto across = [&](size_t i) {
+    const auto& p = s.joints[i].position;
+    return s.quarter_turns % 2 == 0 ? p.x : p.z;
+  };
+  return across(j) > across(static_cast<size_t>(partner)) ? 1 : -1;
+}
+
+}  // namespace
+
+PredictedSkeleton predict_float_skeleton(const Character& character, const FloatNetwork& network,
+                                         const SkeletonOptions& options) {
+  const EngineViews views(character, {});
+  sinew_rig_options engine_options = sinew_rig_options_init();
+  engine_options.up_axis = options.up_axis;
+  engine_options.mirror = options.mirror;
+  RigPlan plan;
+  throw_status(character, plan_rig(options.model, views.mesh.vertex_count, views.mesh.face_count,
+                                   views.mesh.corner_count, &engine_options, &plan));
+  FloatRows rows{network, {}};
+  plan.other = {FloatRows::run, &rows};
+  Kernels kernels;
+  if (!select_kernels(kernel_from_environment(), &kernels)) throw_status(character, SINEW_ERROR_KERNEL);
+  Arena measuring;
+  throw_status(character, run_rig(plan, {}, kernels, measuring, nullptr));
+  const Workspace block(measuring.high_water());
+  if (block.size() < measuring.high_water()) throw OutOfMemory(character.name + ": no memory for a workspace");
+  Arena arena(block.data(), block.size());
+
+  constexpr size_t kMost = SINEW_MAX_RIG_JOINTS;
+  std::vector<float> positions(3 * kMost);
+  std::vector<int32_t> parents(kMost), partners(kMost);
+  std::vector<uint8_t> flags(kMost), classes(kMost);
+  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
+  outputs.flags = flags.data();
+  outputs.joint_classes = classes.data();
+  outputs.partners = partners.data();
+  std::vector<char> names(kMost * SINEW_JOINT_NAME_BYTES);
+  outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(names.data());
+  throw_status(character, run_rig(plan, views.mesh, kernels, arena, &outputs));
+
+  PredictedSkeleton result;
+  const size_t count = outputs.joint_count;
+  for (size_t j = 0; j < count; ++j) {
+    const bool end = flags[j] == SINEW_JOINT_NEVER;
+    result.joints.push_back(
+        {outputs.names[j], {positions[3 * j], positions[3 * j + 1], positions[3 * j + 2]}, parents[j], !end});
+    result.ends.push_back(end ? 1 : 0);
+  }
+  classes.resize(count);
+  partners.resize(count);
+  result.classes = std::move(classes);
+  result.partners = std::move(partners);
+  result.confidence.assign(count, 0);
+  result.parent_confidence.assign(count, 0);
+  result.mirrored = outputs.mirrored != 0;
+  result.quarter_turns = outputs.quarter_turns;
+  result.plane = outputs.plane;
+  result.spread = outputs.spread;
+  return result;
+}
+
+bool same_tree(const PredictedSkeleton& a, const PredictedSkeleton& b) {
+  if (a.joints.size() != b.joints.size()) return false;
+  // Every joint as its way to the root; names are numbers of a class and may go to another joint.
+  const auto ways = [](const PredictedSkeleton& s) {
+    std::vector<std::vector<int>> all;
+    for (size_t j = 0; j < s.joints.size(); ++j) {
+      std::vector<int> way;
+      for (int at = static_cast<int>(j); at >= 0; at = s.joints[static_cast<size_t>(at)].parent) {
+        const auto i = static_cast<size_t>(at);
+        way.push_back(8 * s.classes[i] + 2 * (side_of(s, i) + 1) + s.ends[i]);
+      }
+      all.push_back(way);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  };
+  return ways(a) == ways(b);
+}
+
+}  // namespace sinew
