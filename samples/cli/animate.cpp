@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "deform_options.hpp"
 #include "motion_sheet.hpp"
 #include "progress.hpp"
 #include "rig_mesh.hpp"
+#include "sinew_datasets/bake.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_datasets/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -30,8 +32,13 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   std::string character, output, map, method = "auto", up = "auto", motion_up = "auto", sheet;
   std::vector<std::string> motions;
+  DeformSettings deform;
+  size_t shapes = 16;
   double fps = 0, from = 0, to = 1e9;
-  bool in_place = false, json = false;
+  uint32_t area_power = 3;
+  double falloff = 0;
+  bool own_limb = true, legs = false, range = true;
+  bool in_place = false, json = false, report = false;
 };
 
 // FILE or FILE#CLIP; a file whose own name has a # is one.
@@ -50,12 +57,16 @@ struct Made {
   std::string file, clip, map;
   size_t frames = 0, mapped = 0;
   double frame_time = 0;
+  ClipReport report;
+  size_t shapes = 0;  // of --deform, and how far the clip is from the corrected poses with them
+  BakeError error = {};
 };
 
 struct Animated {
   Character character;
   Motion motion;  // of its joints
   std::vector<Made> made;
+  Morphs morphs;        // what --deform adds to the clips
   bool rigged = false;  // was a bare mesh
 };
 
@@ -95,13 +106,32 @@ std::vector<Clip> chosen_clips(const Settings& s, const MotionChoice& choice, co
   return chosen;
 }
 
-// The motion's own body, if it has one, says what touches what.
-void keep_contacts(const Settings& s, const std::string& file, Animated* out, Retargeter* retargeter) {
+// By the method; the motion's own body, if it has one, says what touches what.
+void set_method(const Settings& s, const std::string& file, Animated* out, Retargeter* retargeter) {
+  if (s.method == "copy" && !s.report) return;
   const std::optional<Character> source = body_of_motion(file);
-  const size_t shared = retargeter->keep_contacts(out->character, source ? &*source : nullptr);
+  const size_t shared = retargeter->take_bodies(out->character, source ? &*source : nullptr);
+  if (s.method == "copy") return;
+  if (s.method == "reference-points") {
+    if (shared == 0)
+      throw Error(
+          file +
+          ": has no body of the character's own mesh, which reference points need; give an animated .glb of that "
+          "mesh, or --method contacts");
+    sinew_reference_options settings = sinew_reference_options_init();
+    settings.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
+    settings.falloff = static_cast<float>(s.falloff);
+    settings.no_own_limb = s.own_limb ? 0 : 1;
+    settings.legs = s.legs ? 1 : 0;
+    retargeter->follow_reference_points(settings);
+    return;
+  }
+  retargeter->keep_contacts();
+  if (s.range) retargeter->keep_range();
   if (s.method == "contacts" && shared == 0)
     out->motion.notes.push_back(file +
-                                ": has no body of the character's own mesh, so feet are held and hands are copied");
+                                ": has no body of the character's own mesh, so feet are held and arms kept out of the "
+                                "body, but what hands touched is not known");
 }
 
 void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
@@ -118,7 +148,7 @@ void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic
   settings.source_up = up_of(s.motion_up);
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
                         settings);
-  if (s.method != "copy") keep_contacts(s, choice.file, out, &retargeter);
+  set_method(s, choice.file, out, &retargeter);
   size_t frames = 0, mapped = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();
   for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
@@ -127,12 +157,14 @@ void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic
                                 std::to_string(out->character.joints.size()) +
                                 "; look at the result, and say the others with --map");
   Progress progress(frames, "frames of " + file_name(choice.file));
+  const auto keep_going = [&] {
+    progress.step();
+    return !stop;
+  };
   for (const Clip& clip : clips) {
-    out->motion.clips.push_back(retargeter.run(clip, [&] {
-      progress.step();
-      return !stop;
-    }));
-    out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time});
+    ClipReport report;
+    out->motion.clips.push_back(retargeter.run(clip, keep_going, s.report ? &report : nullptr));
+    out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
   }
   if (map.certainty < kDoubtfulSides)
     out->motion.notes.push_back(
@@ -143,6 +175,66 @@ void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic
   for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
 }
 
+Json limb_json(const sinew_limb_measure& limb) {
+  return {{"deep_frames", limb.deep_frames},       {"depth", limb.depth}, {"greatest_depth", limb.greatest_depth},
+          {"contact_frames", limb.contact_frames}, {"error", limb.error}, {"greatest_error", limb.greatest_error},
+          {"range_frames", limb.range_frames}};
+}
+
+// A line a limb: copied, then as the method left it.
+void tell_report(const Character& character, const ClipReport& report) {
+  if (report.before.empty()) std::printf("  no arms or legs to measure\n");
+  for (size_t i = 0; i < report.before.size(); ++i) {
+    const sinew_limb_measure &a = report.before[i], &b = report.after[i];
+    const auto percent = [](float share) { return 100 * static_cast<double>(share); };
+    const bool leg = a.leg != 0;
+    std::printf("  %s: %s in %u of %u frames -> %u, at most %.2f %% of the height -> %.2f",
+                printable(character.joints[a.joint].name).c_str(), leg ? "under the floor" : "in the body",
+                a.deep_frames, a.frames, b.deep_frames, percent(a.greatest_depth), percent(b.greatest_depth));
+    if (a.contact_frames > 0)
+      std::printf("; %s in %u, %s %.3f %% -> %.3f", leg ? "stands" : "touches", a.contact_frames,
+                  leg ? "slides a frame" : "distance off by", percent(a.error), percent(b.error));
+    if (a.range_frames + b.range_frames > 0)
+      std::printf("; %s out of range in %u -> %u", leg ? "knee" : "elbow", a.range_frames, b.range_frames);
+    std::printf("\n");
+  }
+}
+
+// Every clip's corrections as morph targets that move in it alone.
+void bake_clips(const Settings& s, const sinew_deform_options& deform, const std::atomic<bool>& stop, Animated* out) {
+  size_t frames = 0;
+  for (const Clip& clip : out->motion.clips) frames += clip.frames.size();
+  Progress progress(2 * frames, "corrected poses");
+  const BakeProgress step = [&] {
+    progress.step();
+    return !stop;
+  };
+  BakeSettings settings;
+  settings.deform = deform;
+  Morphs& morphs = out->morphs;
+  for (size_t c = 0; c < out->motion.clips.size(); ++c) {
+    const Clip& clip = out->motion.clips[c];
+    std::vector<Palette> poses;
+    for (const MotionFrame& frame : clip.frames)
+      poses.push_back(motion_palette(out->motion, frame, out->character.joints.size()));
+    MorphClip keys;
+    Morphs own = bake_clip(out->character, poses, settings, s.shapes, step, &keys.weights);
+    out->made[c].shapes = own.shapes.size();
+    out->made[c].error = bake_error(out->character, own, poses, deform, step, &keys.weights);
+    keys.is_new = true;
+    keys.animation = c;
+    keys.frame_time = clip.frame_time;
+    for (std::vector<float>& row : keys.weights) row.insert(row.begin(), morphs.shapes.size(), 0.0f);
+    for (MorphShape& shape : own.shapes) {
+      shape.name = clip.name + "." + std::to_string(morphs.shapes.size() + 1);
+      morphs.shapes.push_back(std::move(shape));
+    }
+    morphs.clips.push_back(std::move(keys));
+  }
+  for (MorphClip& clip : morphs.clips)
+    for (std::vector<float>& row : clip.weights) row.resize(morphs.shapes.size(), 0.0f);
+}
+
 void tell(const Settings& s, const Animated& animated) {
   const size_t joints = animated.character.joints.size();
   if (s.json) {
@@ -151,23 +243,38 @@ void tell(const Settings& s, const Animated& animated) {
     json["output"] = s.output;
     json["joints"] = joints;
     json["rigged"] = animated.rigged;
-    for (const Made& one : animated.made)
+    for (const Made& one : animated.made) {
       json["clips"].push_back({{"motion", one.file},
                                {"name", one.clip},
                                {"frames", one.frames},
                                {"fps", 1 / one.frame_time},
                                {"mapped", one.mapped},
                                {"map", one.map}});
+      for (size_t i = 0; i < one.report.before.size(); ++i)
+        json["clips"].back()["report"].push_back({{"joint", animated.character.joints[one.report.before[i].joint].name},
+                                                  {"limb", one.report.before[i].leg != 0 ? "leg" : "arm"},
+                                                  {"before", limb_json(one.report.before[i])},
+                                                  {"after", limb_json(one.report.after[i])}});
+      if (s.deform.method.empty()) continue;
+      json["clips"].back()["shapes"] = one.shapes;
+      json["clips"].back()["error"] = {{"linear", one.error.linear}, {"baked", one.error.baked}};
+    }
     json["notes"] = animated.motion.notes;
     std::printf("%s\n", json_line(json).c_str());
     return;
   }
   if (animated.rigged)
     std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
-  for (const Made& one : animated.made)
+  for (const Made& one : animated.made) {
     std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
                 printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
                 printable(one.map).c_str());
+    if (s.report) tell_report(animated.character, one.report);
+  }
+  for (const Made& one : animated.made)
+    if (!s.deform.method.empty())
+      std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
+                  printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);
   for (const std::string& note : animated.motion.notes) std::printf("  %s\n", printable(note).c_str());
   std::printf("wrote %s\n", printable(s.output).c_str());
 }
@@ -177,6 +284,9 @@ void run(const Settings& s) {
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
   if (!(s.from <= s.to)) throw UsageError(print("--from %g is behind --to %g", s.from, s.to));
   const bool as_bvh = has_extension(s.output, ".bvh");
+  const std::optional<sinew_deform_options> deform = deform_options(s.deform);
+  if (deform && as_bvh && s.sheet.empty())
+    throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
   const std::atomic<bool>& stop = stop_on_signals();
   Animated animated;
   read_animated(s.character, &animated);
@@ -186,8 +296,13 @@ void run(const Settings& s) {
     throw UsageError(s.output + ": a BVH holds one clip, and there are " +
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
+  if (deform && !as_bvh) bake_clips(s, *deform, stop, &animated);
   std::vector<uint8_t> sheet;
-  if (!s.sheet.empty()) sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z"));
+  if (!s.sheet.empty()) {
+    std::optional<CharacterDeformer> deformer;
+    if (deform) deformer.emplace(animated.character, *deform);
+    sheet = encode_png(motion_sheet(animated.character, animated.motion, s.up == "z", deformer ? &*deformer : nullptr));
+  }
   if (stop) throw Error(s.output + ": cannot write, the work was interrupted");
   if (as_bvh) {
     write_bvh(s.output, animated.motion, animated.motion.clips[0]);
@@ -195,7 +310,7 @@ void run(const Settings& s) {
     GlbOptions options;
     options.keep_skin = !animated.rigged;
     options.motion = &animated.motion;
-    write_gltf(s.output, animated.character, options);
+    write_gltf_morphs(s.output, animated.character, options, animated.morphs);
   }
   if (!s.sheet.empty()) write_file(s.sheet, sheet);
   tell(s, animated);
@@ -223,12 +338,27 @@ void add_animate(CLI::App& app) {
       ->type_name("OUT");
   sub->add_option("--map", s->map, "Which joint moves as which: lines TARGET_JOINT SOURCE_JOINT, - for none")
       ->type_name("FILE");
-  sub->add_option("--method", s->method,
-                  "copy: every joint turns as its source does, rest poses aligned; contacts: then feet stay where they "
-                  "stand, and where the motion has a body of the same mesh, hands keep in touch with it and out of it; "
-                  "auto: contacts")
-      ->check(CLI::IsMember({"auto", "copy", "contacts"}))
+  sub->add_option(
+         "--method", s->method,
+         "copy: every joint turns as its source does, rest poses aligned; contacts: then feet stay where they "
+         "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
+         "with it; reference-points: the published method for such a body, for comparison; auto: contacts")
+      ->check(CLI::IsMember({"auto", "copy", "contacts", "reference-points"}))
       ->capture_default_str();
+  CLI::Option* const area =
+      sub->add_option("--area-power", s->area_power,
+                      "Reference points: a triangle's influence grows with its area to this power")
+          ->check(CLI::Range(0, 4))
+          ->capture_default_str();
+  CLI::Option* const falloff =
+      sub->add_option(
+             "--falloff", s->falloff,
+             "Reference points: influence falls by exp(-(distance / so many heights of the body)^2) [not at all]")
+          ->check(CLI::Range(0.001, 100.0));
+  CLI::Option* const own_limb = sub->add_flag("--own-limb,!--no-own-limb", s->own_limb,
+                                              "Reference points: triangles of the limb itself count, or not [they do]");
+  CLI::Option* const legs =
+      sub->add_flag("--legs", s->legs, "Reference points: legs as well; feet leave the floor by it");
   sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
   sub->add_option("--fps", s->fps, "Frames a second [as the motion has]")->check(CLI::Range(0.1, 1000.0));
   sub->add_option("--from", s->from, "First second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
@@ -240,12 +370,33 @@ void add_animate(CLI::App& app) {
       ->check(CLI::IsMember({"auto", "x", "y", "z"}))
       ->capture_default_str();
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
+  sub->add_flag("--range,!--no-range", s->range,
+                "Contacts keep knees and elbows in their natural range, or not [they do]");
+  sub->add_flag("--report", s->report,
+                "Say for every limb, copied and then by the method: frames in the body or under the floor, contacts, "
+                "sliding, frames out of the natural range");
+  add_deform_options(
+      sub,
+      "Also correct every frame: volume: bends keep their volume and do not pass through themselves; xpbd: "
+      "the published correction; delta-mush. The file gets morph targets and their weights over time",
+      &s->deform);
+  sub->add_option("--shapes", s->shapes, "Most morph targets a clip, for --deform")
+      ->check(CLI::Range(1u, 256u))
+      ->capture_default_str();
   sub->add_flag("--json", s->json, "Print what was done as JSON");
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
       "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o hero.moves.glb\n"
-      "  sinew animate mesh.obj --motion walk.bvh -o walking.glb");
-  sub->callback([s] { run(*s); });
+      "  sinew animate mesh.obj --motion walk.bvh -o walking.glb\n"
+      "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
+      "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
+  const std::vector<CLI::Option*> of_reference = {area, falloff, own_limb, legs};
+  sub->callback([s, of_reference] {
+    for (const CLI::Option* option : of_reference)
+      if (option->count() > 0 && s->method != "reference-points")
+        throw UsageError(option->get_name() + " goes with --method reference-points");
+    run(*s);
+  });
 }
 
 }  // namespace sinew::cli

@@ -183,6 +183,10 @@ void add_bind(CLI::App& app) {
   sub->add_option("--lock", s->one.lock, "Vertices that keep the weights they have, one 0-based index per line")
       ->type_name("FILE");
   sub->add_option(
+         "--like", s->one.like,
+         "A bound character whose weights are carried over where they fit and steer the rest: style by example")
+      ->type_name("SOURCE");
+  sub->add_option(
          "--hints", s->one.hints,
          "Weights of some vertices, a .rig.txt with skin lines for these alone (or a glTF of the same mesh whose "
          "other vertices have none): they are kept and steer the vertices around them")
@@ -230,6 +234,7 @@ void add_bind(CLI::App& app) {
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
+      "  sinew bind villain.obj --skeleton villain.rig.txt --like hero.glb -o villain.glb\n"
       "  sinew bind hero.obj --skeleton hero.rig.txt --hints painted.rig.txt -o hero.glb\n"
       "  sinew bind hero.glb --questions 3 -o hero.bound.glb\n"
       "  sinew bind hero.glb --answer 812=rigid:Head --answer 40=soft -o hero.bound.glb\n"

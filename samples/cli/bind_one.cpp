@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bind_like.hpp"
 #include "bind_questions.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/answers.hpp"
@@ -141,6 +142,7 @@ BindJob make_job(const BindSettings& settings, const Binder& binder, const std::
   job.choice = choose_joints(*character, joints_from(settings), job.said);
   options.locked = locked;
   set_hints(settings, character, &options.hints);
+  add_hints_like(settings, binder, locked, character, &options.hints);
   options.symmetric = settings.symmetric;
   apply_style(settings.style, &options);
   options.thread_count = settings.threads;

@@ -18,6 +18,7 @@ struct BindSettings {
   std::string mesh, skeleton;
   std::string output;                      // see write_character()
   std::string deform, never, lock, hints;  // files, see the options of sinew bind
+  std::string like;                        // a bound character whose weights show how they are wanted
   std::string png, png_confidence;
   std::string up = "y";
   std::string joints;  // own, names, all; empty: own for a mesh with weights of its own skeleton, else names

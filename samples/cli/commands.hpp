@@ -22,6 +22,7 @@ void add_extract(CLI::App& app);
 void add_simplify(CLI::App& app);
 void add_map(CLI::App& app);
 void add_animate(CLI::App& app);
+void add_bake(CLI::App& app);
 void add_transfer(CLI::App& app);
 
 }  // namespace sinew::cli

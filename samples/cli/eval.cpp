@@ -28,6 +28,7 @@
 #include "sinew_formats/print.hpp"
 #include "sinew_formats/skeleton_repair.hpp"
 #include "sinew_quant/quantize.hpp"
+#include "sinew_trainer/bend_pictures.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/evaluate.hpp"
@@ -450,8 +451,22 @@ class Evaluation {
       const auto& [path, rows] = drawn_.at(name);
       data.pictures.push_back(report_picture(read_character(path), rows, heading));
     }
+    draw_bends(scores[main_], &data);
     write_text_file(s_.report, report_html(data));
     if (data.variants.size() > 1) std::printf("%s\n", quantisation_table_markdown(data).c_str());
+  }
+
+  // Of the character with the lowest error among those whose joints' names tell most bends, with the weights that it got.
+  void draw_bends(const Scores& scores, ReportData* data) {
+    std::optional<ReportPicture> best;
+    for (const auto& [heading, name] : best_median_worst(scores)) {
+      const auto& [path, rows] = drawn_.at(name);
+      Character character = read_character(path);
+      character.influences = rows;
+      ReportPicture bends = bend_pictures(character);
+      if (!best || bends.panels.size() > best->panels.size()) best = std::move(bends);
+    }
+    if (best && !best->panels.empty()) data->pictures.push_back(std::move(*best));
   }
 
   const Settings& s_;
@@ -499,10 +514,11 @@ void run_rig(const Settings& s, const CLI::App& sub) {
   for (const CLI::Option* option : sub.get_options()) {
     const std::string name = option->get_name();
     if (option->count() > 0 && name != "dir" && name != "--task" && name != "--predictions" && name != "--model" &&
-        name != "--json" && name != "--jobs" && name != "--report" && name != "--bind" && name != "--method")
+        name != "--json" && name != "--jobs" && name != "--report" && name != "--bind" && name != "--method" &&
+        name != "--checkpoint")
       throw UsageError(name +
-                       " does not go with --task rig, which takes --method, --predictions, --model, --bind, --report, "
-                       "--json and --jobs");
+                       " does not go with --task rig, which takes --method, --predictions, --model, --checkpoint, "
+                       "--bind, --report, --json and --jobs");
     if (s.task == "hands" && option->count() > 0 && name != "dir" && name != "--task" && name != "--model" &&
         name != "--json" && name != "--jobs")
       throw UsageError(name + " does not go with --task hands, which takes --model, --json and --jobs");
@@ -513,7 +529,11 @@ void run_rig(const Settings& s, const CLI::App& sub) {
   if (!s.json.empty()) check_output(s.json, {".json"}, true);
   if (!s.predictions.empty() && !s.model.empty()) throw UsageError("--predictions and --model: give one of the two");
   if (s.task == "hands") return evaluate_hands({s.folder, s.model, s.json, s.jobs});
-  RigEvaluation evaluation{s.folder, s.predictions, s.model, s.method, s.json, s.bind, s.report, {}, s.jobs};
+  if (!s.checkpoint.empty() && (!s.predictions.empty() || (!s.method.empty() && s.method != "votes")))
+    throw UsageError(
+        "--checkpoint is measured beside the model that was made of it: leave out --predictions and --method");
+  RigEvaluation evaluation{s.folder, s.predictions, s.model, s.method, s.json,
+                           s.bind,   s.report,      {},      s.jobs,   s.checkpoint};
   if (!s.report.empty()) {
     check_output(s.report, {".html", ".htm"});
     std::string command = "sinew eval " + s.folder + " --task rig";
@@ -532,6 +552,8 @@ void run_rig(const Settings& s, const CLI::App& sub) {
 }
 
 void run(const Settings& s) {
+  if (!s.model.empty() && !s.checkpoint.empty())
+    throw UsageError("--model and --checkpoint: give one of the two; with --task rig they are measured side by side");
   if (s.bind) throw UsageError("--bind goes with --task rig only");
   if (s.method == "votes" || s.method == "slots" || s.method == "shape" || s.method == "regions")
     throw UsageError("--method " + s.method + " predicts skeletons: it goes with --task rig");
@@ -573,11 +595,10 @@ void add_eval(CLI::App& app) {
                   "of --predictions; hands = fingers, of --model and the bundled model of skeletons")
       ->check(CLI::IsMember({"bind", "rig", "hands"}))
       ->capture_default_str();
-  auto* model = sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")
-                    ->type_name("FILE");
-  sub->add_option("--checkpoint", s->checkpoint, "Float checkpoint instead of a model")
-      ->type_name("FILE")
-      ->excludes(model);
+  sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")->type_name("FILE");
+  sub->add_option("--checkpoint", s->checkpoint,
+                  "Float checkpoint instead of a model; with --task rig beside the model that was made of it")
+      ->type_name("FILE");
   sub->add_option(
          "--method", s->method,
          "heat: no model; nearest: every vertex rigid to the nearest bone; with --task rig votes, or slots = the "

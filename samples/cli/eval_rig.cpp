@@ -10,12 +10,15 @@
 #include <optional>
 
 #include "progress.hpp"
+#include "rig/rig_task.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
+#include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
+#include "sinew_trainer/float_skeleton.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/rig_report.hpp"
 #include "sinew_trainer/rig_score.hpp"
@@ -49,6 +52,8 @@ struct Measured {
   std::vector<std::string> gaps;
   double owned = 0;          // with a bind
   RigReportPicture picture;  // with a report
+  RigScore in_float;         // with a checkpoint
+  bool same_tree = false;
 };
 
 double measure_owned(const Character& character, const TargetSkeleton& target, const PredictedSkeleton& skeleton,
@@ -69,15 +74,20 @@ struct Predictor {
   uint32_t method = SINEW_RIG_VOTES;
   std::unique_ptr<LoadedModel> model;
   std::optional<FloatNetwork> slots;
-  std::string folder;  // of predictions
+  std::string folder;                    // of predictions
+  std::optional<FloatNetwork> in_float;  // measured beside the model
+
+  SkeletonOptions options() const {
+    SkeletonOptions result;
+    result.method = method;
+    if (model) result.model = &model->model;
+    return result;
+  }
 
   PredictedSkeleton skeleton(const Character& character, const FoundCharacter& found) const {
     if (slots) return predict_slots(character, *slots, {});
     if (!folder.empty()) return skeleton_from_joints(read_prediction(prediction_of(found, folder)));
-    SkeletonOptions options;
-    options.method = method;
-    if (model) options.model = &model->model;
-    return predict_skeleton(character, options);
+    return predict_skeleton(character, options());
   }
 };
 
@@ -92,6 +102,11 @@ Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluatio
     const ScoredSkeleton reference = scored_skeleton(target);
     const ScoredSkeleton skeleton = scored_skeleton(joints, target.side);
     measured.score = score_rig(skeleton, reference);
+    if (predictor.in_float) {
+      const PredictedSkeleton exact = predict_float_skeleton(character, *predictor.in_float, predictor.options());
+      measured.in_float = score_rig(scored_skeleton(exact.joints, target.side), reference);
+      measured.same_tree = same_tree(exact, prediction);
+    }
     measured.humanoid = is_humanoid(reference);
     if (measured.humanoid) measured.gaps = humanoid_gaps(skeleton);
     if (weights != nullptr) {
@@ -110,6 +125,33 @@ Measured measure_one(const FoundCharacter& found, const RigEvaluation& evaluatio
   return measured;
 }
 
+// The float network's own figures, and how often the model gives the same joints on the same parents.
+void tell_float(const RigEvaluation& evaluation, const std::vector<FoundCharacter>& found,
+                const std::vector<Measured>& measured, const RigScores& scores) {
+  std::vector<std::pair<std::string, RigScore>> rows;
+  size_t same = 0;
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (!measured[i].failure.empty()) continue;
+    rows.emplace_back(found[i].name, measured[i].in_float);
+    same += measured[i].same_tree ? 1 : 0;
+  }
+  const size_t count = rows.size();
+  const RigScores exact = summarise(std::move(rows));
+  std::fprintf(
+      evaluation.json == "-" ? stderr : stdout,
+      "\nfloat, %s: J2J %.3f / %.3f, int16 %.3f / %.3f (x 100, characters / families); the same tree on %zu of %zu "
+      "characters\n",
+      printable(evaluation.checkpoint).c_str(), 100 * exact.all.j2j, 100 * exact.family_mean.j2j, 100 * scores.all.j2j,
+      100 * scores.family_mean.j2j, same, count);
+}
+
+FloatNetwork votes_of(const std::string& checkpoint) {
+  FloatNetwork network = read_checkpoint(checkpoint).network;
+  if (network.architecture != "votes" || network.feature_set != kRigFeatureSet)
+    throw Error(checkpoint + ": expected a network of votes for bodies, found one of " + network.architecture);
+  return network;
+}
+
 }  // namespace
 
 void evaluate_rigs(const RigEvaluation& evaluation) {
@@ -126,6 +168,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
     predictor.method = SINEW_RIG_REGIONS;
   else if (evaluation.predictions.empty())
     predictor.model = load_model(evaluation.model, ModelUse::kRig);
+  if (!evaluation.checkpoint.empty()) predictor.in_float = votes_of(evaluation.checkpoint);
   std::unique_ptr<LoadedModel> weights;
   if (evaluation.bind) weights = load_model("");
   const std::vector<FoundCharacter> found = characters_in(evaluation.folder);
@@ -159,6 +202,7 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
     if (evaluation.json != "-") std::printf("wrote %s\n", printable(evaluation.report).c_str());
   }
   if (evaluation.json != "-") std::printf("%s", rig_scores_markdown(scores).c_str());
+  if (predictor.in_float) tell_float(evaluation, found, measured, scores);
   if (!evaluation.json.empty()) write_text_file(evaluation.json, rig_scores_json(scores) + "\n");
   if (!scores.failures.empty())
     throw Error(print("%zu of %zu characters failed; the first: ", scores.failures.size(), found.size()) +

@@ -19,6 +19,7 @@ struct RigEvaluation {
   std::string report;  // HTML page with a picture of every character; may be empty
   std::vector<std::pair<std::string, std::string>> facts;  // of the report: how its numbers were made
   unsigned jobs = 1;
+  std::string checkpoint;  // of the float network that the model was made of, to measure beside it; may be empty
 };
 
 // Prints the table of the yardstick. A character or prediction that is missing or cannot be read counts as failed: it is

@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
   sinew::cli::add_extract(app);
   sinew::cli::add_map(app);
   sinew::cli::add_animate(app);
+  sinew::cli::add_bake(app);
   try {
     app.parse(argc, argv);  // runs the chosen subcommand's callback
   } catch (const CLI::Success& done) {

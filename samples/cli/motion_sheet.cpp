@@ -15,7 +15,7 @@ constexpr int kSide = 300;
 
 }  // namespace
 
-Image motion_sheet(const Character& character, const Motion& motion, bool up_z) {
+Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer) {
   const auto colours = weight_colours(character);
   const Box rest = box_of(character.vertices);
   RenderOptions view;
@@ -30,7 +30,9 @@ Image motion_sheet(const Character& character, const Motion& motion, bool up_z) 
     const size_t columns = std::min(kColumns, clip.frames.size());
     for (size_t i = 0; i < columns; ++i) {
       const size_t f = columns == 1 ? 0 : i * (clip.frames.size() - 1) / (columns - 1);
-      const Character posed = apply_pose(character, motion_palette(motion, clip.frames[f], character.joints.size()));
+      const std::vector<Affine> palette = motion_palette(motion, clip.frames[f], character.joints.size());
+      const Character posed =
+          deformer != nullptr ? deformer->pose_character(character, palette) : apply_pose(character, palette);
       const Box box = box_of(posed.vertices);
       const auto middle = [](float a, float b) { return 0.5f * a + 0.5f * b; };
       view.focus = {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y), middle(box.low.z, box.high.z)};

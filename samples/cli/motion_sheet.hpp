@@ -4,12 +4,14 @@
 #define SINEW_CLI_MOTION_SHEET_HPP
 
 #include "sinew_datasets/image.hpp"
+#include "sinew_formats/deform.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::cli {
 
-// The character in frames at equal distances, seen from its front at one scale; it may walk, the picture goes with it.
-Image motion_sheet(const Character& character, const Motion& motion, bool up_z);
+// The character in frames at equal distances, seen from its front at one scale; it may walk, the picture goes with it. Without a deformer it
+// is skinned linearly.
+Image motion_sheet(const Character& character, const Motion& motion, bool up_z, CharacterDeformer* deformer);
 
 }  // namespace sinew::cli
 #endif

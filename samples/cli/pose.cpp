@@ -10,6 +10,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "deform_options.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/deform.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -22,9 +23,9 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string character, output, matrices, deform, up = "y", animation;
+  std::string character, output, matrices, up = "y", animation;
+  DeformSettings deform;
   std::vector<std::string> turns;
-  unsigned cells = 0, rounds = 0;
   uint64_t seed = 0;
   double limit = 35, time = 0;
   bool random = false, dual_quaternion = false, animated = false;
@@ -68,21 +69,9 @@ std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, d
   return turns;
 }
 
-// The options of the engine's corrections; none for its plain skinning.
-std::optional<sinew_deform_options> deform_options(const Settings& s) {
-  sinew_deform_options options = sinew_deform_options_init();
-  options.cell_count = s.cells;
-  options.round_count = s.rounds;
-  if (s.deform == "xpbd") options.method = SINEW_DEFORM_XPBD;
-  if (s.deform == "delta-mush") options.method = SINEW_DEFORM_DELTA_MUSH;
-  if (s.deform == "volume" || options.method != SINEW_DEFORM_VOLUME) return options;
-  if (s.cells != 0 || s.rounds != 0) throw UsageError("--cells and --rounds need --deform volume, xpbd or delta-mush");
-  return std::nullopt;
-}
-
 Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {
-  const std::optional<sinew_deform_options> options = deform_options(s);
-  if (!options) return apply_pose(character, palette, s.dual_quaternion || s.deform == "dual-quaternion");
+  const std::optional<sinew_deform_options> options = deform_options(s.deform);
+  if (!options) return apply_pose(character, palette, s.dual_quaternion || s.deform.method == "dual-quaternion");
   CharacterDeformer deformer(character, *options);
   Character posed = deformer.pose_character(character, palette);
   if (!deformer.corrected()) {
@@ -138,9 +127,9 @@ void run(const Settings& s) {
     throw UsageError(
         "give one of --random SEED, --animation NAME, --matrices FILE.pose, and --joint NAME=rx,ry,rz as "
         "often as needed");
-  if (s.dual_quaternion && !s.deform.empty())
+  if (s.dual_quaternion && !s.deform.method.empty())
     throw UsageError("--dual-quaternion is --deform dual-quaternion: give one of them");
-  (void)deform_options(s);
+  (void)deform_options(s.deform);
   check_output(s.output, {".obj", ".png"});
   const Character character = read_character(s.character);
   if (character.joints.empty() || character.influences.empty()) {
@@ -185,15 +174,12 @@ void add_pose(CLI::App& app) {
                   "A pose of skinning matrices (rest to posed space), a line a joint: pose NAME m00 m01 ... m23")
       ->type_name("FILE.pose");
   sub->add_option(
-         "--deform", s->deform,
+         "--deform", s->deform.method,
          "How the mesh follows: linear or dual-quaternion skinning; volume: bends keep their volume and do not "
          "pass through themselves; xpbd: the published correction; delta-mush [linear]")
       ->check(CLI::IsMember({"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"}));
   sub->add_flag("--dual-quaternion", s->dual_quaternion, "The same as --deform dual-quaternion");
-  sub->add_option("--cells", s->cells, "Cells of the lattice along the longest side, for volume and xpbd [32]")
-      ->check(CLI::Range(8u, SINEW_MAX_DEFORM_CELLS));
-  sub->add_option("--rounds", s->rounds, "Rounds of the solver or, for delta-mush, of smoothing [20, delta-mush 5]")
-      ->check(CLI::Range(1u, SINEW_MAX_DEFORM_ROUNDS));
+  add_solver_options(sub, &s->deform);
   sub->add_option("--up", s->up, "Axis that points up in the picture")
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();

@@ -19,10 +19,12 @@
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/predict_face.hpp"
 #include "sinew_formats/predict_hands.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_formats/skeleton_template.hpp"
+#include "style_options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
@@ -36,6 +38,7 @@ struct Settings {
   MethodOptions method;
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
+  StyleOptions style;
   bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
        keep_lengths = false;
 };
@@ -108,15 +111,18 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
   return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
 }
 
-// What the skeleton has besides a body: fingers.
-LabelledSkeleton add_fingers(const Settings& s, const LoadedModel& model, Rigged* rigged) {
+// What the skeleton has besides a body: fingers, and a face.
+LabelledSkeleton add_details(const Settings& s, const LoadedModel& hands, Rigged* rigged) {
   SkeletonOptions options;
   options.up_axis = s.up == "z" ? 1 : 0;
-  if (predict_hands(rigged->character, model.model, options, &rigged->skeleton) == 0)
+  if (predict_hands(rigged->character, hands.model, options, &rigged->skeleton) == 0)
     rigged->character.notes.push_back("no hand with fingers that can be told apart");
+  if (s.detail == "full" && predict_face(rigged->character, options, &rigged->skeleton) == 0)
+    rigged->character.notes.push_back("no head with eyes that are parts of their own, so no joints of a face");
+  if (s.detail == "full") predict_props(rigged->character, options, &rigged->skeleton);
   LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
   for (uint8_t& one : found.classes)
-    if (is_finger_class(one)) one = kClassDetail;
+    if (is_finger_class(one) || is_face_class(one) || is_prop_class(one)) one = kClassDetail;
   return found;
 }
 
@@ -125,7 +131,7 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
   Character& character = rigged.character;
   character = read_mesh(path);
   LabelledSkeleton found = predict(s, models, &rigged);
-  if (models.hands != nullptr) found = add_fingers(s, *models.hands, &rigged);
+  if (models.hands != nullptr) found = add_details(s, *models.hands, &rigged);
   if (!s.skeleton.empty()) {
     FitOptions options;
     options.up_axis = s.up == "z" ? 2 : 1;
@@ -147,6 +153,7 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
   options.model = &models.bind->model;
   options.influence_count = s.influences;
   options.up_axis = s.up == "z" ? 1 : 0;
+  apply_style(s.style, &options);
   CharacterBind result =
       rigged.fitted ? bind_to_own(options, character) : bind_to_prediction(rigged.skeleton, options, &character);
   character.influences = std::move(result.influences);
@@ -246,7 +253,7 @@ void run(Settings s) {
   if (s.keep_lengths && s.skeleton.empty())
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
   if (!s.hands_model.empty() && s.detail == "body")
-    throw UsageError("--hands-model is for fingers: give --detail hands");
+    throw UsageError("--hands-model is for fingers: give --detail hands or full");
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
@@ -290,16 +297,20 @@ void add_rig(CLI::App& app) {
       ->type_name("FILE");
   add_method_options(sub, &s->method);
   sub->add_option("--bind-model", s->bind_model, "Model of weights, or bundled [bundled]")->type_name("FILE");
-  sub->add_option("--detail", s->detail, "body: down to the hands; hands: with fingers, where the mesh shows some")
-      ->check(CLI::IsMember({"body", "hands"}))
+  sub->add_option("--detail", s->detail,
+                  "body: down to the hands; hands: with fingers, where the mesh shows some; full: with eyes that are "
+                  "loose balls "
+                  "and a jaw, too")
+      ->check(CLI::IsMember({"body", "hands", "full"}))
       ->capture_default_str();
-  sub->add_option("--hands-model", s->hands_model, "With --detail hands: model of hands, or bundled [bundled]")
+  sub->add_option("--hands-model", s->hands_model, "With --detail hands or full: model of hands, or bundled [bundled]")
       ->type_name("FILE");
   sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
   sub->add_option("--influences", s->influences, "Most joints per vertex")
       ->check(CLI::Range(1, 12))
       ->capture_default_str()
       ->type_name("N");
+  add_style_options(sub, &s->style);
   sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   sub->add_flag("--mirror", s->mirror, "Make both sides alike even where the mesh is not");
   sub->add_flag("--no-mirror", s->no_mirror, "Find both sides apart even where the mesh is its own mirror image");

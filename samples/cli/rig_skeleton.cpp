@@ -65,6 +65,14 @@ void check_skeleton_source(const std::string& source) {
   }
 }
 
+FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
+                             const Character& mesh) {
+  float floor = component(mesh.vertices.at(0), options.up_axis);
+  for (const Vec3& v : mesh.vertices) floor = std::min(floor, component(v, options.up_axis));
+  options.floor = floor;
+  return fit_skeleton(label_skeleton(joints), found, options);
+}
+
 FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleton& found, FitOptions options,
                                 const Character& mesh, PredictedSkeleton* skeleton) {
   Character own;
@@ -72,12 +80,9 @@ FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleto
     own.joints = skeleton_template(source.substr(std::string(kTemplate).size()));
   else
     read_skeleton(source, false, &own);
-  float floor = component(mesh.vertices.at(0), options.up_axis);
-  for (const Vec3& v : mesh.vertices) floor = std::min(floor, component(v, options.up_axis));
-  options.floor = floor;
   FittedSkeleton fitted;
   try {
-    fitted = fit_skeleton(label_skeleton(own.joints), found, options);
+    fitted = fit_into_mesh(own.joints, found, options, mesh);
   } catch (const Error& error) {
     throw Error("--skeleton " + source + ": " + error.what());
   }

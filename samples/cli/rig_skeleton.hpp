@@ -41,6 +41,9 @@ class EditOptions {
 // Throws UsageError for a template that does not exist and for a mesh. Called before any work.
 void check_skeleton_source(const std::string& source);
 
+// A skeleton put into a mesh, where `found` is; its floor is the mesh's. Throws Error that says what does not fit.
+FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
+                             const Character& mesh);
 // The skeleton of a file or template:NAME put where `found` is, in place of *skeleton. What its joints deform stays as the
 // file says.
 FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleton& found, FitOptions options,

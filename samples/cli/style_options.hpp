@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options --rigid-parts, --softness and --surface-vertices, which bind and eval share.
+// The options --rigid-parts, --softness and --surface-vertices, which bind, rig and eval share.
 #ifndef SINEW_CLI_STYLE_OPTIONS_HPP
 #define SINEW_CLI_STYLE_OPTIONS_HPP
 

@@ -161,7 +161,8 @@ void add_train(CLI::App& app) {
       ->type_name("FILE");
   sub->add_flag("--print-config", s->print_config, "Print all settings as JSON and stop");
   sub->add_flag("--resume", s->options.resume, "Go on from the checkpoint -o, with the same result as not stopping");
-  sub->add_option("--init", s->options.init, "Start from the weights of this checkpoint")->type_name("CKPT");
+  sub->add_option("--init", s->options.init, "Start from the weights of this checkpoint or model (.sinew)")
+      ->type_name("FILE");
   sub->add_option("--minutes", s->options.minutes, "Stop after so many minutes [by steps]")
       ->check(CLI::PositiveNumber)
       ->type_name("N");

@@ -311,7 +311,10 @@ void add_transfer(CLI::App& app) {
                   "Skeleton of the targets: .rig.txt, .gltf, .glb, .vrm, .fbx or .dae [the target's own or the "
                   "NAME.rig.txt beside NAME.obj, else the source's, fitted]")
       ->type_name("RIG");
-  sub->add_option("--map", s->from.map, "Which joint is which: lines TARGET_JOINT SOURCE_JOINT [joints of equal names]")
+  sub->add_option(
+         "--map", s->from.map,
+         "Which joint is which, as sinew map writes it: lines TARGET_JOINT SOURCE_JOINT, - for none [joints of equal "
+         "names, else found by anatomy]")
       ->type_name("FILE");
   sub->add_option("--method", s->method,
                   "auto: a balance of nearest and rebind, vertex by vertex; nearest: the source's weights alone; "

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "sinew_datasets/label_skeleton.hpp"
+#include "rig_skeleton.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/map_skeleton.hpp"
@@ -21,6 +21,36 @@ bool has_rig_beside(const std::string& path) {
 
 }  // namespace
 
+JointMapping find_joint_map(const Character& source, const std::string& map, const std::string& path,
+                            const Character& target, std::string* mapped_by) {
+  MapRig target_rig = map_rig_of(target), source_rig = map_rig_of(source);
+  target_rig.name = path;
+  source_rig.name = source.name;
+  if (!map.empty()) {
+    *mapped_by = map;
+    JointMapping mapping(source.joints.size(), -1);
+    for (const sinew_map_pin& pin : read_map_file(map, target_rig, source_rig, MapRepeats::kTargets))
+      if (pin.source >= 0) mapping[static_cast<size_t>(pin.source)] = static_cast<int32_t>(pin.target);
+    if (mapped_count(mapping) == 0) throw Error(map + ": maps no joint; expected lines TARGET_JOINT SOURCE_JOINT");
+    return mapping;
+  }
+  JointMapping mapping = map_joints_by_name(source.joints, target.joints);
+  *mapped_by = "equal names";
+  if (2 * mapped_count(mapping) >= std::min(source.joints.size(), target.joints.size())) return mapping;
+  MapSkeletonOptions options;
+  options.target_up = options.source_up = 'a';
+  const MappedSkeleton found = map_skeleton(target_rig, source_rig, options);
+  *mapped_by = "anatomy and names";
+  mapping.assign(source.joints.size(), -1);
+  for (size_t t = 0; t < found.sources.size(); ++t)
+    if (found.sources[t] >= 0) mapping[static_cast<size_t>(found.sources[t])] = static_cast<int32_t>(t);
+  if (mapped_count(mapping) == 0)
+    throw Error(path + ": none of its " + std::to_string(target.joints.size()) + " joints stands for a joint of " +
+                source.name + " (" + target.joints.front().name + ", " + source.joints.front().name +
+                "); say with --map FILE which joint is which");
+  return mapping;
+}
+
 // The source's skeleton in the place of the one that is predicted for the mesh.
 void TargetReader::fit_source_skeleton(Character* character) {
   if (rig_model_ == nullptr) rig_model_ = load_model(from_.rig_model, ModelUse::kRig);
@@ -30,13 +60,9 @@ void TargetReader::fit_source_skeleton(Character* character) {
   const PredictedSkeleton predicted = predict_skeleton(*character, predict);
   FitOptions fit;
   fit.up_axis = from_.z_up ? 2 : 1;
-  const auto height = [&](const Vec3& v) { return from_.z_up ? v.z : v.y; };
-  float floor = height(character->vertices.at(0));
-  for (const Vec3& v : character->vertices) floor = std::min(floor, height(v));
-  fit.floor = floor;
   FittedSkeleton fitted;
   try {
-    fitted = fit_skeleton(label_skeleton(source_.joints), label_skeleton(predicted), fit);
+    fitted = fit_into_mesh(source_.joints, label_skeleton(predicted), fit, *character);
   } catch (const Error& error) {
     throw Error(character->name + ": has no skeleton, and that of " + source_.name + " does not fit: " + error.what() +
                 "; give one with --skeleton");
@@ -46,32 +72,6 @@ void TargetReader::fit_source_skeleton(Character* character) {
     character->notes.push_back("warning: the skeleton of " + source_.name +
                                " was fitted to a mesh that resembles little that the model knows; look at its joints, "
                                "or give a skeleton with --skeleton");
-}
-
-// Which of the target's joints stands for which of the source's. One place for all ways of finding that out.
-JointMapping TargetReader::find_map(const std::string& path, const Character& character, std::string* mapped_by) const {
-  if (!from_.map.empty()) {
-    *mapped_by = from_.map;
-    return read_joint_map(from_.map, source_.joints, character.joints);
-  }
-  JointMapping mapping = map_joints_by_name(source_.joints, character.joints);
-  *mapped_by = "equal names";
-  if (2 * mapped_count(mapping) >= std::min(source_.joints.size(), character.joints.size())) return mapping;
-  MapRig target = map_rig_of(character), source = map_rig_of(source_);
-  target.name = path;
-  source.name = source_.name;
-  MapSkeletonOptions options;
-  options.target_up = options.source_up = 'a';
-  const MappedSkeleton found = map_skeleton(target, source, options);
-  *mapped_by = "anatomy and names";
-  mapping.assign(source_.joints.size(), -1);
-  for (size_t t = 0; t < found.sources.size(); ++t)
-    if (found.sources[t] >= 0) mapping[static_cast<size_t>(found.sources[t])] = static_cast<int32_t>(t);
-  if (mapped_count(mapping) == 0)
-    throw Error(path + ": none of its " + std::to_string(character.joints.size()) + " joints stands for a joint of " +
-                source_.name + " (" + character.joints.front().name + ", " + source_.joints.front().name +
-                "); say with --map FILE which joint is which");
-  return mapping;
 }
 
 TransferTarget TargetReader::read(const std::string& path) {
@@ -101,7 +101,7 @@ TransferTarget TargetReader::read(const std::string& path) {
     target.skeleton = source_.name;
     target.fitted = true;
   }
-  target.mapping = find_map(path, character, &target.mapped_by);
+  target.mapping = find_joint_map(source_, from_.map, path, character, &target.mapped_by);
   return target;
 }
 

@@ -29,6 +29,11 @@ struct TransferTarget {
   bool fitted = false;
 };
 
+// Which joint of the target (a character of the file `path`) stands for which of the source's [source joints]: by the file `map` where
+// it is not empty, by equal names where most joints have one, else by anatomy. One place for all ways of finding that out.
+JointMapping find_joint_map(const Character& source, const std::string& map, const std::string& path,
+                            const Character& target, std::string* mapped_by);
+
 class TargetReader {
  public:
   TargetReader(const Character& source, const TargetSource& from) : source_(source), from_(from) {}
@@ -37,7 +42,6 @@ class TargetReader {
 
  private:
   void fit_source_skeleton(Character* character);
-  JointMapping find_map(const std::string& path, const Character& character, std::string* mapped_by) const;
 
   const Character& source_;
   const TargetSource& from_;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The options --deform, --cells and --rounds of commands that pose characters.
+#ifndef SINEW_CLI_DEFORM_OPTIONS_HPP
+#define SINEW_CLI_DEFORM_OPTIONS_HPP
+
+#include <optional>
+#include <string>
+
+#include "sinew/deform.h"
+
+namespace CLI {
+class App;
+}
+
+namespace sinew::cli {
+
+struct DeformSettings {
+  std::string method;  // empty: what the command does by itself
+  unsigned cells = 0, rounds = 0;
+};
+
+// The engine's options for volume, xpbd and delta-mush; nullopt for plain skinning. UsageError for --cells or --rounds without one
+// of these.
+std::optional<sinew_deform_options> deform_options(const DeformSettings& settings);
+
+// Adds --deform with the three corrections, --cells and --rounds. `what` is said about --deform.
+void add_deform_options(CLI::App* sub, const std::string& what, DeformSettings* settings);
+// Adds --cells and --rounds alone.
+void add_solver_options(CLI::App* sub, DeformSettings* settings);
+
+}  // namespace sinew::cli
+#endif
