@@ -26,9 +26,12 @@ for kind in simd scalar; do
 done
 
 step "scripts and pages"
-[ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
+[ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
-node_modules/.bin/esbuild src/main.js src/worker.js --bundle --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
+rm -f "$out"/*.js
+# What reads and writes FBX and shows materials is a chunk of its own, loaded when it is asked for.
+node_modules/.bin/esbuild src/main.js src/worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
+  --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --external:node:* \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css "$out"
 cp "$root"/samples/data/sinew_{default,rig}.sinew "$out"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which of the dropped files make a character together: names alone decide, contents are the module's business.
 
-const meshEndings = [".obj", ".glb", ".gltf", ".vrm"];
+const meshEndings = [".obj", ".glb", ".gltf", ".vrm"]; // an .fbx is a .glb by then
 
 const lower = (name) => name.toLowerCase();
 export const isMesh = (name) => meshEndings.some((ending) => lower(name).endsWith(ending));
@@ -22,7 +22,7 @@ export function pairFiles(names, waiting = {}) {
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
-    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .bvh, .sinew or .style, found another kind of file`);
+    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .fbx, .bvh, .sinew or .style, found another kind of file`);
   }
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);

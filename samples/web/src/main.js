@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The page: what is open, what is chosen, and what follows when that changes.
 import { Engine } from "./engine.js";
-import { pairFiles } from "./files.js";
+import { pairFiles, stem } from "./files.js";
 import { Latest } from "./latest.js";
+import { BindOptions, switched } from "./options.js";
 import { MotionPlayer } from "./player.js";
 import { Pose } from "./pose.js";
 import { kinds, partName, Questions } from "./questions.js";
 import { answersFor, editKinds, movedJoints, SkeletonEditor, sureColour } from "./skeleton.js";
+import { testClip, testClips } from "./test_clips.js";
 import { View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
@@ -23,7 +25,8 @@ const samples = [
   { name: "quadruped__tailed", files: ["quadruped__tailed.obj", "quadruped__tailed.rig.txt"] },
   { name: "snake__long", files: ["snake__long.obj", "snake__long.rig.txt"] },
 ];
-const modes = { joints: 0, field: 1, doubt: 2 };
+const modes = { joints: 0, field: 1, doubt: 2, artist: 3, artistField: 4, difference: 5, material: -1 }; // ColourMode of web.cpp, and the file's own look
+const views = { "view-front": [0, 0, 1], "view-side": [1, 0, 0], "view-top": [0, 1, 0.001] };
 const asked = [240, 120, 20]; // sRGB of the part that a question is about, as in the command's pictures
 const dimmed = [52, 58, 67]; // and what the rest fades to
 const pending = "·".repeat(16); // a hash that is not known yet
@@ -41,6 +44,8 @@ let mode = modes.joints;
 let questions;
 let editor;
 let player;
+let options;
+let shownMean = 0; // of what the colours show, see web.cpp
 let style = null; // {name}: answers for the characters from now on
 
 // ---- one thing after another
@@ -82,7 +87,7 @@ async function whileBinding(job) {
 async function openFiles(list) {
   clearError();
   if (list.length === 0) return;
-  const files = await Promise.all(list.map(async (file) => ({ name: file.name, bytes: await file.arrayBuffer() })));
+  const files = await Promise.all(list.map(readable));
   const names = files.map((file) => file.name);
   await engine.call("write", { files }, files.map((file) => file.bytes));
   const found = pairFiles(names, waiting);
@@ -109,6 +114,15 @@ async function openFiles(list) {
   }
   if (found.motion !== "") await playMotion(found.motion);
   if (found.problems.length > 0) throw new Error(found.problems.join("; "));
+}
+
+// {name, bytes} as the module reads them: an FBX has become a GLB.
+async function readable(file) {
+  const bytes = await file.arrayBuffer();
+  if (!/\.fbx$/i.test(file.name)) return { name: file.name, bytes };
+  const { fbxToGlb } = await import("./fbx.js");
+  const glb = await fbxToGlb(bytes, file.name);
+  return { name: `${stem(file.name)}.glb`, bytes: glb.buffer };
 }
 
 async function openSample({ name, files }) {
@@ -145,6 +159,8 @@ async function load(source, anew = false) {
   // From here on the module has the new character, whether it can be bound or not.
   character = { ...loaded, name, upAxis, source, result: null, size: longestSide(loaded.buffers.positions) };
   source.answers ??= [];
+  source.locked = new Set(); // with the rows that were locked
+  $("artist").hidden = !loaded.hasReference;
   pose = new Pose(loaded.joints.length);
   dragged = null;
   lookNowhere();
@@ -173,7 +189,7 @@ function longestSide(positions) {
   return Math.max(...most.map((x, axis) => x - least[axis]));
 }
 
-const how = () => ({ method: Number($("method").value), upAxis: character.upAxis });
+const how = () => ({ wish: options.wish(character) });
 const asNumbers = (answers) => answers.map(({ question, kind, joint }) => [question.part, kind, joint]);
 
 // answers: those of the character from now on, if they can be had. focus: see Questions.show().
@@ -199,9 +215,78 @@ async function bind(answers = character.source.answers, focus) {
     listQuestions(focus);
   }
   listJoints();
+  showBrush();
   await colour();
   await retarget();
   await sendPose();
+}
+
+// ---- joints on and off, locked vertices, the brush
+
+// Whether the last bind gave the joint no weight because names, places or the user say so.
+const isOff = (joint) => Boolean(character?.result?.off.includes(joint));
+
+async function switchJoint(joint) {
+  const { source } = character;
+  const { never, always } = source;
+  Object.assign(source, switched(source, character.joints[joint].name, isOff(joint)));
+  try {
+    await bind();
+  } catch (error) {
+    Object.assign(source, { never, always });
+    await bind().catch(() => {});
+    throw error;
+  }
+}
+
+async function lockJoint(joint) {
+  const { source, joints } = character;
+  const { name } = joints[joint];
+  if (!source.locked.delete(name)) source.locked.add(name);
+  await engine.call("lock", { joints: joints.flatMap((one, j) => (source.locked.has(one.name) ? [j] : [])) });
+  await bind();
+}
+
+const brushKind = () => document.querySelector("#brush-kind input:checked").value;
+
+function showBrush() {
+  const kind = brushKind();
+  const ready = Boolean(character?.result) && !view.editing;
+  view.onStroke = ready && (kind === "smooth" || (kind === "add" && view.selected >= 0)) ? (vertex) => strokes.want(vertex).catch((error) => showError(error.message)) : null;
+  $("brush").hidden = view.editing;
+  if (kind !== "none") $("brush").open = true; // by its key
+  $("brush-settings").hidden = kind === "none";
+  for (const id of ["brush-size", "brush-strength"]) $(id).nextElementSibling.textContent = `${$(id).value} %`;
+  const painted = character?.result?.paintedVertices ?? 0;
+  $("painted").textContent = kind === "add" && view.selected < 0 ? "choose a joint" : painted ? `${number.format(painted)} vertices` : "";
+  $("forget-paint").disabled = painted === 0;
+}
+
+// The newest place of the brush; the next bind has what it left as hints.
+const strokes = new Latest(async (vertex) => {
+  if (!character?.result) return;
+  const stroke = {
+    vertex,
+    radius: (Number($("brush-size").value) / 100) * character.size,
+    joint: brushKind() === "add" ? view.selected : -1,
+    strength: Number($("brush-strength").value) / 100,
+  };
+  const shown = mode === modes.material ? modes.joints : mode;
+  const { buffers } = await engine.call("paint", { stroke, mode: shown, joint: Math.max(0, view.selected) });
+  view.setColours(buffers.colours);
+});
+
+function endStroke() {
+  run(async () => {
+    while (strokes.busy) await strokes.idle().catch(() => {}); // said already
+    clearError();
+    await bind();
+  });
+}
+
+async function forgetPaint() {
+  await engine.call("forgetPaint");
+  await bind();
 }
 
 // ---- motion
@@ -237,8 +322,9 @@ function showMotion(motion) {
 }
 
 async function openMotionFile(file) {
-  await engine.call("write", { files: [{ name: file.name, bytes: await file.arrayBuffer() }] });
-  await playMotion(file.name);
+  const one = await readable(file);
+  await engine.call("write", { files: [one] });
+  await playMotion(one.name);
 }
 
 async function playMotion(name) {
@@ -259,16 +345,34 @@ async function closeMotion() {
 // ---- what is shown
 
 async function colour() {
-  if (mode === modes.field && view.selected < 0) mode = modes.joints;
-  for (const input of document.querySelectorAll("#mode input")) {
-    input.checked = Number(input.value) === mode;
+  if ((mode === modes.field || mode === modes.artistField) && view.selected < 0) mode = modes.joints;
+  const isArtists = mode === modes.artist || mode === modes.artistField;
+  if ((isArtists || mode === modes.difference) && !character?.hasReference) mode = modes.joints;
+  for (const input of document.querySelectorAll("#mode input, #artist input")) {
+    input.checked = Number(input.value) === (isArtists ? modes.artist : mode);
     input.disabled = !character?.result || (Number(input.value) === modes.field && view.selected < 0);
   }
   showLegend();
   showSure();
   if (!character?.result) return;
-  const { buffers } = await engine.call("colour", { mode, joint: Math.max(0, view.selected) });
+  await showLookOfFile();
+  const shown = mode === modes.material ? modes.joints : mode;
+  const { mean, buffers } = await engine.call("colour", { mode: shown, joint: Math.max(0, view.selected) });
+  shownMean = mean;
+  showLegend();
   view.setColours(emphasised(buffers.colours));
+}
+
+// The GLB that would be saved now, with its materials, instead of the colours; read anew after each bind.
+async function showLookOfFile() {
+  if (mode !== modes.material) return view.setLook(null);
+  const { result, joints } = character;
+  if (view.look?.result === result) return;
+  const { Look } = await import("./look.js");
+  const { buffers } = await engine.call("glb", { name: character.name });
+  const look = await Look.of(buffers.bytes, joints.map(({ name }) => name));
+  look.result = result;
+  view.setLook(look);
 }
 
 // The part that is looked at, orange where it is only asked about, and the rest dimmed.
@@ -290,10 +394,14 @@ function showLegend() {
     [modes.joints]: ["Each joint has its colour; vertices that joints share blend them.", "", ""],
     [modes.field]: [`Weight of ${name}`, "0", "1"],
     [modes.doubt]: ["Doubt about the strongest joint", "sure", "look here"],
+    [modes.artist]: ["The weights that the file had", "", ""],
+    [modes.artistField]: [`The file's weight of ${name}`, "0", "1"],
+    [modes.difference]: [`What moves otherwise than in the file: ${(100 * shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
+    [modes.material]: ["As other programs show the file", "", ""],
   }[mode];
   $("legend").hidden = !character;
   $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
-  $("legend").querySelector(".scale").hidden = mode === modes.joints || Boolean(shownLook && shownLook.answer === undefined);
+  $("legend").querySelector(".scale").hidden = [modes.joints, modes.artist, modes.material].includes(mode) || Boolean(shownLook && shownLook.answer === undefined);
   $("legend").querySelector(".low").textContent = low;
   $("legend").querySelector(".high").textContent = high;
 }
@@ -312,12 +420,12 @@ const poses = new Latest(async () => {
   const dualQuaternion = $("skinning").value === "1";
   if (player.motion && !view.editing) {
     const { buffers } = await engine.call("frame", { clip: player.clip, seconds: player.seconds, dualQuaternion });
-    if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, pose.turns);
+    if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, pose.turns, buffers.palette);
     return;
   }
   const turns = view.editing ? new Float32Array(pose.turns.length) : pose.turns; // a skeleton is edited at rest
   const { buffers } = await engine.call("pose", { turns, dualQuaternion });
-  if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns);
+  if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns, buffers.palette);
 });
 const sendPose = () => poses.want();
 
@@ -326,10 +434,19 @@ function poseChanged() {
   sendPose().catch((error) => showError(error.message));
 }
 
-function choose(joint) {
+// more: beside the chosen joint, to turn with it.
+function choose(joint, more = false) {
   if (!character || joint >= character.joints.length) return;
+  if (more && joint >= 0 && view.selected >= 0 && joint !== view.selected) {
+    const also = new Set(view.also);
+    if (!also.delete(joint)) also.add(joint);
+    view.also = also;
+    showPose();
+    return markJoint();
+  }
   view.select(joint);
-  mode = joint >= 0 ? modes.field : modes.joints;
+  if (mode === modes.artist || mode === modes.artistField) mode = joint >= 0 ? modes.artistField : modes.artist;
+  else if (mode !== modes.material && mode !== modes.difference) mode = joint >= 0 ? modes.field : modes.joints;
   showPose();
   editor.show(character, joint);
   markJoint(); // into view: the panels may have taken room from the list
@@ -338,10 +455,15 @@ function choose(joint) {
 
 function showPose() {
   const joint = view.selected;
+  showBrush();
+  $("switch").disabled = $("lock").disabled = joint < 0 || !character?.result;
+  $("switch").textContent = isOff(joint) ? "Switch on" : "Switch off";
+  $("lock").ariaPressed = String(joint >= 0 && Boolean(character?.source.locked?.has(character.joints[joint].name)));
   $("pose").hidden = view.editing || Boolean(player.motion);
   $("motion").hidden = view.editing;
   view.turnable = !player.motion;
-  $("joint-name").textContent = joint < 0 ? "No joint chosen" : character.joints[joint].name;
+  const others = joint < 0 ? 0 : view.also.size;
+  $("joint-name").textContent = joint < 0 ? "No joint chosen" : `${character.joints[joint].name}${others ? ` and ${others} more` : ""}`;
   ["x", "y", "z"].forEach((axis, i) => {
     const slider = $(`turn-${axis}`);
     const turn = joint < 0 ? 0 : pose.of(joint)[i];
@@ -387,6 +509,7 @@ function showFacts(result = character?.result) {
       add("bound in ", milliseconds(result.seconds), `${milliseconds(result.wallSeconds)} with the way to the worker and back; ${bytes(result.usedBytes)} of memory`);
       add("look first at ", `${number.format(result.lookFirst)} vertices`, `The least sure tenth, ${Math.round(100 * result.lookFirstSure)} % sure on average; Doubt shows them`);
       if (result.leftOut.length) add("no weight for ", `${result.leftOut.length} joints`, result.leftOut.join("\n"));
+      if (result.lockedVertices) add("locked ", `${number.format(result.lockedVertices)} vertices`, "They keep their weights; L on their joint frees them");
       if (result.keptMeshes) add("kept ", `${result.keptMeshes} attached meshes`, "They follow the joints that they hang on");
     } else {
       add("", character.joints.length === 0 ? "without a skeleton…" : "binding…");
@@ -411,7 +534,7 @@ function showFacts(result = character?.result) {
     parts.push(part);
   }
   $("facts").replaceChildren(...parts);
-  $("download").disabled = $("download-rig").disabled = !character?.result;
+  $("download").disabled = $("download-rig").disabled = $("download-fbx").disabled = !character?.result;
 }
 
 // ---- the skeleton
@@ -688,7 +811,9 @@ function listJoints() {
     if (!weights) continue;
     const share = weights[j] / character.vertices;
     li.classList.toggle("unused", share === 0);
-    const text = share === 0 ? "–" : share < 0.001 ? "<0.1 %" : `${(share * 100).toFixed(1)} %`;
+    li.classList.toggle("off", isOff(j));
+    li.classList.toggle("locked", Boolean(character.source.locked?.has(name)));
+    const text = isOff(j) ? "off" : share === 0 ? "–" : share < 0.001 ? "<0.1 %" : `${(share * 100).toFixed(1)} %`;
     li.append(Object.assign(document.createElement("span"), { className: "share", textContent: text, title: "share of all weight" }));
   }
   if (items.length === 0) {
@@ -699,7 +824,7 @@ function listJoints() {
 }
 
 function markJoint() {
-  for (const li of $("joints").children) li.ariaSelected = String(Number(li.dataset.joint) === view.selected);
+  for (const li of $("joints").children) li.ariaSelected = String(Number(li.dataset.joint) === view.selected || view.also.has(Number(li.dataset.joint)));
   const chosen = $(`joint-${view.selected}`);
   $("joints").setAttribute("aria-activedescendant", chosen?.id ?? "");
   chosen?.scrollIntoView({ block: "nearest" });
@@ -716,7 +841,8 @@ function stepJoint(by) {
 
 function setMode(wanted) {
   if (!character?.result || (wanted === modes.field && view.selected < 0)) return;
-  mode = wanted;
+  if ((wanted === modes.artist || wanted === modes.difference) && !character.hasReference) return;
+  mode = wanted === modes.artist && view.selected >= 0 ? modes.artistField : wanted;
   run(colour);
 }
 
@@ -728,6 +854,38 @@ function undo(forward) {
 async function download() {
   const { buffers } = await engine.call("glb", { name: character.name });
   save(buffers.bytes, "model/gltf-binary", `${character.name}.${character.predicted ? "rigged" : "bound"}.glb`);
+}
+
+async function downloadFbx() {
+  const { buffers } = await engine.call("glb", { name: character.name });
+  const { glbToFbx } = await import("./fbx.js");
+  save(await glbToFbx(buffers.bytes), "application/octet-stream", `${character.name}.${character.predicted ? "rigged" : "bound"}.fbx`);
+}
+
+// Turns the chosen joint, those chosen beside it alike, and where both sides are mirrored their partners the other way.
+function turnJoint(joint, turn) {
+  for (const j of [joint, ...view.also]) {
+    pose.set(j, ...turn);
+    const { partner, named } = character.joints[j];
+    const other = partner >= 0 ? partner : named;
+    if (!$("mirror-pose").checked || other < 0 || other === j || other === joint || view.also.has(other)) continue;
+    const across = character.axis ?? 0; // turns about the other axes change their sign
+    pose.set(other, ...turn.map((degrees, axis) => (axis === across ? degrees : -degrees)));
+  }
+}
+
+async function playTestClip(name) {
+  const file = `${name}.bvh`;
+  await engine.call("write", { files: [{ name: file, bytes: new TextEncoder().encode(testClip(name)).buffer }] });
+  await playMotion(file);
+  if (!player.playing) player.toggle();
+}
+
+function turnPicture(id) {
+  if (!character) return;
+  const [x, y, z] = views[id];
+  const turns = character.axis === 2 ? [z, y, x] : [x, y, z]; // it faces along x
+  view.frame(turns);
 }
 
 async function downloadRig() {
@@ -757,6 +915,7 @@ function listen() {
   };
   $("download").onclick = () => run(download);
   $("download-rig").onclick = () => run(downloadRig);
+  $("download-fbx").onclick = () => run(() => (clearError(), downloadFbx()));
   $("error").lastElementChild.onclick = clearError;
 
   // A drag passes over many elements; the count says when it has left the page.
@@ -787,6 +946,12 @@ function listen() {
   editor.onPredict = (wishes) => character && run(async () => (clearError(), await predict(wishes), await bind()));
   editor.onMiddle = toMiddle;
   player = new MotionPlayer();
+  $("test-clip").append(...testClips.map((name) => new Option(name, name)));
+  $("test-clip").onchange = () => {
+    const { value } = $("test-clip");
+    $("test-clip").value = "";
+    if (value !== "") run(() => (clearError(), playTestClip(value)));
+  };
   player.onOpen = (file) => run(() => (clearError(), openMotionFile(file)));
   player.onClose = () => run(() => (clearError(), closeMotion()));
   player.onFrame = () => sendPose().catch((error) => showError(error.message));
@@ -795,11 +960,22 @@ function listen() {
   $("redo-edit").onclick = () => undo(true);
   $("middle").onchange = () => (view.toMiddle = $("middle").checked);
 
-  $("mode").onchange = (event) => setMode(Number(event.target.value));
+  $("mode").onchange = $("artist").onchange = (event) => setMode(Number(event.target.value));
   $("joints").onclick = (event) => {
     const li = event.target.closest("li");
-    if (li?.dataset.joint !== undefined) choose(Number(li.dataset.joint));
+    if (li?.dataset.joint !== undefined) choose(Number(li.dataset.joint), event.ctrlKey || event.metaKey || event.shiftKey);
   };
+  const ofChosen = (job) => () => character?.result && view.selected >= 0 && run(() => (clearError(), job(view.selected)));
+  $("switch").onclick = ofChosen(switchJoint);
+  $("lock").onclick = ofChosen(lockJoint);
+  $("brush-kind").onchange = showBrush;
+  $("brush-size").oninput = $("brush-strength").oninput = showBrush;
+  $("forget-paint").onclick = () => run(() => (clearError(), forgetPaint()));
+  for (const id of Object.keys(views)) $(id).onclick = () => turnPicture(id);
+  $("wireframe").onclick = toggleWireframe;
+  $("bone-size").oninput = () => (view.boneSize = Number($("bone-size").value));
+  options = new BindOptions();
+  options.onChange = () => character && run(async () => (clearError(), bind()));
   const arrows = (event) => {
     const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     if (by === undefined) return;
@@ -818,14 +994,14 @@ function listen() {
       changing = true;
       const turn = [...pose.of(view.selected)];
       turn[i] = Number(slider.value);
-      pose.set(view.selected, ...turn);
+      turnJoint(view.selected, turn);
       poseChanged();
     };
     slider.onchange = () => (changing = false);
     slider.ondblclick = () => {
       const turn = [...pose.of(view.selected)];
       turn[i] = 0;
-      pose.set(view.selected, ...turn);
+      turnJoint(view.selected, turn);
       poseChanged();
     };
   });
@@ -833,12 +1009,11 @@ function listen() {
   $("reset").onclick = () => pose.reset() && poseChanged();
   $("reset-joint").onclick = () => {
     pose.remember();
-    pose.set(view.selected, 0, 0, 0);
+    turnJoint(view.selected, [0, 0, 0]);
     poseChanged();
   };
   $("skeleton").onclick = toggleSkeleton;
   $("frame").onclick = () => character && view.frame();
-  $("method").onchange = () => character && run(async () => (clearError(), bind()));
   $("skinning").onchange = () => character && poseChanged();
   $("up").onchange = () => {
     const current = open.find(({ name }) => name === character?.name);
@@ -849,10 +1024,11 @@ function listen() {
   view.onDragEnd = endDrag;
   view.planeOf = (joint) => (character.mirrored && editor.alike && character.joints[joint].partner === joint ? { axis: character.axis, at: character.plane } : null);
   view.onPickJoint = choose;
-  view.onPickSurface = (shown) => character.result && choose(character.result.strongest[shown]);
+  view.onPickSurface = (shown, more) => character.result && choose(character.result.strongest[shown], more);
+  view.onStrokeEnd = endStroke;
   view.onTurnStart = () => pose.remember();
   view.onTurn = (joint, x, y, z) => {
-    pose.set(joint, x, y, z);
+    turnJoint(joint, [x, y, z]);
     poseChanged();
   };
 
@@ -887,12 +1063,33 @@ function listen() {
       1: () => setMode(modes.joints),
       2: () => setMode(modes.field),
       3: () => setMode(modes.doubt),
+      4: () => setMode(modes.material),
+      5: () => setMode(modes.artist),
+      6: () => setMode(modes.difference),
+      7: () => turnPicture("view-front"),
+      8: () => turnPicture("view-side"),
+      9: () => turnPicture("view-top"),
+      w: toggleWireframe,
+      x: () => $("switch").click(),
+      l: () => $("lock").click(),
+      b: nextBrush,
     };
     const action = keys[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();
     action();
   });
+}
+
+function toggleWireframe() {
+  view.wireframe = !view.wireframe;
+  $("wireframe").ariaPressed = String(view.wireframe);
+}
+
+function nextBrush() {
+  const kinds = [...document.querySelectorAll("#brush-kind input")];
+  kinds[(kinds.findIndex(({ checked }) => checked) + 1) % kinds.length].checked = true;
+  showBrush();
 }
 
 function toggleSkeleton() {
@@ -905,7 +1102,10 @@ async function start() {
   facts = { ...facts, ...(await engine.call("start", { forceScalar })) };
   await fetchModel("sinew_default.sinew");
   const wanted = new URLSearchParams(location.search).get("sample");
-  await openSample(samples.find((sample) => sample.name === wanted) ?? samples[0]);
+  const sample = samples.find(({ name }) => name === wanted);
+  if (sample) return openSample(sample);
+  await openSample(samples.find(({ name }) => name === "biped__caped")); // a cape, a skirt and a hat: what is hard to bind
+  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) await playTestClip("walk");
 }
 
 try {
@@ -922,7 +1122,7 @@ window.sinewPage = {
     while (true) {
       const last = queue;
       await last;
-      if (last === queue && !poses.busy && !moves.busy && lookTimer === 0) return;
+      if (last === queue && !poses.busy && !moves.busy && !strokes.busy && lookTimer === 0) return;
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
   },

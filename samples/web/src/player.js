@@ -48,7 +48,7 @@ export class MotionPlayer {
     const isSame = motion && this.#motion?.name === motion.name && this.#motion.clips.length === motion.clips.length;
     if (!motion) this.pause();
     this.#motion = motion;
-    $("open-motion").disabled = !enabled;
+    $("open-motion").disabled = $("test-clip").disabled = !enabled;
     $("player").hidden = $("speed").hidden = $("close-motion").hidden = !motion;
     const about = $("motion-about");
     if (!motion) {

@@ -49,7 +49,14 @@ export class View {
   onTurn = () => {}; // joint, degrees x, y, z
   onDrag = () => {}; // joint, [x, y, z] where it is wanted now
   onDragEnd = () => {};
+  onStrokeEnd = () => {};
   selected = -1;
+  #also = new Set(); // joints that turn with the chosen one
+  #boneSize = 1;
+  #look = null; // shown instead of the coloured mesh, see look.js
+  #palette = null; // of the last pose
+  #stroking = false;
+  #onStroke = null;
   toMiddle = true; // a dragged joint goes to the middle of the limb behind the pointer; with Alt the other way round
   #turnable = true; // whether the rings turn the chosen joint
   draggable = false; // whether joints can be dragged while the skeleton is edited
@@ -114,6 +121,9 @@ export class View {
 
   setCharacter({ triangles, positions, normals, joints, upAxis }) {
     this.select(-1);
+    this.setLook(null);
+    this.#palette = null;
+    const wireframe = this.wireframe;
     this.#mesh?.geometry.dispose();
     this.#mesh?.removeFromParent();
     const geometry = new BufferGeometry();
@@ -121,7 +131,7 @@ export class View {
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
     geometry.setAttribute("normal", new BufferAttribute(normals, 3));
     geometry.setAttribute("color", new BufferAttribute(new Float32Array(positions.length).fill(0.35), 3));
-    this.#mesh = new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, roughness: 0.82, metalness: 0, side: DoubleSide }));
+    this.#mesh = new Mesh(geometry, new MeshStandardMaterial({ vertexColors: true, wireframe, roughness: 0.82, metalness: 0, side: DoubleSide }));
     this.#mesh.frustumCulled = false; // poses leave the rest pose's bounds
     this.#model.add(this.#mesh);
     this.#model.rotation.x = upAxis === 1 ? -Math.PI / 2 : 0;
@@ -182,7 +192,9 @@ export class View {
   }
 
   // turns: degrees of all joints, which the rings follow.
-  setPose(positions, normals, jointPositions, turns) {
+  setPose(positions, normals, jointPositions, turns, palette) {
+    this.#palette = palette;
+    this.#look?.pose(palette);
     const { geometry } = this.#mesh;
     geometry.getAttribute("position").copyArray(positions).needsUpdate = true;
     geometry.getAttribute("normal").copyArray(normals).needsUpdate = true;
@@ -196,9 +208,64 @@ export class View {
     this.redraw();
   }
 
+  // The character as its file shows it, a Look; null: with the colours of weights again.
+  setLook(look) {
+    this.#look?.dispose();
+    this.#look = look;
+    this.#scene.environment = look?.room(this.#renderer) ?? null;
+    this.#scene.environmentIntensity = 0.5;
+    if (look) {
+      this.#model.add(look.root);
+      if (this.#palette) look.pose(this.#palette);
+    }
+    if (this.#mesh) this.#mesh.visible = !look;
+    this.redraw();
+  }
+  get look() {
+    return this.#look;
+  }
+
+  get wireframe() {
+    return this.#mesh?.material.wireframe ?? false;
+  }
+  set wireframe(shown) {
+    if (this.#mesh) this.#mesh.material.wireframe = shown;
+    this.redraw();
+  }
+
+  // Called with the shown vertex that the brush is on; null while there is no brush. Rings would take its strokes.
+  get onStroke() {
+    return this.#onStroke;
+  }
+  set onStroke(stroke) {
+    const isNew = Boolean(stroke) !== Boolean(this.#onStroke);
+    this.#onStroke = stroke;
+    if (isNew) this.select(this.selected);
+  }
+
+  get boneSize() {
+    return this.#boneSize;
+  }
+  set boneSize(size) {
+    this.#boneSize = size;
+    if (this.#bones.children.length > 0) this.#placeBones();
+    this.redraw();
+  }
+
+  // Joints that are chosen beside `selected`.
+  get also() {
+    return this.#also;
+  }
+  set also(joints) {
+    this.#also = new Set(joints);
+    this.#paintBones();
+    this.redraw();
+  }
+
   select(joint) {
+    if (joint !== this.selected) this.#also = new Set();
     this.selected = joint;
-    if (joint < 0 || this.#editing || !this.#turnable) this.#gizmo.detach();
+    if (joint < 0 || this.#editing || !this.#turnable || this.#onStroke) this.#gizmo.detach();
     else this.#gizmo.attach(this.#handles[joint]);
     this.#paintBones();
     this.redraw();
@@ -213,12 +280,13 @@ export class View {
   }
 
   // Brings the character, as it is posed now, into view.
-  frame() {
+  // from: the direction that the camera is in, in the picture's axes.
+  frame(from = [0.42, 0.22, 1]) {
     this.#mesh.geometry.computeBoundingBox();
     const box = this.#mesh.geometry.boundingBox.clone().applyMatrix4(this.#model.matrixWorld);
     box.getCenter(this.#centre);
     this.#radius = Math.max(box.getSize(new Vector3()).length() / 2, 1e-6);
-    const direction = new Vector3(0.42, 0.22, 1).normalize();
+    const direction = new Vector3(...from).normalize();
     const fit = this.#radius / Math.sin((this.#camera.fov * MathUtils.DEG2RAD) / 2) / Math.min(1, this.#camera.aspect);
     this.#camera.near = this.#radius / 200;
     this.#camera.far = this.#radius * 200;
@@ -351,12 +419,12 @@ export class View {
         along.subVectors(at, from);
         length = along.length();
         turn.setFromUnitVectors(up, along.normalize());
-        const width = Math.min(length * 0.09, this.#radius * 0.014);
+        const width = Math.min(length * 0.09, this.#radius * 0.014) * this.#boneSize;
         bones.setMatrixAt(j, matrix.compose(from, turn, size.set(width, length, width)));
       } else {
         bones.setMatrixAt(j, matrix.makeScale(0, 0, 0));
       }
-      const ball = Math.min(Math.max(length * 0.1, this.#radius * 0.004), this.#radius * 0.011) * (j === this.selected ? 1.5 : 1);
+      const ball = Math.min(Math.max(length * 0.1, this.#radius * 0.004), this.#radius * 0.011) * this.#boneSize * (j === this.selected ? 1.5 : 1);
       joints.setMatrixAt(j, matrix.compose(at, turn.identity(), size.setScalar(ball)));
     });
     bones.instanceMatrix.needsUpdate = true;
@@ -367,7 +435,7 @@ export class View {
     if (this.#bones.children.length === 0) return;
     const [bones, joints] = this.#bones.children;
     this.#joints.forEach(({ parent }, j) => {
-      joints.setColorAt(j, j === this.selected ? chosenColour : (this.#jointColours?.[j] ?? bonesColour));
+      joints.setColorAt(j, j === this.selected || this.#also.has(j) ? chosenColour : (this.#jointColours?.[j] ?? bonesColour));
       bones.setColorAt(j, parent === this.selected && parent >= 0 ? chosenColour : bonesColour);
     });
     for (const mesh of [bones, joints]) if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
@@ -392,6 +460,17 @@ export class View {
       if (!at.behind && distance < nearest) [best, nearest] = [j, distance];
     }
     return best;
+  }
+
+  // The shown vertex under the pointer, -1 beside the mesh.
+  #surfaceAt({ clientX, clientY }) {
+    if (!this.#mesh) return -1;
+    const [hit] = this.#rayThrough(clientX, clientY).intersectObject(this.#mesh);
+    if (!hit) return -1;
+    const positions = this.#mesh.geometry.getAttribute("position");
+    const at = this.#mesh.worldToLocal(hit.point.clone()), corner = new Vector3();
+    const [near] = ["a", "b", "c"].map((name) => hit.face[name]).sort((a, b) => corner.fromBufferAttribute(positions, a).distanceToSquared(at) - corner.fromBufferAttribute(positions, b).distanceToSquared(at));
+    return near;
   }
 
   #rayThrough(x, y) {
@@ -423,6 +502,13 @@ export class View {
     this.#host.addEventListener(
       "pointerdown",
       (event) => {
+        if (this.onStroke && event.button === 0 && event.target === this.#renderer.domElement && this.#surfaceAt(event) >= 0) {
+          this.#stroking = true;
+          this.#orbit.enabled = false;
+          event.target.setPointerCapture(event.pointerId);
+          this.onStroke(this.#surfaceAt(event));
+          return;
+        }
         if (!this.#editing || !this.draggable || event.button !== 0 || event.target !== this.#renderer.domElement || this.#drag) return;
         const joint = this.#jointAt(event.clientX, event.clientY);
         if (joint < 0) return;
@@ -443,6 +529,11 @@ export class View {
     const canvas = this.#renderer.domElement;
     canvas.addEventListener("pointermove", (event) => {
       const drag = this.#drag;
+      if (this.#stroking) {
+        const at = this.#surfaceAt(event);
+        if (at >= 0) this.onStroke?.(at);
+        return;
+      }
       if (!drag) {
         canvas.style.cursor = this.#editing && this.draggable && this.#jointAt(event.clientX, event.clientY) >= 0 ? "move" : "";
         return;
@@ -454,6 +545,11 @@ export class View {
       this.onDrag(drag.joint, drag.from);
     });
     const end = () => {
+      if (this.#stroking) {
+        this.#stroking = false;
+        this.#orbit.enabled = true;
+        return this.onStrokeEnd();
+      }
       if (!this.#drag) return;
       const { moved } = this.#drag;
       this.#drag = null;
@@ -469,15 +565,15 @@ export class View {
     const canvas = this.#renderer.domElement;
     let down = null;
     canvas.addEventListener("pointerdown", (event) => {
-      down = event.button === 0 && this.#gizmo.axis === null ? [event.clientX, event.clientY] : null;
+      down = event.button === 0 && this.#gizmo.axis === null && !this.#stroking ? [event.clientX, event.clientY] : null;
     });
     canvas.addEventListener("pointerup", (event) => {
       if (!down || !this.#mesh || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 4) return;
       const joint = this.#jointAt(event.clientX, event.clientY);
-      if (joint >= 0) return this.onPickJoint(joint);
-      const ray = this.#rayThrough(event.clientX, event.clientY);
-      const [hit] = ray.intersectObject(this.#mesh);
-      if (hit) this.onPickSurface(hit.face.a);
+      const more = event.ctrlKey || event.metaKey || event.shiftKey; // beside the chosen one
+      if (joint >= 0) return this.onPickJoint(joint, more);
+      const at = this.#surfaceAt(event);
+      if (at >= 0) this.onPickSurface(at, more);
     });
   }
 }

@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
 // Runs the module beside the page, so that binding never stops the picture. Messages in: {id, call, ...}; out: {id,
 // reply, buffers} or {progress}.
+import { compile, hasSimd } from "@sinew/skin/loader";
 import scalar from "sinew-scalar";
 import simd from "sinew-simd";
 
-// A function that adds two lanes: valid only where SIMD is.
-const simdProbe = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
-]);
-const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7 };
+const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7, palette: 8 };
 const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array, vertexQuestions: Uint32Array };
 
 let module;
 let moduleBytes = 0;
 
 async function start({ forceScalar }) {
-  const useSimd = !forceScalar && WebAssembly.validate(simdProbe);
+  const useSimd = !forceScalar && hasSimd();
   const name = useSimd ? "sinew-simd.wasm" : "sinew-scalar.wasm";
   const response = await fetch(name);
   if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
-  const wasmBinary = await response.arrayBuffer();
-  moduleBytes = wasmBinary.byteLength;
+  const bytes = await response.arrayBuffer();
+  moduleBytes = bytes.byteLength;
+  const compiled = await compile(bytes);
   module = await (useSimd ? simd : scalar)({
-    wasmBinary,
+    instantiateWasm(imports, done) {
+      WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled));
+      return {};
+    },
     onProgress: (share) => postMessage({ progress: share }),
     print: () => {},
     printErr: () => {},
@@ -44,6 +45,8 @@ function withText(value, use) {
     module._free(at);
   }
 }
+
+const withTexts = (one, other, use) => withText(JSON.stringify(one), (a) => withText(JSON.stringify(other), (b) => use(a, b)));
 
 function checked(at) {
   const reply = JSON.parse(text(at));
@@ -91,8 +94,9 @@ const calls = {
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
   // answers: [[vertex, kind, joint], ...]
-  bind({ method, upAxis, answers }) {
-    const reply = withText(JSON.stringify(answers), (at) => checked(module._web_bind(method, upAxis, at)));
+  // wish: as BindOptions of options.js has it
+  bind({ wish, answers }) {
+    const reply = withTexts(wish, answers, (w, a) => checked(module._web_bind(w, a)));
     return { ...reply, buffers: take(["strongest", "vertexQuestions"]) };
   },
   rig: ({ wishes }) => withText(JSON.stringify(wishes), (at) => checked(module._web_rig(at))),
@@ -100,26 +104,34 @@ const calls = {
   edit: ({ edits, mirror, continues }) => withText(JSON.stringify(edits), (at) => checked(module._web_edit(at, mirror, continues))),
   undoEdit: ({ forward }) => checked(module._web_undo_edit(forward)),
   // An edit with weights and colours at once, while a joint is dragged.
-  move({ edits, mirror, continues, method, upAxis, answers, mode, joint }) {
+  move({ edits, mirror, continues, wish, answers, mode, joint }) {
     const rig = calls.edit({ edits, mirror, continues });
-    const { seconds } = withText(JSON.stringify(answers), (at) => checked(module._web_rebind(method, upAxis, at)));
+    const { seconds } = withTexts(wish, answers, (w, a) => checked(module._web_rebind(w, a)));
     return { rig, seconds, ...calls.colour({ mode, joint }) };
   },
-  preview: ({ method, upAxis, answers }) => withText(JSON.stringify(answers), (at) => checked(module._web_preview(method, upAxis, at))),
+  preview: ({ wish, answers }) => withTexts(wish, answers, (w, a) => checked(module._web_preview(w, a))),
   endPreview: () => checked(module._web_end_preview()),
   style: ({ name }) => withText(name && plain(name), (at) => checked(module._web_style(at))),
-  styleAnswers({ method, upAxis }) {
-    return { ...checked(module._web_style_answers(method, upAxis)), buffers: take(["vertexQuestions"]) };
+  styleAnswers({ wish }) {
+    return { ...withText(JSON.stringify(wish), (w) => checked(module._web_style_answers(w))), buffers: take(["vertexQuestions"]) };
   },
-  saveStyle({ method, upAxis, answers, name }) {
+  saveStyle({ wish, answers, name }) {
     const file = plain(name);
-    withText(JSON.stringify(answers), (a) => withText(file, (f) => checked(module._web_save_style(method, upAxis, a, f))));
+    withTexts(wish, answers, (w, a) => withText(file, (f) => checked(module._web_save_style(w, a, f))));
     return { buffers: { bytes: readOnce(file) } };
   },
   colour({ mode, joint }) {
-    checked(module._web_colour(mode, joint));
-    return { buffers: take(["colours"]) };
+    const { mean } = checked(module._web_colour(mode, joint));
+    return { mean, buffers: take(["colours"]) };
   },
+  // joints: [joint, ...] whose vertices keep their weights from now on
+  lock: ({ joints }) => withText(JSON.stringify(joints), (at) => checked(module._web_lock(at))),
+  // A stroke of the brush, with colours at once.
+  paint({ stroke, mode, joint }) {
+    const reply = withText(JSON.stringify(stroke), (at) => checked(module._web_paint(at)));
+    return { ...reply, ...calls.colour({ mode, joint }) };
+  },
+  forgetPaint: () => module._web_forget_paint(),
   pose({ turns, dualQuaternion }) {
     const at = module._malloc(turns.byteLength);
     try {
@@ -128,13 +140,13 @@ const calls = {
     } finally {
       module._free(at);
     }
-    return { buffers: take(["positions", "normals", "jointPositions"]) };
+    return { buffers: take(["positions", "normals", "jointPositions", "palette"]) };
   },
   // name: of a .bvh or an animated glTF, "" for none any more
   motion: ({ name, upAxis, own }) => withText(name && plain(name), (at) => checked(module._web_motion(at, upAxis, own))),
   frame({ clip, seconds, dualQuaternion }) {
     checked(module._web_frame(clip, seconds, dualQuaternion ? 1 : 0));
-    return { buffers: take(["positions", "normals", "jointPositions"]) };
+    return { buffers: take(["positions", "normals", "jointPositions", "palette"]) };
   },
   glb({ name }) {
     const file = `${plain(name)}.bound.glb`;

@@ -841,7 +841,7 @@ try {
   });
 
   await step("options", async () => {
-    await page.click("#panel > details summary");
+    await page.locator("#panel > details > summary", { hasText: /^Options/ }).click();
     await page.selectOption("#method", "1");
     await settled();
     assert.notEqual(await hash(), native.get("snake__long"));

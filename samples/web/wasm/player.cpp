@@ -23,7 +23,9 @@ nlohmann::ordered_json Player::open(const std::string& file, const Character& ch
   Retargeter retargeter(source, character.joints, map.sources, motion_classes(target, from, axis, map.sources),
                         settings);
   const std::optional<Character> body = body_of_motion(file);
-  (void)retargeter.keep_contacts(character, body ? &*body : nullptr);
+  (void)retargeter.take_bodies(character, body ? &*body : nullptr);
+  retargeter.keep_contacts();
+  retargeter.keep_range();
   Motion made = motion_of(character.joints);
   nlohmann::ordered_json reply;
   reply["clips"] = nlohmann::ordered_json::array();

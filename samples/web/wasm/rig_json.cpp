@@ -13,6 +13,16 @@ namespace sinew::web {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+// The joint that has this one's name on the other side, or -1: of skeletons that are no mirror image of themselves too.
+int32_t named_partner(const std::vector<Joint>& joints, size_t joint, const std::map<std::string, int32_t>& number) {
+  const auto other = number.find(other_side_name(joints[joint].name));
+  return other == number.end() || other->second == static_cast<int32_t>(joint) ? -1 : other->second;
+}
+
+}  // namespace
+
 Json rig_json(const Rigs& rigs) {
   const Rig& rig = rigs.now();
   std::map<std::string, int32_t> number;
@@ -27,6 +37,7 @@ Json rig_json(const Rigs& rigs) {
                       {"side", static_cast<int>(side_of_name(joint.name))},
                       {"end", false},
                       {"partner", -1},
+                      {"named", named_partner(rig.joints, j, number)},
                       {"confidence", 1}});
   }
   Json reply = {{"predicted", rig.predicted},

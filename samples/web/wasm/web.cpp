@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "paint.hpp"
 #include "player.hpp"
 #include "rig_json.hpp"
 #include "rigs.hpp"
@@ -42,8 +43,7 @@ namespace {
 
 using namespace sinew;
 
-constexpr uint32_t kInfluences = 4;  // what glTF viewers show everywhere, and the command's default
-constexpr uint32_t kQuestions = 8;   // listed beside the mesh
+constexpr uint32_t kQuestions = 8;  // listed beside the mesh
 
 enum Buffer : uint32_t {
   kTriangles = 0,
@@ -53,7 +53,8 @@ enum Buffer : uint32_t {
   kColours,
   kJointPositions,
   kStrongest,
-  kVertexQuestions
+  kVertexQuestions,
+  kPalette
 };
 
 // What a bind of the character gives and pictures, poses and files show.
@@ -78,12 +79,16 @@ struct Session {
   web::Rigs& rigs() { return rigs_of[number]; }
   const web::Rigs& rigs() const { return rigs_of.at(number); }
   web::Surface surface;
-  std::vector<float> rest;                // [V x 3]
-  std::vector<uint16_t> joints, weights;  // [V x kInfluences]
-  std::vector<uint8_t> confidence;        // [V]
-  Rows taken;                             // what is written to files while the character shows a preview; else empty
+  std::vector<float> rest;                        // [V x 3]
+  uint32_t slots = 4;                             // influences a vertex keeps
+  std::vector<uint16_t> joints, weights;          // [V x slots]
+  std::vector<std::vector<Influence>> reference;  // [V] of the file, or empty
+  std::vector<uint8_t> locked, hints;             // [V] or empty: rows that the next bind keeps, see BindOptions
+  std::vector<uint8_t> confidence;                // [V]
+  Rows taken;  // what is written to files while the character shows a preview; else empty
   // What web_buffer() hands out, but for the surface.
   std::vector<float> posed, shown_positions, shown_normals, joint_positions;
+  std::vector<float> palette;              // [J x 12] of the last pose
   std::vector<uint8_t> colours;            // [R x 3] sRGB
   std::vector<uint16_t> strongest;         // [R] joint
   std::vector<uint32_t> vertex_questions;  // [V] see sinew_bind_outputs, of the last questions listed
@@ -129,15 +134,15 @@ int progress(void*, uint32_t permille) {
   return 0;
 }
 
-// The rows as skin() takes them: [V x N], unused slots 0.
+// The rows as skin() takes them: [V x slots], unused slots 0.
 void fill_slots(Session& s) {
-  s.joints.assign(s.character.vertices.size() * kInfluences, 0);
+  s.joints.assign(s.character.vertices.size() * s.slots, 0);
   s.weights.assign(s.joints.size(), 0);
   for (size_t v = 0; v < s.character.influences.size(); ++v) {
     const std::vector<Influence>& row = s.character.influences[v];
-    for (size_t i = 0; i < row.size() && i < kInfluences; ++i) {
-      s.joints[v * kInfluences + i] = static_cast<uint16_t>(row[i].joint);
-      s.weights[v * kInfluences + i] = static_cast<uint16_t>(std::lround(row[i].weight * 65535.0f));
+    for (size_t i = 0; i < row.size() && i < s.slots; ++i) {
+      s.joints[v * s.slots + i] = static_cast<uint16_t>(row[i].joint);
+      s.weights[v * s.slots + i] = static_cast<uint16_t>(std::lround(row[i].weight * 65535.0f));
     }
   }
 }
@@ -179,9 +184,38 @@ struct Bound {
 
 // How the page wants characters bound.
 struct Wish {
-  uint32_t method, up_axis;
-  sinew_progress progress;  // or null
+  uint32_t method = 0, up_axis = 0, rigid_parts = 0, softness_percent = 100, influences = 4;
+  bool symmetric = false;
+  std::vector<size_t> never, always;  // joints that the user switched off, and those that were off
+  sinew_progress progress = nullptr;
 };
+
+// text: {method, upAxis, symmetric, rigidParts, softness, influences, never, always}
+Wish read_wish(const char* text, sinew_progress progress) {
+  const Json json = Json::parse(text);
+  Wish wish;
+  wish.method = json.at("method").get<uint32_t>();
+  wish.up_axis = json.at("upAxis").get<uint32_t>();
+  wish.symmetric = json.at("symmetric").get<bool>();
+  wish.rigid_parts = json.at("rigidParts").get<uint32_t>();
+  wish.softness_percent = static_cast<uint32_t>(std::lround(json.at("softness").get<double>() * 100));
+  wish.influences = json.at("influences").get<uint32_t>();
+  wish.never = json.at("never").get<std::vector<size_t>>();
+  wish.always = json.at("always").get<std::vector<size_t>>();
+  wish.progress = progress;
+  return wish;
+}
+
+// The user's word about joints, after the file's names and weights.
+void switch_joints(const Character& character, const Wish& wish, JointChoice* choice) {
+  take_back_joints(wish.always, {}, choice);
+  for (const size_t joint : wish.never) {
+    if (joint >= character.joints.size()) continue;
+    if ((choice->flags[joint] & SINEW_JOINT_NEVER) == 0) choice->left_out.push_back({joint, "never deforms, as asked"});
+    choice->flags[joint] |= SINEW_JOINT_NEVER;
+    choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), joint), choice->tips.end());
+  }
+}
 
 Bound bind_with(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, uint32_t questions) {
   CharacterBindOptions options;
@@ -190,14 +224,22 @@ Bound bind_with(const Session& s, const Wish& wish, const std::vector<sinew_answ
     if (s.bind_model.bytes.empty()) throw Error("no model is loaded");
     options.bind.model = &s.bind_model.model;
   }
-  options.bind.influence_count = kInfluences;
+  options.bind.influence_count = wish.influences;
   options.bind.up_axis = wish.up_axis;
+  options.bind.symmetric = wish.symmetric;
+  options.bind.rigid_parts = wish.rigid_parts;
+  options.bind.softness_percent = options.bind.method == SINEW_METHOD_MODEL ? wish.softness_percent : 100;
+  if (!s.character.influences.empty()) {  // rows to keep
+    options.bind.locked = s.locked;
+    options.bind.hints = s.hints;
+  }
   options.bind.progress = wish.progress;
   options.bind.answers = answers;
   options.bind.question_count = questions;
   options.keep_tips = options.bind_props = s.rigs().now().predicted;
   Bound bound;
   bound.choice = s.rigs().now().choice;
+  switch_joints(s.character, wish, &bound.choice);
   std::vector<size_t> named;
   for (const sinew_answer& answer : answers)
     if (answer.kind == SINEW_ANSWER_RIGID && answer.joint < s.character.joints.size()) named.push_back(answer.joint);
@@ -225,11 +267,12 @@ void need_joints(const Session& s) {
   if (s.character.joints.empty()) throw Error(s.character.name + ": has no skeleton yet");
 }
 
-Json bind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
   need_joints(s);
   Bound bound = bind_with(s, wish, answers, kQuestions);
   CharacterBind& result = bound.result;
   s.taken = {};
+  s.slots = wish.influences;
   Rows rows = {std::move(result.influences), std::move(result.confidence)};
   swap_rows(s, &rows);
   s.vertex_questions = std::move(result.vertex_questions);
@@ -240,8 +283,10 @@ Json bind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers
     pairs += row.size();
   }
   s.strongest.resize(s.surface.vertex_of.size());
-  for (size_t i = 0; i < s.strongest.size(); ++i)
-    s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * kInfluences];
+  for (size_t i = 0; i < s.strongest.size(); ++i) s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * s.slots];
+  Json off = Json::array();
+  for (size_t j = 0; j < bound.choice.flags.size(); ++j)
+    if ((bound.choice.flags[j] & SINEW_JOINT_NEVER) != 0) off.push_back(j);
   Json left_out = Json::array();
   for (const LeftOutJoint& left : bound.choice.left_out)
     left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
@@ -251,9 +296,13 @@ Json bind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers
   return {{"seconds", result.seconds},
           {"workspaceBytes", result.workspace_bytes},
           {"usedBytes", result.used_bytes},
-          {"hash", bind_hash(s.character.influences, kInfluences)},
+          {"hash", bind_hash(s.character.influences, s.slots)},
           {"jointWeights", sums},
           {"leftOut", left_out},
+          {"off", off},
+          {"lockedVertices", std::count(s.locked.begin(), s.locked.end(), uint8_t{1})},
+          {"paintedVertices", std::count(s.hints.begin(), s.hints.end(), uint8_t{1})},
+          {"symmetricVertices", result.symmetric_vertices},
           {"keptMeshes", result.kept_meshes},
           {"lookFirst", (s.confidence.size() + 9) / 10},
           {"lookFirstSure", sure_of_least_tenth(s.confidence)},
@@ -266,6 +315,7 @@ Json rebind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answe
   need_joints(s);
   CharacterBind result = bind_with(s, wish, answers, 0).result;
   s.taken = {};
+  s.slots = wish.influences;
   Rows rows = {std::move(result.influences), std::move(result.confidence)};
   swap_rows(s, &rows);
   return {{"seconds", result.seconds}};
@@ -277,7 +327,7 @@ Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answ
   end_preview(s);
   s.taken = {std::move(result.influences), std::move(result.confidence)};
   swap_rows(s, &s.taken);
-  return {{"hash", bind_hash(s.character.influences, kInfluences)}};
+  return {{"hash", bind_hash(s.character.influences, s.slots)}};
 }
 
 // Answers that the loaded style has for the character: with each its question, and the question's number in
@@ -317,6 +367,9 @@ Json show_rig(Session& s) {
   s.taken = {};
   if (!alike) {
     s.character.influences.clear();
+    s.locked.clear();
+    s.hints.clear();
+    s.reference.clear();
     s.joints.clear();
     s.weights.clear();
     s.posed = s.rest;
@@ -354,6 +407,16 @@ Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
   return show_rig(s);
 }
 
+// The weights of a rig.txt, or none where its skin lines are not of this mesh.
+std::vector<std::vector<Influence>> weights_of_file(const std::string& skeleton, Character character) {
+  try {
+    read_skeleton(skeleton, true, &character);
+    return std::move(character.influences);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number) {
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) read_skeleton(skeleton, false, &character);
@@ -365,6 +428,8 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
     (void)infer_parents(&character.joints);
     choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
   }
+  std::vector<std::vector<Influence>> reference =
+      skeleton.empty() ? std::move(character.influences) : weights_of_file(skeleton, read_mesh(mesh));
   character.influences.clear();
   if (s.rigs_of.find(number) == s.rigs_of.end()) {
     web::Rig rig = web::rig_of_file(character, std::move(choice));
@@ -379,39 +444,102 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   s.posed = s.rest;
   s.joints.clear();
   s.weights.clear();
+  s.locked.clear();
+  s.hints.clear();
   s.taken = {};
+  const bool is_files = !s.rigs().now().predicted && reference.size() == s.character.vertices.size();
+  const bool some = std::any_of(reference.begin(), reference.end(), [](const auto& row) { return !row.empty(); });
+  s.reference = is_files && some ? std::move(reference) : std::vector<std::vector<Influence>>();
   show(s);
   Json reply = web::rig_json(s.rigs());
+  reply["hasReference"] = !s.reference.empty();
   reply["name"] = s.character.name;
   reply["vertices"] = s.character.vertices.size();
   reply["faces"] = s.character.face_count();
   return reply;
 }
 
-// mode 0: joints' colours by weight, 1: the field of `joint`, 2: how sure the prediction is (red: not).
-void colour(Session& s, uint32_t mode, uint32_t joint) {
+// Half of the sum over joints of |weight - the file's weight|: the share of a vertex that moves otherwise. [V]
+std::vector<float> differences(const Session& s) {
+  std::vector<float> values(s.character.vertices.size(), 0);
+  for (size_t v = 0; v < values.size(); ++v) {
+    std::map<uint32_t, float> sums;
+    for (const Influence& influence : s.character.influences[v]) sums[influence.joint] += influence.weight;
+    for (const Influence& influence : s.reference[v]) sums[influence.joint] -= influence.weight;
+    for (const auto& [joint, weight] : sums) values[v] += std::abs(weight) / 2;
+  }
+  return values;
+}
+
+std::vector<float> field(const std::vector<std::vector<Influence>>& rows, uint32_t joint) {
+  std::vector<float> values(rows.size(), 0);
+  for (size_t v = 0; v < rows.size(); ++v)
+    for (const Influence& influence : rows[v])
+      if (influence.joint == joint) values[v] = influence.weight;
+  return values;
+}
+
+enum class ColourMode : uint32_t {
+  kJoints = 0,   // joints' colours by weight
+  kField,        // of one joint
+  kDoubt,        // red: unsure
+  kArtist,       // as kJoints, by the file's weights
+  kArtistField,  // as kField, the same
+  kDifference    // between the two
+};
+
+// Returns the mean of what is shown: of kDifference twice it is the L1 of the READMEs.
+double colour(Session& s, ColourMode mode, uint32_t joint) {
   std::vector<std::array<uint8_t, 3>> of_vertex;
-  if (mode == 0) {
+  std::vector<float> values;
+  const bool is_artist =
+      mode == ColourMode::kArtist || mode == ColourMode::kArtistField || mode == ColourMode::kDifference;
+  if (is_artist && s.reference.empty())
+    throw Error(s.character.name + ": the file has no weights of its own to compare with");
+  if (mode == ColourMode::kJoints) {
     of_vertex = weight_colours(s.character);
+  } else if (mode == ColourMode::kArtist) {
+    std::swap(s.character.influences, s.reference);
+    of_vertex = weight_colours(s.character);
+    std::swap(s.character.influences, s.reference);
   } else {
-    std::vector<float> values(s.character.vertices.size(), 0);
-    for (size_t v = 0; v < values.size(); ++v) {
-      if (mode == 2) {
-        values[v] = 1.0f - static_cast<float>(s.confidence[v]) / 255.0f;
-        continue;
-      }
-      for (const Influence& influence : s.character.influences[v])
-        if (influence.joint == joint) values[v] = influence.weight;
-    }
+    values.assign(s.character.vertices.size(), 0);
+    if (mode == ColourMode::kField) values = field(s.character.influences, joint);
+    if (mode == ColourMode::kArtistField) values = field(s.reference, joint);
+    if (mode == ColourMode::kDifference) values = differences(s);
+    for (size_t v = 0; v < values.size() && mode == ColourMode::kDoubt; ++v)
+      values[v] = 1.0f - static_cast<float>(s.confidence[v]) / 255.0f;
     of_vertex = heat_colours(values, 1.0f);
   }
   s.colours.clear();
   for (const uint32_t v : s.surface.vertex_of)
     s.colours.insert(s.colours.end(), of_vertex[v].begin(), of_vertex[v].end());
+  double sum = 0;
+  for (const float value : values) sum += static_cast<double>(value);
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+// Vertices whose strongest joint is among these keep their rows from the next bind on; none: no vertex does.
+void lock(Session& s, const std::vector<uint32_t>& joints) {
+  s.locked.clear();
+  if (joints.empty()) return;
+  s.locked.assign(s.character.vertices.size(), 0);
+  for (size_t v = 0; v < s.locked.size(); ++v) {
+    const std::vector<Influence>& row = s.character.influences[v];
+    s.locked[v] = !row.empty() && std::find(joints.begin(), joints.end(), row[0].joint) != joints.end() ? 1 : 0;
+  }
+}
+
+void paint(Session& s, const web::Stroke& stroke) {
+  end_preview(s);
+  if (s.hints.empty()) s.hints.assign(s.character.vertices.size(), 0);
+  web::paint(s.character, s.posed, stroke, s.slots, &s.character.influences, &s.hints);
+  fill_slots(s);
 }
 
 void show_pose(Session& s, const std::vector<Affine>& palette, bool dual_quaternion) {
-  std::vector<float> matrices;
+  std::vector<float>& matrices = s.palette;
+  matrices.clear();
   s.joint_positions.clear();
   for (size_t j = 0; j < palette.size(); ++j) {
     const Vec3& rest = s.character.joints[j].position;
@@ -422,7 +550,7 @@ void show_pose(Session& s, const std::vector<Affine>& palette, bool dual_quatern
   const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
   check(s.character.name,
         skin(s.rest.data(), static_cast<uint32_t>(s.character.vertices.size()), s.joints.data(), s.weights.data(),
-             kInfluences, matrices.data(), static_cast<uint32_t>(palette.size()), s.posed.data()));
+             s.slots, matrices.data(), static_cast<uint32_t>(palette.size()), s.posed.data()));
   show(s);
 }
 
@@ -498,20 +626,20 @@ EMSCRIPTEN_KEEPALIVE const char* web_undo_edit(uint32_t forward) {
   });
 }
 
-EMSCRIPTEN_KEEPALIVE const char* web_rebind(uint32_t method, uint32_t up_axis, const char* answers) {
-  return answer([&] { return rebind(session(), {method, up_axis, nullptr}, read_answers(answers)); });
+EMSCRIPTEN_KEEPALIVE const char* web_rebind(const char* wish, const char* answers) {
+  return answer([&] { return rebind(session(), read_wish(wish, nullptr), read_answers(answers)); });
 }
 
 // answers: [[vertex, kind, joint], ...], as sinew_answer has them.
-EMSCRIPTEN_KEEPALIVE const char* web_bind(uint32_t method, uint32_t up_axis, const char* answers) {
-  return answer([&] { return bind(session(), {method, up_axis, progress}, read_answers(answers)); });
+EMSCRIPTEN_KEEPALIVE const char* web_bind(const char* wish, const char* answers) {
+  return answer([&] { return bind_shown(session(), read_wish(wish, progress), read_answers(answers)); });
 }
 
 // Until web_end_preview(), colours and poses are of a bind with these answers. Files never are.
-EMSCRIPTEN_KEEPALIVE const char* web_preview(uint32_t method, uint32_t up_axis, const char* answers) {
+EMSCRIPTEN_KEEPALIVE const char* web_preview(const char* wish, const char* answers) {
   return answer([&] {
     need_weights(session());
-    return preview(session(), {method, up_axis, nullptr}, read_answers(answers));
+    return preview(session(), read_wish(wish, nullptr), read_answers(answers));
   });
 }
 
@@ -532,15 +660,14 @@ EMSCRIPTEN_KEEPALIVE const char* web_style(const char* path) {
   });
 }
 
-EMSCRIPTEN_KEEPALIVE const char* web_style_answers(uint32_t method, uint32_t up_axis) {
-  return answer([&] { return style_answers(session(), {method, up_axis, nullptr}); });
+EMSCRIPTEN_KEEPALIVE const char* web_style_answers(const char* wish) {
+  return answer([&] { return style_answers(session(), read_wish(wish, nullptr)); });
 }
 
-EMSCRIPTEN_KEEPALIVE const char* web_save_style(uint32_t method, uint32_t up_axis, const char* answers,
-                                                const char* path) {
+EMSCRIPTEN_KEEPALIVE const char* web_save_style(const char* wish, const char* answers, const char* path) {
   return answer([&] {
     need_weights(session());
-    save_style(session(), {method, up_axis, nullptr}, read_answers(answers), path);
+    save_style(session(), read_wish(wish, nullptr), read_answers(answers), path);
     return Json::object();
   });
 }
@@ -548,10 +675,40 @@ EMSCRIPTEN_KEEPALIVE const char* web_save_style(uint32_t method, uint32_t up_axi
 EMSCRIPTEN_KEEPALIVE const char* web_colour(uint32_t mode, uint32_t joint) {
   return answer([&] {
     need_weights(session());
-    colour(session(), mode, joint);
+    if (mode > static_cast<uint32_t>(ColourMode::kDifference)) throw Error("no such colours");
+    return Json({{"mean", colour(session(), static_cast<ColourMode>(mode), joint)}});
+  });
+}
+
+// joints: [joint, ...] whose vertices are locked from now on, [] for none.
+EMSCRIPTEN_KEEPALIVE const char* web_lock(const char* joints) {
+  return answer([&] {
+    need_weights(session());
+    end_preview(session());
+    lock(session(), Json::parse(joints).get<std::vector<uint32_t>>());
     return Json::object();
   });
 }
+
+// stroke: {vertex (shown), radius, joint (-1: smooths), strength}; painted vertices are hints of the next bind.
+EMSCRIPTEN_KEEPALIVE const char* web_paint(const char* stroke) {
+  return answer([&] {
+    Session& s = session();
+    need_weights(s);
+    const Json json = Json::parse(stroke);
+    web::Stroke one;
+    one.vertex = s.surface.vertex_of.at(json.at("vertex").get<size_t>());
+    one.radius = json.at("radius").get<float>();
+    one.joint = json.at("joint").get<int32_t>();
+    one.strength = json.at("strength").get<float>();
+    if (one.joint >= static_cast<int32_t>(s.character.joints.size())) throw Error("no such joint");
+    paint(s, one);
+    return Json({{"painted", std::count(s.hints.begin(), s.hints.end(), uint8_t{1})}});
+  });
+}
+
+// What was painted is no hint any more.
+EMSCRIPTEN_KEEPALIVE void web_forget_paint() { session().hints.clear(); }
 
 EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t dual_quaternion) {
   return answer([&] {
@@ -620,6 +777,8 @@ EMSCRIPTEN_KEEPALIVE const void* web_buffer(uint32_t which, size_t* bytes) {
       return give(s.colours);
     case kJointPositions:
       return give(s.joint_positions);
+    case kPalette:
+      return give(s.palette);
     case kStrongest:
       return give(s.strongest);
     default:

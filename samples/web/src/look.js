@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The character as other programs show it: the GLB that the page would save, read by three.js, with the file's own materials and textures.
+import { Matrix4, PMREMGenerator } from "three";
+import { RoomEnvironment } from "three/addons/environments/RoomEnvironment.js";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+
+export class Look {
+  #bones; // per joint of the page: its node, or undefined
+  #room = null;
+  #restOf; // per bone: where it is at rest
+
+  // glb: bytes; names: of the page's joints.
+  static async of(glb, names) {
+    const look = new Look();
+    const gltf = await new GLTFLoader().parseAsync(glb.buffer.slice(glb.byteOffset, glb.byteOffset + glb.byteLength), "");
+    const { json, associations } = gltf.parser;
+    const nodes = new Map();
+    for (const [object, at] of associations) if (at?.nodes !== undefined && object.isObject3D) nodes.set(at.nodes, object);
+    const joints = [...new Set((json.skins ?? []).flatMap((skin) => skin.joints))];
+    const named = new Map(joints.map((index) => [json.nodes[index].name, nodes.get(index)]));
+    look.root = gltf.scene;
+    look.animations = gltf.animations;
+    look.#bones = names.map((name, j) => named.get(name) ?? (joints.length === names.length ? nodes.get(joints[j]) : undefined));
+    look.root.updateMatrixWorld(true);
+    look.#restOf = look.#bones.map((bone) => bone?.matrixWorld.clone());
+    look.root.traverse((object) => (object.frustumCulled = false));
+    return look;
+  }
+
+  // What metals mirror: a room. Without one they are black.
+  room(renderer) {
+    const generator = new PMREMGenerator(renderer);
+    this.#room = generator.fromScene(new RoomEnvironment(), 0.04);
+    generator.dispose();
+    return this.#room.texture;
+  }
+
+  // palette: [J x 12] row-major, what moves each joint from its rest, in the character's space.
+  pose(palette) {
+    const world = new Map(); // of bones, in the character's space
+    this.#bones.forEach((bone, j) => {
+      if (!bone) return;
+      const [a, b, c, d, e, f, g, h, i, k, l, m] = palette.subarray(12 * j, 12 * j + 12);
+      world.set(bone, new Matrix4().set(a, b, c, d, e, f, g, h, i, k, l, m, 0, 0, 0, 1).multiply(this.#restOf[j]));
+    });
+    // What stands between the root and a bone: itself moved, where a joint is above it.
+    const worldOf = (object) => {
+      if (object === this.root || !object) return new Matrix4();
+      if (world.has(object)) return world.get(object);
+      object.updateMatrix();
+      return worldOf(object.parent).clone().multiply(object.matrix);
+    };
+    for (const [bone, at] of world) {
+      bone.matrixAutoUpdate = false;
+      bone.matrix.copy(worldOf(bone.parent).clone().invert().multiply(at));
+    }
+  }
+
+  dispose() {
+    this.#room?.dispose();
+    this.root.removeFromParent();
+    this.root.traverse(({ geometry, material }) => {
+      geometry?.dispose();
+      for (const one of [material].flat()) {
+        for (const value of Object.values(one ?? {})) if (value?.isTexture) value.dispose();
+        one?.dispose();
+      }
+    });
+  }
+}

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: MIT
+// The page as a studio, in a headless Chromium: joints off and on, locked vertices, every option of a bind, the brush, the file's own look and
+// weights, views, poses of several joints, motions to try, FBX in and out, the keyboard alone, a phone's width. Weights are the command's.
+//   studio_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { launch, serve } from "./browser.mjs";
+
+const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
+const data = join(source, "samples/data");
+mkdirSync(work, { recursive: true });
+const command = (name, ...more) => {
+  const args = name === "biped__caped" ? [join(data, `${name}.gltf`)] : [join(data, `${name}.obj`), "--skeleton", join(data, `${name}.rig.txt`)];
+  return JSON.parse(execFileSync(sinew, ["bind", ...args, "-o", join(work, "command.glb"), "--json", ...more], { stdio: "pipe" }));
+};
+
+const server = await serve(dist);
+const browser = await launch();
+const troubles = [];
+const page = await browser.context.newPage();
+page.setDefaultTimeout(60000);
+page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
+page.on("pageerror", (error) => troubles.push(error.message));
+page.on("request", (request) => /^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url()) || troubles.push(`asks ${request.url()}`));
+
+const settled = () => page.evaluate(() => sinewPage.settled());
+const shoot = (name) => page.screenshot({ path: join(work, `studio_${name}.png`) });
+const hash = () => page.locator("#facts code").innerText();
+const errorLine = async () => ((await page.locator("#error").isVisible()) ? page.locator("#error span").innerText() : "");
+const legend = () => page.locator("#legend figcaption").innerText();
+const positions = () => page.evaluate(() => sinewPage.view.shownPositions());
+const jointsAt = () => page.evaluate(() => sinewPage.view.shownJoints());
+const colours = () => page.evaluate(() => sinewPage.view.shownColours());
+const joints = () => page.evaluate(() => sinewPage.character.joints);
+async function open(name) {
+  await page.selectOption("#sample", name);
+  await settled();
+  assert.equal(await errorLine(), "");
+}
+async function pick(name, modifiers = []) {
+  await page.fill("#search", name);
+  await page.locator(`#joints li >> text="${name}"`).click({ modifiers });
+  await page.fill("#search", "");
+  await page.focus("#joints");
+  await settled();
+}
+const details = (summary) => page.locator("#panel > details > summary", { hasText: summary }).click();
+const step = async (name, test) => {
+  const start = Date.now();
+  try {
+    await test();
+  } catch (error) {
+    await shoot("failed").catch(() => {});
+    error.message = `${name}: ${error.message}`;
+    throw error;
+  }
+  assert.deepEqual(troubles, [], `${name}: the browser's console`);
+  console.log(`${name}: ok, ${Date.now() - start} ms`);
+};
+// The picture's pixels in the middle, to see that it changed.
+const picture = async () => (await page.locator("#stage canvas").screenshot()).toString("base64");
+async function slide(id, value) {
+  await page.locator(id).evaluate((input, wanted) => {
+    input.value = String(wanted);
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+    input.dispatchEvent(new Event("change", { bubbles: true }));
+  }, value);
+  await settled();
+}
+
+try {
+  await step("the first sample walks", async () => {
+    await page.goto(server.address);
+    await settled();
+    assert.equal(await page.inputValue("#sample"), "biped__caped");
+    assert.equal(await page.locator("#play").innerText(), "Pause");
+    await page.waitForTimeout(400);
+    await shoot("first");
+    await page.click("#close-motion");
+    await settled();
+  });
+
+  await step("joints are switched off and on, as --never has it", async () => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.goto(`${server.address}?sample=biped__robot`);
+    await settled();
+    const plain = await hash();
+    await pick("forearm.L");
+    await page.click("#switch");
+    await settled();
+    writeFileSync(join(work, "never.txt"), "forearm.L\n");
+    assert.equal(await hash(), command("biped__robot", "--never", join(work, "never.txt")).hash);
+    assert.deepEqual((await page.locator("#joints li.off .name").allTextContents()).includes("forearm.L"), true);
+    assert.equal(await page.locator("#switch").innerText(), "Switch on");
+    await shoot("off");
+    await page.keyboard.press("x");
+    await settled();
+    assert.equal(await hash(), plain);
+    assert.equal(await page.locator("#joints li.off", { hasText: /^forearm\.L/ }).count(), 0);
+  });
+
+  await step("every option of a bind is the command's", async () => {
+    await details(/^Options/);
+    const plain = await hash();
+    for (const [id, value, ...more] of [
+      ["#rigid-parts", "1", "--rigid-parts", "always"],
+      ["#influences", "2", "--influences", "2"],
+      ["#influences", "8", "--influences", "8"],
+      ["#method", "1", "--method", "heat"],
+    ]) {
+      const before = await page.inputValue(id);
+      await page.selectOption(id, value);
+      await settled();
+      assert.equal(await hash(), command("biped__robot", ...more).hash, more.join(" "));
+      await page.selectOption(id, before);
+      await settled();
+    }
+    await slide("#softness", 1);
+    assert.equal(await hash(), command("biped__robot", "--softness", "2").hash);
+    await slide("#softness", 0);
+    await page.check("#symmetric");
+    await settled();
+    assert.equal(await hash(), command("biped__robot", "--symmetric").hash);
+    await shoot("options");
+    await page.uncheck("#symmetric");
+    await settled();
+    assert.equal(await hash(), plain);
+    await details(/^Options/);
+  });
+
+  await step("what is locked keeps its weights", async () => {
+    await open("quadruped__tailed");
+    await pick("head");
+    await page.keyboard.press("l");
+    await settled();
+    assert.match(await page.locator("#facts").innerText(), /locked [\d,]+ vertices/);
+    const strongest = await page.evaluate(() => Array.from(sinewPage.character.result.strongest));
+    const head = (await joints()).findIndex(({ name }) => name === "head");
+    const field = async () => {
+      const values = await colours();
+      return strongest.flatMap((joint, i) => (joint === head ? values.slice(3 * i, 3 * i + 3) : []));
+    };
+    const before = await field();
+    await details(/^Options/);
+    await page.selectOption("#method", "1");
+    await settled();
+    const apart = (await field()).map((x, i) => Math.abs(x - before[i]));
+    assert.ok(before.length > 300 && Math.max(...apart) < 0.02, "the head's field is as it was");
+    await shoot("locked");
+    await page.selectOption("#method", "0");
+    await settled();
+    await details(/^Options/);
+    await page.keyboard.press("Escape");
+    await pick("head");
+    await page.click("#lock");
+    await settled();
+    assert.doesNotMatch(await page.locator("#facts").innerText(), /locked/);
+  });
+
+  await step("a brush changes the weights around it, and is a hint", async () => {
+    await open("biped__robed");
+    const plain = await hash();
+    await pick("head");
+    await page.keyboard.press("b");
+    assert.equal(await page.locator("#brush-kind input:checked").inputValue(), "add");
+    const before = await colours();
+    const at = await page.evaluate((j) => sinewPage.view.jointOnScreen(j), (await joints()).findIndex(({ name }) => name === "chest"));
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.down();
+    await page.mouse.move(at.x + 12, at.y, { steps: 4 });
+    await page.mouse.up();
+    await settled();
+    assert.equal(await errorLine(), "");
+    assert.match(await page.locator("#painted").innerText(), /[\d,]+ vertices/);
+    assert.notEqual(await hash(), plain);
+    const after = await colours();
+    const changed = after.filter((x, i) => Math.abs(x - before[i]) > 0.02).length / after.length;
+    assert.ok(changed > 0.005 && changed < 0.6, `${changed} of the colours changed`);
+    await shoot("painted");
+    await page.keyboard.press("b");
+    assert.equal(await page.locator("#brush-kind input:checked").inputValue(), "smooth");
+    const painted = await hash();
+    await page.mouse.move(at.x - 5, at.y);
+    await page.mouse.down();
+    await page.mouse.move(at.x + 20, at.y + 8, { steps: 3 });
+    await page.mouse.up();
+    await settled();
+    assert.notEqual(await hash(), painted, "smoothing changes it");
+    await page.keyboard.press("b");
+    await page.click("#forget-paint");
+    await settled();
+    assert.equal(await hash(), plain, "forgotten, the weights are the bind's");
+  });
+
+  await step("the file's weights and the difference", async () => {
+    assert.equal(await page.isVisible("#artist"), true, "a rig.txt with skin lines has weights");
+    await page.keyboard.press("Escape");
+    await page.locator("#artist label", { hasText: "Difference" }).click();
+    await settled();
+    const said = await legend();
+    const share = Number(said.match(/([\d.]+) %/)[1]) / 100;
+    assert.ok(share > 0 && share < 0.5, said);
+    await shoot("difference");
+    const ours = await colours();
+    await page.keyboard.press("5");
+    await settled();
+    assert.equal(await legend(), "The weights that the file had");
+    assert.notDeepEqual(await colours(), ours);
+    await pick("head");
+    assert.equal(await legend(), "The file's weight of head");
+    await shoot("artist");
+    await page.keyboard.press("1");
+    await settled();
+    await open("biped__robed, a bare mesh");
+    assert.equal(await page.isVisible("#artist"), false);
+  });
+
+  await step("materials: the file as other programs show it, in every pose", async () => {
+    await open("biped__caped");
+    await page.keyboard.press("4");
+    await settled();
+    assert.equal(await legend(), "As other programs show the file");
+    const rest = await picture();
+    await shoot("material");
+    await pick("upper_arm.L");
+    await slide("#turn-z", 60);
+    await page.waitForTimeout(200);
+    const farthest = await page.evaluate(() => {
+      // Skinned by three.js from the file, against the engine's positions: the two clouds' boxes.
+      const box = (list) => [0, 1, 2].flatMap((axis) => {
+        const all = list.map((p) => p[axis]);
+        return [Math.min(...all), Math.max(...all)];
+      });
+      const shown = sinewPage.view.shownPositions();
+      const engine = Array.from({ length: shown.length / 3 }, (_, i) => shown.slice(3 * i, 3 * i + 3));
+      const three = [];
+      const { root } = sinewPage.view.look;
+      root.updateMatrixWorld(true);
+      root.traverse((object) => {
+        if (!object.isMesh) return;
+        object.skeleton?.update();
+        for (let v = 0; v < object.geometry.getAttribute("position").count; ++v) {
+          const p = object.position.clone();
+          object.getVertexPosition(v, p).applyMatrix4(object.matrixWorld);
+          three.push([p.x, p.y, p.z]);
+        }
+      });
+      const [a, b] = [box(engine), box(three)];
+      return Math.max(...a.map((x, i) => Math.abs(x - b[i])));
+    });
+    assert.ok(farthest < 1e-3, `three.js and the engine are ${farthest} apart`);
+    assert.notEqual(await picture(), rest);
+    await shoot("material_posed");
+    await page.click("#reset");
+    await page.keyboard.press("1");
+    await settled();
+  });
+
+  await step("views, wireframe and the size of bones", async () => {
+    await page.keyboard.press("Escape");
+    const pictures = new Set([await picture()]);
+    for (const key of ["7", "8", "9"]) {
+      await page.keyboard.press(key);
+      await page.waitForTimeout(100);
+      pictures.add(await picture());
+      await shoot(`view_${key}`);
+    }
+    await page.keyboard.press("f");
+    await page.keyboard.press("w");
+    assert.equal(await page.getAttribute("#wireframe", "aria-pressed"), "true");
+    await page.waitForTimeout(100);
+    pictures.add(await picture());
+    await slide("#bone-size", 3);
+    await page.waitForTimeout(100);
+    pictures.add(await picture());
+    await shoot("wire");
+    assert.equal(pictures.size, 6, "each is another picture");
+    await page.keyboard.press("w");
+    await slide("#bone-size", 1);
+  });
+
+  await step("several joints at once, and both sides mirrored", async () => {
+    await open("biped__robot");
+    const rest = await jointsAt();
+    const list = await joints();
+    const number = (name) => list.findIndex((joint) => joint.name === name);
+    await page.check("#mirror-pose");
+    await pick("upper_arm.L");
+    await slide("#turn-z", 40);
+    const posed = await jointsAt();
+    const [left, right] = [number("hand.L"), number("hand.R")];
+    const plane = (rest[3 * left] + rest[3 * right]) / 2;
+    assert.ok(Math.abs(posed[3 * left + 1] - rest[3 * left + 1]) > 0.05, "the left hand moved");
+    assert.ok(Math.abs(posed[3 * left] + posed[3 * right] - 2 * plane) < 0.02 && Math.abs(posed[3 * left + 1] - posed[3 * right + 1]) < 0.02, "the right one is its mirror image");
+    await shoot("mirrored");
+    await page.uncheck("#mirror-pose");
+    await page.click("#reset");
+    await settled();
+    await pick("upper_arm.L");
+    await pick("upper_arm.R", ["Control"]);
+    assert.match(await page.locator("#joint-name").innerText(), /and 1 more/);
+    await slide("#turn-x", 20);
+    const turns = await page.locator("#turn-x + output").innerText();
+    assert.equal(turns, "20°");
+    await shoot("several");
+    await page.click("#reset");
+    await page.keyboard.press("Escape");
+  });
+
+  await step("motions to try", async () => {
+    for (const name of ["walk", "squat", "arms up"]) {
+      await page.selectOption("#test-clip", name);
+      await settled();
+      assert.equal(await errorLine(), "");
+      assert.match(await page.locator("#motion-about").innerText(), new RegExp(`^${name}\\.bvh: \\d+ of \\d+ joints move`));
+      await page.keyboard.press("Space"); // the select lets go of the key first
+      await page.locator("#time").evaluate((input) => {
+        input.value = String(Number(input.max) * 0.45);
+        input.dispatchEvent(new Event("input", { bubbles: true }));
+      });
+      await settled();
+      await shoot(`clip_${name.replace(" ", "_")}`);
+    }
+    const rest = await page.evaluate(() => sinewPage.character.joints.map(({ position }) => position));
+    const now = await jointsAt();
+    const hand = (await joints()).findIndex(({ name }) => name === "hand.L");
+    assert.ok(now[3 * hand + 1] > rest[hand][1] + 0.2, "the arms are up");
+    await page.click("#close-motion");
+    await settled();
+  });
+
+  await step("FBX out, and in again", async () => {
+    await open("biped__caped");
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download-fbx")]);
+    assert.equal(download.suggestedFilename(), "biped__caped.bound.fbx");
+    const bytes = readFileSync(await download.path());
+    assert.equal(bytes.subarray(0, 18).toString(), "Kaydara FBX Binary");
+    const before = { joints: (await joints()).map(({ name }) => name), vertices: await page.evaluate(() => sinewPage.character.vertices) };
+    await page.setInputFiles("#files", [{ name: "again.fbx", mimeType: "application/octet-stream", buffer: bytes }]);
+    await page.waitForFunction(() => document.getElementById("files").files.length === 0);
+    await settled();
+    assert.equal(await errorLine(), "");
+    const after = await joints();
+    assert.deepEqual(new Set(after.map(({ name }) => name.replaceAll(".", ""))), new Set(before.joints.map((name) => name.replaceAll(".", ""))), "the same joints");
+    assert.equal(await page.evaluate(() => sinewPage.character.hasReference), true, "with weights");
+    await page.keyboard.press("6");
+    await settled();
+    await shoot("fbx");
+    await page.setInputFiles("#files", [{ name: "broken.fbx", mimeType: "application/octet-stream", buffer: Buffer.from("no fbx") }]);
+    await page.waitForFunction(() => document.getElementById("files").files.length === 0);
+    await settled();
+    assert.match(await errorLine(), /^broken\.fbx: is no FBX that can be read/);
+    await page.keyboard.press("Escape");
+    assert.deepEqual((await joints()).map(({ name }) => name), after.map(({ name }) => name), "the page is as it was");
+  });
+
+  await step("by the keyboard alone", async () => {
+    await open("biped__robot");
+    const reached = new Set();
+    await page.focus("#joints");
+    await page.keyboard.press("b"); // opens the brush
+    await page.focus("#sample");
+    for (let i = 0; i < 120; ++i) {
+      await page.keyboard.press("Tab");
+      reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.name || document.activeElement.tagName));
+    }
+    const wanted = ["view-front", "view-top", "wireframe", "bone-size", "skeleton", "mode", "joints", "brush", "brush-size", "open-motion", "test-clip", "download-fbx", "SUMMARY"];
+    assert.deepEqual(wanted.filter((id) => !reached.has(id)), [], "the tabulator reaches all of them");
+    await page.focus("#joints");
+    for (let i = 0; i < 2; ++i) await page.keyboard.press("b");
+  });
+
+  await step("on a phone's width", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await settled();
+    await page.waitForTimeout(200);
+    const wide = await page.evaluate(() => ({ page: document.documentElement.scrollWidth, window: innerWidth }));
+    assert.ok(wide.page <= wide.window, `nothing sticks out: ${wide.page} of ${wide.window}`);
+    const outside = await page.evaluate(() =>
+      [...document.querySelectorAll("header button, header select, #tools button, #tools label, #panel button, #panel select, #panel input")]
+        .filter((one) => one.offsetParent)
+        .filter((one) => one.getBoundingClientRect().right > innerWidth + 1 || one.getBoundingClientRect().left < -1)
+        .map((one) => one.id || one.textContent),
+    );
+    assert.deepEqual(outside, []);
+    await shoot("phone");
+  });
+  console.log("studio: all steps ok");
+} finally {
+  await browser.close();
+  server.close();
+}
