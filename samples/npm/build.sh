@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Builds the package: the module with and without SIMD by emscripten, the bundled models, the scripts, a tarball of them.
+#   build.sh [OUTPUT_DIR]      samples/npm/dist: package/ and sinew-skin-VERSION.tgz. Object files go to OUTPUT_DIR.build
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
+out=${1:-$here/dist}
+mkdir -p "$out" "$out.build"
+out=$(cd "$out" && pwd) build=$(cd "$out.build" && pwd)
+. "$root/tests/wasm/emscripten.sh"
+
+step() { echo "npm: $*" >&2; }
+# A module of JavaScript with a file's bytes, so that every bundler finds them.
+embed() { { echo "// Made by build.sh of $(basename "$1")."; printf 'export default "%s";\n' "$(base64 -w0 "$1")"; } >"$2"; }
+
+rm -rf "$out/package"
+mkdir -p "$out/package/wasm" "$out/package/models"
+for kind in simd scalar; do
+  step "engine to WebAssembly, $kind"
+  simd=$([ $kind = simd ] && echo ON || echo OFF)
+  emcmake cmake -S "$here/wasm" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -DSINEW_SKIN_SIMD="$simd" >"$build/$kind.log" 2>&1 &&
+    cmake --build "$build/$kind" -j "$(nproc)" >>"$build/$kind.log" 2>&1 || { cat "$build/$kind.log" >&2; exit 1; }
+  cp "$build/$kind/skin.wasm" "$out/package/wasm/$kind.wasm"
+  embed "$build/$kind/skin.wasm" "$out/package/wasm/$kind.js"
+done
+
+step "scripts and models"
+for model in default:weights rig:skeletons hands:hands; do
+  cp "$root/samples/data/sinew_${model%:*}.sinew" "$out/package/models/${model#*:}.sinew"
+  embed "$out/package/models/${model#*:}.sinew" "$out/package/models/${model#*:}.js"
+done
+cp -r "$here/src" "$here/README.md" "$root/LICENSE" "$out/package"
+node -e '
+  const { devDependencies, ...published } = JSON.parse(require("fs").readFileSync(process.argv[1]));
+  require("fs").writeFileSync(process.argv[2], JSON.stringify(published, null, 2) + "\n");
+' "$here/package.json" "$out/package/package.json"
+(cd "$out/package" && npm pack --silent --pack-destination "$out" >/dev/null)
+echo "npm: built $(ls "$out"/*.tgz)"

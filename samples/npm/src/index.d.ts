@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// Arrays are typed arrays, or plain arrays of numbers, which are copied. V vertices, J joints, N influences a vertex.
+
+type Numbers<T> = T | readonly number[];
+
+/** Triangles in `indices`, or polygons in `faceOffsets` and `faceVertices`, or neither: points alone. */
+export interface Mesh {
+  /** [V x 3] rest pose, any unit */
+  positions: Numbers<Float32Array>;
+  /** [3 x triangles] */
+  indices?: Numbers<Uint32Array> | Uint16Array;
+  /** [faces + 1] where each face's corners begin in faceVertices, and where the last one's end */
+  faceOffsets?: Numbers<Uint32Array>;
+  faceVertices?: Numbers<Uint32Array>;
+}
+
+export interface Skeleton {
+  /** [J x 3] rest pose, in the mesh's space */
+  positions: Numbers<Float32Array>;
+  /** [J] a joint's number, or -1 */
+  parents: Numbers<Int32Array>;
+  /** [J] tell controls, slots and bone ends from joints that deform, left from right, an arm from a leg */
+  names?: readonly string[];
+  /** [J] 1: never gets weight; 2: deforms, and joints without a 2 do not */
+  flags?: Numbers<Uint8Array>;
+}
+
+export interface SkinRows {
+  /** [V x N] */
+  joints: Numbers<Uint16Array>;
+  /** [V x N]: Uint16Array rows sum to 65535, others to 1 */
+  weights: Float32Array | Uint16Array | readonly number[];
+  /** N; 4 where it is missing */
+  influenceCount?: number;
+}
+
+export type AnswerKind = "as-proposed" | "rigid" | "soft" | "hard" | "softer" | "host";
+
+/** How the part that a vertex belongs to moves. */
+export interface Answer {
+  vertex: number;
+  kind: AnswerKind;
+  /** of "rigid" */
+  joint?: number;
+  /** for this part alone, not for parts alike */
+  alone?: boolean;
+}
+
+export interface Question {
+  /** first vertex of the part; it names the part in an answer */
+  vertex: number;
+  partCount: number;
+  vertexCount: number;
+  joint: number;
+  /** 0..1 */
+  share: number;
+  doubt: number;
+  gain: number;
+  alternatives: { kind: AnswerKind; joint: number; change: number }[];
+}
+
+/** Share of the work done, 0..1. Returning false cancels with a SinewError of status -8 (not in a worker: close() it). */
+export type Progress = (share: number) => boolean | void;
+
+export interface BindOptions<M = Model> {
+  model?: M;
+  /** "heat" needs no model */
+  method?: "model" | "heat";
+  /** N, 1..12; 4 */
+  influences?: number;
+  /** weights as floats of sum 1, or as Uint16Array of sum 65535 */
+  format?: "float" | "unorm16";
+  upAxis?: "y" | "z";
+  /** which joints may get weight: those whose names and places say so, or all that `flags` let */
+  joints?: "names" | "all";
+  /** bone ends keep the weight that they get */
+  keepTips?: boolean;
+  symmetric?: boolean;
+  rigidParts?: "auto" | "always" | "never";
+  /** how softly the model's weights blend, 0.25..4; 2: twice as softly */
+  softness?: number;
+  /** a mesh with more vertices is bound on a surface reduced to at most as many; 32768 */
+  surfaceVertices?: number;
+  /** [V] not 0: keeps its row of `given` */
+  locked?: Numbers<Uint8Array>;
+  /** [V] not 0: keeps its row of `given`, which steers its surroundings */
+  hints?: Numbers<Uint8Array>;
+  /** rows of locked and hinted vertices, N influences each */
+  given?: SkinRows;
+  answers?: readonly Answer[];
+  /** lists at most so many parts that are worth a question */
+  questions?: number;
+  onProgress?: Progress;
+}
+
+export interface Bound {
+  /** [V x N] by falling weight; unused slots are joint 0 with weight 0 */
+  joints: Uint16Array;
+  /** [V x N] */
+  weights: Float32Array | Uint16Array;
+  influenceCount: number;
+  vertexCount: number;
+  /** [V] 0..255: how sure the strongest joint is */
+  confidence: Uint8Array;
+  /** with `symmetric`: vertices that have a mirror image; 0: no mirror plane was found */
+  symmetricVertices: number;
+  /** joints that were given no weight */
+  leftOut: number[];
+  /** in the engine */
+  seconds: number;
+  workspaceBytes: number;
+  questions?: Question[];
+  /** [V] index of a question, or -1 */
+  vertexQuestions?: Int32Array;
+}
+
+export interface RigOptions<M = Model> {
+  /** of loadRigModel(); "shape" needs none */
+  model?: M;
+  /** of loadHandsModel(): with fingers */
+  handsModel?: M;
+  method?: "votes" | "shape";
+  upAxis?: "y" | "z";
+  mirror?: "auto" | "always" | "never";
+  /** joints between pelvis and neck or head, 1..16 */
+  spine?: number;
+  toes?: boolean;
+  /** bone ends */
+  ends?: boolean;
+  onProgress?: Progress;
+}
+
+export interface Rig extends Skeleton {
+  names: string[];
+  positions: Float32Array;
+  parents: Int32Array;
+  flags: Uint8Array;
+  /** [J] sinew_joint_class of sinew/rig.h */
+  classes: Uint8Array;
+  /** [J] mirror image, itself on the plane, or -1 */
+  partners: Int32Array;
+  /** [joints of the body] 0..1; fingers have none */
+  confidence: Float32Array;
+  mirrored: boolean;
+  quarterTurns: number;
+  plane: number;
+  /** below about 0.03 is good, above 0.09 the mesh resembles nothing that the model knows */
+  spread: number;
+}
+
+/** A skeleton to map. `up` where it is known; `ends` [J] 1: only says where a bone ends. */
+export interface MapRig extends Skeleton {
+  up?: "auto" | "x" | "y" | "z";
+  ends?: Numbers<Uint8Array>;
+}
+
+export interface JointMap {
+  /** [target J] joint of the source, or -1 */
+  sources: Int32Array;
+  /** [target J] 0..1 */
+  confidence: Float32Array;
+  reasons: string[];
+  mapped: number;
+  certainty: number;
+  method: "sinew" | "branches";
+}
+
+export interface MotionRig extends MapRig {
+  /** [J x 4] x y z w, how joints' axes are turned in the world at rest; as the world's where it is missing */
+  rotations?: Numbers<Float32Array>;
+}
+
+export interface RetargetOptions {
+  /** [target J] joint of the source, or -1; map() where it is missing */
+  map?: Numbers<Int32Array>;
+  /** [target J] sinew_joint_class; by names where it is missing */
+  classes?: Numbers<Uint8Array>;
+  sourceUp?: "auto" | "x" | "y" | "z";
+  targetUp?: "auto" | "x" | "y" | "z";
+  inPlace?: boolean;
+  /** lengths of the target per length of the source */
+  scale?: number;
+}
+
+/** Local rotations [frames x J x 4] x y z w and translations [frames x J x 3], in the parents' axes, the world's for roots. */
+export interface Poses {
+  rotations: Numbers<Float32Array>;
+  translations: Numbers<Float32Array>;
+}
+
+export interface ClipOptions {
+  /** the target's mesh (triangles) with its weights: feet stay where they stand */
+  body?: Mesh & { skin: SkinRows };
+  /** 30 */
+  fps?: number;
+}
+
+export interface DeformOptions {
+  method?: "volume" | "xpbd" | "delta-mush";
+  /** lattice cells along the longest side, 8..64; 32 */
+  cells?: number;
+  /** 1..200; 20 */
+  rounds?: number;
+  softness?: number;
+  twistSpread?: boolean;
+  contact?: boolean;
+  smoothing?: boolean;
+}
+
+export interface TransferOptions<M = Model> {
+  /** for what is bound anew; heat without one */
+  model?: M;
+  method?: "auto" | "nearest" | "biharmonic" | "rebind";
+  influences?: number;
+  format?: "float" | "unorm16";
+  upAxis?: "y" | "z";
+  sourceUpAxis?: "y" | "z";
+  /** the target is worn by the source: one space, one skeleton */
+  garment?: boolean;
+  /** [source J] joint of the target that stands for it, or -1; map() where it is missing */
+  jointMap?: Numbers<Int32Array>;
+  onProgress?: Progress;
+}
+
+export interface Transferred {
+  joints: Uint16Array;
+  weights: Float32Array | Uint16Array;
+  influenceCount: number;
+  vertexCount: number;
+  confidence: Uint8Array;
+  /** share of the weights that was carried over; the rest was bound anew */
+  carried: number;
+  parts: { vertex: number; vertexCount: number; reason: string; carried: number }[];
+}
+
+export interface SimplifyOptions {
+  level?: "high" | "low";
+  /** so many joints stay */
+  joints?: number;
+  /** [J] share of the surface that moves with the joint */
+  areas?: Numbers<Float32Array>;
+  /** [J] 1: stays */
+  keep?: Numbers<Uint8Array>;
+}
+
+/** What the engine refuses, or an argument of the wrong shape. */
+export class SinewError extends Error {
+  /** sinew_status of sinew/types.h; 0: the argument never reached the engine */
+  status: number;
+}
+
+export class Model {
+  private constructor();
+  readonly task: "weights" | "skeletons" | "hands";
+  readonly parameters: number;
+  free(): void;
+}
+
+export class Retarget {
+  private constructor();
+  readonly map: Int32Array;
+  clip(clip: Poses, options?: ClipOptions): { rotations: Float32Array; translations: Float32Array; frameCount: number };
+  free(): void;
+}
+
+export class Deformer {
+  private constructor();
+  readonly vertexCount: number;
+  readonly jointCount: number;
+  readonly tetrahedronCount: number;
+  /** palette: [J x 12] row-major 3x4, pose times inverse bind. corrected: false where matrices are no rotations of one scale */
+  pose(palette: Numbers<Float32Array>): { positions: Float32Array; corrected: boolean };
+  free(): void;
+}
+
+export class Skin {
+  private constructor();
+  readonly version: string;
+  readonly kernel: "simd128" | "ref";
+  model: Model | null;
+  openModel(bytes: ArrayBuffer | ArrayBufferView): Model;
+  bind(mesh: Mesh, skeleton: Skeleton, options?: BindOptions): Bound;
+  rig(mesh: Mesh, options?: RigOptions): Rig;
+  map(target: MapRig, source: MapRig, options?: { method?: "auto" | "sinew" | "branches"; pins?: { target: number; source: number }[] }): JointMap;
+  retarget(source: MotionRig, target: MotionRig, options?: RetargetOptions): Retarget;
+  deformer(mesh: Mesh, skeleton: Skeleton, skin: SkinRows, options?: DeformOptions): Deformer;
+  pose(positions: Numbers<Float32Array>, skin: SkinRows, palette: Numbers<Float32Array>, options?: { dualQuaternion?: boolean }): Float32Array;
+  transfer(source: { mesh: Mesh; skeleton: Skeleton; skin: SkinRows }, mesh: Mesh, skeleton: Skeleton, options?: TransferOptions): Transferred;
+  simplify(skeleton: Skeleton, options?: SimplifyOptions): Uint32Array;
+  chooseJoints(mesh: Mesh, skeleton: Skeleton): { flags: Uint8Array; tips: Uint8Array };
+  jointClasses(skeleton: Skeleton): { classes: Uint8Array; ends: Uint8Array };
+}
+
+export interface LoadOptions {
+  /** bytes of loadModel(): what bind() and transfer() use where their options name no model */
+  model?: ArrayBuffer | ArrayBufferView;
+  /** the module without SIMD even where SIMD is */
+  scalar?: boolean;
+  /** wasm/simd.wasm or wasm/scalar.wasm from elsewhere, instead of the copy in the bundle */
+  wasm?: WebAssembly.Module | ArrayBuffer | ArrayBufferView | URL | string | Response | Promise<Response>;
+}
+
+export function load(options?: LoadOptions): Promise<Skin>;
+export function hasSimd(): boolean;
+export function compile(source: NonNullable<LoadOptions["wasm"]>): Promise<WebAssembly.Module>;
+export function instantiate(module: WebAssembly.Module, imports: Record<string, Record<string, Function>>): Promise<WebAssembly.Exports>;
+export function decodeBase64(text: string): Uint8Array;
+
+/** For Babylon.js' VertexData; the ...Extra pair where there are more than four influences. */
+export function babylonBuffers(bound: { joints: Uint16Array; weights: Float32Array | Uint16Array; influenceCount: number }): {
+  matricesIndices: Float32Array;
+  matricesWeights: Float32Array;
+  matricesIndicesExtra?: Float32Array;
+  matricesWeightsExtra?: Float32Array;
+  numBoneInfluencers: number;
+};
+/** For PlayCanvas' SEMANTIC_BLENDINDICES and SEMANTIC_BLENDWEIGHT, four a vertex. */
+export function playcanvasBuffers(bound: { joints: Uint16Array; weights: Float32Array | Uint16Array; influenceCount: number }): {
+  blendIndices: Uint8Array | Uint16Array;
+  blendWeights: Float32Array;
+};

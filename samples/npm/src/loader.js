@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Starts a module of WebAssembly anywhere: in a page, a worker, node, with and without SIMD.
+
+// A function that adds two lanes: valid only where SIMD is.
+const simdProbe = new Uint8Array([
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
+]);
+
+/** Whether this browser or node runs WebAssembly's 128-bit SIMD. A module that uses it does not start where it is missing. */
+export const hasSimd = () => WebAssembly.validate(simdProbe);
+
+/** Bytes of an address: http(s) and data by fetch(), file: (node) from the disk. */
+async function bytesAt(url) {
+  const address = new URL(url, globalThis.location?.href ?? import.meta.url);
+  if (address.protocol === "file:") {
+    const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
+    return readFile(address);
+  }
+  const response = await fetch(address);
+  if (!response.ok) throw new Error(`${address}: ${response.status} ${response.statusText}, expected a WebAssembly file`);
+  return response.arrayBuffer();
+}
+
+/**
+ * A compiled module of what names or holds one.
+ * @param {WebAssembly.Module | BufferSource | URL | string | Response | Promise<unknown>} source
+ */
+export async function compile(source) {
+  const given = await source;
+  if (given instanceof WebAssembly.Module) return given;
+  if (typeof Response !== "undefined" && given instanceof Response) {
+    if (!given.ok) throw new Error(`${given.url}: ${given.status} ${given.statusText}, expected a WebAssembly file`);
+    return WebAssembly.compile(await given.arrayBuffer());
+  }
+  if (typeof given === "string" || given instanceof URL) return WebAssembly.compile(await bytesAt(given));
+  return WebAssembly.compile(given);
+}
+
+/**
+ * Starts a module. What it imports besides `imports` is the C library's world outside, which the engine never asks for:
+ * such a call is an error that says its name.
+ * @param {WebAssembly.Module} module
+ * @param {Record<string, Record<string, Function>>} imports
+ * @returns {Promise<WebAssembly.Exports>}
+ */
+export async function instantiate(module, imports) {
+  const all = {};
+  for (const { module: from, name, kind } of WebAssembly.Module.imports(module)) {
+    if (kind !== "function") throw new Error(`the module imports ${from}.${name}, a ${kind}, expected functions alone`);
+    const refuse = () => {
+      throw new Error(`the module called ${from}.${name}, which it has no use for`);
+    };
+    const quiet = name === "emscripten_notify_memory_growth" ? () => {} : refuse;
+    (all[from] ??= {})[name] = imports[from]?.[name] ?? quiet;
+  }
+  const { exports } = await WebAssembly.instantiate(module, all);
+  exports._initialize?.();
+  return exports;
+}
+
+/** Bytes of base64 text. */
+export function decodeBase64(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}

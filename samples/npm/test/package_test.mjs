@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// The tarball in fresh projects: node, TypeScript, esbuild and Vite with three.js in a headless Chromium. Weights are the command's.
+//   package_test.mjs BUILT_FOLDER REPOSITORY WORK_FOLDER COMMAND
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+import { bindHash, readObj, readRig } from "./characters.mjs";
+
+const [built, root, work, command] = process.argv.slice(2).map((path) => resolve(path));
+const here = dirname(fileURLToPath(import.meta.url)), tools = resolve(here, "../node_modules");
+const data = join(root, "samples/data");
+const samples = ["quadruped__tailed", "biped__robed", "biped__robot", "bird__winged", "many-legged__plated", "snake__long"];
+const tarball = join(built, readdirSync(built).find((name) => name.endsWith(".tgz")));
+let count = 0;
+const equal = (found, expected, what) => (++count, assert.deepEqual(found, expected, what));
+const check = (holds, what) => (++count, assert.ok(holds, what));
+const run = (program, args, cwd = work) => execFileSync(program, args, { cwd, encoding: "utf8", maxBuffer: 1 << 26 });
+const sinew = (...args) => run(command, args);
+
+for (const folder of ["npm", "web"]) // the page's test has the browser
+  if (!existsSync(join(root, "samples", folder, "node_modules/three"))) run("npm", ["ci", "--silent", "--no-audit", "--no-fund"], join(root, "samples", folder));
+rmSync(work, { recursive: true, force: true });
+mkdirSync(join(work, "shots"), { recursive: true });
+symlinkSync(tools, join(work, "node_modules")); // the projects' tools; the package itself comes from the tarball alone
+
+function project(name, from = name) {
+  const folder = join(work, name);
+  cpSync(join(here, "projects", from), folder, { recursive: true });
+  cpSync(join(here, "characters.mjs"), join(folder, "characters.mjs"));
+  run("npm", ["install", "--offline", "--no-audit", "--no-fund", "--ignore-scripts", "--silent", tarball], folder);
+  check(existsSync(join(folder, "node_modules/@sinew/skin/package.json")), `${name} has the package`);
+  return folder;
+}
+
+// What the command gives for a sample.
+function bound(name, ...options) {
+  const rig = join(work, `${name}.rig.txt`);
+  const args = ["bind", join(data, `${name}.obj`), "--skeleton", join(data, `${name}.rig.txt`), "--json", ...options];
+  const { hash } = JSON.parse(sinew(...args, "-o", rig));
+  return { hash, rows: readRig(readFileSync(rig, "utf8")).influences };
+}
+
+function node() {
+  const out = JSON.parse(run("node", ["main.mjs", data, ...samples], project("node")));
+  equal(out.kernels, ["simd128", "ref"], "SIMD is used, and left out where asked");
+  for (const name of samples) {
+    const plain = bound(name).hash;
+    equal(out.hashes[name].plain, plain, `${name}: the command's weights`);
+    equal(out.hashes[name].scalar, plain, `${name}: the same without SIMD`);
+    equal(out.hashes[name].heat, bound(name, "--method", "heat").hash, `${name}: heat`);
+    equal(out.hashes[name].symmetric, bound(name, "--symmetric").hash, `${name}: symmetric`);
+    equal(out.hashes[name].all, bound(name, "--all-joints").hash, `${name}: all joints`);
+    equal(out.hashes[name].rigid, bound(name, "--rigid-parts", "always", "--softness", "1.5").hash, `${name}: rigid parts, softer`);
+    const bare = join(work, "bare.obj"), rigged = join(work, "bare.rig.txt");
+    cpSync(join(data, `${name}.obj`), bare);
+    sinew("rig", bare, "-o", rigged);
+    const { skeleton } = readRig(readFileSync(rigged, "utf8"));
+    equal(out.rigs[name].names, skeleton.names, `${name}: the command's predicted skeleton`);
+    equal(out.rigs[name].parents, Array.from(skeleton.parents), `${name}: its hierarchy`);
+    check(out.rigs[name].positions.every((x, i) => Math.abs(x - skeleton.positions[i]) <= 1e-6), `${name}: its places`);
+  }
+  // Byte for byte, not by the hash alone.
+  const weights = bound(samples[0]).rows;
+  const rows = { joints: new Uint16Array(4 * weights.size), weights: new Uint16Array(4 * weights.size) };
+  for (const [v, row] of weights) row.forEach(([joint, weight], i) => ((rows.joints[4 * v + i] = joint), (rows.weights[4 * v + i] = weight)));
+  equal(bindHash(rows), out.hashes[samples[0]].plain, "the hash is of the rows that the command wrote");
+  check(out.floatSums < 1e-6, "rows of floats sum to 1");
+  check(out.questions.length > 0 && out.questions.every(([, alternatives]) => alternatives > 0), "questions have alternatives");
+  check(out.fingers > out.rigs[samples[0]].names.length - 1, "hands are looked at");
+  equal(out.locked, { row: [3, 0, 0, 0, 65535, 0, 0, 0], others: false }, "a locked vertex keeps its row, and no other changes");
+  equal(out.hints, { row: [3, 0, 0, 0, 65535, 0, 0, 0], others: true }, "a hint keeps its row and steers others");
+  const map = join(work, "map.txt");
+  sinew("map", join(data, `${samples[1]}.rig.txt`), "--from", join(data, `${samples[0]}.rig.txt`), "-o", map);
+  const target = readRig(readFileSync(join(data, `${samples[1]}.rig.txt`), "utf8")).skeleton;
+  const source = readRig(readFileSync(join(data, `${samples[0]}.rig.txt`), "utf8")).skeleton;
+  const lines = readFileSync(map, "utf8").split("\n").filter((line) => line && !line.startsWith("#")).map((line) => line.split(/\s+/));
+  const expected = target.names.map((name) => source.names.indexOf(lines.find(([to]) => to === name)?.[1]));
+  equal(out.map.sources, expected, "the command's map");
+  equal(out.frames, 2, "both frames are retargeted");
+  equal(out.rest.deformer, 0, "the rest pose comes back exactly");
+  check(out.rest.linear < 1e-6, "and by linear blending");
+  equal(out.bend, { corrected: true, differs: true }, "a bend is corrected");
+  check(out.dualQuaternion > 0.01, "dual quaternions move it");
+  check(out.transferred < 0.01, `a character's weights for its own mesh are its weights: ${out.transferred}`);
+  equal(out.simplified, 8, "eight joints stay");
+  const vertices = readObj(readFileSync(join(data, `${samples[0]}.obj`), "utf8")).positions.length / 3;
+  equal(out.babylon, [4 * vertices, 4 * vertices, 4], "Babylon's buffers");
+  equal(out.playcanvas, [`Uint8Array ${4 * vertices}`, `Float32Array ${4 * vertices}`], "PlayCanvas' buffers");
+  const errors = {
+    lengths: "SinewError 0: mesh.positions: expected three numbers each",
+    index: "SinewError 0: mesh.indices: expected indices below",
+    parent: "SinewError 0: skeleton.parents: expected -1 or a joint below 1, found 5 at 0",
+    cycle: "SinewError 0: skeleton.parents: expected a tree, found a cycle above joint 0",
+    option: 'SinewError 0: bind: options.method: expected "model", "heat", found "magic"',
+    finite: "SinewError -4: bind: ",
+    never: "SinewError -7: bind: ",
+    model: "SinewError -9: openModel: not a sinew model file",
+    task: "SinewError 0: bind: expected a model of weights, found one of skeletons",
+    cancelled: "SinewError -8: bind: ",
+  };
+  for (const [name, line] of Object.entries(errors)) check(out.errors[name].startsWith(line), `${name}: ${out.errors[name]}`);
+  equal(out.again, out.hashes[samples[0]].plain, "the engine works on after errors");
+  check(out.grown < 64, `thirty binds grow the process by ${out.grown} MB`);
+  equal(out.worker.hash, out.hashes[samples[0]].plain, "a worker of node's gives the same weights");
+  check(out.worker.told > 3, "and tells how far it is");
+  equal(out.worker.rest, 0, "a deformer lives in the worker");
+  check(out.worker.error.startsWith("SinewError mesh.positions"), out.worker.error);
+  equal(out.worker.closed, "the worker was closed", "closed is closed");
+  console.log(`npm: node: ${count} checks`);
+}
+
+function types() {
+  const folder = project("types");
+  const tsc = join(tools, "typescript/bin/tsc");
+  run("node", [tsc, "-p", folder], folder);
+  run("node", [tsc, "-p", folder, "--module", "esnext", "--moduleResolution", "bundler"], folder);
+  // What is marked as an error must be one, else the types allow anything.
+  const source = readFileSync(join(folder, "main.ts"), "utf8");
+  writeFileSync(join(folder, "main.ts"), source.replace('method: "magic"', 'method: "heat"'));
+  let line = "";
+  try {
+    run("node", [tsc, "-p", folder], folder);
+  } catch (error) {
+    line = error.stdout;
+  }
+  check(line.includes("Unused '@ts-expect-error'"), "the types are looked at");
+  console.log("npm: TypeScript, strict: nodenext and bundler");
+}
+
+function withSamples(folder) {
+  for (const ending of ["obj", "rig.txt"]) cpSync(join(data, `biped__robed.${ending}`), join(folder, `biped__robed.${ending}`));
+}
+
+async function page(name, folder) {
+  const server = await serve(folder);
+  const browser = await launch();
+  try {
+    const tab = await browser.context.newPage();
+    const problems = [];
+    tab.on("pageerror", (error) => problems.push(error.message));
+    tab.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+    await tab.goto(server.address);
+    await tab.waitForFunction(() => window.result, null, { timeout: 180000 });
+    const result = await tab.evaluate(() => window.result);
+    equal(result.error, undefined, `${name}: ${result.error}`);
+    equal(problems.filter((line) => !line.includes("favicon") && !line.includes("404")), [], `${name}: no errors`);
+    await tab.screenshot({ path: join(work, "shots", `${name}.png`) });
+    equal([result.kernel, result.remote], ["simd128", "simd128"], `${name}: SIMD`);
+    equal(result.hash, bound("biped__robed").hash, `${name}: bindGeometry() in a worker gives the command's weights`);
+    check(result.told > 3 && result.read, `${name}: progress, and bones read back`);
+    check(result.restMoves < 1e-5, `${name}: a bound mesh rests where it was, ${result.restMoves}`);
+    check(result.rigged > 10 && result.tracks > 5, `${name}: a predicted skeleton, a retargeted clip`);
+    check(result.moved > 0.3 && result.moved < 1.2 && result.hips < 0.05, `${name}: the other body waves where it stands, ${result.moved} ${result.hips}`);
+    check(result.corrected && result.fromLinear > 0 && result.fromLinear < 0.5, `${name}: the volume is kept, ${result.fromLinear}`);
+    console.log(`npm: ${name} in Chromium: ${JSON.stringify(result)}`);
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}
+
+async function vite() {
+  const folder = project("vite", "page");
+  mkdirSync(join(folder, "public"));
+  withSamples(join(folder, "public"));
+  run("node", [join(tools, "vite/bin/vite.js"), "build", "--base", "./", "--logLevel", "error"], folder);
+  await page("vite", join(folder, "dist"));
+}
+
+async function esbuild() {
+  const folder = project("esbuild", "page"), dist = join(folder, "dist");
+  run(join(tools, ".bin/esbuild"), ["main.js", "skin-worker.js", "--bundle", "--splitting", "--format=esm", "--target=es2022", `--outdir=${dist}`,
+    "--log-level=warning", "--external:node:*"], folder);
+  cpSync(join(folder, "index.html"), join(dist, "index.html"));
+  withSamples(dist);
+  await page("esbuild", dist);
+}
+
+const { launch, serve } = await import("../../web/test/browser.mjs"); // the page's, whose playwright is there by now
+node();
+types();
+await esbuild();
+await vite();
+console.log(`npm: ${count} checks passed; screenshots in ${join(work, "shots")}`);

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// A project of node's: every call of the package on a sample; prints one line of JSON.
+import { readFileSync } from "node:fs";
+import { Worker } from "node:worker_threads";
+import { babylonBuffers, load, playcanvasBuffers } from "@sinew/skin";
+import { loadHandsModel, loadModel, loadRigModel } from "@sinew/skin/model";
+import { connect } from "@sinew/skin/worker";
+import { bindHash, readObj, readRig, triangles } from "./characters.mjs";
+
+const [folder, ...names] = process.argv.slice(2);
+const read = (name) => ({
+  mesh: readObj(readFileSync(`${folder}/${name}.obj`, "utf8")),
+  skeleton: readRig(readFileSync(`${folder}/${name}.rig.txt`, "utf8")).skeleton,
+});
+const out = { hashes: {}, rigs: {}, errors: {} };
+const model = await loadModel();
+const skin = await load({ model });
+const scalar = await load({ model, scalar: true });
+out.kernels = [skin.kernel, scalar.kernel];
+
+for (const name of names) {
+  const { mesh, skeleton } = read(name);
+  const hash = (options, engine = skin) => bindHash(engine.bind(mesh, skeleton, { format: "unorm16", ...options }));
+  out.hashes[name] = {
+    plain: hash({}),
+    scalar: hash({}, scalar),
+    heat: hash({ method: "heat" }),
+    symmetric: hash({ symmetric: true }),
+    all: hash({ joints: "all" }),
+    rigid: hash({ rigidParts: "always", softness: 1.5 }),
+  };
+}
+
+const rigModel = skin.openModel(await loadRigModel()), handsModel = skin.openModel(await loadHandsModel());
+for (const name of names) {
+  const { mesh } = read(name);
+  const rig = skin.rig(mesh, { model: rigModel });
+  out.rigs[name] = { names: rig.names, positions: Array.from(rig.positions), parents: Array.from(rig.parents) };
+}
+
+const { mesh, skeleton } = read(names[0]);
+const bound = skin.bind(mesh, skeleton, { questions: 8 });
+out.floatSums = Math.max(...Array.from({ length: bound.vertexCount }, (_, v) => Math.abs(bound.weights.subarray(4 * v, 4 * v + 4).reduce((a, b) => a + b) - 1)));
+out.questions = bound.questions.map(({ vertex, alternatives }) => [vertex, alternatives.length]);
+out.fingers = skin.rig(mesh, { model: rigModel, handsModel }).names.length;
+
+// A locked vertex keeps its row to the bit; what it is told of steers a hint's surroundings.
+const rows = skin.bind(mesh, skeleton, { format: "unorm16" });
+const marks = new Uint8Array(bound.vertexCount);
+marks[7] = 1;
+const given = { joints: rows.joints.slice(), weights: rows.weights.slice() };
+given.joints.set([3, 0, 0, 0], 28);
+given.weights.set([65535, 0, 0, 0], 28);
+for (const kind of ["locked", "hints"]) {
+  const kept = skin.bind(mesh, skeleton, { format: "unorm16", [kind]: marks, given });
+  out[kind] = { row: [...kept.joints.subarray(28, 32), ...kept.weights.subarray(28, 32)], others: kept.weights.some((w, i) => w !== rows.weights[i] && i >> 2 !== 7) };
+}
+
+// Another character's map, motion, garment, poses.
+const other = read(names[1]);
+const map = skin.map(other.skeleton, skeleton);
+out.map = { sources: Array.from(map.sources), mapped: map.mapped };
+out.classes = Array.from(skin.jointClasses(other.skeleton).classes);
+const plan = skin.retarget(skeleton, other.skeleton, { map: map.sources });
+const local = (s) => Float32Array.from(s.positions, (x, i) => x - (s.parents[Math.floor(i / 3)] < 0 ? 0 : s.positions[3 * s.parents[Math.floor(i / 3)] + (i % 3)]));
+const still = new Float32Array(4 * skeleton.names.length).map((_, i) => (i % 4 === 3 ? 1 : 0));
+const clip = plan.clip({ rotations: Float32Array.from([...still, ...still]), translations: Float32Array.from([...local(skeleton), ...local(skeleton)]) });
+out.frames = clip.frameCount;
+out.restTurns = Math.max(...clip.rotations.map((x, i) => (i % 4 === 3 ? 0 : Math.abs(x))));
+plan.free();
+const identity = Float32Array.from({ length: 12 * skeleton.names.length }, (_, i) => (i % 12 === 0 || i % 12 === 5 || i % 12 === 10 ? 1 : 0));
+const deformer = skin.deformer(mesh, skeleton, rows);
+const farthest = (positions) => Math.max(...positions.map((x, i) => Math.abs(x - mesh.positions[i])));
+out.rest = { deformer: farthest(deformer.pose(identity).positions), linear: farthest(skin.pose(mesh.positions, rows, identity)) };
+const turned = identity.slice();
+const bent = names.length && skeleton.names.indexOf("leg_lower_front.L");
+turned.set([1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0], 12 * Math.max(bent, 1));
+out.bend = { corrected: deformer.pose(turned).corrected, differs: farthest(deformer.pose(turned).positions) > 0 };
+out.dualQuaternion = farthest(skin.pose(mesh.positions, rows, turned, { dualQuaternion: true }));
+deformer.free();
+const transferred = skin.transfer({ mesh, skeleton, skin: rows }, mesh, skeleton, { format: "unorm16", method: "nearest" });
+out.transferred = transferred.weights.filter((w, i) => Math.abs(w - rows.weights[i]) > 655).length / transferred.weights.length;
+out.simplified = new Set(skin.simplify(skeleton, { joints: 8 })).size;
+out.babylon = Object.values(babylonBuffers(bound)).map((one) => one.length ?? one);
+out.playcanvas = Object.values(playcanvasBuffers(bound)).map((one) => `${one.constructor.name} ${one.length}`);
+
+const error = (name, call) => {
+  try {
+    call();
+    out.errors[name] = "none";
+  } catch (e) {
+    out.errors[name] = `${e.name} ${e.status}: ${e.message}`;
+  }
+};
+error("lengths", () => skin.bind({ positions: [0, 1], indices: [] }, skeleton));
+error("index", () => skin.bind({ positions: mesh.positions, indices: [0, 1, 999999] }, skeleton));
+error("parent", () => skin.bind(mesh, { positions: [0, 0, 0], parents: [5] }));
+error("cycle", () => skin.bind(mesh, { positions: [0, 0, 0, 1, 1, 1], parents: [1, 0] }));
+error("option", () => skin.bind(mesh, skeleton, { method: "magic" }));
+error("finite", () => skin.bind({ positions: mesh.positions.map(() => NaN), indices: [0, 1, 2] }, skeleton));
+error("never", () => skin.bind(mesh, { ...skeleton, flags: new Uint8Array(skeleton.names.length).fill(1) }, { joints: "all" }));
+error("model", () => skin.openModel(new Uint8Array(100)));
+error("task", () => skin.bind(mesh, skeleton, { model: rigModel }));
+error("cancelled", () => skin.bind(mesh, skeleton, { onProgress: () => false }));
+out.again = bindHash(skin.bind(mesh, skeleton, { format: "unorm16" })); // after all of these
+
+// Memory is given back: a hundred binds need no more than one.
+const pages = () => skin.bind(mesh, skeleton, { format: "unorm16" }).workspaceBytes;
+pages();
+const before = process.memoryUsage().rss;
+for (let i = 0; i < 30; ++i) pages();
+out.grown = (process.memoryUsage().rss - before) / 1e6;
+
+const remote = await connect(new Worker(new URL("./skin-worker.mjs", import.meta.url)), { model });
+let told = 0;
+out.worker = { hash: bindHash(await remote.bind(mesh, skeleton, { format: "unorm16", onProgress: () => void ++told })) };
+out.worker.told = told;
+const far = await remote.deformer(mesh, skeleton, rows);
+out.worker.rest = farthest((await far.pose(identity)).positions);
+await far.free();
+out.worker.error = await remote.bind({ positions: [0, 1] }, skeleton).then(() => "none", (e) => `${e.name} ${e.message}`);
+await remote.close();
+out.worker.closed = await remote.bind(mesh, skeleton).then(() => "none", (e) => e.message);
+
+console.log(JSON.stringify(out));
