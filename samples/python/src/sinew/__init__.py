@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+"""sinew: skin weights, skeletons, joint maps, motion and poses of characters, by the engine's own library.
+
+    skeleton = sinew.Skeleton(joint_positions, parents, names)
+    skin = sinew.bind(positions, faces, skeleton)          # skin.joints [n, 4], skin.weights [n, 4]
+
+Numpy arrays go in and out. Every function's help() has shapes and units.
+"""
+from .binder import ANSWERS, bind
+from .binding import Cancelled, Error
+from .character import CLASSES, Alternative, Character, Clip, Question, Skeleton, Skin, multiply
+from .deforming import Deformer
+from .gltf import load, save
+from .mapping import REASONS, JointMap, map
+from .models import Model
+from .retargeting import joint_classes, retarget
+from .rigger import Rig, rig
+from .style import answers_by_style
+from .transferring import Transferred, TransferredPart, transfer
+
+__version__ = "0.1.0"
+__all__ = ["ANSWERS", "CLASSES", "REASONS", "Alternative", "Cancelled", "Character", "Clip", "Deformer", "Error", "JointMap",
+           "Model", "Question", "Rig", "Skeleton", "Skin", "Transferred", "TransferredPart", "answers_by_style", "bind", "joint_classes", "load",
+           "map", "multiply", "retarget", "rig", "save", "transfer"]

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""bind(): skin weights of a mesh for a skeleton."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import binding
+from .arrays import Mesh, chosen, mask
+from .character import Alternative, Question, Skeleton, Skin, skin_of
+from .models import Model, model_for
+
+METHODS = ("model", "heat")
+FORMATS = ("unorm16", "unorm8", "float")
+DTYPES = (np.uint16, np.uint8, np.float32)
+UP = ("y", "z")
+RIGID_PARTS = ("auto", "always", "never")
+ANSWERS = ("proposed", "rigid", "soft", "hard", "softer", "host")
+
+Joints = Optional[Iterable[Union[str, int]]]
+ProgressFunction = Optional[Callable[[float], Any]]
+
+
+def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model",
+         model: Union[None, str, Model] = None, influences: int = 4, weight_format: str = "unorm16", up: str = "y",
+         deform: Joints = None, never: Joints = None, symmetric: bool = False, rigid_parts: str = "auto",
+         softness: float = 1.0, surface_vertices: int = 0, locked: Any = None, hints: Any = None, given: Any = None,
+         questions: int = 0, answers: Sequence[Tuple] = (), threads: int = 1, progress: ProgressFunction = None) -> Skin:
+    """Predicts the skin weights of a mesh. The same bytes on every machine and for any number of threads.
+
+    positions     [n, 3] rest pose, any unit
+    faces         [f, 3], [f, 4], ragged lists, meshio's cells, or None; see arrays.Mesh
+    skeleton      joints in the same space; its `ends` get no weight
+    method        "model": the network; "heat": heat fields alone
+    model         file or Model; None: the bundled one
+    influences    most joints a vertex, 1 to 12
+    weight_format "unorm16", "unorm8" or "float"
+    up            axis that points up, "y" or "z"
+    deform        joints, by name or number, that deform; all others get no weight
+    never         joints that must get no weight
+    symmetric     mirror images get mirrored rows, to the last bit
+    rigid_parts   whether connected pieces move as a whole: "auto", "always", "never"
+    softness      0.25 to 4: how softly weights blend, 2 twice as softly
+    surface_vertices  a finer mesh is bound on a surface of so many; 0: 32768
+    locked        mask [n] or indices of vertices that keep their rows of `given`
+    hints         the same, and their rows steer the vertices around them
+    given         Skin, (joints, weights) or dense [n, j]: rows of locked and hinted vertices; others are not read
+    questions     list at most so many parts whose weights an artist should decide about
+    answers       (vertex, kind) or (vertex, "rigid", joint), with a last True for that part alone; kinds: ANSWERS
+    threads       1 to 64 of them work on the mesh
+    progress      called with the share that is done, 0 to 1; returns True to stop
+    Raises ValueError, which names the argument, for wrong shapes and values, Error for what the engine refuses, Cancelled.
+    Nothing that was given is changed. Other Python threads run meanwhile.
+    """
+    mesh = Mesh(positions, faces)
+    count = len(mesh.positions)
+    options = binding.init(binding.sinew_options)
+    options.method = chosen(method, METHODS, "method")
+    options.influence_count = _within(influences, 1, binding.MAX_INFLUENCES, "influences")
+    options.weight_format = chosen(weight_format, FORMATS, "weight_format")
+    options.up_axis = chosen(up, UP, "up")
+    options.symmetric = int(bool(symmetric))
+    options.rigid_parts = chosen(rigid_parts, RIGID_PARTS, "rigid_parts")
+    options.softness_percent = _within(round(100 * softness), 25, 400, "softness (in percent)")
+    options.surface_vertices = surface_vertices
+    options.question_count = _within(questions, 0, binding.MAX_QUESTIONS, "questions")
+    said = _answers(answers, count, skeleton)
+    options.answers, options.answer_count = said, len(said)
+    joints = np.zeros((count, influences), np.uint16)
+    weights = np.zeros((count, influences), DTYPES[options.weight_format])
+    locked, hints = mask(locked, count, "locked"), mask(hints, count, "hints")
+    _fill_given(given, locked, hints, skeleton, joints, weights)
+    options.locked, options.hints = binding.address(locked), binding.address(hints)
+    used = model_for(model, "weights") if method == "model" else None
+
+    outputs = binding.init(binding.sinew_bind_outputs)
+    outputs.joint_indices, outputs.weights = binding.address(joints), binding.address(weights)
+    confidence = np.empty(count, np.uint8)
+    outputs.confidence = binding.address(confidence)
+    asked = (binding.sinew_question * questions)()
+    parts = [np.empty(count, np.uint32) if questions else None for _ in range(2)]
+    if questions:
+        outputs.questions = asked
+        outputs.vertex_questions, outputs.vertex_parts = (binding.address(p) for p in parts)
+    flags = joint_flags(skeleton, deform, never)
+    view = skeleton_view(skeleton, flags)
+    report = binding.Progress(progress)
+    options.progress = report.callback
+    with binding.Threads(threads) as pool:
+        options.thread_count, options.parallel_for = pool.count, pool.callback
+        pointer = used.pointer() if used is not None else None
+        block = binding.block("sinew_bind_workspace_size", "bind", pointer, *mesh.counts, len(skeleton), ctypes.byref(options))
+        status = binding.library().sinew_bind(pointer, mesh.pointer(), ctypes.byref(view), ctypes.byref(options), block.address,
+                                              block.size_bytes, ctypes.byref(outputs))
+    report.finish(status, "bind")
+    listed = [_question(q) for q in asked[:outputs.questions_written]]
+    return Skin(joints, weights, confidence, outputs.symmetric_vertices, listed, *parts)
+
+
+def joint_flags(skeleton: Skeleton, deform: Joints, never: Joints) -> np.ndarray:
+    """[j] uint8 of sinew_skeleton::flags."""
+    flags = np.zeros(len(skeleton), np.uint8)
+    if skeleton.ends is not None:
+        flags[skeleton.ends] |= binding.JOINT_NEVER
+    for joints, flag, name in ((deform, binding.JOINT_DEFORMS, "deform"), (never, binding.JOINT_NEVER, "never")):
+        for joint in joints if joints is not None else ():
+            flags[skeleton.index(joint, name)] |= flag
+    return flags
+
+
+def skeleton_view(skeleton: Skeleton, flags: Optional[np.ndarray]) -> binding.sinew_skeleton:
+    """The engine's view; it borrows the arrays."""
+    return binding.sinew_skeleton(positions=binding.address(skeleton.positions), parents=binding.address(skeleton.parents),
+                                  flags=binding.address(flags), joint_count=len(skeleton))
+
+
+def _within(value: Any, low: int, high: int, name: str) -> int:
+    if not low <= value <= high:
+        raise ValueError(f"{name}: expected {low} to {high}, found {value}")
+    return int(value)
+
+
+def _fill_given(given: Any, locked: Optional[np.ndarray], hints: Optional[np.ndarray], skeleton: Skeleton,
+                joints: np.ndarray, weights: np.ndarray) -> None:
+    """Rows of locked and hinted vertices, rounded as the engine rounds, into the outputs."""
+    if locked is None and hints is None:
+        return
+    if given is None:
+        raise ValueError("given: locked and hinted vertices keep rows, and there are none; give a Skin or an array [n, j]")
+    skin = skin_of(given, len(joints), len(skeleton), "given").rounded(
+        joints.shape[1], 255 if weights.dtype == np.uint8 else 65535)
+    kept = np.zeros(len(joints), bool)
+    for one in (locked, hints):
+        if one is not None:
+            kept |= one != 0
+    empty = np.flatnonzero(kept & (skin.weights.sum(1) == 0))
+    if len(empty):
+        raise ValueError(f"given: vertex {empty[0]} is locked or a hint and has no weight; leave it out or give it one")
+    joints[kept] = skin.joints[kept]
+    rows = skin.weights[kept]
+    weights[kept] = rows.astype(np.float32) / np.float32(65535) if weights.dtype == np.float32 else rows
+
+
+def _answers(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) -> Any:
+    out = (binding.sinew_answer * len(answers))()
+    for i, answer in enumerate(answers):
+        name = f"answers[{i}]"
+        rest: List[Any] = list(answer)
+        alone = rest.pop() if len(rest) > 2 and isinstance(rest[-1], bool) else False
+        if len(rest) not in (2, 3) or (len(rest) == 3) != (rest[1] == "rigid"):
+            raise ValueError(f"{name}: expected (vertex, kind) or (vertex, 'rigid', joint), found {answer!r}")
+        if not 0 <= rest[0] < vertex_count:
+            raise ValueError(f"{name}: the mesh has vertices 0 to {vertex_count - 1}, found {rest[0]}")
+        joint = skeleton.index(rest[2], name) if len(rest) == 3 else 0
+        out[i] = binding.sinew_answer(rest[0], chosen(rest[1], ANSWERS, name), joint, int(alone))
+    return out
+
+
+def _question(q: binding.sinew_question) -> Question:
+    alternatives = [Alternative(ANSWERS[a.kind], a.joint, a.change / 65536) for a in q.alternatives[:q.alternative_count]]
+    return Question(q.vertex, q.part_count, q.vertex_count, q.joint, q.share / 65535, q.doubt / 65536, q.gain / 65536, alternatives)

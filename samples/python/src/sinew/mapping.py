@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""map(): which joint of one skeleton stands for which of another."""
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional, Union
+
+import numpy as np
+
+from . import binding
+from .arrays import chosen
+from .character import Skeleton
+
+MAP_METHODS = ("auto", "anatomy", "branches")
+REASONS = ("found", "pinned", "no counterpart", "fewer joints", "end", "outside", "taken", "beside the limits")
+_UP = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "auto": (0, 0, 0)}
+
+
+@dataclass
+class JointMap:
+    """sources     [target j] int32, the source's joint, -1 for none
+    confidence  [target j] float32, 0 to 1, 0 without a source
+    reasons     [target j] uint8, indices of REASONS
+    certainty   0 to 1, how sure front and sides of both are; below 0.5 left and right may be exchanged
+    method      "anatomy" or "branches"
+    """
+
+    sources: np.ndarray
+    confidence: np.ndarray
+    reasons: np.ndarray
+    certainty: float
+    method: str
+
+
+def map(target: Skeleton, source: Skeleton, *, method: str = "auto",
+        pins: Optional[Mapping[Union[str, int], Union[str, int, None]]] = None, names: bool = True,
+        target_up: str = "y", source_up: str = "y") -> JointMap:
+    """Finds a source for every joint of the target that has a counterpart. The same bytes on every machine.
+
+    pins       {target joint: source joint or None}, by names or numbers: kept as they are, and the rest follows them
+    names      whether names are read
+    target_up, source_up  "x", "y", "z", or "auto" where it is not known
+    Raises ValueError and Error.
+    """
+    options = binding.init(binding.sinew_map_options)
+    options.method = chosen(method, MAP_METHODS, "method")
+    said = pins or {}
+    listed = (binding.sinew_map_pin * len(said))()
+    for i, (to, of) in enumerate(said.items()):
+        listed[i] = binding.sinew_map_pin(target.index(to, "pins"), -1 if of is None else source.index(of, "pins"))
+    options.pins, options.pin_count = listed, len(said)
+    views = [_view(target, names, target_up, "target_up"), _view(source, names, source_up, "source_up")]
+    sources = np.zeros(len(target), np.int32)
+    confidence, reasons = np.zeros(len(target), np.uint16), np.zeros(len(target), np.uint8)
+    outputs = binding.init(binding.sinew_map_outputs)
+    outputs.sources, outputs.confidence, outputs.reasons = (binding.address(a) for a in (sources, confidence, reasons))
+    block = binding.block("sinew_map_workspace_size", "map", len(target), len(source))
+    binding.check(binding.library().sinew_map(ctypes.byref(views[0]), ctypes.byref(views[1]), ctypes.byref(options),
+                                              block.address, block.size_bytes, ctypes.byref(outputs)), "map")
+    return JointMap(sources, confidence.astype(np.float32) / np.float32(32768), reasons, outputs.certainty / 32768,
+                    MAP_METHODS[outputs.method])
+
+
+def _view(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
+    chosen(up, list(_UP), argument)
+    view = binding.init(binding.sinew_map_rig)
+    view.joint_count = len(skeleton)
+    view.positions, view.parents = binding.address(skeleton.positions), binding.address(skeleton.parents)
+    if names:
+        view.names = (ctypes.c_char_p * len(skeleton))(*[str(n).encode() for n in skeleton.names])
+    if skeleton.ends is not None:
+        view.kept_ends = skeleton.ends.astype(np.uint8)  # the view borrows it
+        view.ends = binding.address(view.kept_ends)
+    view.up = (ctypes.c_float * 3)(*_UP[up])
+    return view

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""retarget(): motion of one skeleton on another."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Optional, Union
+
+import numpy as np
+
+from . import binding
+from .arrays import Mesh, chosen, whole
+from .binder import ProgressFunction
+from .character import CLASSES, Character, Clip, Skeleton
+from .mapping import JointMap, map as map_joints
+
+RETARGET_METHODS = ("auto", "copy", "contacts")
+RETARGET_UP = ("auto", "x", "y", "z")
+
+# Joints of a human body, metres, y up, facing +z: what tells arms and legs of a skeleton whose classes are not known.
+# Class, parent, place; those of the left side have partners on the right.
+_BODY = (("pelvis", -1, (0, 0.98, 0)), ("spine", 0, (0, 1.12, -0.01)), ("spine", 1, (0, 1.27, -0.02)), ("neck", 2, (0, 1.48, -0.015)),
+         ("head", 3, (0, 1.58, 0.01)))
+_LEFT = (("clavicle", 2, (0.04, 1.43, -0.02)), ("upper_arm", 5, (0.17, 1.42, -0.03)), ("forearm", 6, (0.45, 1.42, -0.035)),
+         ("hand", 7, (0.71, 1.42, -0.03)), ("thigh", 0, (0.095, 0.93, 0)), ("calf", 9, (0.1, 0.51, 0.01)),
+         ("foot", 10, (0.105, 0.09, -0.03)), ("toe", 11, (0.11, 0.02, 0.1)))
+
+
+def _body() -> Skeleton:
+    joints = list(_BODY)
+    for side in (1, -1):
+        shift = len(joints) - len(_BODY)
+        joints += [(c, p + shift if p >= len(_BODY) else p, (side * x, y, z)) for c, p, (x, y, z) in _LEFT]
+    classes = [CLASSES.index(c) for c, _, _ in joints]
+    return Skeleton([p for _, _, p in joints], [p for _, p, _ in joints], classes=classes)
+
+
+def joint_classes(skeleton: Skeleton, up: str = "y") -> np.ndarray:
+    """[j] uint8 of CLASSES: the skeleton's own, else by laying a human body over it; "other" where that says nothing."""
+    if skeleton.classes is not None:
+        return skeleton.classes
+    body = _body()
+    found = map_joints(skeleton, body, names=False, target_up=up)
+    classes = np.full(len(skeleton), CLASSES.index("other"), np.uint8)
+    if found.method == "anatomy":
+        mapped = found.sources >= 0
+        classes[mapped] = body.classes[found.sources[mapped]]
+    return classes
+
+
+def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None,
+             method: str = "auto", in_place: bool = False, scale: float = 0.0, source_up: str = "auto", target_up: str = "auto",
+             source_body: Optional[Character] = None, target_body: Optional[Character] = None,
+             progress: ProgressFunction = None) -> Clip:
+    """Plays a clip of the source on the target. The same bytes on every machine.
+
+    clip         poses of the source's joints
+    joint_map    what map() gives, or [target j] integers of the source's joints, -1 for none; None: map() is asked
+    method       "copy": joints turn as their sources do; "contacts": then feet stay where they stand and hands keep in touch;
+                 "auto": contacts where there is a target_body, else copy
+    in_place     the target stays above where it stands at rest
+    scale        lengths of the target per length of the source; 0: by their legs
+    source_up, target_up  "x", "y", "z", or "auto": away from where the legs point
+    target_body  the bound mesh of the target, whose feet stand; with a source_body of the same vertices hands keep in touch
+    progress     called with the share that is done; returns True to stop
+    Returns a Clip of the target's joints. Raises ValueError, Error and Cancelled.
+    """
+    if clip.rotations.shape[1] != len(source):
+        raise ValueError(f"clip.rotations: expected {len(source)} joints as the source has, found {clip.rotations.shape[1]}")
+    contacts = chosen(method, RETARGET_METHODS, "method") == 2 or (method == "auto" and target_body is not None)
+    if contacts and target_body is None:
+        raise ValueError("target_body: method='contacts' needs the bound mesh of the target")
+    if joint_map is None:
+        joint_map = map_joints(target, source, target_up=target_up, source_up=source_up)
+    sources = joint_map.sources if isinstance(joint_map, JointMap) else joint_map
+    sources = whole(sources, (len(target),), "joint_map", np.int32, -1, len(source))
+    options = binding.init(binding.sinew_retarget_options)
+    options.in_place, options.scale = int(bool(in_place)), scale
+    options.source_up = chosen(source_up, RETARGET_UP, "source_up")
+    options.target_up = chosen(target_up, RETARGET_UP, "target_up")
+    classes = joint_classes(target, target_up)
+    library = binding.library()
+    memory = binding.block("sinew_retarget_size", "retarget", len(source), len(target))
+    plan = ctypes.c_void_p()
+    views = [binding.sinew_motion_rig(binding.address(s.positions), binding.address(s.parents), binding.address(s.rotations), len(s))
+             for s in (source, target)]
+    binding.check(library.sinew_retarget_create(ctypes.byref(views[0]), ctypes.byref(views[1]), binding.address(sources),
+                                                binding.address(classes), ctypes.byref(options), memory.address,
+                                                memory.size_bytes, ctypes.byref(plan)), "retarget")
+    frames = len(clip.rotations)
+    heights = np.zeros(frames, np.float32)
+    value = ctypes.c_float()
+    for f in range(frames):
+        binding.check(library.sinew_retarget_height(plan, clip.rotations[f].ctypes.data, clip.translations[f].ctypes.data,
+                                                    ctypes.byref(value)), "retarget")
+        heights[f] = value.value
+    binding.check(library.sinew_retarget_ground(plan, heights.ctypes.data, frames, ctypes.byref(value)), "retarget")
+    ground = value.value
+    out = Clip(np.zeros((frames, len(target), 4), np.float32), np.zeros((frames, len(target), 3), np.float32), clip.fps, clip.name)
+    for f in range(frames):
+        if progress is not None and progress((0.5 if contacts else 1.0) * f / frames):
+            raise binding.Cancelled("retarget: the progress function asked to stop")
+        binding.check(library.sinew_retarget_frame(plan, clip.rotations[f].ctypes.data, clip.translations[f].ctypes.data, ground,
+                                                   out.rotations[f].ctypes.data, out.translations[f].ctypes.data), "retarget")
+    if contacts:
+        half = None if progress is None else (lambda share: progress(0.5 + share / 2))
+        _keep_contacts(plan, clip, out, ground, source_body, target_body, half)
+    return out
+
+
+def _body_view(body: Character, name: str) -> Any:
+    if body.skin is None:
+        raise ValueError(f"{name}: has no skin; bind it first")
+    skin = body.skin.rounded(body.skin.joints.shape[1])
+    mesh = Mesh(body.positions, body.faces, name + ".")
+    triangles = mesh.triangles()
+    view = binding.sinew_motion_body(binding.address(mesh.positions), binding.address(skin.joints), binding.address(skin.weights),
+                                     binding.address(triangles), len(mesh.positions), skin.joints.shape[1], len(triangles))
+    view.kept = (mesh, skin, triangles)  # the view borrows them
+    return view
+
+
+def _keep_contacts(plan: ctypes.c_void_p, clip: Clip, out: Clip, ground: float, source_body: Optional[Character],
+                   target_body: Character, progress: ProgressFunction) -> None:
+    library = binding.library()
+    target = _body_view(target_body, "target_body")
+    source = None if source_body is None else _body_view(source_body, "source_body")
+    if source is not None and source.vertex_count != target.vertex_count:
+        raise ValueError(f"source_body: expected {target.vertex_count} vertices as target_body has, found {source.vertex_count}")
+    options = binding.init(binding.sinew_contact_options)
+    options.fps = clip.fps
+    report = binding.Progress(progress)
+    options.progress = report.callback
+    whole_clip = binding.sinew_motion_clip(binding.address(clip.rotations), binding.address(clip.translations),
+                                           binding.address(out.rotations), binding.address(out.translations),
+                                           len(clip.rotations), ground)
+    block = binding.block("sinew_retarget_contacts_size", "retarget", plan, ctypes.byref(target), len(clip.rotations))
+    status = library.sinew_retarget_contacts(plan, None if source is None else ctypes.byref(source), ctypes.byref(target),
+                                             ctypes.byref(whole_clip), ctypes.byref(options), block.address, block.size_bytes)
+    report.finish(status, "retarget")

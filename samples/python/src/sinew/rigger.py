@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""rig(): a skeleton for a bare mesh."""
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy as np
+
+from . import binding
+from .arrays import Mesh, chosen
+from .binder import UP, ProgressFunction
+from .character import Skeleton
+from .models import Model, model_for
+
+RIG_METHODS = ("votes", "shape", "regions")
+MIRRORS = ("auto", "always", "never")
+
+
+@dataclass
+class Rig:
+    """A predicted skeleton and how sure it is.
+
+    confidence, parent_confidence  [j] float32, 0 to 1: of the joint's place, of its parent
+    partners       [j] int32, the joint's mirror image, itself on the plane, -1 where nothing is mirrored
+    mirrored       whether the skeleton is its own mirror image
+    quarter_turns  where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
+    plane          where the mirror plane is, across x for 0 and 2, else across z
+    spread         how far off the votes think they are: below 0.03 is good, above 0.09 method="shape" is no worse
+    """
+
+    skeleton: Skeleton
+    confidence: np.ndarray
+    parent_confidence: np.ndarray
+    partners: np.ndarray
+    mirrored: bool
+    quarter_turns: int
+    plane: float
+    spread: float
+
+
+def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None, str, Model] = None, up: str = "y",
+        mirror: str = "auto", spine: int = 0, toes: bool = True, ends: bool = True, fingers: bool = False,
+        face: bool = False, props: bool = False, hands_model: Union[None, str, Model] = None, progress: ProgressFunction = None) -> Rig:
+    """Predicts a skeleton for a mesh. The same bytes on every machine; bind() takes its `skeleton` as it is.
+
+    positions    [n, 3] any unit
+    faces        as bind() takes them; None: the vertices are all that is seen
+    method       "votes": by the model; "shape": the middle line of the mesh, without a model; "regions": for comparison
+    model        file or Model of skeletons; None: the bundled one
+    up           axis that points up, "y" or "z"
+    mirror       "auto": where the mesh is its own mirror image; "always", "never"
+    spine        1 to 16 joints between pelvis and neck; 0: as the model says
+    toes, ends   whether there are toe joints, and joints that only end bones
+    fingers      whether hands get fingers, where the mesh shows any; hands_model: None = the bundled one
+    face, props  whether heads get eyes and a jaw, and hands a joint for what they hold, where the mesh shows it
+    progress     called with the share that is done; returns True to stop
+    Raises ValueError, Error and Cancelled as bind() does.
+    """
+    mesh = Mesh(positions, faces)
+    options = binding.init(binding.sinew_rig_options)
+    options.method = chosen(method, RIG_METHODS, "method")
+    options.up_axis = chosen(up, UP, "up")
+    options.mirror = chosen(mirror, MIRRORS, "mirror")
+    if not 0 <= spine <= 16:
+        raise ValueError(f"spine: expected 0 to 16, found {spine}")
+    options.spine_count, options.no_toes, options.no_ends = spine, int(not toes), int(not ends)
+    report = binding.Progress(progress)
+    options.progress = report.callback
+    room = binding.MAX_RIG_JOINTS
+    arrays = {"positions": np.zeros((room, 3), np.float32), "parents": np.zeros(room, np.int32), "flags": np.zeros(room, np.uint8),
+              "joint_classes": np.zeros(room, np.uint8), "partners": np.zeros(room, np.int32),
+              "confidence": np.zeros(room, np.uint16), "parent_confidence": np.zeros(room, np.uint16),
+              "names": np.zeros(room, f"S{binding.JOINT_NAME_BYTES}")}
+    outputs = binding.init(binding.sinew_rig_outputs)
+    for name, array in arrays.items():
+        setattr(outputs, name, binding.address(array))
+
+    def run(call: str, query: str, *pointer: Any) -> None:
+        block = binding.block(query, "rig", *pointer, *mesh.counts, ctypes.byref(options))
+        status = getattr(binding.library(), call)(*pointer, mesh.pointer(), ctypes.byref(options), block.address,
+                                                  block.size_bytes, ctypes.byref(outputs))
+        report.finish(status, "rig")
+
+    run("sinew_rig", "sinew_rig_workspace_size", model_for(model, "skeletons").pointer() if method == "votes" else None)
+    if fingers:
+        run("sinew_rig_hands", "sinew_rig_hands_workspace_size", model_for(hands_model, "hands").pointer())
+    if face:
+        run("sinew_rig_face", "sinew_rig_face_workspace_size")
+    if props:
+        run("sinew_rig_props", "sinew_rig_face_workspace_size")
+    found = {name: array[:outputs.joint_count] for name, array in arrays.items()}
+    skeleton = Skeleton(found["positions"].copy(), found["parents"], [n.decode() for n in found["names"]],
+                        classes=found["joint_classes"], ends=found["flags"] & binding.JOINT_NEVER != 0)
+    sure = [found[name].astype(np.float32) / np.float32(32768) for name in ("confidence", "parent_confidence")]
+    return Rig(skeleton, *sure, found["partners"], bool(outputs.mirrored), outputs.quarter_turns, outputs.plane, outputs.spread)

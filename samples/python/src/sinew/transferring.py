@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""transfer(): weights of a bound character for another mesh."""
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import binding
+from .arrays import Mesh, chosen, mask, whole
+from .binder import UP, Joints, ProgressFunction, joint_flags, skeleton_view
+from .character import Character, Skeleton, Skin, skin_of
+from .mapping import map as map_joints
+from .models import Model, model_for
+
+TRANSFER_METHODS = ("auto", "nearest", "biharmonic", "rebind")
+TRANSFER_REASONS = ("asked", "style", "mismatch", "plain", "near", "far", "no match", "kept")
+
+
+@dataclass
+class TransferredPart:
+    """A connected piece of the target. `carried`: share of its weights that was carried over, the rest was bound anew."""
+
+    vertex: int
+    vertex_count: int
+    reason: str
+    carried: float
+
+
+@dataclass
+class Transferred:
+    """skin: rows of the target; carried: share of all of them that was carried over; parts by falling size."""
+
+    skin: Skin
+    carried: float
+    parts: List[TransferredPart]
+
+
+def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[Skeleton] = None, *, method: str = "auto",
+             joint_map: Any = None, garment: bool = False, heat: bool = False, model: Union[None, str, Model] = None,
+             influences: int = 4, up: str = "y", source_up: Optional[str] = None, never: Joints = None, locked: Any = None,
+             given: Any = None, pairs: Sequence[Tuple[int, int]] = (), threads: int = 1,
+             progress: ProgressFunction = None) -> Transferred:
+    """Carries weights to another mesh. The same bytes on every machine and for any number of threads.
+
+    source      bound character: mesh, skeleton and skin
+    positions   [n, 3] of the target; faces as bind() takes them
+    skeleton    of the target; None: the source's own
+    method      "auto": a balance of nearest and rebind; "nearest", "biharmonic", "rebind"
+    joint_map   [source j] the target's joint that stands for it, -1 for none; None: joints of equal names, else map()
+    garment     the target is worn by the source: one space, one skeleton
+    heat        binds are by heat alone; else by `model`, None: the bundled one
+    influences  most joints a vertex, 1 to 12
+    up, source_up  axes that point up, "y" or "z"; source_up None: as up
+    never       joints of the target that must get no weight
+    locked      mask [n] or indices of vertices that keep their rows of `given`
+    pairs       (source vertex, target vertex) of the same place, for "biharmonic"
+    Raises ValueError, Error and Cancelled as bind() does.
+    """
+    if source.skin is None or source.skeleton is None:
+        raise ValueError("source: has no skin to carry over; bind it first")
+    skeleton = source.skeleton if skeleton is None else skeleton
+    of_mesh, mesh = Mesh(source.positions, source.faces, "source."), Mesh(positions, faces)
+    count = len(mesh.positions)
+    of_skin = skin_of(source.skin, len(of_mesh.positions), len(source.skeleton), "source.skin")
+    mapped = _joint_map(joint_map, source.skeleton, skeleton, up, source_up or up)
+    options = binding.init(binding.sinew_transfer_options)
+    options.method = chosen(method, TRANSFER_METHODS, "method")
+    if not 1 <= influences <= binding.MAX_INFLUENCES:
+        raise ValueError(f"influences: expected 1 to {binding.MAX_INFLUENCES}, found {influences}")
+    options.influence_count = influences
+    options.up_axis, options.source_up_axis = chosen(up, UP, "up"), chosen(source_up or up, UP, "source_up")
+    if garment and method == "biharmonic":
+        raise ValueError("garment: it lies on its body; give method 'auto', 'nearest' or 'rebind'")
+    options.garment = int(bool(garment))
+    listed = (binding.sinew_vertex_pair * len(pairs))(*[binding.sinew_vertex_pair(int(s), int(t)) for s, t in pairs])
+    options.pairs, options.pair_count = listed, len(pairs)
+    joints, weights = np.zeros((count, influences), np.uint16), np.zeros((count, influences), np.uint16)
+    locked = mask(locked, count, "locked")
+    if locked is not None:
+        if given is None:
+            raise ValueError("given: locked vertices keep rows, and there are none; give a Skin or an array [n, j]")
+        kept = skin_of(given, count, len(skeleton), "given").rounded(influences)
+        joints[locked != 0], weights[locked != 0] = kept.joints[locked != 0], kept.weights[locked != 0]
+    options.locked = binding.address(locked)
+    confidence, parts = np.empty(count, np.uint8), (binding.sinew_transfer_part * 64)()
+    vertex_parts = np.empty(count, np.uint32)
+    outputs = binding.init(binding.sinew_transfer_outputs)
+    outputs.joint_indices, outputs.weights = binding.address(joints), binding.address(weights)
+    outputs.confidence, outputs.vertex_parts = binding.address(confidence), binding.address(vertex_parts)
+    outputs.parts, outputs.part_capacity = parts, len(parts)
+    views = [skeleton_view(source.skeleton, joint_flags(source.skeleton, None, None)),
+             skeleton_view(skeleton, joint_flags(skeleton, None, never))]
+    bound = binding.sinew_bound_character(
+        mesh=ctypes.pointer(of_mesh.struct), skeleton=ctypes.pointer(views[0]), joint_indices=binding.address(of_skin.joints),
+        weights=binding.address(of_skin.weights), influence_count=of_skin.joints.shape[1],
+        weight_format={1: 1, 2: 0}.get(of_skin.weights.dtype.itemsize, 2), joint_map=binding.address(mapped))
+    used = None if heat else model_for(model, "weights")
+    pointer = None if used is None else used.pointer()
+    report = binding.Progress(progress)
+    options.progress = report.callback
+    with binding.Threads(threads) as pool:
+        options.thread_count, options.parallel_for = pool.count, pool.callback
+        common = (pointer, ctypes.byref(bound), mesh.pointer(), ctypes.byref(views[1]), ctypes.byref(options))
+        block = binding.block("sinew_transfer_workspace_size", "transfer", *common)
+        status = binding.library().sinew_transfer(*common, block.address, block.size_bytes, ctypes.byref(outputs))
+    report.finish(status, "transfer")
+    skin = Skin(joints, weights, confidence, vertex_parts=vertex_parts)
+    told = [TransferredPart(p.vertex, p.vertex_count, TRANSFER_REASONS[p.reason], p.carried_q16 / 65536)
+            for p in parts[:min(outputs.part_count, len(parts))]]
+    return Transferred(skin, outputs.carried_q16 / 65536, told)
+
+
+def _joint_map(joint_map: Any, source: Skeleton, target: Skeleton, up: str, source_up: str) -> np.ndarray:
+    """[source j] int32."""
+    if joint_map is not None:
+        return whole(joint_map, (len(source),), "joint_map", np.int32, -1, len(target))
+    numbers = {name: i for i, name in enumerate(target.names)}
+    by_name = np.array([numbers.get(name, -1) for name in source.names], np.int32)
+    if (by_name >= 0).sum() * 2 >= min(len(source), len(target)):
+        return by_name
+    found = map_joints(source, target, target_up=source_up, source_up=up).sources
+    return np.where(by_name >= 0, by_name, found).astype(np.int32)
