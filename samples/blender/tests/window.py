@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""The add-on in a window, by simulated events: the button is clicked, undone and redone; a bind in a thread is stopped by Esc and finished.
+
+    window_test.sh starts Blender for it, under Xvfb
+"""
+import os
+import sys
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import bpy
+
+from blender_common import add_armature, character, common, select, state, weights
+
+SHOTS = sys.argv[-1]
+
+
+def window():
+    return bpy.context.window_manager.windows[0]
+
+
+def view():
+    return next(a for a in window().screen.areas if a.type == "VIEW_3D")
+
+
+def shot(name):
+    with bpy.context.temp_override(window=window(), screen=window().screen):
+        bpy.ops.screen.screenshot(filepath=os.path.join(SHOTS, name + ".png"))
+
+
+def key(kind, **held):
+    for value in ("PRESS", "RELEASE"):
+        window().event_simulate(type=kind, value=value, x=300, y=300, **held)
+
+
+def click(place):
+    window().event_simulate(type="MOUSEMOVE", value="NOTHING", x=place[0], y=place[1])
+    yield 0.3
+    window().event_simulate(type="LEFTMOUSE", value="PRESS", x=place[0], y=place[1])
+    window().event_simulate(type="LEFTMOUSE", value="RELEASE", x=place[0], y=place[1])
+    yield 0.8
+
+
+def sidebar():
+    """Its tabs stand below each other at the right edge."""
+    return next(r for r in view().regions if r.type == "UI")
+
+
+def invoke(**options):
+    area = view()
+    with bpy.context.temp_override(window=window(), area=area, region=next(r for r in area.regions if r.type == "WINDOW")):
+        return bpy.ops.sinew.bind("INVOKE_DEFAULT", **options)
+
+
+def steps():
+    for item in list(bpy.data.objects):
+        bpy.data.objects.remove(item)
+    item, armature, _, _ = character()
+    name = item.name
+    view().spaces[0].show_region_ui = True
+    yield 1.0
+    before = state(item)
+    bpy.ops.ed.undo_push(message="character")
+    shot("1_sidebar")
+    region, found = sidebar(), False
+    x = region.x + region.width - 10
+    for y in range(region.y + region.height - 30, region.y + region.height // 3, -25):  # down the tabs until the button is there
+        yield from click((x, y))
+        yield from click((region.x + region.width // 2 - 15, region.y + region.height - 45))
+        if len(bpy.data.objects[name].vertex_groups):
+            found = True
+            break
+    shot("2_bound")
+    assert found, "no click on a tab and the first button of its panel bound the mesh"
+    item = bpy.data.objects[name]
+    after = state(item)
+    assert after[0] and after != before
+    key("Z", ctrl=True)
+    yield 1.0
+    assert state(bpy.data.objects[name]) == before, "undo is not exact"
+    key("Z", ctrl=True, shift=True)
+    yield 1.0
+    assert state(bpy.data.objects[name]) == after, "redo is not exact"
+    # In a thread: Esc leaves everything as it was.
+    item = bpy.data.objects[name]
+    kept = state(item)
+    assert invoke(method="heat", threaded_from=0, influences=2) == {"RUNNING_MODAL"}
+    key("ESC")
+    yield 2.0
+    assert state(bpy.data.objects[name]) == kept, "Esc changed the object"
+    # And without Esc it ends as the blocking one does.
+    assert invoke(method="heat", threaded_from=0) == {"RUNNING_MODAL"}
+    for _ in range(100):
+        yield 0.2
+        if state(bpy.data.objects[name]) != kept:
+            break
+    threaded = weights(bpy.data.objects[name])
+    yield 0.5
+    assert invoke(method="heat") == {"FINISHED"}
+    blocking = weights(bpy.data.objects[name])
+    assert threaded.keys() == blocking.keys() and all((threaded[n] == blocking[n]).all() for n in threaded)
+    view().spaces[0].shading.type = "SOLID"
+    item = bpy.data.objects[name]
+    select([item, bpy.data.objects["Armature"]], item)
+    bpy.ops.object.mode_set(mode="WEIGHT_PAINT")
+    item.vertex_groups.active_index = item.vertex_groups["chest"].index
+    with bpy.context.temp_override(window=window(), area=view(), region=next(r for r in view().regions if r.type == "WINDOW")):
+        bpy.ops.view3d.view_axis(type="FRONT")
+        bpy.ops.view3d.view_all()
+    yield 1.0
+    shot("3_weights")
+    # The panel draws a map and questions; Where to Look's colours are seen.
+    bpy.ops.object.mode_set(mode="OBJECT")
+    other = add_armature(common.read_character("biped__robot")[2], "Source")
+    other.location = (1.5, 0, 0)
+    select([bpy.data.objects["Armature"], other], bpy.data.objects["Armature"])
+    assert bpy.ops.sinew.map_bones() == {"FINISHED"}
+    yield 1.0
+    shot("4_map")
+    bpy.context.scene.sinew_map.clear()
+    select([item, bpy.data.objects["Armature"]], item)
+    assert bpy.ops.sinew.bind(questions=3) == {"FINISHED"}
+    assert bpy.ops.sinew.look() == {"FINISHED"}
+    other.hide_set(True)
+    view().spaces[0].shading.color_type = "VERTEX"
+    yield 1.0
+    shot("5_questions_and_doubt")
+    print("WINDOW OK")
+
+
+def tick(run=steps()):
+    try:
+        return next(run)
+    except StopIteration:
+        pass
+    except BaseException:
+        traceback.print_exc()
+        shot("failed")
+    sys.stdout.flush()
+    os._exit(0)
+
+
+bpy.app.timers.register(tick, first_interval=1.0)
