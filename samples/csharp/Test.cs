@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// The binding against the C compiler's sizes, the command's weights, and what may go wrong.
+//   Test.exe sizes                     prints sizes and offsets of every struct, for csharp_test.sh to compare
+//   Test.exe bind MODEL NAME.obj       the hash of the weights, as sinew bind --json prints it
+//   Test.exe rig MODEL NAME.obj        joints as lines: name, x, y, z, parent
+//   Test.exe errors MODEL NAME.obj     checks what is refused, and progress
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Runtime.InteropServices;
+using Sinew;
+
+static class Test
+{
+    static void Require(bool fine, string what)
+    {
+        if (!fine) throw new Exception("failed: " + what);
+    }
+
+    static void Sizes()
+    {
+        foreach (Type type in typeof(Native).GetNestedTypes())
+        {
+            if (!type.Name.StartsWith("sinew_")) continue;
+            Console.WriteLine("{0} {1}", type.Name, Marshal.SizeOf(type));
+            foreach (var field in type.GetFields())
+                Console.WriteLine("{0}.{1} {2}", type.Name, field.Name, Marshal.OffsetOf(type, field.Name));
+        }
+    }
+
+    static Mesh ReadMesh(string path)
+    {
+        var positions = new List<float>();
+        var corners = new List<uint>();
+        var offsets = new List<uint> { 0 };
+        foreach (string line in File.ReadLines(path))
+        {
+            string[] words = line.Split(new[] { ' ' }, StringSplitOptions.RemoveEmptyEntries);
+            if (words.Length > 3 && words[0] == "v")
+                for (int i = 1; i < 4; ++i) positions.Add((float)double.Parse(words[i], CultureInfo.InvariantCulture));
+            if (words.Length > 3 && words[0] == "f")
+            {
+                for (int i = 1; i < words.Length; ++i) corners.Add(uint.Parse(words[i].Split('/')[0]) - 1);
+                offsets.Add((uint)corners.Count);
+            }
+        }
+        return new Mesh { Positions = positions.ToArray(), FaceVertices = corners.ToArray(), FaceOffsets = offsets.ToArray() };
+    }
+
+    static Skeleton ReadSkeleton(string path)
+    {
+        var names = new List<string>();
+        var positions = new List<float>();
+        var parents = new Dictionary<string, string>();
+        foreach (string line in File.ReadLines(path))
+        {
+            string[] words = line.Split(' ');
+            if (words[0] == "joints")
+            {
+                names.Add(words[1]);
+                for (int i = 2; i < 5; ++i) positions.Add((float)double.Parse(words[i], CultureInfo.InvariantCulture));
+            }
+            if (words[0] == "hier") parents[words[2]] = words[1];
+        }
+        var above = new int[names.Count];
+        for (int j = 0; j < above.Length; ++j) above[j] = parents.ContainsKey(names[j]) ? names.IndexOf(parents[names[j]]) : -1;
+        return new Skeleton { Positions = positions.ToArray(), Parents = above, Names = names.ToArray() };
+    }
+
+    static string Hash(Skin skin)
+    {
+        ulong value = 1469598103934665603;
+        foreach (ushort[] part in new[] { skin.Joints, skin.Weights })
+            foreach (ushort number in part)
+                foreach (int one in new[] { number & 255, number >> 8 }) value = (value ^ (ulong)one) * 1099511628211;
+        return value.ToString("x16");
+    }
+
+    static void Expect<T>(string part, Action call) where T : Exception
+    {
+        try
+        {
+            call();
+        }
+        catch (T e)
+        {
+            Require(e.Message.Contains(part) && !(e is SinewException && e.Message.Contains("\n")), part + " in: " + e.Message);
+            return;
+        }
+        Require(false, "expected " + typeof(T).Name + " with: " + part);
+    }
+
+    static void Errors(byte[] file, Mesh mesh, Skeleton skeleton)
+    {
+        Expect<SinewException>("not a sinew model", () => Model.ForWeights(new byte[1000]));
+        Expect<SinewException>("task", () => Model.ForSkeletons(file));
+        byte[] damaged = (byte[])file.Clone();
+        damaged[damaged.Length / 2] ^= 1;
+        Expect<SinewException>("checksum", () => Model.ForWeights(damaged));
+        using (Model model = Model.ForWeights(file))
+        {
+            float last = -1;
+            int reports = 0;
+            Skin plain = Engine.Bind(model, mesh, skeleton);
+            Skin told = Engine.Bind(model, mesh, skeleton, new BindSettings
+            {
+                Progress = done =>
+                {
+                    Require(done >= last && done <= 1, "progress rises to 1");
+                    last = done;
+                    ++reports;
+                    return true;
+                }
+            });
+            Require(reports > 3 && Hash(plain) == Hash(told), "progress changes nothing");
+            for (int v = 0; v < mesh.VertexCount; ++v)
+            {
+                int sum = 0;
+                for (int i = 0; i < 4; ++i) sum += plain.Weights[4 * v + i];
+                Require(sum == 65535, "rows sum to 65535");
+            }
+            Expect<CancelledException>("bind", () => Engine.Bind(model, mesh, skeleton, new BindSettings { Progress = d => d < 0.5f }));
+            Expect<InvalidOperationException>("mine", () => Engine.Bind(model, mesh, skeleton, new BindSettings
+            {
+                Progress = d => { throw new InvalidOperationException("mine"); }
+            }));
+            // A locked vertex keeps its row.
+            var locked = new byte[mesh.VertexCount];
+            locked[5] = 1;
+            var keep = new Skin { Influences = 4, Joints = (ushort[])plain.Joints.Clone(), Weights = (ushort[])plain.Weights.Clone() };
+            for (int i = 0; i < 4; ++i)
+            {
+                keep.Joints[20 + i] = 0;
+                keep.Weights[20 + i] = (ushort)(i == 0 ? 65535 : 0);
+            }
+            Skin kept = Engine.Bind(model, mesh, skeleton, new BindSettings { Locked = locked, Keep = keep });
+            Require(kept.Joints[20] == 0 && kept.Weights[20] == 65535, "a locked vertex keeps its row");
+            Expect<ArgumentException>("Keep", () => Engine.Bind(model, mesh, skeleton, new BindSettings { Locked = locked }));
+            Expect<ArgumentException>("Influences", () => Engine.Bind(model, mesh, skeleton, new BindSettings { Influences = 13 }));
+            Expect<ArgumentException>("Positions", () => Engine.Bind(model, new Mesh { Positions = new float[4], FaceVertices = new uint[0] }, skeleton));
+            Expect<ArgumentException>("Parents", () => Engine.Bind(model, mesh, new Skeleton()));
+            var broken = new Mesh { Positions = (float[])mesh.Positions.Clone(), FaceVertices = mesh.FaceVertices, FaceOffsets = mesh.FaceOffsets };
+            broken.Positions[7] = float.NaN;
+            Expect<SinewException>("NaN", () => Engine.Bind(model, broken, skeleton));
+            model.Dispose();
+            Expect<ObjectDisposedException>("Model", () => Engine.Bind(model, mesh, skeleton));
+        }
+    }
+
+    static int Main(string[] args)
+    {
+        try
+        {
+            if (args[0] == "sizes")
+            {
+                Sizes();
+                return 0;
+            }
+            byte[] file = File.ReadAllBytes(args[1]);
+            Mesh mesh = ReadMesh(args[2]);
+            if (args[0] == "rig")
+            {
+                using (Model model = Model.ForSkeletons(file))
+                {
+                    RiggedSkeleton rig = Engine.Rig(model, mesh);
+                    for (int j = 0; j < rig.Skeleton.JointCount; ++j)
+                        Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "joints {0} {1:F8} {2:F8} {3:F8}", rig.Skeleton.Names[j],
+                            rig.Skeleton.Positions[3 * j], rig.Skeleton.Positions[3 * j + 1], rig.Skeleton.Positions[3 * j + 2]));
+                }
+                return 0;
+            }
+            Skeleton skeleton = ReadSkeleton(Path.ChangeExtension(args[2], ".rig.txt"));
+            if (args[0] == "errors")
+            {
+                Errors(file, mesh, skeleton);
+                Console.WriteLine("errors and progress: as they should be, sinew {0}", Engine.Version);
+                return 0;
+            }
+            using (Model model = Model.ForWeights(file)) Console.WriteLine(Hash(Engine.Bind(model, mesh, skeleton)));
+            return 0;
+        }
+        catch (Exception e)
+        {
+            Console.Error.WriteLine("{0}: {1}", e.GetType().Name, e.Message);
+            return 1;
+        }
+    }
+}

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+# The dock in an editor with a window: Rig, undo, redo and Bind on the mesh of res://stage.tscn; a picture to WINDOW_PICTURE.
+tool
+extends EditorPlugin
+
+var failed = 0
+
+
+func _ready() -> void:
+	if OS.get_environment("WINDOW_PICTURE") != "":
+		call_deferred("press")
+
+
+func expect(condition: bool, what: String) -> void:
+	if not condition:
+		failed += 1
+		print("FAILED: " + what)
+
+
+func wait(seconds: float):
+	return get_tree().create_timer(seconds)
+
+
+func press():
+	yield(wait(3), "timeout")
+	while get_editor_interface().get_resource_filesystem().is_scanning():
+		yield(wait(0.5), "timeout")
+	get_editor_interface().open_scene_from_path("res://stage.tscn")
+	get_editor_interface().set_main_screen_editor("3D")
+	yield(wait(2), "timeout")
+	var dock = get_editor_interface().get_base_control().find_node("Sinew", true, false)
+	expect(dock != null, "the dock is there")
+	dock.get_parent().current_tab = dock.get_index()
+	var root = get_editor_interface().get_edited_scene_root()
+	var mesh = root.get_node("Mesh")
+	var before = mesh.mesh
+	dock.bind()
+	expect(dock.message.text.begins_with("sinew: error: no mesh is selected"), "nothing selected: " + dock.message.text)
+	get_editor_interface().get_selection().add_node(mesh)
+	dock.bind()
+	expect(dock.message.text.begins_with("sinew: error: Mesh has no skeleton"), "no skeleton: " + dock.message.text)
+	dock.rig()
+	expect(dock.message.text == "Rig: 1 meshes", dock.message.text)
+	expect(root.has_node("Skeleton") and root.get_node("Skeleton").owner == root and mesh.mesh != before, "a skeleton of the scene")
+	get_undo_redo().undo()
+	expect(not root.has_node("Skeleton") and mesh.mesh == before and mesh.skin == null, "undone")
+	get_undo_redo().redo()
+	var rigged = mesh.mesh
+	dock.bind()
+	expect(dock.message.text == "Bind: 1 meshes" and mesh.mesh != rigged, dock.message.text)
+	get_undo_redo().undo()
+	expect(mesh.mesh == rigged, "the bind undone")
+	get_undo_redo().redo()
+	# Bent, so that the picture shows that the surface follows.
+	var skeleton = root.get_node("Skeleton")
+	skeleton.set_bone_pose(skeleton.find_bone("LeftArm"), Transform(Basis(Vector3(0, 0, 1), 1.0)))
+	skeleton.set_bone_pose(skeleton.find_bone("RightUpLeg"), Transform(Basis(Vector3(1, 0, 0), -0.8)))
+	get_editor_interface().get_selection().clear()
+	get_editor_interface().get_selection().add_node(skeleton)
+	get_editor_interface().inspect_object(skeleton)
+	dock.get_parent().current_tab = dock.get_index()
+	yield(wait(2), "timeout")
+	var picture = get_tree().get_root().get_texture().get_data()
+	picture.flip_y()
+	expect(picture.save_png(OS.get_environment("WINDOW_PICTURE")) == OK, "a picture")
+	print("WINDOW OK" if failed == 0 else "WINDOW FAILED")
+	get_tree().quit()
