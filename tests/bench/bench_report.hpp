@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <string>
 #include <vector>
+
+#include "sinew/sinew.h"
 
 #if defined(__EMSCRIPTEN__)
 #include <emscripten.h>
@@ -56,6 +60,47 @@ inline double thread_seconds() {
 inline double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0 : values[values.size() / 2];
+}
+
+// Several contestants in turn, `repeats` times each. run(i) does what the i-th one does once; the median of its seconds goes to
+// the i-th place.
+template <class Run>
+std::vector<double> medians_in_turn(size_t contestants, int repeats, Run run) {
+  const size_t rounds = static_cast<size_t>(repeats);
+  std::vector<double> seconds(contestants * rounds);
+  for (size_t r = 0; r < rounds; ++r) {
+    for (size_t i = 0; i < contestants; ++i) {
+      const double start = thread_seconds();
+      run(i);
+      seconds[i * rounds + r] = thread_seconds() - start;
+    }
+  }
+  std::vector<double> medians;
+  for (size_t i = 0; i < contestants; ++i) {
+    const double* const own = seconds.data() + i * rounds;
+    medians.push_back(median({own, own + rounds}));
+  }
+  return medians;
+}
+
+// [--repeats N] [SIZES...] of a command line; what it does not say stays as it is.
+inline void read_arguments(int argc, char** argv, int* repeats, std::vector<double>* sizes) {
+  std::vector<double> said;
+  for (int i = 1; i < argc; ++i) {
+    if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
+      *repeats = std::max(1, std::atoi(argv[++i]));
+    } else {
+      said.push_back(std::atof(argv[i]));
+    }
+  }
+  if (!said.empty()) *sizes = said;
+}
+
+// Ends the program with a line where a call of the engine failed.
+inline void check(const char* program, const char* what, sinew_status status) {
+  if (status == SINEW_OK) return;
+  std::fprintf(stderr, "%s: %s: %s\n", program, what, sinew_status_text(status));
+  std::exit(1);
 }
 
 inline uint64_t fnv1a(uint64_t hash, const void* data, size_t bytes) {

@@ -27,11 +27,7 @@ constexpr Mark kMarks[] = {{"mesh", 150}, {"frame", 400}, {"votes", 800}};
 constexpr size_t kMarkCount = 3, kStages = kMarkCount + 2;
 constexpr const char* kStageNames[kStages] = {kMarks[0].stage, kMarks[1].stage, kMarks[2].stage, "skeleton", "whole"};
 
-void check(sinew_status status, const char* what) {
-  if (status == SINEW_OK) return;
-  std::fprintf(stderr, "sinew_bench_rig: %s: %s\n", what, sinew_status_text(status));
-  std::exit(1);
-}
+void check(sinew_status status, const char* what) { sinew_bench::check("sinew_bench_rig", what, status); }
 
 struct Clock {
   double at[kMarkCount] = {};

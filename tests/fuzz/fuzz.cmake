@@ -29,6 +29,10 @@ sinew_fuzz(glb 300)
 sinew_fuzz(model 300 sinew::quant sinew::engine_internals)
 sinew_fuzz(bind 20)
 sinew_fuzz(skeleton 8)
+sinew_fuzz(motion 100)
+sinew_fuzz(map 100)
+sinew_fuzz(transfer 12)
+sinew_fuzz(deform 20)
 
 # Writes the binary part of the corpus again; the text files are written by hand.
 add_executable(sinew_fuzz_seeds EXCLUDE_FROM_ALL fuzz/make_seeds.cpp)

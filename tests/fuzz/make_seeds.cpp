@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes the binary seeds of the corpus: models of a few hundred bytes, GLB files, and calls of sinew_bind() and sinew_rig().
+// Writes the binary seeds of the corpus: models of a few hundred bytes, GLB files, and calls of the engine.
 //   sinew_fuzz_seeds tests/fuzz/corpus
 #include <cstdio>
 #include <string>
@@ -129,13 +129,19 @@ void write_glbs(const std::string& folder) {
 #endif
 }
 
-// Calls as bind_fuzz.cpp reads them: shape, extras, counts, then options, joints and positions; zeros behind the end.
-void write_binds(const std::string& folder) {
-  Random random(5);
-  const auto call = [&](const char* name, std::string start, size_t length) {
+// Writes calls: given bytes, then random ones.
+struct Calls {
+  std::string folder;
+  Random random;
+  void operator()(const char* name, std::string start, size_t length) {
     while (start.size() < length) start += static_cast<char>(random.below(256));
     write(folder + name, start);
-  };
+  }
+};
+
+// Calls as bind_fuzz.cpp reads them: shape, extras, counts, then options, joints and positions; zeros behind the end.
+void write_binds(const std::string& folder) {
+  Calls call{folder, Random(5)};
   call("/triangles", {'\x00', '\x00', 30, 5, 40}, 340);
   call("/heat", {'\x00', '\x02', 30, 5, 40}, 340);
   call("/polygons", {'\x48', '\x10', 20, 8, 20}, 300);
@@ -151,11 +157,7 @@ void write_binds(const std::string& folder) {
 
 // Calls as skeleton_fuzz.cpp reads them: shape, extras, counts, then options and positions; zeros behind the end.
 void write_rigs(const std::string& folder) {
-  Random random(6);
-  const auto call = [&](const char* name, std::string start, size_t length) {
-    while (start.size() < length) start += static_cast<char>(random.below(256));
-    write(folder + name, start);
-  };
+  Calls call{folder, Random(6)};
   call("/triangles", {'\x00', '\x00', 30, 40}, 330);
   call("/polygons", {'\x08', '\x01', 20, 20, 0, 0, 1, 0, 0, 0, 0, 0}, 260);
   call("/no_faces", {'\x00', '\x00', 40, 0}, 250);
@@ -170,6 +172,71 @@ void write_rigs(const std::string& folder) {
   call("/empty", {'\x00', '\x00', 0, 0}, 4);
 }
 
+// Calls as motion_fuzz.cpp reads them: extras, counts, then options, rigs, bodies and poses; zeros behind the end.
+void write_motions(const std::string& folder) {
+  Calls call{folder, Random(7)};
+  call("/bodies", {'\x80', 11, 20, 3, 30, 36}, 1500);
+  call("/rotations", {'\x84', 11, 20, 2, 30, 36}, 1500);
+  call("/no_body", {'\x88', 11, 20, 4, 30, 36}, 1500);
+  call("/options", {'\xC0', 11, 20, 2, 30, 36, 0, 1, 2, 1, 0, 30, 1, 0, 1, 13, 0}, 1500);
+  call("/cancelled", {'\x90', 11, 12, 3, 20, 20, 2}, 900);
+  call("/short", {'\x20', 5, 12, 3, 20, 20}, 900);
+  call("/any_index", {'\x02', 5, 12, 3, 20, 20}, 900);
+  call("/raw_floats", {'\x01', 5, 12, 3, 20, 20}, 1500);
+  call("/empty", {'\x00', 0, 0, 0, 0, 0}, 6);
+}
+
+// As map_fuzz.cpp reads them: shape, extras, options, pins, then two rigs: a count, places, parents, names and ends, up.
+void write_maps(const std::string& folder) {
+  Calls call{folder, Random(7)};
+  call("/places", {'\x00', '\x00', 24}, 520);
+  call("/names", {'\x18', '\x00', 30}, 640);
+  call("/branches", {'\x10', '\x01', 2, 0, 20}, 460);
+  call("/pins", {'\x18', '\x02', 2, 3, 5, 4, 7, 24}, 560);
+  call("/up", {'\x30', '\x00', 16}, 400);
+  call("/raw_floats", {'\x01', '\x00', 12}, 380);
+  call("/any_parents", {'\x02', '\x00', 16}, 400);
+  call("/short", {'\x00', '\x20', 9, 0, 16}, 380);
+  call("/one_place", {'\x00', '\x00', 12}, 3);
+  call("/empty", {'\x00', '\x00', 0}, 3);
+}
+
+// As transfer_fuzz.cpp reads them: shape, extras, options, then two bodies (counts, joints, vertices, faces) and rows.
+void write_transfers(const std::string& folder) {
+  Calls call{folder, Random(8)};
+  call("/auto", {'\x00', '\x00', 28, 5, 36}, 1100);
+  call("/same", {'\x00', '\x02', 28, 5, 36}, 800);
+  call("/nearest", {'\x00', '\x01', 0, 1, 3, 0, 0, 0, 0, 0, 0, 0, 2, 28, 5, 36}, 1100);
+  call("/biharmonic", {'\x00', '\x07', 0, 2, 4, 0, 0, 0, 0, 0, 0, 0, 2, 30, 4, 40}, 900);
+  call("/rebind", {'\x00', '\x01', 0, 3, 4, 1, 0, 0, 0, 0, 0, 0, 2, 24, 5, 36}, 1000);
+  call("/garment", {'\x00', '\x03', 0, 0, 4, 0, 0, 0, 0, 1, 0, 0, 3, 24, 5, 36}, 900);
+  call("/model", {'\x00', '\x10', 24, 5, 36}, 900);
+  call("/locked", {'\x00', '\x08', 20, 4, 30}, 900);
+  call("/cancelled", {'\x00', '\x80', 3, 20, 4, 30}, 800);
+  call("/short", {'\x00', '\x20', 9, 0, 20, 4, 30}, 800);
+  call("/raw_floats", {'\x05', '\x00', 10, 3, 10}, 600);
+  call("/any_offsets", {'\x20', '\x00', 12, 3, 12}, 700);
+  call("/empty", {'\x00', '\x00', 0, 0, 0}, 5);
+}
+
+// As deform_fuzz.cpp reads them: shape, extras, counts, options, then joints, vertices, faces, rows and matrices.
+void write_deforms(const std::string& folder) {
+  Calls call{folder, Random(9)};
+  call("/volume", {'\x00', '\x00', 30, 4, 40}, 560);
+  call("/as_drawn", {'\x00', '\x01', 30, 4, 40, 0, 1, 2, 4, 0, 5, 0, 0, 0}, 580);
+  call("/delta_mush", {'\x00', '\x01', 30, 4, 40, 0, 2, 0, 4, 0, 0, 0, 0, 0}, 580);
+  call("/contact", {'\x00', '\x01', 36, 5, 44, 0, 0, 3, 5, 0, 2, 1, 0, 0}, 640);
+  call("/polygons", {'\x08', '\x00', 24, 3, 20}, 500);
+  call("/any_matrices", {'\x00', '\x04', 24, 4, 30}, 700);
+  call("/raw_matrices", {'\x00', '\x0C', 20, 4, 30}, 800);
+  call("/raw_floats", {'\x05', '\x00', 12, 3, 12}, 400);
+  call("/any_offsets", {'\x20', '\x00', 12, 3, 12}, 400);
+  call("/short", {'\x00', '\x20', 16, 3, 20, 9, 0}, 400);
+  call("/no_faces", {'\x00', '\x00', 20, 3, 0}, 400);
+  call("/one_place", {'\x00', '\x00', 12, 2, 12}, 5);
+  call("/empty", {'\x00', '\x00', 0, 0, 0}, 5);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -182,5 +249,9 @@ int main(int argc, char** argv) {
   write_glbs(folder + "/glb");
   write_binds(folder + "/bind");
   write_rigs(folder + "/skeleton");
+  write_motions(folder + "/motion");
+  write_maps(folder + "/map");
+  write_transfers(folder + "/transfer");
+  write_deforms(folder + "/deform");
   return 0;
 }

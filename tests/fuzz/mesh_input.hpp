@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What the fuzz targets of the engine share: the bundled models, and bytes as a mesh.
+// What the fuzz targets of the engine share: the bundled models, bytes as a mesh and as a skeleton, and what goes wrong around a
+// call.
 #ifndef SINEW_TESTS_FUZZ_MESH_INPUT_HPP
 #define SINEW_TESTS_FUZZ_MESH_INPUT_HPP
+
+#include <algorithm>
+#include <cmath>
 
 #include "bundled_model.hpp"
 #include "fuzz.hpp"
@@ -14,8 +18,15 @@ inline const sinew_model* fuzzed_model() {
   return &opened.model;
 }
 
-// What faces may be; bits of MeshInput's `shape`.
-enum MeshShape : uint8_t { kRawFloats = 4, kPolygons = 8, kBeyond = 16, kAnyOffsets = 32 };
+// What joints and faces may be; bits of `shape`.
+enum InputShape : uint8_t {
+  kRawJoints = 1,   // any floats for joints, NaN too
+  kAnyParents = 2,  // any numbers; else parents come first
+  kRawFloats = 4,   // any floats for vertices
+  kPolygons = 8,
+  kBeyond = 16,  // corners may name a vertex that does not exist
+  kAnyOffsets = 32
+};
 
 inline float any_float(Bytes& in, bool raw) {
   if (!raw) return static_cast<float>(static_cast<int16_t>(in.u16())) / 256.0f;
@@ -48,6 +59,56 @@ struct MeshInput {
     mesh.face_vertices = corners.data();
     mesh.face_count = faces;
     mesh.corner_count = corner_count;
+  }
+};
+
+struct SkeletonInput {
+  std::vector<float> joint_positions;
+  std::vector<int32_t> parents;
+  std::vector<uint8_t> flags;    // few joints have any
+  sinew_skeleton skeleton = {};  // views of the arrays, without flags
+
+  void read_joints(Bytes& in, uint8_t shape, uint32_t joints) {
+    for (uint32_t i = 0; i < 3 * joints; ++i) joint_positions.push_back(any_float(in, (shape & kRawJoints) != 0));
+    for (uint32_t j = 0; j < joints; ++j) {
+      parents.push_back((shape & kAnyParents) != 0 ? static_cast<int8_t>(in.u8())
+                                                   : static_cast<int32_t>(in.below(j + 1)) - 1);
+      flags.push_back(in.u8() % 16 == 0 ? in.u8() : uint8_t{0});
+    }
+    skeleton.positions = joint_positions.data();
+    skeleton.parents = parents.data();
+    skeleton.joint_count = joints;
+  }
+};
+
+inline bool any_not_finite(const std::vector<float>& values) {
+  return std::any_of(values.begin(), values.end(), [](float x) { return !std::isfinite(x); });
+}
+
+// What hinders a call: too few bytes, bytes that are not aligned, a callback that cancels. Bits 32, 64 and 128 of `extras`.
+struct Hindrance {
+  size_t short_by = 0, misaligned = 0;
+  uint32_t cancel_at = 0, reports = 0;
+
+  void read_hindrance(Bytes& in, uint8_t extras) {
+    if ((extras & 32) != 0) short_by = 1 + in.u16();
+    if ((extras & 64) != 0) misaligned = in.below(64);
+    if ((extras & 128) != 0) cancel_at = 1 + in.below(32);
+  }
+  size_t given(size_t need) const { return short_by > need ? 0 : need - short_by; }
+  // A progress callback; `user` is the Hindrance.
+  static int report(void* user, uint32_t permille) {
+    Hindrance& self = *static_cast<Hindrance*>(user);
+    demand(permille <= 1000, "progress is 0 to 1000");
+    return ++self.reports == self.cancel_at ? 1 : 0;
+  }
+  // Whether a refusal is one of those that a hindrance brings; there must be one then.
+  bool explains(sinew_status status) const {
+    if (status == SINEW_ERROR_WORKSPACE)
+      demand(short_by != 0 || misaligned % 64 != 0, "the promised workspace is enough");
+    if (status == SINEW_ERROR_CANCELLED)
+      demand(cancel_at != 0 && reports == cancel_at, "cancelled only when the callback says so");
+    return status == SINEW_ERROR_WORKSPACE || status == SINEW_ERROR_CANCELLED;
   }
 };
 

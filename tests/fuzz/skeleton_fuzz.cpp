@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fuzz target: the size query and sinew_rig() on arbitrary meshes and options with the bundled model, and sinew_bind()
-// on what comes out. Refusals are those that the header documents; a skeleton obeys its rules, whatever the mesh.
+// Fuzz target: the size query and sinew_rig() on arbitrary meshes and options with the bundled model, and
+// sinew_rig_face(), sinew_rig_props(), sinew_rig_hands() and sinew_bind() on what comes out. Refusals are those that the header documents; a skeleton obeys its rules, whatever the mesh.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -16,6 +16,12 @@ using namespace sinew::test;
 const sinew_model* rig_model() {
   static const sinew_test::BundledModel opened(SINEW_SOURCE_DIR "/samples/data/sinew_rig.sinew", sinew_rig_model_open);
   demand(opened.ok, "samples/data/sinew_rig.sinew is there and opens");
+  return &opened.model;
+}
+const sinew_model* hands_model() {
+  static const sinew_test::BundledModel opened(SINEW_SOURCE_DIR "/samples/data/sinew_hands.sinew",
+                                               sinew_rig_model_open);
+  demand(opened.ok, "samples/data/sinew_hands.sinew is there and opens");
   return &opened.model;
 }
 
@@ -36,11 +42,9 @@ struct Skeleton {
 };
 
 // An input as a call. Every enumeration reaches one beyond its last legal value.
-struct Call : MeshInput {
+struct Call : MeshInput, Hindrance {
   sinew_rig_options options = sinew_rig_options_init();
   bool all_outputs = true;
-  size_t short_by = 0, misaligned = 0;
-  uint32_t cancel_at = 0, reports = 0;
 
   explicit Call(Bytes in) {
     const uint8_t shape = in.u8(), extras = in.u8();
@@ -56,14 +60,8 @@ struct Call : MeshInput {
       options.method = in.below(2) * in.below(4);
     }
     all_outputs = (extras & 16) == 0;
-    if ((extras & 32) != 0) short_by = 1 + in.u16();
-    if ((extras & 64) != 0) misaligned = in.below(64);
-    if ((extras & 128) != 0) cancel_at = 1 + in.below(32);
-    options.progress = [](void* user, uint32_t permille) {
-      Call& call = *static_cast<Call*>(user);
-      demand(permille <= 1000, "progress is 0 to 1000");
-      return ++call.reports == call.cancel_at ? 1 : 0;
-    };
+    read_hindrance(in, extras);
+    options.progress = report;
     read(in, shape, vertices, faces);
     if ((shape & 64) != 0)  // flat
       for (uint32_t v = 0; v < vertices; ++v) positions[3 * v + shape % 3] = 0;
@@ -77,9 +75,9 @@ struct Call : MeshInput {
   Skeleton run(size_t need, uint32_t kernel, uint8_t fill) {
     Skeleton s;
     options.kernel = kernel;
-    options.progress_user = this;
+    options.progress_user = static_cast<Hindrance*>(this);
     reports = 0;
-    const size_t bytes = short_by > need ? 0 : need - short_by;
+    const size_t bytes = given(need);
     Workspace workspace(bytes, misaligned, fill);
     s.outputs = sinew_rig_outputs_init(s.positions.data(), s.parents.data());
     s.outputs.flags = s.flags.data();
@@ -106,21 +104,10 @@ struct Call : MeshInput {
 };
 
 void check_status(const Call& call, sinew_status status) {
-  switch (status) {
-    case SINEW_ERROR_WORKSPACE:
-      demand(call.short_by != 0 || call.misaligned % 64 != 0, "the promised workspace is enough");
-      break;
-    case SINEW_ERROR_CANCELLED:
-      demand(call.cancel_at != 0 && call.reports == call.cancel_at, "cancelled only when the callback says so");
-      break;
-    case SINEW_ERROR_NOT_FINITE:
-      demand(std::any_of(call.positions.begin(), call.positions.end(), [](float x) { return !std::isfinite(x); }),
-             "NOT_FINITE is about a position");
-      break;
-    default:
-      demand(status == SINEW_ERROR_INDEX || status == SINEW_ERROR_COUNT,
-             std::string("a documented status: ") + sinew_status_text(status));
-  }
+  if (call.explains(status)) return;
+  if (status == SINEW_ERROR_NOT_FINITE) return demand(any_not_finite(call.positions), "NOT_FINITE is about a position");
+  demand(status == SINEW_ERROR_INDEX || status == SINEW_ERROR_COUNT,
+         std::string("a documented status: ") + sinew_status_text(status));
 }
 
 void check_skeleton(const Call& call, const Skeleton& s) {
@@ -152,6 +139,50 @@ void check_skeleton(const Call& call, const Skeleton& s) {
     const size_t p = static_cast<size_t>(partner);
     demand(s.partners[p] == static_cast<int32_t>(j), "a partner's partner is oneself");
     demand(s.classes[p] == s.classes[j] && s.flags[p] == s.flags[j], "partners are alike");
+  }
+}
+
+// The skeleton grows by fingers, faces and props, whatever its joints are said to be, and keeps the joints that it has but for
+// the bone ends of hands.
+void check_details(const Call& call, const Skeleton& given, size_t seed) {
+  sinew_rig_options options = sinew_rig_options_init();
+  options.up_axis = call.options.up_axis;
+  const sinew_mesh& mesh = call.mesh;
+  Skeleton s = given;
+  s.outputs.positions = s.positions.data();
+  s.outputs.parents = s.parents.data();
+  s.outputs.flags = s.flags.data();
+  s.outputs.joint_classes = s.classes.data();
+  s.outputs.partners = s.partners.data();
+  s.outputs.confidence = s.confidence.data();
+  s.outputs.parent_confidence = s.parent_confidence.data();
+  s.outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(s.names.data());
+  s.classes[seed % s.outputs.joint_count] = SINEW_CLASS_HEAD;
+  s.classes[seed / 3 % s.outputs.joint_count] = SINEW_CLASS_HAND;
+  size_t need = 0, hands = 0;
+  demand(sinew_rig_face_workspace_size(mesh.vertex_count, mesh.face_count, mesh.corner_count, &options, &need) ==
+                 SINEW_OK &&
+             sinew_rig_hands_workspace_size(hands_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
+                                            &options, &hands) == SINEW_OK,
+         "details have a size where a skeleton has one");
+  Workspace workspace(need, 0, 0xA5), more(hands, 0, 0xA5);
+  const uint32_t before = s.outputs.joint_count;
+  demand(sinew_rig_face(&mesh, &options, workspace.data(), need, &s.outputs) == SINEW_OK, "faces are found or not");
+  demand(sinew_rig_props(&mesh, &options, workspace.data(), need, &s.outputs) == SINEW_OK, "props are found or not");
+  demand(std::equal(given.parents.begin(), given.parents.begin() + before, s.parents.begin()), "joints stay");
+  if (seed % 4 == 1)  // a network for every hand
+    demand(sinew_rig_hands(hands_model(), &mesh, &options, more.data(), hands, &s.outputs) == SINEW_OK,
+           "fingers are found or not");
+  demand(workspace.guards_hold() && more.guards_hold(), "no workspace is written beyond its size");
+  const uint32_t count = s.outputs.joint_count;
+  demand(count >= before && count <= SINEW_MAX_RIG_JOINTS, "joints come, as many as there is room for");
+  std::set<std::string> names;
+  for (uint32_t j = 0; j < count; ++j) {
+    for (uint32_t axis = 0; axis < 3; ++axis) demand(std::isfinite(s.positions[3 * j + axis]), "places are finite");
+    demand(j == 0 || (s.parents[j] >= 0 && s.parents[j] < static_cast<int32_t>(j)), "parents come first");
+    demand(s.partners[j] >= -1 && s.partners[j] < static_cast<int32_t>(count), "a partner that exists");
+    demand(s.classes[j] <= SINEW_CLASS_PROP, "a class that is known");
+    demand(names.insert(&s.names[size_t{j} * SINEW_JOINT_NAME_BYTES]).second, "a name once");
   }
 }
 
@@ -192,6 +223,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   check_skeleton(call, first);
   // The reference kernels take many times as long: one input of sixteen is run again with them.
   if (size % 16 == 7) demand(call.run(need, SINEW_KERNEL_REF, 0x3C) == first, "a second run gives the same");
+  if (call.all_outputs) check_details(call, first, size);
   check_bind(call, first);
   return 0;
 }

@@ -15,6 +15,7 @@
 #include "bind/bind.hpp"
 #include "kernels/select.hpp"
 #include "network/network.hpp"
+#include "sinew/motion_clips.h"
 #include "spectral/spectral.hpp"
 #include "weights/influences.hpp"
 
@@ -281,8 +282,10 @@ struct SetLine {
     if (key == "questions") return &options.question_count;
     if (key == "confidence") return &confidence;
     if (key == "rig") return &rig;
+    if (key == "details") return &details;
     if (key == "deform") return &deform;
     if (key == "cells") return &deform_options.cell_count;
+    if (key == "turns") return &turns;
     if (key == "method") return &rig_options.method;
     if (key == "mirror") return &rig_options.mirror;
     if (key == "spine") return &rig_options.spine_count;
@@ -306,11 +309,13 @@ struct SetLine {
   uint32_t hint_step = 0;    // every so many vertices one is a hint
   uint32_t answer_step = 0;  // every so many vertices one's part has an answer, of the kinds in turn
   uint32_t confidence = 0;
-  uint32_t rig = 0;  // 1: a skeleton for the mesh alone
+  uint32_t rig = 0;      // 1: a skeleton for the mesh alone
+  uint32_t details = 0;  // 1: the skeleton grows by what sinew_rig_hands(), sinew_rig_face() and sinew_rig_props() find
   sinew_rig_options rig_options = sinew_rig_options_init();
   uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
   uint32_t deform = 0;         // 1 + the method: a pose of the mesh as it is bound by heat
   sinew_deform_options deform_options = sinew_deform_options_init();
+  uint32_t turns = 1;  // so many times the angle of the pose
   std::string target;  // the character that takes the weights of this one, if any
   sinew_transfer_options transfer = sinew_transfer_options_init();
   uint32_t locked_step = 0;  // every so many vertices one is locked
@@ -406,54 +411,101 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
   if (options.question_count != 0) print(name, "questions", hash_questions(questions, vertex_questions, vertex_parts));
 }
 
+// The arrays of a skeleton, with room.
+struct RigArrays {
+  static constexpr size_t kMost = SINEW_MAX_RIG_JOINTS;
+  std::vector<float> positions = std::vector<float>(3 * kMost, 0);
+  std::vector<int32_t> parents = std::vector<int32_t>(kMost, 0), partners = parents;
+  std::vector<uint8_t> flags = std::vector<uint8_t>(kMost, 0), classes = flags;
+  std::vector<uint16_t> confidence = std::vector<uint16_t>(kMost, 0), parent_confidence = confidence;
+  std::vector<char> names = std::vector<char>(kMost * SINEW_JOINT_NAME_BYTES, 0);
+  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
+
+  RigArrays() {
+    outputs.flags = flags.data();
+    outputs.joint_classes = classes.data();
+    outputs.partners = partners.data();
+    outputs.confidence = confidence.data();
+    outputs.parent_confidence = parent_confidence.data();
+    outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(names.data());
+  }
+  void print_hashes(const char* name, uint64_t size) const {
+    const size_t count = outputs.joint_count;
+    Hash memory, joints, names_hash;
+    memory.add(&size, 1);
+    std::vector<uint32_t> bits(3 * count + 2);
+    std::memcpy(bits.data(), positions.data(), 3 * count * sizeof(uint32_t));
+    std::memcpy(bits.data() + 3 * count, &outputs.plane, sizeof(uint32_t));
+    std::memcpy(bits.data() + 3 * count + 1, &outputs.spread, sizeof(uint32_t));
+    joints.add(bits.data(), bits.size());
+    joints.add(parents.data(), count);
+    joints.add(partners.data(), count);
+    joints.add(flags.data(), count);
+    joints.add(classes.data(), count);
+    joints.add(confidence.data(), count);
+    joints.add(parent_confidence.data(), count);
+    joints.add(&outputs.mirrored, 1);
+    joints.add(&outputs.quarter_turns, 1);
+    for (size_t j = 0; j < count; ++j) {
+      const char* const text = names.data() + j * SINEW_JOINT_NAME_BYTES;
+      names_hash.add(reinterpret_cast<const uint8_t*>(text), std::strlen(text));
+    }
+    print(name, "memory", memory);
+    print(name, "joints", joints);
+    print(name, "names", names_hash);
+  }
+};
+
 // Everything that sinew_rig() gives to a caller.
 void hash_rig(const char* name, const SetLine& line, const Input& in, const sinew_model& model, uint32_t kernel) {
   sinew_rig_options options = line.rig_options;
   options.up_axis = line.options.up_axis;
   options.weights_in_place = line.options.weights_in_place;
-  constexpr size_t kMost = SINEW_MAX_RIG_JOINTS;
-  std::vector<float> positions(3 * kMost, 0);
-  std::vector<int32_t> parents(kMost, 0), partners(kMost, 0);
-  std::vector<uint8_t> flags(kMost, 0), classes(kMost, 0);
-  std::vector<uint16_t> confidence(kMost, 0), parent_confidence(kMost, 0);
-  std::vector<char> names(kMost * SINEW_JOINT_NAME_BYTES, 0);
-  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
-  outputs.flags = flags.data();
-  outputs.joint_classes = classes.data();
-  outputs.partners = partners.data();
-  outputs.confidence = confidence.data();
-  outputs.parent_confidence = parent_confidence.data();
-  outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(names.data());
+  RigArrays arrays;
   size_t bytes = 0;
   check(sinew_rig_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, &options,
                                  &bytes));
   options.kernel = kernel;
   Block block(bytes);
-  check(sinew_rig(&model, &in.mesh, &options, block.data, bytes, &outputs));
-  const size_t count = outputs.joint_count;
-  Hash memory, joints, names_hash;
-  const uint64_t size = bytes;
-  memory.add(&size, 1);
-  std::vector<uint32_t> bits(3 * count + 2);
-  std::memcpy(bits.data(), positions.data(), 3 * count * sizeof(uint32_t));
-  std::memcpy(bits.data() + 3 * count, &outputs.plane, sizeof(uint32_t));
-  std::memcpy(bits.data() + 3 * count + 1, &outputs.spread, sizeof(uint32_t));
-  joints.add(bits.data(), bits.size());
-  joints.add(parents.data(), count);
-  joints.add(partners.data(), count);
-  joints.add(flags.data(), count);
-  joints.add(classes.data(), count);
-  joints.add(confidence.data(), count);
-  joints.add(parent_confidence.data(), count);
-  joints.add(&outputs.mirrored, 1);
-  joints.add(&outputs.quarter_turns, 1);
-  for (size_t j = 0; j < count; ++j) {
-    const char* const text = names.data() + j * SINEW_JOINT_NAME_BYTES;
-    names_hash.add(reinterpret_cast<const uint8_t*>(text), std::strlen(text));
+  check(sinew_rig(&model, &in.mesh, &options, block.data, bytes, &arrays.outputs));
+  arrays.print_hashes(name, bytes);
+}
+
+// The character's own skeleton with fingers, faces and props; joints are for what their names end in.
+void hash_details(const char* name, const SetLine& line, const Input& in, const sinew_model& model, uint32_t kernel) {
+  sinew_rig_options options = line.rig_options;
+  options.up_axis = line.options.up_axis;
+  options.weights_in_place = line.options.weights_in_place;
+  RigArrays arrays;
+  const uint32_t count = in.skeleton.joint_count;
+  arrays.outputs.joint_count = count;
+  for (uint32_t j = 0; j < count; ++j) {
+    std::memcpy(&arrays.positions[3 * j], &in.joints[3 * j], 3 * sizeof(float));
+    arrays.parents[j] = in.parents[j];
+    arrays.partners[j] = -1;
+    const std::string& text = in.names[j];
+    const auto ends_in = [&](const std::string& word) {
+      return text.size() >= word.size() && text.compare(text.size() - word.size(), word.size(), word) == 0;
+    };
+    arrays.flags[j] = ends_in("_end") ? SINEW_JOINT_NEVER : 0;
+    arrays.classes[j] = ends_in("Hand")      ? SINEW_CLASS_HAND
+                        : ends_in("ForeArm") ? SINEW_CLASS_FOREARM
+                        : ends_in("Head")    ? SINEW_CLASS_HEAD
+                                             : SINEW_CLASS_OTHER;
+    std::memcpy(arrays.outputs.names[j], text.c_str(), text.size() + 1);
   }
-  print(name, "memory", memory);
-  print(name, "joints", joints);
-  print(name, "names", names_hash);
+  size_t bytes = 0, hands = 0;
+  check(
+      sinew_rig_face_workspace_size(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, &options, &bytes));
+  check(sinew_rig_hands_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, &options,
+                                       &hands));
+  bytes = bytes > hands ? bytes : hands;
+  options.kernel = kernel;
+  Block block(bytes);
+  check(sinew_rig_hands(&model, &in.mesh, &options, block.data, bytes, &arrays.outputs));
+  check(sinew_rig_face(&in.mesh, &options, block.data, bytes, &arrays.outputs));
+  check(sinew_rig_props(&in.mesh, &options, block.data, bytes, &arrays.outputs));
+  arrays.print_hashes(name, bytes);
 }
 
 // Everything that sinew_map() gives to a caller.
@@ -583,6 +635,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   const sinew_motion_body own = {in.positions.data(), nearest.data(), whole.data(), triangles.data(), vertices, 1,
                                  triangle_count};
   const sinew_motion_body other = {body.data(), nearest.data(), whole.data(), nullptr, vertices, 1, 0};
+  const std::vector<float> copied_turns = out_turns, copied_places = out_places;
   const sinew_motion_clip clip = {turns.data(),      places.data(),      out_turns.data(),
                                   out_places.data(), line.motion_frames, ground};
   check(sinew_retarget_contacts_size(plan, &own, line.motion_frames, &bytes));
@@ -591,11 +644,52 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   poses = Hash();
   add(out_turns);
   add(out_places);
+  const auto measure = [&](const sinew_motion_body* from) {
+    sinew_limb_measure limbs[SINEW_MAX_MOTION_LIMBS];
+    uint32_t count = 0;
+    check(sinew_retarget_measure(plan, from, &own, &clip, nullptr, workspace.data, bytes, limbs, &count));
+    std::vector<uint32_t> words(size_t{12} * count);
+    std::memcpy(words.data(), limbs, words.size() * sizeof(uint32_t));
+    poses.add(words.data(), words.size());
+  };
+  measure(&other);
+  // The same without a body of the source's.
+  out_turns = copied_turns;
+  out_places = copied_places;
+  measure(nullptr);
+  check(sinew_retarget_keep_range(plan, &own, &clip, workspace.data, bytes));
+  check(sinew_retarget_contacts(plan, nullptr, &own, &clip, nullptr, workspace.data, bytes));
+  add(out_turns);
+  add(out_places);
   print(name, "contacts", poses);
+  // The published method, as drawn and with all of its options.
+  poses = Hash();
+  check(sinew_retarget_reference_points_size(plan, &own, &bytes));
+  Block room(bytes);
+  sinew_reference_options options = sinew_reference_options_init();
+  for (const bool drawn : {true, false}) {
+    out_turns = copied_turns;
+    out_places = copied_places;
+    check(sinew_retarget_reference_points(plan, &other, &own, &clip, &options, room.data, bytes));
+    add(out_turns);
+    add(out_places);
+    options.area_power = drawn ? SINEW_NO_AREA : 0;
+    options.no_own_limb = 1;
+    options.legs = 1;
+    options.falloff = 0.05f;
+  }
+  print(name, "points", poses);
 }
 
-// Every joint turned by the angle of a 3-4-5 triangle about an axis of its own, on top of its parent: no sine is needed.
-std::vector<float> bent_palette(const Input& in) {
+// Every joint turned by the angle of a 3-4-5 triangle, or a multiple of it, about an axis of its own, on top of its parent: no sine
+// is needed.
+std::vector<float> bent_palette(const Input& in, uint32_t turns) {
+  double cosine = 1, sine = 0;
+  for (uint32_t t = 0; t < turns; ++t) {
+    const double last = cosine;
+    cosine = 0.6 * last - 0.8 * sine;
+    sine = 0.8 * last + 0.6 * sine;
+  }
   const size_t count = in.skeleton.joint_count;
   std::vector<double> matrices(12 * count, 0);
   std::vector<uint8_t> done(count, 0);
@@ -605,8 +699,8 @@ std::vector<float> bent_palette(const Input& in) {
       if (done[j] != 0 || (parent >= 0 && done[static_cast<size_t>(parent)] == 0)) continue;
       double own[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
       const size_t a = j % 3, b = (j + 1) % 3;
-      own[5 * a] = own[5 * b] = 0.6;
-      own[4 * a + b] = j % 2 == 0 ? -0.8 : 0.8;
+      own[5 * a] = own[5 * b] = cosine;
+      own[4 * a + b] = j % 2 == 0 ? -sine : sine;
       own[4 * b + a] = -own[4 * a + b];
       for (size_t r = 0; r < 3; ++r) {
         double moved = 0;
@@ -654,7 +748,8 @@ void hash_deform(const char* name, const SetLine& line, const Input& in) {
   Block workspace(deformer.pose_bytes);
   std::vector<float> positions(size_t{3} * in.mesh.vertex_count);
   sinew_deform_outputs outputs = sinew_deform_outputs_init(positions.data());
-  check(sinew_deform_pose(&deformer, bent_palette(in).data(), workspace.data, deformer.pose_bytes, &outputs));
+  check(
+      sinew_deform_pose(&deformer, bent_palette(in, line.turns).data(), workspace.data, deformer.pose_bytes, &outputs));
   Hash lattice, pose;
   const uint32_t counts[] = {deformer.tetrahedron_count, deformer.node_count,       deformer.split_cell_count,
                              outputs.corrected,          outputs.active_tetrahedra, outputs.inverted_tetrahedra};
@@ -765,8 +860,10 @@ void hash_set(const std::string& path, uint32_t kernel) {
     } else if (line.model == "heat") {
       hash_line(name.c_str(), line, in, nullptr, kernel);
     } else {
-      const ModelFile file((folder + line.model).c_str(), line.rig != 0);
-      if (line.rig != 0) {
+      const ModelFile file((folder + line.model).c_str(), line.rig != 0 || line.details != 0);
+      if (line.details != 0) {
+        hash_details(name.c_str(), line, in, file.model, kernel);
+      } else if (line.rig != 0) {
         hash_rig(name.c_str(), line, in, file.model, kernel);
       } else {
         hash_line(name.c_str(), line, in, &file.model, kernel);

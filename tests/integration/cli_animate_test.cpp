@@ -7,6 +7,8 @@
 #include <string>
 
 #include "cli_fixture.hpp"
+#include "make_glb.hpp"
+#include "nodding_motion.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -119,8 +121,50 @@ TEST_F(CliAnimate, ContactsKnowABodyOfTheSameMesh) {
   const Outcome told = good("animate broad.glb --motion moved.glb --method contacts -o kept.glb");
   EXPECT_EQ(told.out.find("has no body"), std::string::npos) << told.out;
   EXPECT_EQ(read_gltf_motion(in("kept.glb"), 20).clips[0].frames.size(), 10u);
+  // The published method takes the same two bodies, and none is no answer.
+  good("animate broad.glb --motion moved.glb --method reference-points -o drawn.glb");
+  good(
+      "animate broad.glb --motion moved.glb --method reference-points --area-power 0 --falloff 0.05 --no-own-limb "
+      "--legs "
+      "-o all.glb");
+  good("animate broad.glb --motion moved.glb --method copy -o copy.glb");
+  EXPECT_NE(slurp(in("drawn.glb")), slurp(in("copy.glb")));
+  EXPECT_NE(slurp(in("drawn.glb")), slurp(in("all.glb")));
+  const Outcome bodiless = bad(1, "animate broad.glb --motion swing.bvh --method reference-points -o new.glb");
+  EXPECT_NE(bodiless.error.find("swing.bvh: has no body of the character's own mesh, which reference points need"),
+            std::string::npos)
+      << bodiless.error;
   const Outcome feet = good("animate broad.glb --motion swing.bvh --method contacts -o feet.glb");
   EXPECT_NE(feet.out.find("has no body of the character's own mesh"), std::string::npos) << feet.out;
+}
+
+TEST_F(CliAnimate, AReportSaysWhatWasMendedLimbByLimb) {
+  make_clip("swing");
+  Character hero = read_character(kData + "/biped__robed.obj"), broad = hero;
+  for (Vec3& v : broad.vertices) v = {1.4f * v.x, v.y, 1.6f * v.z};
+  for (Joint& j : broad.joints) j.position = {1.4f * j.position.x, j.position.y, 1.6f * j.position.z};
+  write_gltf(in("broad.glb"), broad);
+  const Outcome told = good("animate broad.glb --motion swing.bvh -o kept.glb --report");
+  EXPECT_NE(told.out.find(": in the body in "), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find(": under the floor in "), std::string::npos) << told.out;
+  const auto json = nlohmann::json::parse(good("animate broad.glb --motion swing.bvh -o kept.glb --report --json").out);
+  const auto& report = json["clips"][0]["report"];
+  ASSERT_EQ(report.size(), 4u) << json;
+  size_t legs = 0;
+  for (const auto& limb : report) {
+    legs += limb["limb"] == "leg" ? 1 : 0;
+    EXPECT_TRUE(limb["joint"].is_string());
+    EXPECT_LE(limb["after"]["error"].get<double>(), limb["before"]["error"].get<double>() + 1e-4) << limb;
+    EXPECT_GE(limb["before"]["deep_frames"].get<int>(), limb["after"]["deep_frames"].get<int>()) << limb;
+  }
+  EXPECT_EQ(legs, 2u);
+  // What is copied is the same before and after.
+  const auto copied =
+      nlohmann::json::parse(good("animate broad.glb --motion swing.bvh --method copy -o copy.glb --report --json").out);
+  for (const auto& limb : copied["clips"][0]["report"]) EXPECT_EQ(limb["before"], limb["after"]);
+  EXPECT_FALSE(
+      nlohmann::json::parse(good("animate broad.glb --motion swing.bvh -o kept.glb --json").out)["clips"][0].contains(
+          "report"));
 }
 
 TEST_F(CliAnimate, ABareMeshGetsASkeletonFirst) {
@@ -154,6 +198,10 @@ TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
   expect(1, hero + " --motion none.bvh -o out.glb", "none.bvh: no such file");
   expect(2, hero + " --motion swing.bvh -o out.fbx", "does not write it");
   expect(2, hero + " --motion swing.bvh -o out.glb --method magic", "magic");
+  expect(2, hero + " --motion swing.bvh -o out.glb --area-power 4", "--area-power goes with --method reference-points");
+  expect(2, hero + " --motion swing.bvh -o out.glb --legs", "--legs goes with --method reference-points");
+  expect(2, hero + " --motion swing.bvh -o out.glb --method reference-points --area-power 5", "--area-power");
+  expect(2, hero + " --motion swing.bvh -o out.glb --method reference-points --falloff -1", "--falloff");
   expect(2, hero + " --motion swing.bvh -o out.glb --from 2 --to 1", "--from 2 is behind --to 1");
   expect(2, hero + " --motion swing.bvh -o out.glb --sheet sheet.gif", "sheet.gif");
   expect(2, hero + " -o out.glb", "--motion");
@@ -170,6 +218,26 @@ TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
   refused = bad(1, "pose " + hero + " --animation walk -o a.png");
   EXPECT_NE(refused.error.find("has no animations"), std::string::npos) << refused.error;
   bad(2, "pose " + hero + " --animation walk --random 3 -o a.png");
+}
+
+TEST_F(CliAnimate, CorrectsEveryFrameWithMorphTargets) {
+  const std::string robed = kData + "/biped__robed.obj";
+  put(in("nod.bvh"), nodding_bvh());
+  put(in("map.txt"), nodding_map(read_character(robed)));
+  const std::string call = "animate " + robed + " --motion nod.bvh --map map.txt --method copy --deform volume";
+  const auto json = nlohmann::json::parse(good(call + " --json --sheet sheet.png -o out.glb").out);
+  EXPECT_GT(json["clips"][0]["shapes"], 0);
+  EXPECT_LE(json["clips"][0]["shapes"], 16);
+  EXPECT_LT(json["clips"][0]["error"]["baked"].get<double>(), 0.2 * json["clips"][0]["error"]["linear"].get<double>());
+  good("animate " + robed + " --motion nod.bvh --map map.txt --method copy --sheet plain.png -o plain.glb");
+  EXPECT_NE(slurp(in("sheet.png")), slurp(in("plain.png"))) << "drawn as it is corrected";
+  const auto document = json_of_glb(slurp(in("out.glb")));
+  size_t weights = 0;
+  for (const auto& channel : document["animations"][0]["channels"]) weights += channel["target"]["path"] == "weights";
+  EXPECT_GT(weights, 0u);
+  EXPECT_FALSE(document["meshes"][0].at("extras").contains("sinew_correctives")) << "only this clip has them";
+  bad(2, call + " -o out.bvh");
+  bad(2, "animate " + robed + " --motion nod.bvh --cells 16 -o other.glb");
 }
 
 }  // namespace

@@ -59,6 +59,25 @@ TEST_F(CliHands, AGivenSkeletonKeepsItsJoints) {
   EXPECT_EQ(hands.joints.size(), body.joints.size());
 }
 
+TEST_F(CliHands, FullDetailAddsEyesAndAJawWhereThereAreEyes) {
+  put(in("box.obj"),
+      "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 1 2 0\nv 0 0 1\nv 1 0 1\nv 0 2 1\nv 1 2 1\n"
+      "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  const Outcome none = good("rig box.obj --no-bind --detail full -o none.rig.txt");
+  EXPECT_NE(none.out.find("no head with eyes"), std::string::npos) << none.out;
+  good("rig box.obj --no-bind -o body.rig.txt");
+  EXPECT_EQ(slurp(in("none.rig.txt")), slurp(in("body.rig.txt")));
+
+  good("rig " + kData + "/biped__robed.obj --detail full -o face.rig.txt");  // its eyes are loose balls
+  const std::string made = slurp(in("face.rig.txt"));
+  for (const char* line :
+       {"joints LeftEye 0.08", "joints RightEye -0.08", "hier Head LeftEye", "hier Head Jaw", "hier Jaw Jaw_end"})
+    EXPECT_NE(made.find(line), std::string::npos) << line;
+  EXPECT_NE(made.find(" LeftEye 1.000000"), std::string::npos) << "a ball moves with its eye";
+  EXPECT_NE(made.find("hier LeftHand LeftHandProp"), std::string::npos) << "it holds a stick";
+  EXPECT_NE(made.find(" LeftHandProp 1.000000"), std::string::npos);
+}
+
 TEST_F(CliHands, ModelsAreToldApart) {
   const std::string mesh = kData + "/biped__robed.obj";
   const Outcome body = bad(1, "rig " + mesh + " --no-bind --model " + kData + "/sinew_hands.sinew -o out.rig.txt");

@@ -120,6 +120,37 @@ TEST_F(CliRig, WrongUsage) {
   EXPECT_FALSE(fs::exists(in("out")));
 }
 
+TEST_F(CliRig, TrainingGoesOnFromTheReleasedModel) {
+  fs::create_directories(in("set"));
+  for (const char* name : {"/biped__robed", "/quadruped__tailed"})
+    for (const char* end : {".obj", ".rig.txt"}) fs::copy(kData + name + end, in("set"));
+  put(in("two.json"), R"({"steps": 2, "variants": 1, "synthetic": 0, "validate_every": 2, "learning_rate": 1e-5})");
+  const std::string train = "train set --task rig --config two.json --quiet -o on.ckpt --init ";
+  good(train + kData + "/sinew_rig.sinew");
+  good("quantize on.ckpt --calibrate set --quiet -o on.sinew");
+  const std::string table = good("eval set --task rig --checkpoint on.ckpt --model on.sinew").out;
+  EXPECT_NE(table.find("float, on.ckpt: J2J "), std::string::npos) << table;
+  EXPECT_NE(table.find("the same tree on 2 of 2 characters"), std::string::npos) << table;
+  // What began with other weights is another skeleton.
+  put(in("fresh.json"), R"({"steps": 1, "variants": 1, "synthetic": 0, "validate_every": 1})");
+  good("train set --task rig --config fresh.json --quiet -o fresh.ckpt");
+  EXPECT_NE(good("eval set --task rig --checkpoint fresh.ckpt --model on.sinew").out.find("the same tree on 0 of 2"),
+            std::string::npos);
+
+  fs::remove(in("on.ckpt"));
+  EXPECT_NE(bad(1, train + kData + "/sinew_default.sinew").error.find("for another task"), std::string::npos);
+  EXPECT_NE(bad(1, "train set --task rig --config narrow.json --quiet -o on.ckpt --init " + kData + "/sinew_rig.sinew")
+                .error.find("narrow.json"),
+            std::string::npos);
+  put(in("narrow.json"), R"({"steps": 2, "variants": 1, "synthetic": 0, "width": 32})");
+  EXPECT_NE(bad(1, "train set --task rig --config narrow.json --quiet -o on.ckpt --init " + kData + "/sinew_rig.sinew")
+                .error.find("other shapes"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(in("on.ckpt")));
+  EXPECT_NE(bad(2, "eval set --task rig --checkpoint fresh.ckpt --method shape").error.find("--checkpoint"),
+            std::string::npos);
+}
+
 TEST_F(CliRig, TargetGoesOnAfterAFailure) {
   make_set();
   put(in("set/broken.obj"), slurp(in("set/snake__long.obj")));

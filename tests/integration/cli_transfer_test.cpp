@@ -55,6 +55,19 @@ TEST_F(CliTransfer, AMapSaysWhichJointIsWhich) {
       good("transfer snake.obj " + kSnake + " --skeleton other.rig.txt --map map.txt --json -o out.glb").out);
   EXPECT_EQ(json["mapped_joints"], own.joints.size());
   EXPECT_EQ(json["parts"].size(), 5u);  // the snake and what sticks to it
+  good("map other.rig.txt --from " + kSnakeRig + " --set " + own.joints.back().name + "=- -o made.txt");
+  const auto made = nlohmann::json::parse(
+      good("transfer snake.obj " + kSnake + " --skeleton other.rig.txt --map made.txt --json -o out.glb").out);
+  EXPECT_EQ(made["mapped_joints"], own.joints.size() - 1) << "the line of the joint that gets none";
+  put(in("map.txt"), own.joints[0].name + " -\n");
+  EXPECT_NE(bad(1, "transfer snake.obj " + kSnake + " --skeleton other.rig.txt --map map.txt -o new.glb")
+                .error.find("maps no joint"),
+            std::string::npos);
+  put(in("map.txt"), own.joints[0].name + " " + own.joints[0].name.substr(6) + "\n" + own.joints[1].name + " " +
+                         own.joints[0].name.substr(6) + "\n");
+  EXPECT_NE(bad(1, "transfer snake.obj " + kSnake + " --skeleton other.rig.txt --map map.txt -o new.glb")
+                .error.find("map.txt:2: expected each joint once"),
+            std::string::npos);
   put(in("map.txt"), "Other_none x\n");
   EXPECT_NE(bad(1, "transfer snake.obj " + kSnake + " --skeleton other.rig.txt --map map.txt -o new.glb")
                 .error.find("map.txt:1: expected"),

@@ -12,12 +12,14 @@
 
 #include "mesh_scene.hpp"
 #include "open_bundled_model.hpp"
+#include "rig_skeleton.hpp"
 #include "sinew/sinew.hpp"
 
 namespace {
 
 using sinew_test::add_cube;
 using sinew_test::MeshScene;
+using sinew_test::RigSkeleton;
 
 using Point = std::array<double, 3>;
 
@@ -79,51 +81,22 @@ MeshScene two_arms(bool fingers) {
   return scene;
 }
 
-// A skeleton with room, as sinew_rig() would have given it: hips, and an arm of forearm, hand and end on each side.
-struct Skeleton {
-  std::vector<float> positions = std::vector<float>(3 * SINEW_MAX_RIG_JOINTS);
-  std::vector<int32_t> parents = std::vector<int32_t>(SINEW_MAX_RIG_JOINTS), partners = parents;
-  std::vector<uint8_t> flags = std::vector<uint8_t>(SINEW_MAX_RIG_JOINTS), classes = flags;
-  std::vector<uint16_t> confidence = std::vector<uint16_t>(SINEW_MAX_RIG_JOINTS), parent_confidence = confidence;
-  std::vector<char> text = std::vector<char>(size_t{SINEW_MAX_RIG_JOINTS} * SINEW_JOINT_NAME_BYTES);
-  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
-
+// As sinew_rig() would have given it: hips, and an arm of forearm, hand and end on each side.
+struct Skeleton : RigSkeleton {
   explicit Skeleton(bool mirrored = true) {
-    outputs.flags = flags.data();
-    outputs.joint_classes = classes.data();
-    outputs.partners = partners.data();
-    outputs.confidence = confidence.data();
-    outputs.parent_confidence = parent_confidence.data();
-    outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(text.data());
     outputs.mirrored = mirrored ? 1 : 0;
-    add("Hips", 0, 1, -1, SINEW_CLASS_PELVIS, 0, mirrored ? 0 : -1);
+    add("Hips", 0, 1, 0, -1, SINEW_CLASS_PELVIS, 0, mirrored ? 0 : -1);
     int at = 1;
     for (const float side : {1.0f, -1.0f}) {
       const std::string name = side > 0 ? "Left" : "Right";
       const int other = side > 0 ? 4 : -4;
-      add(name + "Arm", side * 0.15f, 1.4f, 0, SINEW_CLASS_UPPER_ARM, 0, mirrored ? at + other : -1);
-      add(name + "ForeArm", side * 0.36f, 1.4f, at, SINEW_CLASS_FOREARM, 0, mirrored ? at + 1 + other : -1);
-      add(name + "Hand", side * 0.6f, 1.4f, at + 1, SINEW_CLASS_HAND, 0, mirrored ? at + 2 + other : -1);
-      add(name + "Hand_end", side * 0.76f, 1.4f, at + 2, SINEW_CLASS_HAND, SINEW_JOINT_NEVER,
+      add(name + "Arm", side * 0.15f, 1.4f, 0, 0, SINEW_CLASS_UPPER_ARM, 0, mirrored ? at + other : -1);
+      add(name + "ForeArm", side * 0.36f, 1.4f, 0, at, SINEW_CLASS_FOREARM, 0, mirrored ? at + 1 + other : -1);
+      add(name + "Hand", side * 0.6f, 1.4f, 0, at + 1, SINEW_CLASS_HAND, 0, mirrored ? at + 2 + other : -1);
+      add(name + "Hand_end", side * 0.76f, 1.4f, 0, at + 2, SINEW_CLASS_HAND, SINEW_JOINT_NEVER,
           mirrored ? at + 3 + other : -1);
       at += 4;
     }
-  }
-  void add(const std::string& name, float x, float y, int parent, uint8_t joint_class, uint8_t flag, int partner) {
-    const uint32_t j = outputs.joint_count++;
-    positions[3 * j] = x;
-    positions[3 * j + 1] = y;
-    parents[j] = parent;
-    partners[j] = partner;
-    classes[j] = joint_class;
-    flags[j] = flag;
-    std::strcpy(outputs.names[j], name.c_str());
-  }
-  std::string name(uint32_t j) const { return &text[size_t{j} * SINEW_JOINT_NAME_BYTES]; }
-  bool same_as(const Skeleton& o) const {
-    return outputs.joint_count == o.outputs.joint_count && positions == o.positions && parents == o.parents &&
-           partners == o.partners && flags == o.flags && classes == o.classes && confidence == o.confidence &&
-           parent_confidence == o.parent_confidence && text == o.text;
   }
   uint32_t fingers() const {
     std::set<std::pair<int32_t, uint8_t>> found;
@@ -243,7 +216,7 @@ TEST(HandsOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
 TEST(HandsOfASkeleton, WithoutRoomGetNone) {
   Skeleton s(false);
   while (s.outputs.joint_count < SINEW_MAX_RIG_JOINTS - 1)
-    s.add("Bone" + std::to_string(s.outputs.joint_count), 0, 1, 0, SINEW_CLASS_OTHER, 0, -1);
+    s.add("Bone" + std::to_string(s.outputs.joint_count), 0, 1, 0, 0, SINEW_CLASS_OTHER, 0, -1);
   const uint32_t count = s.outputs.joint_count;
   ASSERT_EQ(add_hands(two_arms(true), &s), SINEW_OK);
   EXPECT_EQ(s.outputs.joint_count, count);

@@ -16,5 +16,8 @@ endif()
 add_test(NAME web_build COMMAND ${web}/build.sh ${CMAKE_BINARY_DIR}/web)
 add_test(NAME web_page COMMAND ${CMAKE_COMMAND} -E env SINEW_CHROMIUM=${SINEW_CHROMIUM} ${SINEW_NODE} ${web}/test/page_test.mjs
   ${CMAKE_BINARY_DIR}/web ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/web_screenshots $<TARGET_FILE:sinew_cli>)
-set_tests_properties(web_build PROPERTIES LABELS "web;tools" TIMEOUT 1200 FIXTURES_SETUP web)
+add_test(NAME web_studio COMMAND ${CMAKE_COMMAND} -E env SINEW_CHROMIUM=${SINEW_CHROMIUM} ${SINEW_NODE} ${web}/test/studio_test.mjs
+  ${CMAKE_BINARY_DIR}/web ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/web_screenshots_studio $<TARGET_FILE:sinew_cli>)
+set_tests_properties(web_studio PROPERTIES LABELS "web;tools" TIMEOUT 1200 FIXTURES_REQUIRED web)
+set_tests_properties(web_build PROPERTIES LABELS "web;tools" TIMEOUT 1200 FIXTURES_SETUP web RESOURCE_LOCK web_packages)
 set_tests_properties(web_page PROPERTIES LABELS "web;tools" TIMEOUT 1200 FIXTURES_REQUIRED web)

@@ -165,6 +165,31 @@ TEST(MapProperty, RandomRigsGiveSoundMaps) {
   }
 }
 
+// People of several conventions, random bodies and trees: each one mapped from each.
+TEST(MapProperty, EveryPairOfFiftyRigs) {
+  std::vector<TestRig> rigs;
+  for (int spines = 1; spines <= 5; ++spines)
+    for (const bool t_pose : {true, false})
+      rigs.push_back(sinew_test::humanoid(spines, t_pose, spines % 2 ? "a:" : ""));
+  for (uint32_t seed = 0; rigs.size() < 50; ++seed) {
+    Draw draw(seed + 40000);
+    rigs.push_back(seed % 4 == 3 ? random_tree(draw, 1 + draw.below(60), static_cast<int>(draw.below(5)))
+                                 : random_body(draw));
+  }
+  uint32_t pair = 0;
+  for (const TestRig& target : rigs) {
+    for (const TestRig& source : rigs) {
+      MapCall call;
+      call.names = pair % 2 == 0;
+      call.ends = pair % 3 != 0;
+      call.up_known = pair % 5 != 0;
+      call.run(target, source);
+      ASSERT_NO_FATAL_FAILURE(expect_sound(target, source, call, pair));
+      ++pair;
+    }
+  }
+}
+
 TEST(MapProperty, PinsAreKeptAndNothingCrossesThem) {
   for (uint32_t seed = 0; seed < 400; ++seed) {
     Draw draw(seed + 9000);

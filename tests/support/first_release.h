@@ -89,4 +89,105 @@ typedef struct sinew_deform_outputs_0_1 {
   uint32_t inverted_tetrahedra;
 } sinew_deform_outputs_0_1;
 
+typedef struct sinew_retarget_options_0_1 {
+  uint32_t struct_size;
+  uint32_t method;
+  uint32_t source_up;
+  uint32_t target_up;
+  uint32_t in_place;
+  float scale;
+} sinew_retarget_options_0_1;
+
+typedef struct sinew_contact_options_0_1 {
+  uint32_t struct_size;
+  float fps;
+  int (*progress)(void* user, uint32_t permille);
+  void* progress_user;
+} sinew_contact_options_0_1;
+
+typedef struct sinew_reference_options_0_1 {
+  uint32_t struct_size;
+  uint32_t area_power;
+  uint32_t no_own_limb;
+  uint32_t legs;
+  float falloff;
+  float least_cosine;
+  int (*progress)(void* user, uint32_t permille);
+  void* progress_user;
+} sinew_reference_options_0_1;
+typedef struct sinew_map_rig_0_1 {
+  uint32_t struct_size;
+  uint32_t joint_count;
+  const float* positions;
+  const int32_t* parents;
+  const char* const* names;
+  const uint8_t* ends;
+  float up[3];
+  uint32_t reserved;
+} sinew_map_rig_0_1;
+
+typedef struct sinew_map_options_0_1 {
+  uint32_t struct_size;
+  uint32_t method;
+  uint32_t pin_count;
+  uint32_t reserved;
+  const struct sinew_map_pin* pins;
+} sinew_map_options_0_1;
+
+typedef struct sinew_map_outputs_0_1 {
+  uint32_t struct_size;
+  uint32_t method;
+  int32_t* sources;
+  uint16_t* confidence;
+  uint8_t* reasons;
+  uint32_t mapped;
+  uint32_t certainty;
+  size_t used_bytes;
+} sinew_map_outputs_0_1;
+
+typedef struct sinew_transfer_options_0_1 {
+  uint32_t struct_size;
+  uint32_t method;
+  uint32_t influence_count;
+  uint32_t weight_format;
+  uint32_t up_axis;
+  uint32_t source_up_axis;
+  uint32_t garment;
+  uint32_t as_drawn;
+  uint32_t weights_in_place;
+  uint32_t kernel;
+  uint32_t thread_count;
+  uint32_t pair_count;
+  const uint8_t* locked;
+  const struct sinew_vertex_pair* pairs;
+  void (*parallel_for)(void* user, uint32_t count, void (*body)(void* body_data, uint32_t index), void* body_data);
+  void* parallel_user;
+  int (*progress)(void* user, uint32_t done_permille);
+  void* progress_user;
+} sinew_transfer_options_0_1;
+
+typedef struct sinew_transfer_outputs_0_1 {
+  uint32_t struct_size;
+  uint32_t part_capacity;
+  uint16_t* joint_indices;
+  void* weights;
+  uint8_t* confidence;
+  struct sinew_transfer_part* parts;
+  uint32_t* vertex_parts;
+  uint32_t part_count;
+  uint32_t bound_by;
+  uint32_t carried_q16;
+  uint32_t style_q16;
+  uint32_t mismatch_q16;
+  uint32_t reference_count;
+  size_t used_bytes;
+} sinew_transfer_outputs_0_1;
+
+typedef struct sinew_simplify_options_0_1 {
+  uint32_t struct_size;
+  uint32_t level;
+  uint32_t joint_count;
+  uint32_t reserved;
+} sinew_simplify_options_0_1;
+
 #endif

@@ -14,19 +14,14 @@
 #include "bind/pipeline.hpp"
 #include "heat/source_joints.hpp"
 #include "kernels/select.hpp"
+#include "scene_parts.hpp"
 
 namespace sinew_test {
 
-struct HeatScene {
-  std::vector<float> positions;
+struct HeatScene : SceneParts {
   std::vector<uint32_t> triangles;
-  std::vector<float> joints;
-  std::vector<int32_t> parents;
-  std::vector<uint8_t> flags;
 
-  uint32_t vertex_count() const { return static_cast<uint32_t>(positions.size() / 3); }
-  uint32_t joint_count() const { return static_cast<uint32_t>(parents.size()); }
-  // Views of the scene, which must outlive them.
+  // A view of the scene, which must outlive it.
   sinew_mesh mesh_view() const {
     sinew_mesh view = {};
     view.positions = positions.data();
@@ -36,24 +31,7 @@ struct HeatScene {
     view.face_count = view.corner_count / 3;
     return view;
   }
-  sinew_skeleton skeleton_view() const {
-    sinew_skeleton view = {};
-    view.positions = joints.data();
-    view.parents = parents.data();
-    view.flags = flags.empty() ? nullptr : flags.data();
-    view.joint_count = joint_count();
-    return view;
-  }
-  uint32_t add_vertex(double x, double y, double z) {
-    positions.insert(positions.end(), {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
-    return vertex_count() - 1;
-  }
   void add_triangle(uint32_t a, uint32_t b, uint32_t c) { triangles.insert(triangles.end(), {a, b, c}); }
-  uint32_t add_joint(double x, double y, double z, int32_t parent) {
-    joints.insert(joints.end(), {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
-    parents.push_back(parent);
-    return joint_count() - 1;
-  }
   sinew::Counts counts() const {
     sinew::Counts c;
     c.vertices = vertex_count();

@@ -10,30 +10,18 @@
 #include <vector>
 
 #include "bind/pipeline.hpp"
+#include "scene_parts.hpp"
 #include "sinew/sinew.hpp"
 
 namespace sinew_test {
 
-struct MeshScene {
-  std::vector<float> positions;
+struct MeshScene : SceneParts {
   std::vector<uint32_t> offsets = {0}, corners;
-  std::vector<float> joints;
-  std::vector<int32_t> parents;
-  std::vector<uint8_t> flags;
 
-  uint32_t vertex_count() const { return static_cast<uint32_t>(positions.size() / 3); }
-  uint32_t add_vertex(float x, float y, float z) {
-    positions.insert(positions.end(), {x, y, z});
-    return vertex_count() - 1;
-  }
   void add_face(std::initializer_list<uint32_t> face) { add_face(std::vector<uint32_t>(face)); }
   void add_face(const std::vector<uint32_t>& face) {
     corners.insert(corners.end(), face.begin(), face.end());
     offsets.push_back(static_cast<uint32_t>(corners.size()));
-  }
-  void add_joint(float x, float y, float z, int32_t parent) {
-    joints.insert(joints.end(), {x, y, z});
-    parents.push_back(parent);
   }
   sinew_mesh mesh_view() const {
     sinew_mesh view = {};
@@ -43,14 +31,6 @@ struct MeshScene {
     view.face_vertices = corners.data();
     view.face_count = static_cast<uint32_t>(offsets.size() - 1);
     view.corner_count = static_cast<uint32_t>(corners.size());
-    return view;
-  }
-  sinew_skeleton skeleton_view() const {
-    sinew_skeleton view = {};
-    view.positions = joints.data();
-    view.parents = parents.data();
-    view.flags = flags.empty() ? nullptr : flags.data();
-    view.joint_count = static_cast<uint32_t>(parents.size());
     return view;
   }
 };

@@ -3,7 +3,7 @@
 if(SINEW_BUILD_FORMATS)
   find_package(PNG REQUIRED)
   find_package(nlohmann_json REQUIRED)
-  foreach(room dataset picture page synth target)
+  foreach(room bake dataset picture page synth target)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/datasets/${room}/*_test.cpp)
     sinew_test(unit_datasets_${room} SOURCES ${sources} LIBS sinew::datasets PNG::PNG nlohmann_json::nlohmann_json LABELS unit)
   endforeach()

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstring>
 
+#include "map_rig.hpp"
 #include "mesh_scene.hpp"
 #include "rig_scene.hpp"
 #include "sinew/sinew.hpp"
+#include "transfer_scene.hpp"
 
 namespace {
 
@@ -186,6 +188,83 @@ TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(moved[i], places[i], 1e-6f);
   EXPECT_EQ(plan.make(rig, rig, none, nullptr), SINEW_ERROR_NO_JOINT);
   EXPECT_EQ(plan.frame(rotations, places, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+}
+
+TEST(CppWrapper, TransfersAsTheCFunctionDoes) {
+  const MeshScene source = sinew_test::limb(9, 6, 3, 0.3), target = sinew_test::limb(12, 5, 4, 0.4);
+  const sinew_test::BoundRows rows = sinew_test::painted(source, 3);
+  sinew::TransferSettings settings;
+  settings.method = SINEW_TRANSFER_NEAREST;
+  settings.influence_count = 2;
+  settings.weight_format = SINEW_WEIGHT_FLOAT;  // what the type of the weights overrules
+  const sinew_mesh source_mesh = source.mesh_view();
+  const sinew_skeleton skeleton = source.skeleton_view();
+  const int32_t map[] = {0, 1, 2}, none[] = {-1, -1, -1};
+  sinew_bound_character bound = {&source_mesh,         &skeleton, rows.joints.data(), rows.weights.data(), 2,
+                                 SINEW_WEIGHT_UNORM16, map};
+  sinew::Workspace workspace;
+  sinew::Skin<uint16_t> skin;
+  sinew::TransferReport report;
+  ASSERT_EQ(
+      sinew::transfer(nullptr, bound, target.mesh_view(), target.skeleton_view(), settings, &workspace, &skin, &report),
+      SINEW_OK);
+  settings.weight_format = SINEW_WEIGHT_UNORM16;
+  const sinew_test::TransferRun expected = sinew_test::run_transfer(source, rows, target, settings);
+  ASSERT_EQ(expected.status, SINEW_OK);
+  EXPECT_EQ(skin.influence_count, 2u);
+  EXPECT_EQ(skin.joints, expected.joints);
+  EXPECT_EQ(skin.weights, expected.weights);
+  EXPECT_EQ(report.confidence, expected.confidence);
+  EXPECT_EQ(report.vertex_parts, expected.vertex_parts);
+  ASSERT_EQ(report.parts.size(), expected.parts.size());
+  EXPECT_EQ(report.parts[0].vertex_count, expected.parts[0].vertex_count);
+  EXPECT_EQ(report.carried_q16, expected.outputs.carried_q16);
+  EXPECT_EQ(report.bound_by, expected.outputs.bound_by);
+  EXPECT_EQ(report.used_bytes, expected.outputs.used_bytes);
+
+  // Failures leave both alone; locked rows are wanted in the right number.
+  bound.joint_map = none;
+  const std::vector<uint16_t> weights = skin.weights;
+  EXPECT_EQ(
+      sinew::transfer(nullptr, bound, target.mesh_view(), target.skeleton_view(), settings, &workspace, &skin, &report),
+      SINEW_ERROR_RANGE);
+  EXPECT_EQ(skin.weights, weights);
+  EXPECT_EQ(report.parts.size(), expected.parts.size());
+  bound.joint_map = map;
+  const std::vector<uint8_t> locked(target.vertex_count(), 1);
+  settings.locked = locked.data();
+  sinew::Skin<uint16_t> empty;
+  EXPECT_EQ(sinew::transfer(nullptr, bound, target.mesh_view(), target.skeleton_view(), settings, &workspace, &empty),
+            SINEW_ERROR_ARGUMENT);
+  sinew::Skin<uint16_t> kept{2, skin.joints, skin.weights, 0};
+  kept.joints.assign(kept.joints.size(), 0);
+  kept.weights.assign(kept.weights.size(), 0);
+  for (size_t v = 0; v < kept.weights.size(); v += 2) kept.weights[v] = 65535;
+  const std::vector<uint16_t> painted = kept.weights;
+  EXPECT_EQ(sinew::transfer(nullptr, bound, target.mesh_view(), target.skeleton_view(), settings, &workspace, &kept),
+            SINEW_OK);
+  EXPECT_EQ(kept.weights, painted);
+}
+
+TEST(CppWrapper, MapsAsTheCFunctionDoes) {
+  const sinew_test::TestRig target = sinew_test::humanoid(3, true), source = sinew_test::humanoid(2, false);
+  sinew_test::MapCall expected;
+  expected.run(target, source);
+  std::vector<const char*> texts;
+  const sinew_map_rig to = expected.view(target, &texts), from = expected.view(source, &texts);
+  sinew::Workspace workspace;
+  sinew::JointMap map;
+  ASSERT_EQ(sinew::map_joints(to, from, {}, &workspace, &map), SINEW_OK);
+  EXPECT_EQ(map.sources, expected.sources);
+  EXPECT_EQ(map.confidence, expected.confidence);
+  EXPECT_EQ(map.reasons, expected.reasons);
+  EXPECT_EQ(map.mapped, expected.outputs.mapped);
+  EXPECT_EQ(map.certainty, expected.outputs.certainty);
+  EXPECT_EQ(map.method, expected.outputs.method);
+  sinew::MapSettings wrong;
+  wrong.method = 9;
+  EXPECT_EQ(sinew::map_joints(to, from, wrong, &workspace, &map), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(map.sources, expected.sources);
 }
 
 }  // namespace

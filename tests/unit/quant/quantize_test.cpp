@@ -5,11 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "model/reader.hpp"
 #include "network_fixture.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "temp_folder.hpp"
 
 namespace sinew::test {
 namespace {
@@ -163,6 +166,59 @@ TEST(Quantize, RefusesInOneLine) {
   options = {};
   options.margin = 0.5;
   expect_error(good, calibration, "margin", options);
+}
+
+// Weights of a network that starts anew from a model, with shapes of the first and other numbers.
+FloatNetwork read_back(const std::string& path, FloatNetwork shape) {
+  for (LinearParameters& p : shape.parameters) {
+    std::fill(p.weights.begin(), p.weights.end(), 7.0f);
+    std::fill(p.bias.begin(), p.bias.end(), 7.0f);
+  }
+  read_model_weights(path, &shape);
+  return shape;
+}
+
+TEST(ModelWeights, ComputeWhatTheModelDoes) {
+  const TempFolder folder;
+  const std::string path = folder.file("m.sinew");
+  const FloatNetwork network = field_like(9, 6, 24, 2);
+  const Graph g = random_graph(10, 80, 6, 20, 3, usual_feature);
+  const FloatRun exact = run_float(network, g);
+  const QuantizedModel model = quantize(network, {exact.layer_max});
+  write_file(path, model.bytes);
+  const FloatNetwork back = read_back(path, network);
+  EXPECT_GE(snr_db(model.bytes, g, run_float(back, g).logits), 55);
+  // Weights have the size of fresh ones where that is free: the square root of 2 over the inputs.
+  const LinearParameters& first = back.parameters[0];
+  double squares = 0;
+  for (const float w : first.weights) squares += w * w;
+  EXPECT_NEAR(squares / static_cast<double>(first.weights.size()) * first.in, 2, 1e-3);
+}
+
+TEST(ModelWeights, RefusesOthersInOneLine) {
+  const TempFolder folder;
+  const std::string path = folder.file("m.sinew");
+  FloatNetwork network = field_like(9, 6, 24, 2);
+  const Calibration calibration{std::vector<float>(network.layers.size(), 1.0f)};
+  std::vector<uint8_t> bytes = quantize(network, calibration).bytes;
+  const auto expect_refused = [&](FloatNetwork shape, const std::string& part) {
+    write_file(path, bytes);
+    try {
+      read_model_weights(path, &shape);
+      FAIL() << "not refused: " << part;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    }
+  };
+  expect_refused(field_like(9, 6, 16, 2), "other shapes");
+  expect_refused(field_like(9, 6, 24, 1), "other shapes");
+  network.task = kTaskRig;
+  expect_refused(network, "another task");
+  bytes[bytes.size() / 2] ^= 1;
+  expect_refused(field_like(9, 6, 24, 2), "checksum");
+  bytes.resize(20);
+  expect_refused(field_like(9, 6, 24, 2), path);
 }
 
 }  // namespace

@@ -128,6 +128,12 @@ TEST(JointClassOf, LegsDependOnWhatIsBoundBelow) {
   EXPECT_EQ(class_text("Shoulders"), "spine");
 }
 
+TEST(JointClassOf, AHipOfOneSideBeginsALeg) {
+  EXPECT_EQ(class_text("LeftHip", {"LeftKnee"}), "thigh");
+  EXPECT_EQ(class_text("hip.R", {"upleg.R"}), "hip");
+  EXPECT_EQ(class_text("hip", {"LeftKnee"}), "pelvis");
+}
+
 TEST(JointClassOf, PlainNames) {
   EXPECT_EQ(plain_joint_name("mixamorig:LeftForeArm"), "forearm");
   EXPECT_EQ(plain_joint_name("Leftover"), "leftover") << "no capital behind it: no side";

@@ -101,6 +101,20 @@ TEST(Deform, VolumeIsKeptInABend) {
     for (size_t a = 0; a < 3; ++a) EXPECT_EQ(posed.positions[3 * v + a], rigid[3 * v + a]);
 }
 
+// Momentum: ten rounds are as near to the end as many more would be without it.
+TEST(Deform, FewRoundsKeepMostOfTheVolume) {
+  const BentTube tube(2, 0.3);
+  sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
+  options.no_contact = 1;
+  const double rest = tube.volume(tube.positions);
+  const auto error = [&](uint32_t rounds) {
+    options.round_count = rounds;
+    return std::abs(tube.volume(pose(tube, options, tube.turned({0, 0, 1}, 150)).positions) / rest - 1);
+  };
+  const double first = error(1), ten = error(10), last = error(200);
+  EXPECT_LT(ten - last, 0.15 * (first - last)) << first << ' ' << ten << ' ' << last;
+}
+
 TEST(Deform, TheSidesOfAFoldStayApart) {
   const BentTube tube(2, 0.3);
   const std::vector<float> palette = tube.turned({0, 0, 1}, 150);
@@ -228,6 +242,23 @@ TEST(Deform, SweepsOfABendDoNotJump) {
   }
 }
 
+// Turns that are swing and twist at once come to half a turn and pass it.
+TEST(Deform, SweepsOfAMixedTurnDoNotJump) {
+  const BentTube tube(2, 0.3);
+  sinew::Deformer deformer;
+  ASSERT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), {}), SINEW_OK);
+  for (const std::array<double, 3>& axis : {std::array<double, 3>{1, 1, 0}, {1, -1, 1}, {0.5, 0, 1}}) {
+    float most = 0;
+    std::vector<float> last;
+    for (int degrees = 100; degrees <= 260; degrees += 2) {
+      const std::vector<float> now = pose(&deformer, tube.turned(axis, degrees)).positions;
+      if (!last.empty()) most = std::max(most, farthest(last, now));
+      last = now;
+    }
+    EXPECT_LT(most, 0.08f) << axis[0] << ' ' << axis[1] << ' ' << axis[2];
+  }
+}
+
 TEST(Deform, APoseDependsOnItsMatricesAlone) {
   const BentTube tube(3);
   sinew::Deformer deformer;
@@ -236,6 +267,34 @@ TEST(Deform, APoseDependsOnItsMatricesAlone) {
   const std::vector<float> other = pose(&deformer, tube.turned({1, 0, 1}, -50)).positions;
   EXPECT_NE(first, other);
   EXPECT_EQ(pose(&deformer, tube.turned({0, 1, 1}, 70)).positions, first);
+}
+
+// Calls bodies backwards, as threads that overtake each other might, and counts its calls.
+void backwards(void* calls, uint32_t count, void (*body)(void* body_data, uint32_t index), void* body_data) {
+  ++*static_cast<int*>(calls);
+  for (uint32_t i = count; i-- > 0;) body(body_data, i);
+}
+
+TEST(Deform, ThreadsDoNotChangeABit) {
+  const BentTube tube(4, 0.3, 0.25);
+  const std::vector<float> palette = tube.turned({1, 0, 1}, 75);
+  for (const uint32_t no_contact : {0u, 1u}) {
+    sinew_deform_options options = options_of(SINEW_DEFORM_VOLUME);
+    options.cell_count = 60;
+    options.round_count = 6;
+    options.no_contact = no_contact;
+    const std::vector<float> one = pose(tube, options, palette).positions;
+    for (const uint32_t threads : {1u, 2u, 7u, SINEW_MAX_THREADS}) {
+      int calls = 0;
+      options.thread_count = threads;
+      options.parallel_for = backwards;
+      options.parallel_user = &calls;
+      EXPECT_EQ(pose(tube, options, palette).positions, one) << threads;
+      if (threads > 1) {
+        EXPECT_GT(calls, 50) << threads;  // skinning alone is three calls
+      }
+    }
+  }
 }
 
 TEST(Deform, OneScaleOfAllMatricesScalesTheResult) {
@@ -261,6 +320,36 @@ TEST(Deform, ScalesThatDifferAreSkinnedLinearly) {
       const Posed posed = pose(tube, options_of(method), palette);
       EXPECT_EQ(posed.outputs.corrected, 0u) << factor;
       EXPECT_LT(farthest(posed.positions, skinned(tube, palette, false)), 1e-5f) << factor;
+    }
+  }
+}
+
+TEST(Deform, OneColumnThatIsLongerIsSkinnedLinearly) {
+  const BentTube tube(2);
+  std::vector<float> palette = tube.turned({0, 0, 1}, 40);
+  for (const size_t e : {12u, 16u, 20u}) palette[e] *= 1.1f;
+  for (const uint32_t method : kMethods) {
+    const Posed posed = pose(tube, options_of(method), palette);
+    EXPECT_EQ(posed.outputs.corrected, 0u) << method;
+    EXPECT_LT(farthest(posed.positions, skinned(tube, palette, false)), 1e-5f) << method;
+  }
+}
+
+// Factors are powers of two, so that the grid rounds alike and the same cells are touched.
+TEST(Deform, TheUnitOfLengthDoesNotMatter) {
+  const BentTube tube(3, 0.3);
+  const std::vector<float> palette = tube.turned({0, 1, 1}, 70);
+  for (const uint32_t method : kMethods) {
+    const std::vector<float> want = pose(tube, options_of(method), palette).positions;
+    for (const float factor : {1.0f / 128, 128.0f}) {
+      BentTube scaled = tube;
+      for (float& x : scaled.positions) x *= factor;
+      for (float& x : scaled.joint_positions) x *= factor;
+      std::vector<float> matrices = palette;
+      for (size_t e = 3; e < matrices.size(); e += 4) matrices[e] *= factor;
+      std::vector<float> at = pose(scaled, options_of(method), matrices).positions;
+      for (float& x : at) x /= factor;
+      EXPECT_LT(farthest(at, want), 1e-6f) << method << ' ' << factor;
     }
   }
 }
@@ -391,6 +480,8 @@ TEST_F(DeformRefusals, OptionsOutOfRange) {
   EXPECT_EQ(refused([](auto& o) { o.round_count = SINEW_MAX_DEFORM_ROUNDS + 1; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.softness = 65536; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.no_contact = 2; }), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(refused([](auto& o) { o.thread_count = SINEW_MAX_THREADS + 1; }), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(refused([](auto& o) { o.reserved = 1; }), SINEW_ERROR_VERSION);
   EXPECT_EQ(refused([](auto& o) { o.cell_count = 8; }), SINEW_OK);
   EXPECT_EQ(refused([](auto& o) { o.cell_count = SINEW_MAX_DEFORM_CELLS; }), SINEW_OK);
 }

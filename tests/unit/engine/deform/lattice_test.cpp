@@ -64,11 +64,33 @@ TEST(Lattice, EdgesAreThoseOfTheTetrahedraOnceEach) {
                        y = lattice.tetrahedra[4 * size_t{t} + static_cast<size_t>(b)];
         if (x < y) want.emplace(x, y);
       }
-  for (uint32_t n = 0; n < lattice.node_count; ++n)
-    for (uint32_t e = lattice.edge_offsets[n]; e < lattice.edge_offsets[n + 1]; ++e)
-      have.emplace(n, lattice.edge_ends[e]);
+  for (uint32_t e = 0; e < lattice.edge_count; ++e) have.emplace(lattice.edges[e].a, lattice.edges[e].b);
   EXPECT_EQ(have, want);
   EXPECT_EQ(lattice.edge_count, want.size());
+}
+
+// Pieces of one colour have no node in common, and every copy and edge is in one piece, the edge in one of a copy that has it.
+TEST(Lattice, PiecesOfAColourAreApart) {
+  sinew_test::BentTube tube(2, 0.3, 0.12);
+  const Built built(tube, 64);
+  const Lattice& lattice = built.rest.lattice;
+  ASSERT_GT(lattice.piece_count(), 2 * kColours);
+  std::set<uint32_t> copies;
+  for (uint32_t colour = 0; colour < kColours; ++colour) {
+    std::set<uint32_t> before;
+    for (uint32_t p = lattice.colour_pieces[colour]; p < lattice.colour_pieces[colour + 1]; ++p) {
+      std::set<uint32_t> nodes;
+      for (uint32_t i = lattice.piece_copies[p]; i < lattice.piece_copies[p + 1]; ++i) {
+        ASSERT_TRUE(copies.insert(lattice.copy_order[i]).second);
+        for (size_t k = 0; k < 20; ++k) nodes.insert(lattice.tetrahedra[20 * size_t{lattice.copy_order[i]} + k]);
+      }
+      for (uint32_t e = lattice.piece_edges[p]; e < lattice.piece_edges[p + 1]; ++e) {
+        ASSERT_EQ(nodes.count(lattice.edges[e].a) + nodes.count(lattice.edges[e].b), 2u);
+      }
+      for (const uint32_t n : nodes) ASSERT_TRUE(before.insert(n).second) << colour << ' ' << n;
+    }
+  }
+  EXPECT_EQ(copies.size() * 5, lattice.tetrahedron_count);
 }
 
 TEST(Lattice, VerticesLieWhereTheirSharesSay) {

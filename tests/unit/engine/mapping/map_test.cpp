@@ -56,6 +56,46 @@ TEST(Map, BodiesOfOtherPosesAndCountsFindEachOther) {
   }
 }
 
+// A pelvis that carries the legs alone, beside the spine: the root above both is the hips.
+TEST(Map, APelvisBesideTheSpineIsNotTheTrunk) {
+  const TestRig a = humanoid(2, true);
+  TestRig b = humanoid(3, false);
+  b.names[0] = "Root";
+  const int32_t pelvis = b.add("Pelvis", 0, 0, 0.96f, 0);
+  for (const char* thigh : {"LeftUpLeg", "RightUpLeg"}) b.parents[static_cast<size_t>(b.find(thigh))] = pelvis;
+  MapCall call;
+  for (const bool names : {false, true}) {
+    call.names = names;
+    call.run(b, a);
+    expect_named_pairs(call, b, a, "a pelvis");
+    EXPECT_EQ(call.source_of(b, a, "Root"), "Hips");
+    EXPECT_EQ(call.source_of(b, a, "Pelvis"), "-");
+    expect_named_pairs(call.run(a, b), a, b, "from a pelvis");
+    EXPECT_EQ(call.source_of(a, b, "Hips"), "Root");
+  }
+}
+
+// Legs that hang on the first joint of the spine, under a pelvis on their level: that one is the hips.
+TEST(Map, APelvisUnderTheSpineIsTheHips) {
+  const TestRig a = humanoid(2, true);
+  TestRig b;
+  b.add("Pelvis", -1, 0, 0.95f, 0);
+  const TestRig body = humanoid(3, false);
+  for (uint32_t i = 0; i < body.count(); ++i) {
+    const float* const p = &body.places[3 * size_t{i}];
+    b.add(i == 0 ? "Spine0" : body.names[i], body.parents[i] + 1, p[0], i == 0 ? 1.03f : p[1], p[2], body.ends[i] != 0);
+  }
+  MapCall call;
+  for (const bool names : {false, true}) {
+    call.names = names;
+    call.run(b, a);
+    expect_named_pairs(call, b, a, "a pelvis below");
+    EXPECT_EQ(call.source_of(b, a, "Pelvis"), "Hips");
+    expect_named_pairs(call.run(a, b), a, b, "from a pelvis below");
+    EXPECT_EQ(call.source_of(a, b, "Hips"), "Pelvis");
+  }
+}
+
 TEST(Map, SizePlaceTurnAndUpDoNotMatter) {
   const TestRig a = humanoid(2, true);
   for (const bool half_turn : {false, true}) {

@@ -9,14 +9,6 @@
 namespace sinew::mapping {
 namespace {
 
-TEST(MappingMaths, RootIsThatOfLibm) {
-  EXPECT_EQ(root(0), 0);
-  EXPECT_EQ(root(-1), 0);
-  EXPECT_EQ(root(4), 2);
-  EXPECT_EQ(root(1), 1);
-  for (double a = 1e-150; a < 1e150; a *= 1.37) EXPECT_NEAR(root(a) / std::sqrt(a), 1, 5e-16) << a;
-}
-
 TEST(MappingMaths, LogarithmIsThatOfLibm) {
   EXPECT_EQ(logarithm(1), 0);
   for (double a = 1e-12; a < 1e12; a *= 1.013)

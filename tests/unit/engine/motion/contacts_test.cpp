@@ -9,106 +9,13 @@
 
 #include "core/arena.hpp"
 #include "motion/retarget.hpp"
-#include "motion_scene.hpp"
+#include "motion_clip.hpp"
 
 namespace {
 
 using namespace sinew_test;
 using sinew::ContactSettings;
 using sinew::Limb;
-using sinew::RetargetPlan;
-
-// A body of boxes, one around each joint of body(), rigid; `belly` is how thick the one at the spine is, and that one has a
-// grid on each side. The same vertices and triangles whatever the sizes are.
-struct BoxBody {
-  std::vector<float> positions;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint32_t> triangles;
-
-  BoxBody(const MotionScene& scene, double belly, double size = 1) {
-    for (uint32_t j = 0; j < scene.count(); ++j) {
-      const double half = size * (j == kSpine ? belly : 0.04);
-      const uint32_t cells = j == kSpine ? 6 : 1;
-      for (int axis = 0; axis < 3; ++axis) {
-        add_side(scene, j, axis, half, cells);
-        add_side(scene, j, axis, -half, cells);
-      }
-    }
-  }
-  void add_side(const MotionScene& scene, uint32_t j, int axis, double half, uint32_t cells) {
-    const uint32_t first = static_cast<uint32_t>(positions.size() / 3), row = cells + 1;
-    const double size = std::abs(half);
-    for (uint32_t u = 0; u <= cells; ++u) {
-      for (uint32_t v = 0; v <= cells; ++v) {
-        double p[3];
-        p[axis] = half;
-        p[(axis + 1) % 3] = size * (2.0 * u / cells - 1);
-        p[(axis + 2) % 3] = size * (2.0 * v / cells - 1);
-        const Vec3d place = scene.at(j) + Vec3d{p[0], p[1], p[2]};
-        for (const double x : {place.x, place.y, place.z}) positions.push_back(static_cast<float>(x));
-        joints.push_back(static_cast<uint16_t>(j));
-        weights.push_back(65535);
-      }
-    }
-    for (uint32_t u = 0; u < cells; ++u) {
-      for (uint32_t v = 0; v < cells; ++v) {
-        const uint32_t c = first + u * row + v;
-        const uint32_t out[6] = {c, c + row, c + row + 1, c, c + row + 1, c + 1};
-        for (int i = 0; i < 6; ++i) triangles.push_back(half > 0 ? out[i] : out[5 - i]);
-      }
-    }
-  }
-  sinew_motion_body view() const {
-    return {positions.data(),
-            joints.data(),
-            weights.data(),
-            triangles.data(),
-            static_cast<uint32_t>(positions.size() / 3),
-            1,
-            static_cast<uint32_t>(triangles.size() / 3)};
-  }
-};
-
-// A source's clip, played on a target.
-struct PlayedClip {
-  MotionScene source, target;
-  std::vector<float> from_rotations, from_translations, rotations, translations;
-  uint32_t frames = 0;
-  float ground = 0;
-  RetargetPlan plan;
-
-  PlayedClip(const MotionScene& s, const MotionScene& t) : source(s), target(t) {
-    EXPECT_EQ(plan.make(s.view(), t.view(), one_to_one(t.count()).data(), t.classes.data()), SINEW_OK);
-    EXPECT_EQ(plan.ground(nullptr, 0, &ground), SINEW_OK);
-  }
-  void add(const Pose& pose) {
-    Pose out(target.count());
-    EXPECT_EQ(plan.frame(pose.rotations.data(), pose.translations.data(), ground, out.rotations.data(),
-                         out.translations.data()),
-              SINEW_OK);
-    from_rotations.insert(from_rotations.end(), pose.rotations.begin(), pose.rotations.end());
-    from_translations.insert(from_translations.end(), pose.translations.begin(), pose.translations.end());
-    rotations.insert(rotations.end(), out.rotations.begin(), out.rotations.end());
-    translations.insert(translations.end(), out.translations.begin(), out.translations.end());
-    ++frames;
-  }
-  sinew_motion_clip view() {
-    return {from_rotations.data(), from_translations.data(), rotations.data(), translations.data(), frames, ground};
-  }
-  sinew_status contacts(const BoxBody* source_body, const BoxBody& target_body, const ContactSettings& settings = {}) {
-    sinew::Workspace workspace;
-    const sinew_motion_body own = target_body.view();
-    sinew_motion_body other = {};
-    if (source_body != nullptr) other = source_body->view();
-    return plan.contacts(source_body == nullptr ? nullptr : &other, own, view(), settings, &workspace);
-  }
-  Placed frame(uint32_t f) const {
-    Pose pose(target.count());
-    std::copy_n(rotations.begin() + 4 * target.count() * f, pose.rotations.size(), pose.rotations.begin());
-    std::copy_n(translations.begin() + 3 * target.count() * f, pose.translations.size(), pose.translations.begin());
-    return placed(target, pose);
-  }
-};
 
 TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
   const MotionScene scene = body(20);
@@ -135,7 +42,7 @@ TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
     const sinew::Quat hand = plan->target_turns[arm.last];
     const double upper = distance(scene.at(arm.first), scene.at(arm.middle)),
                  lower = distance(scene.at(arm.middle), scene.at(arm.last));
-    sinew::move_limb(arm, goal, plan);
+    sinew::move_limb(arm, goal, plan->target_places[arm.middle], plan);
     const Vec3d elbow = plan->target_places[arm.middle], wrist = plan->target_places[arm.last];
     EXPECT_NEAR(distance(elbow, shoulder), upper, 1e-9);
     EXPECT_NEAR(distance(wrist, elbow), lower, 1e-9);
@@ -201,9 +108,9 @@ TEST(Contacts, FeetThatStandStayWhereTheyStand) {
 }
 
 // The left hand in front of the belly, as far as the upper arm points forward, in every frame.
-void reach_forward(PlayedClip* clip, Vec3d upper_arm) {
+void reach_forward(PlayedClip* clip, Vec3d upper_arm, uint32_t frames = 12) {
   const MotionScene& scene = clip->source;
-  for (int f = 0; f < 12; ++f) {
+  for (uint32_t f = 0; f < frames; ++f) {
     Pose pose = rest_pose(scene);
     const Quat upper = sinew::shortest_arc(scene.at(kLeftForearm) - scene.at(kLeftUpperArm), upper_arm);
     const Quat lower =
@@ -242,6 +149,125 @@ TEST(Contacts, AHandInsideOfTheBodyComesOut) {
   ASSERT_EQ(clip.contacts(&thin, thick), SINEW_OK);
   EXPECT_GT(clip.frame(6).places[kLeftHand].z, 0.36);
   EXPECT_LT(clip.frame(6).places[kLeftHand].z, 0.45) << "and no farther";
+}
+
+// A motion without a body: what is deeper in the target's than at rest comes out, and the rest stays.
+TEST(Contacts, AnArmOfAMotionWithoutABodyComesOut) {
+  const MotionScene scene = body(20), longer = body(20, 1.2);
+  for (const uint32_t frames : {12u, 1u, 2u}) {
+    PlayedClip clip(longer, scene);
+    reach_forward(&clip, {0.05, -0.3, 0.95}, frames);
+    const BoxBody thick(scene, 0.36);
+    const uint32_t f = frames / 2;
+    const Placed before = clip.frame(f);
+    ASSERT_LT(before.places[kLeftHand].z, 0.33) << "inside of it: the test needs that";
+    ASSERT_EQ(clip.contacts(nullptr, thick), SINEW_OK);
+    EXPECT_GT(clip.frame(f).places[kLeftHand].z, 0.36) << frames;
+    EXPECT_LT(clip.frame(f).places[kLeftHand].z, 0.45) << "and no farther";
+    EXPECT_LT(distance(clip.frame(f).places[kRightHand], before.places[kRightHand]), 1e-6) << "the other hand stays";
+    for (uint32_t i = 1; i < clip.frames; ++i)
+      EXPECT_LT(distance(clip.frame(i).places[kLeftHand], clip.frame(i - 1).places[kLeftHand]), 1e-3) << "no jitter";
+  }
+}
+
+// As deep as at rest is no fault of the motion.
+TEST(Contacts, WithoutABodyAnArmMayBeAsDeepAsAtRest) {
+  const MotionScene scene = body(80), longer = body(80, 1.2);
+  PlayedClip clip(longer, scene);
+  for (int f = 0; f < 4; ++f) clip.add(rest_pose(longer));
+  const BoxBody thick(scene, 0.45);  // over the hands of hanging arms
+  const std::vector<float> before = clip.rotations;
+  ASSERT_EQ(clip.contacts(nullptr, thick), SINEW_OK);
+  for (uint32_t f = 0; f < 4; ++f) EXPECT_LT(distance(clip.frame(f).places[kLeftHand], scene.at(kLeftHand)), 1e-4) << f;
+}
+
+// A knee bent to the front is straightened, one that is hardly so is left alone, and nothing pops on the way.
+TEST(Contacts, KneesAndElbowsStayInTheirRange) {
+  const MotionScene scene = body(20), longer = body(20, 1.2);  // knees are bent forward at rest, so calves turn back
+  const BoxBody own(scene, 0.1);
+  const auto bend = [&](PlayedClip* clip, double angle) {
+    Pose pose = rest_pose(clip->source);
+    const Quat knee = sinew::normalised({std::sin(angle / 2), 0, 0, std::cos(angle / 2)});
+    pose.set(kLeftCalf, knee, vec(&pose.translations[3 * kLeftCalf]));
+    pose.set(0, sinew::kNoTurn, clip->source.at(0) + Vec3d{0, 3, 0});  // in the air: no foot stands
+    clip->add(pose);
+  };
+  const auto angle_of = [&](const Placed& pose) {  // of the calf to the back, degrees
+    const Vec3d calf = sinew::unit(pose.places[kLeftFoot] - pose.places[kLeftCalf]);
+    const Vec3d thigh = sinew::unit(pose.places[kLeftCalf] - pose.places[kLeftThigh]);
+    return std::atan2(sinew::cross(thigh, calf).x, sinew::dot(thigh, calf)) * 180 / 3.14159265358979;
+  };
+  PlayedClip clip(longer, scene), free(longer, scene);
+  for (int f = 0; f < 90; ++f) {
+    bend(&clip, 0.05 * (f - 30));
+    bend(&free, 0.05 * (f - 30));
+  }
+  ASSERT_EQ(clip.keep_range(own), SINEW_OK);
+  EXPECT_LT(angle_of(free.frame(0)), -70) << "as it was copied";
+  EXPECT_GT(angle_of(clip.frame(0)), -6);
+  double fastest = 0;
+  for (uint32_t f = 0; f < clip.frames; ++f) {
+    const double own_angle = angle_of(clip.frame(f)), copied = angle_of(free.frame(f));
+    EXPECT_GT(own_angle, -6) << f;
+    EXPECT_LT(own_angle, 156) << f;
+    if (copied > -4 && copied < 154) {
+      EXPECT_NEAR(own_angle, copied, 1e-2) << f;
+    }
+    if (f > 0) fastest = std::max(fastest, std::abs(own_angle - angle_of(clip.frame(f - 1))));
+    EXPECT_NEAR(distance(clip.frame(f).places[kLeftCalf], clip.frame(f).places[kLeftFoot]),
+                distance(scene.at(kLeftCalf), scene.at(kLeftFoot)), 1e-5);
+  }
+  EXPECT_LT(fastest, 4) << "0.05 is 2.9 degrees";
+}
+
+TEST(Measure, CountsWhatIsLeftToBeMended) {
+  const MotionScene scene = body(20);
+  const BoxBody thin(scene, 0.05), thick(scene, 0.36);
+  PlayedClip clip(scene, scene);
+  reach_forward(&clip, {0.05, -0.3, 0.95});
+  for (const bool with_source : {true, false}) {
+    std::vector<sinew_limb_measure> before = clip.measure(with_source ? &thin : nullptr, thick);
+    ASSERT_EQ(before.size(), 4u);
+    EXPECT_EQ(before[0].joint, uint32_t{kLeftHand});
+    EXPECT_EQ(before[3].joint, uint32_t{kRightFoot});
+    EXPECT_EQ(before[0].leg, 0u);
+    EXPECT_EQ(before[2].leg, 1u);
+    EXPECT_EQ(before[0].frames, 12u);
+    EXPECT_EQ(before[0].deep_frames, 12u) << "inside of the belly";
+    EXPECT_GT(before[0].greatest_depth * 1.68, 0.36 - clip.frame(6).places[kLeftHand].z) << "the hand's box is deeper";
+    EXPECT_LT(before[0].greatest_depth * 1.68, 0.2);
+    EXPECT_NEAR(before[0].depth, before[0].greatest_depth, 1e-4);
+    EXPECT_EQ(before[1].deep_frames, 0u);
+    EXPECT_EQ(before[2].contact_frames, 11u) << "stands from the first frame on";
+    EXPECT_LT(before[2].error, 1e-6);
+  }
+  const float copied_depth = clip.measure(&thin, thick)[0].depth;
+  ASSERT_EQ(clip.contacts(&thin, thick), SINEW_OK);
+  EXPECT_LT(clip.measure(&thin, thick)[0].depth, 0.7f * copied_depth) << "all but the elbow's box";
+
+  // A hand on a belly, copied onto a thinner one.
+  PlayedClip touching(scene, scene);
+  reach_forward(&touching, {0.1, -0.8, 0.35});
+  const BoxBody source(scene, 0.12), target(scene, 0.06);
+  const sinew_limb_measure copied = touching.measure(&source, target)[0];
+  EXPECT_EQ(copied.contact_frames, 12u);
+  EXPECT_GT(copied.error, 0.01);
+  ASSERT_EQ(touching.contacts(&source, target), SINEW_OK);
+  EXPECT_LT(touching.measure(&source, target)[0].error, 0.3 * copied.error);
+
+  // Feet that slide, and one under the floor.
+  PlayedClip sliding(scene, scene);
+  for (int f = 0; f < 6; ++f) sliding.add(rest_pose(scene));
+  for (uint32_t f = 0; f < 6; ++f) {
+    sliding.translations[3 * 17 * f] += 0.01f * static_cast<float>(f);
+    sliding.translations[3 * 17 * f + 1] -= 0.05f;
+  }
+  const sinew_limb_measure foot = sliding.measure(nullptr, thin)[2];
+  EXPECT_NEAR(foot.error * 1.58, 0.01, 1e-4);
+  EXPECT_EQ(foot.contact_frames, 5u);
+  EXPECT_EQ(foot.deep_frames, 6u);
+  EXPECT_NEAR(foot.depth * 1.58, 0.05, 1e-3);
+  EXPECT_EQ(foot.range_frames, 0u);
 }
 
 TEST(Contacts, TheSameBodyIsLeftAsItIs) {

@@ -128,13 +128,13 @@ TEST(Retargeter, SaysHowMuchBodyTheTwoShare) {
   const Motion motion = swing(5);
   const Character thin = strip(60, 3, 0, 1), wide = strip(60, 0, 0, 2), other = strip(20, 0, 0, 1);
   Retargeter retargeter(motion, rest_joints(motion), {0, 1}, {17, 17});
-  EXPECT_EQ(retargeter.keep_contacts(thin, &wide), 120u);
-  EXPECT_EQ(retargeter.keep_contacts(thin, &other), 0u) << "40 triangles are no body";
-  EXPECT_EQ(retargeter.keep_contacts(thin, nullptr), 0u);
+  EXPECT_EQ(retargeter.take_bodies(thin, &wide), 120u);
+  EXPECT_EQ(retargeter.take_bodies(thin, &other), 0u) << "40 triangles are no body";
+  EXPECT_EQ(retargeter.take_bodies(thin, nullptr), 0u);
   EXPECT_EQ(retargeter.run(motion.clips[0]).frames.size(), 5u);
   Character unbound = wide;
   unbound.influences.clear();
-  EXPECT_EQ(retargeter.keep_contacts(thin, &unbound), 0u);
+  EXPECT_EQ(retargeter.take_bodies(thin, &unbound), 0u);
 }
 
 TEST(Retargeter, PlaysAClipAndCanBeStopped) {

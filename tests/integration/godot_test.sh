@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The plug-in of samples/godot: characters imported by the headless editor, bound and rigged in scenes; weights beside the command's.
+#   godot_test.sh SOURCE COMMAND WORK      exits 77 without Godot 3
+#   godot_test.sh --packages               what it needs on Debian
+set -euo pipefail
+packages="godot3-server"
+if [ "${1:-}" = --packages ]; then
+  echo "$packages"
+  exit 0
+fi
+source=$1 command=$2 work=$3
+if ! command -v godot3-server >/dev/null; then
+  echo "godot_test: SKIPPED, no godot3-server (Debian: apt-get install $packages)"
+  exit 77
+fi
+fail() { echo "godot_test: $*" >&2; exit 1; }
+data=$source/samples/data
+rm -rf "$work" && mkdir -p "$work/home" "$work/project/expected"
+cd "$work/project"
+cp -r "$source/samples/godot/addons" "$source/samples/godot/tests/check.gd" .
+cat > project.godot <<'END'
+config_version=4
+
+[application]
+config/name="sinew test"
+
+[editor_plugins]
+enabled=PoolStringArray( "sinew" )
+END
+# FILE SOURCE OPTION=VALUE...: a file to import as Sinew Character
+character() {
+  cp "$2" "$1"
+  printf '[remap]\n\nimporter="sinew.character"\ntype="PackedScene"\n\n[params]\n\n' > "$1.import"
+  printf '%s\n' "${@:3}" >> "$1.import"
+}
+character rigged.obj "$data/biped__robed.obj" weights=0
+character bound.obj "$data/bird__winged.obj" weights=1 'skeleton="res://bird.rig.txt"'
+character moved.obj "$data/biped__robot.obj" weights=0 'motion/file="res://small.bvh"'
+cp "$data/bird__winged.rig.txt" bird.rig.txt
+cp "$source/tests/fuzz/corpus/bvh/small.bvh" .
+cp "$data/snake__long.obj" '../odd $HOME `id` \ name.obj'
+printf 'v 0 0 0\nf 1 2 3\n' > "$work/broken.obj"
+character broken.obj "$work/broken.obj" weights=0
+
+# What the command says; "again" has the weights of the first bind to start from, "bare" none.
+quietly() { "$command" "$@" > "$work/command.txt" || fail "sinew $*"; }
+quietly rig rigged.obj -o expected/rigged.rig.txt
+quietly bind bound.obj --skeleton bird.rig.txt -o expected/bound.rig.txt
+quietly bind bound.obj --skeleton expected/bound.rig.txt -o expected/bound_again.rig.txt
+grep -v '^skin' bird.rig.txt > "$work/bare.rig.txt"
+quietly bind bound.obj --skeleton "$work/bare.rig.txt" -o expected/bound_bare.rig.txt
+
+export HOME=$work/home SINEW=$command LC_ALL=C.UTF-8
+timeout 120 godot3-server --path . --editor --quit > "$work/import.log" 2>&1 || fail "the editor stopped: $(tail -5 "$work/import.log")"
+grep -q 'broken.obj: sinew: error: .*broken.obj' "$work/import.log" || fail "a broken file is not named: $(grep -v free_static "$work/import.log")"
+for name in rigged bound moved; do
+  ls .import/$name.obj-*.scn >/dev/null || fail "$name.obj was not imported: $(cat "$work/import.log")"
+done
+timeout 120 godot3-server --path . --script res://check.gd > "$work/check.log" 2>&1 || fail "check.gd stopped: $(cat "$work/check.log")"
+grep -v 'free_static\|memory.cpp' "$work/check.log" | grep 'FAILED\|SCRIPT ERROR\|vertex \|At: res' && fail "see $work/check.log"
+grep '^GODOT OK' "$work/check.log" || fail "check.gd did not end: $(cat "$work/check.log")"
+left=$(find "$HOME" -name 'sinew-*')
+[ -z "$left" ] || fail "files were left: $left"
+
+# The dock in a window.
+if ! command -v godot3 >/dev/null || ! command -v xvfb-run >/dev/null; then
+  echo "godot_test: SKIPPED the window, no godot3 and xvfb-run (Debian: apt-get install godot3 xvfb)"
+  exit 0
+fi
+cp -r "$source/samples/godot/tests/window" addons
+sed -i 's/"sinew" )/"sinew", "window" )/' project.godot
+WINDOW_PICTURE=$work/window.png timeout 120 xvfb-run -a -s "-screen 0 1280x800x24" godot3 --path . --editor --video-driver GLES2 --audio-driver Dummy \
+  --resolution 1280x800 > "$work/window.log" 2>&1 || fail "the window stopped: $(tail -20 "$work/window.log")"
+grep '^WINDOW OK' "$work/window.log" || fail "see $work/window.log"

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+// sinew_retarget_reference_points() against its equations, written down anew.
+#include "motion/reference_points.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "motion_clip.hpp"
+
+namespace {
+
+using namespace sinew_test;
+using sinew::dot;
+
+// The corners of a rigid body in a pose.
+std::vector<Vec3d> posed(const MotionScene& scene, const BoxBody& body, const Placed& pose) {
+  std::vector<Vec3d> out;
+  for (size_t v = 0; v < body.joints.size(); ++v) {
+    const size_t j = body.joints[v];
+    out.push_back(pose.places[j] + rotate(pose.rotations[j], vec(&body.positions[3 * v]) - scene.at(j)));
+  }
+  return out;
+}
+
+struct Triangle {
+  Vec3d middle, normal;
+  double area;
+};
+std::vector<Triangle> triangles(const BoxBody& body, const std::vector<Vec3d>& corners) {
+  std::vector<Triangle> out;
+  for (size_t t = 0; t < body.triangles.size(); t += 3) {
+    const Vec3d a = corners[body.triangles[t]], b = corners[body.triangles[t + 1]], c = corners[body.triangles[t + 2]];
+    const Vec3d n = sinew::cross(b - a, c - a);
+    const double size = std::sqrt(dot(n, n));
+    out.push_back({(1.0 / 3) * (a + b + c), (1 / size) * n, size / 2});
+  }
+  return out;
+}
+
+bool is_below(const MotionScene& scene, uint32_t joint, uint32_t ancestor) {
+  for (int32_t at = static_cast<int32_t>(joint); at >= 0; at = scene.parents[static_cast<size_t>(at)])
+    if (at == static_cast<int32_t>(ancestor)) return true;
+  return false;
+}
+
+struct Wish {
+  int power = 3;
+  double falloff = 0, eps = 1e-5;
+  bool own_limb = true;
+};
+
+// The place of a joint by the equations, in double with the maths library.
+Vec3d expected_place(const MotionScene& source, const MotionScene& target, const BoxBody& a, const BoxBody& b,
+                     const Placed& from, const Placed& copied, uint32_t joint, uint32_t shoulder, const Wish& wish) {
+  const auto source_triangles = triangles(a, posed(source, a, from));
+  const auto target_triangles = triangles(b, posed(target, b, copied));
+  std::vector<Vec3d> rest;
+  for (size_t v = 0; v < a.joints.size(); ++v) rest.push_back(vec(&a.positions[3 * v]));
+  const auto rest_triangles = triangles(a, rest);
+  const auto height = [](const BoxBody& body) {
+    double low = 1e9, high = -1e9;
+    for (size_t v = 1; v < body.positions.size(); v += 3) {
+      low = std::min(low, double{body.positions[v]});
+      high = std::max(high, double{body.positions[v]});
+    }
+    return high - low;
+  };
+  double mean = 0;
+  for (const Triangle& t : source_triangles) mean += t.area / static_cast<double>(source_triangles.size());
+  Vec3d sum = {0, 0, 0};
+  double all = 0;
+  for (size_t i = 0; i < source_triangles.size(); ++i) {
+    bool of_limb = false;
+    for (size_t c = 0; c < 3; ++c) of_limb = of_limb || is_below(source, a.joints[a.triangles[3 * i + c]], shoulder);
+    if (of_limb && !wish.own_limb) continue;
+    uint32_t nearest = 0;
+    for (uint32_t j = 1; j < source.count(); ++j)
+      if (j != kLeftFinger &&
+          distance(source.at(j), rest_triangles[i].middle) < distance(source.at(nearest), rest_triangles[i].middle))
+        nearest = j;
+    const Vec3d v = from.places[joint] - source_triangles[i].middle;
+    const double far = std::sqrt(dot(v, v));
+    const Vec3d along = (1 / far) * v;
+    double own = std::pow(source_triangles[i].area / mean, wish.power) *
+                 std::max(std::abs(dot(along, source_triangles[i].normal)), wish.eps);
+    if (wish.falloff > 0) own *= std::exp(-std::pow(far / (wish.falloff * height(a)), 2));
+    // Bones of the way: those that are above just one of the two ends.
+    double way = 0, other = 0;
+    bool any = false;
+    for (uint32_t j = 1; j < source.count(); ++j) {
+      if (is_below(source, nearest, j) == is_below(source, joint, j)) continue;
+      any = true;
+      const size_t up = static_cast<size_t>(source.parents[j]);
+      way += std::abs(dot(along, from.places[j] - from.places[up]));
+      other += std::abs(dot(along, copied.places[j] - copied.places[up]));
+    }
+    const double factor = !any ? 1 : way < 1e-6 * height(a) ? height(b) / height(a) : other / way;
+    all += own;
+    sum = sum + own * (target_triangles[i].middle + factor * v);
+  }
+  return (1 / all) * sum;
+}
+
+// A child-like, broad body on which a grown one's poses are played.
+struct Bodies {
+  MotionScene source = body(20), target = body(35, 0.7);
+  BoxBody a, b;
+  Bodies() : a(source, 0.1), b((widen(&target), target), 0.16, 0.7) {}
+  static void widen(MotionScene* scene) {
+    for (uint32_t j = 0; j < scene->count(); ++j) scene->positions[3 * j] *= 1.3f;
+  }
+};
+
+Pose arms_forward(const MotionScene& scene, double amount) {
+  Pose pose = random_pose(scene, 3, 0.4, {0.2, 0.05, 0});
+  for (const uint32_t arm : {kLeftUpperArm, kRightUpperArm}) {
+    const double side = arm == kLeftUpperArm ? 1 : -1;
+    pose.set(arm, sinew::shortest_arc({side, -0.36, 0}, {side * 0.3, -0.5, amount}), vec(&pose.translations[3 * arm]));
+    pose.set(arm + 1, sinew::shortest_arc({side, -0.36, 0.1}, {-side * 0.4, -0.36, 0.5}),
+             vec(&pose.translations[3 * (arm + 1)]));
+  }
+  return pose;
+}
+
+TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
+  const Bodies bodies;
+  for (const Wish& wish : {Wish{}, Wish{4, 0, 1e-5, true}, Wish{0, 0, 1e-5, true}, Wish{1, 0, 0.3, true},
+                           Wish{2, 0.2, 1e-5, true}, Wish{0, 0.1, 1e-5, false}}) {
+    PlayedClip clip(bodies.source, bodies.target);
+    const Pose pose = arms_forward(bodies.source, 0.6);
+    clip.add(pose);
+    const Placed from = placed(bodies.source, pose), copied = clip.frame(0);
+    sinew_reference_options settings = sinew_reference_options_init();
+    settings.area_power = wish.power == 0 ? SINEW_NO_AREA : static_cast<uint32_t>(wish.power);
+    settings.falloff = static_cast<float>(wish.falloff);
+    settings.no_own_limb = wish.own_limb ? 0 : 1;
+    settings.least_cosine = static_cast<float>(wish.eps);
+    ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
+    const Placed made = clip.frame(0);
+    double moved = 0;
+    for (const uint32_t arm : {kLeftUpperArm, kRightUpperArm}) {
+      const auto goal = [&](uint32_t joint) {
+        return expected_place(bodies.source, bodies.target, bodies.a, bodies.b, from, copied, joint, arm, wish);
+      };
+      const Vec3d shoulder = copied.places[arm], elbow = goal(arm + 1), wrist = goal(arm + 2);
+      const double upper = distance(copied.places[arm], copied.places[arm + 1]),
+                   lower = distance(copied.places[arm + 1], copied.places[arm + 2]);
+      const double reach = std::min(distance(wrist, shoulder), 0.9995 * (upper + lower));
+      const Vec3d along = sinew::unit(wrist - shoulder);
+      EXPECT_LT(distance(made.places[arm + 2], shoulder + reach * along), 2e-4) << wish.power << " " << wish.falloff;
+      // The elbow lies in the plane of shoulder, wrist and wanted elbow, on its side.
+      const Vec3d side = sinew::unit(elbow - shoulder - dot(elbow - shoulder, along) * along);
+      const Vec3d bend = made.places[arm + 1] - shoulder;
+      EXPECT_NEAR(dot(bend, side), std::sqrt(dot(bend, bend) - std::pow(dot(bend, along), 2)), 1e-3);
+      moved = std::max(moved, distance(made.places[arm + 2], copied.places[arm + 2]));
+      EXPECT_NEAR(distance(made.places[arm], made.places[arm + 1]), upper, 1e-5);
+      EXPECT_NEAR(distance(made.places[arm + 1], made.places[arm + 2]), lower, 1e-5);
+    }
+    EXPECT_GT(moved, 0.005) << "it does something";
+    for (const uint32_t joint : {kHead, kLeftFoot, kRightCalf, kLeftUpperArm})
+      EXPECT_LT(distance(made.places[joint], copied.places[joint]), 1e-5) << "all else stays";
+  }
+}
+
+TEST(ReferencePoints, LegsGoAlongWhereTheyAreWanted) {
+  const Bodies bodies;
+  PlayedClip clip(bodies.source, bodies.target);
+  clip.add(arms_forward(bodies.source, 0.6));
+  const Placed copied = clip.frame(0);
+  sinew_reference_options settings = sinew_reference_options_init();
+  settings.legs = 1;
+  ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
+  const Placed made = clip.frame(0);
+  EXPECT_GT(distance(made.places[kLeftFoot], copied.places[kLeftFoot]), 0.005);
+  EXPECT_NEAR(distance(made.places[kLeftCalf], made.places[kLeftFoot]),
+              distance(copied.places[kLeftCalf], copied.places[kLeftFoot]), 1e-5);
+}
+
+// A body of twice the size in all is nearly where the copy puts it: only triangles of the joint itself say otherwise.
+TEST(ReferencePoints, AScaledBodyStaysNearlyAsItIsCopied) {
+  const MotionScene source = body(20), target = body(20, 2);
+  const BoxBody a(source, 0.1), b(target, 0.1, 2);
+  PlayedClip clip(source, target);
+  for (uint32_t f = 0; f < 4; ++f) clip.add(arms_forward(source, 0.3 + 0.2 * f));
+  std::vector<Placed> copied;
+  for (uint32_t f = 0; f < 4; ++f) copied.push_back(clip.frame(f));
+  ASSERT_EQ(clip.reference_points(a, b), SINEW_OK);
+  for (uint32_t f = 0; f < 4; ++f)
+    for (const uint32_t joint : {kLeftForearm, kLeftHand, kRightHand})
+      EXPECT_LT(distance(clip.frame(f).places[joint], copied[f].places[joint]), 0.01);
+}
+
+TEST(ReferencePoints, TheSameBodyIsLeftAsItIs) {
+  const MotionScene scene = body(20);
+  PlayedClip clip(scene, scene);
+  for (uint32_t f = 0; f < 5; ++f) clip.add(random_pose(scene, f, 1.2));
+  const BoxBody own(scene, 0.2);
+  const std::vector<float> before = clip.rotations;
+  ASSERT_EQ(clip.reference_points(own, own), SINEW_OK);
+  EXPECT_EQ(clip.rotations, before);
+}
+
+// Live: a frame alone gives what it gives in a clip.
+TEST(ReferencePoints, FramesDoNotKnowOfEachOther) {
+  const Bodies bodies;
+  PlayedClip whole(bodies.source, bodies.target), one(bodies.source, bodies.target);
+  for (uint32_t f = 0; f < 5; ++f) whole.add(random_pose(bodies.source, f, 0.7));
+  one.add(random_pose(bodies.source, 3, 0.7));
+  ASSERT_EQ(whole.reference_points(bodies.a, bodies.b), SINEW_OK);
+  ASSERT_EQ(one.reference_points(bodies.a, bodies.b), SINEW_OK);
+  const size_t four = 4 * size_t{one.target.count()};
+  EXPECT_TRUE(std::equal(one.rotations.begin(), one.rotations.end(),
+                         whole.rotations.begin() + static_cast<ptrdiff_t>(3 * four)));
+}
+
+TEST(ReferencePoints, WhatIsWrongIsRefused) {
+  const Bodies bodies;
+  PlayedClip clip(bodies.source, bodies.target);
+  for (uint32_t f = 0; f < 3; ++f) clip.add(random_pose(bodies.source, f, 0.5));
+  const std::vector<float> before = clip.rotations;
+  const auto refused = [&](const auto& change) {
+    sinew_reference_options settings = sinew_reference_options_init();
+    change(&settings);
+    EXPECT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_ERROR_ARGUMENT);
+  };
+  refused([](sinew_reference_options* s) { s->struct_size -= 1; });
+  refused([](sinew_reference_options* s) { s->area_power = 5; });
+  refused([](sinew_reference_options* s) { s->no_own_limb = 2; });
+  refused([](sinew_reference_options* s) { s->legs = 2; });
+  refused([](sinew_reference_options* s) { s->falloff = -1; });
+  refused([](sinew_reference_options* s) { s->falloff = std::numeric_limits<float>::infinity(); });
+  refused([](sinew_reference_options* s) { s->least_cosine = 2; });
+  refused([](sinew_reference_options* s) { s->least_cosine = std::numeric_limits<float>::quiet_NaN(); });
+  BoxBody broken = bodies.b;
+  broken.joints[5] = 17;
+  EXPECT_EQ(clip.reference_points(bodies.a, broken), SINEW_ERROR_RANGE);
+  broken = bodies.b;
+  broken.triangles[7] = 99999;
+  EXPECT_EQ(clip.reference_points(bodies.a, broken), SINEW_ERROR_INDEX);
+  clip.from_rotations[30] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(clip.reference_points(bodies.a, bodies.b), SINEW_ERROR_NOT_FINITE);
+  clip.from_rotations[30] = 0;
+  EXPECT_EQ(clip.rotations, before);
+  int calls = 0;
+  sinew_reference_options settings = sinew_reference_options_init();
+  settings.progress_user = &calls;
+  settings.progress = [](void* user, uint32_t) { return ++*static_cast<int*>(user) == 2 ? 1 : 0; };
+  EXPECT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_ERROR_CANCELLED);
+  EXPECT_EQ(calls, 2);
+  // Nothing to look at, nothing done.
+  BoxBody empty = bodies.b;
+  empty.triangles.clear();
+  EXPECT_EQ(clip.reference_points(bodies.a, empty), SINEW_OK);
+}
+
+}  // namespace
