@@ -5,7 +5,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # shellcheck disable=SC2046  # several packages
-scripts/setup.sh $(scripts/conformance.sh --packages ci) $(samples/web/build.sh --packages)
+scripts/setup.sh $(scripts/conformance.sh --packages ci) $(samples/web/build.sh --packages) $(samples/python/build.sh --packages) \
+  $(tests/integration/csharp_test.sh --packages)
 jobs=$(nproc)
 
 echo "== format"
