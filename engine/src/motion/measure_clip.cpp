@@ -47,8 +47,8 @@ class Measure {
       if (s_.limbs.limbs[l].leg) measure_slide(s_.limbs.limbs[l], &tallies[l]);
     }
     for (uint32_t f = 0; f < frames; ++f) {
-      (void)s_.load_source(f, true);
-      s_.pose_target(f);
+      s_.search_source(f);
+      s_.search_target(f, false);
       for (uint32_t a = 0; a < s_.search.count(); ++a) measure_arm(a, &tallies[s_.search.limb(a)]);
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         const Limb& limb = s_.limbs.limbs[l];
@@ -69,21 +69,22 @@ class Measure {
   static double share_of(double height) { return height > 0 ? 1 / height : 0; }
 
   void find_rest_depths() {
-    s_.pose_target_at_rest();
-    for (uint32_t a = 0; a < s_.search.count(); ++a) rest_depths_[a] = s_.search.deepest(s_.target, a, {0, 0, 0}).depth;
+    s_.search_target_at_rest();
+    for (uint32_t a = 0; a < s_.search.count(); ++a)
+      rest_depths_[a] = s_.search.deepest(&s_.target_tree, a, {0, 0, 0}, 0).depth;
   }
 
   void measure_arm(uint32_t arm, Tally* tally) {
-    const double own = share_ * s_.search.deepest(s_.target, arm, {0, 0, 0}).depth;
+    const double own = share_ * s_.search.deepest(&s_.target_tree, arm, {0, 0, 0}, 0).depth;
     if (!s_.has_source) {
       tally->add_depth(own - share_ * rest_depths_[arm]);
       return;
     }
-    tally->add_depth(own - source_share_ * s_.search.deepest(s_.source, arm, {0, 0, 0}).depth);
-    const HandReach from = s_.search.nearest(s_.source, arm);
+    tally->add_depth(own - source_share_ * s_.search.deepest(&s_.source_tree, arm, {0, 0, 0}, 0).depth);
+    const HandReach from = s_.search.nearest(s_.source_tree, arm);
     if (!from.near || from.square > kTouch * kTouch * s_.source.height * s_.source.height) return;
     // The same point of the target's hand: farther than it can see it counts as that far.
-    const double now = s_.search.distance(s_.target, arm, from.vertex);
+    const double now = s_.search.distance(s_.target_tree, arm, from.vertex);
     tally->add_error(share_ * now - source_share_ * root(from.square));
   }
 
