@@ -326,9 +326,10 @@ void add_animate(CLI::App& app) {
                   "skeleton first")
       ->required()
       ->type_name("CHARACTER");
-  sub->add_option("--motion", s->motions,
-                  "Motion: .bvh, or a .glb, .gltf or .vrm with animations, all of them or the one behind #; may be "
-                  "repeated")
+  sub->add_option(
+         "--motion", s->motions,
+         "Motion: .bvh, or a .glb, .gltf, .vrm, .fbx or .dae with animations, all of them or the one behind #; may "
+         "be repeated")
       ->required()
       ->type_name("FILE[#CLIP]")
       ->allow_extra_args(false);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli_fixture.hpp"
+#include "gltf_validator.hpp"
 #include "make_glb.hpp"
 #include "nodding_motion.hpp"
 #include "sinew_formats/io.hpp"
@@ -81,6 +82,8 @@ TEST_F(CliAnimate, TheSameRigPlaysAsItWasRecorded) {
   const Motion still = read_gltf_motion(in("still.glb"), 20);
   EXPECT_NEAR(world_pose(still, still.clips[0].frames[9]).positions[0][2],
               world_pose(still, still.clips[0].frames[0]).positions[0][2], 0.02);
+  const std::vector<std::string> written = {in("moved.glb"), in("both.gltf"), in("still.glb")};
+  SINEW_EXPECT_VALID_GLTF(written);
 }
 
 TEST_F(CliAnimate, AMapSaysWhichJointMovesAsWhich) {

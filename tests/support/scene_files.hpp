@@ -124,4 +124,69 @@ inline std::string strip_dae() {
 )";
 }
 
+// Two clips, as stranger's files have them: a skeleton without a mesh, hip and knee with their tip. In "bend" the knee turns by 90 degrees about
+// x in a second, in "rise" the hip goes up by 100 units in two; keys begin half a second late.
+inline std::string moving_dae() {
+  const auto source = [](const std::string& id, const char* kind, const std::string& values, size_t count,
+                         size_t stride, const char* type) {
+    return "<source id=\"" + id + "\"><" + kind + " id=\"" + id + "-a\" count=\"" + std::to_string(count * stride) +
+           "\">" + values + "</" + kind + "><technique_common><accessor source=\"#" + id + "-a\" count=\"" +
+           std::to_string(count) + "\" stride=\"" + std::to_string(stride) + "\"><param name=\"V\" type=\"" + type +
+           "\"/></accessor></technique_common></source>\n";
+  };
+  // Both joints move in both clips: Assimp makes one of clips with one joint each.
+  const auto track = [&](const std::string& id, const std::string& joint, const std::string& times,
+                         const std::string& matrices) {
+    const std::string own = id + "-" + joint;
+    return source(own + "-in", "float_array", times, 2, 1, "float") +
+           source(own + "-out", "float_array", matrices, 2, 16, "float4x4") +
+           source(own + "-how", "Name_array", "LINEAR LINEAR", 2, 1, "name") + "<sampler id=\"" + own +
+           "-s\"><input semantic=\"INPUT\" source=\"#" + own + "-in\"/><input semantic=\"OUTPUT\" source=\"#" + own +
+           "-out\"/><input semantic=\"INTERPOLATION\" source=\"#" + own + "-how\"/></sampler><channel source=\"#" +
+           own + "-s\" target=\"" + joint + "/transform\"/>\n";
+  };
+  const auto animation = [&](const std::string& id, const std::string& tracks) {
+    return "<animation id=\"" + id + "\" name=\"" + id + "\">\n" + tracks + "</animation>\n";
+  };
+  const std::string hip = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", knee = "1 0 0 0 0 1 0 0 0 0 1 200 0 0 0 1",
+                    up = "1 0 0 0 0 1 0 0 0 0 1 100 0 0 0 1", bent = "1 0 0 0 0 0 -1 0 0 1 0 200 0 0 0 1";
+  const auto node = [](const char* name, int z) {
+    return std::string("<node id=\"") + name + "\" name=\"" + name + "\" sid=\"" + name +
+           "\" type=\"JOINT\"><matrix sid=\"transform\">1 0 0 0 0 1 0 0 0 0 1 " + std::to_string(z) +
+           " 0 0 0 1</matrix>";
+  };
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" "
+         "version=\"1.4.1\">\n<asset><unit name=\"centimetre\" meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset>\n"
+         "<library_animations>\n" +
+         animation("bend", track("bend", "hip", "0.5 1.5", hip + " " + hip) +
+                               track("bend", "knee", "0.5 1.5", knee + " " + bent)) +
+         animation("rise", track("rise", "hip", "0.5 2.5", hip + " " + up) +
+                               track("rise", "knee", "0.5 2.5", knee + " " + knee)) +
+         "</library_animations>\n"
+         "<library_visual_scenes><visual_scene id=\"scene\"><node id=\"rig\" name=\"rig\" type=\"NODE\">" +
+         node("hip", 0) + node("knee", 200) + node("tip", 200) +
+         "</node></node></node></node></visual_scene></library_visual_scenes>\n"
+         "<scene><instance_visual_scene url=\"#scene\"/></scene></COLLADA>\n";
+}
+
+// strip_fbx() whose knee turns by 90 degrees about x in a second. 46186158000 ticks are one.
+inline std::string moving_fbx() {
+  std::string out = strip_fbx();
+  const std::string curves =
+      "  AnimationStack: 60, \"AnimStack::Take 001\", \"\" {\n    Properties70: {\n"
+      "      P: \"LocalStop\", \"KTime\", \"Time\", \"\",46186158000\n    }\n  }\n"
+      "  AnimationLayer: 61, \"AnimLayer::BaseLayer\", \"\" {\n  }\n"
+      "  AnimationCurveNode: 62, \"AnimCurveNode::R\", \"\" {\n    Properties70: {\n"
+      "      P: \"d|X\", \"Number\", \"\", \"A\",0\n      P: \"d|Y\", \"Number\", \"\", \"A\",0\n"
+      "      P: \"d|Z\", \"Number\", \"\", \"A\",0\n    }\n  }\n"
+      "  AnimationCurve: 63, \"AnimCurve::\", \"\" {\n    Default: 0\n    KeyVer: 4008\n"
+      "    KeyTime: *2 {\n      a: 0,46186158000\n    }\n    KeyValueFloat: *2 {\n      a: 0,90\n    }\n"
+      "    KeyAttrFlags: *1 {\n      a: 24836\n    }\n    KeyAttrDataFloat: *4 {\n      a: 0,0,0,0\n    }\n"
+      "    KeyAttrRefCount: *1 {\n      a: 2\n    }\n  }\n";
+  out.insert(out.find("}\nConnections:"), curves);
+  const std::string links =
+      "  C: \"OO\",61,60\n  C: \"OO\",62,61\n  C: \"OP\",62,32, \"Lcl Rotation\"\n  C: \"OP\",63,62, \"d|X\"\n";
+  return out.insert(out.rfind("}\n"), links);
+}
+
 #endif

@@ -44,11 +44,11 @@ struct Motion {
   std::vector<std::string> notes;  // remarks of the reader for the user, a line each
 };
 
-// .bvh, or an animated .gltf, .glb or .vrm. Animations are sampled at `fps` frames a second, 0 = at the rate of their own
+// .bvh, or an animated .gltf, .glb, .vrm, .fbx or .dae. Animations are sampled at `fps` frames a second, 0 = at the rate of their own
 // keys, 30 where these have none. Throws Error for a file without motion.
 Motion read_motion(const std::string& path, double fps = 0);
 Motion read_bvh(const std::string& path);
-// Joints are those that read_gltf() gives, in its order and with its names, then animated nodes above and below them; in a
+// The same for all but BVH. Joints are those that read_gltf() gives, in its order and with its names, then animated nodes above and below them; in a
 // file without a skin all animated nodes. The rest pose is the one that the skin was bound in.
 Motion read_gltf_motion(const std::string& path, double fps = 0);
 

@@ -21,6 +21,7 @@
 #include <unordered_map>
 
 #include "files/picture_files.hpp"
+#include "gltf/scene_animations.hpp"
 #endif
 
 namespace sinew {
@@ -84,10 +85,7 @@ class SceneConverter {
     for (size_t n = 0; n < nodes_.size(); ++n) add_node(n);
     add_unused_skin();
     document()["scenes"] = {{{"nodes", roots_}}};
-    if (scene_.mNumAnimations != 0)
-      source_.notes.push_back(std::to_string(scene_.mNumAnimations) +
-                              (scene_.mNumAnimations == 1 ? " animation was" : " animations were") +
-                              " not carried over from " + file_kind());
+    add_scene_animations(path_, scene_, by_name_, &source_);
     if (skipped_faces_ != 0)
       source_.notes.push_back(std::to_string(skipped_faces_) + " points and lines were left out");
     GltfSource whole = load_gltf(path_, pack_glb(path_, &document(), std::move(source_.bytes)));
@@ -98,7 +96,6 @@ class SceneConverter {
 
  private:
   Json& document() { return source_.document; }
-  std::string file_kind() const { return has_extension(path_, ".fbx") ? "FBX" : "COLLADA"; }
 
   // FBX names its axes and counts in centimetres by a factor; Assimp leaves both to us. (COLLADA's are in the root.)
   Affine to_metres_and_y_up() const {

@@ -163,12 +163,9 @@ std::vector<Affine> motion_palette(const Motion& motion, const MotionFrame& fram
 
 Motion read_motion(const std::string& path, double fps) {
   if (has_extension(path, ".bvh")) return read_bvh(path);
-  for (const char* extension : {".gltf", ".glb", ".vrm"})
+  for (const char* extension : {".gltf", ".glb", ".vrm", ".fbx", ".dae"})
     if (has_extension(path, extension)) return read_gltf_motion(path, fps);
-  throw Error(path + ": expected a motion (.bvh, .gltf, .glb, .vrm), found another extension" +
-              (has_extension(path, ".fbx") || has_extension(path, ".dae")
-                   ? "; sinew reads its mesh and skeleton, not its animations: export them as .glb or .bvh"
-                   : ""));
+  throw Error(path + ": expected a motion (.bvh, .gltf, .glb, .vrm, .fbx, .dae), found another extension");
 }
 
 }  // namespace sinew

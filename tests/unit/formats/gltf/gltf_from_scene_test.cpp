@@ -78,6 +78,67 @@ TEST(GltfFromScene, Collada) {
   EXPECT_EQ(list_characters(folder.path()), std::vector<std::string>{path});
 }
 
+// A skeleton without a mesh, two clips, Z up: the tip goes where the file says, in metres and Y up.
+TEST(GltfFromScene, MotionsOfCollada) {
+  const TempFolder folder;
+  const Motion motion = read_motion(folder.write("moves.dae", moving_dae()), 10);
+  ASSERT_EQ(motion.clips.size(), 2u);
+  EXPECT_EQ(motion.clips[0].name, "bend_bend");  // Assimp puts the first one's name before all
+  EXPECT_EQ(motion.clips[1].name, "bend_rise");
+  EXPECT_EQ(find_clip(motion, "moves.dae", "1").frames.size(), 21u);
+  ASSERT_EQ(motion.joints.size(), 3u);
+  EXPECT_EQ(motion.joints[2].name, "tip");
+  EXPECT_EQ(motion.joints[2].parent, 1);
+  ASSERT_EQ(motion.clips[0].frames.size(), 11u);
+  ASSERT_EQ(motion.clips[1].frames.size(), 21u);
+  const auto expect_tip = [&](const MotionFrame& frame, Point3 wanted) {
+    const Point3 tip = world_pose(motion, frame).positions[2];
+    for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(tip[i], wanted[i], 1e-5) << i;
+  };
+  expect_tip(motion.clips[0].frames.front(), {0, 4, 0});
+  expect_tip(motion.clips[0].frames.back(), {0, 2, 2});  // -y of the file is front
+  expect_tip(motion.clips[1].frames[10], {0, 4.5, 0});
+  expect_tip(motion.clips[1].frames.back(), {0, 5, 0});
+}
+
+TEST(GltfFromScene, MotionsOfFbx) {
+  const TempFolder folder;
+  const std::string fbx = folder.file("moves.fbx");
+  const std::string still = folder.write("strip.fbx", strip_fbx());
+  EXPECT_ERROR(read_motion(still), "strip.fbx", "expected an animation, found none");
+  folder.write("moves.fbx", moving_fbx());
+  const Motion motion = read_motion(fbx, 10);
+  ASSERT_EQ(motion.clips.size(), 1u);
+  EXPECT_EQ(motion.clips[0].name, "Take 001");
+  ASSERT_EQ(motion.joints.size(), 3u);
+  const Point3 tip = world_pose(motion, motion.clips[0].frames.back()).positions[2];
+  EXPECT_NEAR(tip[1], 2, 1e-4);
+  EXPECT_NEAR(std::abs(tip[2]), 2, 1e-4);
+  // A mesh that is read for something else keeps its animations.
+  const Character c = read_mesh(fbx);
+  EXPECT_EQ(json_of_glb(written(c))["animations"].size(), 1u);
+}
+
+TEST(GltfFromScene, BrokenMotionsAreOneLine) {
+  const TempFolder folder;
+  EXPECT_ERROR(read_motion(folder.file("none.dae")), "none.dae", "no such file");
+  EXPECT_ERROR(read_motion(folder.write("still.dae", strip_dae())), "still.dae", "expected an animation, found none");
+  std::string wrong = moving_dae();
+  wrong.replace(wrong.rfind("100 0 0 0 1"), 3, "nan");
+  EXPECT_ERROR(read_motion(folder.write("nan.dae", wrong)), "nan.dae");
+  for (const std::string& whole : {moving_fbx(), moving_dae()}) {
+    const char* name = whole[0] == ';' ? "cut.fbx" : "cut.dae";
+    for (size_t length = 16; length < whole.size(); length += whole.size() / 40) {
+      try {
+        (void)read_motion(folder.write(name, whole.substr(0, length)));
+      } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+        EXPECT_EQ(std::string(error.what()).rfind(folder.file(name), 0), 0u) << error.what();
+      }
+    }
+  }
+}
+
 TEST(GltfFromScene, BrokenFilesAreOneLine) {
   const TempFolder folder;
   EXPECT_ERROR(read_mesh(folder.file("none.fbx")), "none.fbx", "no such file");

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "gltf/scene_animations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "sinew_formats/error.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kPlainTicks = 25;  // a second, where the file does not say: Assimp's own answer
+
+std::array<float, 3> numbers_of(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+std::array<float, 4> numbers_of(aiQuaternion q) {
+  q.Normalize();
+  return {q.x, q.y, q.z, q.w};
+}
+
+// Keys of one node and path: times that rise, values beside them.
+template <size_t N>
+struct Keys {
+  std::vector<float> times;
+  std::vector<std::array<float, N>> values;
+
+  bool stands_still() const {
+    return std::all_of(values.begin(), values.end(), [&](const auto& value) { return value == values.front(); });
+  }
+};
+
+class AnimationConverter {
+ public:
+  AnimationConverter(const std::string& path, const aiAnimation& from, size_t number,
+                     const std::map<std::string, size_t>& nodes, GltfSource* source)
+      : from_(from), nodes_(nodes), source_(*source) {
+    name_ = from.mName.length > 0 ? from.mName.C_Str() : "animation_" + std::to_string(number);
+    where_ = path + ": animation " + in_quotes(name_);
+    ticks_ = from.mTicksPerSecond > 0 ? from.mTicksPerSecond : kPlainTicks;
+  }
+
+  void convert() {
+    animation_ = {{"name", name_}, {"channels", Json::array()}, {"samplers", Json::array()}};
+    find_start();
+    for (unsigned c = 0; c < from_.mNumChannels; ++c) add_channel(*from_.mChannels[c]);
+    if (moves_root_) source_.notes.push_back("animation " + in_quotes(name_) + ": the scene's own root stays still");
+    if (from_.mNumMeshChannels + from_.mNumMorphMeshChannels > 0)
+      source_.notes.push_back("animation " + in_quotes(name_) + ": blend shapes stay still");
+    if (animation_["channels"].empty())
+      source_.notes.push_back("animation " + in_quotes(name_) + " moves no node and was left out");
+    else
+      source_.document["animations"].push_back(std::move(animation_));
+  }
+
+ private:
+  // Seconds begin at the first key of all.
+  void find_start() {
+    bool any = false;
+    const auto take = [&](const auto* keys, unsigned count) {
+      if (count == 0) return;
+      start_ = any ? std::min(start_, keys[0].mTime) : keys[0].mTime;
+      any = true;
+    };
+    for (unsigned c = 0; c < from_.mNumChannels; ++c) {
+      const aiNodeAnim& channel = *from_.mChannels[c];
+      take(channel.mPositionKeys, channel.mNumPositionKeys);
+      take(channel.mRotationKeys, channel.mNumRotationKeys);
+      take(channel.mScalingKeys, channel.mNumScalingKeys);
+    }
+  }
+
+  void add_channel(const aiNodeAnim& channel) {
+    const auto at = nodes_.find(channel.mNodeName.C_Str());
+    if (at == nodes_.end()) return;
+    if (at->second == 0) {
+      moves_root_ = true;
+      return;
+    }
+    const size_t before = animation_["channels"].size();
+    add_track<3>(channel, at->second, "translation", "VEC3", channel.mPositionKeys, channel.mNumPositionKeys);
+    add_track<4>(channel, at->second, "rotation", "VEC4", channel.mRotationKeys, channel.mNumRotationKeys);
+    add_track<3>(channel, at->second, "scale", "VEC3", channel.mScalingKeys, channel.mNumScalingKeys);
+    // glTF lets no animation touch a node that has a matrix; the tracks say its parts.
+    if (animation_["channels"].size() > before) source_.document["nodes"][at->second].erase("matrix");
+  }
+
+  template <size_t N, class Key>
+  void add_track(const aiNodeAnim& channel, size_t node, const char* what, const char* type, const Key* from,
+                 unsigned count) {
+    const Keys<N> keys = read_keys<N>(channel, what, from, count);
+    if (keys.times.empty()) return;
+    const size_t left = keys.stands_still() ? 1 : keys.times.size();
+    const int input = add_accessor(&source_, keys.times.data(), left * sizeof(float), "SCALAR",
+                                   TINYGLTF_COMPONENT_TYPE_FLOAT, left, false, false);
+    source_.document["accessors"][static_cast<size_t>(input)]["min"] = {keys.times.front()};
+    source_.document["accessors"][static_cast<size_t>(input)]["max"] = {keys.times[left - 1]};
+    const int output = add_accessor(&source_, keys.values.data(), left * N * sizeof(float), type,
+                                    TINYGLTF_COMPONENT_TYPE_FLOAT, left, false, false);
+    animation_["channels"].push_back(
+        {{"sampler", animation_["samplers"].size()}, {"target", {{"node", node}, {"path", what}}}});
+    animation_["samplers"].push_back({{"input", input}, {"interpolation", "LINEAR"}, {"output", output}});
+  }
+
+  // Keys that do not rise in time are left out.
+  template <size_t N, class Key>
+  Keys<N> read_keys(const aiNodeAnim& channel, const char* what, const Key* from, unsigned count) const {
+    Keys<N> keys;
+    for (unsigned k = 0; k < count; ++k) {
+      const float time = static_cast<float>((from[k].mTime - start_) / ticks_);
+      const std::array<float, N> value = numbers_of(from[k].mValue);
+      if (!std::isfinite(time) || !std::all_of(value.begin(), value.end(), [](float x) { return std::isfinite(x); }))
+        throw Error(where_ + ", node " + in_quotes(channel.mNodeName.C_Str()) +
+                    ": expected finite keys, found another " + what + " at key " + std::to_string(k));
+      if (time < 0 || (!keys.times.empty() && !(time > keys.times.back()))) continue;
+      keys.times.push_back(time);
+      keys.values.push_back(value);
+    }
+    return keys;
+  }
+
+  const aiAnimation& from_;
+  const std::map<std::string, size_t>& nodes_;
+  GltfSource& source_;
+  std::string name_, where_;
+  double ticks_ = kPlainTicks, start_ = 0;
+  bool moves_root_ = false;
+  Json animation_;
+};
+
+}  // namespace
+
+void add_scene_animations(const std::string& path, const aiScene& scene, const std::map<std::string, size_t>& nodes,
+                          GltfSource* source) {
+  for (unsigned a = 0; a < scene.mNumAnimations; ++a)
+    AnimationConverter(path, *scene.mAnimations[a], a, nodes, source).convert();
+}
+
+}  // namespace sinew
