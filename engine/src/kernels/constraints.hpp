@@ -44,8 +44,8 @@ struct EdgeList {
 
 struct VolumeList {
   const uint32_t* tetrahedra;  // [t] numbers in `corners`
-  const uint8_t* wide;         // [t] the same: kWideSmall where all four are of corners of a cell, kWideLarge if of its middle
-  const uint32_t* corners;     // [4 x tetrahedra] nodes
+  const uint8_t* wide;  // [t] the same: kWideSmall where all four are of corners of a cell, kWideLarge if of its middle
+  const uint32_t* corners;  // [4 x tetrahedra] nodes
   const uint8_t* moves;
   Vec3i* nodes;
 };

@@ -34,9 +34,7 @@ struct Doubles {
   Double x, y, z;
 };
 SINEW_INLINE Doubles to_double(Ints v) { return {to_double(v.x), to_double(v.y), to_double(v.z)}; }
-SINEW_INLINE Double dot(Doubles a, Doubles b) {
-  return add(add(times(a.x, b.x), times(a.y, b.y)), times(a.z, b.z));
-}
+SINEW_INLINE Double dot(Doubles a, Doubles b) { return add(add(times(a.x, b.x), times(a.y, b.y)), times(a.z, b.z)); }
 SINEW_INLINE Int clamped(Int v, int32_t most) {
   return _mm_max_epi32(_mm_min_epi32(v, _mm_set1_epi32(most)), _mm_set1_epi32(-most));
 }
@@ -129,14 +127,13 @@ void solve_four_volumes(const VolumeList& list, uint32_t first, double rest) {
     largest = _mm256_max_pd(largest, _mm256_and_pd(mask, bound));
   }
   denominator = _mm256_max_pd(denominator, all(static_cast<double>(kLeastDenominator)));
-  const Double ratio =
-      cut(_mm256_div_pd(times(error, all(4096)), floored(times(denominator, all(1.0 / 64)))));
+  const Double ratio = cut(_mm256_div_pd(times(error, all(4096)), floored(times(denominator, all(1.0 / 64)))));
   // The reference shortens long steps.
   constexpr double kLong = static_cast<double>((kLongestStep + 1) << kRatioBits), kLargeError = 1099511627776.0;
   const int odd = 15 ^ (bits_of(less(times(magnitude(ratio), largest), all(kLong))) &
                         bits_of(less(magnitude(error), all(kLargeError))));
   SINEW_UNROLL for (int k = 0; k < 4; ++k)
-    store_nodes(stepped(nodes[k], ratio, gradient[k], kRatioBits), at[k], moves[k] & ~odd, list.nodes);
+      store_nodes(stepped(nodes[k], ratio, gradient[k], kRatioBits), at[k], moves[k] & ~odd, list.nodes);
   for (int lane = 0; odd >> lane != 0; ++lane) {
     if ((odd >> lane & 1) != 0) solve_volume_ref(list, first + static_cast<uint32_t>(lane));
   }
@@ -157,15 +154,14 @@ void solve_four_edges(const EdgeList& list, uint32_t first) {
   const Int before = _mm_setr_epi32(edges[0].lambda, edges[1].lambda, edges[2].lambda, edges[3].lambda);
   const Double error = subtract(times(subtract(rest, now), all(256)),
                                 times(all(static_cast<double>(list.rates.softness)), to_double(before)));
-  const Double inverse =
-      _mm256_blendv_pd(all(static_cast<double>(list.rates.inverse[0])),
-                       all(static_cast<double>(list.rates.inverse[1])), mask_of(a_moves & b_moves));
+  const Double inverse = _mm256_blendv_pd(all(static_cast<double>(list.rates.inverse[0])),
+                                          all(static_cast<double>(list.rates.inverse[1])), mask_of(a_moves & b_moves));
   const Double change = floored(times(add(times(error, inverse), all(8388608)), all(1.0 / 16777216)));
   const Double ratio = cut(_mm256_div_pd(times(change, all(1048576)), now));
   constexpr double kLargeError = 68719476736.0, kLargeRatio = 2147483648.0, kShort = 16;
-  const int odd = 15 ^ (bits_of(less(magnitude(error), all(kLargeError))) &
-                        bits_of(less(magnitude(ratio), all(kLargeRatio))) &
-                        bits_of(_mm256_cmp_pd(now, all(kShort), _CMP_GE_OQ)));
+  const int odd =
+      15 ^ (bits_of(less(magnitude(error), all(kLargeError))) & bits_of(less(magnitude(ratio), all(kLargeRatio))) &
+            bits_of(_mm256_cmp_pd(now, all(kShort), _CMP_GE_OQ)));
   int32_t after[4];
   _mm_storeu_si128(reinterpret_cast<Int*>(after), _mm_add_epi32(before, to_int(change)));
   SINEW_UNROLL for (int lane = 0; lane < 4; ++lane) {
@@ -180,7 +176,8 @@ void solve_four_edges(const EdgeList& list, uint32_t first) {
 
 // Runs of independent entries by `four`, the others by `one`.
 template <class List, class Four, class One>
-SINEW_INLINE void each(const List& list, uint32_t begin, uint32_t end, bool backwards, const Four& four, const One& one) {
+SINEW_INLINE void each(const List& list, uint32_t begin, uint32_t end, bool backwards, const Four& four,
+                       const One& one) {
   if (backwards) {
     for (uint32_t k = end; k > begin;) {
       if (k >= begin + kWide && list.wide[k - kWide] != kNarrow) {
