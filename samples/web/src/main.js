@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The page: what is open, what is chosen, and what follows when that changes.
+import { BendPanel } from "./bends.js";
 import { Engine } from "./engine.js";
 import { pairFiles, stem } from "./files.js";
 import { Latest } from "./latest.js";
+import { MapPanel } from "./map_panel.js";
+import { MethodPanel, motionMethods } from "./methods.js";
 import { BindOptions, switched } from "./options.js";
 import { MotionPlayer } from "./player.js";
 import { Pose } from "./pose.js";
@@ -44,6 +47,9 @@ let mode = modes.joints;
 let questions;
 let editor;
 let player;
+let bends;
+let methods;
+let map;
 let options;
 let shownMean = 0; // of what the colours show, see web.cpp
 let style = null; // {name}: answers for the characters from now on
@@ -136,10 +142,11 @@ async function openSample({ name, files }) {
   $("sample").value = name;
 }
 
-// A model of weights or of skeletons.
+// A model of weights, of skeletons or of hands.
 async function useModel(file) {
   const model = await engine.call("model", { name: file });
-  facts = model.ofSkeletons ? { ...facts, rigModel: model, rigModelName: file } : { ...facts, model, modelName: file };
+  const key = { weights: "model", skeletons: "rigModel", hands: "handsModel" }[model.task];
+  facts = { ...facts, [key]: model, [`${key}Name`]: file };
 }
 
 async function fetchModel(name) {
@@ -291,34 +298,70 @@ async function forgetPaint() {
 
 // ---- motion
 
-// A file that the module has: its clips play on the character from now on.
-async function openMotion(name) {
+// A file that the module has: its clips play on the character from now on. method: MotionMethod; pins: of the map, {joint's name: joint
+// of the motion or -1}
+async function openMotion(name, { method = motionMethods.contacts, pins = {} } = {}) {
   if (!character?.result) throw new Error(`${name}: is a motion; open a character first`);
-  const own = name === character.source.mesh;
-  const motion = await engine.call("motion", { name, upAxis: character.upAxis, own });
-  character.source.motion = { name, own };
-  showMotion({ name, ...motion });
+  const { source, joints, upAxis } = character;
+  const own = name === source.mesh;
+  const known = new Map(joints.flatMap((joint, j) => (joint.name in pins ? [[j, pins[joint.name]]] : [])));
+  const motion = await engine.call("motion", { name, wish: { upAxis, own, method, pins: [...known] } });
+  source.motion = { name, method, pins };
+  showMotion({ name, own, method, pins: known, ...motion });
 }
 
 // The motion again, for a character that was bound or whose skeleton was changed.
 async function retarget() {
   const { motion } = character.source;
   if (!motion) {
-    await engine.call("motion", { name: "", upAxis: 0, own: false });
+    await engine.call("motion", { name: "" });
     return showMotion(null);
   }
   try {
-    await openMotion(motion.name);
+    await openMotion(motion.name, motion);
   } catch (error) {
     character.source.motion = null;
+    await engine.call("motion", { name: "" });
     showMotion(null);
     throw error;
   }
 }
 
 function showMotion(motion) {
+  if (!motion) view.setSpots([]);
   player.show(motion, Boolean(character?.result));
+  showMethod();
+  $(motion ? "motion" : "pose").after($("bending")); // beside what moves the joints
+  map.show(motion, character?.joints ?? [], motion?.pins ?? new Map());
   showSkeleton();
+}
+
+const showMethod = () => methods.show(player.motion, player.clip);
+
+// The same motion by another method, at the same place of it.
+async function useMethod(method) {
+  const { motion } = player;
+  if (!motion) return;
+  try {
+    Object.assign(motion, await engine.call("motionMethod", { method }), { method });
+    character.source.motion.method = method;
+  } finally {
+    showMethod();
+  }
+  await sendPose();
+}
+
+// The map as the user has it now: {joint: joint of the motion or -1}.
+async function usePins(pins) {
+  const { name, method } = character.source.motion;
+  const named = Object.fromEntries([...pins].map(([joint, source]) => [character.joints[joint].name, source]));
+  try {
+    await openMotion(name, { method, pins: named });
+  } catch (error) {
+    map.show(player.motion, character.joints, player.motion.pins); // what was chosen is not so
+    throw error;
+  }
+  await sendPose();
 }
 
 async function openMotionFile(file) {
@@ -397,7 +440,7 @@ function showLegend() {
     [modes.artist]: ["The weights that the file had", "", ""],
     [modes.artistField]: [`The file's weight of ${name}`, "0", "1"],
     [modes.difference]: [`What moves otherwise than in the file: ${(100 * shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
-    [modes.material]: ["As other programs show the file", "", ""],
+    [modes.material]: [`As other programs show the file${bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
   }[mode];
   $("legend").hidden = !character;
   $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
@@ -416,16 +459,15 @@ function showSure() {
 
 const poses = new Latest(async () => {
   if (!character?.result) return;
-  const posed = pose;
-  const dualQuaternion = $("skinning").value === "1";
-  if (player.motion && !view.editing) {
-    const { buffers } = await engine.call("frame", { clip: player.clip, seconds: player.seconds, dualQuaternion });
-    if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, pose.turns, buffers.palette);
-    return;
-  }
+  const [posed, { motion }, { skinning }] = [pose, player, bends];
+  const plays = motion && !view.editing;
   const turns = view.editing ? new Float32Array(pose.turns.length) : pose.turns; // a skeleton is edited at rest
-  const { buffers } = await engine.call("pose", { turns, dualQuaternion });
-  if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns, buffers.palette);
+  const reply = plays ? await engine.call("frame", { clip: player.clip, seconds: player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
+  if (posed !== pose) return; // another character by now
+  const { positions, normals, jointPositions, palette } = reply.buffers;
+  view.setPose(positions, normals, jointPositions, turns, palette);
+  view.setSpots(plays && methods.spotsShown ? reply.spots : []);
+  bends.show(reply.bends, character.joints, player.playing);
 });
 const sendPose = () => poses.want();
 
@@ -460,7 +502,7 @@ function showPose() {
   $("switch").textContent = isOff(joint) ? "Switch on" : "Switch off";
   $("lock").ariaPressed = String(joint >= 0 && Boolean(character?.source.locked?.has(character.joints[joint].name)));
   $("pose").hidden = view.editing || Boolean(player.motion);
-  $("motion").hidden = view.editing;
+  $("motion").hidden = $("bending").hidden = view.editing;
   view.turnable = !player.motion;
   const others = joint < 0 ? 0 : view.also.size;
   $("joint-name").textContent = joint < 0 ? "No joint chosen" : `${character.joints[joint].name}${others ? ` and ${others} more` : ""}`;
@@ -589,6 +631,7 @@ const chosenName = () => character.joints[view.selected]?.name;
 async function predict(wishes = editor.wishes) {
   const chosen = chosenName();
   if (!facts.rigModel) await fetchModel("sinew_rig.sinew");
+  if (wishes.detail > 0 && !facts.handsModel) await fetchModel("sinew_hands.sinew");
   const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: character.upAxis } });
   setEditing(true);
   useRig(rig, chosen);
@@ -954,6 +997,16 @@ function listen() {
   };
   player.onOpen = (file) => run(() => (clearError(), openMotionFile(file)));
   player.onClose = () => run(() => (clearError(), closeMotion()));
+  player.onClip = showMethod;
+  methods = new MethodPanel();
+  methods.onMethod = (method) => run(() => (clearError(), useMethod(method)));
+  methods.onSpots = () => poseChanged();
+  map = new MapPanel();
+  map.onPins = (pins) => run(() => (clearError(), usePins(pins)));
+  map.onPick = (joint) => choose(joint);
+  bends = new BendPanel();
+  bends.onChange = () => character && (showLegend(), poseChanged());
+  bends.onPick = (joint) => choose(joint);
   player.onFrame = () => sendPose().catch((error) => showError(error.message));
   $("work").onchange = ({ target }) => edit(target.value === "skeleton");
   $("undo-edit").onclick = () => undo(false);
@@ -1014,7 +1067,6 @@ function listen() {
   };
   $("skeleton").onclick = toggleSkeleton;
   $("frame").onclick = () => character && view.frame();
-  $("skinning").onchange = () => character && poseChanged();
   $("up").onchange = () => {
     const current = open.find(({ name }) => name === character?.name);
     if (current) run(async () => (clearError(), load(current, true)));
@@ -1069,6 +1121,8 @@ function listen() {
       7: () => turnPicture("view-front"),
       8: () => turnPicture("view-side"),
       9: () => turnPicture("view-top"),
+      c: () => player.motion && !view.editing && methods.next(),
+      d: () => !view.editing && bends.next(),
       w: toggleWireframe,
       x: () => $("switch").click(),
       l: () => $("lock").click(),

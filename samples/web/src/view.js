@@ -31,6 +31,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
 import { draggedTo } from "./limbs.js";
+import { ContactSpots } from "./spots.js";
 
 const colourOf = ([r, g, b]) => new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
 const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
@@ -70,6 +71,7 @@ export class View {
   #gizmo;
   #model = new Group(); // turned when Z is up
   #bones = new Group();
+  #spots = new ContactSpots(this.#model);
   #light = new DirectionalLight(0xffffff, 1.7);
   #mesh;
   #grid;
@@ -122,6 +124,7 @@ export class View {
   setCharacter({ triangles, positions, normals, joints, upAxis }) {
     this.select(-1);
     this.setLook(null);
+    this.setSpots([]);
     this.#palette = null;
     const wireframe = this.wireframe;
     this.#mesh?.geometry.dispose();
@@ -205,6 +208,12 @@ export class View {
       handle.rotation.set(...[0, 1, 2].map((axis) => turns[j * 3 + axis] * MathUtils.DEG2RAD));
     });
     this.#placeBones();
+    this.redraw();
+  }
+
+  // Contacts of a motion's frame, see spots.js.
+  setSpots(spots) {
+    this.#spots.show(spots, this.#radius);
     this.redraw();
   }
 
@@ -330,6 +339,9 @@ export class View {
   }
   shownPositions() {
     return Array.from(this.#mesh.geometry.getAttribute("position").array);
+  }
+  shownSpots() {
+    return this.#spots.shown;
   }
   shownColours() {
     return Array.from(this.#mesh.geometry.getAttribute("color").array);
