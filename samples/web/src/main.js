@@ -2,32 +2,20 @@
 // The page: what is open, what is chosen, and what follows when that changes.
 import { BendPanel } from "./bends.js";
 import { Engine } from "./engine.js";
+import { factsOf, number } from "./facts.js";
 import { pairFiles, stem } from "./files.js";
+import { JointList } from "./joint_list.js";
 import { Latest } from "./latest.js";
-import { MapPanel } from "./map_panel.js";
-import { MethodPanel, motionMethods } from "./methods.js";
+import { Motions } from "./motions.js";
 import { BindOptions, switched } from "./options.js";
-import { MotionPlayer } from "./player.js";
 import { Pose } from "./pose.js";
 import { kinds, partName, Questions } from "./questions.js";
+import { sampleFiles, samples } from "./samples.js";
 import { answersFor, editKinds, movedJoints, SkeletonEditor, sureColour } from "./skeleton.js";
 import { testClip, testClips } from "./test_clips.js";
 import { View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
-const number = new Intl.NumberFormat("en");
-const bytes = (n) => (n < 1e6 ? `${(n / 1e3).toFixed(1)} kB` : `${(n / 1e6).toFixed(2)} MB`);
-const milliseconds = (s) => (s < 10 ? `${number.format(Math.round(s * 1e3))} ms` : `${s.toFixed(1)} s`);
-const samples = [
-  { name: "biped__robed", files: ["biped__robed.obj", "biped__robed.rig.txt"] },
-  { name: "biped__robed, a bare mesh", files: ["biped__robed.obj"] },
-  { name: "biped__robot", files: ["biped__robot.obj", "biped__robot.rig.txt"] },
-  { name: "biped__caped", files: ["biped__caped.gltf"] },
-  { name: "bird__winged", files: ["bird__winged.obj", "bird__winged.rig.txt"] },
-  { name: "many-legged__plated", files: ["many-legged__plated.obj", "many-legged__plated.rig.txt"] },
-  { name: "quadruped__tailed", files: ["quadruped__tailed.obj", "quadruped__tailed.rig.txt"] },
-  { name: "snake__long", files: ["snake__long.obj", "snake__long.rig.txt"] },
-];
 const modes = { joints: 0, field: 1, doubt: 2, artist: 3, artistField: 4, difference: 5, material: -1 }; // ColourMode of web.cpp, and the file's own look
 const views = { "view-front": [0, 0, 1], "view-side": [1, 0, 0], "view-top": [0, 1, 0.001] };
 const asked = [240, 120, 20]; // sRGB of the part that a question is about, as in the command's pictures
@@ -37,7 +25,8 @@ const lookMilliseconds = 90; // the pointer stays that long on what is shown
 
 const engine = new Engine();
 let view;
-let facts = {}; // of module and model
+let engineFacts = {}; // {kernel, version, moduleBytes}
+const models = {}; // by their task: {name, bytes, parameters, layers}
 let open = []; // characters that were dropped together: {name, mesh, skeleton, number, answers, style}
 let waiting = {}; // a mesh or a rig that its other half may still follow
 let character = null; // what the module has loaded, with its bind result
@@ -47,9 +36,9 @@ let mode = modes.joints;
 let questions;
 let editor;
 let player;
+let motions; // the player among them
 let bends;
-let methods;
-let map;
+let jointList;
 let options;
 let shownMean = 0; // of what the colours show, see web.cpp
 let style = null; // {name}: answers for the characters from now on
@@ -131,22 +120,17 @@ async function readable(file) {
   return { name: `${stem(file.name)}.glb`, bytes: glb.buffer };
 }
 
-async function openSample({ name, files }) {
-  const get = async (file) => {
-    const response = await fetch(`samples/${file}`);
-    if (!response.ok) throw new Error(`samples/${file}: ${response.status} ${response.statusText}`);
-    return new File([await response.blob()], file);
-  };
+async function openSample(sample) {
+  const files = await sampleFiles(sample);
   waiting = {};
-  await openFiles(await Promise.all(files.map(get)));
-  $("sample").value = name;
+  await openFiles(files);
+  $("sample").value = sample.name;
 }
 
 // A model of weights, of skeletons or of hands.
-async function useModel(file) {
-  const model = await engine.call("model", { name: file });
-  const key = { weights: "model", skeletons: "rigModel", hands: "handsModel" }[model.task];
-  facts = { ...facts, [key]: model, [`${key}Name`]: file };
+async function useModel(name) {
+  const { task, ...model } = await engine.call("model", { name });
+  models[task] = { name, ...model };
 }
 
 async function fetchModel(name) {
@@ -183,7 +167,7 @@ async function load(source, anew = false) {
   await useStyleAnswers();
   await bind();
   const isScene = /\.(glb|gltf|vrm)$/i.test(mesh);
-  if (isScene && source.motion === undefined && !character.predicted) await openMotion(mesh).catch(() => {}); // most files have no animations
+  if (isScene && source.motion === undefined && !character.predicted) await motions.open(mesh).catch(() => {}); // most files have no animations
 }
 
 function longestSide(positions) {
@@ -224,7 +208,7 @@ async function bind(answers = character.source.answers, focus) {
   listJoints();
   showBrush();
   await colour();
-  await retarget();
+  await motions.again();
   await sendPose();
 }
 
@@ -298,71 +282,14 @@ async function forgetPaint() {
 
 // ---- motion
 
-// A file that the module has: its clips play on the character from now on. method: MotionMethod; pins: of the map, {joint's name: joint
-// of the motion or -1}
-async function openMotion(name, { method = motionMethods.contacts, pins = {} } = {}) {
-  if (!character?.result) throw new Error(`${name}: is a motion; open a character first`);
-  const { source, joints, upAxis } = character;
-  const own = name === source.mesh;
-  const known = new Map(joints.flatMap((joint, j) => (joint.name in pins ? [[j, pins[joint.name]]] : [])));
-  const motion = await engine.call("motion", { name, wish: { upAxis, own, method, pins: [...known] } });
-  source.motion = { name, method, pins };
-  showMotion({ name, own, method, pins: known, ...motion });
-}
-
-// The motion again, for a character that was bound or whose skeleton was changed.
-async function retarget() {
-  const { motion } = character.source;
-  if (!motion) {
-    await engine.call("motion", { name: "" });
-    return showMotion(null);
-  }
-  try {
-    await openMotion(motion.name, motion);
-  } catch (error) {
-    character.source.motion = null;
-    await engine.call("motion", { name: "" });
-    showMotion(null);
-    throw error;
-  }
-}
-
-function showMotion(motion) {
+function motionChanged(motion) {
   if (!motion) view.setSpots([]);
-  player.show(motion, Boolean(character?.result));
-  showMethod();
   $(motion ? "motion" : "pose").after($("bending")); // beside what moves the joints
-  map.show(motion, character?.joints ?? [], motion?.pins ?? new Map());
   showSkeleton();
 }
 
-const showMethod = () => methods.show(player.motion, player.clip);
-
-// The same motion by another method, at the same place of it.
-async function useMethod(method) {
-  const { motion } = player;
-  if (!motion) return;
-  try {
-    Object.assign(motion, await engine.call("motionMethod", { method }), { method });
-    character.source.motion.method = method;
-  } finally {
-    showMethod();
-  }
-  await sendPose();
-}
-
-// The map as the user has it now: {joint: joint of the motion or -1}.
-async function usePins(pins) {
-  const { name, method } = character.source.motion;
-  const named = Object.fromEntries([...pins].map(([joint, source]) => [character.joints[joint].name, source]));
-  try {
-    await openMotion(name, { method, pins: named });
-  } catch (error) {
-    map.show(player.motion, character.joints, player.motion.pins); // what was chosen is not so
-    throw error;
-  }
-  await sendPose();
-}
+// A change of the motion, then its pose.
+const changeMotion = (change) => run(async () => (clearError(), await change(), await sendPose()));
 
 async function openMotionFile(file) {
   const one = await readable(file);
@@ -371,17 +298,11 @@ async function openMotionFile(file) {
 }
 
 async function playMotion(name) {
-  await openMotion(name);
+  await motions.open(name);
   if (view.editing) {
     setEditing(false);
     showSkeleton();
   }
-  await sendPose();
-}
-
-async function closeMotion() {
-  character.source.motion = null;
-  await retarget();
   await sendPose();
 }
 
@@ -466,7 +387,7 @@ const poses = new Latest(async () => {
   if (posed !== pose) return; // another character by now
   const { positions, normals, jointPositions, palette } = reply.buffers;
   view.setPose(positions, normals, jointPositions, turns, palette);
-  view.setSpots(plays && methods.spotsShown ? reply.spots : []);
+  view.setSpots(plays && motions.methods.spotsShown ? reply.spots : []);
   bends.show(reply.bends, character.joints, player.playing);
 });
 const sendPose = () => poses.want();
@@ -537,45 +458,7 @@ function showCharacters() {
 
 // result: what the line says of the bind, null while there is none.
 function showFacts(result = character?.result) {
-  const parts = [];
-  const add = (label, value, title) => {
-    const part = document.createElement("span");
-    part.title = title ?? "";
-    part.append(label, Object.assign(document.createElement("b"), { textContent: value }));
-    parts.push(part);
-  };
-  if (character) {
-    add("", character.name);
-    add("", `${number.format(character.vertices)} vertices, ${number.format(character.faces)} faces, ${number.format(character.joints.length)} joints`);
-    if (result) {
-      add("bound in ", milliseconds(result.seconds), `${milliseconds(result.wallSeconds)} with the way to the worker and back; ${bytes(result.usedBytes)} of memory`);
-      add("look first at ", `${number.format(result.lookFirst)} vertices`, `The least sure tenth, ${Math.round(100 * result.lookFirstSure)} % sure on average; Doubt shows them`);
-      if (result.leftOut.length) add("no weight for ", `${result.leftOut.length} joints`, result.leftOut.join("\n"));
-      if (result.lockedVertices) add("locked ", `${number.format(result.lockedVertices)} vertices`, "They keep their weights; L on their joint frees them");
-      if (result.keptMeshes) add("kept ", `${result.keptMeshes} attached meshes`, "They follow the joints that they hang on");
-    } else {
-      add("", character.joints.length === 0 ? "without a skeleton…" : "binding…");
-    }
-    if (character.predicted) {
-      const doubt = `The votes say of themselves that they are ${(100 * character.spread).toFixed(1)} % of the longest side off, in the mean`;
-      add("skeleton in ", milliseconds(character.seconds), doubt);
-    }
-  }
-  const about = (name, { parameters, layers }) => `${name}: ${number.format(parameters)} int16 parameters in ${layers} layers`;
-  if (facts.model && facts.rigModel && character?.predicted) {
-    const both = `${about(facts.modelName, facts.model)}\n${about(facts.rigModelName, facts.rigModel)}`;
-    add("models ", `${bytes(facts.model.bytes)}, ${bytes(facts.rigModel.bytes)}`, both);
-  } else if (facts.model) {
-    add("model ", bytes(facts.model.bytes), about(facts.modelName, facts.model));
-  }
-  if (facts.kernel) add("engine ", `${bytes(facts.moduleBytes)}, ${facts.kernel === "ref" ? "without SIMD" : "SIMD"}`, `sinew ${facts.version} as WebAssembly, with readers and writers; kernels ${facts.kernel}`);
-  if (result) {
-    const part = document.createElement("span");
-    part.title = "Hash of all joints and weights: the same on every machine, compiler and browser";
-    part.append("result ", Object.assign(document.createElement("code"), { textContent: result.hash }));
-    parts.push(part);
-  }
-  $("facts").replaceChildren(...parts);
+  $("facts").replaceChildren(...factsOf({ character, result, engine: engineFacts, models }));
   $("download").disabled = $("download-rig").disabled = $("download-fbx").disabled = !character?.result;
 }
 
@@ -630,8 +513,8 @@ const chosenName = () => character.joints[view.selected]?.name;
 
 async function predict(wishes = editor.wishes) {
   const chosen = chosenName();
-  if (!facts.rigModel) await fetchModel("sinew_rig.sinew");
-  if (wishes.detail > 0 && !facts.handsModel) await fetchModel("sinew_hands.sinew");
+  if (!models.skeletons) await fetchModel("sinew_rig.sinew");
+  if (wishes.detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
   const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: character.upAxis } });
   setEditing(true);
   useRig(rig, chosen);
@@ -805,80 +688,8 @@ async function saveStyle() {
   save(buffers.bytes, "application/json", name);
 }
 
-// ---- the list of joints
-
-function depth(joint) {
-  let d = 0;
-  for (let j = character.joints[joint].parent; j >= 0; j = character.joints[j].parent) ++d;
-  return d;
-}
-
-// Parents before children, children in the file's order.
-function treeOrder() {
-  const children = character.joints.map(() => []);
-  const stack = [];
-  character.joints.forEach(({ parent }, j) => (parent < 0 ? stack : children[parent]).push(j));
-  stack.reverse();
-  const order = [];
-  while (stack.length > 0) {
-    const j = stack.pop();
-    order.push(j);
-    stack.push(...children[j].reverse());
-  }
-  return order;
-}
-
-function listJoints() {
-  const wanted = $("search").value.trim().toLowerCase();
-  const weights = character.result?.jointWeights;
-  const items = [];
-  const item = (joint, name, indent) => {
-    const li = document.createElement("li");
-    li.role = "option";
-    li.id = `joint-${joint}`;
-    li.dataset.joint = joint;
-    li.title = name;
-    li.style.paddingLeft = `${6 + indent * 9}px`;
-    const swatch = document.createElement("i");
-    const label = Object.assign(document.createElement("span"), { className: "name", textContent: name });
-    li.append(swatch, label);
-    items.push(li);
-    return { li, swatch };
-  };
-  if (wanted === "") item(-1, "All joints", 0).swatch.style.background = "conic-gradient(#e66,#ee6,#6c6,#6cc,#66e,#e6e,#e66)";
-  for (const j of treeOrder()) {
-    const { name, colour: rgb } = character.joints[j];
-    if (!name.toLowerCase().includes(wanted)) continue;
-    const { li, swatch } = item(j, name, wanted === "" ? Math.min(8, depth(j)) : 0);
-    swatch.style.background = `rgb(${rgb.join(" ")})`;
-    if (!weights) continue;
-    const share = weights[j] / character.vertices;
-    li.classList.toggle("unused", share === 0);
-    li.classList.toggle("off", isOff(j));
-    li.classList.toggle("locked", Boolean(character.source.locked?.has(name)));
-    const text = isOff(j) ? "off" : share === 0 ? "–" : share < 0.001 ? "<0.1 %" : `${(share * 100).toFixed(1)} %`;
-    li.append(Object.assign(document.createElement("span"), { className: "share", textContent: text, title: "share of all weight" }));
-  }
-  if (items.length === 0) {
-    items.push(Object.assign(document.createElement("li"), { className: "none", textContent: `No joint is called “${$("search").value.trim()}”` }));
-  }
-  $("joints").replaceChildren(...items);
-  markJoint();
-}
-
-function markJoint() {
-  for (const li of $("joints").children) li.ariaSelected = String(Number(li.dataset.joint) === view.selected || view.also.has(Number(li.dataset.joint)));
-  const chosen = $(`joint-${view.selected}`);
-  $("joints").setAttribute("aria-activedescendant", chosen?.id ?? "");
-  chosen?.scrollIntoView({ block: "nearest" });
-}
-
-function stepJoint(by) {
-  const shown = [...$("joints").children].filter((li) => li.dataset.joint !== undefined).map((li) => Number(li.dataset.joint));
-  if (shown.length === 0) return;
-  const at = shown.indexOf(view.selected);
-  choose(shown[Math.min(shown.length - 1, Math.max(0, at < 0 ? 0 : at + by))]);
-}
+const listJoints = () => jointList.show(character, view.selected, view.also);
+const markJoint = () => jointList.mark(view.selected, view.also);
 
 // ---- the user
 
@@ -988,7 +799,10 @@ function listen() {
   editor.onEdit = (edits, chosen) => run(() => (clearError(), editSkeleton(edits, chosen)));
   editor.onPredict = (wishes) => character && run(async () => (clearError(), await predict(wishes), await bind()));
   editor.onMiddle = toMiddle;
-  player = new MotionPlayer();
+  jointList = new JointList();
+  jointList.onPick = choose;
+  motions = new Motions(engine, () => character, motionChanged);
+  player = motions.player;
   $("test-clip").append(...testClips.map((name) => new Option(name, name)));
   $("test-clip").onchange = () => {
     const { value } = $("test-clip");
@@ -996,14 +810,11 @@ function listen() {
     if (value !== "") run(() => (clearError(), playTestClip(value)));
   };
   player.onOpen = (file) => run(() => (clearError(), openMotionFile(file)));
-  player.onClose = () => run(() => (clearError(), closeMotion()));
-  player.onClip = showMethod;
-  methods = new MethodPanel();
-  methods.onMethod = (method) => run(() => (clearError(), useMethod(method)));
-  methods.onSpots = () => poseChanged();
-  map = new MapPanel();
-  map.onPins = (pins) => run(() => (clearError(), usePins(pins)));
-  map.onPick = (joint) => choose(joint);
+  player.onClose = () => changeMotion(() => motions.close());
+  motions.methods.onMethod = (method) => changeMotion(() => motions.useMethod(method));
+  motions.methods.onSpots = poseChanged;
+  motions.map.onPins = (pins) => changeMotion(() => motions.usePins(pins));
+  motions.map.onPick = (joint) => choose(joint);
   bends = new BendPanel();
   bends.onChange = () => character && (showLegend(), poseChanged());
   bends.onPick = (joint) => choose(joint);
@@ -1014,10 +825,6 @@ function listen() {
   $("middle").onchange = () => (view.toMiddle = $("middle").checked);
 
   $("mode").onchange = $("artist").onchange = (event) => setMode(Number(event.target.value));
-  $("joints").onclick = (event) => {
-    const li = event.target.closest("li");
-    if (li?.dataset.joint !== undefined) choose(Number(li.dataset.joint), event.ctrlKey || event.metaKey || event.shiftKey);
-  };
   const ofChosen = (job) => () => character?.result && view.selected >= 0 && run(() => (clearError(), job(view.selected)));
   $("switch").onclick = ofChosen(switchJoint);
   $("lock").onclick = ofChosen(lockJoint);
@@ -1029,15 +836,6 @@ function listen() {
   $("bone-size").oninput = () => (view.boneSize = Number($("bone-size").value));
   options = new BindOptions();
   options.onChange = () => character && run(async () => (clearError(), bind()));
-  const arrows = (event) => {
-    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (by === undefined) return;
-    event.preventDefault();
-    stepJoint(by);
-  };
-  $("joints").onkeydown = arrows;
-  $("search").onkeydown = arrows;
-  $("search").oninput = () => character && listJoints();
 
   ["x", "y", "z"].forEach((axis, i) => {
     const slider = $(`turn-${axis}`);
@@ -1121,7 +919,7 @@ function listen() {
       7: () => turnPicture("view-front"),
       8: () => turnPicture("view-side"),
       9: () => turnPicture("view-top"),
-      c: () => player.motion && !view.editing && methods.next(),
+      c: () => player.motion && !view.editing && motions.methods.next(),
       d: () => !view.editing && bends.next(),
       w: toggleWireframe,
       x: () => $("switch").click(),
@@ -1153,7 +951,7 @@ function toggleSkeleton() {
 
 async function start() {
   const forceScalar = new URLSearchParams(location.search).has("scalar");
-  facts = { ...facts, ...(await engine.call("start", { forceScalar })) };
+  engineFacts = await engine.call("start", { forceScalar });
   await fetchModel("sinew_default.sinew");
   const wanted = new URLSearchParams(location.search).get("sample");
   const sample = samples.find(({ name }) => name === wanted);

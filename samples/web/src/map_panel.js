@@ -68,7 +68,7 @@ export class MapPanel {
     const select = document.createElement("select");
     select.setAttribute("aria-label", `${name} moves as`);
     select.title = this.#pins.has(joint) ? "As you said" : why;
-    select.append(new Option(source < 0 ? `none${why ? `: ${why}` : ""}` : this.#motion.sourceJoints[source].name, String(source), true, true));
+    select.append(new Option(source < 0 ? "none" : this.#motion.sourceJoints[source].name, String(source), true, true));
     const cell = document.createElement("td");
     cell.append(select);
     tr.append(head, cell);

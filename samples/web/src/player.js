@@ -43,6 +43,11 @@ export class MotionPlayer {
     return this.#seconds;
   }
 
+  // What the line about the motion says while it is made, which takes seconds for large meshes.
+  wait(name) {
+    $("motion-about").textContent = `${name}: retargeting…`;
+  }
+
   // motion: as the module describes it, with its file's name; null for none. Where it had one with that name before, it
   // stays at the same place of it.
   show(motion, enabled) {

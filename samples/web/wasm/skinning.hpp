@@ -19,8 +19,8 @@ enum class SkinMethod : uint32_t { kLinear = 0, kDualQuaternion, kVolume };
 
 // A bound mesh as the engine skins it: borrowed.
 struct SkinnedMesh {
-  const Character& character;                  // with joints and influences
-  const std::vector<float>& rest;              // [V x 3]
+  const Character& character;                    // with joints and influences
+  const std::vector<float>& rest;                // [V x 3]
   const std::vector<uint16_t>&joints, &weights;  // [V x slots], rows of sum 65535, rows of zeros stay
   uint32_t slots;
 };
