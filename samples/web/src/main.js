@@ -5,10 +5,12 @@ import { Engine } from "./engine.js";
 import { factsOf, number } from "./facts.js";
 import { pairFiles, stem } from "./files.js";
 import { JointList } from "./joint_list.js";
+import { listenForKeys } from "./keys.js";
 import { Latest } from "./latest.js";
 import { Motions } from "./motions.js";
 import { BindOptions, switched } from "./options.js";
 import { Pose } from "./pose.js";
+import { PosePanel } from "./pose_panel.js";
 import { kinds, partName, Questions } from "./questions.js";
 import { sampleFiles, samples } from "./samples.js";
 import { answersFor, editKinds, movedJoints, SkeletonEditor, sureColour } from "./skeleton.js";
@@ -32,6 +34,7 @@ let waiting = {}; // a mesh or a rig that its other half may still follow
 let character = null; // what the module has loaded, with its bind result
 let lastNumber = 0; // of the characters that were opened
 let pose = null;
+let posePanel;
 let mode = modes.joints;
 let questions;
 let editor;
@@ -381,12 +384,12 @@ function showSure() {
 const poses = new Latest(async () => {
   if (!character?.result) return;
   const [posed, { motion }, { skinning }] = [pose, player, bends];
-  const plays = motion && !view.editing;
+  const plays = Boolean(motion) && !view.editing;
   const turns = view.editing ? new Float32Array(pose.turns.length) : pose.turns; // a skeleton is edited at rest
   const reply = plays ? await engine.call("frame", { clip: player.clip, seconds: player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
   if (posed !== pose) return; // another character by now
   const { positions, normals, jointPositions, palette } = reply.buffers;
-  view.setPose(positions, normals, jointPositions, turns, palette);
+  view.setPose(positions, normals, jointPositions, turns, palette, plays);
   view.setSpots(plays && motions.methods.spotsShown ? reply.spots : []);
   bends.show(reply.bends, character.joints, player.playing);
 });
@@ -425,18 +428,7 @@ function showPose() {
   $("pose").hidden = view.editing || Boolean(player.motion);
   $("motion").hidden = $("bending").hidden = view.editing;
   view.turnable = !player.motion;
-  const others = joint < 0 ? 0 : view.also.size;
-  $("joint-name").textContent = joint < 0 ? "No joint chosen" : `${character.joints[joint].name}${others ? ` and ${others} more` : ""}`;
-  ["x", "y", "z"].forEach((axis, i) => {
-    const slider = $(`turn-${axis}`);
-    const turn = joint < 0 ? 0 : pose.of(joint)[i];
-    slider.disabled = joint < 0;
-    slider.value = turn;
-    slider.nextElementSibling.textContent = joint < 0 ? "" : `${Math.round(turn)}°`;
-  });
-  $("undo").disabled = !pose?.canUndo;
-  $("reset").disabled = !pose || pose.isRest;
-  $("reset-joint").disabled = joint < 0 || pose.of(joint).every((t) => t === 0);
+  posePanel.show(character, pose, joint, view.also);
 }
 
 function showCharacters() {
@@ -716,18 +708,6 @@ async function downloadFbx() {
   save(await glbToFbx(buffers.bytes), "application/octet-stream", `${character.name}.${character.predicted ? "rigged" : "bound"}.fbx`);
 }
 
-// Turns the chosen joint, those chosen beside it alike, and where both sides are mirrored their partners the other way.
-function turnJoint(joint, turn) {
-  for (const j of [joint, ...view.also]) {
-    pose.set(j, ...turn);
-    const { partner, named } = character.joints[j];
-    const other = partner >= 0 ? partner : named;
-    if (!$("mirror-pose").checked || other < 0 || other === j || other === joint || view.also.has(other)) continue;
-    const across = character.axis ?? 0; // turns about the other axes change their sign
-    pose.set(other, ...turn.map((degrees, axis) => (axis === across ? degrees : -degrees)));
-  }
-}
-
 async function playTestClip(name) {
   const file = `${name}.bvh`;
   await engine.call("write", { files: [{ name: file, bytes: new TextEncoder().encode(testClip(name)).buffer }] });
@@ -837,32 +817,9 @@ function listen() {
   options = new BindOptions();
   options.onChange = () => character && run(async () => (clearError(), bind()));
 
-  ["x", "y", "z"].forEach((axis, i) => {
-    const slider = $(`turn-${axis}`);
-    let changing = false;
-    slider.oninput = () => {
-      if (!changing) pose.remember();
-      changing = true;
-      const turn = [...pose.of(view.selected)];
-      turn[i] = Number(slider.value);
-      turnJoint(view.selected, turn);
-      poseChanged();
-    };
-    slider.onchange = () => (changing = false);
-    slider.ondblclick = () => {
-      const turn = [...pose.of(view.selected)];
-      turn[i] = 0;
-      turnJoint(view.selected, turn);
-      poseChanged();
-    };
-  });
+  posePanel = new PosePanel();
+  posePanel.onChange = poseChanged;
   $("undo").onclick = () => undo(false);
-  $("reset").onclick = () => pose.reset() && poseChanged();
-  $("reset-joint").onclick = () => {
-    pose.remember();
-    turnJoint(view.selected, [0, 0, 0]);
-    poseChanged();
-  };
   $("skeleton").onclick = toggleSkeleton;
   $("frame").onclick = () => character && view.frame();
   $("up").onchange = () => {
@@ -877,60 +834,45 @@ function listen() {
   view.onPickSurface = (shown, more) => character.result && choose(character.result.strongest[shown], more);
   view.onStrokeEnd = endStroke;
   view.onTurnStart = () => pose.remember();
-  view.onTurn = (joint, x, y, z) => {
-    turnJoint(joint, [x, y, z]);
-    poseChanged();
-  };
+  view.onTurn = (joint, ...turn) => posePanel.turn(joint, turn);
 
-  addEventListener("keydown", (event) => {
-    const typing = event.target.matches("input[type=search], input[type=text], input[type=number], select");
-    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
-      event.preventDefault();
-      return undo(event.shiftKey);
-    }
-    if (event.key === "Escape") {
-      if (document.activeElement === $("search")) $("search").blur();
-      else if (document.activeElement === $("rename")) editor.show(character, view.selected), $("rename").blur();
-      else if (!$("error").hidden) clearError();
-      else if (questions.close()) return;
-      else choose(-1);
-      return;
-    }
-    if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-    const keys = {
-      "/": () => $("search").focus(),
-      f: () => character && view.frame(),
-      s: toggleSkeleton,
-      " ": () => player.toggle(),
-      ",": () => player.step(-1),
-      ".": () => player.step(1),
-      r: () => !view.editing && !player.motion && pose?.reset() && poseChanged(),
-      e: () => edit(!view.editing),
-      a: () => view.editing && editor.add(),
-      m: () => view.editing && toMiddle(),
-      delete: () => view.editing && editor.remove(),
-      backspace: () => view.editing && editor.remove(),
-      1: () => setMode(modes.joints),
-      2: () => setMode(modes.field),
-      3: () => setMode(modes.doubt),
-      4: () => setMode(modes.material),
-      5: () => setMode(modes.artist),
-      6: () => setMode(modes.difference),
-      7: () => turnPicture("view-front"),
-      8: () => turnPicture("view-side"),
-      9: () => turnPicture("view-top"),
-      c: () => player.motion && !view.editing && motions.methods.next(),
-      d: () => !view.editing && bends.next(),
-      w: toggleWireframe,
-      x: () => $("switch").click(),
-      l: () => $("lock").click(),
-      b: nextBrush,
-    };
-    const action = keys[event.key.toLowerCase()];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  });
+  listenForKeys({
+    "/": () => $("search").focus(),
+    f: () => character && view.frame(),
+    s: toggleSkeleton,
+    " ": () => player.toggle(),
+    ",": () => player.step(-1),
+    ".": () => player.step(1),
+    r: () => !view.editing && !player.motion && posePanel.reset(),
+    e: () => edit(!view.editing),
+    a: () => view.editing && editor.add(),
+    m: () => view.editing && toMiddle(),
+    delete: () => view.editing && editor.remove(),
+    backspace: () => view.editing && editor.remove(),
+    1: () => setMode(modes.joints),
+    2: () => setMode(modes.field),
+    3: () => setMode(modes.doubt),
+    4: () => setMode(modes.material),
+    5: () => setMode(modes.artist),
+    6: () => setMode(modes.difference),
+    7: () => turnPicture("view-front"),
+    8: () => turnPicture("view-side"),
+    9: () => turnPicture("view-top"),
+    c: () => player.motion && !view.editing && motions.methods.next(),
+    d: () => !view.editing && bends.next(),
+    w: toggleWireframe,
+    x: () => $("switch").click(),
+    l: () => $("lock").click(),
+    b: nextBrush,
+  }, { onUndo: undo, onEscape: escape });
+}
+
+// The innermost thing that is open closes.
+function escape() {
+  if (document.activeElement === $("search")) $("search").blur();
+  else if (document.activeElement === $("rename")) editor.show(character, view.selected), $("rename").blur();
+  else if (!$("error").hidden) clearError();
+  else if (!questions.close()) choose(-1);
 }
 
 function toggleWireframe() {

@@ -153,6 +153,49 @@ try {
     assert.ok((await downloaded("#download")).bytes.equals(readFileSync(at("squat.glb"))), "the page's GLB differs from the command's");
   });
 
+  await step("what a motion brings is reached by the keyboard, and fits a phone", async () => {
+    const reached = new Set();
+    await page.focus("#joints");
+    for (let i = 0; i < 40; ++i) {
+      await page.keyboard.press("Tab");
+      reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.name || document.activeElement.textContent));
+    }
+    const wanted = ["play", "time", "retarget", "show-spots", "speed", "close-motion", "skinning"];
+    assert.deepEqual(wanted.filter((id) => !reached.has(id)), [], "the tabulator reaches all of them");
+    assert.ok([...reached].some((text) => text.startsWith("Map ")), "and the map");
+    await page.setViewportSize({ width: 390, height: 844 });
+    await page.waitForTimeout(200);
+    await page.evaluate(() => document.getElementById("motion").scrollIntoView());
+    const outside = () => page.evaluate(() => [...document.querySelectorAll("header *, #tools *, #panel *")].filter((one) => one.offsetParent && one.getBoundingClientRect().right > innerWidth + 1).map((one) => one.id || one.className || one.tagName));
+    assert.deepEqual(await outside(), []);
+    assert.equal(await page.evaluate(() => document.scrollingElement.scrollTop), 0, "the panel scrolls, not the page");
+    await shoot("phone");
+    await page.setViewportSize({ width: 1280, height: 800 });
+  });
+
+  await step("the camera goes along with a motion, and back", async () => {
+    // The hips go forward by five times the body's height, nothing else moves.
+    const lines = testClip("squat").split("\n");
+    const motion = lines.indexOf("MOTION");
+    const still = lines[motion + 3].split(" ");
+    const far = [...still];
+    far[2] = String(Number(far[2]) + 8);
+    await give(made("far.bvh", [...lines.slice(0, motion + 1), "Frames: 2", "Frame Time: 1", still.join(" "), far.join(" ")].join("\n")));
+    assert.equal(await errorLine(), "");
+    const head = (await joints()).findIndex(({ name }) => name === "Head");
+    const onScreen = () => page.evaluate((j) => sinewPage.view.jointOnScreen(j), head);
+    const [first, place] = [await onScreen(), (await page.evaluate(() => sinewPage.view.shownJoints()))[3 * head + 2]];
+    await to(1);
+    const last = await onScreen();
+    assert.ok((await page.evaluate(() => sinewPage.view.shownJoints()))[3 * head + 2] > place + 5, "it has gone");
+    assert.ok(Math.hypot(last.x - first.x, last.y - first.y) < 3, `and is where it was in the picture: ${JSON.stringify([first, last])}`);
+    await page.click("#close-motion");
+    await settled();
+    const back = await onScreen();
+    assert.ok(back.x > 300 && back.x < 700 && back.y > 100 && back.y < 500, JSON.stringify(back));
+    await shoot("back");
+  });
+
   await step("reference points, for a motion with the character's own mesh", async () => {
     await page.setInputFiles("#motion-files", [{ name: "squat.glb", mimeType: "model/gltf-binary", buffer: readFileSync(at("squat.glb")) }]);
     await page.waitForFunction(() => document.getElementById("motion-files").files.length === 0);
@@ -170,6 +213,7 @@ try {
   await step("the map is shown, and followed as it is edited", async () => {
     await give(made("squat.bvh", testClip("squat")));
     await page.locator("#map > summary").click();
+    await page.locator("#map-rows tr").first().waitFor();
     const list = await joints();
     assert.equal(await page.locator("#map-rows tr").count(), list.length);
     command("rig", figure, "-o", at("figure_rigged.glb"));

@@ -317,7 +317,7 @@ try {
       await page.keyboard.press("Tab");
       reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.name || document.activeElement.tagName));
     }
-    const wanted = ["view-front", "view-top", "wireframe", "bone-size", "skeleton", "mode", "joints", "brush", "brush-size", "open-motion", "test-clip", "download-fbx", "SUMMARY"];
+    const wanted = ["view-front", "view-top", "wireframe", "bone-size", "skeleton", "mode", "joints", "brush", "brush-size", "skinning", "open-motion", "test-clip", "download-fbx", "SUMMARY"];
     assert.deepEqual(wanted.filter((id) => !reached.has(id)), [], "the tabulator reaches all of them");
     await page.focus("#joints");
     for (let i = 0; i < 2; ++i) await page.keyboard.press("b");
