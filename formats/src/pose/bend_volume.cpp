@@ -124,7 +124,8 @@ double BendVolumes::volume(const Part& part, const std::vector<float>& positions
 }
 
 void BendVolumes::find_holes(Part* part) const {
-  std::map<Edge, std::pair<size_t, Edge>> edges;  // by its vertices in order: how many triangles have it, and as one has it
+  std::map<Edge, std::pair<size_t, Edge>>
+      edges;  // by its vertices in order: how many triangles have it, and as one has it
   for (const Triangle& t : part->triangles)
     for (size_t i = 0; i < 3; ++i) {
       const Edge edge = {t[i], t[(i + 1) % 3]};
