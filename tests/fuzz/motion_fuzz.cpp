@@ -3,6 +3,8 @@
 // bodies. Refusals are those that the header documents; what comes out is finite, of turns of length 1, and the same again.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <vector>
 
 #include "bind_checks.hpp"
 #include "fuzz.hpp"
@@ -199,6 +201,18 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
         sinew_retarget_measure(plan, source, &own, &clip, &call.contacts, block, bytes, limbs, &count);
     demand(status == SINEW_OK ? count <= SINEW_MAX_MOTION_LIMBS : count == 77, "limbs are counted, or left alone");
     if (status != SINEW_OK) return status;
+    sinew_limb_measure same[SINEW_MAX_MOTION_LIMBS];
+    sinew_contact_options uncancelled = call.contacts;
+    uncancelled.progress = nullptr;
+    std::vector<sinew_contact_spot> spots(size_t{call.frames} * SINEW_MAX_MOTION_LIMBS + 1);
+    demand(sinew_retarget_spots(plan, source, &own, &clip, &uncancelled, block, bytes, same, &count, spots.data()) ==
+                   SINEW_OK &&
+               std::memcmp(same, limbs, count * sizeof same[0]) == 0,
+           "spots come with the same measure");
+    for (size_t i = 0; i + 1 < spots.size(); ++i)
+      demand(spots[i].kind <= SINEW_SPOT_INSIDE &&
+                 (spots[i].kind == SINEW_SPOT_NONE || i % SINEW_MAX_MOTION_LIMBS < count),
+             "a spot belongs to a limb");
     const uint8_t* const first = reinterpret_cast<const uint8_t*>(limbs);
     result->limbs.assign(first, first + count * sizeof(sinew_limb_measure));
     for (uint32_t l = 0; l < count; ++l) {

@@ -126,11 +126,17 @@ struct PlayedClip {
           return sinew_retarget_reference_points(plan, from, own, clip, &options, block, bytes);
         });
   }
-  std::vector<sinew_limb_measure> measure(const BoxBody* source_body, const BoxBody& target_body) {
+  // With `spots` frame by frame as well.
+  std::vector<sinew_limb_measure> measure(const BoxBody* source_body, const BoxBody& target_body,
+                                          std::vector<sinew_contact_spot>* spots = nullptr) {
     std::vector<sinew_limb_measure> limbs(SINEW_MAX_MOTION_LIMBS);
     uint32_t count = 0;
+    if (spots != nullptr) spots->assign(size_t{frames} * SINEW_MAX_MOTION_LIMBS, {9, {9, 9, 9}, 9, 9});
     EXPECT_EQ(on_bodies(source_body, target_body, contacts_size(),
                         [&](const auto* from, const auto* own, const auto* clip, void* block, size_t bytes) {
+                          if (spots != nullptr)
+                            return sinew_retarget_spots(plan, from, own, clip, nullptr, block, bytes, limbs.data(),
+                                                        &count, spots->data());
                           return sinew_retarget_measure(plan, from, own, clip, nullptr, block, bytes, limbs.data(),
                                                         &count);
                         }),

@@ -172,7 +172,7 @@ ArmDepth ArmSearch::deepest(const PosedBody& posed, uint32_t arm, Vec3d moved) {
       if (found.triangle == UINT32_MAX) continue;
       const Vec3d normal = posed.normal(corners(found.triangle));
       const double own = dot(posed.middles[found.triangle] - p, normal);
-      if (own > most.depth) most = {own, normal};
+      if (own > most.depth) most = {own, normal, vertices_[i]};
     }
   }
   return most;

@@ -17,6 +17,7 @@
 
 #include "paint.hpp"
 #include "player.hpp"
+#include "rig/rig_task.hpp"
 #include "rig_json.hpp"
 #include "rigs.hpp"
 #include "sinew/sinew.h"
@@ -27,10 +28,12 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/pose.hpp"
+#include "sinew_formats/predict_details.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_formats/skeleton_repair.hpp"
 #include "sinew_formats/style.hpp"
+#include "skinning.hpp"
 #include "surface.hpp"
 
 using Json = nlohmann::ordered_json;
@@ -44,6 +47,8 @@ namespace {
 using namespace sinew;
 
 constexpr uint32_t kQuestions = 8;  // listed beside the mesh
+// Joints that turn less are not told among the bends of a pose, and of a motion's frame, where all turn a little.
+constexpr double kLeastPosedDegrees = 1, kLeastPlayedDegrees = 15;
 
 enum Buffer : uint32_t {
   kTriangles = 0,
@@ -70,12 +75,13 @@ struct OpenModel {
 };
 
 struct Session {
-  OpenModel bind_model, rig_model;
+  OpenModel bind_model, rig_model, hands_model;
   Character character;                    // with the joints of rigs().now()
   std::map<uint32_t, web::Rigs> rigs_of;  // of all characters that are open, by the page's numbers
   uint32_t number = 0;                    // the character's
   Style style;                            // for the next characters
   web::Player player;
+  web::Skinning skinning;
   web::Rigs& rigs() { return rigs_of[number]; }
   const web::Rigs& rigs() const { return rigs_of.at(number); }
   web::Surface surface;
@@ -136,6 +142,7 @@ int progress(void*, uint32_t permille) {
 
 // The rows as skin() takes them: [V x slots], unused slots 0.
 void fill_slots(Session& s) {
+  s.skinning.forget();
   s.joints.assign(s.character.vertices.size() * s.slots, 0);
   s.weights.assign(s.joints.size(), 0);
   for (size_t v = 0; v < s.character.influences.size(); ++v) {
@@ -372,6 +379,7 @@ Json show_rig(Session& s) {
     s.reference.clear();
     s.joints.clear();
     s.weights.clear();
+    s.skinning.forget();
     s.posed = s.rest;
     show(s);
   }
@@ -387,12 +395,18 @@ Json predict(Session& s, const Json& wishes) {
   options.spine_count = wishes.at("spine").get<uint32_t>();
   options.toes = wishes.at("toes").get<bool>();
   options.ends = wishes.at("ends").get<bool>();
-  web::Rig rig = web::predicted_rig(s.character, predict_skeleton(s.character, options));
+  PredictedSkeleton skeleton = predict_skeleton(s.character, options);
+  const auto detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
+  if (detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
+  const std::vector<std::string> notes = predict_details(s.character, detail, s.hands_model.model, options, &skeleton);
+  web::Rig rig = web::predicted_rig(s.character, std::move(skeleton));
   if (s.character.joints.empty())
     s.rigs().start(std::move(rig));  // a mesh without skeleton is no step to go back to
   else
     s.rigs().put(std::move(rig), false);
-  return show_rig(s);
+  Json reply = show_rig(s);
+  reply["notes"] = notes;
+  return reply;
 }
 
 Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
@@ -537,31 +551,39 @@ void paint(Session& s, const web::Stroke& stroke) {
   fill_slots(s);
 }
 
-void show_pose(Session& s, const std::vector<Affine>& palette, bool dual_quaternion) {
-  std::vector<float>& matrices = s.palette;
-  matrices.clear();
+// Returns {bends} of joints that are turned by `least_degrees` or more, see Skinning.
+Json show_pose(Session& s, const std::vector<Affine>& palette, web::SkinMethod method, double least_degrees) {
+  s.palette.clear();
   s.joint_positions.clear();
   for (size_t j = 0; j < palette.size(); ++j) {
     const Vec3& rest = s.character.joints[j].position;
-    for (const double x : palette[j]) matrices.push_back(static_cast<float>(x));
+    for (const double x : palette[j]) s.palette.push_back(static_cast<float>(x));
     for (const double x : transform_point(palette[j], rest.x, rest.y, rest.z))
       s.joint_positions.push_back(static_cast<float>(x));
   }
-  const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
-  check(s.character.name,
-        skin(s.rest.data(), static_cast<uint32_t>(s.character.vertices.size()), s.joints.data(), s.weights.data(),
-             s.slots, matrices.data(), static_cast<uint32_t>(palette.size()), s.posed.data()));
+  s.skinning.pose({s.character, s.rest, s.joints, s.weights, s.slots}, palette, method, &s.posed);
   show(s);
+  return {{"bends", s.skinning.bends(s.character, palette, least_degrees, s.posed)}};
 }
 
 // turns: [J x 3] degrees about x, then y, then z.
-void pose(Session& s, const float* turns, bool dual_quaternion) {
+Json pose(Session& s, const float* turns, web::SkinMethod method) {
   std::vector<JointTurn> list;
   for (size_t j = 0; j < s.character.joints.size(); ++j) {
     const float* const turn = turns + 3 * j;
     if (turn[0] != 0 || turn[1] != 0 || turn[2] != 0) list.push_back({j, turn[0], turn[1], turn[2]});
   }
-  show_pose(s, pose_palette(s.character, list), dual_quaternion);
+  return show_pose(s, pose_palette(s.character, list), method, kLeastPosedDegrees);
+}
+
+web::SkinMethod skin_method(uint32_t number) {
+  if (number > static_cast<uint32_t>(web::SkinMethod::kVolume)) throw Error("no such skinning");
+  return static_cast<web::SkinMethod>(number);
+}
+
+web::MotionMethod motion_method(uint32_t number) {
+  if (number > static_cast<uint32_t>(web::MotionMethod::kReferencePoints)) throw Error("no such method");
+  return static_cast<web::MotionMethod>(number);
 }
 
 void need_weights(const Session& s) {
@@ -576,7 +598,7 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE const char* web_kernel() { return sinew_kernel_name(sinew_kernel_select(SINEW_KERNEL_AUTO)); }
 EMSCRIPTEN_KEEPALIVE const char* web_version() { return sinew_version(); }
 
-// A model of weights or of skeletons: the file says which.
+// A model of weights, of skeletons or of hands: the file says which.
 EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
   return answer([&]() -> Json {
     Session& s = session();
@@ -585,14 +607,17 @@ EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
     opened.bytes.resize(bytes.size() / 8 + 1);
     if (!bytes.empty()) std::memcpy(opened.bytes.data(), bytes.data(), bytes.size());
     sinew_status status = sinew_rig_model_open(opened.bytes.data(), bytes.size(), &opened.model);
-    const bool of_rigs = status != SINEW_ERROR_MODEL_TASK;
-    if (!of_rigs) status = sinew_model_open(opened.bytes.data(), bytes.size(), &opened.model);
+    const bool of_weights = status == SINEW_ERROR_MODEL_TASK;
+    if (of_weights) status = sinew_model_open(opened.bytes.data(), bytes.size(), &opened.model);
     check(path, status);
+    const bool of_hands = !of_weights && opened.model.feature_set == kHandsFeatureSet;
     const Json reply = {{"bytes", bytes.size()},
                         {"parameters", opened.model.parameter_count},
                         {"layers", opened.model.layer_count},
-                        {"ofSkeletons", of_rigs}};
-    (of_rigs ? s.rig_model : s.bind_model) = std::move(opened);
+                        {"task", of_weights ? "weights"
+                                 : of_hands ? "hands"
+                                            : "skeletons"}};
+    (of_weights ? s.bind_model : of_hands ? s.hands_model : s.rig_model) = std::move(opened);
     return reply;
   });
 }
@@ -608,7 +633,8 @@ EMSCRIPTEN_KEEPALIVE void web_forget(uint32_t number) {
   if (number != session().number) session().rigs_of.erase(number);
 }
 
-// A new skeleton for the character. wishes: {upAxis, mirror, spine, toes, ends} as SkeletonOptions has them.
+// A new skeleton for the character. wishes: {upAxis, mirror, spine, toes, ends} as SkeletonOptions has them, and the
+// number of a SkeletonDetail. Replies with notes on what the mesh does not show, too.
 EMSCRIPTEN_KEEPALIVE const char* web_rig(const char* wishes) {
   return answer([&] { return predict(session(), Json::parse(wishes)); });
 }
@@ -710,30 +736,45 @@ EMSCRIPTEN_KEEPALIVE const char* web_paint(const char* stroke) {
 // What was painted is no hint any more.
 EMSCRIPTEN_KEEPALIVE void web_forget_paint() { session().hints.clear(); }
 
-EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t dual_quaternion) {
+// method: web::SkinMethod. Returns {bends: [{joint, degrees, kept}]} of the joints that are turned.
+EMSCRIPTEN_KEEPALIVE const char* web_pose(const float* turns, uint32_t method) {
   return answer([&] {
     need_weights(session());
-    pose(session(), turns, dual_quaternion != 0);
-    return Json::object();
+    return pose(session(), turns, skin_method(method));
   });
 }
 
 // Clips of a .bvh or an animated glTF for the character as it is; "" closes what was open.
-EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* path, uint32_t up_axis, uint32_t own) {
+// wish: {upAxis, own, method, pins: [[joint, joint of the file or -1], ...]}, method a web::MotionMethod
+EMSCRIPTEN_KEEPALIVE const char* web_motion(const char* path, const char* wish) {
   return answer([&]() -> Json {
     Session& s = session();
     need_weights(s);
-    if (*path != 0) return s.player.open(path, s.character, up_axis, own != 0);
-    s.player.close();
-    return Json::object();
+    if (*path == 0) {
+      s.player.close();
+      return Json::object();
+    }
+    const Json json = Json::parse(wish);
+    std::vector<sinew_map_pin> pins;
+    for (const Json& pin : json.at("pins")) pins.push_back({pin.at(0).get<uint32_t>(), pin.at(1).get<int32_t>()});
+    return s.player.open(path, s.character, json.at("upAxis").get<uint32_t>(), json.at("own").get<bool>(),
+                         motion_method(json.at("method").get<uint32_t>()), pins);
   });
 }
 
-EMSCRIPTEN_KEEPALIVE const char* web_frame(uint32_t clip, double seconds, uint32_t dual_quaternion) {
+// The open motion by another method. Returns {clips}.
+EMSCRIPTEN_KEEPALIVE const char* web_motion_method(uint32_t method) {
+  return answer([&] { return session().player.use(motion_method(method)); });
+}
+
+// As web_pose(), of joints that are turned far; and {spots} as Player has them.
+EMSCRIPTEN_KEEPALIVE const char* web_frame(uint32_t clip, double seconds, uint32_t method) {
   return answer([&] {
-    need_weights(session());
-    show_pose(session(), session().player.palette(clip, seconds), dual_quaternion != 0);
-    return Json::object();
+    Session& s = session();
+    need_weights(s);
+    Json reply = show_pose(s, s.player.palette(clip, seconds), skin_method(method), kLeastPlayedDegrees);
+    reply["spots"] = s.player.spots(clip, seconds);
+    return reply;
   });
 }
 
