@@ -36,28 +36,27 @@ typedef struct sinew_skin {
 } sinew_skin;
 
 /* What a deformer is asked to be: inputs only. Start from sinew_deform_options_init(), which asks for every default. Later
- * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
+ * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h.
+ *   cell_count       not for delta mush
+ *   round_count      more are slower and keep more volume
+ *   softness         less is calmer over time and keeps less volume. SINEW_DEFORM_VOLUME alone
+ *   no_twist_spread  0: the parent's bone takes a part of the twist, as twist joints do. SINEW_DEFORM_VOLUME alone
+ *   parallel_for     as in sinew_options. The result does not depend on it. Where several threads pose one deformer, each
+ *                    calls it. SINEW_DEFORM_VOLUME alone
+ *   thread_count     more than 1 is worth while for large lattices: at 64 cells, hardly at 32 */
 typedef struct sinew_deform_options {
-  uint32_t struct_size; /* sizeof(sinew_deform_options) */
-  uint32_t method;      /* sinew_deform_method */
-  uint32_t cell_count; /* lattice cells along the longest side, 8..SINEW_MAX_DEFORM_CELLS; 0 = 32. Not for delta mush */
-  uint32_t round_count; /* 1..SINEW_MAX_DEFORM_ROUNDS; 0 = 20, delta mush 5. More are slower and keep more volume */
-  uint32_t softness; /* compliance of the stretch in 1/256, 1..65535; 0 = 1280. Less is calmer over time and keeps less
-                            * volume. SINEW_DEFORM_VOLUME alone */
-  uint32_t
-      no_twist_spread; /* 1: a joint's twist about its parent's bone stays at the joint. 0: the bone takes a part of it,
-                            * as twist joints do. SINEW_DEFORM_VOLUME alone */
-  uint32_t no_contact; /* 1: the two sides of a bend may pass through each other */
-  uint32_t no_smoothing; /* 1: no smoothing at the end of SINEW_DEFORM_XPBD */
-  sinew_parallel_for
-      parallel_for; /* how the caller lends its threads to sinew_deform_pose(), as in sinew_options; null: a
-                                    * pose runs on the calling thread. The result does not depend on it. Where several
-                                    * threads pose one deformer, each calls it. SINEW_DEFORM_VOLUME alone */
+  uint32_t struct_size;            /* sizeof(sinew_deform_options) */
+  uint32_t method;                 /* sinew_deform_method */
+  uint32_t cell_count;             /* cells along the longest side, 8..SINEW_MAX_DEFORM_CELLS; 0 = 32 */
+  uint32_t round_count;            /* 1..SINEW_MAX_DEFORM_ROUNDS; 0 = 20, delta mush 5 */
+  uint32_t softness;               /* compliance of the stretch in 1/256, 1..65535; 0 = 1280 */
+  uint32_t no_twist_spread;        /* 1: a joint's twist about its parent's bone stays at the joint */
+  uint32_t no_contact;             /* 1: the two sides of a bend may pass through each other */
+  uint32_t no_smoothing;           /* 1: no smoothing at the end of SINEW_DEFORM_XPBD */
+  sinew_parallel_for parallel_for; /* lends threads to sinew_deform_pose(); null: the calling thread alone */
   void* parallel_user;
-  uint32_t
-      thread_count;  /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1. Worth while for large lattices: at 64
-                          * cells, hardly at 32 */
-  uint32_t reserved; /* 0 */
+  uint32_t thread_count; /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
+  uint32_t reserved;     /* 0 */
 } sinew_deform_options;
 
 /* Options that ask for every default. */

@@ -157,7 +157,7 @@ SINEW_API sinew_status sinew_retarget_contacts_size(const sinew_retarget* plan, 
  * body as far as the source's are not in it. Legs and arms bend for it; bones keep their length, hands and feet their turn.
  * It looks at frames before and behind, so it works on whole clips.
  *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at);
- *           null: feet alone, by their joints
+ *           null: feet go by their joints, arms come out of the target's body as far as they are deeper than at rest
  * Limbs are found by the plan's map and classes: both bones of a limb must be mapped.
  * Returns SINEW_OK, or with the clip untouched
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the two bodies have not as many vertices, struct_size or

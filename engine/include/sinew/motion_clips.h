@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Whole clips of sinew/motion.h, after they were copied: natural ranges of joints, the published retargeting by reference points, and
- * what is left to be mended. Same bytes on every platform. Not part of sinew/sinew.h: include it where it is used. */
+ * what is left to be mended. Same bytes on every platform. */
 #ifndef SINEW_MOTION_CLIPS_H
 #define SINEW_MOTION_CLIPS_H
 
@@ -24,21 +24,22 @@ SINEW_API sinew_status sinew_retarget_keep_range(sinew_retarget* plan, const sin
                                                  const sinew_motion_clip* clip, void* workspace,
                                                  size_t workspace_bytes);
 
-/* What is left to be mended in a limb of a clip, in shares of the target body's height. */
+/* What is left to be mended in a limb of a clip, in shares of the target body's height.
+ *   contact  an arm's: the source's hand is within 0.03 of its body; a leg's: the source's foot stands, this frame and the last
+ *   depth    an arm's: of the deepest point of hand or forearm under the rest of the body; a leg's: of the lowest of the foot
+ *            under the floor. Beyond the source's, or without the source's body beyond that at rest
+ *   error    an arm's: change of the hand's distance from the body; a leg's: way of the toe along the floor in a frame */
 typedef struct sinew_limb_measure {
-  uint32_t joint;       /* of the target: wrist or ankle */
-  uint32_t leg;         /* 1: leg, 0: arm */
-  uint32_t frames;      /* of the clip */
-  uint32_t deep_frames; /* with a depth above 0.006 */
-  uint32_t
-      contact_frames; /* arms: the source's hand is within 0.03 of its body; legs: the source's foot stands, this frame and the last */
-  uint32_t range_frames; /* elbow or knee is out of its natural range by more than a degree */
-  float
-      depth; /* mean over frames. Arms: of the deepest point of hand or forearm under the rest of the body, legs: of the */
-  float greatest_depth; /* lowest of the foot under the floor; beyond the source's, or without its body beyond rest */
-  float
-      error; /* mean over contact frames. Arms: change of the hand's distance from the body, legs: way of the toe along */
-  float greatest_error; /* the floor in a frame */
+  uint32_t joint;          /* of the target: wrist or ankle */
+  uint32_t leg;            /* 1: leg, 0: arm */
+  uint32_t frames;         /* of the clip */
+  uint32_t deep_frames;    /* with a depth above 0.006 */
+  uint32_t contact_frames; /* with a contact */
+  uint32_t range_frames;   /* elbow or knee is out of its natural range by more than a degree */
+  float depth;             /* mean over frames */
+  float greatest_depth;
+  float error; /* mean over contact frames */
+  float greatest_error;
   uint32_t reserved[2]; /* 0 */
 } sinew_limb_measure;
 
@@ -83,14 +84,15 @@ SINEW_API sinew_status sinew_retarget_spots(sinew_retarget* plan, const sinew_mo
 
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
 
-/* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. */
+/* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. Legs are
+ * left as they are copied unless asked for, because feet leave the floor by it. */
 typedef struct sinew_reference_options {
-  uint32_t struct_size; /* sizeof(sinew_reference_options) */
-  uint32_t area_power;  /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
-  uint32_t no_own_limb; /* 1: triangles of the limb itself have no say */
-  uint32_t legs;        /* 1: legs as well; they are left as they are copied, because feet leave the floor by it */
-  float falloff;      /* share of the source body's height: influence also falls by exp(-(distance / it)^2); 0 = not */
-  float least_cosine; /* eps, up to 1; 0 = 1e-5 */
+  uint32_t struct_size;    /* sizeof(sinew_reference_options) */
+  uint32_t area_power;     /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
+  uint32_t no_own_limb;    /* 1: triangles of the limb itself have no say */
+  uint32_t legs;           /* 1: legs as well */
+  float falloff;           /* 0 = none; else d: influence also falls by exp(-(distance / (d * source's height))^2) */
+  float least_cosine;      /* eps, up to 1; 0 = 1e-5 */
   sinew_progress progress; /* or null */
   void* progress_user;
 } sinew_reference_options;

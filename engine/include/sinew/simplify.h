@@ -24,9 +24,8 @@ typedef enum sinew_simplify_level {
 typedef struct sinew_simplify_options {
   uint32_t struct_size; /* sizeof(sinew_simplify_options) */
   uint32_t level;       /* sinew_simplify_level */
-  uint32_t
-      joint_count; /* 0: as the level says; else so many joints stay, whatever the level, as far as roots and `keep` let */
-  uint32_t reserved; /* 0 */
+  uint32_t joint_count; /* 0: as the level says; else so many stay, as far as roots and `keep` let */
+  uint32_t reserved;    /* 0 */
 } sinew_simplify_options;
 
 /* Options that ask for every default. */

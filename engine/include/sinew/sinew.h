@@ -6,6 +6,7 @@
  *   sinew/model.h  opens a model and packs its weights
  *   sinew/bind.h   predicts skin weights
  *   sinew/motion.h plays motion of another skeleton
+ *   sinew/motion_clips.h  whole clips of it: natural ranges, reference points, what is left to be mended
  *   sinew/rig.h    predicts a skeleton for a bare mesh
  *   sinew/map.h    maps the joints of one skeleton to those of another
  *   sinew/transfer.h  carries weights to another mesh
@@ -29,6 +30,7 @@
 #include "sinew/map.h"
 #include "sinew/model.h"
 #include "sinew/motion.h"
+#include "sinew/motion_clips.h"
 #include "sinew/rig.h"
 #include "sinew/simplify.h"
 #include "sinew/skin.h"

@@ -362,6 +362,12 @@ struct ContactSettings : sinew_contact_options {
   ContactSettings(const sinew_contact_options& options) : sinew_contact_options(options) {}
 };
 
+// sinew_reference_options that ask for every default; {} where a function takes settings.
+struct ReferenceSettings : sinew_reference_options {
+  ReferenceSettings() : sinew_reference_options(sinew_reference_options_init()) {}
+  ReferenceSettings(const sinew_reference_options& options) : sinew_reference_options(options) {}
+};
+
 // A sinew_retarget and its memory:
 //
 //   sinew::RetargetPlan plan;
@@ -391,17 +397,51 @@ class RetargetPlan {
                      float* out_translations) {
     return sinew_retarget_frame(plan_, rotations, translations, ground, out_rotations, out_translations);
   }
-  // sinew_retarget_contacts() with the size query and the workspace taken care of.
+  // The functions for whole clips, with the size query and the workspace taken care of: SINEW_ERROR_WORKSPACE where memory is short.
   sinew_status contacts(const sinew_motion_body* source, const sinew_motion_body& target, const sinew_motion_clip& clip,
                         const ContactSettings& settings, Workspace* workspace) {
+    const sinew_status status = reserve_contacts(target, clip, workspace);
+    if (status != SINEW_OK) return status;
+    return sinew_retarget_contacts(plan_, source, &target, &clip, &settings, workspace->data(), workspace->size());
+  }
+  sinew_status keep_range(const sinew_motion_body& target, const sinew_motion_clip& clip, Workspace* workspace) {
+    const sinew_status status = reserve_contacts(target, clip, workspace);
+    if (status != SINEW_OK) return status;
+    return sinew_retarget_keep_range(plan_, &target, &clip, workspace->data(), workspace->size());
+  }
+  // `limbs` has one element a limb afterwards; as it was on failure.
+  sinew_status measure(const sinew_motion_body* source, const sinew_motion_body& target, const sinew_motion_clip& clip,
+                       const ContactSettings& settings, Workspace* workspace, std::vector<sinew_limb_measure>* limbs) {
+    sinew_status status = reserve_contacts(target, clip, workspace);
+    if (status != SINEW_OK) return status;
+    sinew_limb_measure measured[SINEW_MAX_MOTION_LIMBS];
+    uint32_t count = 0;
+    status = sinew_retarget_measure(plan_, source, &target, &clip, &settings, workspace->data(), workspace->size(),
+                                    measured, &count);
+    if (status == SINEW_OK) limbs->assign(measured, measured + count);
+    return status;
+  }
+  sinew_status reference_points(const sinew_motion_body& source, const sinew_motion_body& target,
+                                const sinew_motion_clip& clip, const ReferenceSettings& settings,
+                                Workspace* workspace) {
+    size_t bytes = 0;
+    const sinew_status status = sinew_retarget_reference_points_size(plan_, &target, &bytes);
+    if (status != SINEW_OK) return status;
+    if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+    return sinew_retarget_reference_points(plan_, &source, &target, &clip, &settings, workspace->data(),
+                                           workspace->size());
+  }
+  // For the C functions; null without a plan.
+  sinew_retarget* get() const { return plan_; }
+
+ private:
+  sinew_status reserve_contacts(const sinew_motion_body& target, const sinew_motion_clip& clip, Workspace* workspace) {
     size_t bytes = 0;
     const sinew_status status = sinew_retarget_contacts_size(plan_, &target, clip.frame_count, &bytes);
     if (status != SINEW_OK) return status;
-    if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
-    return sinew_retarget_contacts(plan_, source, &target, &clip, &settings, workspace->data(), workspace->size());
+    return workspace->reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
   }
 
- private:
   Workspace memory_;
   sinew_retarget* plan_ = nullptr;
 };

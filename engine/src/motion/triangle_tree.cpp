@@ -39,10 +39,11 @@ void TriangleOrder::allocate(Arena& arena, uint32_t triangles) {
 
 void TriangleOrder::sort(const PosedBody& rest, const uint8_t* masks, const MortonScratch& scratch) {
   const uint32_t count = rest.body->triangle_count;
+  corners_ = rest.body->triangles;
   level_count_ = leaf_count_ = unmasked_leaf_count_ = 0;
   if (count == 0) return;
   const auto middle = [&](uint32_t t) {
-    const uint32_t* const c = rest.body->triangles + size_t{3} * t;
+    const uint32_t* const c = corners(t);
     return (1.0 / 3.0) * (rest.rest(c[0]) + rest.rest(c[1]) + rest.rest(c[2]));
   };
   sort_by_place(count, scratch, middle, [&](uint32_t t) { return masks[t]; });
@@ -96,7 +97,7 @@ void TriangleTree::fill(const TriangleOrder& order, const PosedBody& posed, bool
     Leaf& leaf = leaves_[l];
     has_normals_[l] = 0;
     for (uint32_t i = 0; i < kTreeFan; ++i) {
-      const Vec3d m = middle_of(posed.vertices, posed.body->triangles + size_t{3} * triangles[i]);
+      const Vec3d m = middle_of(posed.vertices, order.corners(triangles[i]));
       leaf.at[0][i] = m.x;
       leaf.at[1][i] = m.y;
       leaf.at[2][i] = m.z;
@@ -158,7 +159,7 @@ const TriangleTree::Leaf& TriangleTree::normals(uint32_t leaf) {
   if (has_normals_[leaf] != 0) return own;
   has_normals_[leaf] = 1;
   for (uint32_t i = 0; i < kTreeFan; ++i) {
-    const Vec3d n = posed_->normal(posed_->body->triangles + size_t{3} * order_->leaf(leaf)[i]);
+    const Vec3d n = posed_->normal(order_->corners(order_->leaf(leaf)[i]));
     own.at[0][i] = n.x;
     own.at[1][i] = n.y;
     own.at[2][i] = n.z;

@@ -54,6 +54,7 @@ class TriangleOrder {
   uint32_t rows(uint32_t level) const { return first_rows_[level + 1] - first_rows_[level]; }
   // [kTreeFan] of a leaf; a short one repeats its last.
   const uint32_t* leaf(uint32_t index) const { return triangles_ + size_t{kTreeFan} * index; }
+  const uint32_t* corners(uint32_t triangle) const { return corners_ + size_t{3} * triangle; }
   // The bits that all triangles below a row's box share.
   const uint8_t* shared(uint32_t row) const { return shared_ + size_t{kTreeFan} * row; }
 
@@ -61,8 +62,9 @@ class TriangleOrder {
   void fill_leaves(const uint8_t* masks, const MortonScratch& scratch, uint32_t count);
   void fill_rows(const uint8_t* masks);
 
-  uint32_t* triangles_ = nullptr;  // [most_leaves x kTreeFan]
-  uint8_t* shared_ = nullptr;      // [most_rows x kTreeFan]
+  const uint32_t* corners_ = nullptr;  // the body's, which every other body in these triangles shares
+  uint32_t* triangles_ = nullptr;      // [most_leaves x kTreeFan]
+  uint8_t* shared_ = nullptr;          // [most_rows x kTreeFan]
   uint32_t leaf_count_ = 0, unmasked_leaf_count_ = 0, level_count_ = 0;
   uint32_t first_rows_[kLevels + 1] = {};
 };

@@ -8,6 +8,7 @@
 
 #include "map_rig.hpp"
 #include "mesh_scene.hpp"
+#include "motion_clip.hpp"
 #include "rig_scene.hpp"
 #include "sinew/sinew.hpp"
 #include "transfer_scene.hpp"
@@ -188,6 +189,38 @@ TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(moved[i], places[i], 1e-6f);
   EXPECT_EQ(plan.make(rig, rig, none, nullptr), SINEW_ERROR_NO_JOINT);
   EXPECT_EQ(plan.frame(rotations, places, 0, turned, moved), SINEW_ERROR_ARGUMENT);
+}
+
+// Whole clips of sinew/motion_clips.h, which sinew.h includes.
+TEST(CppWrapper, ARetargetPlanMendsAndMeasuresClips) {
+  const sinew_test::MotionScene scene = sinew_test::body(20), other = sinew_test::body(35, 0.9);
+  const sinew_test::BoxBody source_boxes(scene, 0.1), target_boxes(other, 0.16, 0.9);
+  const sinew_motion_body source = source_boxes.view(), target = target_boxes.view();
+  const sinew_motion_rig from = scene.view(), to = other.view();
+  sinew_test::Pose pose = sinew_test::rest_pose(scene), out(other.count());
+  sinew::RetargetPlan plan;
+  sinew::Workspace workspace;
+  std::vector<sinew_limb_measure> limbs(1);
+  sinew_motion_clip clip = {
+      pose.rotations.data(), pose.translations.data(), out.rotations.data(), out.translations.data(), 1, 0};
+  EXPECT_EQ(plan.get(), nullptr);
+  EXPECT_EQ(plan.keep_range(target, clip, &workspace), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(plan.measure(&source, target, clip, {}, &workspace, &limbs), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(limbs.size(), 1u);
+  ASSERT_EQ(plan.make(from, to, sinew_test::one_to_one(other.count()).data(), other.classes.data()), SINEW_OK);
+  ASSERT_EQ(plan.ground(nullptr, 0, &clip.ground), SINEW_OK);
+  ASSERT_EQ(plan.frame(pose.rotations.data(), pose.translations.data(), clip.ground, out.rotations.data(),
+                       out.translations.data()),
+            SINEW_OK);
+  EXPECT_EQ(plan.keep_range(target, clip, &workspace), SINEW_OK);
+  EXPECT_EQ(plan.reference_points(source, target, clip, {}, &workspace), SINEW_OK);
+  EXPECT_EQ(plan.contacts(&source, target, clip, {}, &workspace), SINEW_OK);
+  EXPECT_EQ(plan.measure(&source, target, clip, {}, &workspace, &limbs), SINEW_OK);
+  ASSERT_EQ(limbs.size(), 4u);
+  EXPECT_EQ(limbs[0].frames, 1u);
+  sinew::ReferenceSettings wrong;
+  wrong.area_power = 9;
+  EXPECT_EQ(plan.reference_points(source, target, clip, wrong, &workspace), SINEW_ERROR_ARGUMENT);
 }
 
 TEST(CppWrapper, TransfersAsTheCFunctionDoes) {
