@@ -11,6 +11,7 @@
 #include "mesh_input.hpp"
 #include "sinew/motion_clips.h"
 #include "sinew/rig.h"
+#include "skinned_triangles.hpp"
 
 namespace {
 
@@ -49,11 +50,8 @@ struct RigInput {
   }
 };
 
-struct BodyInput {
-  std::vector<float> positions;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint32_t> triangles;
-
+struct BodyInput : sinew_test::SkinnedTriangles {
+  BodyInput() : SkinnedTriangles(2) {}
   void read(Bytes& in, uint8_t extras, uint32_t vertices, uint32_t triangle_count, uint32_t joint_count) {
     const uint32_t beyond = (extras & kAnyIndex) != 0 ? 1 : 0;
     for (uint32_t v = 0; v < vertices; ++v) {
@@ -64,15 +62,6 @@ struct BodyInput {
     }
     for (uint32_t c = 0; c < 3 * triangle_count && vertices + beyond > 0; ++c)
       triangles.push_back(in.below(vertices + beyond));
-  }
-  sinew_motion_body view() const {
-    return {positions.data(),
-            joints.data(),
-            weights.data(),
-            triangles.data(),
-            static_cast<uint32_t>(positions.size() / 3),
-            2,
-            static_cast<uint32_t>(triangles.size() / 3)};
   }
 };
 

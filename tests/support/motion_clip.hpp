@@ -9,17 +9,14 @@
 
 #include "motion_scene.hpp"
 #include "sinew/motion_clips.h"
+#include "skinned_triangles.hpp"
 
 namespace sinew_test {
 
 // A body of boxes, one around each joint of body(), rigid; `belly` is how thick the one at the spine is, and that one has a
 // grid on each side. The same vertices and triangles whatever the sizes are.
-struct BoxBody {
-  std::vector<float> positions;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint32_t> triangles;
-
-  BoxBody(const MotionScene& scene, double belly, double size = 1) {
+struct BoxBody : SkinnedTriangles {
+  BoxBody(const MotionScene& scene, double belly, double size = 1) : SkinnedTriangles(1) {
     for (uint32_t j = 0; j < scene.count(); ++j) {
       const double half = size * (j == kSpine ? belly : 0.04);
       const uint32_t cells = j == kSpine ? 6 : 1;
@@ -51,15 +48,6 @@ struct BoxBody {
         for (int i = 0; i < 6; ++i) triangles.push_back(half > 0 ? out[i] : out[5 - i]);
       }
     }
-  }
-  sinew_motion_body view() const {
-    return {positions.data(),
-            joints.data(),
-            weights.data(),
-            triangles.data(),
-            static_cast<uint32_t>(positions.size() / 3),
-            1,
-            static_cast<uint32_t>(triangles.size() / 3)};
   }
 };
 

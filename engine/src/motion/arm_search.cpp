@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Triangles in a box around an arm, then the nearest of them, by a grid.
+// Nearest middles of triangles, by the tree.
 #include "motion/arm_search.hpp"
 
 namespace sinew {
-namespace {
-
-constexpr double kBetween =
-    0.01;  // share of the height that is left for a surface between points that are seen as outside
-
-}  // namespace
-
 // The smallest box along the axes around points.
 struct ArmSearch::Box {
   Vec3d low = {0, 0, 0}, high = {0, 0, 0};
@@ -28,11 +21,13 @@ struct ArmSearch::Box {
 };
 
 void ArmSearch::allocate(Arena& arena, uint32_t vertices, uint32_t triangles) {
-  picked_ = arena.alloc<uint32_t>(triangles);
+  order_.allocate(arena, triangles);
   vertices_ = arena.alloc<uint32_t>(vertices);
-  cells_ = arena.alloc<uint32_t>(kCells * kCells * kCells + 1);
-  sorted_ = arena.alloc<uint32_t>(triangles);
-  cell_of_ = arena.alloc<uint16_t>(triangles);
+  near_ = arena.alloc<uint32_t>(vertices);
+  hints_ = arena.alloc<uint32_t>(vertices / kGroup + kMostArms);
+  const ArenaScope scope(arena);
+  masks_ = arena.alloc<uint8_t>(triangles);
+  (void)scratch_.allocate(arena, triangles > vertices ? triangles : vertices);
 }
 
 void ArmSearch::open(const ClipScene& scene) {
@@ -40,172 +35,126 @@ void ArmSearch::open(const ClipScene& scene) {
   for (uint32_t l = 0; l < scene.limbs.count && count_ < kMostArms; ++l) {
     if (!scene.limbs.limbs[l].leg) limbs_[count_++] = l;
   }
+  const sinew_motion_body& body = *scene.body;
   uint32_t listed = 0;
+  const auto list = [&](uint32_t arm, BodyPart part) {
+    for (uint32_t v = 0; v < body.vertex_count; ++v) {
+      if (scene.limb_of[v] == limbs_[arm] && scene.parts[v] == part) vertices_[listed++] = v;
+    }
+    return listed;
+  };
   for (uint32_t a = 0; a < count_; ++a) {
     begin_[a] = listed;
-    for (uint32_t v = 0; v < scene.body->vertex_count; ++v) {
-      if (scene.limb_of[v] == limbs_[a] && scene.parts[v] == BodyPart::kHand) vertices_[listed++] = v;
-    }
-    hand_end_[a] = listed;
-    for (uint32_t v = 0; v < scene.body->vertex_count; ++v) {
-      if (scene.limb_of[v] == limbs_[a] && scene.parts[v] == BodyPart::kForearm) vertices_[listed++] = v;
-    }
-    end_[a] = listed;
+    hand_end_[a] = list(a, BodyPart::kHand);
+    end_[a] = list(a, BodyPart::kForearm);
+    deepest_[a] = 0;
+    nearest_[a] = begin_[a];
+    const auto place = [&](uint32_t i) { return scene.target.rest(vertices_[begin_[a] + i]); };
+    const uint32_t hand = hand_end_[a] - begin_[a];
+    sort_by_place(end_[a] - begin_[a], scratch_, place, [&](uint32_t i) { return i < hand ? 0u : 1u; });
+    for (uint32_t i = begin_[a]; i < end_[a]; ++i) near_[i] = begin_[a] + scratch_.order[i - begin_[a]];
   }
-}
-
-bool ArmSearch::is_arm_vertex(uint32_t v) const {
-  return scene_->limb_of[v] < kMostLimbs && !scene_->limbs.limbs[scene_->limb_of[v]].leg;
-}
-
-// Triangles within reach of a box: those without a vertex of this arm, or of any arm.
-void ArmSearch::pick(const PosedBody& posed, const Box& box, double reach, uint32_t arm, bool of_other_arms) {
-  const sinew_motion_body& body = *scene_->body;
-  picked_count_ = 0;
+  for (uint32_t g = 0; g < body.vertex_count / kGroup + kMostArms; ++g) hints_[g] = 0;
   for (uint32_t t = 0; t < body.triangle_count; ++t) {
-    if (!box.holds(posed.middles[t], reach)) continue;
-    const uint32_t* const corner = corners(t);
-    bool usable = true;
-    for (int c = 0; c < 3; ++c)
-      usable = usable && (of_other_arms ? scene_->limb_of[corner[c]] != limbs_[arm] : !is_arm_vertex(corner[c]));
-    if (usable) picked_[picked_count_++] = t;
+    masks_[t] = mask_of(t);
+    any_body_ = any_body_ || masks_[t] == 0;
   }
+  order_.sort(scene.target, masks_, scratch_);
 }
 
-uint32_t ArmSearch::cell_along(double from_low) const {
-  const double at = from_low * per_length_;
-  return at > 0 ? (at < kCells - 1 ? static_cast<uint32_t>(at) : kCells - 1) : 0;
-}
-
-void ArmSearch::sort_into_cells(const PosedBody& posed, const Box& box, double reach) {
-  const Vec3d size = box.high - box.low;
-  const double longest = (size.x > size.y ? size.x : size.y) > size.z ? (size.x > size.y ? size.x : size.y) : size.z;
-  cell_ = (longest + 2 * reach) * (1.0 / kCells);
-  per_length_ = cell_ > 0 ? 1 / cell_ : 0;
-  low_ = box.low - Vec3d{reach, reach, reach};
-  constexpr uint32_t kAll = kCells * kCells * kCells;
-  for (uint32_t c = 0; c <= kAll; ++c) cells_[c] = 0;
-  for (uint32_t k = 0; k < picked_count_; ++k) {
-    const Vec3d at = posed.middles[picked_[k]] - low_;
-    cell_of_[k] = static_cast<uint16_t>((cell_along(at.z) * kCells + cell_along(at.y)) * kCells + cell_along(at.x));
-    ++cells_[cell_of_[k] + 1u];
+uint8_t ArmSearch::mask_of(uint32_t triangle) const {
+  uint8_t mask = 0;
+  for (int c = 0; c < 3; ++c) {
+    const uint32_t limb = scene_->limb_of[corners(triangle)[c]];
+    if (limb >= kMostLimbs || scene_->limbs.limbs[limb].leg) continue;
+    uint32_t arm = 0;
+    while (arm < count_ && limbs_[arm] != limb) ++arm;
+    mask = static_cast<uint8_t>(mask | 1u << (arm < count_ ? arm : kMostArms));
   }
-  for (uint32_t c = 0; c < kAll; ++c) cells_[c + 1] += cells_[c];
-  for (uint32_t k = 0; k < picked_count_; ++k) sorted_[cells_[cell_of_[k]]++] = picked_[k];
-  for (uint32_t c = kAll; c > 0; --c) cells_[c] = cells_[c - 1];
-  cells_[0] = 0;
+  return mask;
 }
 
-// A triangle whose middle is nearer to p than `found`; the first of equals. Cells in shells around p's: those outside of a shell
-// are farther than as many cells.
-void ArmSearch::look_nearer(const PosedBody& posed, Vec3d p, Nearest* found) const {
-  const int32_t last = static_cast<int32_t>(kCells) - 1;
-  const Vec3d at = p - low_;
-  const int32_t x = static_cast<int32_t>(cell_along(at.x)), y = static_cast<int32_t>(cell_along(at.y)),
-                z = static_cast<int32_t>(cell_along(at.z));
-  const auto look = [&](int32_t i, int32_t j, int32_t k) {
-    const uint32_t cell = static_cast<uint32_t>((k * (last + 1) + j) * (last + 1) + i);
-    for (uint32_t n = cells_[cell]; n < cells_[cell + 1]; ++n) {
-      const uint32_t t = sorted_[n];
-      const double own = squared(p - posed.middles[t]);
-      if (own < found->square || (own == found->square && t < found->triangle)) *found = {t, own};
+// A triangle whose middle is nearer to p than `found`; the first of equals.
+void ArmSearch::look_nearer(const TriangleTree& tree, uint8_t without, Vec3d p, Nearest* found) {
+  tree.walk(p, without, &found->square,
+            [&](uint32_t leaf, const double(&squares)[kTreeFan]) { take_nearer(tree, leaf, squares, found); });
+}
+
+bool ArmSearch::is_any_within(const TriangleTree& tree, uint8_t without, Vec3d p, double reach) {
+  const double square = reach * reach * kRounding;
+  double bound = square;
+  tree.walk(p, without, &bound, [&](uint32_t, const double(&squares)[kTreeFan]) {
+    for (uint32_t i = 0; i < kTreeFan; ++i) {
+      if (squares[i] <= square) bound = -1;
     }
+  });
+  return bound < 0;
+}
+
+double ArmSearch::distance(const TriangleTree& tree, uint32_t arm, uint32_t vertex) const {
+  const double reach = kFar * tree.posed().height;
+  Nearest found;
+  found.square = reach * reach;
+  look_nearer(tree, bit_of(arm), tree.posed().vertices[vertex], &found);
+  return root(found.square);
+}
+
+HandReach ArmSearch::nearest(const TriangleTree& tree, uint32_t arm) {
+  const PosedBody& posed = tree.posed();
+  const double reach = kFar * posed.height;
+  HandReach found;
+  found.square = reach * reach;
+  uint32_t best = UINT32_MAX;  // the first of equally near ones
+  const auto look = [&](uint32_t i) {
+    Nearest own;
+    own.square = found.square;
+    look_nearer(tree, bit_of(arm), posed.vertices[vertices_[i]], &own);
+    if (!(own.square < found.square) && !(own.square == found.square && i < best && found.near)) return;
+    if (own.triangle == UINT32_MAX) return;
+    found = {true, vertices_[i], own.square};
+    best = i;
   };
-  for (int32_t r = 0; r <= last; ++r) {
-    const double nearest = (r - 1) * cell_;
-    if (r > 1 && nearest * nearest > found->square) return;
-    const int32_t k0 = z - r < 0 ? 0 : z - r, k1 = z + r > last ? last : z + r;
-    const int32_t j0 = y - r < 0 ? 0 : y - r, j1 = y + r > last ? last : y + r;
-    for (int32_t k = k0; k <= k1; ++k) {
-      for (int32_t j = j0; j <= j1; ++j) {
-        if (k == z - r || k == z + r || j == y - r || j == y + r) {
-          for (int32_t i = x - r < 0 ? 0 : x - r; i <= (x + r > last ? last : x + r); ++i) look(i, j, k);
-        } else {
-          if (x - r >= 0) look(x - r, j, k);
-          if (x + r <= last) look(x + r, j, k);
-        }
-      }
-    }
+  if (begin_[arm] < hand_end_[arm]) look(nearest_[arm]);
+  for (uint32_t first = begin_[arm]; first < hand_end_[arm]; first += kGroup) {
+    const uint32_t end = first + kGroup < hand_end_[arm] ? first + kGroup : hand_end_[arm];
+    const Ball ball = ball_around(first, end, [&](uint32_t k) { return posed.vertices[vertices_[near_[k]]]; });
+    if (!is_any_within(tree, bit_of(arm), ball.middle, root(found.square) + ball.radius)) continue;
+    for (uint32_t k = first; k < end; ++k) look(near_[k]);
   }
+  if (found.near) nearest_[arm] = best;
+  return found;
 }
 
-ArmDepth ArmSearch::deepest(const PosedBody& posed, uint32_t arm, Vec3d moved) {
-  const double reach = kFar * posed.height;
-  Box box;
-  for (uint32_t i = begin_[arm]; i < end_[arm]; ++i) box.add(posed.vertices[vertices_[i]] + moved);
-  pick(posed, box, reach, arm, false);
-  ArmDepth most;
-  if (picked_count_ == 0) return most;
-  sort_into_cells(posed, box, reach);
-  // Eight neighbours at a time: where their middle is so far outside that no surface lies between, none of them is under one.
-  constexpr uint32_t kGroup = 8;
-  for (uint32_t first = begin_[arm]; first < end_[arm]; first += kGroup) {
-    const uint32_t end = first + kGroup < end_[arm] ? first + kGroup : end_[arm];
-    Vec3d middle = {0, 0, 0};
-    for (uint32_t i = first; i < end; ++i) middle = middle + posed.vertices[vertices_[i]];
-    middle = (1.0 / (end - first)) * middle + moved;
-    double radius = 0;
-    for (uint32_t i = first; i < end; ++i) {
-      const double own = squared(posed.vertices[vertices_[i]] + moved - middle);
-      if (own > radius) radius = own;
-    }
-    radius = root(radius);
-    Nearest near = {UINT32_MAX, (reach + radius) * (reach + radius)};
-    look_nearer(posed, middle, &near);
-    if (near.triangle == UINT32_MAX) continue;
-    const uint32_t* const corner = corners(near.triangle);
-    double size = 0;
-    for (int c = 0; c < 3; ++c) {
-      const double own = squared(posed.vertices[corner[c]] - posed.middles[near.triangle]);
-      if (own > size) size = own;
-    }
-    const double margin = radius + 2 * root(size) + kBetween * posed.height;
-    if (near.square > margin * margin && dot(posed.middles[near.triangle] - middle, posed.normal(corner)) <= 0)
-      continue;
-    for (uint32_t i = first; i < end; ++i) {
-      const Vec3d p = posed.vertices[vertices_[i]] + moved;
-      Nearest found = {UINT32_MAX, reach * reach};
-      const double known = squared(p - posed.middles[near.triangle]);
-      if (known < found.square) found = {near.triangle, known};
-      if (found.square <= most.depth * most.depth) continue;  // no deeper than it is far
-      look_nearer(posed, p, &found);
-      if (found.triangle == UINT32_MAX) continue;
-      const Vec3d normal = posed.normal(corners(found.triangle));
-      const double own = dot(posed.middles[found.triangle] - p, normal);
-      if (own > most.depth) most = {own, normal, vertices_[i]};
-    }
-  }
-  return most;
-}
-
-double ArmSearch::distance(const PosedBody& posed, uint32_t arm, uint32_t vertex) {
-  const double reach = kFar * posed.height;
-  Box point;
-  point.add(posed.vertices[vertex]);
-  pick(posed, point, reach, arm, true);
-  double least = reach * reach;
-  for (uint32_t k = 0; k < picked_count_; ++k) {
-    const double own = squared(posed.vertices[vertex] - posed.middles[picked_[k]]);
-    if (own < least) least = own;
-  }
-  return root(least);
-}
-
-HandReach ArmSearch::nearest(const PosedBody& posed, uint32_t arm) {
+uint32_t ArmSearch::neighbours(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most,
+                               uint32_t* triangles, double* squares) const {
+  const PosedBody& posed = tree.posed();
   const double reach = kFar * posed.height;
   Box hand;
   for (uint32_t i = begin_[arm]; i < hand_end_[arm]; ++i) hand.add(posed.vertices[vertices_[i]]);
-  pick(posed, hand, reach, arm, true);
-  HandReach found;
-  found.square = reach * reach;
-  if (picked_count_ == 0) return found;
-  sort_into_cells(posed, hand, reach);
-  for (uint32_t i = begin_[arm]; i < hand_end_[arm]; ++i) {
-    Nearest own = {UINT32_MAX, found.square};
-    look_nearer(posed, posed.vertices[vertices_[i]], &own);
-    if (own.square < found.square) found = {true, vertices_[i], own.triangle, own.square};
-  }
-  return found;
+  uint32_t count = 0;
+  double bound = 1e300;
+  const auto take = [&](uint32_t slot, double own) {
+    const uint32_t t = tree.triangle(slot);
+    const auto before = [&](uint32_t at) { return own < squares[at] || (own == squares[at] && t < triangles[at]); };
+    if ((count == most && !before(count - 1)) || !hand.holds(tree.middle(slot), reach)) return;
+    uint32_t at = 0;
+    while (at < count && !before(at)) ++at;
+    if (at > 0 && triangles[at - 1] == t) return;  // a short leaf's last one again
+    count = count < most ? count + 1 : count;
+    for (uint32_t k = count - 1; k > at; --k) {
+      squares[k] = squares[k - 1];
+      triangles[k] = triangles[k - 1];
+    }
+    squares[at] = own;
+    triangles[at] = t;
+    if (count == most) bound = squares[count - 1];
+  };
+  tree.walk(posed.vertices[vertex], bit_of(arm), &bound, [&](uint32_t leaf, const double(&own)[kTreeFan]) {
+    for (uint32_t i = 0; i < kTreeFan; ++i) {
+      if (own[i] <= bound) take(kTreeFan * leaf + i, own[i]);
+    }
+  });
+  return count;
 }
 
 }  // namespace sinew

@@ -4,6 +4,7 @@
 #define SINEW_MOTION_ARM_SEARCH_HPP
 
 #include "motion/clip_scene.hpp"
+#include "motion/triangle_tree.hpp"
 
 namespace sinew {
 
@@ -15,7 +16,7 @@ constexpr double kTouch = 0.03, kFar = 0.12;
 
 inline double squared(Vec3d v) { return dot(v, v); }
 
-// The deepest point of an arm under the nearest triangle, and that triangle's normal. 0: none is under one.
+// The deepest point of an arm under the triangle whose middle is nearest to it, and that triangle's normal. 0: none is under one.
 struct ArmDepth {
   double depth = 0;
   Vec3d out = {0, 0, 0};
@@ -25,55 +26,92 @@ struct ArmDepth {
 struct HandReach {
   bool near = false;  // within kFar
   uint32_t vertex = 0;
-  uint32_t triangle = 0;
-  double square = 0;  // of the distance from the triangle's middle
+  double square = 0;  // of the distance from the nearest triangle's middle
 };
 
 class ArmSearch {
  public:
-  // Works with a measuring arena.
+  // Works with a measuring arena. What open() needs beyond it is given back: no allocation may come between.
   void allocate(Arena& arena, uint32_t vertices, uint32_t triangles);
   // Lists the arms of a scene that is open; it must outlive this.
   void open(const ClipScene& scene);
 
   uint32_t count() const { return count_; }
   uint32_t limb(uint32_t arm) const { return limbs_[arm]; }
+  // What follows looks at a body's tree, which is filled once a pose; only_deepest: deepest() alone will.
+  void fill(const PosedBody& posed, bool only_deepest, TriangleTree* tree) const {
+    tree->fill(order_, posed, only_deepest);
+  }
 
-  // Of hand and forearm, moved by `moved`, under triangles without a vertex of any arm. `posed` has its triangles.
-  ArmDepth deepest(const PosedBody& posed, uint32_t arm, Vec3d moved);
-  // Of the hand to triangles without a vertex of this arm, which picked() lists afterwards.
-  HandReach nearest(const PosedBody& posed, uint32_t arm);
+  // Of hand and forearm, moved by `moved`, under triangles without a vertex of any arm. `least` where nothing is deeper than that.
+  ArmDepth deepest(TriangleTree* tree, uint32_t arm, Vec3d moved, double least);
+  // Of the hand to triangles without a vertex of this arm.
+  HandReach nearest(const TriangleTree& tree, uint32_t arm);
   // Of one vertex of the hand from the same triangles, kFar at most.
-  double distance(const PosedBody& posed, uint32_t arm, uint32_t vertex);
-  const uint32_t* picked() const { return picked_; }
-  uint32_t picked_count() const { return picked_count_; }
+  double distance(const TriangleTree& tree, uint32_t arm, uint32_t vertex) const;
+  // The triangles, of the same, whose middles are nearest to a vertex, near ones first: up to `most` of them within kFar of the box around
+  // the hand. Returns their number; squares [most] of distances.
+  uint32_t neighbours(const TriangleTree& tree, uint32_t arm, uint32_t vertex, uint32_t most, uint32_t* triangles,
+                      double* squares) const;
 
  private:
   struct Box;
   struct Nearest {
-    uint32_t triangle;
-    double square;
+    uint32_t triangle = UINT32_MAX, slot = 0;
+    double square = 0;
   };
-  void pick(const PosedBody& posed, const Box& box, double reach, uint32_t arm, bool of_other_arms);
-  void sort_into_cells(const PosedBody& posed, const Box& box, double reach);
-  uint32_t cell_along(double from_low) const;
-  void look_nearer(const PosedBody& posed, Vec3d p, Nearest* found) const;
+  // A ball around neighbours of an arm.
+  struct Ball {
+    Vec3d middle = {0, 0, 0};
+    double radius = 0;
+  };
+  struct DepthSearch;
+  static constexpr uint32_t kGroup = 12;  // neighbours that are looked at together
+  static constexpr uint32_t kMostLeaves = 128,
+                            kMostCovers = 64;  // of a group; with more it is searched vertex by vertex
+  static constexpr uint8_t kAllArms = 31;
+  static constexpr double kRounding = 1 + 1e-9;  // of bounds that are not compared as they are summed
+
+  uint8_t mask_of(uint32_t triangle) const;
+  static uint8_t bit_of(uint32_t arm) { return static_cast<uint8_t>(1u << arm); }
+  static void take_nearer(const TriangleTree& tree, uint32_t leaf, const double (&squares)[kTreeFan], Nearest* found) {
+    for (uint32_t i = 0; i < kTreeFan; ++i) {
+      if (squares[i] > found->square) continue;
+      const uint32_t slot = kTreeFan * leaf + i, t = tree.triangle(slot);
+      if (squares[i] < found->square || t < found->triangle) *found = {t, slot, squares[i]};
+    }
+  }
+  static void look_nearer(const TriangleTree& tree, uint8_t without, Vec3d p, Nearest* found);
+  static bool is_any_within(const TriangleTree& tree, uint8_t without, Vec3d p, double reach);
   const uint32_t* corners(uint32_t triangle) const { return scene_->body->triangles + size_t{3} * triangle; }
-  bool is_arm_vertex(uint32_t v) const;
+  // Around places that place(i) says.
+  template <class Place>
+  static Ball ball_around(uint32_t first, uint32_t end, Place place) {
+    Ball ball;
+    for (uint32_t i = first; i < end; ++i) ball.middle = ball.middle + place(i);
+    ball.middle = (1.0 / (end - first)) * ball.middle;
+    for (uint32_t i = first; i < end; ++i) {
+      const double own = squared(place(i) - ball.middle);
+      if (own > ball.radius) ball.radius = own;
+    }
+    ball.radius = root(ball.radius);
+    return ball;
+  }
 
   const ClipScene* scene_ = nullptr;
-  uint32_t* picked_ = nullptr;    // [triangles]
+  TriangleOrder order_;       // masks: a bit for each arm that has a vertex, the fifth for arms that are not looked at
+  uint8_t* masks_ = nullptr;  // [triangles]
+  MortonScratch scratch_ = {};    // until open() has returned
   uint32_t* vertices_ = nullptr;  // [vertices] of each arm those of the hand, then those of the forearm
-  // Picked triangles by the cell of a grid around the arm in which their middle lies.
-  static constexpr uint32_t kCells = 16;  // a side
-  uint32_t* cells_ = nullptr;             // [kCells^3 + 1] first one in `sorted_`
-  uint32_t* sorted_ = nullptr;            // [triangles]
-  uint16_t* cell_of_ = nullptr;           // [triangles] in the order of `picked_`
-  Vec3d low_ = {0, 0, 0};
-  double cell_ = 0, per_length_ = 0;  // a cell's side, and 1 over it
-  uint32_t picked_count_ = 0, count_ = 0;
+  uint32_t* near_ = nullptr;      // [vertices] indices into vertices_, of the same ranges, neighbours together
+  uint32_t* hints_ =
+      nullptr;             // [vertices / kGroup + kMostArms] of groups of near_ the slot that was nearest the last time
+  bool any_body_ = false;  // triangles without a vertex of any arm
+  uint32_t count_ = 0;
   uint32_t limbs_[kMostArms] = {};  // indices of limbs
   uint32_t begin_[kMostArms] = {}, hand_end_[kMostArms] = {}, end_[kMostArms] = {};
+  // Where to begin, because it was there the last time: a group of near_, an index into vertices_.
+  uint32_t deepest_[kMostArms] = {}, nearest_[kMostArms] = {};
 };
 
 }  // namespace sinew

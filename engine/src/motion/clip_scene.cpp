@@ -102,10 +102,7 @@ sinew_status ClipScene::load_source(uint32_t frame, bool with_body) {
   const size_t joints = plan->source.count;
   const sinew_status status =
       pose_source(plan, in->source_rotations + 4 * joints * frame, in->source_translations + 3 * joints * frame);
-  if (status == SINEW_OK && has_source && with_body) {
-    source.pose(plan->source_turns, plan->source_places);
-    source.find_middles(body->triangles, body->triangle_count);
-  }
+  if (status == SINEW_OK && has_source && with_body) source.pose(plan->source_turns, plan->source_places);
   return status;
 }
 void ClipScene::load(uint32_t frame) {
@@ -119,11 +116,9 @@ void ClipScene::store(uint32_t frame) const {
 void ClipScene::pose_target(uint32_t frame) {
   load(frame);
   target.pose(plan->target_turns, plan->target_places);
-  target.find_middles(body->triangles, body->triangle_count);
 }
 void ClipScene::pose_target_at_rest() {
   for (uint32_t v = 0; v < body->vertex_count; ++v) target.vertices[v] = target.rest(v);
-  target.find_middles(body->triangles, body->triangle_count);
 }
 
 }  // namespace sinew

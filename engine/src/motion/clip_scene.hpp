@@ -44,11 +44,11 @@ struct ClipScene {
   // The motion comes from this very rig and body: nothing is left to be mended.
   bool is_same_body() const;
 
-  // A frame of the source, and its body with middles of triangles where there is one; of the target, without its body.
+  // A frame of the source, and its body where there is one; of the target, without its body.
   sinew_status load_source(uint32_t frame, bool with_body);
   void load(uint32_t frame);
   void store(uint32_t frame) const;
-  // The target's frame with its body and triangles; the body at rest.
+  // The target's frame with its body; the body at rest.
   void pose_target(uint32_t frame);
   void pose_target_at_rest();
 };

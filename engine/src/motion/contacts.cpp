@@ -14,13 +14,28 @@ constexpr uint32_t kFeetEnd = 250;  // permille
 bool ContactScene::allocate_all(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices,
                                 uint32_t triangles, uint32_t frames) {
   (void)allocate(arena, source_joints, target_joints, vertices, triangles);
-  search.allocate(arena, vertices, triangles);
+  source_tree.allocate(arena, triangles);
+  target_tree.allocate(arena, triangles);
   moves = arena.alloc<Vec3d>(size_t{frames} * kMostLimbs);
   smooth = arena.alloc<Vec3d>(frames);
   stands = arena.alloc<uint8_t>(frames);
   heights = arena.alloc<double>(frames);
   hands = arena.alloc<HandContact>(size_t{frames} * kMostArms);
+  search.allocate(arena, vertices, triangles);
   return arena.ok();
+}
+
+void ContactScene::search_source(uint32_t frame) {
+  (void)load_source(frame, true);
+  if (has_source) search.fill(source, false, &source_tree);
+}
+void ContactScene::search_target(uint32_t frame, bool only_deepest) {
+  pose_target(frame);
+  search.fill(target, only_deepest, &target_tree);
+}
+void ContactScene::search_target_at_rest() {
+  pose_target_at_rest();
+  search.fill(target, true, &target_tree);
 }
 
 void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch) {

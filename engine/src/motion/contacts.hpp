@@ -24,6 +24,7 @@ struct HandContact {
 
 struct ContactScene : ClipScene {
   ArmSearch search;
+  TriangleTree source_tree, target_tree;
   Vec3d* moves = nullptr;        // [frames x limbs] where ends are to go from where they are
   Vec3d* smooth = nullptr;       // [frames] scratch
   uint8_t* stands = nullptr;     // [frames] scratch
@@ -33,6 +34,10 @@ struct ContactScene : ClipScene {
   // Works with a measuring arena. Returns arena.ok().
   bool allocate_all(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles,
                     uint32_t frames);
+  // As load_source(), pose_target() and pose_target_at_rest() of the bodies, with their trees.
+  void search_source(uint32_t frame);
+  void search_target(uint32_t frame, bool only_deepest);
+  void search_target_at_rest();
 };
 
 // x[i] becomes (x[i-1] + 2 x[i] + x[i+1]) / 4, ends stay. stride in elements; scratch [count].

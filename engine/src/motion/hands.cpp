@@ -82,50 +82,39 @@ class Hands {
   }
 
   void look_at_source(uint32_t frame) {
-    (void)s_.load_source(frame, true);
+    s_.search_source(frame);
     const double height = s_.source.height;
     for (uint32_t a = 0; a < search_.count(); ++a) {
       HandContact& hand = contact(frame, a);
       hand = HandContact();
-      const HandReach reach = search_.nearest(s_.source, a);
+      const HandReach reach = search_.nearest(s_.source_tree, a);
       if (reach.near) {
         hand.vertex = reach.vertex;
         const double share = (kFar * height - root(reach.square)) / ((kFar - kTouch) * height);
         const double t = share > 1 ? 1 : share;
         hand.alpha = t * t * (3 - 2 * t);
-        remember_place(height, &hand);
+        remember_place(a, &hand);
       }
-      hand.depth = search_.deepest(s_.source, a, {0, 0, 0}).depth;
+      hand.depth = search_.deepest(&s_.source_tree, a, {0, 0, 0}, 0).depth;
     }
   }
   // Nobody knows what the motion's own body touched: an arm may be as deep as it is at rest, and touches nothing.
   void look_at_rest_pose() {
-    s_.pose_target_at_rest();
+    s_.search_target_at_rest();
     for (uint32_t a = 0; a < search_.count(); ++a) {
       HandContact hand;
-      hand.depth = search_.deepest(s_.target, a, {0, 0, 0}).depth;
+      hand.depth = search_.deepest(&s_.target_tree, a, {0, 0, 0}, 0).depth;
       for (uint32_t f = 0; f < s_.in->frames; ++f) contact(f, a) = hand;
     }
   }
   // The nearest triangles with the vertex's place in each one's axes.
-  void remember_place(double height, HandContact* out) const {
-    double distances[kNearTriangles];
+  void remember_place(uint32_t arm, HandContact* out) const {
+    double squares[kNearTriangles];
     const Vec3d p = s_.source.vertices[out->vertex];
-    for (uint32_t i = 0; i < search_.picked_count(); ++i) {
-      const uint32_t t = search_.picked()[i];
-      const double own = squared(p - s_.source.middles[t]);
-      if (out->count == kNearTriangles && own >= distances[kNearTriangles - 1]) continue;
-      uint32_t at = out->count < kNearTriangles ? out->count++ : kNearTriangles - 1;
-      for (; at > 0 && own < distances[at - 1]; --at) {
-        distances[at] = distances[at - 1];
-        out->triangles[at] = out->triangles[at - 1];
-      }
-      distances[at] = own;
-      out->triangles[at] = t;
-    }
+    out->count = search_.neighbours(s_.source_tree, arm, out->vertex, kNearTriangles, out->triangles, squares);
     double sum = 0;
     for (uint32_t i = 0; i < out->count; ++i) {
-      out->shares[i] = bell((root(distances[i]) - root(distances[0])) / (kSpread * height));
+      out->shares[i] = bell((root(squares[i]) - root(squares[0])) / (kSpread * s_.source.height));
       sum += out->shares[i];
       const Frame frame = frame_of(s_.source, out->triangles[i]);
       const Vec3d way = p - frame.middle;
@@ -172,10 +161,11 @@ class Hands {
         s_.moves[index(f, kMostArms + a)] = {0, 0, 0};
         hand.outside = hand.outside && !(squared(moved) > 0);
         if (hand.outside) continue;
-        if (!posed) s_.pose_target(f);
+        if (!posed) s_.search_target(f, true);
         posed = true;
-        const ArmDepth most = search_.deepest(s_.target, a, moved);
-        const double beyond = most.depth - ratio_ * hand.depth;
+        const double least = ratio_ * hand.depth;
+        const ArmDepth most = search_.deepest(&s_.target_tree, a, moved, least);
+        const double beyond = most.depth - least;
         if (beyond > 0) s_.moves[index(f, kMostArms + a)] = beyond * most.out;
         hand.outside = !(beyond > 0);
       }

@@ -50,8 +50,8 @@ class Measure {
       if (s_.limbs.limbs[l].leg) measure_slide(l, &tallies[l]);
     }
     for (uint32_t f = 0; f < frames; ++f) {
-      (void)s_.load_source(f, true);
-      s_.pose_target(f);
+      s_.search_source(f);
+      s_.search_target(f, false);
       for (uint32_t a = 0; a < s_.search.count(); ++a) measure_arm(f, a, &tallies[s_.search.limb(a)]);
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         const Limb& limb = s_.limbs.limbs[l];
@@ -72,23 +72,25 @@ class Measure {
   static double share_of(double height) { return height > 0 ? 1 / height : 0; }
 
   void find_rest_depths() {
-    s_.pose_target_at_rest();
-    for (uint32_t a = 0; a < s_.search.count(); ++a) rest_depths_[a] = s_.search.deepest(s_.target, a, {0, 0, 0}).depth;
+    s_.search_target_at_rest();
+    for (uint32_t a = 0; a < s_.search.count(); ++a)
+      rest_depths_[a] = s_.search.deepest(&s_.target_tree, a, {0, 0, 0}, 0).depth;
   }
 
   void measure_arm(uint32_t f, uint32_t arm, Tally* tally) {
     const uint32_t limb = s_.search.limb(arm);
-    const ArmDepth deepest = s_.search.deepest(s_.target, arm, {0, 0, 0});
+    const ArmDepth deepest = s_.search.deepest(&s_.target_tree, arm, {0, 0, 0}, 0);
     double depth = share_ * deepest.depth;
-    depth -=
-        s_.has_source ? source_share_ * s_.search.deepest(s_.source, arm, {0, 0, 0}).depth : share_ * rest_depths_[arm];
+    depth -= s_.has_source ? source_share_ * s_.search.deepest(&s_.source_tree, arm, {0, 0, 0}, 0).depth
+                           : share_ * rest_depths_[arm];
     tally->add_depth(depth);
     if (depth > kDeep) set_spot(f, limb, SINEW_SPOT_INSIDE, s_.target.vertices[deepest.vertex], depth);
     if (!s_.has_source) return;
-    const HandReach from = s_.search.nearest(s_.source, arm);
+    const HandReach from = s_.search.nearest(s_.source_tree, arm);
     if (!from.near || from.square > kTouch * kTouch * s_.source.height * s_.source.height) return;
     // The same point of the target's hand: farther than it can see it counts as that far.
-    const double error = share_ * s_.search.distance(s_.target, arm, from.vertex) - source_share_ * root(from.square);
+    const double now = s_.search.distance(s_.target_tree, arm, from.vertex);
+    const double error = share_ * now - source_share_ * root(from.square);
     tally->add_error(error);
     if (depth <= kDeep)
       set_spot(f, limb, SINEW_SPOT_TOUCHES, s_.target.vertices[from.vertex], error < 0 ? -error : error);

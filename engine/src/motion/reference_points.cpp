@@ -70,8 +70,10 @@ class ReferencePoints {
     const uint32_t frames = s_.in->frames;
     for (uint32_t f = 0; f < frames; ++f) {
       (void)s_.load_source(f, true);
+      s_.source.find_middles(s_.body->triangles, triangles_);
       measure_triangles();
       s_.pose_target(f);
+      s_.target.find_middles(s_.body->triangles, triangles_);
       Vec3d middles[kMostLimbs], lasts[kMostLimbs];
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (!is_moved(l)) continue;
