@@ -3,6 +3,8 @@
 #ifndef SINEW_KERNELS_CONSTRAINTS_HPP
 #define SINEW_KERNELS_CONSTRAINTS_HPP
 
+#include <cstddef>
+
 #include "core/fixed.hpp"
 
 namespace sinew {
