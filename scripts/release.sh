@@ -115,6 +115,16 @@ quietly tests/integration/csharp_test.sh "$root" "$work/python/engine/libsinew.s
 cp samples/csharp/Sinew.cs "$out"
 echo "   Sinew.cs: structs, weights and a skeleton equal C's and the command's"
 
+step "Godot plug-in"
+(cd samples/godot && cmake -E tar cf "$out/sinew-godot3-$version.zip" --format=zip addons README.md)
+if command -v godot3-server >/dev/null; then
+  mkdir -p "$work/godot" && (cd "$work/godot" && cmake -E tar xf "$out/sinew-godot3-$version.zip")
+  quietly tests/integration/godot_test.sh "$root" "$root/build/package/sinew" "$work/godot-test" "$work/godot/addons"
+  echo "   the plug-in runs in Godot's headless editor and binds to the command's bytes"
+else
+  echo "   godot3-server is not installed: the plug-in was not tried"
+fi
+
 step "models, licences, checksums"
 cp samples/data/sinew_{default,rig,hands}.{sinew,md} "$out"
 cp package/copyright "$out/LICENSES.txt"

@@ -10,6 +10,7 @@
 #include "progress.hpp"
 #include "sinew_formats/bind.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/mesh_neighbours.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "support.hpp"
@@ -22,28 +23,6 @@ uint64_t seed_of(const std::string& name) {
   uint64_t hash = 1469598103934665603ull;
   for (const char c : name) hash = (hash ^ static_cast<uint8_t>(c)) * 1099511628211ull;
   return hash;
-}
-
-// Vertices at one place are one; neighbours share a face.
-std::vector<std::vector<uint32_t>> neighbours_of(const Character& c) {
-  std::map<std::array<float, 3>, uint32_t> first_at;
-  std::vector<std::vector<uint32_t>> neighbours(c.vertices.size());
-  for (uint32_t v = 0; v < c.vertices.size(); ++v) {
-    const Vec3& p = c.vertices[v];
-    const auto [at, is_new] = first_at.emplace(std::array<float, 3>{p.x, p.y, p.z}, v);
-    if (is_new) continue;
-    neighbours[v].push_back(at->second);
-    neighbours[at->second].push_back(v);
-  }
-  for (size_t f = 0; f < c.face_count(); ++f) {
-    const uint32_t begin = c.face_offsets[f], end = c.face_offsets[f + 1];
-    for (uint32_t i = begin; i < end; ++i) {
-      const uint32_t a = c.face_vertices[i], b = c.face_vertices[i + 1 < end ? i + 1 : begin];
-      neighbours[a].push_back(b);
-      neighbours[b].push_back(a);
-    }
-  }
-  return neighbours;
 }
 
 std::vector<uint8_t> choose(const Character& c, const std::string& kind, double share) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -19,6 +20,7 @@
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/predict_details.hpp"
 #include "sinew_formats/predict_face.hpp"
 #include "sinew_formats/predict_hands.hpp"
 #include "sinew_formats/predict_skeleton.hpp"
@@ -115,11 +117,9 @@ LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged
 LabelledSkeleton add_details(const Settings& s, const LoadedModel& hands, Rigged* rigged) {
   SkeletonOptions options;
   options.up_axis = s.up == "z" ? 1 : 0;
-  if (predict_hands(rigged->character, hands.model, options, &rigged->skeleton) == 0)
-    rigged->character.notes.push_back("no hand with fingers that can be told apart");
-  if (s.detail == "full" && predict_face(rigged->character, options, &rigged->skeleton) == 0)
-    rigged->character.notes.push_back("no head with eyes that are parts of their own, so no joints of a face");
-  if (s.detail == "full") predict_props(rigged->character, options, &rigged->skeleton);
+  const SkeletonDetail detail = s.detail == "full" ? SkeletonDetail::kFull : SkeletonDetail::kHands;
+  for (std::string& note : predict_details(rigged->character, detail, hands.model, options, &rigged->skeleton))
+    rigged->character.notes.push_back(std::move(note));
   LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
   for (uint8_t& one : found.classes)
     if (is_finger_class(one) || is_face_class(one) || is_prop_class(one)) one = kClassDetail;

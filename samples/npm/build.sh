@@ -4,22 +4,15 @@
 #   build.sh [OUTPUT_DIR]      samples/npm/dist: package/ and sinew-skin-VERSION.tgz. Object files go to OUTPUT_DIR.build
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
-out=${1:-$here/dist}
-mkdir -p "$out" "$out.build"
-out=$(cd "$out" && pwd) build=$(cd "$out.build" && pwd)
-. "$root/tests/wasm/emscripten.sh"
-
-step() { echo "npm: $*" >&2; }
+. "$root/samples/npm/wasm/modules.sh"
+start_build npm "${1:-$here/dist}"
 # A module of JavaScript with a file's bytes, so that every bundler finds them.
 embed() { { echo "// Made by build.sh of $(basename "$1")."; printf 'export default "%s";\n' "$(base64 -w0 "$1")"; } >"$2"; }
 
 rm -rf "$out/package"
 mkdir -p "$out/package/wasm" "$out/package/models"
+build_modules "$here/wasm" SINEW_SKIN_SIMD
 for kind in simd scalar; do
-  step "engine to WebAssembly, $kind"
-  simd=$([ $kind = simd ] && echo ON || echo OFF)
-  emcmake cmake -S "$here/wasm" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -DSINEW_SKIN_SIMD="$simd" >"$build/$kind.log" 2>&1 &&
-    cmake --build "$build/$kind" -j "$(nproc)" >>"$build/$kind.log" 2>&1 || { cat "$build/$kind.log" >&2; exit 1; }
   cp "$build/$kind/skin.wasm" "$out/package/wasm/$kind.wasm"
   embed "$build/$kind/skin.wasm" "$out/package/wasm/$kind.js"
 done

@@ -10,20 +10,10 @@ if [ "${1:-}" = --packages ]; then
   command -v chromium google-chrome google-chrome-stable chromium-browser >/dev/null || echo chromium
   exit 0
 fi
-out=${1:-$here/dist}
-mkdir -p "$out" "$out.build"
-out=$(cd "$out" && pwd) build=$(cd "$out.build" && pwd)
-. "$root/tests/wasm/emscripten.sh"
-
-step() { echo "web: $*" >&2; }
-
-for kind in simd scalar; do
-  step "engine to WebAssembly, $kind"
-  simd=$([ $kind = simd ] && echo ON || echo OFF)
-  emcmake cmake -S "$here/wasm" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -DSINEW_WEB_SIMD="$simd" >"$build/$kind.log" 2>&1 &&
-    cmake --build "$build/$kind" -j "$(nproc)" >>"$build/$kind.log" 2>&1 || { cat "$build/$kind.log" >&2; exit 1; }
-  cp "$build/$kind/sinew_web.wasm" "$out/sinew-$kind.wasm"
-done
+. "$root/samples/npm/wasm/modules.sh"
+start_build web "${1:-$here/dist}"
+build_modules "$here/wasm" SINEW_WEB_SIMD
+for kind in simd scalar; do cp "$build/$kind/sinew_web.wasm" "$out/sinew-$kind.wasm"; done
 
 step "scripts and pages"
 [ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
@@ -34,7 +24,7 @@ node_modules/.bin/esbuild src/main.js src/worker.js --bundle --splitting --minif
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --external:node:* \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css "$out"
-cp "$root"/samples/data/sinew_{default,rig}.sinew "$out"
+cp "$root"/samples/data/sinew_{default,rig,hands}.sinew "$out"
 mkdir -p "$out/samples"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$out/samples"
 echo "web: built $out"

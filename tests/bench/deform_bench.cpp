@@ -151,15 +151,8 @@ void run(double vertices, int repeats) {
 
 int main(int argc, char** argv) {
   int repeats = 15;
-  std::vector<double> sizes;
-  for (int i = 1; i < argc; ++i) {
-    if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
-      repeats = std::max(1, std::atoi(argv[++i]));
-    } else {
-      sizes.push_back(std::atof(argv[i]));
-    }
-  }
-  if (sizes.empty()) sizes = {5000};
+  std::vector<double> sizes = {5000};
+  sinew_bench::read_arguments(argc, argv, &repeats, &sizes);
   std::printf(
       "machine,compiler,commit,vertices,joints,cells,rounds,threads,active_tetrahedra,create_ms,own_ms,wall_ms,"
       "times_skinning,times_faster_than_one_thread,memory_bytes,hash\n");

@@ -13,6 +13,7 @@
 #include "motion_scene.hpp"
 #include "sinew/motion_clips.h"
 #include "sinew/sinew.hpp"
+#include "skinned_triangles.hpp"
 
 namespace {
 
@@ -46,12 +47,8 @@ MotionScene whole_body(double degrees, double size) {
 constexpr uint32_t kRightTip = 17 + 20 + 11;  // of the third finger
 
 // A tube of rings around every long bone and the trunk.
-struct Tubes {
-  std::vector<float> positions;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint32_t> triangles;
-
-  Tubes(const MotionScene& scene, double belly, double size, uint32_t vertices) {
+struct Tubes : sinew_test::SkinnedTriangles {
+  Tubes(const MotionScene& scene, double belly, double size, uint32_t vertices) : SkinnedTriangles(2) {
     const uint32_t bones[13][2] = {{kPelvis, kSpine},
                                    {kSpine, kNeck},
                                    {kNeck, kHead},
@@ -89,15 +86,6 @@ struct Tubes {
         triangles.insert(triangles.end(), {v, next, next + around, v, next + around, v + around});
       }
     }
-  }
-  sinew_motion_body view() const {
-    return {positions.data(),
-            joints.data(),
-            weights.data(),
-            triangles.data(),
-            static_cast<uint32_t>(joints.size() / 2),
-            2,
-            static_cast<uint32_t>(triangles.size() / 3)};
   }
 };
 

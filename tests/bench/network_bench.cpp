@@ -293,15 +293,8 @@ void measure(double vertices, const Model& model, const FloatNetwork& network, i
 int main(int argc, char** argv) {
   try {
     int repeats = 15;
-    std::vector<double> sizes;
-    for (int i = 1; i < argc; ++i) {
-      if (i + 1 < argc && std::strcmp(argv[i], "--repeats") == 0) {
-        repeats = std::max(1, std::atoi(argv[++i]));
-      } else {
-        sizes.push_back(std::atof(argv[i]));
-      }
-    }
-    if (sizes.empty()) sizes = {10000};
+    std::vector<double> sizes = {10000};
+    sinew_bench::read_arguments(argc, argv, &repeats, &sizes);
     const Model model;
     const Checkpoint checkpoint = read_checkpoint(SINEW_SOURCE_DIR "/samples/data/sinew_default.ckpt");
     std::printf("machine,compiler,commit,vertices,network,median_ms,ns_per_vertex,times_fastest_int16,bytes,hash\n");

@@ -3,12 +3,15 @@
 // bodies. Refusals are those that the header documents; what comes out is finite, of turns of length 1, and the same again.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <vector>
 
 #include "bind_checks.hpp"
 #include "fuzz.hpp"
 #include "mesh_input.hpp"
 #include "sinew/motion_clips.h"
 #include "sinew/rig.h"
+#include "skinned_triangles.hpp"
 
 namespace {
 
@@ -47,11 +50,8 @@ struct RigInput {
   }
 };
 
-struct BodyInput {
-  std::vector<float> positions;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint32_t> triangles;
-
+struct BodyInput : sinew_test::SkinnedTriangles {
+  BodyInput() : SkinnedTriangles(2) {}
   void read(Bytes& in, uint8_t extras, uint32_t vertices, uint32_t triangle_count, uint32_t joint_count) {
     const uint32_t beyond = (extras & kAnyIndex) != 0 ? 1 : 0;
     for (uint32_t v = 0; v < vertices; ++v) {
@@ -62,15 +62,6 @@ struct BodyInput {
     }
     for (uint32_t c = 0; c < 3 * triangle_count && vertices + beyond > 0; ++c)
       triangles.push_back(in.below(vertices + beyond));
-  }
-  sinew_motion_body view() const {
-    return {positions.data(),
-            joints.data(),
-            weights.data(),
-            triangles.data(),
-            static_cast<uint32_t>(positions.size() / 3),
-            2,
-            static_cast<uint32_t>(triangles.size() / 3)};
   }
 };
 
@@ -210,6 +201,18 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
         sinew_retarget_measure(plan, source, &own, &clip, &call.contacts, block, bytes, limbs, &count);
     demand(status == SINEW_OK ? count <= SINEW_MAX_MOTION_LIMBS : count == 77, "limbs are counted, or left alone");
     if (status != SINEW_OK) return status;
+    sinew_limb_measure same[SINEW_MAX_MOTION_LIMBS];
+    sinew_contact_options uncancelled = call.contacts;
+    uncancelled.progress = nullptr;
+    std::vector<sinew_contact_spot> spots(size_t{call.frames} * SINEW_MAX_MOTION_LIMBS + 1);
+    demand(sinew_retarget_spots(plan, source, &own, &clip, &uncancelled, block, bytes, same, &count, spots.data()) ==
+                   SINEW_OK &&
+               std::memcmp(same, limbs, count * sizeof same[0]) == 0,
+           "spots come with the same measure");
+    for (size_t i = 0; i + 1 < spots.size(); ++i)
+      demand(spots[i].kind <= SINEW_SPOT_INSIDE &&
+                 (spots[i].kind == SINEW_SPOT_NONE || i % SINEW_MAX_MOTION_LIMBS < count),
+             "a spot belongs to a limb");
     const uint8_t* const first = reinterpret_cast<const uint8_t*>(limbs);
     result->limbs.assign(first, first + count * sizeof(sinew_limb_measure));
     for (uint32_t l = 0; l < count; ++l) {

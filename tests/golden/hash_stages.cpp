@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "../support/rig_skeleton.hpp"
 #include "bind/bind.hpp"
 #include "kernels/select.hpp"
 #include "network/network.hpp"
@@ -412,23 +413,7 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
 }
 
 // The arrays of a skeleton, with room.
-struct RigArrays {
-  static constexpr size_t kMost = SINEW_MAX_RIG_JOINTS;
-  std::vector<float> positions = std::vector<float>(3 * kMost, 0);
-  std::vector<int32_t> parents = std::vector<int32_t>(kMost, 0), partners = parents;
-  std::vector<uint8_t> flags = std::vector<uint8_t>(kMost, 0), classes = flags;
-  std::vector<uint16_t> confidence = std::vector<uint16_t>(kMost, 0), parent_confidence = confidence;
-  std::vector<char> names = std::vector<char>(kMost * SINEW_JOINT_NAME_BYTES, 0);
-  sinew_rig_outputs outputs = sinew_rig_outputs_init(positions.data(), parents.data());
-
-  RigArrays() {
-    outputs.flags = flags.data();
-    outputs.joint_classes = classes.data();
-    outputs.partners = partners.data();
-    outputs.confidence = confidence.data();
-    outputs.parent_confidence = parent_confidence.data();
-    outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(names.data());
-  }
+struct HashedRig : sinew_test::RigSkeleton {
   void print_hashes(const char* name, uint64_t size) const {
     const size_t count = outputs.joint_count;
     Hash memory, joints, names_hash;
@@ -447,8 +432,8 @@ struct RigArrays {
     joints.add(&outputs.mirrored, 1);
     joints.add(&outputs.quarter_turns, 1);
     for (size_t j = 0; j < count; ++j) {
-      const char* const text = names.data() + j * SINEW_JOINT_NAME_BYTES;
-      names_hash.add(reinterpret_cast<const uint8_t*>(text), std::strlen(text));
+      const char* const own = outputs.names[j];
+      names_hash.add(reinterpret_cast<const uint8_t*>(own), std::strlen(own));
     }
     print(name, "memory", memory);
     print(name, "joints", joints);
@@ -461,7 +446,7 @@ void hash_rig(const char* name, const SetLine& line, const Input& in, const sine
   sinew_rig_options options = line.rig_options;
   options.up_axis = line.options.up_axis;
   options.weights_in_place = line.options.weights_in_place;
-  RigArrays arrays;
+  HashedRig arrays;
   size_t bytes = 0;
   check(sinew_rig_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, &options,
                                  &bytes));
@@ -476,23 +461,19 @@ void hash_details(const char* name, const SetLine& line, const Input& in, const 
   sinew_rig_options options = line.rig_options;
   options.up_axis = line.options.up_axis;
   options.weights_in_place = line.options.weights_in_place;
-  RigArrays arrays;
+  HashedRig arrays;
   const uint32_t count = in.skeleton.joint_count;
-  arrays.outputs.joint_count = count;
   for (uint32_t j = 0; j < count; ++j) {
-    std::memcpy(&arrays.positions[3 * j], &in.joints[3 * j], 3 * sizeof(float));
-    arrays.parents[j] = in.parents[j];
-    arrays.partners[j] = -1;
     const std::string& text = in.names[j];
     const auto ends_in = [&](const std::string& word) {
       return text.size() >= word.size() && text.compare(text.size() - word.size(), word.size(), word) == 0;
     };
-    arrays.flags[j] = ends_in("_end") ? SINEW_JOINT_NEVER : 0;
-    arrays.classes[j] = ends_in("Hand")      ? SINEW_CLASS_HAND
-                        : ends_in("ForeArm") ? SINEW_CLASS_FOREARM
-                        : ends_in("Head")    ? SINEW_CLASS_HEAD
-                                             : SINEW_CLASS_OTHER;
-    std::memcpy(arrays.outputs.names[j], text.c_str(), text.size() + 1);
+    const uint8_t joint_class = ends_in("Hand")      ? SINEW_CLASS_HAND
+                                : ends_in("ForeArm") ? SINEW_CLASS_FOREARM
+                                : ends_in("Head")    ? SINEW_CLASS_HEAD
+                                                     : SINEW_CLASS_OTHER;
+    const float* const p = &in.joints[3 * j];
+    arrays.add(text, p[0], p[1], p[2], in.parents[j], joint_class, ends_in("_end") ? SINEW_JOINT_NEVER : 0, -1);
   }
   size_t bytes = 0, hands = 0;
   check(

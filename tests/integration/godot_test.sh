@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The plug-in of samples/godot: characters imported by the headless editor, bound and rigged in scenes; weights beside the command's.
-#   godot_test.sh SOURCE COMMAND WORK      exits 77 without Godot 3
+#   godot_test.sh SOURCE COMMAND WORK [ADDONS]      exits 77 without Godot 3; ADDONS is samples/godot/addons or an unpacked release
 #   godot_test.sh --packages               what it needs on Debian
 set -euo pipefail
 packages="godot3-server"
@@ -9,7 +9,7 @@ if [ "${1:-}" = --packages ]; then
   echo "$packages"
   exit 0
 fi
-source=$1 command=$2 work=$3
+source=$1 command=$2 work=$3 addons=${4:-$1/samples/godot/addons}
 if ! command -v godot3-server >/dev/null; then
   echo "godot_test: SKIPPED, no godot3-server (Debian: apt-get install $packages)"
   exit 77
@@ -18,7 +18,8 @@ fail() { echo "godot_test: $*" >&2; exit 1; }
 data=$source/samples/data
 rm -rf "$work" && mkdir -p "$work/home" "$work/project/expected"
 cd "$work/project"
-cp -r "$source/samples/godot/addons" "$source/samples/godot/tests/check.gd" .
+cp -r "$addons" addons
+cp "$source/samples/godot/tests/check.gd" .
 cat > project.godot <<'END'
 config_version=4
 

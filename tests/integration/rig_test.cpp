@@ -342,6 +342,15 @@ TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
     for (const float y : {-3e38f, 3e38f}) scenes.back().add_vertex(x, y, x + y > 0 ? 1e38f : 0.0f);
   scenes.back().add_face({0, 1, 2});
   scenes.back().add_face({1, 2, 3});
+  constexpr float kMost = std::numeric_limits<float>::max();
+  for (const float x : {-kMost, kMost}) {  // one corner as far away as a float can be
+    scenes.emplace_back();
+    add_cube(&scenes.back(), 0, 0, 0);
+    for (int axis = 0; axis < 3; ++axis) scenes.back().positions[static_cast<size_t>(axis)] = x;
+  }
+  scenes.emplace_back();
+  add_cube(&scenes.back(), 0, 0, 0);
+  for (float& x : scenes.back().positions) x = x > 0.5f ? kMost : -kMost;
   for (size_t i = 0; i < scenes.size(); ++i) {
     SCOPED_TRACE(i);
     for (const uint32_t mirror : {SINEW_MIRROR_AUTO, SINEW_MIRROR_ALWAYS, SINEW_MIRROR_NEVER}) {

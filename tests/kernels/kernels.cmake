@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-foreach(test network_kernels_test linear_variants_test aggregate_variants_test softmax_variants_test heat_variants_test)
+foreach(test network_kernels_test linear_variants_test aggregate_variants_test softmax_variants_test heat_variants_test constraints_variants_test)
   sinew_test(${test} SOURCES ${CMAKE_CURRENT_LIST_DIR}/${test}.cpp LIBS sinew::engine_internals LABELS kernels)
 endforeach()
 

@@ -9,17 +9,14 @@
 
 #include "motion_scene.hpp"
 #include "sinew/motion_clips.h"
+#include "skinned_triangles.hpp"
 
 namespace sinew_test {
 
 // A body of boxes, one around each joint of body(), rigid; `belly` is how thick the one at the spine is, and that one has a
 // grid on each side. The same vertices and triangles whatever the sizes are.
-struct BoxBody {
-  std::vector<float> positions;
-  std::vector<uint16_t> joints, weights;
-  std::vector<uint32_t> triangles;
-
-  BoxBody(const MotionScene& scene, double belly, double size = 1) {
+struct BoxBody : SkinnedTriangles {
+  BoxBody(const MotionScene& scene, double belly, double size = 1) : SkinnedTriangles(1) {
     for (uint32_t j = 0; j < scene.count(); ++j) {
       const double half = size * (j == kSpine ? belly : 0.04);
       const uint32_t cells = j == kSpine ? 6 : 1;
@@ -51,15 +48,6 @@ struct BoxBody {
         for (int i = 0; i < 6; ++i) triangles.push_back(half > 0 ? out[i] : out[5 - i]);
       }
     }
-  }
-  sinew_motion_body view() const {
-    return {positions.data(),
-            joints.data(),
-            weights.data(),
-            triangles.data(),
-            static_cast<uint32_t>(positions.size() / 3),
-            1,
-            static_cast<uint32_t>(triangles.size() / 3)};
   }
 };
 
@@ -140,11 +128,17 @@ struct PlayedClip {
           return sinew_retarget_reference_points(plan, from, own, clip, &options, block, bytes);
         });
   }
-  std::vector<sinew_limb_measure> measure(const BoxBody* source_body, const BoxBody& target_body) {
+  // With `spots` frame by frame as well.
+  std::vector<sinew_limb_measure> measure(const BoxBody* source_body, const BoxBody& target_body,
+                                          std::vector<sinew_contact_spot>* spots = nullptr) {
     std::vector<sinew_limb_measure> limbs(SINEW_MAX_MOTION_LIMBS);
     uint32_t count = 0;
+    if (spots != nullptr) spots->assign(size_t{frames} * SINEW_MAX_MOTION_LIMBS, {9, {9, 9, 9}, 9, 9});
     EXPECT_EQ(on_bodies(source_body, target_body, contacts_size(),
                         [&](const auto* from, const auto* own, const auto* clip, void* block, size_t bytes) {
+                          if (spots != nullptr)
+                            return sinew_retarget_spots(plan, from, own, clip, nullptr, block, bytes, limbs.data(),
+                                                        &count, spots->data());
                           return sinew_retarget_measure(plan, from, own, clip, nullptr, block, bytes, limbs.data(),
                                                         &count);
                         }),

@@ -11,19 +11,15 @@
 
 #include "mesh_scene.hpp"
 #include "open_bundled_model.hpp"
+#include "rig_skeleton.hpp"
 #include "sinew/sinew.hpp"
 
 namespace sinew_test {
 
-struct RiggedScene {
+struct RiggedScene : RigSkeleton {
   sinew_status status = SINEW_OK;
   uint32_t count = 0;
-  std::vector<float> positions = std::vector<float>(3 * SINEW_MAX_RIG_JOINTS);
-  std::vector<int32_t> parents = std::vector<int32_t>(SINEW_MAX_RIG_JOINTS, 77), partners = parents;
-  std::vector<uint8_t> flags = std::vector<uint8_t>(SINEW_MAX_RIG_JOINTS, 77), classes = flags;
-  std::vector<uint16_t> confidence = std::vector<uint16_t>(SINEW_MAX_RIG_JOINTS, 77), parent_confidence = confidence;
   std::vector<std::string> names;
-  sinew_rig_outputs outputs = {};
 
   RiggedScene(const MeshScene& scene, const sinew_rig_options& options, const sinew_model* model = bundled_rig_model(),
               size_t missing_bytes = 0) {
@@ -33,24 +29,18 @@ struct RiggedScene {
     if (status != SINEW_OK) return;
     const sinew::Workspace block(bytes);
     std::memset(block.data(), 0x5A, bytes);
-    std::vector<char> text(size_t{SINEW_MAX_RIG_JOINTS} * SINEW_JOINT_NAME_BYTES);
-    outputs = sinew_rig_outputs_init(positions.data(), parents.data());
-    outputs.flags = flags.data();
-    outputs.joint_classes = classes.data();
-    outputs.partners = partners.data();
-    outputs.confidence = confidence.data();
-    outputs.parent_confidence = parent_confidence.data();
-    outputs.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(text.data());
+    // What a call leaves as it is shows.
+    for (auto* const numbers : {&parents, &partners}) numbers->assign(numbers->size(), 77);
+    for (auto* const bytes_of : {&flags, &classes}) bytes_of->assign(bytes_of->size(), 77);
+    for (auto* const shares : {&confidence, &parent_confidence}) shares->assign(shares->size(), 77);
     status = sinew_rig(model, &mesh, &options, block.data(), bytes - missing_bytes, &outputs);
     count = outputs.joint_count;
-    for (uint32_t j = 0; j < count; ++j) names.push_back(text.data() + size_t{j} * SINEW_JOINT_NAME_BYTES);
+    for (uint32_t j = 0; j < count; ++j) names.push_back(name(j));
   }
 
   bool same_as(const RiggedScene& other) const {
-    return status == other.status && count == other.count && positions == other.positions && parents == other.parents &&
-           partners == other.partners && flags == other.flags && classes == other.classes &&
-           confidence == other.confidence && parent_confidence == other.parent_confidence && names == other.names &&
-           outputs.plane == other.outputs.plane && outputs.spread == other.outputs.spread;
+    return status == other.status && RigSkeleton::same_as(other) && outputs.plane == other.outputs.plane &&
+           outputs.spread == other.outputs.spread;
   }
 
   // What every skeleton is, whatever the mesh.

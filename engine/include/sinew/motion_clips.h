@@ -54,6 +54,34 @@ SINEW_API sinew_status sinew_retarget_measure(sinew_retarget* plan, const sinew_
                                               const sinew_contact_options* options, void* workspace,
                                               size_t workspace_bytes, sinew_limb_measure* limbs, uint32_t* limb_count);
 
+/* What a limb does in a frame. Numbers are never reused. */
+typedef enum sinew_spot_kind {
+  SINEW_SPOT_NONE = 0,    /* the rest of the spot is 0 */
+  SINEW_SPOT_STANDS = 1,  /* the source's foot stands */
+  SINEW_SPOT_TOUCHES = 2, /* the source's hand touches its body */
+  SINEW_SPOT_INSIDE =
+      3 /* hand or forearm is in the body, by more than the source's, or without its body than at rest */
+} sinew_spot_kind;
+
+/* Where that is, to be shown. */
+typedef struct sinew_contact_spot {
+  uint32_t kind;  /* sinew_spot_kind */
+  float place[3]; /* in the target's world and units: toe or ankle, vertex of the hand, deepest vertex */
+  float error; /* share of the target's height: way of the toe since the frame before where it stood then, change of the
+                      * hand's distance from the body, depth; 0 or more */
+  uint32_t reserved; /* 0 */
+} sinew_contact_spot;
+
+/* As sinew_retarget_measure(), and frame by frame where that is.
+ *   spots  out, [frame_count x SINEW_MAX_MOTION_LIMBS], limbs in the order of `limbs`
+ * Returns what sinew_retarget_measure() does, and SINEW_ERROR_ARGUMENT where spots is null; undefined after
+ * SINEW_ERROR_CANCELLED and SINEW_ERROR_NOT_FINITE, else untouched on failure. */
+SINEW_API sinew_status sinew_retarget_spots(sinew_retarget* plan, const sinew_motion_body* source,
+                                            const sinew_motion_body* target, const sinew_motion_clip* clip,
+                                            const sinew_contact_options* options, void* workspace,
+                                            size_t workspace_bytes, sinew_limb_measure* limbs, uint32_t* limb_count,
+                                            sinew_contact_spot* spots);
+
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
 
 /* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. Legs are

@@ -86,6 +86,11 @@ sinew_status sinew_retarget_measure(sinew_retarget*, const sinew_motion_body*, c
                                     sinew_limb_measure*, uint32_t*) {
   return SINEW_ERROR_ARGUMENT;
 }
+sinew_status sinew_retarget_spots(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
+                                  const sinew_motion_clip*, const sinew_contact_options*, void*, size_t,
+                                  sinew_limb_measure*, uint32_t*, sinew_contact_spot*) {
+  return SINEW_ERROR_ARGUMENT;
+}
 sinew_status sinew_retarget_reference_points_size(const sinew_retarget*, const sinew_motion_body*, size_t*) {
   return SINEW_ERROR_ARGUMENT;
 }

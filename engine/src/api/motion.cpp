@@ -11,6 +11,7 @@
 
 static_assert(sizeof(sinew_retarget_options) == 6 * sizeof(uint32_t), "a hole in sinew_retarget_options");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
+static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
 static_assert(sizeof(sinew_reference_options) == 6 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_reference_options");
 
@@ -62,6 +63,19 @@ sinew_status read_contacts(const sinew_retarget* plan, const sinew_motion_body* 
   if (!(fps >= 1 && fps <= 1000)) return SINEW_ERROR_ARGUMENT;
   *inputs = clip_inputs(*clip, fps, sinew::Progress{own.progress, own.progress_user});
   return SINEW_OK;
+}
+
+// spots: or null.
+sinew_status measure(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body* target,
+                     const sinew_motion_clip* clip, const sinew_contact_options* options, void* workspace,
+                     size_t workspace_bytes, sinew_limb_measure* limbs, uint32_t* limb_count,
+                     sinew_contact_spot* spots) {
+  if (limbs == nullptr || limb_count == nullptr) return SINEW_ERROR_ARGUMENT;
+  sinew::ClipInputs inputs;
+  const sinew_status status = read_contacts(plan, source, target, clip, options, workspace, &inputs);
+  if (status != SINEW_OK) return status;
+  sinew::Arena arena(workspace, workspace_bytes);
+  return sinew::measure_clip(plan, source, *target, inputs, arena, limbs, limb_count, spots);
 }
 
 }  // namespace
@@ -148,12 +162,15 @@ sinew_status sinew_retarget_measure(sinew_retarget* plan, const sinew_motion_bod
                                     const sinew_motion_body* target, const sinew_motion_clip* clip,
                                     const sinew_contact_options* options, void* workspace, size_t workspace_bytes,
                                     sinew_limb_measure* limbs, uint32_t* limb_count) {
-  if (limbs == nullptr || limb_count == nullptr) return SINEW_ERROR_ARGUMENT;
-  sinew::ClipInputs inputs;
-  const sinew_status status = read_contacts(plan, source, target, clip, options, workspace, &inputs);
-  if (status != SINEW_OK) return status;
-  sinew::Arena arena(workspace, workspace_bytes);
-  return sinew::measure_clip(plan, source, *target, inputs, arena, limbs, limb_count);
+  return measure(plan, source, target, clip, options, workspace, workspace_bytes, limbs, limb_count, nullptr);
+}
+
+sinew_status sinew_retarget_spots(sinew_retarget* plan, const sinew_motion_body* source,
+                                  const sinew_motion_body* target, const sinew_motion_clip* clip,
+                                  const sinew_contact_options* options, void* workspace, size_t workspace_bytes,
+                                  sinew_limb_measure* limbs, uint32_t* limb_count, sinew_contact_spot* spots) {
+  if (spots == nullptr) return SINEW_ERROR_ARGUMENT;
+  return measure(plan, source, target, clip, options, workspace, workspace_bytes, limbs, limb_count, spots);
 }
 
 sinew_status sinew_retarget_reference_points_size(const sinew_retarget* plan, const sinew_motion_body* target,

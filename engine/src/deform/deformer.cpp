@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "deform/correction.hpp"
+#include "kernels/cpu.hpp"
 
 namespace sinew {
 namespace {
@@ -51,6 +52,7 @@ sinew_status create_deformer(const RestInput& input, Arena& arena, sinew_deforme
   DeformRest rest;
   const sinew_status status = build_rest(input, arena, &rest);
   if (status != SINEW_OK || arena.measuring()) return status;
+  if (detect_cpu().avx2) (void)add_constraints_s32_avx2(&rest.kernels);
   *home = rest;
   Arena measuring;
   (void)run_pose(rest, nullptr, measuring, nullptr);

@@ -5,13 +5,12 @@
 
 #include "deform/weight_row.hpp"
 #include "grid/grid_quantizer.hpp"
+#include "kernels/constraints.hpp"
 #include "mesh/mesh.hpp"
 #include "voxels/voxels.hpp"
 
 namespace sinew {
 
-constexpr int kCellBits = 14;
-constexpr int32_t kCellUnits = 1 << kCellBits;  // edge of a cell in lattice units
 constexpr uint32_t kNoTetrahedron = 0xFFFFFFFFu;
 constexpr int kShareBits = 14;  // barycentric coordinates are Q14
 

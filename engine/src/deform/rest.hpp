@@ -47,6 +47,7 @@ struct DeformRest {
   uint32_t *triangles = nullptr, *row_offsets = nullptr, *col_indices = nullptr;
   uint8_t* border = nullptr;  // [U]
   Vec3d* smooth = nullptr;    // [U] delta mush: the smoothed rest pose
+  ConstraintKernels kernels;  // of the processor at hand
 
   Threads threads() const {
     return {options.thread_count != 0 ? options.thread_count : 1, options.parallel_for, options.parallel_user};

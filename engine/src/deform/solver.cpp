@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three kinds of steps. Bounds: edge vectors are clamped to 32 cells (2^19), vectors of volumes to 16 (2^18), so that
-// products of two stay below 2^38 and of three, once shifted, below 2^42.
+// Lists, rounds and contact points; edges and volumes are in kernels/constraints.hpp.
 #include "deform/solver.hpp"
 
 #include "core/vector_math.hpp"
@@ -8,12 +7,6 @@
 namespace sinew {
 namespace {
 
-constexpr int32_t kLongEdge = 32 * kCellUnits, kLongSide = 16 * kCellUnits;
-constexpr int64_t kSmallVolume = int64_t{1} << (2 * kCellBits);  // six volumes of a corner tetrahedron, >> 14
-// Tetrahedra that are flat give way: 0.2 of the cell's edge to the fourth, in units of six times the gradients.
-constexpr int64_t kLeastDenominator = 36 * (int64_t{1} << (2 * kCellBits)) / 5;
-constexpr int64_t kLongestStep = kCellUnits / 4;
-constexpr int kRatioBits = 18;
 constexpr uint32_t kWorthThreads = 2048;
 // A node keeps 0.8 of the way of its last round, at most a cell. 20 rounds reach what took more than 30.
 constexpr int32_t kMomentum = 205;      // Q8
@@ -32,62 +25,6 @@ void step(Vec3i* p, int64_t ratio, Vec3i v, int shift) {
   p->x += rounded(ratio * v.x, shift);
   p->y += rounded(ratio * v.y, shift);
   p->z += rounded(ratio * v.z, shift);
-}
-
-int64_t sum_of_sides(Vec3i v) { return abs64(v.x) + abs64(v.y) + abs64(v.z); }
-
-struct EdgeRates {
-  int64_t softness;
-  int64_t inverse[2];  // Q24 of 1 / (moving ends + softness), one or two ends
-};
-
-void solve_edge(const EdgeRates& rates, const uint8_t* moves, Vec3i* nodes, SolverEdge* edge) {
-  const Vec3i d = clamped(nodes[edge->a] - nodes[edge->b], kLongEdge);
-  const int64_t now = isqrt64(static_cast<uint64_t>(dot(d, d)) << 8);  // Q4
-  if (now < 16) return;
-  const bool a = moves[edge->a] != 0, b = moves[edge->b] != 0;
-  const int64_t error = (edge->rest - now) * 256 - rates.softness * edge->lambda;
-  const int32_t change = rounded(error * rates.inverse[a && b ? 1 : 0], 24);
-  edge->lambda += change;
-  const int64_t ratio = (static_cast<int64_t>(change) * (1 << 20)) / now;  // Q20
-  if (a) step(&nodes[edge->a], ratio, d, 20);
-  if (b) step(&nodes[edge->b], -ratio, d, 20);
-}
-
-void solve_volume(const uint32_t* at, int64_t rest, const uint8_t* moves, Vec3i* nodes) {
-  const Vec3i origin = nodes[at[0]];
-  const Vec3i b = clamped(nodes[at[1]] - origin, kLongSide), c = clamped(nodes[at[2]] - origin, kLongSide),
-              d = clamped(nodes[at[3]] - origin, kLongSide);
-  Vec3i gradient[4];
-  gradient[1] = over_cell(cross(c, d));
-  gradient[2] = over_cell(cross(d, b));
-  gradient[3] = over_cell(cross(b, c));
-  gradient[0] = {-(gradient[1].x + gradient[2].x + gradient[3].x), -(gradient[1].y + gradient[2].y + gradient[3].y),
-                 -(gradient[1].z + gradient[2].z + gradient[3].z)};
-  const int64_t error = rest - dot(b, gradient[1]);
-  int64_t denominator = 0, largest = 0;
-  for (int k = 0; k < 4; ++k) {
-    if (moves[at[k]] == 0) continue;
-    denominator += dot(gradient[k], gradient[k]);
-    const int64_t bound = sum_of_sides(gradient[k]);
-    largest = bound > largest ? bound : largest;
-  }
-  if (denominator < kLeastDenominator) denominator = kLeastDenominator;
-  int64_t ratio = (error * (1 << 12)) / (denominator >> 6);
-  // No node moves by more than a quarter of a cell. The sum of a vector's sides bounds its length, and most steps are short.
-  const int64_t size = ratio < 0 ? -ratio : ratio;
-  if ((size * largest) >> kRatioBits > kLongestStep) {
-    int64_t square = 0;
-    for (int k = 0; k < 4; ++k) {
-      const int64_t own = moves[at[k]] != 0 ? dot(gradient[k], gradient[k]) : 0;
-      square = own > square ? own : square;
-    }
-    const int64_t moved = (size * isqrt64(static_cast<uint64_t>(square))) >> kRatioBits;
-    if (moved > kLongestStep) ratio = ratio * kLongestStep / moved;
-  }
-  for (int k = 0; k < 4; ++k) {
-    if (moves[at[k]] != 0) step(&nodes[at[k]], ratio, gradient[k], kRatioBits);
-  }
 }
 
 void solve_point(const SolverPoint& point, const uint8_t* moves, Vec3i* nodes) {
@@ -117,18 +54,11 @@ void add_momentum(bool on, uint32_t count, SolverState* state) {
 // Constraints of every piece, colour by colour. begins [pieces + 1].
 template <class Solve>
 void each_piece(const Lattice& lattice, const uint32_t* begins, bool backwards, const Threads& threads,
-                const Solve& one) {
+                const Solve& solve_range) {
   for (uint32_t i = 0; i < kColours; ++i) {
     const uint32_t colour = backwards ? kColours - 1 - i : i;
     const uint32_t first = lattice.colour_pieces[colour], pieces = lattice.colour_pieces[colour + 1] - first;
-    const auto piece = [&](uint32_t p, uint32_t) {
-      const uint32_t begin = begins[first + p], end = begins[first + p + 1];
-      if (backwards) {
-        for (uint32_t k = end; k-- > begin;) one(k);
-      } else {
-        for (uint32_t k = begin; k < end; ++k) one(k);
-      }
-    };
+    const auto piece = [&](uint32_t p, uint32_t) { solve_range(begins[first + p], begins[first + p + 1]); };
     // Fewer are done before threads have begun.
     if (begins[first + pieces] - begins[first] < kWorthThreads) {
       for (uint32_t p = 0; p < pieces; ++p) piece(p, 0);
@@ -138,8 +68,35 @@ void each_piece(const Lattice& lattice, const uint32_t* begins, bool backwards, 
   }
 }
 
-// Six volumes at rest over the cell's edge: the fifth tetrahedron of a cell is twice as large.
-int64_t rest_volume(uint32_t tetrahedron) { return tetrahedron % 5 == 4 ? 2 * kSmallVolume : kSmallVolume; }
+// Marks runs of kWide entries of a piece that have no node in common.
+class WideRuns {
+ public:
+  // stamps [n] is scratch
+  WideRuns(uint32_t* stamps, uint32_t node_count) : stamps_(stamps) {
+    for (uint32_t n = 0; n < node_count; ++n) stamps_[n] = 0;
+  }
+  // Entries begin to end by each_node(entry, visit), which calls visit(node) until it says false.
+  template <class Nodes>
+  void mark(uint32_t begin, uint32_t end, WideKind kind, const Nodes& each_node, uint8_t* wide) {
+    for (uint32_t k = begin; k < end; ++k) wide[k] = kNarrow;
+    for (uint32_t k = begin; k + kWide <= end;) {
+      ++stamp_;
+      uint32_t free = 0;
+      while (free < kWide && each_node(k + free, [this](uint32_t n) { return take(n); })) ++free;
+      if (free == kWide) wide[k] = kind;
+      k += free > 0 ? free : 1;
+    }
+  }
+
+ private:
+  bool take(uint32_t node) {
+    if (stamps_[node] == stamp_) return false;
+    stamps_[node] = stamp_;
+    return true;
+  }
+  uint32_t* stamps_;
+  uint32_t stamp_ = 0;
+};
 
 }  // namespace
 
@@ -151,6 +108,9 @@ bool SolverState::allocate(Arena& arena, uint32_t node_count, uint32_t tetrahedr
   tetrahedra = arena.alloc<uint32_t>(tetrahedra_most);
   edges = arena.alloc<SolverEdge>(edges_most);
   points = arena.alloc<SolverPoint>(points_most);
+  wide_tetrahedra = arena.alloc<uint8_t>(tetrahedra_most);
+  wide_edges = arena.alloc<uint8_t>(edges_most);
+  stamps = arena.alloc<uint32_t>(node_count);
   const size_t pieces = tetrahedra_most / (5 * kPieceCopies) + kColours + 1;
   piece_tetrahedra = arena.alloc<uint32_t>(pieces);
   piece_edges = arena.alloc<uint32_t>(pieces);
@@ -161,17 +121,27 @@ void list_constraints(const Lattice& lattice, SolverState* state) {
   const uint8_t* const moves = state->moves;
   constexpr int32_t kStraight = kCellUnits * 16;
   const int32_t diagonal = static_cast<int32_t>(isqrt64(uint64_t{2} * kStraight * kStraight));
+  const auto corners_of = [&](uint32_t entry, auto visit) {
+    const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(state->tetrahedra[entry]);
+    return visit(at[0]) && visit(at[1]) && visit(at[2]) && visit(at[3]);
+  };
+  const auto ends_of = [&](uint32_t entry, auto visit) {
+    return visit(state->edges[entry].a) && visit(state->edges[entry].b);
+  };
+  WideRuns runs(state->stamps, lattice.node_count);
   uint32_t tetrahedra = 0, edges = 0;
   for (uint32_t piece = 0; piece < lattice.piece_count(); ++piece) {
     state->piece_tetrahedra[piece] = tetrahedra;
     state->piece_edges[piece] = edges;
     // Those of one kind follow each other, as with edges.
     for (uint32_t kind = 0; kind < 5; ++kind) {
+      const uint32_t begin = tetrahedra;
       for (uint32_t i = lattice.piece_copies[piece]; i < lattice.piece_copies[piece + 1]; ++i) {
         const uint32_t t = 5 * lattice.copy_order[i] + kind;
         const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(t);
         if ((moves[at[0]] | moves[at[1]] | moves[at[2]] | moves[at[3]]) != 0) state->tetrahedra[tetrahedra++] = t;
       }
+      runs.mark(begin, tetrahedra, kind == 4 ? kWideLarge : kWideSmall, corners_of, state->wide_tetrahedra);
     }
     for (uint32_t e = lattice.piece_edges[piece]; e < lattice.piece_edges[piece + 1]; ++e) {
       const LatticeEdge& edge = lattice.edges[e];
@@ -180,6 +150,7 @@ void list_constraints(const Lattice& lattice, SolverState* state) {
       const int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
       state->edges[edges++] = {edge.a, edge.b, axes == 1 ? kStraight : diagonal, 0};
     }
+    runs.mark(state->piece_edges[piece], edges, kWideSmall, ends_of, state->wide_edges);
   }
   state->piece_tetrahedra[lattice.piece_count()] = state->tetrahedron_count = tetrahedra;
   state->piece_edges[lattice.piece_count()] = state->edge_count = edges;
@@ -202,23 +173,22 @@ void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int
   ++state->point_count;
 }
 
-void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const Threads& threads, SolverState* state) {
-  EdgeRates rates;
-  rates.softness = softness;
-  for (int64_t ends = 1; ends <= 2; ++ends)
-    rates.inverse[ends - 1] = (int64_t{1} << 24) / (256 * ends + rates.softness);
+void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const ConstraintKernels& kernels,
+           const Threads& threads, SolverState* state) {
   Vec3i* const nodes = state->nodes;
   const uint8_t* const moves = state->moves;
+  EdgeList edges = {{softness, {0, 0}}, state->edges, state->wide_edges, moves, nodes};
+  for (int64_t ends = 1; ends <= 2; ++ends)
+    edges.rates.inverse[ends - 1] = (int64_t{1} << 24) / (256 * ends + edges.rates.softness);
+  const VolumeList volumes = {state->tetrahedra, state->wide_tetrahedra, lattice.tetrahedra, moves, nodes};
   for (uint32_t n = 0; n < lattice.node_count; ++n) state->last[n] = nodes[n];
   for (uint32_t round = 0; round < rounds; ++round) {
     // Every other round goes backwards, so that no direction is ahead of the others.
     const bool backwards = round % 2 != 0;
     each_piece(lattice, state->piece_edges, backwards, threads,
-               [&](uint32_t e) { solve_edge(rates, moves, nodes, state->edges + e); });
-    each_piece(lattice, state->piece_tetrahedra, backwards, threads, [&](uint32_t i) {
-      const uint32_t t = state->tetrahedra[i];
-      solve_volume(lattice.tetrahedra + 4 * static_cast<size_t>(t), rest_volume(t), moves, nodes);
-    });
+               [&](uint32_t begin, uint32_t end) { kernels.edges(edges, begin, end, backwards); });
+    each_piece(lattice, state->piece_tetrahedra, backwards, threads,
+               [&](uint32_t begin, uint32_t end) { kernels.volumes(volumes, begin, end, backwards); });
     for (uint32_t i = 0; i < state->point_count; ++i) solve_point(state->points[i], moves, nodes);
     add_momentum(round > 0 && round + kRoundsWithout < rounds, lattice.node_count, state);
   }

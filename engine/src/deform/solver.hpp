@@ -12,12 +12,6 @@ namespace sinew {
 // Places beyond are clamped to it, in lattice units: 16,384 cells.
 constexpr int32_t kFarthest = 1 << 28;
 
-struct SolverEdge {
-  uint32_t a, b;
-  int32_t rest;    // Q4 lattice units
-  int32_t lambda;  // Q4
-};
-
 // An embedded point stays where normal . x >= offset.
 struct SolverPoint {
   uint32_t nodes[4];
@@ -36,6 +30,8 @@ struct SolverState {
   SolverEdge* edges = nullptr;  // [e] those with an end that moves
   uint32_t edge_count = 0;
   uint32_t *piece_tetrahedra = nullptr, *piece_edges = nullptr;  // [pieces + 1] begins in the two lists
+  uint8_t *wide_tetrahedra = nullptr, *wide_edges = nullptr;     // [t], [e] WideKind
+  uint32_t* stamps = nullptr;                                    // [n] scratch of list_constraints()
   SolverPoint* points = nullptr;
   uint32_t point_count = 0;
 
@@ -49,7 +45,8 @@ void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int
 // Method: M. Mueller et al., "Position Based Dynamics", 2007; M. Macklin, M. Mueller, N. Chentanez, "XPBD", 2016, for edges, with
 // a time step of 1; rounds gain by momentum, as in H. Wang, "A Chebyshev Semi-Iterative Approach for Accelerating Projective and
 // Position-Based Dynamics", ACM TOG 34(6), 2015, with one factor for all of them. softness: their compliance in 1/256.
-void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const Threads& threads, SolverState* state);
+void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const ConstraintKernels& kernels,
+           const Threads& threads, SolverState* state);
 // Tetrahedra of the list that are inside out.
 uint32_t count_inverted(const Lattice& lattice, const SolverState& state);
 

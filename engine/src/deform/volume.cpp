@@ -56,7 +56,7 @@ class VolumePose {
       list_constraints(lattice_, &state_);
       if (rest_.options.no_contact == 0) list_points();
       counts_.active_tetrahedra = state_.tetrahedron_count;
-      solve(lattice_, rest_.options.round_count, rest_.options.softness, threads_, &state_);
+      solve(lattice_, rest_.options.round_count, rest_.options.softness, rest_.kernels, threads_, &state_);
       counts_.inverted_tetrahedra = count_inverted(lattice_, state_);
       map_back();
     }

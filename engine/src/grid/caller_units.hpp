@@ -34,5 +34,11 @@ struct Units {
   double length(int32_t grid) const { return static_cast<double>(grid) * (side / kSide); }
 };
 
+// A coordinate of a point that the grid holds may lie a little outside the mesh, so beyond the largest float: that one then.
+inline float to_float(double x) {
+  constexpr double kMost = 3.4028234663852886e38;
+  return static_cast<float>(x > kMost ? kMost : x < -kMost ? -kMost : x);
+}
+
 }  // namespace sinew
 #endif

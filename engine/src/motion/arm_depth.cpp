@@ -164,7 +164,7 @@ struct ArmSearch::DepthSearch {
     const Vec3d normal = tree.posed().normal(search.corners(found.triangle));
     const double own = dot(tree.middle(found.slot) - p, normal);
     if (own < most.depth || (own == most.depth && i >= deepest)) return;
-    most = {own, normal};
+    most = {own, normal, search.vertices_[i]};
     deepest = i;
   }
 

@@ -20,6 +20,7 @@ inline double squared(Vec3d v) { return dot(v, v); }
 struct ArmDepth {
   double depth = 0;
   Vec3d out = {0, 0, 0};
+  uint32_t vertex = 0;
 };
 // The point of a hand that is nearest to the body without its arm.
 struct HandReach {

@@ -30,8 +30,10 @@ struct Tally {
 
 class Measure {
  public:
-  explicit Measure(ContactScene* scene)
+  // spots: [frames x kMostLimbs], or null
+  Measure(ContactScene* scene, sinew_contact_spot* spots)
       : s_(*scene),
+        spots_(spots),
         feet_(scene),
         source_share_(share_of(scene->source_height)),
         share_(share_of(scene->target.height)) {
@@ -42,14 +44,15 @@ class Measure {
   sinew_status run(sinew_limb_measure* out, uint32_t* count) {
     Tally tallies[kMostLimbs];
     const uint32_t frames = s_.in->frames;
+    for (size_t i = 0; spots_ != nullptr && i < size_t{frames} * kMostLimbs; ++i) spots_[i] = {};
     if (!s_.has_source) find_rest_depths();
     for (uint32_t l = 0; l < s_.limbs.count; ++l) {
-      if (s_.limbs.limbs[l].leg) measure_slide(s_.limbs.limbs[l], &tallies[l]);
+      if (s_.limbs.limbs[l].leg) measure_slide(l, &tallies[l]);
     }
     for (uint32_t f = 0; f < frames; ++f) {
       s_.search_source(f);
       s_.search_target(f, false);
-      for (uint32_t a = 0; a < s_.search.count(); ++a) measure_arm(a, &tallies[s_.search.limb(a)]);
+      for (uint32_t a = 0; a < s_.search.count(); ++a) measure_arm(f, a, &tallies[s_.search.limb(a)]);
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         const Limb& limb = s_.limbs.limbs[l];
         if (is_out_of_range(*s_.plan, limb, hinges_[l])) ++tallies[l].out;
@@ -74,30 +77,51 @@ class Measure {
       rest_depths_[a] = s_.search.deepest(&s_.target_tree, a, {0, 0, 0}, 0).depth;
   }
 
-  void measure_arm(uint32_t arm, Tally* tally) {
-    const double own = share_ * s_.search.deepest(&s_.target_tree, arm, {0, 0, 0}, 0).depth;
-    if (!s_.has_source) {
-      tally->add_depth(own - share_ * rest_depths_[arm]);
-      return;
-    }
-    tally->add_depth(own - source_share_ * s_.search.deepest(&s_.source_tree, arm, {0, 0, 0}, 0).depth);
+  void measure_arm(uint32_t f, uint32_t arm, Tally* tally) {
+    const uint32_t limb = s_.search.limb(arm);
+    const ArmDepth deepest = s_.search.deepest(&s_.target_tree, arm, {0, 0, 0}, 0);
+    double depth = share_ * deepest.depth;
+    depth -= s_.has_source ? source_share_ * s_.search.deepest(&s_.source_tree, arm, {0, 0, 0}, 0).depth
+                           : share_ * rest_depths_[arm];
+    tally->add_depth(depth);
+    if (depth > kDeep) set_spot(f, limb, SINEW_SPOT_INSIDE, s_.target.vertices[deepest.vertex], depth);
+    if (!s_.has_source) return;
     const HandReach from = s_.search.nearest(s_.source_tree, arm);
     if (!from.near || from.square > kTouch * kTouch * s_.source.height * s_.source.height) return;
     // The same point of the target's hand: farther than it can see it counts as that far.
     const double now = s_.search.distance(s_.target_tree, arm, from.vertex);
-    tally->add_error(share_ * now - source_share_ * root(from.square));
+    const double error = share_ * now - source_share_ * root(from.square);
+    tally->add_error(error);
+    if (depth <= kDeep)
+      set_spot(f, limb, SINEW_SPOT_TOUCHES, s_.target.vertices[from.vertex], error < 0 ? -error : error);
   }
 
-  void measure_slide(const Limb& limb, Tally* tally) {
+  void measure_slide(uint32_t number, Tally* tally) {
+    const Limb& limb = s_.limbs.limbs[number];
     feet_.find_standing(limb, s_.stands);
     Vec3d before = {0, 0, 0};
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
       s_.load(f);
       const Vec3d place = s_.plan->target_places[feet_.sole_joint(limb)];
       const Vec3d flat = place - dot(place, s_.plan->up) * s_.plan->up;
-      if (f > 0 && s_.stands[f] != 0 && s_.stands[f - 1] != 0) tally->add_error(share_ * length(flat - before));
+      const bool stood = f > 0 && s_.stands[f - 1] != 0;
+      const double slide = stood ? share_ * length(flat - before) : 0;
+      if (s_.stands[f] != 0) {
+        if (stood) tally->add_error(slide);
+        set_spot(f, number, SINEW_SPOT_STANDS, place, slide);
+      }
       before = flat;
     }
+  }
+
+  void set_spot(uint32_t f, uint32_t limb, sinew_spot_kind kind, Vec3d place, double error) {
+    if (spots_ == nullptr) return;
+    sinew_contact_spot* const spot = &spots_[size_t{f} * kMostLimbs + limb];
+    spot->kind = static_cast<uint32_t>(kind);
+    spot->place[0] = static_cast<float>(place.x);
+    spot->place[1] = static_cast<float>(place.y);
+    spot->place[2] = static_cast<float>(place.z);
+    spot->error = static_cast<float>(error);
   }
 
   static void write(const Limb& limb, const Tally& tally, uint32_t frames, sinew_limb_measure* out) {
@@ -115,6 +139,7 @@ class Measure {
   }
 
   ContactScene& s_;
+  sinew_contact_spot* spots_;
   FootSearch feet_;
   double source_share_, share_;
   Hinge hinges_[kMostLimbs];
@@ -124,14 +149,15 @@ class Measure {
 }  // namespace
 
 sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body& target,
-                          const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count) {
+                          const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count,
+                          sinew_contact_spot* spots) {
   ContactScene scene;
   if (!scene.allocate_all(arena, plan->source.count, plan->target.count, target.vertex_count, target.triangle_count,
                           inputs.frames)) {
     return SINEW_ERROR_WORKSPACE;
   }
   const sinew_status status = scene.open(plan, source, target, inputs);
-  return status == SINEW_OK ? Measure(&scene).run(limbs, limb_count) : status;
+  return status == SINEW_OK ? Measure(&scene, spots).run(limbs, limb_count) : status;
 }
 
 }  // namespace sinew

@@ -30,6 +30,8 @@ struct Ball {
   int64_t extent(int axis) const { return axis == 0 ? high.x - low.x : axis == 1 ? high.y - low.y : high.z - low.z; }
 };
 
+Vec3i halfway(Vec3i a, Vec3i b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2, a.z + (b.z - a.z) / 2}; }
+
 uint32_t quarters_of(const GivenSkeleton& skeleton) { return skeleton.joints.quarter_turns % 4; }
 
 Ball box_of(const Mesh& mesh, uint32_t part, uint32_t quarters) {
@@ -59,8 +61,7 @@ bool make_ball(Ball* ball, bool right) {
   const int64_t middle = sum - most - least;
   if (most < 2 || middle * 100 < most * kRound || least * 100 < most * kDeep) return false;
   ball->size = static_cast<int32_t>(most);
-  ball->at = {ball->low.x + (ball->high.x - ball->low.x) / 2, ball->low.y + (ball->high.y - ball->low.y) / 2,
-              ball->low.z + (ball->high.z - ball->low.z) / 2};
+  ball->at = halfway(ball->low, ball->high);
   if (least * 100 >= most * kWhole) return true;
   // Less than half a ball: the radius from the rim's and the height.
   const int64_t radius = 2 * least >= most ? most / 2 : (most * most / 4 + least * least) / (2 * least);
@@ -75,7 +76,7 @@ bool make_ball(Ball* ball, bool right) {
   return true;
 }
 
-// The head's bone: to its bone end, to the mean of its children, or as long again as from its parent.
+// The head's bone: to its only bone end, or as long again as from its parent.
 Vec3i head_tip(const GivenSkeleton& s, uint32_t head) {
   const int32_t end = s.end_of(head);
   if (end >= 0) return s.at[end];
@@ -152,44 +153,15 @@ bool is_bare_head(const GivenSkeleton& s, uint32_t j) {
   return true;
 }
 
-struct Face {
-  uint32_t head;
-  Eyes eyes;
-  Jaw jaw;
+// Balls that lie like eyes, turned to face +z (MirrorFrame::turn), grid units.
+struct Eyes {
+  Vec3i at[2] = {};  // of the balls' middles: left (+x) and right
+  int32_t size = 0;  // across a ball; 0: there are none
 };
-
-SINEW_RARE void add_face(const Face& face, const Units& units, uint32_t up_axis, sinew_rig_outputs* out) {
-  if (out->joint_count + (face.jaw.found ? 4 : 2) > kMostGivenJoints) return;
-  const bool mirrored = out->mirrored != 0;
-  const int32_t head = static_cast<int32_t>(face.head), left = static_cast<int32_t>(out->joint_count);
-  const auto add = [&](const char* name, Vec3i turned, PointSide side, int32_t parent, int32_t partner) {
-    const bool eye = parent == head && name[0] != 'J';
-    NewJoint joint = {};
-    joint.name = name;
-    joint.named_after = -1;
-    joint.at = MirrorFrame::turn(turned, 4 - out->quarter_turns % 4);
-    joint.side = side;
-    joint.parent = parent;
-    joint.partner = mirrored ? partner : -1;
-    joint.joint_class = eye ? SINEW_CLASS_EYE : SINEW_CLASS_JAW;
-    joint.end = parent != head;
-    joint.confidence = eye ? kEyeConfidence : kJawConfidence;
-    append_joint(units, up_axis, joint, out);
-  };
-  // Of a mirrored skeleton the right eye is the left one's image.
-  add("LeftEye", face.eyes.at[0], PointSide::kHere, head, left + 1);
-  add("RightEye", face.eyes.at[mirrored ? 0 : 1], mirrored ? PointSide::kMirrored : PointSide::kHere, head, left);
-  if (!face.jaw.found) return;
-  const PointSide side = mirrored ? PointSide::kPlane : PointSide::kHere;
-  add("Jaw", face.jaw.at, side, head, left + 2);
-  add("Jaw_end", face.jaw.chin, side, left + 2, left + 3);
-}
-
-}  // namespace
-
-Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head) {
+// The two loose parts of `mesh` that are most like the eyes of head joint `head`: round, of one size, side by side, nearest
+// to the head's own bone and in front of it. A ball that lacks its back is taken for a whole one.
+Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const Head& place) {
   const uint32_t quarters = quarters_of(s);
-  const Head place(s, head);
   constexpr uint32_t kMostBalls = 32;  // near one head; others are beads
   Ball balls[kMostBalls];
   uint32_t count = 0;
@@ -218,15 +190,18 @@ Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head) {
   return eyes;
 }
 
-Jaw find_jaw(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const Eyes& eyes) {
+// Where a jaw turns, and the chin.
+struct Jaw {
+  Vec3i at = {}, chin = {};
+  bool found = false;
+};
+// Below and behind the eyes by their distance, as people's are; none where the head does not stand upright or has no
+// surface where a chin would be.
+Jaw find_jaw(const Mesh& mesh, uint32_t quarters, const Head& place, const Eyes& eyes) {
   Jaw jaw;
-  const uint32_t quarters = quarters_of(s);
-  const int64_t gap = eyes.at[0].x - eyes.at[1].x;
-  const Vec3i middle = {eyes.at[1].x + (eyes.at[0].x - eyes.at[1].x) / 2,
-                        eyes.at[1].y + (eyes.at[0].y - eyes.at[1].y) / 2,
-                        eyes.at[1].z + (eyes.at[0].z - eyes.at[1].z) / 2};
-  const Head place(s, head);
   if (!place.upright) return jaw;
+  const int64_t gap = eyes.at[0].x - eyes.at[1].x;
+  const Vec3i middle = halfway(eyes.at[1], eyes.at[0]);
   const auto of_gap = [&](int64_t percent) { return static_cast<int32_t>(gap * percent / 100); };
   jaw.at = {middle.x, middle.y - of_gap(kJawDown), middle.z - of_gap(kJawBack)};
   // Large eyes stand far apart; a jaw is not behind the head's joint.
@@ -244,30 +219,66 @@ Jaw find_jaw(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const Eyes
   return jaw;
 }
 
-sinew_status run_face(const RigPlan& plan, const sinew_mesh& mesh_input, Arena& arena, sinew_rig_outputs* outputs) {
-  Mesh mesh;
-  (void)mesh.allocate(arena, plan.counts);
-  Face* const found = arena.alloc<Face>(kMostGivenJoints);
-  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-  if (arena.measuring()) return build_mesh(mesh_input, GridQuantizer(), plan.counts, arena, &mesh);
-  GivenSkeleton skeleton(*outputs);
-  const sinew_status status = read_given(mesh_input, plan.up_axis, plan.counts, arena, &mesh, &skeleton);
-  if (status != SINEW_OK) return status;
-  if (!plan.progress.report(Progress::kWhole / 2)) return SINEW_ERROR_CANCELLED;
+struct Face {
+  uint32_t head;
+  Eyes eyes;
+  Jaw jaw;
+};
+
+SINEW_RARE void add_face(const Face& face, const Units& units, uint32_t up_axis, sinew_rig_outputs* out) {
+  if (out->joint_count + (face.jaw.found ? 4 : 2) > kMostGivenJoints) return;
+  const bool mirrored = out->mirrored != 0;
+  const int32_t head = static_cast<int32_t>(face.head), left = static_cast<int32_t>(out->joint_count);
+  const auto add = [&](const char* name, uint8_t joint_class, Vec3i turned, PointSide side, int32_t parent,
+                       int32_t partner) {
+    NewJoint joint = {};
+    joint.name = name;
+    joint.named_after = -1;
+    joint.at = MirrorFrame::turn(turned, 4 - out->quarter_turns % 4);
+    joint.side = side;
+    joint.parent = parent;
+    joint.partner = mirrored ? partner : -1;
+    joint.joint_class = joint_class;
+    joint.end = parent != head;
+    joint.confidence = joint_class == SINEW_CLASS_EYE ? kEyeConfidence : kJawConfidence;
+    append_joint(units, up_axis, joint, out);
+  };
+  // Of a mirrored skeleton the right eye is the left one's image.
+  add("LeftEye", SINEW_CLASS_EYE, face.eyes.at[0], PointSide::kHere, head, left + 1);
+  add("RightEye", SINEW_CLASS_EYE, face.eyes.at[mirrored ? 0 : 1], mirrored ? PointSide::kMirrored : PointSide::kHere,
+      head, left);
+  if (!face.jaw.found) return;
+  const PointSide side = mirrored ? PointSide::kPlane : PointSide::kHere;
+  add("Jaw", SINEW_CLASS_JAW, face.jaw.at, side, head, left + 2);
+  add("Jaw_end", SINEW_CLASS_JAW, face.jaw.chin, side, left + 2, left + 3);
+}
+
+struct Faces {
+  Face* found = nullptr;
   uint32_t count = 0;
-  for (uint32_t j = 0; j < outputs->joint_count; ++j) {
-    if (!is_bare_head(skeleton, j)) continue;
-    Face face = {};
-    face.head = j;
-    face.eyes = find_eyes(mesh, skeleton, j);
-    if (face.eyes.size == 0) continue;
-    face.jaw = find_jaw(mesh, skeleton, j, face.eyes);
-    found[count++] = face;
+
+  void room(Arena& arena) { found = arena.alloc<Face>(kMostGivenJoints); }
+  void find(const Mesh& mesh, const GivenSkeleton& skeleton) {
+    for (uint32_t j = 0; j < skeleton.joints.joint_count; ++j) {
+      if (!is_bare_head(skeleton, j)) continue;
+      Face face = {};
+      face.head = j;
+      const Head place(skeleton, j);
+      face.eyes = find_eyes(mesh, skeleton, j, place);
+      if (face.eyes.size == 0) continue;
+      face.jaw = find_jaw(mesh, quarters_of(skeleton), place, face.eyes);
+      found[count++] = face;
+    }
   }
-  const Units units(mesh_input, plan.up_axis);
-  for (uint32_t i = 0; i < count; ++i) add_face(found[i], units, plan.up_axis, outputs);
-  outputs->used_bytes = arena.high_water();
-  return SINEW_OK;
+  void add(const Units& units, uint32_t up_axis, sinew_rig_outputs* outputs) const {
+    for (uint32_t i = 0; i < count; ++i) add_face(found[i], units, up_axis, outputs);
+  }
+};
+
+}  // namespace
+
+sinew_status run_face(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena, sinew_rig_outputs* outputs) {
+  return grow_given(plan, mesh, arena, Faces(), outputs);
 }
 
 }  // namespace sinew

@@ -83,9 +83,9 @@ void place_point(const Units& units, uint32_t up_axis, const sinew_rig_outputs& 
   const double plane = static_cast<double>(skeleton.plane);
   if (side == PointSide::kMirrored) across = 2 * plane - across;
   if (side == PointSide::kPlane) across = plane;
-  to[0] = static_cast<float>(at[0]);
-  to[1] = static_cast<float>(up_axis == 0 ? at[1] : -at[2]);
-  to[2] = static_cast<float>(up_axis == 0 ? at[2] : at[1]);
+  to[0] = to_float(at[0]);
+  to[1] = to_float(up_axis == 0 ? at[1] : -at[2]);
+  to[2] = to_float(up_axis == 0 ? at[2] : at[1]);
 }
 
 Vec3i nearest_on_segment(Vec3i a, Vec3i b, Vec3i p) {

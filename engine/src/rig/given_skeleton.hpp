@@ -5,6 +5,7 @@
 
 #include "grid/caller_units.hpp"
 #include "mesh/mesh.hpp"
+#include "rig/rig.hpp"
 
 namespace sinew {
 
@@ -49,6 +50,26 @@ struct NewJoint {
 };
 // Writes a joint behind the others. The caller sees to it that there is room.
 void append_joint(const Units& units, uint32_t up_axis, const NewJoint& joint, sinew_rig_outputs* skeleton);
+
+// Grows the skeleton in `outputs`. `stage` has room() for what it finds, find() looks, add() appends. With a measuring arena
+// neither mesh nor skeleton is read. Errors are those of sinew_rig_face() and sinew_rig_props().
+template <class Stage>
+sinew_status grow_given(const RigPlan& plan, const sinew_mesh& input, Arena& arena, Stage stage,
+                        sinew_rig_outputs* outputs) {
+  Mesh mesh;
+  (void)mesh.allocate(arena, plan.counts);
+  stage.room(arena);
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return build_mesh(input, GridQuantizer(), plan.counts, arena, &mesh);
+  GivenSkeleton skeleton(*outputs);
+  const sinew_status status = read_given(input, plan.up_axis, plan.counts, arena, &mesh, &skeleton);
+  if (status != SINEW_OK) return status;
+  if (!plan.progress.report(Progress::kWhole / 2)) return SINEW_ERROR_CANCELLED;
+  stage.find(mesh, skeleton);
+  stage.add(Units(input, plan.up_axis), plan.up_axis, outputs);
+  outputs->used_bytes = arena.high_water();
+  return SINEW_OK;
+}
 
 }  // namespace sinew
 #endif

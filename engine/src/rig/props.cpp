@@ -130,44 +130,51 @@ SINEW_RARE void add_prop(const Prop& prop, const Units& units, uint32_t up_axis,
   append_joint(units, up_axis, joint, out);
 }
 
-}  // namespace
-
-sinew_status run_props(const RigPlan& plan, const sinew_mesh& mesh_input, Arena& arena, sinew_rig_outputs* outputs) {
-  Mesh mesh;
-  (void)mesh.allocate(arena, plan.counts);
-  Prop* const found = arena.alloc<Prop>(kMostGivenJoints);
-  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-  if (arena.measuring()) return build_mesh(mesh_input, GridQuantizer(), plan.counts, arena, &mesh);
-  GivenSkeleton skeleton(*outputs);
-  const sinew_status status = read_given(mesh_input, plan.up_axis, plan.counts, arena, &mesh, &skeleton);
-  if (status != SINEW_OK) return status;
-  if (!plan.progress.report(Progress::kWhole / 2)) return SINEW_ERROR_CANCELLED;
+struct Props {
+  Prop* found = nullptr;
   uint32_t count = 0;
-  const HeldParts parts = {mesh, skeleton};
-  // Part 0 is the largest: a body.
-  for (uint32_t part = 1; part < mesh.part_count; ++part) {
-    if (mesh.part_sizes[part] < kLeastVertices) break;  // sizes fall
-    Prop prop;
-    if (!parts.find(part, &prop)) continue;
+
+  void room(Arena& arena) { found = arena.alloc<Prop>(kMostGivenJoints); }
+  void find(const Mesh& mesh, const GivenSkeleton& skeleton) {
+    const HeldParts parts = {mesh, skeleton};
+    // Part 0 is the largest: a body.
+    for (uint32_t part = 1; part < mesh.part_count; ++part) {
+      if (mesh.part_sizes[part] < kLeastVertices) break;  // sizes fall
+      Prop prop;
+      if (parts.find(part, &prop)) keep(prop);
+    }
+  }
+  void add(const Units& units, uint32_t up_axis, sinew_rig_outputs* outputs) const {
+    for (uint32_t i = 0; i < count; ++i)
+      if (found[i].parts <= kMostParts) add_prop(found[i], units, up_axis, outputs);
+  }
+
+ private:
+  // Handle and blade are one prop.
+  void keep(const Prop& prop) {
     uint32_t at = 0;
     while (at < count && found[at].hand != prop.hand) ++at;
     if (at == count) {
       found[count++] = prop;
-      continue;
+      return;
     }
-    // Handle and blade are one prop.
     ++found[at].parts;
     Hold& hold = found[at].hold;
-    if (prop.hold.nearest < hold.nearest) hold.grip = prop.hold.grip;
-    if (prop.hold.farthest > hold.farthest) hold.tip = prop.hold.tip;
-    hold.nearest = prop.hold.nearest < hold.nearest ? prop.hold.nearest : hold.nearest;
-    hold.farthest = prop.hold.farthest > hold.farthest ? prop.hold.farthest : hold.farthest;
+    if (prop.hold.nearest < hold.nearest) {
+      hold.nearest = prop.hold.nearest;
+      hold.grip = prop.hold.grip;
+    }
+    if (prop.hold.farthest > hold.farthest) {
+      hold.farthest = prop.hold.farthest;
+      hold.tip = prop.hold.tip;
+    }
   }
-  const Units units(mesh_input, plan.up_axis);
-  for (uint32_t i = 0; i < count; ++i)
-    if (found[i].parts <= kMostParts) add_prop(found[i], units, plan.up_axis, outputs);
-  outputs->used_bytes = arena.high_water();
-  return SINEW_OK;
+};
+
+}  // namespace
+
+sinew_status run_props(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena, sinew_rig_outputs* outputs) {
+  return grow_given(plan, mesh, arena, Props(), outputs);
 }
 
 }  // namespace sinew

@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-// Votes with room for kSets sets, set by set.
+// Votes with room for `sets` sets, set by set.
 class VoteStore {
  public:
   bool allocate(Arena& arena, uint32_t sets);

@@ -44,9 +44,9 @@ struct Placer {
     const Vec3i q = MirrorFrame::turn(p, 4 - frame.quarters);
     const double x = (frame.turned() ? units.zero(0) : plane) + units.length(q.x);
     const double z = (frame.turned() ? plane : units.zero(2)) + units.length(q.z);
-    out[0] = static_cast<float>(x);
-    out[1] = static_cast<float>(up_axis == 0 ? y : -z);
-    out[2] = static_cast<float>(up_axis == 0 ? z : y);
+    out[0] = to_float(x);
+    out[1] = to_float(up_axis == 0 ? y : -z);
+    out[2] = to_float(up_axis == 0 ? z : y);
   }
 };
 
@@ -150,7 +150,7 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
   if (out->names != nullptr) name_joints(rig.joints, rig.count, out->names);
   out->mirrored = frame.folded ? 1 : 0;
   out->quarter_turns = frame.quarters;
-  out->plane = static_cast<float>(placer.plane);
+  out->plane = to_float(placer.plane);
   out->spread = static_cast<float>(rig.spread) / 65536.0f;
 }
 

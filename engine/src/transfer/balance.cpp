@@ -16,6 +16,7 @@ double squared(double v) { return v * v; }
 bool Balance::allocate(Arena& arena, const Counts& target) {
   double** const arrays[] = {&style, &mismatch, &carried, &scratch};
   for (double** array : arrays) *array = arena.alloc<double>(target.vertices);
+  matched = arena.alloc<uint8_t>(target.vertices);
   return arena.ok();
 }
 

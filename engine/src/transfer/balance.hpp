@@ -12,6 +12,7 @@ struct Balance {
   double* style = nullptr;     // [target U] how far the source's weights are from a bind's, carried over
   double* mismatch = nullptr;  // [target U] how far the target's bind is from the source's, carried over
   double* carried = nullptr;   // [target U] share that is carried over, 0..1
+  uint8_t* matched = nullptr;  // [target U] 1: there was something to carry over
   double* scratch = nullptr;   // [target U]
 
   bool allocate(Arena& arena, const Counts& target);

@@ -34,7 +34,7 @@ uint32_t reason_of(const TransferOutcome& r, const PartReport::Sums& part) {
   const bool carried = 2 * part.carried >= part.welded;
   if (r.plan.garment) return carried ? SINEW_TRANSFER_NEAR : SINEW_TRANSFER_FAR;
   if (carried) return SINEW_TRANSFER_STYLE;
-  if (part.carried == 0) return SINEW_TRANSFER_NO_MATCH;
+  if (part.matched == 0) return SINEW_TRANSFER_NO_MATCH;
   // The style may be larger in this part: what holds for the whole decides then.
   return part.mismatch > 0.1 * part.welded ? SINEW_TRANSFER_MISMATCH : SINEW_TRANSFER_PLAIN;
 }
@@ -64,7 +64,7 @@ void write_rows(const TransferOutcome& r, sinew_transfer_outputs* outputs) {
 void write_transfer(const TransferOutcome& r, const PartReport& report, sinew_transfer_outputs* outputs) {
   write_rows(r, outputs);
   const Mesh& mesh = r.pair.target;
-  for (uint32_t p = 0; p < mesh.part_count; ++p) report.parts[p] = {0, 0, 0, 0, 0, 0, 0, 0};
+  for (uint32_t p = 0; p < mesh.part_count; ++p) report.parts[p] = {};
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
     PartReport::Sums& part = report.parts[mesh.part[mesh.vertex_to_welded[v]]];
     if (part.vertices++ == 0) part.first = v;
@@ -74,6 +74,7 @@ void write_transfer(const TransferOutcome& r, const PartReport& report, sinew_tr
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     PartReport::Sums& part = report.parts[mesh.part[v]];
     ++part.welded;
+    part.matched += r.balance.matched[v];
     part.carried += r.balance.carried[v];
     part.style += r.balance.style[v];
     part.mismatch += r.balance.mismatch[v];

@@ -21,7 +21,7 @@ struct TransferOutcome {
 struct PartReport {
   struct Sums {
     double carried, style, mismatch, distance;
-    uint32_t welded, vertices, locked, first;
+    uint32_t welded, matched, vertices, locked, first;
   };
   Sums* parts = nullptr;  // [parts of the target <= U]
 

@@ -248,6 +248,7 @@ class Transfer {
     for (uint32_t v = 0; v < count; ++v) {
       balance_.style[v] = balance_.mismatch[v] = 0;
       balance_.carried[v] = plan_.binds() ? 0 : 1;
+      balance_.matched[v] = 0;
     }
     if (plan_.method == SINEW_TRANSFER_REBIND) {
       for (uint32_t v = 0; v < count; ++v) rows_.copy(v, bound_.rows(), v);
@@ -284,7 +285,8 @@ class Transfer {
       balance_.weigh(pair_.target);
     }
     for (uint32_t v = 0; v < count; ++v) {
-      if (!has_weight(rows_, v)) balance_.carried[v] = 0;
+      balance_.matched[v] = has_weight(rows_, v) ? 1 : 0;
+      if (balance_.matched[v] == 0) balance_.carried[v] = 0;
       share_with_new_joints(pair_.map, bound_.rows(), v, rows_);
       mix_rows(bound_.rows(), balance_.carried[v], v, rows_);
     }

@@ -14,7 +14,8 @@ std::vector<Influence> round_influences(const std::vector<Influence>& row, uint3
   std::vector<uint32_t> weights;
   for (const Influence& i : row) {
     joints.push_back(static_cast<uint16_t>(i.joint));
-    weights.push_back(sum > 0 ? static_cast<uint32_t>(std::lround(i.weight / sum * 65536.0)) : 0);
+    // In steps of the result: a row that has only such steps already comes out as it is.
+    weights.push_back(sum > 0 ? static_cast<uint32_t>(std::lround(i.weight / sum * 65535.0)) : 0);
   }
   std::vector<Influence> out;
   if (sum <= 0) return out;

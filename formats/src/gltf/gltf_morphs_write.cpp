@@ -8,6 +8,7 @@
 
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_morphs.hpp"
+#include "gltf/mesh_nodes.hpp"
 #include "gltf/node_parts.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -102,6 +103,7 @@ class MorphWriter {
         new_animations_(new_animations),
         source_(*source),
         document_(source->document),
+        mesh_nodes_(&source->document),
         normals_(character) {}
 
   void write() {
@@ -110,14 +112,7 @@ class MorphWriter {
     joint_of_node_.assign(model_.nodes.size(), -1);
     for (size_t j = 0; j < joints_.nodes.size(); ++j)
       joint_of_node_.at(static_cast<size_t>(joints_.nodes[j])) = static_cast<int>(j);
-    for (const tinygltf::Node& node : model_.nodes)
-      if (node.mesh >= 0) ++mesh_users_[node.mesh];
-    for (size_t first = 0; first < source_.parts.size();) {
-      size_t last = first;
-      while (last < source_.parts.size() && source_.parts[last].node == source_.parts[first].node) ++last;
-      write_node(first, last);
-      first = last;
-    }
+    for_each_node(source_.parts, [&](size_t first, size_t last) { write_node(first, last); });
     drop_unused_accessors(orphans_, &source_);
   }
 
@@ -139,14 +134,7 @@ class MorphWriter {
     const std::vector<size_t> shapes = shapes_of(first, last);
     if (shapes.empty()) return;
     const size_t node = static_cast<size_t>(source_.parts[first].node);
-    int mesh = model_.nodes[node].mesh;
-    if (mesh_users_[mesh] > 1) {  // other nodes show the same mesh with other weights
-      --mesh_users_[mesh];
-      document_["meshes"].push_back(Json(document_["meshes"][static_cast<size_t>(mesh)]));
-      mesh = static_cast<int>(document_["meshes"].size()) - 1;
-      document_["nodes"][node]["mesh"] = mesh;
-    }
-    Json& json = document_["meshes"][static_cast<size_t>(mesh)];
+    Json& json = document_["meshes"][static_cast<size_t>(mesh_nodes_.own_mesh(source_.parts[first].node))];
     const size_t before = model_.meshes[static_cast<size_t>(model_.nodes[node].mesh)].primitives.at(0).targets.size();
     for (size_t p = first; p < last; ++p) write_targets(source_.parts[p], shapes, &json);
     // Names and weights that belong to targets grow with them.
@@ -472,10 +460,10 @@ class MorphWriter {
   const size_t new_animations_;
   GltfSource& source_;
   Json& document_;
+  MeshNodes mesh_nodes_;
   tinygltf::Model model_;  // of the document as it was given
   GltfNodes nodes_;
   std::vector<int> joint_of_node_;  // [N], -1 = no joint
-  std::map<int, int> mesh_users_;   // nodes of each mesh
   SurfaceNormals normals_;
   std::vector<int> orphans_;  // accessors that may be used no more
 };

@@ -34,6 +34,21 @@ std::string weld_key(const float* position, const Row& row) {
   return key;
 }
 
+// One line on the pictures that are files and were not found.
+void note_missing_pictures(const tinygltf::Model& model, std::vector<std::string>* notes) {
+  std::string names;
+  size_t count = 0;
+  for (const tinygltf::Image& image : model.images) {
+    if (image.uri.empty() || !image.image.empty()) continue;
+    if (++count <= 3) names += (count > 1 ? ", " : "") + in_quotes(image.uri);
+  }
+  if (count == 0) return;
+  if (count > 3) names += " and " + std::to_string(count - 3) + " more";
+  notes->push_back("warning: " + std::to_string(count) + (count == 1 ? " picture was" : " pictures were") +
+                   " not found: " + names + "; what is written names " + (count == 1 ? "it" : "them") +
+                   " as the input does");
+}
+
 class GltfReader {
  public:
   GltfReader(std::string path, bool need_mesh) : path_(std::move(path)), need_mesh_(need_mesh) {}
@@ -42,6 +57,7 @@ class GltfReader {
     source_ = std::make_shared<GltfSource>(is_scene_file(path_) ? gltf_from_scene(path_)
                                                                 : load_gltf(path_, read_file(path_)));
     character_.notes = source_->notes;
+    note_missing_pictures(source_->model, &character_.notes);
     nodes_ = gltf_nodes(path_, model());
     character_.name = stem_of(path_);
     for (size_t node = 0; node < model().nodes.size(); ++node) check_references(node);

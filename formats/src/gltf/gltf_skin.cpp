@@ -8,6 +8,7 @@
 
 #include "gltf/bind_pose.hpp"
 #include "gltf/gltf_source.hpp"
+#include "gltf/mesh_nodes.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -62,6 +63,7 @@ class SkinWriter {
         unorm8_(unorm8),
         source_(*source),
         document_(source->document),
+        mesh_nodes_(&source->document),
         nodes_(gltf_nodes(path, source->model)) {}
 
   GltfJoints write() {
@@ -76,14 +78,7 @@ class SkinWriter {
     }
     fix_weights();
     measure_box();
-    for (const tinygltf::Node& node : source_.model.nodes)
-      if (node.mesh >= 0) ++mesh_users_[node.mesh];
-    for (size_t first = 0; first < source_.parts.size();) {
-      size_t last = first;
-      while (last < source_.parts.size() && source_.parts[last].node == source_.parts[first].node) ++last;
-      write_node(first, last);
-      first = last;
-    }
+    for_each_node(source_.parts, [&](size_t first, size_t last) { write_node(first, last); });
     for (auto& [skin, joints] : skin_joints_) write_skin(skin, joints);
     drop_unused_skins();
     join_skeletons();
@@ -135,13 +130,7 @@ class SkinWriter {
     const tinygltf::Node& old = source_.model.nodes[static_cast<size_t>(node)];
     Json& json = document_["nodes"][static_cast<size_t>(node)];
 
-    int mesh = old.mesh;
-    if (mesh_users_[mesh] > 1) {  // other nodes show the same mesh with other weights
-      --mesh_users_[mesh];
-      document_["meshes"].push_back(Json(document_["meshes"][static_cast<size_t>(mesh)]));
-      mesh = static_cast<int>(document_["meshes"].size()) - 1;
-      json["mesh"] = mesh;
-    }
+    const int mesh = mesh_nodes_.own_mesh(node);
     int skin = old.skin;
     const GltfBindPose& pose = source_.bind_pose;
     if (skin < 0) {
@@ -477,13 +466,13 @@ class SkinWriter {
   const bool unorm8_;
   GltfSource& source_;
   Json& document_;
+  MeshNodes mesh_nodes_;
   const GltfNodes nodes_;
   bool keeps_joints_ = false;
   std::vector<int> joint_nodes_;                 // [J]
   std::vector<Affine> joint_worlds_;             // [J]
   size_t fallback_joint_ = SIZE_MAX;             // takes the vertices of a skinned mesh that have no influence
   std::vector<FixedRow> rows_;                   // [V]
-  std::map<int, int> mesh_users_;                // mesh -> nodes
   std::map<int, std::vector<int>> skin_joints_;  // skins that meshes use now -> their joints' nodes
   std::map<int, Affine> mesh_worlds_;            // new skins
   std::vector<Vec3> box_corners_;                // of the character

@@ -141,16 +141,34 @@ void pack_bytes(GltfSource* source) {
   source->bytes = std::move(packed);
 }
 
+// The name, seen from the folder of `path`, of a file that a document at `from` names by `uri`.
+std::string moved_uri(const std::string& uri, const std::string& from, const std::string& path) {
+  std::error_code first, second;
+  const fs::path file = fs::weakly_canonical(fs::absolute(from).parent_path() / percent_decoded(uri), first),
+                 folder = fs::weakly_canonical(fs::absolute(path).parent_path(), second);
+  const fs::path way = first || second ? fs::path() : file.lexically_relative(folder);
+  std::string moved;
+  for (const fs::path& part : way) moved += (moved.empty() ? "" : "/") + percent_encoded(part.generic_string());
+  return moved.empty() ? uri : moved;
+}
+
 // Pictures that are files beside the input, or data URIs, become parts of the buffer; those that were not found stay
-// names. Without `files_too`, files stay files.
-void embed_images(bool files_too, GltfSource* source) {
+// names. Without `files_too`, files stay files. Files of a kind that glTF does not embed keep their place, which is named
+// from the new folder.
+void embed_images(const std::string& path, bool files_too, GltfSource* source) {
   Json& document = source->document;
   for (size_t i = 0; i < source->model.images.size(); ++i) {
     Json& image = document["images"][i];
     const std::vector<unsigned char>& bytes = source->model.images[i].image;
     const char* type = image_type(bytes);
-    if (!image.contains("uri") || bytes.empty() || type == nullptr) continue;
-    if (!files_too && !tinygltf::IsDataURI(image["uri"].get<std::string>())) continue;
+    if (!image.contains("uri") || bytes.empty()) continue;
+    const std::string uri = image["uri"].get<std::string>();
+    const bool is_file = !tinygltf::IsDataURI(uri);
+    if (is_file && !files_too) continue;
+    if (type == nullptr) {
+      if (is_file) image["uri"] = moved_uri(uri, source->path, path);
+      continue;
+    }
     source->bytes.resize((source->bytes.size() + 3) / 4 * 4);
     document["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", source->bytes.size()}, {"byteLength", bytes.size()}});
@@ -239,7 +257,7 @@ void write_document(const std::string& path, const Character& character, const G
     throw Error(path + ": cannot write a VRM, " + character.name +
                 " has none of its data (extension VRM or VRMC_vrm); write a .glb");
   try {
-    embed_images(!as_text || source.path.empty() || !same_folder(path, source.path), &source);
+    embed_images(path, !as_text || source.path.empty() || !same_folder(path, source.path), &source);
     if (as_text) return write_text_form(path, &source);
     write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {

@@ -179,9 +179,11 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
   const auto measure = [&](std::vector<sinew_limb_measure>* limbs) {
     uint32_t count = 0;
     limbs->resize(SINEW_MAX_MOTION_LIMBS);
-    if (has_body)
-      check(sinew_retarget_measure(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size(),
-                                   limbs->data(), &count));
+    if (has_body) {
+      report->spots.resize(frames * SINEW_MAX_MOTION_LIMBS);
+      check(sinew_retarget_spots(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size(),
+                                 limbs->data(), &count, report->spots.data()));
+    }
     limbs->resize(count);
   };
   if (report != nullptr) measure(&report->before);

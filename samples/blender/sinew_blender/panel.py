@@ -6,12 +6,15 @@ _ACTIONS = (("sinew.bind", "MOD_ARMATURE"), ("sinew.look", "VIEWZOOM"), ("sinew.
             ("sinew.transfer", "MOD_DATA_TRANSFER"), ("sinew.correct", "SHAPEKEY_DATA"))
 
 
-class SINEW_PT_tab(bpy.types.Panel):
-    bl_idname = "SINEW_PT_tab"
-    bl_label = "sinew"
+class InTab:
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = "sinew"
+
+
+class SINEW_PT_tab(InTab, bpy.types.Panel):
+    bl_idname = "SINEW_PT_tab"
+    bl_label = "sinew"
 
     def draw(self, context):
         layout = self.layout
@@ -32,12 +35,9 @@ class SINEW_PT_tab(bpy.types.Panel):
             layout.operator("sinew.forget", icon="LOOP_BACK")
 
 
-class SINEW_PT_motion(bpy.types.Panel):
+class SINEW_PT_motion(InTab, bpy.types.Panel):
     bl_idname = "SINEW_PT_motion"
     bl_label = "Motion"
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = "sinew"
     bl_parent_id = "SINEW_PT_tab"
 
     def draw(self, context):

@@ -20,7 +20,7 @@ def install():
     bpy.ops.preferences.addon_install(filepath=ZIP, overwrite=True)
     bpy.ops.preferences.addon_enable(module="sinew_blender")
     import sinew_blender
-    assert SOURCE not in sinew_blender.__file__, sinew_blender.__file__
+    assert os.path.join(SOURCE, "samples") not in sinew_blender.__file__, sinew_blender.__file__
     sys.modules["sinew"] = sinew_blender.sinew
     sys.path.insert(0, os.path.join(SOURCE, "samples", "python", "tests"))
 

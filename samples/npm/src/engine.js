@@ -316,16 +316,16 @@ export class Skin {
       };
       const outputs = blocks.struct("rigOutputs", arrays);
       const counts = [m.vertexCount, m.faceCount, m.cornerCount, settings];
-      const size = this.#size("rig", blocks, (at) => this.#wasm.sinew_rig_workspace_size(model, ...counts, at));
-      const workspace = blocks.bytes(size, 64);
-      this.#check("rig", this.#wasm.sinew_rig(model, meshAt, settings, workspace, size, outputs));
+      const run = (call, query, ...networks) => {
+        const size = this.#size("rig", blocks, (at) => this.#wasm[query](...networks, ...counts, at));
+        this.#check("rig", this.#wasm[call](...networks, meshAt, settings, blocks.bytes(size, 64), size, outputs));
+      };
+      run("sinew_rig", "sinew_rig_workspace_size", model);
+      if (hands !== 0) run("sinew_rig_hands", "sinew_rig_hands_workspace_size", hands);
+      if (options.face === true) run("sinew_rig_face", "sinew_rig_face_workspace_size");
+      if (options.props === true) run("sinew_rig_props", "sinew_rig_face_workspace_size");
       const told = blocks.read("rigOutputs", outputs);
-      const bodyJoints = told.joint_count;
-      if (hands !== 0) {
-        const more = this.#size("rig", blocks, (at) => this.#wasm.sinew_rig_hands_workspace_size(hands, ...counts, at));
-        this.#check("rig", this.#wasm.sinew_rig_hands(hands, meshAt, settings, blocks.bytes(more, 64), more, outputs));
-      }
-      const count = blocks.read("rigOutputs", outputs).joint_count;
+      const count = told.joint_count;
       return {
         names: Array.from({ length: count }, (_, j) => blocks.text(arrays.names + j * JOINT_NAME_BYTES, JOINT_NAME_BYTES)),
         positions: blocks.take(Float32Array, arrays.positions, 3 * count),
@@ -333,7 +333,7 @@ export class Skin {
         flags: blocks.take(Uint8Array, arrays.flags, count),
         classes: blocks.take(Uint8Array, arrays.joint_classes, count),
         partners: blocks.take(Int32Array, arrays.partners, count),
-        confidence: Float32Array.from(blocks.take(Uint16Array, arrays.confidence, bodyJoints), (c) => c / 32768),
+        confidence: Float32Array.from(blocks.take(Uint16Array, arrays.confidence, count), (c) => c / 32768),
         mirrored: told.mirrored === 1,
         quarterTurns: told.quarter_turns,
         plane: told.plane,

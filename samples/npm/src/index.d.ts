@@ -119,6 +119,10 @@ export interface RigOptions<M = Model> {
   model?: M;
   /** of loadHandsModel(): with fingers */
   handsModel?: M;
+  /** eyes and a jaw, where a head has loose balls */
+  face?: boolean;
+  /** a joint for what a hand holds, where it is a loose part */
+  props?: boolean;
   method?: "votes" | "shape";
   upAxis?: "y" | "z";
   mirror?: "auto" | "always" | "never";
@@ -139,7 +143,7 @@ export interface Rig extends Skeleton {
   classes: Uint8Array;
   /** [J] mirror image, itself on the plane, or -1 */
   partners: Int32Array;
-  /** [joints of the body] 0..1; fingers have none */
+  /** [J] 0..1 how sure the joint's place is */
   confidence: Float32Array;
   mirrored: boolean;
   quarterTurns: number;

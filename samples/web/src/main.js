@@ -1,30 +1,23 @@
 // SPDX-License-Identifier: MIT
 // The page: what is open, what is chosen, and what follows when that changes.
+import { BendPanel } from "./bends.js";
 import { Engine } from "./engine.js";
+import { factsOf, number } from "./facts.js";
 import { pairFiles, stem } from "./files.js";
+import { JointList } from "./joint_list.js";
+import { listenForKeys } from "./keys.js";
 import { Latest } from "./latest.js";
+import { Motions } from "./motions.js";
 import { BindOptions, switched } from "./options.js";
-import { MotionPlayer } from "./player.js";
 import { Pose } from "./pose.js";
+import { PosePanel } from "./pose_panel.js";
 import { kinds, partName, Questions } from "./questions.js";
+import { sampleFiles, samples } from "./samples.js";
 import { answersFor, editKinds, movedJoints, SkeletonEditor, sureColour } from "./skeleton.js";
 import { testClip, testClips } from "./test_clips.js";
 import { View } from "./view.js";
 
 const $ = (id) => document.getElementById(id);
-const number = new Intl.NumberFormat("en");
-const bytes = (n) => (n < 1e6 ? `${(n / 1e3).toFixed(1)} kB` : `${(n / 1e6).toFixed(2)} MB`);
-const milliseconds = (s) => (s < 10 ? `${number.format(Math.round(s * 1e3))} ms` : `${s.toFixed(1)} s`);
-const samples = [
-  { name: "biped__robed", files: ["biped__robed.obj", "biped__robed.rig.txt"] },
-  { name: "biped__robed, a bare mesh", files: ["biped__robed.obj"] },
-  { name: "biped__robot", files: ["biped__robot.obj", "biped__robot.rig.txt"] },
-  { name: "biped__caped", files: ["biped__caped.gltf"] },
-  { name: "bird__winged", files: ["bird__winged.obj", "bird__winged.rig.txt"] },
-  { name: "many-legged__plated", files: ["many-legged__plated.obj", "many-legged__plated.rig.txt"] },
-  { name: "quadruped__tailed", files: ["quadruped__tailed.obj", "quadruped__tailed.rig.txt"] },
-  { name: "snake__long", files: ["snake__long.obj", "snake__long.rig.txt"] },
-];
 const modes = { joints: 0, field: 1, doubt: 2, artist: 3, artistField: 4, difference: 5, material: -1 }; // ColourMode of web.cpp, and the file's own look
 const views = { "view-front": [0, 0, 1], "view-side": [1, 0, 0], "view-top": [0, 1, 0.001] };
 const asked = [240, 120, 20]; // sRGB of the part that a question is about, as in the command's pictures
@@ -34,16 +27,21 @@ const lookMilliseconds = 90; // the pointer stays that long on what is shown
 
 const engine = new Engine();
 let view;
-let facts = {}; // of module and model
+let engineFacts = {}; // {kernel, version, moduleBytes}
+const models = {}; // by their task: {name, bytes, parameters, layers}
 let open = []; // characters that were dropped together: {name, mesh, skeleton, number, answers, style}
 let waiting = {}; // a mesh or a rig that its other half may still follow
 let character = null; // what the module has loaded, with its bind result
 let lastNumber = 0; // of the characters that were opened
 let pose = null;
+let posePanel;
 let mode = modes.joints;
 let questions;
 let editor;
 let player;
+let motions; // the player among them
+let bends;
+let jointList;
 let options;
 let shownMean = 0; // of what the colours show, see web.cpp
 let style = null; // {name}: answers for the characters from now on
@@ -125,21 +123,17 @@ async function readable(file) {
   return { name: `${stem(file.name)}.glb`, bytes: glb.buffer };
 }
 
-async function openSample({ name, files }) {
-  const get = async (file) => {
-    const response = await fetch(`samples/${file}`);
-    if (!response.ok) throw new Error(`samples/${file}: ${response.status} ${response.statusText}`);
-    return new File([await response.blob()], file);
-  };
+async function openSample(sample) {
+  const files = await sampleFiles(sample);
   waiting = {};
-  await openFiles(await Promise.all(files.map(get)));
-  $("sample").value = name;
+  await openFiles(files);
+  $("sample").value = sample.name;
 }
 
-// A model of weights or of skeletons.
-async function useModel(file) {
-  const model = await engine.call("model", { name: file });
-  facts = model.ofSkeletons ? { ...facts, rigModel: model, rigModelName: file } : { ...facts, model, modelName: file };
+// A model of weights, of skeletons or of hands.
+async function useModel(name) {
+  const { task, ...model } = await engine.call("model", { name });
+  models[task] = { name, ...model };
 }
 
 async function fetchModel(name) {
@@ -176,7 +170,7 @@ async function load(source, anew = false) {
   await useStyleAnswers();
   await bind();
   const isScene = /\.(glb|gltf|vrm)$/i.test(mesh);
-  if (isScene && source.motion === undefined && !character.predicted) await openMotion(mesh).catch(() => {}); // most files have no animations
+  if (isScene && source.motion === undefined && !character.predicted) await motions.open(mesh).catch(() => {}); // most files have no animations
 }
 
 function longestSide(positions) {
@@ -217,7 +211,7 @@ async function bind(answers = character.source.answers, focus) {
   listJoints();
   showBrush();
   await colour();
-  await retarget();
+  await motions.again();
   await sendPose();
 }
 
@@ -291,35 +285,14 @@ async function forgetPaint() {
 
 // ---- motion
 
-// A file that the module has: its clips play on the character from now on.
-async function openMotion(name) {
-  if (!character?.result) throw new Error(`${name}: is a motion; open a character first`);
-  const own = name === character.source.mesh;
-  const motion = await engine.call("motion", { name, upAxis: character.upAxis, own });
-  character.source.motion = { name, own };
-  showMotion({ name, ...motion });
-}
-
-// The motion again, for a character that was bound or whose skeleton was changed.
-async function retarget() {
-  const { motion } = character.source;
-  if (!motion) {
-    await engine.call("motion", { name: "", upAxis: 0, own: false });
-    return showMotion(null);
-  }
-  try {
-    await openMotion(motion.name);
-  } catch (error) {
-    character.source.motion = null;
-    showMotion(null);
-    throw error;
-  }
-}
-
-function showMotion(motion) {
-  player.show(motion, Boolean(character?.result));
+function motionChanged(motion) {
+  if (!motion) view.setSpots([]);
+  $(motion ? "motion" : "pose").after($("bending")); // beside what moves the joints
   showSkeleton();
 }
+
+// A change of the motion, then its pose.
+const changeMotion = (change) => run(async () => (clearError(), await change(), await sendPose()));
 
 async function openMotionFile(file) {
   const one = await readable(file);
@@ -328,17 +301,11 @@ async function openMotionFile(file) {
 }
 
 async function playMotion(name) {
-  await openMotion(name);
+  await motions.open(name);
   if (view.editing) {
     setEditing(false);
     showSkeleton();
   }
-  await sendPose();
-}
-
-async function closeMotion() {
-  character.source.motion = null;
-  await retarget();
   await sendPose();
 }
 
@@ -397,7 +364,7 @@ function showLegend() {
     [modes.artist]: ["The weights that the file had", "", ""],
     [modes.artistField]: [`The file's weight of ${name}`, "0", "1"],
     [modes.difference]: [`What moves otherwise than in the file: ${(100 * shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
-    [modes.material]: ["As other programs show the file", "", ""],
+    [modes.material]: [`As other programs show the file${bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
   }[mode];
   $("legend").hidden = !character;
   $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
@@ -416,16 +383,15 @@ function showSure() {
 
 const poses = new Latest(async () => {
   if (!character?.result) return;
-  const posed = pose;
-  const dualQuaternion = $("skinning").value === "1";
-  if (player.motion && !view.editing) {
-    const { buffers } = await engine.call("frame", { clip: player.clip, seconds: player.seconds, dualQuaternion });
-    if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, pose.turns, buffers.palette);
-    return;
-  }
+  const [posed, { motion }, { skinning }] = [pose, player, bends];
+  const plays = Boolean(motion) && !view.editing;
   const turns = view.editing ? new Float32Array(pose.turns.length) : pose.turns; // a skeleton is edited at rest
-  const { buffers } = await engine.call("pose", { turns, dualQuaternion });
-  if (posed === pose) view.setPose(buffers.positions, buffers.normals, buffers.jointPositions, turns, buffers.palette);
+  const reply = plays ? await engine.call("frame", { clip: player.clip, seconds: player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
+  if (posed !== pose) return; // another character by now
+  const { positions, normals, jointPositions, palette } = reply.buffers;
+  view.setPose(positions, normals, jointPositions, turns, palette, plays);
+  view.setSpots(plays && motions.methods.spotsShown ? reply.spots : []);
+  bends.show(reply.bends, character.joints, player.playing);
 });
 const sendPose = () => poses.want();
 
@@ -460,20 +426,9 @@ function showPose() {
   $("switch").textContent = isOff(joint) ? "Switch on" : "Switch off";
   $("lock").ariaPressed = String(joint >= 0 && Boolean(character?.source.locked?.has(character.joints[joint].name)));
   $("pose").hidden = view.editing || Boolean(player.motion);
-  $("motion").hidden = view.editing;
+  $("motion").hidden = $("bending").hidden = view.editing;
   view.turnable = !player.motion;
-  const others = joint < 0 ? 0 : view.also.size;
-  $("joint-name").textContent = joint < 0 ? "No joint chosen" : `${character.joints[joint].name}${others ? ` and ${others} more` : ""}`;
-  ["x", "y", "z"].forEach((axis, i) => {
-    const slider = $(`turn-${axis}`);
-    const turn = joint < 0 ? 0 : pose.of(joint)[i];
-    slider.disabled = joint < 0;
-    slider.value = turn;
-    slider.nextElementSibling.textContent = joint < 0 ? "" : `${Math.round(turn)}°`;
-  });
-  $("undo").disabled = !pose?.canUndo;
-  $("reset").disabled = !pose || pose.isRest;
-  $("reset-joint").disabled = joint < 0 || pose.of(joint).every((t) => t === 0);
+  posePanel.show(character, pose, joint, view.also);
 }
 
 function showCharacters() {
@@ -495,45 +450,7 @@ function showCharacters() {
 
 // result: what the line says of the bind, null while there is none.
 function showFacts(result = character?.result) {
-  const parts = [];
-  const add = (label, value, title) => {
-    const part = document.createElement("span");
-    part.title = title ?? "";
-    part.append(label, Object.assign(document.createElement("b"), { textContent: value }));
-    parts.push(part);
-  };
-  if (character) {
-    add("", character.name);
-    add("", `${number.format(character.vertices)} vertices, ${number.format(character.faces)} faces, ${number.format(character.joints.length)} joints`);
-    if (result) {
-      add("bound in ", milliseconds(result.seconds), `${milliseconds(result.wallSeconds)} with the way to the worker and back; ${bytes(result.usedBytes)} of memory`);
-      add("look first at ", `${number.format(result.lookFirst)} vertices`, `The least sure tenth, ${Math.round(100 * result.lookFirstSure)} % sure on average; Doubt shows them`);
-      if (result.leftOut.length) add("no weight for ", `${result.leftOut.length} joints`, result.leftOut.join("\n"));
-      if (result.lockedVertices) add("locked ", `${number.format(result.lockedVertices)} vertices`, "They keep their weights; L on their joint frees them");
-      if (result.keptMeshes) add("kept ", `${result.keptMeshes} attached meshes`, "They follow the joints that they hang on");
-    } else {
-      add("", character.joints.length === 0 ? "without a skeleton…" : "binding…");
-    }
-    if (character.predicted) {
-      const doubt = `The votes say of themselves that they are ${(100 * character.spread).toFixed(1)} % of the longest side off, in the mean`;
-      add("skeleton in ", milliseconds(character.seconds), doubt);
-    }
-  }
-  const about = (name, { parameters, layers }) => `${name}: ${number.format(parameters)} int16 parameters in ${layers} layers`;
-  if (facts.model && facts.rigModel && character?.predicted) {
-    const both = `${about(facts.modelName, facts.model)}\n${about(facts.rigModelName, facts.rigModel)}`;
-    add("models ", `${bytes(facts.model.bytes)}, ${bytes(facts.rigModel.bytes)}`, both);
-  } else if (facts.model) {
-    add("model ", bytes(facts.model.bytes), about(facts.modelName, facts.model));
-  }
-  if (facts.kernel) add("engine ", `${bytes(facts.moduleBytes)}, ${facts.kernel === "ref" ? "without SIMD" : "SIMD"}`, `sinew ${facts.version} as WebAssembly, with readers and writers; kernels ${facts.kernel}`);
-  if (result) {
-    const part = document.createElement("span");
-    part.title = "Hash of all joints and weights: the same on every machine, compiler and browser";
-    part.append("result ", Object.assign(document.createElement("code"), { textContent: result.hash }));
-    parts.push(part);
-  }
-  $("facts").replaceChildren(...parts);
+  $("facts").replaceChildren(...factsOf({ character, result, engine: engineFacts, models }));
   $("download").disabled = $("download-rig").disabled = $("download-fbx").disabled = !character?.result;
 }
 
@@ -588,7 +505,8 @@ const chosenName = () => character.joints[view.selected]?.name;
 
 async function predict(wishes = editor.wishes) {
   const chosen = chosenName();
-  if (!facts.rigModel) await fetchModel("sinew_rig.sinew");
+  if (!models.skeletons) await fetchModel("sinew_rig.sinew");
+  if (wishes.detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
   const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: character.upAxis } });
   setEditing(true);
   useRig(rig, chosen);
@@ -762,80 +680,8 @@ async function saveStyle() {
   save(buffers.bytes, "application/json", name);
 }
 
-// ---- the list of joints
-
-function depth(joint) {
-  let d = 0;
-  for (let j = character.joints[joint].parent; j >= 0; j = character.joints[j].parent) ++d;
-  return d;
-}
-
-// Parents before children, children in the file's order.
-function treeOrder() {
-  const children = character.joints.map(() => []);
-  const stack = [];
-  character.joints.forEach(({ parent }, j) => (parent < 0 ? stack : children[parent]).push(j));
-  stack.reverse();
-  const order = [];
-  while (stack.length > 0) {
-    const j = stack.pop();
-    order.push(j);
-    stack.push(...children[j].reverse());
-  }
-  return order;
-}
-
-function listJoints() {
-  const wanted = $("search").value.trim().toLowerCase();
-  const weights = character.result?.jointWeights;
-  const items = [];
-  const item = (joint, name, indent) => {
-    const li = document.createElement("li");
-    li.role = "option";
-    li.id = `joint-${joint}`;
-    li.dataset.joint = joint;
-    li.title = name;
-    li.style.paddingLeft = `${6 + indent * 9}px`;
-    const swatch = document.createElement("i");
-    const label = Object.assign(document.createElement("span"), { className: "name", textContent: name });
-    li.append(swatch, label);
-    items.push(li);
-    return { li, swatch };
-  };
-  if (wanted === "") item(-1, "All joints", 0).swatch.style.background = "conic-gradient(#e66,#ee6,#6c6,#6cc,#66e,#e6e,#e66)";
-  for (const j of treeOrder()) {
-    const { name, colour: rgb } = character.joints[j];
-    if (!name.toLowerCase().includes(wanted)) continue;
-    const { li, swatch } = item(j, name, wanted === "" ? Math.min(8, depth(j)) : 0);
-    swatch.style.background = `rgb(${rgb.join(" ")})`;
-    if (!weights) continue;
-    const share = weights[j] / character.vertices;
-    li.classList.toggle("unused", share === 0);
-    li.classList.toggle("off", isOff(j));
-    li.classList.toggle("locked", Boolean(character.source.locked?.has(name)));
-    const text = isOff(j) ? "off" : share === 0 ? "–" : share < 0.001 ? "<0.1 %" : `${(share * 100).toFixed(1)} %`;
-    li.append(Object.assign(document.createElement("span"), { className: "share", textContent: text, title: "share of all weight" }));
-  }
-  if (items.length === 0) {
-    items.push(Object.assign(document.createElement("li"), { className: "none", textContent: `No joint is called “${$("search").value.trim()}”` }));
-  }
-  $("joints").replaceChildren(...items);
-  markJoint();
-}
-
-function markJoint() {
-  for (const li of $("joints").children) li.ariaSelected = String(Number(li.dataset.joint) === view.selected || view.also.has(Number(li.dataset.joint)));
-  const chosen = $(`joint-${view.selected}`);
-  $("joints").setAttribute("aria-activedescendant", chosen?.id ?? "");
-  chosen?.scrollIntoView({ block: "nearest" });
-}
-
-function stepJoint(by) {
-  const shown = [...$("joints").children].filter((li) => li.dataset.joint !== undefined).map((li) => Number(li.dataset.joint));
-  if (shown.length === 0) return;
-  const at = shown.indexOf(view.selected);
-  choose(shown[Math.min(shown.length - 1, Math.max(0, at < 0 ? 0 : at + by))]);
-}
+const listJoints = () => jointList.show(character, view.selected, view.also);
+const markJoint = () => jointList.mark(view.selected, view.also);
 
 // ---- the user
 
@@ -860,18 +706,6 @@ async function downloadFbx() {
   const { buffers } = await engine.call("glb", { name: character.name });
   const { glbToFbx } = await import("./fbx.js");
   save(await glbToFbx(buffers.bytes), "application/octet-stream", `${character.name}.${character.predicted ? "rigged" : "bound"}.fbx`);
-}
-
-// Turns the chosen joint, those chosen beside it alike, and where both sides are mirrored their partners the other way.
-function turnJoint(joint, turn) {
-  for (const j of [joint, ...view.also]) {
-    pose.set(j, ...turn);
-    const { partner, named } = character.joints[j];
-    const other = partner >= 0 ? partner : named;
-    if (!$("mirror-pose").checked || other < 0 || other === j || other === joint || view.also.has(other)) continue;
-    const across = character.axis ?? 0; // turns about the other axes change their sign
-    pose.set(other, ...turn.map((degrees, axis) => (axis === across ? degrees : -degrees)));
-  }
 }
 
 async function playTestClip(name) {
@@ -945,7 +779,10 @@ function listen() {
   editor.onEdit = (edits, chosen) => run(() => (clearError(), editSkeleton(edits, chosen)));
   editor.onPredict = (wishes) => character && run(async () => (clearError(), await predict(wishes), await bind()));
   editor.onMiddle = toMiddle;
-  player = new MotionPlayer();
+  jointList = new JointList();
+  jointList.onPick = choose;
+  motions = new Motions(engine, () => character, motionChanged);
+  player = motions.player;
   $("test-clip").append(...testClips.map((name) => new Option(name, name)));
   $("test-clip").onchange = () => {
     const { value } = $("test-clip");
@@ -953,7 +790,14 @@ function listen() {
     if (value !== "") run(() => (clearError(), playTestClip(value)));
   };
   player.onOpen = (file) => run(() => (clearError(), openMotionFile(file)));
-  player.onClose = () => run(() => (clearError(), closeMotion()));
+  player.onClose = () => changeMotion(() => motions.close());
+  motions.methods.onMethod = (method) => changeMotion(() => motions.useMethod(method));
+  motions.methods.onSpots = poseChanged;
+  motions.map.onPins = (pins) => changeMotion(() => motions.usePins(pins));
+  motions.map.onPick = (joint) => choose(joint);
+  bends = new BendPanel();
+  bends.onChange = () => character && (showLegend(), poseChanged());
+  bends.onPick = (joint) => choose(joint);
   player.onFrame = () => sendPose().catch((error) => showError(error.message));
   $("work").onchange = ({ target }) => edit(target.value === "skeleton");
   $("undo-edit").onclick = () => undo(false);
@@ -961,10 +805,6 @@ function listen() {
   $("middle").onchange = () => (view.toMiddle = $("middle").checked);
 
   $("mode").onchange = $("artist").onchange = (event) => setMode(Number(event.target.value));
-  $("joints").onclick = (event) => {
-    const li = event.target.closest("li");
-    if (li?.dataset.joint !== undefined) choose(Number(li.dataset.joint), event.ctrlKey || event.metaKey || event.shiftKey);
-  };
   const ofChosen = (job) => () => character?.result && view.selected >= 0 && run(() => (clearError(), job(view.selected)));
   $("switch").onclick = ofChosen(switchJoint);
   $("lock").onclick = ofChosen(lockJoint);
@@ -976,45 +816,12 @@ function listen() {
   $("bone-size").oninput = () => (view.boneSize = Number($("bone-size").value));
   options = new BindOptions();
   options.onChange = () => character && run(async () => (clearError(), bind()));
-  const arrows = (event) => {
-    const by = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (by === undefined) return;
-    event.preventDefault();
-    stepJoint(by);
-  };
-  $("joints").onkeydown = arrows;
-  $("search").onkeydown = arrows;
-  $("search").oninput = () => character && listJoints();
 
-  ["x", "y", "z"].forEach((axis, i) => {
-    const slider = $(`turn-${axis}`);
-    let changing = false;
-    slider.oninput = () => {
-      if (!changing) pose.remember();
-      changing = true;
-      const turn = [...pose.of(view.selected)];
-      turn[i] = Number(slider.value);
-      turnJoint(view.selected, turn);
-      poseChanged();
-    };
-    slider.onchange = () => (changing = false);
-    slider.ondblclick = () => {
-      const turn = [...pose.of(view.selected)];
-      turn[i] = 0;
-      turnJoint(view.selected, turn);
-      poseChanged();
-    };
-  });
+  posePanel = new PosePanel();
+  posePanel.onChange = poseChanged;
   $("undo").onclick = () => undo(false);
-  $("reset").onclick = () => pose.reset() && poseChanged();
-  $("reset-joint").onclick = () => {
-    pose.remember();
-    turnJoint(view.selected, [0, 0, 0]);
-    poseChanged();
-  };
   $("skeleton").onclick = toggleSkeleton;
   $("frame").onclick = () => character && view.frame();
-  $("skinning").onchange = () => character && poseChanged();
   $("up").onchange = () => {
     const current = open.find(({ name }) => name === character?.name);
     if (current) run(async () => (clearError(), load(current, true)));
@@ -1027,58 +834,45 @@ function listen() {
   view.onPickSurface = (shown, more) => character.result && choose(character.result.strongest[shown], more);
   view.onStrokeEnd = endStroke;
   view.onTurnStart = () => pose.remember();
-  view.onTurn = (joint, x, y, z) => {
-    turnJoint(joint, [x, y, z]);
-    poseChanged();
-  };
+  view.onTurn = (joint, ...turn) => posePanel.turn(joint, turn);
 
-  addEventListener("keydown", (event) => {
-    const typing = event.target.matches("input[type=search], input[type=text], input[type=number], select");
-    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
-      event.preventDefault();
-      return undo(event.shiftKey);
-    }
-    if (event.key === "Escape") {
-      if (document.activeElement === $("search")) $("search").blur();
-      else if (document.activeElement === $("rename")) editor.show(character, view.selected), $("rename").blur();
-      else if (!$("error").hidden) clearError();
-      else if (questions.close()) return;
-      else choose(-1);
-      return;
-    }
-    if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-    const keys = {
-      "/": () => $("search").focus(),
-      f: () => character && view.frame(),
-      s: toggleSkeleton,
-      " ": () => player.toggle(),
-      ",": () => player.step(-1),
-      ".": () => player.step(1),
-      r: () => !view.editing && !player.motion && pose?.reset() && poseChanged(),
-      e: () => edit(!view.editing),
-      a: () => view.editing && editor.add(),
-      m: () => view.editing && toMiddle(),
-      delete: () => view.editing && editor.remove(),
-      backspace: () => view.editing && editor.remove(),
-      1: () => setMode(modes.joints),
-      2: () => setMode(modes.field),
-      3: () => setMode(modes.doubt),
-      4: () => setMode(modes.material),
-      5: () => setMode(modes.artist),
-      6: () => setMode(modes.difference),
-      7: () => turnPicture("view-front"),
-      8: () => turnPicture("view-side"),
-      9: () => turnPicture("view-top"),
-      w: toggleWireframe,
-      x: () => $("switch").click(),
-      l: () => $("lock").click(),
-      b: nextBrush,
-    };
-    const action = keys[event.key.toLowerCase()];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  });
+  listenForKeys({
+    "/": () => $("search").focus(),
+    f: () => character && view.frame(),
+    s: toggleSkeleton,
+    " ": () => player.toggle(),
+    ",": () => player.step(-1),
+    ".": () => player.step(1),
+    r: () => !view.editing && !player.motion && posePanel.reset(),
+    e: () => edit(!view.editing),
+    a: () => view.editing && editor.add(),
+    m: () => view.editing && toMiddle(),
+    delete: () => view.editing && editor.remove(),
+    backspace: () => view.editing && editor.remove(),
+    1: () => setMode(modes.joints),
+    2: () => setMode(modes.field),
+    3: () => setMode(modes.doubt),
+    4: () => setMode(modes.material),
+    5: () => setMode(modes.artist),
+    6: () => setMode(modes.difference),
+    7: () => turnPicture("view-front"),
+    8: () => turnPicture("view-side"),
+    9: () => turnPicture("view-top"),
+    c: () => player.motion && !view.editing && motions.methods.next(),
+    d: () => !view.editing && bends.next(),
+    w: toggleWireframe,
+    x: () => $("switch").click(),
+    l: () => $("lock").click(),
+    b: nextBrush,
+  }, { onUndo: undo, onEscape: escape });
+}
+
+// The innermost thing that is open closes.
+function escape() {
+  if (document.activeElement === $("search")) $("search").blur();
+  else if (document.activeElement === $("rename")) editor.show(character, view.selected), $("rename").blur();
+  else if (!$("error").hidden) clearError();
+  else if (!questions.close()) choose(-1);
 }
 
 function toggleWireframe() {
@@ -1099,7 +893,7 @@ function toggleSkeleton() {
 
 async function start() {
   const forceScalar = new URLSearchParams(location.search).has("scalar");
-  facts = { ...facts, ...(await engine.call("start", { forceScalar })) };
+  engineFacts = await engine.call("start", { forceScalar });
   await fetchModel("sinew_default.sinew");
   const wanted = new URLSearchParams(location.search).get("sample");
   const sample = samples.find(({ name }) => name === wanted);

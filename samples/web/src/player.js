@@ -7,8 +7,9 @@ export class MotionPlayer {
   onOpen = () => {}; // a File
   onClose = () => {};
   onFrame = () => {}; // the clip or the time has changed
+  onClip = () => {};
 
-  #motion = null; // {name, clips: [{name, frames, seconds}], joints, mapped, how, notes}
+  #motion = null; // as the module describes it, with {name, own, method}
   #seconds = 0;
   #playing = false;
   #last = 0; // when the picture before this one was drawn, milliseconds
@@ -21,7 +22,7 @@ export class MotionPlayer {
       if (file) this.onOpen(file);
     };
     $("close-motion").onclick = () => this.onClose();
-    $("clip").onchange = () => this.#to(0);
+    $("clip").onchange = () => (this.#to(0), this.onClip());
     $("time").oninput = () => {
       this.pause();
       this.#to(Number($("time").value));
@@ -40,6 +41,11 @@ export class MotionPlayer {
   }
   get seconds() {
     return this.#seconds;
+  }
+
+  // What the line about the motion says while it is made, which takes seconds for large meshes.
+  wait(name) {
+    $("motion-about").textContent = `${name}: retargeting…`;
   }
 
   // motion: as the module describes it, with its file's name; null for none. Where it had one with that name before, it

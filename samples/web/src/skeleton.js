@@ -121,15 +121,15 @@ export class SkeletonEditor {
     $("remove-joint").onclick = () => this.remove();
     $("to-middle").onclick = () => this.onMiddle();
     $("predict").onclick = () => this.onPredict(this.wishes);
-    for (const id of ["spine", "toes", "ends", "mirror"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes);
+    for (const id of ["detail", "spine", "toes", "ends", "mirror"]) $(id).onchange = () => this.#character?.predicted && this.onPredict(this.wishes);
   }
 
   get alike() {
     return $("alike").checked;
   }
-  // As SkeletonOptions has them.
+  // As SkeletonOptions has them, and the number of a SkeletonDetail.
   get wishes() {
-    return { spine: Number($("spine").value), toes: $("toes").checked, ends: $("ends").checked, mirror: Number($("mirror").value) };
+    return { detail: Number($("detail").value), spine: Number($("spine").value), toes: $("toes").checked, ends: $("ends").checked, mirror: Number($("mirror").value) };
   }
 
   get canEdit() {
@@ -163,6 +163,7 @@ export class SkeletonEditor {
     const canEdit = this.canEdit;
     $("edit-name").textContent = chosen?.name ?? "No joint chosen";
     $("edit-sure").textContent = chosen && character.predicted ? this.#sureText(chosen) : "";
+    $("edit-notes").textContent = character?.predicted ? (character.notes ?? []).map((note) => `${note[0].toUpperCase()}${note.slice(1)}.`).join(" ") : "";
     $("edit-none").hidden = !character || character.editable || character.joints.length === 0;
     for (const id of ["rename", "parent", "remove-joint", "to-middle", ...axes.map((axis) => `place-${axis}`)]) $(id).disabled = !canEdit;
     $("add-joint").disabled = !canEdit || chosen.end;

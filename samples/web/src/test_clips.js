@@ -50,7 +50,7 @@ function squat(t) {
   const radians = Math.PI / 180;
   const height = 0.43 * Math.cos(thigh * radians) + 0.43 * Math.cos((thigh + knee) * radians);
   const back = 0.43 * Math.sin(-thigh * radians) + 0.43 * Math.sin(-(thigh + knee) * radians);
-  const leg = (side) => ({ [`${side}UpLeg`]: [thigh - 30 * down, 0, 0], [`${side}Leg`]: [knee, 0, 0], [`${side}Foot`]: [-(knee + thigh), 0, 0] });
+  const leg = (side) => ({ [`${side}UpLeg`]: [thigh, 0, 0], [`${side}Leg`]: [knee, 0, 0], [`${side}Foot`]: [-(knee + thigh), 0, 0] });
   return {
     hips: [0, height - 0.86, -back],
     Spine: [30 * down, 0, 0], Neck: [-15 * down, 0, 0],

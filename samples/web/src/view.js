@@ -31,6 +31,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { TransformControls } from "three/addons/controls/TransformControls.js";
 import { draggedTo } from "./limbs.js";
+import { ContactSpots } from "./spots.js";
 
 const colourOf = ([r, g, b]) => new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
 const toLinear = Float32Array.from({ length: 256 }, (_, i) => {
@@ -70,6 +71,7 @@ export class View {
   #gizmo;
   #model = new Group(); // turned when Z is up
   #bones = new Group();
+  #spots = new ContactSpots(this.#model);
   #light = new DirectionalLight(0xffffff, 1.7);
   #mesh;
   #grid;
@@ -81,6 +83,7 @@ export class View {
   #jointPositions = new Float32Array();
   #radius = 1;
   #centre = new Vector3();
+  #middle = null; // of the joints in a motion's last frame
   #stale = false;
   #untouched = true; // the camera stands where frame() put it
 
@@ -122,6 +125,8 @@ export class View {
   setCharacter({ triangles, positions, normals, joints, upAxis }) {
     this.select(-1);
     this.setLook(null);
+    this.setSpots([]);
+    this.#middle = null;
     this.#palette = null;
     const wireframe = this.wireframe;
     this.#mesh?.geometry.dispose();
@@ -191,8 +196,8 @@ export class View {
     this.redraw();
   }
 
-  // turns: degrees of all joints, which the rings follow.
-  setPose(positions, normals, jointPositions, turns, palette) {
+  // turns: degrees of all joints, which the rings follow. moves: a motion plays, and the camera goes along with it over the floor.
+  setPose(positions, normals, jointPositions, turns, palette, moves = false) {
     this.#palette = palette;
     this.#look?.pose(palette);
     const { geometry } = this.#mesh;
@@ -205,6 +210,13 @@ export class View {
       handle.rotation.set(...[0, 1, 2].map((axis) => turns[j * 3 + axis] * MathUtils.DEG2RAD));
     });
     this.#placeBones();
+    this.#goAlong(moves);
+    this.redraw();
+  }
+
+  // Contacts of a motion's frame, see spots.js.
+  setSpots(spots) {
+    this.#spots.show(spots, this.#radius);
     this.redraw();
   }
 
@@ -331,6 +343,9 @@ export class View {
   shownPositions() {
     return Array.from(this.#mesh.geometry.getAttribute("position").array);
   }
+  shownSpots() {
+    return this.#spots.shown;
+  }
   shownColours() {
     return Array.from(this.#mesh.geometry.getAttribute("color").array);
   }
@@ -345,6 +360,22 @@ export class View {
       return this.#model.worldToLocal(handle.getWorldPosition(new Vector3())).distanceTo(engine);
     });
     return Math.max(...distances) / this.#radius;
+  }
+
+  // The camera by what the joints' middle has moved; once more when a motion has ended, back to the pose.
+  #goAlong(moves) {
+    const middle = new Vector3();
+    const at = new Vector3();
+    const count = Math.max(1, this.#joints.length);
+    for (let j = 0; j < this.#joints.length; ++j) middle.addScaledVector(at.fromArray(this.#jointPositions, j * 3), 1 / count);
+    middle.applyMatrix4(this.#model.matrixWorld);
+    if (this.#middle) {
+      const way = new Vector3().subVectors(middle, this.#middle).setY(0);
+      this.#camera.position.add(way);
+      this.#orbit.target.add(way);
+      this.#orbit.update();
+    }
+    this.#middle = moves ? middle : null;
   }
 
   #resize() {

@@ -7,6 +7,7 @@ import simd from "sinew-simd";
 
 const kinds = { triangles: 0, vertexOf: 1, positions: 2, normals: 3, colours: 4, jointPositions: 5, strongest: 6, vertexQuestions: 7, palette: 8 };
 const arrays = { triangles: Uint32Array, vertexOf: Uint32Array, colours: Uint8Array, strongest: Uint16Array, vertexQuestions: Uint32Array };
+const posed = ["positions", "normals", "jointPositions", "palette"];
 
 let module;
 let moduleBytes = 0;
@@ -132,22 +133,20 @@ const calls = {
     return { ...reply, ...calls.colour({ mode, joint }) };
   },
   forgetPaint: () => module._web_forget_paint(),
-  pose({ turns, dualQuaternion }) {
+  // skinning: 0 linear, 1 dual quaternions, 2 volume. Replies with {bends: [{joint, degrees, kept}]}.
+  pose({ turns, skinning }) {
     const at = module._malloc(turns.byteLength);
     try {
       module.HEAPF32.set(turns, at / 4);
-      checked(module._web_pose(at, dualQuaternion ? 1 : 0));
+      return { ...checked(module._web_pose(at, skinning)), buffers: take(posed) };
     } finally {
       module._free(at);
     }
-    return { buffers: take(["positions", "normals", "jointPositions", "palette"]) };
   },
-  // name: of a .bvh or an animated glTF, "" for none any more
-  motion: ({ name, upAxis, own }) => withText(name && plain(name), (at) => checked(module._web_motion(at, upAxis, own))),
-  frame({ clip, seconds, dualQuaternion }) {
-    checked(module._web_frame(clip, seconds, dualQuaternion ? 1 : 0));
-    return { buffers: take(["positions", "normals", "jointPositions", "palette"]) };
-  },
+  // name: of a .bvh or an animated glTF, "" for none any more. wish: {upAxis, own, method, pins}
+  motion: ({ name, wish = {} }) => withText(name && plain(name), (at) => withText(JSON.stringify(wish), (w) => checked(module._web_motion(at, w)))),
+  motionMethod: ({ method }) => checked(module._web_motion_method(method)),
+  frame: ({ clip, seconds, skinning }) => ({ ...checked(module._web_frame(clip, seconds, skinning)), buffers: take(posed) }),
   glb({ name }) {
     const file = `${plain(name)}.bound.glb`;
     withText(file, (at) => checked(module._web_write_glb(at)));

@@ -7,6 +7,7 @@ import { execFileSync } from "node:child_process";
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { launch, serve } from "./browser.mjs";
+import { fileOf, made, newPage, pageTools } from "./page.mjs";
 
 const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
 const data = join(source, "samples/data");
@@ -68,23 +69,14 @@ const asked = []; // addresses
 let page;
 
 async function openPage(query, size) {
-  page = await browser.context.newPage();
-  page.setDefaultTimeout(60000);
+  page = await newPage(browser, troubles);
   if (size) await page.setViewportSize(size);
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
-  page.on("pageerror", (error) => troubles.push(error.message));
   page.on("request", (request) => asked.push(request.url()));
-  page.on("request", (request) => /^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url()) || troubles.push(`asks ${request.url()}`));
   await page.goto(server.address + query);
   await settled();
 }
-const settled = () => page.evaluate(() => sinewPage.settled());
-const shoot = (name) => page.screenshot({ path: join(work, `${name}.png`) });
-const errorLine = async () => ((await page.locator("#error").isVisible()) ? page.locator("#error span").innerText() : "");
+const { settled, shoot, errorLine, hash, legend, colours, positions, joints, pick, details, give, downloaded, step } = pageTools(() => page, { troubles, work });
 const fact = (start) => page.locator("#facts > span", { hasText: start }).innerText();
-const hash = () => page.locator("#facts code").innerText();
-const colours = () => page.evaluate(() => sinewPage.view.shownColours());
-const legend = () => page.locator("#legend figcaption").innerText();
 // The page's questions as the command's --json has them.
 const pageQuestions = () =>
   page.evaluate(() =>
@@ -97,11 +89,6 @@ const questionText = (q) => `part ${q.part}${q.parts > 1 ? ` · ${q.parts} alike
 const question = (part) => page.locator(`#questions li[data-part="${part}"] .question`);
 const alternative = (answer) => page.locator("#questions .alternative", { hasText: answer });
 const focused = () => page.evaluate(() => document.activeElement.getAttribute("aria-label") ?? document.activeElement.textContent);
-async function downloaded(id) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click(id)]);
-  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
-}
-const joints = () => page.evaluate(() => sinewPage.character.joints);
 const mirror = () => page.evaluate(() => ({ axis: sinewPage.character.axis, plane: sinewPage.character.plane }));
 const indexes = (list, name) => {
   const at = list.findIndex((joint) => joint.name === name);
@@ -113,14 +100,6 @@ const onScreen = (joint) =>
     for (let i = 0; i < 2; ++i) await new Promise(requestAnimationFrame);
     return sinewPage.view.jointOnScreen(j);
   }, joint);
-// Chosen in the list of joints; keys are the page's afterwards.
-async function pick(name) {
-  await page.fill("#search", name);
-  await page.click(`#joints li >> text="${name}"`);
-  await page.fill("#search", "");
-  await page.focus("#joints");
-  await settled();
-}
 async function drag(joint, x, y) {
   const from = await onScreen(joint);
   await page.mouse.move(from.x, from.y);
@@ -139,26 +118,7 @@ async function isTheCommands({ joints: wanted, glb, rig }) {
   assert.ok((await downloaded("#download")).bytes.equals(glb), "the page's GLB differs from the command's");
   assert.equal((await downloaded("#download-rig")).bytes.toString(), rig, "the page's rig.txt differs from the command's");
 }
-const positions = () => page.evaluate(() => sinewPage.view.shownPositions());
-const file = (path) => ({ name: path.split("/").pop(), mimeType: "application/octet-stream", buffer: readFileSync(join(data, path)) });
-const made = (name, content) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
-async function give(...files) {
-  await page.setInputFiles("#files", files);
-  await page.waitForFunction(() => document.getElementById("files").files.length === 0);
-  await settled();
-}
-const step = async (name, test) => {
-  const start = Date.now();
-  try {
-    await test();
-  } catch (error) {
-    await shoot("failed").catch(() => {});
-    error.message = `${name}: ${error.message}`;
-    throw error;
-  }
-  assert.deepEqual(troubles, [], `${name}: the browser's console`);
-  console.log(`${name}: ok, ${Date.now() - start} ms`);
-};
+const file = (name) => fileOf(join(data, name));
 
 try {
   for (const [query, kernel] of [["?sample=snake__long", "SIMD"], ["?sample=snake__long&scalar", "without SIMD"]]) {
@@ -841,7 +801,7 @@ try {
   });
 
   await step("options", async () => {
-    await page.locator("#panel > details > summary", { hasText: /^Options/ }).click();
+    await details(/^Options/);
     await page.selectOption("#method", "1");
     await settled();
     assert.notEqual(await hash(), native.get("snake__long"));
@@ -856,7 +816,7 @@ try {
     for (let i = 0; i < 60; ++i) await page.keyboard.press("ArrowRight");
     await settled();
     const linear = await positions();
-    await page.selectOption("#skinning", "1");
+    await page.locator("#skinning label", { hasText: "Dual quat." }).click();
     await settled();
     assert.notDeepEqual(await positions(), linear);
     assert.equal(await errorLine(), "");

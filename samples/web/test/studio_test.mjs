@@ -4,9 +4,10 @@
 //   studio_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { launch, serve } from "./browser.mjs";
+import { made, newPage, pageTools } from "./page.mjs";
 
 const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
 const data = join(source, "samples/data");
@@ -19,56 +20,11 @@ const command = (name, ...more) => {
 const server = await serve(dist);
 const browser = await launch();
 const troubles = [];
-const page = await browser.context.newPage();
-page.setDefaultTimeout(60000);
-page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
-page.on("pageerror", (error) => troubles.push(error.message));
-page.on("request", (request) => /^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url()) || troubles.push(`asks ${request.url()}`));
-
-const settled = () => page.evaluate(() => sinewPage.settled());
-const shoot = (name) => page.screenshot({ path: join(work, `studio_${name}.png`) });
-const hash = () => page.locator("#facts code").innerText();
-const errorLine = async () => ((await page.locator("#error").isVisible()) ? page.locator("#error span").innerText() : "");
-const legend = () => page.locator("#legend figcaption").innerText();
-const positions = () => page.evaluate(() => sinewPage.view.shownPositions());
+const page = await newPage(browser, troubles);
+const { settled, shoot, hash, errorLine, legend, colours, joints, open, pick, details, give, slide, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "studio_" });
 const jointsAt = () => page.evaluate(() => sinewPage.view.shownJoints());
-const colours = () => page.evaluate(() => sinewPage.view.shownColours());
-const joints = () => page.evaluate(() => sinewPage.character.joints);
-async function open(name) {
-  await page.selectOption("#sample", name);
-  await settled();
-  assert.equal(await errorLine(), "");
-}
-async function pick(name, modifiers = []) {
-  await page.fill("#search", name);
-  await page.locator(`#joints li >> text="${name}"`).click({ modifiers });
-  await page.fill("#search", "");
-  await page.focus("#joints");
-  await settled();
-}
-const details = (summary) => page.locator("#panel > details > summary", { hasText: summary }).click();
-const step = async (name, test) => {
-  const start = Date.now();
-  try {
-    await test();
-  } catch (error) {
-    await shoot("failed").catch(() => {});
-    error.message = `${name}: ${error.message}`;
-    throw error;
-  }
-  assert.deepEqual(troubles, [], `${name}: the browser's console`);
-  console.log(`${name}: ok, ${Date.now() - start} ms`);
-};
 // The picture's pixels in the middle, to see that it changed.
 const picture = async () => (await page.locator("#stage canvas").screenshot()).toString("base64");
-async function slide(id, value) {
-  await page.locator(id).evaluate((input, wanted) => {
-    input.value = String(wanted);
-    input.dispatchEvent(new Event("input", { bubbles: true }));
-    input.dispatchEvent(new Event("change", { bubbles: true }));
-  }, value);
-  await settled();
-}
 
 try {
   await step("the first sample walks", async () => {
@@ -333,14 +289,11 @@ try {
 
   await step("FBX out, and in again", async () => {
     await open("biped__caped");
-    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#download-fbx")]);
-    assert.equal(download.suggestedFilename(), "biped__caped.bound.fbx");
-    const bytes = readFileSync(await download.path());
+    const { name, bytes } = await downloaded("#download-fbx");
+    assert.equal(name, "biped__caped.bound.fbx");
     assert.equal(bytes.subarray(0, 18).toString(), "Kaydara FBX Binary");
     const before = { joints: (await joints()).map(({ name }) => name), vertices: await page.evaluate(() => sinewPage.character.vertices) };
-    await page.setInputFiles("#files", [{ name: "again.fbx", mimeType: "application/octet-stream", buffer: bytes }]);
-    await page.waitForFunction(() => document.getElementById("files").files.length === 0);
-    await settled();
+    await give(made("again.fbx", bytes));
     assert.equal(await errorLine(), "");
     const after = await joints();
     assert.deepEqual(new Set(after.map(({ name }) => name.replaceAll(".", ""))), new Set(before.joints.map((name) => name.replaceAll(".", ""))), "the same joints");
@@ -348,9 +301,7 @@ try {
     await page.keyboard.press("6");
     await settled();
     await shoot("fbx");
-    await page.setInputFiles("#files", [{ name: "broken.fbx", mimeType: "application/octet-stream", buffer: Buffer.from("no fbx") }]);
-    await page.waitForFunction(() => document.getElementById("files").files.length === 0);
-    await settled();
+    await give(made("broken.fbx", "no fbx"));
     assert.match(await errorLine(), /^broken\.fbx: is no FBX that can be read/);
     await page.keyboard.press("Escape");
     assert.deepEqual((await joints()).map(({ name }) => name), after.map(({ name }) => name), "the page is as it was");
@@ -366,7 +317,7 @@ try {
       await page.keyboard.press("Tab");
       reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.name || document.activeElement.tagName));
     }
-    const wanted = ["view-front", "view-top", "wireframe", "bone-size", "skeleton", "mode", "joints", "brush", "brush-size", "open-motion", "test-clip", "download-fbx", "SUMMARY"];
+    const wanted = ["view-front", "view-top", "wireframe", "bone-size", "skeleton", "mode", "joints", "brush", "brush-size", "skinning", "open-motion", "test-clip", "download-fbx", "SUMMARY"];
     assert.deepEqual(wanted.filter((id) => !reached.has(id)), [], "the tabulator reaches all of them");
     await page.focus("#joints");
     for (let i = 0; i < 2; ++i) await page.keyboard.press("b");

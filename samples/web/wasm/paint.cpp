@@ -8,24 +8,12 @@
 #include <utility>
 
 #include "sinew_formats/bind.hpp"
+#include "sinew_formats/mesh_neighbours.hpp"
 
 namespace sinew::web {
 namespace {
 
 constexpr int kSmoothRounds = 2;  // of a stroke that smooths
-
-std::vector<std::vector<uint32_t>> neighbours_of(const Character& character) {
-  std::vector<std::vector<uint32_t>> neighbours(character.vertices.size());
-  for (size_t f = 0; f < character.face_count(); ++f) {
-    const uint32_t first = character.face_offsets[f], last = character.face_offsets[f + 1];
-    for (uint32_t c = first; c < last; ++c) {
-      const uint32_t a = character.face_vertices[c], b = character.face_vertices[c + 1 < last ? c + 1 : first];
-      neighbours[a].push_back(b);
-      neighbours[b].push_back(a);
-    }
-  }
-  return neighbours;
-}
 
 using Row = std::vector<Influence>;
 

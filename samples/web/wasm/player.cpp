@@ -3,55 +3,152 @@
 #include "player.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
-#include "sinew_datasets/motion_map.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/map_skeleton.hpp"
-#include "sinew_formats/retarget.hpp"
 
 namespace sinew::web {
 
-nlohmann::ordered_json Player::open(const std::string& file, const Character& character, uint32_t up, bool own) {
-  const Motion source = read_motion(file);
-  MapRig target = map_rig_of(character), from = map_rig_of(source);
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json limb_json(const sinew_limb_measure& limb) {
+  return {{"deep", limb.deep_frames}, {"contacts", limb.contact_frames}, {"depth", limb.depth}, {"error", limb.error}};
+}
+
+Json map_json(const MotionMap& map) {
+  Json list = Json::array();
+  for (size_t t = 0; t < map.sources.size(); ++t)
+    list.push_back({{"source", map.sources[t]}, {"why", map_reason_text(map.reasons[t])}});
+  return list;
+}
+
+Json joints_json(const Motion& motion) {
+  Json list = Json::array();
+  for (const MotionJoint& joint : motion.joints)
+    list.push_back({{"name", joint.name}, {"parent", joint.parent}, {"end", joint.end}});
+  return list;
+}
+
+}  // namespace
+
+void Player::make(MotionMethod method, Opened* opened) {
+  const auto at = opened->made.find(method);
+  if (at != opened->made.end()) {
+    opened->now = &at->second;
+    return;
+  }
+  RetargetSettings settings;
+  settings.method = method == MotionMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
+  settings.target_up = opened->up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO;
+  Retargeter retargeter(opened->source, opened->character.joints, opened->map.sources, opened->classes, settings);
+  opened->has_body = retargeter.take_bodies(opened->character, opened->body ? &*opened->body : nullptr) > 0;
+  if (method == MotionMethod::kReferencePoints) {
+    retargeter.follow_reference_points(sinew_reference_options_init());
+  } else if (method == MotionMethod::kContacts) {
+    retargeter.keep_contacts();
+    retargeter.keep_range();
+  }
+  Made made;
+  made.motion = motion_of(opened->character.joints);
+  for (const Clip& clip : opened->source.clips) {
+    made.reports.emplace_back();
+    made.motion.clips.push_back(retargeter.run(clip, {}, &made.reports.back()));
+  }
+  opened->now = &opened->made.emplace(method, std::move(made)).first->second;
+}
+
+Json Player::clips_json(const Opened& opened) {
+  Json list = Json::array();
+  for (size_t c = 0; c < opened.now->motion.clips.size(); ++c) {
+    const Clip& clip = opened.now->motion.clips[c];
+    const ClipReport& report = opened.now->reports[c];
+    Json limbs = Json::array();
+    for (size_t l = 0; l < report.before.size(); ++l)
+      limbs.push_back({{"joint", report.before[l].joint},
+                       {"leg", report.before[l].leg != 0},
+                       {"before", limb_json(report.before[l])},
+                       {"after", limb_json(report.after[l])}});
+    list.push_back({{"name", clip.name},
+                    {"frames", clip.frames.size()},
+                    {"seconds", static_cast<double>(clip.frames.size() - 1) * clip.frame_time},
+                    {"limbs", std::move(limbs)}});
+  }
+  return list;
+}
+
+Json Player::open(const std::string& file, const Character& character, uint32_t up, bool own, MotionMethod method,
+                  const std::vector<sinew_map_pin>& pins) {
+  auto opened = std::make_unique<Opened>();
+  opened->source = read_motion(file);
+  std::vector<Clip>& clips = opened->source.clips;
+  clips.erase(std::remove_if(clips.begin(), clips.end(), [](const Clip& clip) { return clip.frames.empty(); }),
+              clips.end());
+  if (clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
+  MapRig target = map_rig_of(character), from = map_rig_of(opened->source);
   target.name = character.name;
   from.name = file;
   const std::string axis = up == 1 ? "z" : "auto";
-  const MotionMap map = map_motion(target, from, axis, "auto", "");
-  RetargetSettings settings;
-  settings.target_up = up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO;
-  Retargeter retargeter(source, character.joints, map.sources, motion_classes(target, from, axis, map.sources),
-                        settings);
-  const std::optional<Character> body = body_of_motion(file);
-  (void)retargeter.take_bodies(character, body ? &*body : nullptr);
-  retargeter.keep_contacts();
-  retargeter.keep_range();
-  Motion made = motion_of(character.joints);
-  nlohmann::ordered_json reply;
-  reply["clips"] = nlohmann::ordered_json::array();
-  for (const Clip& clip : source.clips) {
-    if (clip.frames.empty()) continue;
-    made.clips.push_back(retargeter.run(clip));
-    reply["clips"].push_back({{"name", clip.name},
-                              {"frames", clip.frames.size()},
-                              {"seconds", static_cast<double>(clip.frames.size() - 1) * clip.frame_time}});
-  }
-  if (made.clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
+  opened->map = map_motion(target, from, axis, "auto", "", pins);
+  opened->classes = motion_classes(target, from, axis, opened->map.sources);
+  opened->character = character;
+  opened->body = body_of_motion(file);
+  opened->up = up;
+  opened->own = own;
+  make(method, opened.get());
+  Json reply;
+  reply["clips"] = clips_json(*opened);
   reply["joints"] = character.joints.size();
-  reply["mapped"] =
-      character.joints.size() - static_cast<size_t>(std::count(map.sources.begin(), map.sources.end(), -1));
-  reply["how"] = map.how;
-  reply["notes"] = source.notes;
-  if (map.certainty < kDoubtfulSides)
-    reply["notes"].push_back("Which way is front is not sure: left and right may be exchanged");
-  motion_ = std::move(made);
-  own_ = own;
+  const std::vector<int>& sources = opened->map.sources;
+  reply["mapped"] = sources.size() - static_cast<size_t>(std::count(sources.begin(), sources.end(), -1));
+  reply["how"] = opened->map.how;
+  reply["hasBody"] = opened->has_body;
+  reply["sourceJoints"] = joints_json(opened->source);
+  reply["map"] = map_json(opened->map);
+  reply["notes"] = opened->source.notes;
+  if (opened->map.certainty < kDoubtfulSides)
+    reply["notes"].push_back(
+        "Which way is front is not sure: left and right may be exchanged; one pair of the map settles it");
+  open_ = std::move(opened);
   return reply;
 }
 
+Json Player::use(MotionMethod method) {
+  if (!open_) throw Error("no motion is open");
+  make(method, open_.get());
+  return {{"clips", clips_json(*open_)}};
+}
+
+const Player::Opened& Player::opened(uint32_t clip) const {
+  if (!open_ || clip >= open_->now->motion.clips.size()) throw Error("no motion is open");
+  return *open_;
+}
+
 std::vector<Affine> Player::palette(uint32_t clip, double seconds) const {
-  if (clip >= motion_.clips.size()) throw Error("no motion is open");
-  return motion_palette(motion_, frame_at(motion_.clips[clip], seconds), motion_.joints.size());
+  const Motion& motion = opened(clip).now->motion;
+  return motion_palette(motion, frame_at(motion.clips[clip], seconds), motion.joints.size());
+}
+
+Json Player::spots(uint32_t clip, double seconds) const {
+  const Made& made = *opened(clip).now;
+  const Clip& one = made.motion.clips[clip];
+  const ClipReport& report = made.reports[clip];
+  const double last = static_cast<double>(one.frames.size() - 1);
+  const auto frame = static_cast<size_t>(std::clamp(std::round(seconds / one.frame_time), 0.0, last));
+  Json list = Json::array();
+  if (report.spots.empty()) return list;
+  for (size_t l = 0; l < report.after.size(); ++l) {
+    const sinew_contact_spot& spot = report.spots[frame * SINEW_MAX_MOTION_LIMBS + l];
+    if (spot.kind == SINEW_SPOT_NONE) continue;
+    list.push_back({{"joint", report.after[l].joint},
+                    {"kind", spot.kind},
+                    {"place", {spot.place[0], spot.place[1], spot.place[2]}},
+                    {"error", spot.error}});
+  }
+  return list;
 }
 
 }  // namespace sinew::web

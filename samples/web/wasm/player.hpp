@@ -1,32 +1,66 @@
 // SPDX-License-Identifier: MIT
-// Motions that the page's character plays: its file's own, or those of another skeleton.
+// Motions that the page's character plays: its file's own, or those of another skeleton, by any method of sinew animate.
 #ifndef SINEW_WEB_PLAYER_HPP
 #define SINEW_WEB_PLAYER_HPP
 
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "sinew_datasets/motion_map.hpp"
 #include "sinew_formats/motion.hpp"
+#include "sinew_formats/retarget.hpp"
 
 namespace sinew::web {
+
+enum class MotionMethod : uint32_t { kContacts = 0, kCopy, kReferencePoints };
 
 class Player {
  public:
   // Retargets every clip of the file to the character; a motion that is there already stays when that fails. Throws Error.
-  //   up  0 = Y, 1 = Z, the character's
-  //   own  the file is the character's own
-  // Returns {clips: [{name, frames, seconds}], joints, mapped, how, notes: [one line each]}.
-  nlohmann::ordered_json open(const std::string& file, const Character& character, uint32_t up, bool own);
-  void close() { motion_ = Motion(); }
+  //   up    0 = Y, 1 = Z, the character's
+  //   own   the file is the character's own
+  //   pins  of the map, which the rest follows
+  // Returns {clips: [{name, frames, seconds, limbs}], joints, mapped, how, hasBody, sourceJoints: [{name, parent}], map: [{source,
+  // why}], notes: [one line each]}.
+  nlohmann::ordered_json open(const std::string& file, const Character& character, uint32_t up, bool own,
+                              MotionMethod method, const std::vector<sinew_map_pin>& pins);
+  // The same motion by another method; made when it is first asked for. Returns {clips}.
+  nlohmann::ordered_json use(MotionMethod method);
+  void close() { open_.reset(); }
 
   // What a file of the character gets: null when nothing is open, or what its own file has already.
-  const Motion* for_file() const { return motion_.clips.empty() || own_ ? nullptr : &motion_; }
+  const Motion* for_file() const { return open_ && !open_->own ? &open_->now->motion : nullptr; }
   // Pose times inverse bind of all joints, `seconds` into a clip.
   std::vector<Affine> palette(uint32_t clip, double seconds) const;
+  // [{joint, kind, place, error}]: what limbs do in the frame that is nearest, see sinew_contact_spot.
+  nlohmann::ordered_json spots(uint32_t clip, double seconds) const;
 
  private:
-  Motion motion_;  // of the character's joints
-  bool own_ = false;
+  // By one method.
+  struct Made {
+    Motion motion;  // of the character's joints
+    std::vector<ClipReport> reports;
+  };
+  struct Opened {
+    Motion source;
+    Character character;  // joints, mesh and weights
+    std::optional<Character> body;
+    MotionMap map;
+    std::vector<uint8_t> classes;
+    uint32_t up = 0;
+    bool own = false, has_body = false;
+    std::map<MotionMethod, Made> made;
+    const Made* now = nullptr;
+  };
+  static void make(MotionMethod method, Opened* opened);
+  static nlohmann::ordered_json clips_json(const Opened& opened);
+  const Opened& opened(uint32_t clip) const;
+
+  std::unique_ptr<Opened> open_;
 };
 
 }  // namespace sinew::web

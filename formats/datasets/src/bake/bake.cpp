@@ -18,9 +18,9 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-constexpr double kRidge = 1e-2;        // of unknowns whose features have a mean square of 1
+constexpr double kRidge = 3e-3;        // of unknowns whose features have a mean square of 1
 constexpr double kLeastWeight = 0.02;  // a vertex with less of a joint and the one before it is not of its bend
-constexpr size_t kMostBends = 8;       // of one vertex: those that it has most weight of
+constexpr size_t kMostBends = 12;      // of one vertex: those that concern it most
 
 // One bend and its features, the weights of its shapes in every pose.
 struct Bend {
@@ -54,13 +54,27 @@ std::vector<char> bending_joints(const Character& character) {
   return bends;
 }
 
-std::vector<Bend> find_bends(const Character& character, const std::vector<Palette>& poses,
-                             const BakeSettings& settings) {
-  const std::vector<char> bending = bending_joints(character);
-  std::vector<char> has_weight(bending.size(), 0);
+// The nearest joint above each that has weight; of a root, itself.
+std::vector<size_t> joints_before(const Character& character) {
+  std::vector<char> has_weight(character.joints.size(), 0);
   for (const std::vector<Influence>& row : character.influences)
     for (const Influence& influence : row)
       if (influence.weight > 0) has_weight[influence.joint] = 1;
+  std::vector<size_t> before;
+  for (size_t j = 0; j < character.joints.size(); ++j) {
+    size_t at = j;
+    do {
+      if (character.joints[at].parent < 0) break;
+      at = static_cast<size_t>(character.joints[at].parent);
+    } while (has_weight[at] == 0);
+    before.push_back(at);
+  }
+  return before;
+}
+
+std::vector<Bend> find_bends(const Character& character, const std::vector<size_t>& before,
+                             const std::vector<Palette>& poses, const BakeSettings& settings) {
+  const std::vector<char> bending = bending_joints(character);
   std::vector<Bend> bends;
   for (size_t j = 0; j < bending.size(); ++j) {
     if (bending[j] == 0) continue;
@@ -72,9 +86,7 @@ std::vector<Bend> find_bends(const Character& character, const std::vector<Palet
     if (turned.empty()) continue;
     Bend bend;
     bend.driver.joint = j;
-    bend.before = static_cast<size_t>(character.joints[j].parent);
-    while (has_weight[bend.before] == 0 && character.joints[bend.before].parent >= 0)
-      bend.before = static_cast<size_t>(character.joints[bend.before].parent);
+    bend.before = before[j];
     bend.driver.falloff = settings.falloff;
     bend.driver.turns = turn_clusters(turned, settings.shapes_per_bend);
     const size_t shapes = bend.driver.turns.size();
@@ -94,17 +106,25 @@ std::vector<Bend> find_bends(const Character& character, const std::vector<Palet
   return bends;
 }
 
-// The bends that a vertex takes part in, those with most weight first.
-std::vector<size_t> bends_of(const std::vector<Bend>& bends, const std::vector<Influence>& row) {
+// How much a bend concerns what follows a joint. The surface is solved as a whole, so a bend moves what follows the joints next
+// to its own a little, too. before [J]: joints_before().
+double concern(const Bend& bend, const std::vector<size_t>& before, size_t joint) {
+  const size_t own = bend.driver.joint;
+  if (joint == own) return 2;  // before others of the same parent
+  if (joint == bend.before) return 1;
+  if (before[joint] == own) return 0.5;
+  if (before[before[joint]] == own) return 0.3;
+  return before[joint] == bend.before ? 0.25 : 0;
+}
+
+// The bends that a vertex takes part in, those that concern it most first.
+std::vector<size_t> bends_of(const std::vector<Bend>& bends, const std::vector<size_t>& before,
+                             const std::vector<Influence>& row) {
   std::vector<std::pair<double, size_t>> found;
   for (size_t b = 0; b < bends.size(); ++b) {
-    const size_t joint = bends[b].driver.joint;
     double weight = 0;
-    for (const Influence& influence : row) {
-      if (influence.joint == joint)
-        weight += 2 * static_cast<double>(influence.weight);  // before others of the same parent
-      if (influence.joint == bends[b].before) weight += static_cast<double>(influence.weight);
-    }
+    for (const Influence& influence : row)
+      weight += concern(bends[b], before, influence.joint) * static_cast<double>(influence.weight);
     if (weight > kLeastWeight) found.push_back({-weight, b});
   }
   std::sort(found.begin(), found.end());
@@ -188,7 +208,8 @@ void drop_empty_shapes(Morphs* morphs) {
 Morphs bake_bends(const Character& character, const std::vector<Palette>& poses, const BakeSettings& settings,
                   const BakeProgress& progress) {
   const Corrections corrections = find_corrections(character, poses, settings.deform, progress);
-  std::vector<Bend> bends = find_bends(character, poses, settings);
+  const std::vector<size_t> before = joints_before(character);
+  std::vector<Bend> bends = find_bends(character, before, poses, settings);
   Morphs morphs;
   for (Bend& bend : bends) {
     for (size_t i = 0; i < bend.driver.turns.size(); ++i) {
@@ -201,7 +222,7 @@ Morphs bake_bends(const Character& character, const std::vector<Palette>& poses,
   std::map<std::vector<size_t>, Matrix> features;  // many vertices have the same bends
   VertexFit fit(poses.size());
   for (size_t v = 0; v < character.vertices.size(); ++v) {
-    const std::vector<size_t> near = bends_of(bends, character.influences[v]);
+    const std::vector<size_t> near = bends_of(bends, before, character.influences[v]);
     float largest = 0;
     for (const std::vector<float>& lack : corrections.lacks)
       for (size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(lack[3 * v + c]));

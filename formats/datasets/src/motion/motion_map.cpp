@@ -24,19 +24,23 @@ bool is_limb(uint8_t c) {
 }  // namespace
 
 MotionMap map_motion(const MapRig& target, const MapRig& source, const std::string& target_up,
-                     const std::string& source_up, const std::string& map_file) {
+                     const std::string& source_up, const std::string& map_file,
+                     const std::vector<sinew_map_pin>& pins) {
   MotionMap map;
   if (!map_file.empty()) {
     map.sources.assign(target.joints.size(), -1);
     for (const sinew_map_pin& pin : read_map_file(map_file, target, source, MapRepeats::kSources))
       map.sources[pin.target] = pin.source;
+    map.reasons.assign(target.joints.size(), SINEW_MAP_PINNED);
     map.how = map_file;
   } else {
     MapSkeletonOptions options;
     options.target_up = up_letter(target_up);
     options.source_up = up_letter(source_up);
+    options.pins = pins;
     const MappedSkeleton found = map_skeleton(target, source, options);
     map.sources.assign(found.sources.begin(), found.sources.end());
+    map.reasons = found.reasons;
     map.how = found.method == SINEW_MAP_BRANCHES ? "branches" : "anatomy and names";
     map.certainty = found.certainty;
   }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/arena.hpp"
@@ -268,6 +269,54 @@ TEST(Measure, CountsWhatIsLeftToBeMended) {
   EXPECT_EQ(foot.deep_frames, 6u);
   EXPECT_NEAR(foot.depth * 1.58, 0.05, 1e-3);
   EXPECT_EQ(foot.range_frames, 0u);
+}
+
+TEST(Spots, AreTheMeasureFrameByFrame) {
+  const MotionScene scene = body(20);
+  const BoxBody thin(scene, 0.05), thick(scene, 0.36);
+  PlayedClip clip(scene, scene);
+  reach_forward(&clip, {0.05, -0.3, 0.95});
+  for (const bool with_source : {true, false}) {
+    std::vector<sinew_contact_spot> spots;
+    const std::vector<sinew_limb_measure> limbs = clip.measure(with_source ? &thin : nullptr, thick, &spots);
+    const std::vector<sinew_limb_measure> plain = clip.measure(with_source ? &thin : nullptr, thick);
+    ASSERT_EQ(limbs.size(), 4u);
+    EXPECT_EQ(std::memcmp(limbs.data(), plain.data(), limbs.size() * sizeof limbs[0]), 0);
+    for (uint32_t f = 0; f < clip.frames; ++f) {
+      const sinew_contact_spot* const row = &spots[size_t{f} * SINEW_MAX_MOTION_LIMBS];
+      EXPECT_EQ(row[0].kind, uint32_t{SINEW_SPOT_INSIDE}) << f;
+      EXPECT_NEAR(row[0].error, limbs[0].depth, 1e-4);
+      const Placed posed = clip.frame(f);
+      const Vec3d place = {row[0].place[0], row[0].place[1], row[0].place[2]};
+      EXPECT_LT(std::min(distance(place, posed.places[kLeftHand]), distance(place, posed.places[kLeftForearm])), 0.07)
+          << "a corner of the hand's box or the elbow's";
+      EXPECT_EQ(row[1].kind, uint32_t{SINEW_SPOT_NONE});
+      EXPECT_EQ(row[2].kind, uint32_t{SINEW_SPOT_STANDS});
+      EXPECT_LT(row[2].error, 1e-6);
+      EXPECT_EQ(row[4].kind, uint32_t{SINEW_SPOT_NONE}) << "behind the limbs there is nothing";
+      EXPECT_EQ(row[4].reserved, 0u);
+    }
+  }
+
+  // A hand on a belly, copied onto a thinner one: it touches, as far off as the measure says.
+  PlayedClip touching(scene, scene);
+  reach_forward(&touching, {0.1, -0.8, 0.35});
+  const BoxBody source(scene, 0.12), target(scene, 0.06);
+  std::vector<sinew_contact_spot> spots;
+  const sinew_limb_measure copied = touching.measure(&source, target, &spots)[0];
+  EXPECT_EQ(spots[0].kind, uint32_t{SINEW_SPOT_TOUCHES});
+  EXPECT_NEAR(spots[0].error, copied.error, 1e-4);
+
+  // Feet that slide: the first frame has none before it.
+  PlayedClip sliding(scene, scene);
+  for (int f = 0; f < 3; ++f) sliding.add(rest_pose(scene));
+  for (uint32_t f = 0; f < 3; ++f) sliding.translations[3 * 17 * f] += 0.01f * static_cast<float>(f);
+  (void)sliding.measure(nullptr, thin, &spots);
+  EXPECT_EQ(spots[2].error, 0);
+  EXPECT_NEAR(spots[SINEW_MAX_MOTION_LIMBS + 2].error * 1.58, 0.01, 1e-4);
+  EXPECT_EQ(
+      sinew_retarget_spots(sliding.plan, nullptr, nullptr, nullptr, nullptr, nullptr, 0, nullptr, nullptr, nullptr),
+      SINEW_ERROR_ARGUMENT);
 }
 
 TEST(Contacts, TheSameBodyIsLeftAsItIs) {

@@ -117,6 +117,21 @@ TEST(Transfer, WhatABindGivesIsBoundAgain) {
   EXPECT_LT(sum / target.vertex_count(), 0.02);
 }
 
+// Neither style nor mismatch: there is a match all the same.
+TEST(Transfer, RowsThatAreABindsToTheLastBitHaveAMatch) {
+  MeshScene scene = limb(10, 8, 2, 0.3);
+  scene.joints.resize(3);
+  scene.parents.resize(1);
+  BoundRows rows = painted(scene, 2);
+  for (size_t i = 0; i < rows.joints.size(); ++i) {
+    rows.joints[i] = 0;
+    rows.weights[i] = i % 2 == 0 ? 65535 : 0;
+  }
+  const TransferRun run = run_transfer(scene, rows, scene, method(SINEW_TRANSFER_AUTO));
+  ASSERT_EQ(run.status, SINEW_OK);
+  EXPECT_EQ(run.parts[0].reason, SINEW_TRANSFER_PLAIN);
+}
+
 TEST(Transfer, LockedVerticesStay) {
   const MeshScene source = limb(25, 12, 3, 0.3);
   std::vector<uint8_t> locked(source.vertex_count(), 0);

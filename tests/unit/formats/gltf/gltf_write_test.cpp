@@ -107,6 +107,28 @@ TEST(GltfWrite, PicturesOfTheSameFolderStayFiles) {
   EXPECT_NE(folder.text_of("out.glb").find(png), std::string::npos);
 }
 
+// A picture that glTF has no type for stays a file, one that was not found a name.
+TEST(GltfWrite, PicturesThatCannotBeEmbeddedAreNamedFromTheNewFolder) {
+  const TempFolder folder;
+  folder.write("sk in.tga", "a kind that glTF does not know");
+  std::filesystem::create_directories(folder.file("out"));
+  GlbBuilder builder = two_joint_strip();
+  for (const char* uri : {"sk%20in.tga", "missing.png"}) {
+    builder.add("images", {{"uri", uri}});
+    builder.add("textures", {{"source", builder.document["textures"].size()}});
+  }
+  const Character c = read_gltf(folder.write("in.glb", builder.glb()));
+  ASSERT_EQ(c.notes.size(), 1u);
+  EXPECT_NE(c.notes[0].find("1 picture was not found: 'missing.png'"), std::string::npos) << c.notes[0];
+  for (const char* name : {"out/a.glb", "out/a.gltf"}) {
+    write_gltf(folder.file(name), c);
+    const std::string text = folder.text_of(name);
+    const json images = (std::string(name).back() == 'b' ? json_of_glb(text) : json::parse(text))["images"];
+    EXPECT_EQ(images[0]["uri"], "../sk%20in.tga") << name;
+    EXPECT_EQ(images[1]["uri"], "missing.png") << name;
+  }
+}
+
 TEST(GltfWrite, OnlyAVrmBecomesAVrm) {
   const TempFolder folder;
   GlbBuilder builder = two_joint_strip();

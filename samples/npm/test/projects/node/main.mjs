@@ -35,14 +35,16 @@ const rigModel = skin.openModel(await loadRigModel()), handsModel = skin.openMod
 for (const name of names) {
   const { mesh } = read(name);
   const rig = skin.rig(mesh, { model: rigModel });
-  out.rigs[name] = { names: rig.names, positions: Array.from(rig.positions), parents: Array.from(rig.parents) };
+  const full = skin.rig(mesh, { model: rigModel, handsModel, face: true, props: true });
+  out.rigs[name] = [rig, full].map((one) => ({
+    names: one.names, positions: Array.from(one.positions), parents: Array.from(one.parents), sure: one.confidence.length,
+  }));
 }
 
 const { mesh, skeleton } = read(names[0]);
 const bound = skin.bind(mesh, skeleton, { questions: 8 });
 out.floatSums = Math.max(...Array.from({ length: bound.vertexCount }, (_, v) => Math.abs(bound.weights.subarray(4 * v, 4 * v + 4).reduce((a, b) => a + b) - 1)));
 out.questions = bound.questions.map(({ vertex, alternatives }) => [vertex, alternatives.length]);
-out.fingers = skin.rig(mesh, { model: rigModel, handsModel }).names.length;
 
 // A locked vertex keeps its row to the bit; what it is told of steers a hint's surroundings.
 const rows = skin.bind(mesh, skeleton, { format: "unorm16" });

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The definition of a soft edge and of a hard volume in integers.
+#include "core/vector_math.hpp"
+#include "kernels/constraints.hpp"
+
+namespace sinew {
+namespace {
+
+int32_t clamped(int32_t x, int32_t most) { return x > most ? most : x < -most ? -most : x; }
+Vec3i clamped(Vec3i v, int32_t most) { return {clamped(v.x, most), clamped(v.y, most), clamped(v.z, most)}; }
+int32_t rounded(int64_t v, int shift) { return static_cast<int32_t>((v + (int64_t{1} << (shift - 1))) >> shift); }
+
+// A vector of products over the cell's edge.
+Vec3i over_cell(Vec3l v) {
+  return {static_cast<int32_t>(v.x >> kCellBits), static_cast<int32_t>(v.y >> kCellBits),
+          static_cast<int32_t>(v.z >> kCellBits)};
+}
+void step(Vec3i* p, int64_t ratio, Vec3i v, int shift) {
+  p->x += rounded(ratio * v.x, shift);
+  p->y += rounded(ratio * v.y, shift);
+  p->z += rounded(ratio * v.z, shift);
+}
+
+int64_t sum_of_sides(Vec3i v) { return abs64(v.x) + abs64(v.y) + abs64(v.z); }
+
+template <class One>
+void each(uint32_t begin, uint32_t end, bool backwards, const One& one) {
+  if (backwards) {
+    for (uint32_t k = end; k-- > begin;) one(k);
+  } else {
+    for (uint32_t k = begin; k < end; ++k) one(k);
+  }
+}
+
+void solve_edge(const EdgeRates& rates, const uint8_t* moves, Vec3i* nodes, SolverEdge* edge) {
+  const Vec3i d = clamped(nodes[edge->a] - nodes[edge->b], kLongEdge);
+  const int64_t now = isqrt64(static_cast<uint64_t>(dot(d, d)) << 8);  // Q4
+  if (now < 16) return;
+  const bool a = moves[edge->a] != 0, b = moves[edge->b] != 0;
+  const int64_t error = (edge->rest - now) * 256 - rates.softness * edge->lambda;
+  const int32_t change = rounded(error * rates.inverse[a && b ? 1 : 0], 24);
+  edge->lambda += change;
+  const int64_t ratio = (static_cast<int64_t>(change) * (1 << 20)) / now;  // Q20
+  if (a) step(&nodes[edge->a], ratio, d, 20);
+  if (b) step(&nodes[edge->b], -ratio, d, 20);
+}
+
+void solve_volume(const uint32_t* at, int64_t rest, const uint8_t* moves, Vec3i* nodes) {
+  const Vec3i origin = nodes[at[0]];
+  const Vec3i b = clamped(nodes[at[1]] - origin, kLongSide), c = clamped(nodes[at[2]] - origin, kLongSide),
+              d = clamped(nodes[at[3]] - origin, kLongSide);
+  Vec3i gradient[4];
+  gradient[1] = over_cell(cross(c, d));
+  gradient[2] = over_cell(cross(d, b));
+  gradient[3] = over_cell(cross(b, c));
+  gradient[0] = {-(gradient[1].x + gradient[2].x + gradient[3].x), -(gradient[1].y + gradient[2].y + gradient[3].y),
+                 -(gradient[1].z + gradient[2].z + gradient[3].z)};
+  const int64_t error = rest - dot(b, gradient[1]);
+  int64_t denominator = 0, largest = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (moves[at[k]] == 0) continue;
+    denominator += dot(gradient[k], gradient[k]);
+    const int64_t bound = sum_of_sides(gradient[k]);
+    largest = bound > largest ? bound : largest;
+  }
+  if (denominator < kLeastDenominator) denominator = kLeastDenominator;
+  int64_t ratio = (error * (1 << 12)) / (denominator >> 6);
+  // No node moves by more than a quarter of a cell. The sum of a vector's sides bounds its length, and most steps are short.
+  const int64_t size = ratio < 0 ? -ratio : ratio;
+  if ((size * largest) >> kRatioBits > kLongestStep) {
+    int64_t square = 0;
+    for (int k = 0; k < 4; ++k) {
+      const int64_t own = moves[at[k]] != 0 ? dot(gradient[k], gradient[k]) : 0;
+      square = own > square ? own : square;
+    }
+    const int64_t moved = (size * isqrt64(static_cast<uint64_t>(square))) >> kRatioBits;
+    if (moved > kLongestStep) ratio = ratio * kLongestStep / moved;
+  }
+  for (int k = 0; k < 4; ++k) {
+    if (moves[at[k]] != 0) step(&nodes[at[k]], ratio, gradient[k], kRatioBits);
+  }
+}
+
+}  // namespace
+
+void solve_edge_ref(const EdgeList& list, uint32_t edge) {
+  solve_edge(list.rates, list.moves, list.nodes, list.edges + edge);
+}
+
+void solve_volume_ref(const VolumeList& list, uint32_t entry) {
+  const uint32_t t = list.tetrahedra[entry];
+  solve_volume(list.corners + 4 * static_cast<size_t>(t), rest_volume(t), list.moves, list.nodes);
+}
+
+void solve_edges_ref(const EdgeList& list, uint32_t begin, uint32_t end, bool backwards) {
+  each(begin, end, backwards, [&list](uint32_t e) { solve_edge_ref(list, e); });
+}
+
+void solve_volumes_ref(const VolumeList& list, uint32_t begin, uint32_t end, bool backwards) {
+  each(begin, end, backwards, [&list](uint32_t i) { solve_volume_ref(list, i); });
+}
+
+}  // namespace sinew

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The switch between methods of retargeting while a motion plays, what each leaves to be mended, and whether contacts are shown.
+
+const $ = (id) => document.getElementById(id);
+export const motionMethods = { contacts: 0, copy: 1, referencePoints: 2 }; // MotionMethod of player.hpp
+
+const percent = (share, digits = 0) => `${(100 * share).toFixed(digits)} %`;
+
+// Sums over limbs of a clip: {deep: share of the arms' frames in the body, slide: share of the height a frame that standing feet
+// go, touch: share of the height that hands in touch are off}; null where there is none.
+export function clipFigures({ frames, limbs }, when) {
+  const arms = limbs.filter(({ leg }) => !leg);
+  const weighted = (list) => {
+    const contacts = list.reduce((sum, limb) => sum + limb[when].contacts, 0);
+    return contacts === 0 ? null : list.reduce((sum, limb) => sum + limb[when].contacts * limb[when].error, 0) / contacts;
+  };
+  return {
+    deep: arms.length === 0 ? null : arms.reduce((sum, limb) => sum + limb[when].deep, 0) / (arms.length * frames),
+    slide: weighted(limbs.filter(({ leg }) => leg)),
+    touch: weighted(arms),
+  };
+}
+
+// Each figure as it is, and as it was copied where that is another.
+export function clipText(clip) {
+  const [before, after] = [clipFigures(clip, "before"), clipFigures(clip, "after")];
+  const parts = [];
+  const add = (label, name, digits, unit) => {
+    if (after[name] === null) return;
+    const [now, copied] = [percent(after[name], digits), percent(before[name] ?? 0, digits)];
+    parts.push(`${label} ${now}${unit}${now === copied ? "" : ` (copied ${copied})`}`);
+  };
+  add("arms in the body", "deep", 0, " of the frames");
+  add("standing feet slide", "slide", 2, " of the height a frame");
+  add("hands in touch are off by", "touch", 1, " of the height");
+  return parts.length === 0 ? "" : `${parts[0][0].toUpperCase()}${parts.join("; ").slice(1)}`;
+}
+
+export class MethodPanel {
+  onMethod = () => {}; // MotionMethod
+  onSpots = () => {};
+
+  constructor() {
+    $("motion-method").onchange = ({ target }) => this.onMethod(Number(target.value));
+    $("show-spots").onchange = () => this.onSpots();
+  }
+
+  get spotsShown() {
+    return $("show-spots").checked;
+  }
+
+  // The next method that the motion can be retargeted by.
+  next() {
+    if ($("motion-method").hidden) return;
+    const inputs = [...document.querySelectorAll("#motion-method input:enabled")];
+    const at = inputs.findIndex(({ checked }) => checked);
+    this.onMethod(Number(inputs[(at + 1) % inputs.length].value));
+  }
+
+  // motion: as MotionPlayer has it, with {own, method, hasBody}, or null; clip: the one that plays.
+  show(motion, clip) {
+    $("methods").hidden = !motion;
+    if (!motion) return;
+    $("motion-method").hidden = motion.own; // its file's own frames are as they are
+    for (const input of document.querySelectorAll("#motion-method input")) {
+      const needsBody = Number(input.value) === motionMethods.referencePoints;
+      input.checked = Number(input.value) === motion.method;
+      input.disabled = needsBody && !motion.hasBody;
+    }
+    $("motion-report").textContent = clipText(motion.clips[clip]);
+  }
+}

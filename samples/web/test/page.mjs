@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What the tests of the page share: a page whose troubles are noted, and what is asked of it and done with it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+// A page of the browser that asks no other host. troubles: [line] of its console and such questions from now on.
+export async function newPage(browser, troubles) {
+  const page = await browser.context.newPage();
+  page.setDefaultTimeout(60000);
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && troubles.push(message.text()));
+  page.on("pageerror", (error) => troubles.push(error.message));
+  page.on("request", (request) => /^(http:\/\/127\.0\.0\.1|blob:|data:)/.test(request.url()) || troubles.push(`asks ${request.url()}`));
+  return page;
+}
+
+// current: () => the page that is looked at. Screenshots go to WORK/prefixNAME.png.
+export function pageTools(current, { troubles, work, prefix = "" }) {
+  const on = (selector) => current().locator(selector);
+  const tools = {
+    settled: () => current().evaluate(() => sinewPage.settled()),
+    shoot: (name) => current().screenshot({ path: join(work, `${prefix}${name}.png`) }),
+    errorLine: async () => ((await on("#error").isVisible()) ? on("#error span").innerText() : ""),
+    hash: () => on("#facts code").innerText(),
+    legend: () => on("#legend figcaption").innerText(),
+    colours: () => current().evaluate(() => sinewPage.view.shownColours()),
+    positions: () => current().evaluate(() => sinewPage.view.shownPositions()),
+    joints: () => current().evaluate(() => sinewPage.character.joints),
+    // Opens what lies behind a line of the panel.
+    details: (summary) => on("#panel > details > summary").filter({ hasText: summary }).click(),
+    async open(sample) {
+      await current().selectOption("#sample", sample);
+      await tools.settled();
+      assert.equal(await tools.errorLine(), "");
+    },
+    // Chosen in the list of joints; keys are the page's afterwards.
+    async pick(name, modifiers = []) {
+      await current().fill("#search", name);
+      await on(`#joints li >> text="${name}"`).click({ modifiers });
+      await current().fill("#search", "");
+      await current().focus("#joints");
+      await tools.settled();
+    },
+    // As a drop of files: {name, mimeType, buffer}.
+    async give(...files) {
+      await current().setInputFiles("#files", files);
+      await current().waitForFunction(() => document.getElementById("files").files.length === 0);
+      await tools.settled();
+    },
+    async slide(id, value) {
+      await on(id).evaluate((input, wanted) => {
+        input.value = String(wanted);
+        input.dispatchEvent(new Event("input", { bubbles: true }));
+        input.dispatchEvent(new Event("change", { bubbles: true }));
+      }, value);
+      await tools.settled();
+    },
+    async downloaded(id) {
+      const [download] = await Promise.all([current().waitForEvent("download"), current().click(id)]);
+      return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+    },
+    async step(name, test) {
+      const start = Date.now();
+      try {
+        await test();
+      } catch (error) {
+        await tools.shoot("failed").catch(() => {});
+        error.message = `${name}: ${error.message}`;
+        throw error;
+      }
+      assert.deepEqual(troubles, [], `${name}: the browser's console`);
+      console.log(`${name}: ok, ${Date.now() - start} ms`);
+    },
+  };
+  return tools;
+}
+
+export const made = (name, content) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
+export const fileOf = (path) => made(path.split("/").pop(), readFileSync(path));

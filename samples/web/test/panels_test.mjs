@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What the page's panels compute, without a page: bends, figures of motions, words about maps, turns of joints.
+import assert from "node:assert/strict";
+import { bendGrade, worstFirst } from "../src/bends.js";
+import { treeOrder } from "../src/joint_list.js";
+import { pinned, unpinned } from "../src/map_panel.js";
+import { clipFigures, clipText } from "../src/methods.js";
+import { turnsOf } from "../src/pose_panel.js";
+
+assert.deepEqual([100, 93, 107, 92, 108, 85, 115, 84, 116, -20].map(bendGrade), ["good", "good", "good", "fair", "fair", "fair", "fair", "poor", "poor", "poor"]);
+const bend = (joint, kept) => ({ joint, kept });
+assert.deepEqual(worstFirst([bend(0, 0.99), bend(1, 1.2), bend(2, 0.5), bend(3, 0.8)]).map(({ joint }) => joint), [2, 1, 3, 0]);
+assert.equal(worstFirst(Array.from({ length: 9 }, (_, j) => bend(j, 1))).length, 6);
+
+const limb = (leg, before, after) => ({ joint: 0, leg, before, after });
+const measure = (deep, contacts, error) => ({ deep, contacts, depth: 0, error });
+const clip = {
+  frames: 50,
+  limbs: [
+    limb(false, measure(20, 10, 0.02), measure(0, 10, 0.001)),
+    limb(false, measure(5, 0, 0), measure(1, 0, 0)),
+    limb(true, measure(0, 30, 0.004), measure(0, 30, 0.0001)),
+    limb(true, measure(0, 10, 0), measure(0, 10, 0.0001)),
+  ],
+};
+assert.deepEqual(clipFigures(clip, "before"), { deep: 0.25, slide: 0.003, touch: 0.02 });
+assert.equal(clipText(clip), "Arms in the body 1 % of the frames (copied 25 %); standing feet slide 0.01 % of the height a frame (copied 0.30 %); hands in touch are off by 0.1 % of the height (copied 2.0 %)");
+assert.equal(clipText({ frames: 9, limbs: [] }), "");
+const still = limb(true, measure(0, 5, 0), measure(0, 5, 0));
+assert.equal(clipText({ frames: 9, limbs: [still] }), "Standing feet slide 0.00 % of the height a frame");
+
+const pins = pinned(pinned(new Map(), 3, 7), 4, -1);
+assert.deepEqual([...pins], [[3, 7], [4, -1]]);
+assert.deepEqual([...pinned(pins, 5, 7)], [[4, -1], [5, 7]], "a joint of the motion is given once");
+assert.deepEqual([...pinned(pins, 5, -1)], [[3, 7], [4, -1], [5, -1]], "several joints may have none");
+assert.deepEqual([...pinned(pins, 3, 8)], [[4, -1], [3, 8]]);
+assert.deepEqual([...unpinned(pins, 3)], [[4, -1]]);
+
+const skeleton = [
+  { parent: -1, partner: -1, named: -1 },
+  { parent: 0, partner: 2, named: -1 },
+  { parent: 0, partner: 1, named: -1 },
+  { parent: 1, partner: -1, named: 2 },
+];
+assert.deepEqual(turnsOf(skeleton, [1], [10, 20, 30], false), [[1, [10, 20, 30]]]);
+assert.deepEqual(turnsOf(skeleton, [1], [10, 20, 30], true), [[1, [10, 20, 30]], [2, [10, -20, -30]]]);
+assert.deepEqual(turnsOf(skeleton, [1, 2], [10, 20, 30], true), [[1, [10, 20, 30]], [2, [10, 20, 30]]], "what is chosen turns as it is told");
+assert.deepEqual(turnsOf(skeleton, [3], [10, 20, 30], true, 2), [[3, [10, 20, 30]], [2, [-10, -20, 30]]]);
+
+assert.deepEqual(treeOrder(skeleton), [0, 1, 3, 2]);
+console.log("panels: ok");

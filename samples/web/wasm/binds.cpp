@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+// Wishes to options of a bind, its result to rows and JSON.
+#include "binds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sinew_formats/answers.hpp"
+#include "sinew_formats/bind_character.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew::web {
+namespace {
+
+constexpr uint32_t kQuestions = 8;  // listed beside the mesh
+
+// How sure the least sure tenth is on average, 0 to 1.
+double sure_of_least_tenth(std::vector<uint8_t> confidence) {
+  const size_t tenth = (confidence.size() + 9) / 10;
+  std::partial_sort(confidence.begin(), confidence.begin() + static_cast<std::ptrdiff_t>(tenth), confidence.end());
+  double sum = 0;
+  for (size_t i = 0; i < tenth; ++i) sum += confidence[i] / 255.0;
+  return sum / static_cast<double>(tenth);
+}
+
+struct Bound {
+  CharacterBind result;
+  JointChoice choice;  // with the joints that answers named
+};
+
+// The user's word about joints, after the file's names and weights.
+void switch_joints(const Character& character, const Wish& wish, JointChoice* choice) {
+  take_back_joints(wish.always, {}, choice);
+  for (const size_t joint : wish.never) {
+    if (joint >= character.joints.size()) continue;
+    if ((choice->flags[joint] & SINEW_JOINT_NEVER) == 0) choice->left_out.push_back({joint, "never deforms, as asked"});
+    choice->flags[joint] |= SINEW_JOINT_NEVER;
+    choice->tips.erase(std::remove(choice->tips.begin(), choice->tips.end(), joint), choice->tips.end());
+  }
+}
+
+Bound bind_with(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, uint32_t questions) {
+  CharacterBindOptions options;
+  options.bind.method = static_cast<sinew_method>(wish.method);
+  if (options.bind.method == SINEW_METHOD_MODEL) {
+    if (s.bind_model.bytes.empty()) throw Error("no model is loaded");
+    options.bind.model = &s.bind_model.model;
+  }
+  options.bind.influence_count = wish.influences;
+  options.bind.up_axis = wish.up_axis;
+  options.bind.symmetric = wish.symmetric;
+  options.bind.rigid_parts = wish.rigid_parts;
+  options.bind.softness_percent = options.bind.method == SINEW_METHOD_MODEL ? wish.softness_percent : 100;
+  if (!s.character.influences.empty()) {  // rows to keep
+    options.bind.locked = s.locked;
+    options.bind.hints = s.hints;
+  }
+  options.bind.progress = wish.progress;
+  options.bind.answers = answers;
+  options.bind.question_count = questions;
+  options.keep_tips = options.bind_props = s.rigs().now().predicted;
+  Bound bound;
+  bound.choice = s.rigs().now().choice;
+  switch_joints(s.character, wish, &bound.choice);
+  std::vector<size_t> named;
+  for (const sinew_answer& answer : answers)
+    if (answer.kind == SINEW_ANSWER_RIGID && answer.joint < s.character.joints.size()) named.push_back(answer.joint);
+  take_back_joints(named, {}, &bound.choice);
+  bound.result = bind_character(s.character, bound.choice, options);
+  return bound;
+}
+
+Json question_json(const std::vector<Joint>& joints, const sinew_question& question) {
+  Json alternatives = Json::array();
+  for (uint32_t a = 0; a < question.alternative_count; ++a) {
+    const sinew_alternative& alternative = question.alternatives[a];
+    alternatives.push_back({{"answer", answer_text(joints, alternative.kind, alternative.joint)},
+                            {"kind", alternative.kind},
+                            {"joint", alternative.joint},
+                            {"change", alternative.change / 65536.0}});
+  }
+  return {{"part", question.vertex},           {"parts", question.part_count},
+          {"vertices", question.vertex_count}, {"joint", joints[question.joint].name},
+          {"share", question.share / 65535.0}, {"doubt", question.doubt / 65536.0},
+          {"gain", question.gain / 65536.0},   {"alternatives", std::move(alternatives)}};
+}
+
+}  // namespace
+
+// text: {method, upAxis, symmetric, rigidParts, softness, influences, never, always}
+Wish read_wish(const char* text, sinew_progress progress) {
+  const Json json = Json::parse(text);
+  Wish wish;
+  wish.method = json.at("method").get<uint32_t>();
+  wish.up_axis = json.at("upAxis").get<uint32_t>();
+  wish.symmetric = json.at("symmetric").get<bool>();
+  wish.rigid_parts = json.at("rigidParts").get<uint32_t>();
+  wish.softness_percent = static_cast<uint32_t>(std::lround(json.at("softness").get<double>() * 100));
+  wish.influences = json.at("influences").get<uint32_t>();
+  wish.never = json.at("never").get<std::vector<size_t>>();
+  wish.always = json.at("always").get<std::vector<size_t>>();
+  wish.progress = progress;
+  return wish;
+}
+
+// text: [[vertex, kind, joint], ...]
+std::vector<sinew_answer> read_answers(const std::string& text) {
+  std::vector<sinew_answer> answers;
+  for (const Json& one : Json::parse(text))
+    answers.push_back({one.at(0).get<uint32_t>(), one.at(1).get<uint16_t>(), one.at(2).get<uint16_t>(), 0});
+  return answers;
+}
+
+Json bind_shown(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+  need_joints(s);
+  Bound bound = bind_with(s, wish, answers, kQuestions);
+  CharacterBind& result = bound.result;
+  s.taken = {};
+  s.slots = wish.influences;
+  Rows rows = {std::move(result.influences), std::move(result.confidence)};
+  swap_rows(s, &rows);
+  s.vertex_questions = std::move(result.vertex_questions);
+  std::vector<double> sums(s.character.joints.size(), 0);
+  size_t pairs = 0;
+  for (const std::vector<Influence>& row : s.character.influences) {
+    for (const Influence& influence : row) sums[influence.joint] += influence.weight;
+    pairs += row.size();
+  }
+  s.strongest.resize(s.surface.vertex_of.size());
+  for (size_t i = 0; i < s.strongest.size(); ++i) s.strongest[i] = s.joints[size_t{s.surface.vertex_of[i]} * s.slots];
+  Json off = Json::array();
+  for (size_t j = 0; j < bound.choice.flags.size(); ++j)
+    if ((bound.choice.flags[j] & SINEW_JOINT_NEVER) != 0) off.push_back(j);
+  Json left_out = Json::array();
+  for (const LeftOutJoint& left : bound.choice.left_out)
+    left_out.push_back(s.character.joints[left.joint].name + " (" + left.why + ")");
+  Json questions = Json::array();
+  for (const sinew_question& question : result.questions)
+    questions.push_back(question_json(s.character.joints, question));
+  return {{"seconds", result.seconds},
+          {"workspaceBytes", result.workspace_bytes},
+          {"usedBytes", result.used_bytes},
+          {"hash", bind_hash(s.character.influences, s.slots)},
+          {"jointWeights", sums},
+          {"leftOut", left_out},
+          {"off", off},
+          {"lockedVertices", std::count(s.locked.begin(), s.locked.end(), uint8_t{1})},
+          {"paintedVertices", std::count(s.hints.begin(), s.hints.end(), uint8_t{1})},
+          {"symmetricVertices", result.symmetric_vertices},
+          {"keptMeshes", result.kept_meshes},
+          {"lookFirst", (s.confidence.size() + 9) / 10},
+          {"lookFirstSure", sure_of_least_tenth(s.confidence)},
+          {"meanInfluences", static_cast<double>(pairs) / static_cast<double>(s.character.vertices.size())},
+          {"questions", std::move(questions)}};
+}
+
+// A bind that shows weights while a joint is dragged: no questions, no sums.
+Json rebind(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+  need_joints(s);
+  CharacterBind result = bind_with(s, wish, answers, 0).result;
+  s.taken = {};
+  s.slots = wish.influences;
+  Rows rows = {std::move(result.influences), std::move(result.confidence)};
+  swap_rows(s, &rows);
+  return {{"seconds", result.seconds}};
+}
+
+// Shows the character as these answers would bind it; what was taken stays what is written.
+Json preview(Session& s, const Wish& wish, const std::vector<sinew_answer>& answers) {
+  CharacterBind result = bind_with(s, wish, answers, 0).result;
+  end_preview(s);
+  s.taken = {std::move(result.influences), std::move(result.confidence)};
+  swap_rows(s, &s.taken);
+  return {{"hash", bind_hash(s.character.influences, s.slots)}};
+}
+
+// Answers that the loaded style has for the character: with each its question, and the question's number in
+// web_buffer(kVertexQuestions).
+Json style_answers(Session& s, const Wish& wish) {
+  Json list = Json::array();
+  if (s.style.sheets.empty()) return {{"answers", std::move(list)}};
+  CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
+  const AskedBind asked = {proposed.questions, proposed.vertex_parts};
+  for (const sinew_answer& answer : answer_by_style(s.style, s.character, asked, s.rigs().now().choice.flags)) {
+    const uint32_t number = proposed.vertex_questions[answer.vertex];
+    list.push_back({{"question", question_json(s.character.joints, proposed.questions[number])},
+                    {"number", number},
+                    {"answer", answer_text(s.character.joints, answer.kind, answer.joint)},
+                    {"kind", answer.kind},
+                    {"joint", answer.joint}});
+  }
+  s.vertex_questions = std::move(proposed.vertex_questions);
+  return {{"answers", std::move(list)}};
+}
+
+// The loaded style with these answers.
+void save_style(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path) {
+  const CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
+  Style style = s.style;
+  style.sheets.push_back(learn_style(s.character, {proposed.questions, proposed.vertex_parts}, answers));
+  if (style.sheets.back().rules.empty()) throw Error("there is no answer to keep in a style; answer a question first");
+  write_style(path, style);
+}
+
+}  // namespace sinew::web

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Files to characters, rigs to the session's joints.
+#include "characters.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "rig_json.hpp"
+#include "sinew_formats/bind_character.hpp"
+#include "sinew_formats/engine_views.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/predict_details.hpp"
+#include "sinew_formats/predict_skeleton.hpp"
+#include "sinew_formats/skeleton_repair.hpp"
+
+namespace sinew::web {
+namespace {
+
+// The weights of a rig.txt, or none where its skin lines are not of this mesh.
+std::vector<std::vector<Influence>> weights_of_file(const std::string& skeleton, Character character) {
+  try {
+    read_skeleton(skeleton, true, &character);
+    return std::move(character.influences);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
+}  // namespace
+
+// The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
+Json show_rig(Session& s) {
+  const std::vector<Joint>&before = s.character.joints, &now = s.rigs().now().joints;
+  const bool alike = std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                                [](const Joint& a, const Joint& b) { return a.parent == b.parent; });
+  s.character.joints = now;
+  s.taken = {};
+  if (!alike) {
+    s.character.influences.clear();
+    s.locked.clear();
+    s.hints.clear();
+    s.reference.clear();
+    s.joints.clear();
+    s.weights.clear();
+    s.skinning.forget();
+    s.posed = s.rest;
+    show(s);
+  }
+  return rig_json(s.rigs());
+}
+
+Json predict(Session& s, const Json& wishes) {
+  if (s.rig_model.bytes.empty()) throw Error("no model of skeletons is loaded");
+  SkeletonOptions options;
+  options.model = &s.rig_model.model;
+  options.up_axis = wishes.at("upAxis").get<uint32_t>();
+  options.mirror = wishes.at("mirror").get<uint32_t>();
+  options.spine_count = wishes.at("spine").get<uint32_t>();
+  options.toes = wishes.at("toes").get<bool>();
+  options.ends = wishes.at("ends").get<bool>();
+  PredictedSkeleton skeleton = predict_skeleton(s.character, options);
+  const auto detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
+  if (detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
+  const std::vector<std::string> notes = predict_details(s.character, detail, s.hands_model.model, options, &skeleton);
+  Rig rig = predicted_rig(s.character, std::move(skeleton));
+  if (s.character.joints.empty())
+    s.rigs().start(std::move(rig));  // a mesh without skeleton is no step to go back to
+  else
+    s.rigs().put(std::move(rig), false);
+  Json reply = show_rig(s);
+  reply["notes"] = notes;
+  return reply;
+}
+
+Json edit(Session& s, const Json& edits, bool mirror, bool continues) {
+  try {
+    s.rigs().edit(s.character, read_edits(edits), mirror, continues);
+  } catch (const Error& error) {  // the option of the command is a box on the page
+    std::string line = error.what();
+    const std::string option = " (--no-mirror)";
+    const size_t at = line.find(option);
+    throw Error(at == std::string::npos ? line : line.erase(at, option.size()));
+  }
+  return show_rig(s);
+}
+
+Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number) {
+  Character character = read_mesh(mesh);
+  if (!skeleton.empty()) read_skeleton(skeleton, false, &character);
+  if (character.vertices.empty()) throw Error(mesh + ": has no vertices to bind");
+  if (character.face_count() == 0) throw Error(mesh + ": has no faces to show; drop a mesh with polygons");
+  JointChoice choice;
+  if (!character.joints.empty()) {
+    check_bindable(character);
+    (void)infer_parents(&character.joints);
+    choice = choose_joints(character, skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames);
+  }
+  std::vector<std::vector<Influence>> reference =
+      skeleton.empty() ? std::move(character.influences) : weights_of_file(skeleton, read_mesh(mesh));
+  character.influences.clear();
+  if (s.rigs_of.find(number) == s.rigs_of.end()) {
+    Rig rig = rig_of_file(character, std::move(choice));
+    s.rigs_of[number].start(std::move(rig));
+  }
+  s.number = number;
+  character.joints = s.rigs().now().joints;
+  s.surface = make_surface(character);
+  s.character = std::move(character);
+  s.rest.clear();
+  for (const Vec3& p : s.character.vertices) s.rest.insert(s.rest.end(), {p.x, p.y, p.z});
+  s.posed = s.rest;
+  s.joints.clear();
+  s.weights.clear();
+  s.locked.clear();
+  s.hints.clear();
+  s.taken = {};
+  const bool is_files = !s.rigs().now().predicted && reference.size() == s.character.vertices.size();
+  const bool some = std::any_of(reference.begin(), reference.end(), [](const auto& row) { return !row.empty(); });
+  s.reference = is_files && some ? std::move(reference) : std::vector<std::vector<Influence>>();
+  show(s);
+  Json reply = rig_json(s.rigs());
+  reply["hasReference"] = !s.reference.empty();
+  reply["name"] = s.character.name;
+  reply["vertices"] = s.character.vertices.size();
+  reply["faces"] = s.character.face_count();
+  return reply;
+}
+
+}  // namespace sinew::web

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Characters into the session, and their skeletons: the file's, new ones, edited ones.
+#ifndef SINEW_WEB_CHARACTERS_HPP
+#define SINEW_WEB_CHARACTERS_HPP
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "session.hpp"
+
+namespace sinew::web {
+
+using Json = nlohmann::ordered_json;
+
+// As web_load() of web.cpp: what is asked of each is said there.
+Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint32_t number);
+Json predict(Session& s, const Json& wishes);
+Json edit(Session& s, const Json& edits, bool mirror, bool continues);
+// The character has the present rig. Weights stay where joints were moved or renamed, until the next bind.
+Json show_rig(Session& s);
+
+}  // namespace sinew::web
+#endif

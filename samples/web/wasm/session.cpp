@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// One session a module, and what keeps its parts in step.
+#include "session.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "sinew_formats/error.hpp"
+
+namespace sinew::web {
+
+Session& session() {
+  static Session only;
+  return only;
+}
+
+void show(Session& s) {
+  const size_t shown = s.surface.vertex_of.size();
+  s.shown_positions.resize(shown * 3);
+  for (size_t i = 0; i < shown; ++i)
+    std::memcpy(&s.shown_positions[i * 3], &s.posed[size_t{s.surface.vertex_of[i]} * 3], 3 * sizeof(float));
+  surface_normals(s.surface, s.posed, &s.shown_normals);
+}
+
+// The rows as skin() takes them: [V x slots], unused slots 0.
+void fill_slots(Session& s) {
+  s.skinning.forget();
+  s.joints.assign(s.character.vertices.size() * s.slots, 0);
+  s.weights.assign(s.joints.size(), 0);
+  for (size_t v = 0; v < s.character.influences.size(); ++v) {
+    const std::vector<Influence>& row = s.character.influences[v];
+    for (size_t i = 0; i < row.size() && i < s.slots; ++i) {
+      s.joints[v * s.slots + i] = static_cast<uint16_t>(row[i].joint);
+      s.weights[v * s.slots + i] = static_cast<uint16_t>(std::lround(row[i].weight * 65535.0f));
+    }
+  }
+}
+
+// Shows rows instead of those that are shown, which become the argument.
+void swap_rows(Session& s, Rows* rows) {
+  std::swap(s.character.influences, rows->influences);
+  std::swap(s.confidence, rows->confidence);
+  fill_slots(s);
+}
+
+void end_preview(Session& s) {
+  if (s.taken.influences.empty()) return;
+  swap_rows(s, &s.taken);
+  s.taken = {};
+}
+
+void need_joints(const Session& s) {
+  if (s.character.joints.empty()) throw Error(s.character.name + ": has no skeleton yet");
+}
+
+void need_weights(const Session& s) {
+  if (s.weights.empty()) throw Error("no character is bound yet");
+}
+
+}  // namespace sinew::web

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What the page's module holds: models, and one character with its skeletons, weights and pose.
+#ifndef SINEW_WEB_SESSION_HPP
+#define SINEW_WEB_SESSION_HPP
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "player.hpp"
+#include "rigs.hpp"
+#include "sinew/sinew.h"
+#include "sinew_formats/style.hpp"
+#include "skinning.hpp"
+#include "surface.hpp"
+
+namespace sinew::web {
+
+// What a bind of the character gives and pictures, poses and files show.
+struct Rows {
+  std::vector<std::vector<Influence>> influences;  // [V]
+  std::vector<uint8_t> confidence;                 // [V]
+};
+
+// The block stays where it is, and with it what the model points to.
+struct OpenModel {
+  std::vector<uint64_t> bytes;
+  sinew_model model = {};
+};
+
+struct Session {
+  OpenModel bind_model, rig_model, hands_model;
+  Character character;               // with the joints of rigs().now()
+  std::map<uint32_t, Rigs> rigs_of;  // of all characters that are open, by the page's numbers
+  uint32_t number = 0;               // the character's
+  Style style;                       // for the next characters
+  Player player;
+  Skinning skinning;
+  Rigs& rigs() { return rigs_of[number]; }
+  const Rigs& rigs() const { return rigs_of.at(number); }
+  Surface surface;
+  std::vector<float> rest;                        // [V x 3]
+  uint32_t slots = 4;                             // influences a vertex keeps
+  std::vector<uint16_t> joints, weights;          // [V x slots]
+  std::vector<std::vector<Influence>> reference;  // [V] of the file, or empty
+  std::vector<uint8_t> locked, hints;             // [V] or empty: rows that the next bind keeps, see BindOptions
+  std::vector<uint8_t> confidence;                // [V]
+  Rows taken;  // what is written to files while the character shows a preview; else empty
+  // What web_buffer() hands out, but for the surface.
+  std::vector<float> posed, shown_positions, shown_normals, joint_positions;
+  std::vector<float> palette;              // [J x 12] of the last pose
+  std::vector<uint8_t> colours;            // [R x 3] sRGB
+  std::vector<uint16_t> strongest;         // [R] joint
+  std::vector<uint32_t> vertex_questions;  // [V] see sinew_bind_outputs, of the last questions listed
+  std::string reply;
+};
+
+Session& session();
+// Positions and normals of the shown mesh from the posed vertices.
+void show(Session& s);
+// The rows as skin() takes them: [V x slots], unused slots 0.
+void fill_slots(Session& s);
+// Shows rows instead of those that are shown, which become the argument.
+void swap_rows(Session& s, Rows* rows);
+// Back to what was taken.
+void end_preview(Session& s);
+// Throw Error where there are none.
+void need_joints(const Session& s);
+void need_weights(const Session& s);
+
+}  // namespace sinew::web
+#endif
