@@ -47,8 +47,7 @@ class CliReadme : public Cli {
     for (const std::string set : {"train", "val"}) {
       fs::create_directories(folder_ / "characters" / set);
       for (const std::string name : {"snake__long", "bird__winged"})
-        for (const std::string end : {".obj", ".rig.txt"})
-          sample(name + end, "characters/" + set + "/" + name + end);
+        for (const std::string end : {".obj", ".rig.txt"}) sample(name + end, "characters/" + set + "/" + name + end);
     }
   }
 
