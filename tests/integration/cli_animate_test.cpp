@@ -10,6 +10,7 @@
 #include "gltf_validator.hpp"
 #include "make_glb.hpp"
 #include "nodding_motion.hpp"
+#include "scene_files.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
 
@@ -189,6 +190,25 @@ TEST_F(CliAnimate, ABareMeshGetsASkeletonFirst) {
   EXPECT_EQ(read_gltf(in("moved.glb")).joints.size(), rigged.joints.size());
 }
 
+TEST_F(CliAnimate, MotionsOfFbxAndColladaMove) {
+  put(in("move.fbx"), moving_fbx());
+  put(in("moves.dae"), moving_dae());  // no mesh, Z up, two clips
+  put(in("map.txt"), "root hip\nspine_1 knee\n");
+  const std::string snake = "animate " + kSnake + " --map map.txt --method copy";
+  good(snake + " --motion moves.dae#bend_rise -o rise.glb");
+  const Motion rise = read_gltf_motion(in("rise.glb"), 10);
+  ASSERT_EQ(rise.clips.size(), 1u);
+  EXPECT_EQ(rise.clips[0].name, "bend_rise");   // as Assimp has it
+  EXPECT_EQ(rise.clips[0].frames.size(), 21u);  // 2 s, 10 a second
+  good(snake + " --motion moves.dae -o both.glb");
+  EXPECT_EQ(read_gltf_motion(in("both.glb"), 10).clips.size(), 2u);
+  // Its own rig: every joint moves, whatever its places would say.
+  good("bind move.fbx -o strip.glb");
+  const Outcome own = good("animate strip.glb --motion move.fbx --method copy -o moved.glb");
+  EXPECT_NE(own.out.find("3 of 3 joints move"), std::string::npos) << own.out;
+  EXPECT_GT(read_gltf_motion(in("moved.glb"), 10).clips.at(0).frames.size(), 5u);
+}
+
 TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
   make_clip("swing");
   const std::string hero = kData + "/biped__robed.obj";
@@ -213,7 +233,8 @@ TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
   expect(2, hero + " --motion swing.bvh --motion swing.bvh -o two.bvh", "a BVH holds one clip");
   expect(1, hero + " --motion " + kData + "/biped__robot.obj -o out.glb", "expected a motion");
   expect(1, hero + " --motion " + kCaped + " -o out.glb", "expected an animation, found none");
-  expect(1, hero + " --motion move.fbx -o out.glb", "export them as .glb or .bvh");
+  put(in("broken.fbx"), "; FBX 7.4.0 project file\nObjects:  {\n");
+  expect(1, hero + " --motion broken.fbx -o out.glb", "broken.fbx");
   put(in("broken.bvh"), "HIERARCHY\nROOT a\n{\n");
   expect(1, hero + " --motion broken.bvh -o out.glb", "truncated BVH");
   Outcome refused = bad(1, "pose " + kCaped + " --animation walk -o a.png");

@@ -7,6 +7,7 @@
 #include "core/struct_size.hpp"
 #include "mapping/branches.hpp"
 #include "mapping/matcher.hpp"
+#include "mapping/same_rig.hpp"
 
 namespace sinew::mapping {
 namespace {
@@ -283,13 +284,17 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
     }
     if (!match(best_target, best_source)) return SINEW_ERROR_WORKSPACE;
   }
+  bool same = false;
   {
     const ArenaScope scope(arena);
     Branches branches;
     if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
     if (arena.measuring()) return SINEW_OK;
+    same = method == SINEW_MAP_AUTO &&
+           is_same_rig(plan.target, plan.source, target.rig, source.rig, published.sources, owner);
     // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
-    const bool odd = method == SINEW_MAP_AUTO && !pins.any && 10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
+    const bool odd =
+        method == SINEW_MAP_AUTO && !pins.any && !same && 10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
     const bool asked = method == SINEW_MAP_BRANCHES;
     const uint64_t cells = asked || odd
                                ? branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame)
@@ -301,11 +306,12 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
       if (asked || cost < kNearlyEqual) method = SINEW_MAP_BRANCHES;
     }
   }
-  const Result& result = method == SINEW_MAP_BRANCHES ? published : own;
+  const Result& result = same || method == SINEW_MAP_BRANCHES ? published : own;
+  for (uint32_t i = 0; i < n && same; ++i) published.costs[i] = 0;
   Cleaner(target.rig, source.rig, pins, result.sources, reasons, owner).run(method == SINEW_MAP_SINEW);
   explain(target.anatomy, result.sources, reasons);
 
-  const double sure = lesser(certainty(target.anatomy), certainty(source.anatomy));
+  const double sure = same ? 1 : lesser(certainty(target.anatomy), certainty(source.anatomy));
   outputs->method = method;
   outputs->mapped = mapped_count(result.sources, n);
   outputs->certainty = static_cast<uint32_t>(kWhole * sure);

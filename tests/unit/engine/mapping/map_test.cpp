@@ -96,6 +96,57 @@ TEST(Map, APelvisUnderTheSpineIsTheHips) {
   }
 }
 
+// Places from which nobody reads a body, names that say nothing: a hammer, say.
+TestRig oddity(bool with_end) {
+  TestRig rig;
+  rig.add("Bone", -1, 0, 0, -3.0f, 0);
+  rig.add("Bone.001", 0, 0, 0.7f, -3.0f, 0);
+  rig.add("Bone.002", 1, 0, 2.1f, -3.0f, 0);
+  rig.add("Bone.003", 2, 0, 3.8f, -3.1f, 0);
+  rig.add("Bone.004", 2, 0.9f, 2.1f, -3.4f, 0);
+  rig.add("Bone.005", 4, 2.0f, 2.1f, -3.9f, 0);
+  if (with_end) rig.add("Bone.003_tip", 3, 0, 5.0f, -3.1f, 0);
+  return rig;
+}
+
+TEST(Map, ARigOfTheSameNamesAndHierarchyIsTheSame) {
+  const TestRig a = oddity(false);
+  TestRig b = oddity(true);
+  for (size_t i = 0; i < b.places.size(); i += 3) {  // in another pose: bent down, and longer on one side
+    b.places[i] *= 3;
+    b.places[i + 1] *= -0.4f;
+  }
+  MapCall call;
+  call.names = true;
+  call.run(a, b);
+  for (const std::string& name : a.names) EXPECT_EQ(call.source_of(a, b, name), name);
+  EXPECT_EQ(call.confidence[4], 32768);
+  call.run(b, a);
+  for (const std::string& name : a.names) EXPECT_EQ(call.source_of(b, a, name), name);
+  EXPECT_EQ(call.source_of(b, a, "Bone.003_tip"), "-");
+  // A node above all of it, as files of motions have one.
+  TestRig held;
+  held.add("Armature", -1, 0, 0, 0);
+  for (uint32_t i = 0; i < b.count(); ++i) {
+    const float* const p = &b.places[3 * size_t{i}];
+    held.add(b.names[i], b.parents[i] + 1, p[0], p[1], p[2]);
+  }
+  call.run(a, held);
+  for (const std::string& name : a.names) EXPECT_EQ(call.source_of(a, held, name), name);
+  call.run(held, a);
+  for (const std::string& name : a.names) EXPECT_EQ(call.source_of(held, a, name), name);
+  // Names like those of another rig: another hierarchy, or a joint that is not its own.
+  for (const bool renamed : {false, true}) {
+    TestRig stranger = b;
+    if (renamed) {
+      stranger.names[2] = "Bone.009";
+    } else {
+      stranger.parents[4] = 3;
+    }
+    EXPECT_NE(call.run(a, stranger).sources, (std::vector<int32_t>{0, 1, 2, 3, 4, 5})) << renamed;
+  }
+}
+
 TEST(Map, SizePlaceTurnAndUpDoNotMatter) {
   const TestRig a = humanoid(2, true);
   for (const bool half_turn : {false, true}) {
