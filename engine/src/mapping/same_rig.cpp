@@ -2,7 +2,7 @@
 // Joint by joint, by its whole name.
 #include "mapping/same_rig.hpp"
 
-#include <string.h>
+#include "core/same_text.hpp"
 
 namespace sinew::mapping {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 int32_t find_name(const sinew_map_rig& rig, const char* name, uint32_t first) {
   for (uint32_t k = 0; k < rig.joint_count; ++k) {
     const uint32_t j = (first + k) % rig.joint_count;
-    if (rig.names[j] != nullptr && strcmp(rig.names[j], name) == 0) return static_cast<int32_t>(j);
+    if (rig.names[j] != nullptr && same_text(rig.names[j], name)) return static_cast<int32_t>(j);
   }
   return -1;
 }

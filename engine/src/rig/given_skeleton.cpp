@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "core/same_text.hpp"
 #include "core/vector_math.hpp"
 
 namespace sinew {
@@ -12,11 +13,8 @@ namespace {
 constexpr uint32_t kNameRoom = SINEW_JOINT_NAME_BYTES - 1, kLongestTail = 12;  // of a new name and its number
 
 bool is_new_name(const sinew_rig_outputs& skeleton, uint32_t j) {
-  const char* const name = skeleton.names[j];
   for (uint32_t i = 0; i < j; ++i) {
-    uint32_t at = 0;
-    while (name[at] != 0 && skeleton.names[i][at] == name[at]) ++at;
-    if (skeleton.names[i][at] == name[at]) return false;
+    if (same_text(skeleton.names[i], skeleton.names[j])) return false;
   }
   return true;
 }
