@@ -65,9 +65,8 @@ typedef struct sinew_transfer_options {
   uint32_t thread_count;     /* 1..64 pieces that work is cut into; 0 = 1 */
   uint32_t pair_count;       /* 0 .. SINEW_MAX_TRANSFER_PAIRS */
   const uint8_t* locked;     /* [vertex_count of the target] non-zero: keeps the row already in the outputs; or null */
-  const sinew_vertex_pair*
-      pairs; /* [pair_count] reference points of SINEW_TRANSFER_BIHARMONIC; without any they are found
-                                   * around the mapped bones */
+  /* [pair_count] reference points of SINEW_TRANSFER_BIHARMONIC; without any they are found around the mapped bones */
+  const sinew_vertex_pair* pairs;
   sinew_parallel_for parallel_for; /* as in sinew_options; the result does not depend on it */
   void* parallel_user;
   sinew_progress progress; /* or null */
@@ -100,15 +99,13 @@ typedef struct sinew_transfer_part {
   uint32_t vertex_count; /* of the target */
   uint32_t reason;       /* sinew_transfer_reason of the larger share */
   uint32_t carried_q16;  /* share of its weights that was carried over, 65536 = all; the rest was bound anew */
-  uint32_t
-      style_q16; /* how far the source's weights there are from a bind's: sum over joints of the difference, mean over
-                          * the vertices, 0..131072. 0 where nothing was bound */
-  uint32_t
-      mismatch_q16; /* the same between a bind of the target and the source's bind carried over: how far the match is
-                          * off */
-  uint32_t
-      distance_q16; /* mean distance of its vertices from the source as it was laid over the target, longest sides of
-                          * the target */
+  /* How far the source's weights there are from a bind's: sum over joints of the difference, mean over the vertices,
+   * 0..131072. 0 where nothing was bound. */
+  uint32_t style_q16;
+  /* The same between a bind of the target and the source's bind carried over: how far the match is off. */
+  uint32_t mismatch_q16;
+  /* Mean distance of its vertices from the source as it was laid over the target, longest sides of the target. */
+  uint32_t distance_q16;
   uint32_t reserved;
 } sinew_transfer_part;
 
@@ -122,10 +119,10 @@ typedef struct sinew_transfer_outputs {
   uint8_t* confidence; /* [vertex_count] 0..255 = 0..100 %: what is left of a row where carried and bound weights, or
                                 * style and match, contradict each other; 255 for locked vertices. Null = not wanted */
   sinew_transfer_part* parts; /* [part_capacity] by falling size; null = not wanted */
-  uint32_t*
-      vertex_parts;    /* [vertex_count] the part of each vertex, its number as if all were listed; null = not wanted */
-  uint32_t part_count; /* written: parts of the target, may be more than part_capacity */
-  uint32_t bound_by;   /* written: sinew_method of the binds, 2 = nothing was bound */
+  /* [vertex_count] the part of each vertex, its number as if all were listed; null = not wanted */
+  uint32_t* vertex_parts;
+  uint32_t part_count;      /* written: parts of the target, may be more than part_capacity */
+  uint32_t bound_by;        /* written: sinew_method of the binds, 2 = nothing was bound */
   uint32_t carried_q16;     /* written: as in sinew_transfer_part, over all vertices that are not locked */
   uint32_t style_q16;       /* written: the same */
   uint32_t mismatch_q16;    /* written: the same */
