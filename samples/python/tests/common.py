@@ -52,7 +52,7 @@ def as_the_command_reads(rows):
     """Dense weights of a file as the command hands them to the engine: four joints a row, rounded down, the rest to the first."""
     order = np.argsort(-rows, axis=1, kind="stable")[:, :4]
     weights = np.take_along_axis(rows, order, 1).astype(np.float64)
-    steps = np.floor(weights / rows.astype(np.float64).sum(1, keepdims=True) * 65536 + 0.5).astype(np.int64)
+    steps = np.floor(weights / rows.astype(np.float64).sum(1, keepdims=True) * 65535 + 0.5).astype(np.int64)
     weights = steps * 65535 // steps.sum(1, keepdims=True)
     weights[:, 0] += 65535 - weights.sum(1)
     return sinew.Skin(np.where(weights > 0, order, 0), weights.astype(np.uint16))

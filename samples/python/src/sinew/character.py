@@ -194,7 +194,7 @@ class Skin:
         share = np.divide(scaled, sums, out=np.zeros_like(scaled), where=sums > 0)
         nearest = np.rint(share * total)
         exact = (nearest.sum(1, keepdims=True) == total) & (np.abs(share * total - nearest).max(1, keepdims=True) < 0.04)
-        steps = np.where(exact, nearest, np.floor(share * 65536 + 0.5)).astype(np.int64)
+        steps = np.where(exact, nearest, np.floor(share * 65535 + 0.5)).astype(np.int64)
         order = np.lexsort((self.joints, -steps), axis=1)[:, :influences]
         joints = np.take_along_axis(self.joints, order, 1).astype(np.uint16)
         steps = np.take_along_axis(steps, order, 1)
