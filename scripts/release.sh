@@ -53,7 +53,7 @@ if [ "${SINEW_CLEAN_ROOT:-0}" = 1 ]; then
   command -v mmdebstrap >/dev/null || fail "SINEW_CLEAN_ROOT=1 needs mmdebstrap"
   quietly mmdebstrap --variant=minbase "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$work/clean"
   cp "$out"/*.deb snake__long.* "$work/clean/tmp"
-  quietly chroot "$work/clean" sh -c 'cd /tmp && apt-get install -y ./sinew_*.deb && sinew bind snake__long.obj --skeleton snake__long.rig.txt -o clean.glb'
+  quietly chroot "$work/clean" sh -c 'cd /tmp && apt-get update && apt-get install -y ./sinew_*.deb && sinew bind snake__long.obj --skeleton snake__long.rig.txt -o clean.glb'
   cmp expected.glb "$work/clean/tmp/clean.glb" || fail "a clean root: other weights"
   rm -rf "$work/clean"
   echo "   clean root: installs and binds, the same bytes"
