@@ -35,6 +35,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
       options.no_twist_spread = in.below(8) == 7 ? 2 : in.below(2);
       options.no_contact = in.below(2);
       options.no_smoothing = in.below(2);
+      options.body_contact = in.below(2);
     }
     read_hindrance(in, extras & 0x7F);  // nothing to cancel
     read_joints(in, shape, count);

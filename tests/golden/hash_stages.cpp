@@ -286,6 +286,7 @@ struct SetLine {
     if (key == "details") return &details;
     if (key == "deform") return &deform;
     if (key == "cells") return &deform_options.cell_count;
+    if (key == "contact") return &deform_options.body_contact;
     if (key == "turns") return &turns;
     if (key == "method") return &rig_options.method;
     if (key == "mirror") return &rig_options.mirror;

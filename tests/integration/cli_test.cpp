@@ -143,6 +143,8 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "pose " + kSnake + " --random 1 --deform volume --dual-quaternion -o x.obj",
                                           "pose " + kSnake + " --random 1 --deform volume --cells 3 -o x.obj",
                                           "pose " + kSnake + " --random 1 --cells 32 -o x.obj",
+                                          "pose " + kSnake + " --random 1 --body-contact -o x.obj",
+                                          "pose " + kSnake + " --random 1 --deform xpbd --body-contact -o x.obj",
                                           "pose " + kSnake + " --joint head=1,2 -o x.obj",
                                           "pose " + kSnake + " --joint head -o x.obj",
                                           "pose " + kSnake + " --joint head=1,2,3x -o x.obj",
@@ -592,6 +594,12 @@ TEST_F(Cli, PosesAreCorrectedAndReadFromMatrices) {
   EXPECT_TRUE(slurp(in("plain.obj")) == slurp(in("linear.obj")));
   good(turned + " --deform volume --cells 16 --rounds 3 -o coarse.obj");
   EXPECT_FALSE(slurp(in("coarse.obj")) == slurp(in("volume.obj")));
+
+  // An arm that is lowered to the body touches it.
+  const std::string lowered = "pose " + kData + "/biped__robed.obj --joint upper_arm.L=0,0,-65 --deform volume";
+  good(lowered + " -o inside.obj");
+  good(lowered + " --body-contact -o outside.obj");
+  EXPECT_FALSE(slurp(in("inside.obj")) == slurp(in("outside.obj")));
 
   // A quarter turn of everything: joints that are left out stay, so only the root's line and its children's would move all.
   std::string pose = "# a comment\n\n";

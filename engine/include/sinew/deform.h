@@ -41,6 +41,10 @@ typedef struct sinew_skin {
  *   round_count      more are slower and keep more volume
  *   softness         less is calmer over time and keeps less volume. SINEW_DEFORM_VOLUME alone
  *   no_twist_spread  0: the parent's bone takes a part of the twist, as twist joints do. SINEW_DEFORM_VOLUME alone
+ *   body_contact     1: parts of the body that are no neighbours keep apart too, as far as they lie less than two cells in
+ *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Costs two
+ *                    to three times the pose. Where a motion drives limbs through each other, dents come and go within a
+ *                    frame. SINEW_DEFORM_VOLUME alone, on the calling thread
  *   parallel_for     as in sinew_options. The result does not depend on it. Where several threads pose one deformer, each
  *                    calls it. SINEW_DEFORM_VOLUME alone
  *   thread_count     more than 1 is worth while for large lattices: at 64 cells, hardly at 32 */
@@ -56,7 +60,7 @@ typedef struct sinew_deform_options {
   sinew_parallel_for parallel_for; /* lends threads to sinew_deform_pose(); null: the calling thread alone */
   void* parallel_user;
   uint32_t thread_count; /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
-  uint32_t reserved;     /* 0 */
+  uint32_t body_contact; /* 1: contact between all parts of the body, not only in bends */
 } sinew_deform_options;
 
 /* Options that ask for every default. */

@@ -14,6 +14,11 @@ inline double absolute(double a) { return a < 0 ? -a : a; }
 inline double lesser(double a, double b) { return b < a ? b : a; }
 inline double greater(double a, double b) { return a < b ? b : a; }
 inline double clamped(double a, double low, double high) { return a < low ? low : a > high ? high : a; }
+// From 0 at `from` to 1 at `to`, without a corner.
+inline double ramp(double x, double from, double to) {
+  const double share = (x - from) / (to - from);
+  return share <= 0 ? 0 : share >= 1 ? 1 : share * share * (3 - 2 * share);
+}
 
 struct Vec3d {
   double x = 0, y = 0, z = 0;

@@ -71,11 +71,6 @@ uint32_t find_group(const PosedJoints& posed, uint32_t j) {
              : group;
 }
 
-double ramp(double x, double from, double to) {
-  const double share = (x - from) / (to - from);
-  return share <= 0 ? 0 : share >= 1 ? 1 : share * share * (3 - 2 * share);
-}
-
 // How near to half a turn a joint is, where the quaternion that it has changes sides.
 double find_overturn(const PosedJoints& posed, uint32_t j) {
   const RestJoint& joint = posed.rest->skeleton[j];

@@ -10,6 +10,7 @@
 #include "deform/dual_quaternion.hpp"
 #include "deform/pins.hpp"
 #include "deform/smoothing.hpp"
+#include "deform/solver.hpp"
 #include "grid/caller_units.hpp"
 
 namespace sinew {
@@ -130,7 +131,15 @@ struct Builder {
       }
     }
     if (!rest.has_lattice() || bounds.pairs == 0) return SINEW_OK;
-    return build_lattice({&mesh, rest.first, rest.joints, rest.weights}, bounds, grid, arena, &rest.lattice);
+    const LatticeInput lattice_input = {&mesh, rest.first, rest.joints, rest.weights};
+    const sinew_status built = build_lattice(lattice_input, bounds, grid, arena, &rest.lattice);
+    if (built != SINEW_OK || arena.measuring() || !rest.has_contact()) return built;
+    for (uint32_t u = 0; u < mesh.welded_count; ++u) {
+      const Vec3d p = (1 / rest.unit) * (rest.position(rest.first[u]) - rest.corner);
+      rest.surface.places[u] = {to_units(p.x), to_units(p.y), to_units(p.z)};
+    }
+    fill_surface(lattice_input, rest.influence_count, rest.lattice, &rest.surface);
+    return SINEW_OK;
   }
 };
 
@@ -143,7 +152,7 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     if (status != SINEW_OK) return status;
   }
   sinew_deform_options& o = *options;
-  if (o.reserved != 0) return SINEW_ERROR_VERSION;
+  if (o.body_contact > 1) return SINEW_ERROR_ARGUMENT;
   if (o.method > SINEW_DEFORM_DELTA_MUSH || o.round_count > SINEW_MAX_DEFORM_ROUNDS || o.softness > 65535 ||
       (o.cell_count != 0 && (o.cell_count < 8 || o.cell_count > SINEW_MAX_DEFORM_CELLS)) || o.no_twist_spread > 1 ||
       o.no_contact > 1 || o.no_smoothing > 1 || o.thread_count > SINEW_MAX_THREADS) {
@@ -183,6 +192,7 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
   if (rest->has_lattice()) {
     rest->lattice.allocate(arena, bounds);
     rest->node_flags = arena.alloc<uint8_t>(bounds.nodes);
+    if (rest->has_contact()) rest->surface.allocate(arena, vertices, counts.triangles(), bounds.nodes);
   }
   if (rest->has_surface()) {
     const size_t triangles = counts.triangles();
@@ -219,6 +229,9 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
       for (uint32_t v = 0; v < rest->vertex_count; ++v) rest->lattice.vertices[v] = {kNoTetrahedron, {0, 0, 0, 0}};
     }
     find_pins(rest);
+    if (rest->has_contact() && bounds.pairs > 0) {
+      fill_yields(rest->lattice, rest->node_flags, kNodeAtBone, rest->welded_count, &rest->surface);
+    }
   }
   if (rest->options.method == SINEW_DEFORM_DELTA_MUSH) smooth_rest(rest);
   return SINEW_OK;

@@ -6,6 +6,7 @@
 #include "core/threads.hpp"
 #include "core/vec3d.hpp"
 #include "deform/lattice.hpp"
+#include "deform/skin_surface.hpp"
 #include "sinew/sinew.h"
 
 namespace sinew {
@@ -43,6 +44,8 @@ struct DeformRest {
   // Of a volume or published pose.
   Lattice lattice;
   uint8_t* node_flags = nullptr;  // [n]
+  // Of a volume pose with contact of the whole body.
+  SkinSurface surface;
   // For smoothing, as in Mesh, and whether a vertex has an edge of one triangle.
   uint32_t *triangles = nullptr, *row_offsets = nullptr, *col_indices = nullptr;
   uint8_t* border = nullptr;  // [U]
@@ -53,6 +56,7 @@ struct DeformRest {
     return {options.thread_count != 0 ? options.thread_count : 1, options.parallel_for, options.parallel_user};
   }
   bool has_lattice() const { return options.method != SINEW_DEFORM_DELTA_MUSH; }
+  bool has_contact() const { return options.method == SINEW_DEFORM_VOLUME && options.body_contact != 0; }
   bool has_surface() const { return options.method != SINEW_DEFORM_VOLUME; }
   Vec3d position(uint32_t vertex) const {
     const float* const p = positions + 3 * static_cast<size_t>(vertex);

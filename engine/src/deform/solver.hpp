@@ -12,6 +12,16 @@ namespace sinew {
 // Places beyond are clamped to it, in lattice units: 16,384 cells.
 constexpr int32_t kFarthest = 1 << 28;
 
+// Rounded, half away from zero.
+inline int32_t to_units(double x) {
+  const double most = kFarthest;
+  if (!(x > -most)) return -kFarthest;
+  if (!(x < most)) return kFarthest;
+  const int32_t whole = static_cast<int32_t>(x);  // toward zero
+  const double rest = x - whole;
+  return rest >= 0.5 ? whole + 1 : rest < -0.5 ? whole - 1 : whole;
+}
+
 // An embedded point stays where normal . x >= offset.
 struct SolverPoint {
   uint32_t nodes[4];

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Volume: dual quaternions, then the lattice near bends solved in integers and mapped back.
 #include "core/vector_math.hpp"
+#include "deform/contacts.hpp"
 #include "deform/correction.hpp"
 #include "deform/half_spaces.hpp"
 #include "deform/pins.hpp"
@@ -12,15 +13,6 @@ namespace {
 constexpr uint32_t kRingsAroundStrain = 3;
 constexpr int kFadeBits = 14;
 constexpr uint32_t kPiece = 512;  // vertices or nodes that a thread takes at once
-
-int32_t to_units(double x) {
-  const double most = kFarthest;
-  if (!(x > -most)) return -kFarthest;
-  if (!(x < most)) return kFarthest;
-  const int32_t whole = static_cast<int32_t>(x);  // toward zero
-  const double rest = x - whole;
-  return rest >= 0.5 ? whole + 1 : rest < -0.5 ? whole - 1 : whole;
-}
 
 class VolumePose {
  public:
@@ -40,7 +32,9 @@ class VolumePose {
     flags_ = arena.alloc<uint8_t>(lattice_.node_count);
     faded_ = arena.alloc<uint16_t>(2 * static_cast<size_t>(lattice_.node_count));
     if (!state_.allocate(arena, lattice_.node_count, lattice_.tetrahedron_count, lattice_.edge_count,
-                         rest_.welded_count)) {
+                         rest_.welded_count) ||
+        (rest_.has_contact() &&
+         !contacts_.allocate(arena, rest_.vertex_count, lattice_.node_count, lattice_.edge_count))) {
       return SINEW_ERROR_WORKSPACE;
     }
     if (arena.measuring()) return SINEW_OK;
@@ -51,8 +45,9 @@ class VolumePose {
       for (uint32_t v = 0; v < rest_.vertex_count; ++v) spaces_[v] = {{0, 0, 0}, 0};
     }
     if (posed_.overturned) fade();
-    if (lattice_.tetrahedron_count > 0 && find_moving()) {
-      skin_nodes();
+    const bool solves = lattice_.tetrahedron_count > 0 && bends();
+    if (solves) skin_nodes();
+    if (solves && find_moving()) {
       list_constraints(lattice_, &state_);
       if (rest_.options.no_contact == 0) list_points();
       counts_.active_tetrahedra = state_.tetrahedron_count;
@@ -64,6 +59,7 @@ class VolumePose {
       const double outside = outside_by(spaces_[v], places_[v]);
       if (outside < 0) places_[v] = places_[v] - kept(v) * outside * spaces_[v].normal;
     }
+    if (solves && rest_.has_contact()) keep_apart();
     return SINEW_OK;
   }
 
@@ -76,6 +72,21 @@ class VolumePose {
         places_[v] = blend_dual(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
       }
     });
+  }
+
+  // Parts of the body that are no neighbours, after the pose is solved.
+  void keep_apart() {
+    for (int pass = 0; pass < kContactPasses; ++pass) {
+      if (!find_contacts({posed_, spaces_, places_, state_.nodes, middle_}, &contacts_)) return;
+      press_contacts(rest_, &contacts_);
+      for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
+        places_[v] = places_[v] + kept(v) * contact_push(rest_, contacts_, v);
+      }
+      for (uint32_t n = 0; n < lattice_.node_count; ++n) {
+        const Vec3d way = contacts_.field[n];
+        state_.nodes[n] = state_.nodes[n] + Vec3i{to_units(way.x), to_units(way.y), to_units(way.z)};
+      }
+    }
   }
 
   // Around overturned joints nothing is corrected: a small motion there would turn the correction over.
@@ -107,9 +118,18 @@ class VolumePose {
     return 1 - static_cast<double>(faded) / (1 << (kShareBits + kFadeBits));
   }
 
-  // Free nodes near strained ones move, and those around vertices on the wrong side of their plane. False if none does.
+  static constexpr uint8_t kStrained = 1, kOutside = 2;
+
+  // Whether joints move against each other.
+  bool bends() const {
+    for (uint32_t j = 0; j < rest_.joint_count; ++j) {
+      if (posed_.joints[j].twists || posed_.joints[j].group != posed_.joints[rest_.first_joint].group) return true;
+    }
+    return false;
+  }
+
+  // Free nodes near strained ones move, and those around vertices on the wrong side of a plane. False if none does.
   bool find_moving() {
-    constexpr uint8_t kStrained = 1, kOutside = 2;
     for (uint32_t n = 0; n < lattice_.node_count; ++n)
       flags_[n] = is_strained(posed_, lattice_.rows[n]) ? kStrained : 0;
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
@@ -204,7 +224,8 @@ class VolumePose {
   PoseCounts& counts_;
   const Threads threads_;
   SolverState state_;
-  HalfSpace* spaces_ = nullptr;
+  HalfSpace* spaces_ = nullptr;  // [V] of bends
+  ContactState contacts_;
   Vec3i* begin_ = nullptr;
   uint8_t* flags_ = nullptr;
   uint16_t* faded_ = nullptr;  // [2 n] Q14, of overturned joints; the second half is scratch

@@ -481,7 +481,7 @@ TEST_F(DeformRefusals, OptionsOutOfRange) {
   EXPECT_EQ(refused([](auto& o) { o.softness = 65536; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.no_contact = 2; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.thread_count = SINEW_MAX_THREADS + 1; }), SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(refused([](auto& o) { o.reserved = 1; }), SINEW_ERROR_VERSION);
+  EXPECT_EQ(refused([](auto& o) { o.body_contact = 2; }), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(refused([](auto& o) { o.cell_count = 8; }), SINEW_OK);
   EXPECT_EQ(refused([](auto& o) { o.cell_count = SINEW_MAX_DEFORM_CELLS; }), SINEW_OK);
 }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// How the lattice gives way to what touches: a smooth field over its nodes.
+#include "core/vector_math.hpp"
+#include "deform/contacts.hpp"
+#include "deform/pins.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr int kRounds = 10;
+constexpr uint32_t kRings = 3;          // around what touches, which the field reaches
+constexpr double kSmoothing = 0.6;      // of a round: share of the neighbours' mean
+constexpr double kBoneYields = 0.3;     // of what other nodes do
+constexpr double kLeastSquares = 0.25;  // a vertex that hangs on few nodes does not carry them away
+constexpr double kShare = 1.0 / (1 << kShareBits);
+
+class FieldMaker {
+ public:
+  FieldMaker(const DeformRest& rest, ContactState* state) : rest_(rest), lattice_(rest.lattice), state_(*state) {}
+
+  void run() {
+    find_edges();
+    for (int round = 0; round < kRounds; ++round) {
+      if (round > 0) smooth();
+      for (uint32_t u = 0; u < rest_.welded_count; ++u) {
+        if (state_.pushes[u] > 0) follow(u);
+      }
+    }
+  }
+
+ private:
+  double yield(uint32_t node) const { return (rest_.node_flags[node] & kNodeAtBone) != 0 ? kBoneYields : 1; }
+
+  void find_edges() {
+    for (uint32_t n = 0; n < lattice_.node_count; ++n) {
+      state_.field[n] = {0, 0, 0};
+      state_.near[n] = 0;
+      state_.counts[n] = 0;
+    }
+    for (uint32_t u = 0; u < rest_.welded_count; ++u) {
+      if (state_.pushes[u] <= 0) continue;
+      const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(lattice_.vertices[u].tetrahedron);
+      for (int k = 0; k < 4; ++k) state_.near[at[k]] = 1;
+    }
+    grow_nodes(lattice_, 1, kRings, state_.near);
+    state_.edge_count = 0;
+    for (uint32_t i = 0; i < lattice_.edge_count; ++i) {
+      const LatticeEdge& edge = lattice_.edges[i];
+      state_.counts[edge.a] += state_.near[edge.a];
+      state_.counts[edge.b] += state_.near[edge.b];
+      if ((state_.near[edge.a] & state_.near[edge.b]) != 0) state_.edges[state_.edge_count++] = i;
+    }
+  }
+
+  // All nodes at once go towards the mean of their neighbours. The field is 0 beyond.
+  void smooth() {
+    for (uint32_t n = 0; n < lattice_.node_count; ++n) state_.sums[n] = {0, 0, 0};
+    for (uint32_t i = 0; i < state_.edge_count; ++i) {
+      const LatticeEdge& edge = lattice_.edges[state_.edges[i]];
+      state_.sums[edge.a] = state_.sums[edge.a] + state_.field[edge.b];
+      state_.sums[edge.b] = state_.sums[edge.b] + state_.field[edge.a];
+    }
+    for (uint32_t n = 0; n < lattice_.node_count; ++n) {
+      if (state_.counts[n] == 0) continue;
+      state_.field[n] = state_.field[n] + kSmoothing * ((1.0 / state_.counts[n]) * state_.sums[n] - state_.field[n]);
+    }
+  }
+
+  // The nodes around a vertex take it to where it is to go, if they do not yet.
+  void follow(uint32_t u) {
+    const Embedding& place = lattice_.vertices[u];
+    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+    double gone = 0, squares = 0;
+    for (int k = 0; k < 4; ++k) {
+      const double share = kShare * place.shares[k];
+      gone += share * dot(state_.ways[u], state_.field[at[k]]);
+      squares += share * share * yield(at[k]);
+    }
+    const double left = state_.pushes[u] - gone;
+    if (left <= 0) return;
+    const double step = left / greater(squares, kLeastSquares);
+    for (int k = 0; k < 4; ++k) {
+      state_.field[at[k]] = state_.field[at[k]] + (step * kShare * place.shares[k] * yield(at[k])) * state_.ways[u];
+    }
+  }
+
+  const DeformRest& rest_;
+  const Lattice& lattice_;
+  ContactState& state_;
+};
+
+}  // namespace
+
+void press_contacts(const DeformRest& rest, ContactState* state) { FieldMaker(rest, state).run(); }
+
+Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t vertex) {
+  const Embedding& place = rest.lattice.vertices[rest.welded[vertex]];
+  if (place.tetrahedron == kNoTetrahedron) return {0, 0, 0};
+  const uint32_t* const at = rest.lattice.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+  Vec3d sum = {0, 0, 0};
+  for (int k = 0; k < 4; ++k) sum = sum + (kShare * place.shares[k]) * state.field[at[k]];
+  return rest.unit * sum;
+}
+
+}  // namespace sinew

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The surface around a lattice at rest: what says how deep a place of the lattice lies inside of the body.
+#ifndef SINEW_DEFORM_SKIN_SURFACE_HPP
+#define SINEW_DEFORM_SKIN_SURFACE_HPP
+
+#include "core/vec3d.hpp"
+#include "deform/lattice.hpp"
+
+namespace sinew {
+
+constexpr uint32_t kMostCorners = 256;
+
+// The point of the surface that is nearest to a place.
+struct SurfacePoint {
+  uint32_t triangle;
+  double shares[3];  // of its corners
+  Vec3d place;       // lattice units
+  Vec3d outward;     // the corners' normals, blended; not a unit vector
+};
+
+// U welded vertices, T triangles, n nodes.
+struct SkinSurface {
+  uint32_t triangle_count = 0;
+  uint32_t* triangles = nullptr;         // [T x 3], as in Mesh
+  uint32_t* corner_offsets = nullptr;    // [U + 1] into corner_triangles
+  uint32_t* corner_triangles = nullptr;  // [3 T] triangles of every vertex, ascending
+  Vec3i* places = nullptr;               // [U] lattice units from the grid's corner
+  Vec3i* normals = nullptr;              // [U] Q14
+  uint16_t* yields = nullptr;   // [U] Q14: how much of a vertex's nodes lie at no bone, 0 in a part of one joint
+  uint32_t* nearest = nullptr;  // [n] vertex that is nearest to a node, along edges of the lattice; U for none
+
+  bool allocate(Arena& arena, size_t vertices, size_t triangles, size_t nodes);
+  // A hub of more triangles is looked at through its first ones.
+  uint32_t corners_end(uint32_t vertex) const {
+    const uint32_t begin = corner_offsets[vertex], end = corner_offsets[vertex + 1];
+    return end - begin > kMostCorners ? begin + kMostCorners : end;
+  }
+  // The nearest point around `start`, downhill from vertex to vertex.
+  SurfacePoint find_nearest(uint32_t start, Vec3d place) const;
+};
+
+// Fills a surface, allocated beforehand, whose places were filled, but for `yields`: there 1 says that all of the vertex's part belongs to one
+// joint, else 0.
+void fill_surface(const LatticeInput& input, uint32_t influences, const Lattice& lattice, SkinSurface* surface);
+// Fills `yields`, when it is known which nodes lie at a bone: those of node_flags with a bit of `mask`.
+void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t mask, uint32_t welded_count,
+                 SkinSurface* surface);
+
+}  // namespace sinew
+#endif
