@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options --deform, --cells and --rounds of commands that pose characters.
+// The options --deform, --cells, --rounds and --body-contact of commands that pose characters.
 #ifndef SINEW_CLI_DEFORM_OPTIONS_HPP
 #define SINEW_CLI_DEFORM_OPTIONS_HPP
 
@@ -17,15 +17,16 @@ namespace sinew::cli {
 struct DeformSettings {
   std::string method;  // empty: what the command does by itself
   unsigned cells = 0, rounds = 0;
+  bool body_contact = false;
 };
 
-// The engine's options for volume, xpbd and delta-mush; nullopt for plain skinning. UsageError for --cells or --rounds without one
+// The engine's options for volume, xpbd and delta-mush; nullopt for plain skinning. UsageError for the others without one
 // of these.
 std::optional<sinew_deform_options> deform_options(const DeformSettings& settings);
 
-// Adds --deform with the three corrections, --cells and --rounds. `what` is said about --deform.
+// Adds --deform with the three corrections and the others. `what` is said about --deform.
 void add_deform_options(CLI::App* sub, const std::string& what, DeformSettings* settings);
-// Adds --cells and --rounds alone.
+// Adds --cells, --rounds and --body-contact alone.
 void add_solver_options(CLI::App* sub, DeformSettings* settings);
 
 }  // namespace sinew::cli

@@ -472,6 +472,7 @@ export class Skin {
         softness: options.softness,
         no_twist_spread: options.twistSpread === false ? 1 : 0,
         no_contact: options.contact === false ? 1 : 0,
+        body_contact: options.bodyContact === true ? 1 : 0,
         no_smoothing: options.smoothing === false ? 1 : 0,
       });
       const meshAt = this.#mesh(blocks, m);

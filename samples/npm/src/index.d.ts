@@ -208,6 +208,8 @@ export interface DeformOptions {
   softness?: number;
   twistSpread?: boolean;
   contact?: boolean;
+  /** Keep an arm out of the torso, a thigh out of the belly and the other thigh too. Volume alone. */
+  bodyContact?: boolean;
   smoothing?: boolean;
 }
 

@@ -25,7 +25,7 @@ export const LAYOUTS = {
   contactOptions: layout("struct_size fps:f progress progress_user"),
   motionClip: layout("source_rotations source_translations rotations translations frame_count ground:f"),
   skin: layout("joint_indices weights influence_count"),
-  deformOptions: layout("struct_size method cell_count round_count softness no_twist_spread no_contact no_smoothing parallel_for parallel_user thread_count reserved"),
+  deformOptions: layout("struct_size method cell_count round_count softness no_twist_spread no_contact no_smoothing parallel_for parallel_user thread_count body_contact"),
   deformer: layout("memory pose_bytes vertex_count joint_count tetrahedron_count node_count split_cell_count r0 r1 r2 r3 r4 r5 r6"),
   deformOutputs: layout("struct_size corrected positions active_tetrahedra inverted_tetrahedra"),
   boundCharacter: layout("mesh skeleton joint_indices weights influence_count weight_format joint_map"),

@@ -133,7 +133,7 @@ const calls = {
     return { ...reply, ...calls.colour({ mode, joint }) };
   },
   forgetPaint: () => module._web_forget_paint(),
-  // skinning: 0 linear, 1 dual quaternions, 2 volume. Replies with {bends: [{joint, degrees, kept}]}.
+  // skinning: 0 linear, 1 dual quaternions, 2 volume, 3 volume with contact. Replies with {bends: [{joint, degrees, kept}]}.
   pose({ turns, skinning }) {
     const at = module._malloc(turns.byteLength);
     try {

@@ -35,8 +35,14 @@ void Skinning::forget() {
 
 void Skinning::pose(const SkinnedMesh& mesh, const std::vector<Affine>& palette, SkinMethod method,
                     std::vector<float>* posed) {
-  if (method == SkinMethod::kVolume) {
-    if (!deformer_) deformer_.emplace(mesh.character, sinew_deform_options_init());
+  if (method == SkinMethod::kVolume || method == SkinMethod::kVolumeAndContact) {
+    const bool contact = method == SkinMethod::kVolumeAndContact;
+    if (!deformer_ || contact != contact_) {
+      sinew_deform_options options = sinew_deform_options_init();
+      options.body_contact = contact ? 1 : 0;
+      deformer_.emplace(mesh.character, options);
+      contact_ = contact;
+    }
     *posed = deformer_->pose(palette);
     return;
   }

@@ -15,7 +15,7 @@
 
 namespace sinew::web {
 
-enum class SkinMethod : uint32_t { kLinear = 0, kDualQuaternion, kVolume };
+enum class SkinMethod : uint32_t { kLinear = 0, kDualQuaternion, kVolume, kVolumeAndContact };
 
 // A bound mesh as the engine skins it: borrowed.
 struct SkinnedMesh {
@@ -40,6 +40,7 @@ class Skinning {
 
  private:
   std::optional<CharacterDeformer> deformer_;
+  bool contact_ = false;  // of the deformer
   std::optional<BendVolumes> volumes_;
 };
 

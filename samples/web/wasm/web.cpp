@@ -116,7 +116,7 @@ Json pose(Session& s, const float* turns, SkinMethod method) {
 }
 
 SkinMethod skin_method(uint32_t number) {
-  if (number > static_cast<uint32_t>(SkinMethod::kVolume)) throw Error("no such skinning");
+  if (number > static_cast<uint32_t>(SkinMethod::kVolumeAndContact)) throw Error("no such skinning");
   return static_cast<SkinMethod>(number);
 }
 

@@ -187,7 +187,7 @@ class sinew_deform_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("cell_count", c_uint32), ("round_count", c_uint32),
                 ("softness", c_uint32), ("no_twist_spread", c_uint32), ("no_contact", c_uint32), ("no_smoothing", c_uint32),
                 ("parallel_for", PARALLEL_FOR), ("parallel_user", c_void_p), ("thread_count", c_uint32),
-                ("reserved", c_uint32)]
+                ("body_contact", c_uint32)]
 
 
 class sinew_deformer(Structure):

@@ -25,11 +25,12 @@ class Deformer:
     rounds     1 to 200, more are slower and keep more volume; 0: 20, delta mush 5
     softness   1 to 65535; 0: 1280
     contact    whether the two sides of a bend keep out of each other
+    body_contact  whether other parts do, too: an arm and the torso, a thigh and the belly, two thighs. "volume" alone
     Raises ValueError and Error as bind() does.
     """
 
     def __init__(self, positions: Any, faces: Any, skeleton: Skeleton, skin: Skin, *, method: str = "volume", cells: int = 0,
-                 rounds: int = 0, softness: int = 0, contact: bool = True) -> None:
+                 rounds: int = 0, softness: int = 0, contact: bool = True, body_contact: bool = False) -> None:
         mesh = Mesh(positions, faces)
         chosen(method, DEFORM_METHODS, "method")
         rows = skin_of(skin, len(mesh.positions), len(skeleton), "skin")
@@ -42,6 +43,7 @@ class Deformer:
         options = binding.init(binding.sinew_deform_options)
         options.method, options.cell_count, options.round_count = DEFORM_METHODS.index(method), cells, rounds
         options.softness, options.no_contact = softness, int(not contact)
+        options.body_contact = int(body_contact)
         view = binding.sinew_skin(binding.address(rows.joints), binding.address(rows.weights), rows.joints.shape[1])
         joints = skeleton_view(skeleton, None)
         self._memory = binding.block("sinew_deform_memory_size", "deformer", mesh.pointer(), self.joint_count,
