@@ -17,15 +17,18 @@ using namespace sinew;
 enum class Places { kNear, kSquashed, kCollapsed, kFar };
 constexpr Places kPlaces[] = {Places::kNear, Places::kSquashed, Places::kCollapsed, Places::kFar};
 
-// Entries with nodes of their own, every four of them in a run but for some that stand between runs.
+// Entries with nodes of their own, in runs of eight and of four but for some that stand between runs.
 class Scene {
  public:
-  Scene(uint32_t entries, uint32_t nodes_of_entry, Places places, uint32_t seed) : random_(seed), wide(entries) {
-    for (uint32_t n = 0; n < entries * nodes_of_entry; ++n) {
-      nodes.push_back(place(n % nodes_of_entry, places));
-      moves.push_back(random_() % 5 != 0 ? 1 : 0);
+  Scene(uint32_t entries, uint32_t nodes_of_entry, Places places, uint32_t seed) : random_(seed), flags(entries) {
+    for (uint32_t n = 0; n < entries * nodes_of_entry; ++n)
+      nodes.push_back({place(n % nodes_of_entry, places), random_() % 5 != 0 ? -1 : 0});
+    for (uint32_t k = 0; k + 8 <= entries; k += random_() % 3 == 0 ? 1 : 0) {
+      const bool eight = random_() % 2 == 0;
+      flags[k] = eight ? kRunOfFour | kRunOfEight : kRunOfFour;
+      if (eight) flags[k + 4] = kRunOfFour;
+      k += eight ? 8 : 4;
     }
-    for (uint32_t k = 0; k + kWide <= entries; k += random_() % 3 == 0 ? 5 : 4) wide[k] = kWideSmall;
   }
   uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_()) % n; }
   int32_t within(int32_t most) { return static_cast<int32_t>(below(2 * static_cast<uint32_t>(most) + 1)) - most; }
@@ -43,8 +46,8 @@ class Scene {
   std::mt19937 random_;
 
  public:
-  std::vector<uint8_t> wide, moves;
-  std::vector<Vec3i> nodes;
+  std::vector<uint8_t> flags;
+  std::vector<SolverNode> nodes;
 };
 
 std::vector<ConstraintKernels> variants() {
@@ -52,44 +55,41 @@ std::vector<ConstraintKernels> variants() {
   const Cpu cpu = detect_cpu();
   ConstraintKernels kernels;
   if (add_constraints_s32_avx2(&kernels) && cpu.avx2) out.push_back(kernels);
+  if (add_constraints_s32_avx512(&kernels) && cpu.vnni) out.push_back(kernels);
 #if defined(__x86_64__)
-  EXPECT_EQ(out.size(), size_t{cpu.avx2});
+  EXPECT_EQ(out.size(), size_t{cpu.avx2} + size_t{cpu.vnni});
 #endif
   return out;
 }
 
-void expect_same(const std::vector<Vec3i>& a, const std::vector<Vec3i>& b) {
+void expect_same(const std::vector<SolverNode>& a, const std::vector<SolverNode>& b) {
   for (size_t n = 0; n < a.size(); ++n) {
-    ASSERT_EQ(a[n].x, b[n].x) << "node " << n;
-    ASSERT_EQ(a[n].y, b[n].y) << "node " << n;
-    ASSERT_EQ(a[n].z, b[n].z) << "node " << n;
+    ASSERT_EQ(a[n].place.x, b[n].place.x) << "node " << n;
+    ASSERT_EQ(a[n].place.y, b[n].place.y) << "node " << n;
+    ASSERT_EQ(a[n].place.z, b[n].place.z) << "node " << n;
+    ASSERT_EQ(a[n].moves, b[n].moves) << "node " << n;
   }
 }
 
 TEST(ConstraintVariants, VolumesAreTheReference) {
   for (const ConstraintKernels& variant : variants()) {
     for (const Places places : kPlaces) {
-      for (const WideKind kind : {kWideSmall, kWideLarge}) {
+      for (const uint8_t kind : {uint8_t{0}, kLargeVolume}) {
         Scene scene(257, 4, places, 3 * static_cast<uint32_t>(places) + kind);
-        std::vector<uint32_t> tetrahedra, corners(5 * scene.nodes.size());
-        for (uint32_t i = 0; i < scene.wide.size(); ++i) {
-          tetrahedra.push_back(5 * i + (kind == kWideLarge ? 4 : i % 4));
-          for (uint32_t k = 0; k < 4; ++k) corners[4 * tetrahedra[i] + k] = 4 * i + k;
-          if (scene.wide[i] != kNarrow) scene.wide[i] = kind;
-        }
-        std::vector<Vec3i> expected = scene.nodes, found = scene.nodes;
+        std::vector<uint32_t> corners(scene.nodes.size());
+        for (uint32_t n = 0; n < corners.size(); ++n) corners[n] = n;
+        for (uint8_t& flags : scene.flags) flags |= kind;
+        std::vector<SolverNode> expected = scene.nodes, found = scene.nodes;
         for (uint32_t round = 0; round < (places == Places::kFar ? 1u : 6u); ++round) {
-          const VolumeList list = {tetrahedra.data(), scene.wide.data(), corners.data(), scene.moves.data(), nullptr};
-          VolumeList a = list, b = list;
-          a.nodes = expected.data();
-          b.nodes = found.data();
-          const uint32_t count = static_cast<uint32_t>(tetrahedra.size());
+          const VolumeList a = {corners.data(), scene.flags.data(), expected.data()},
+                           b = {corners.data(), scene.flags.data(), found.data()};
+          const uint32_t count = static_cast<uint32_t>(scene.flags.size());
           solve_volumes_ref(a, 0, count, round % 2 != 0);
           variant.volumes(b, 0, count, round % 2 != 0);
           expect_same(expected, found);
         }
         size_t moved = 0;
-        for (size_t n = 0; n < expected.size(); ++n) moved += expected[n].x != scene.nodes[n].x ? 1 : 0;
+        for (size_t n = 0; n < expected.size(); ++n) moved += expected[n].place == scene.nodes[n].place ? 0 : 1;
         EXPECT_EQ(moved > expected.size() / 10, places != Places::kCollapsed) << moved;
       }
     }
@@ -102,19 +102,22 @@ TEST(ConstraintVariants, EdgesAreTheReference) {
       for (const int64_t softness : {0, 77, 1 << 20}) {
         Scene scene(257, 2, places, 5 * static_cast<uint32_t>(places) + static_cast<uint32_t>(softness));
         const EdgeRates rates = {softness, {(1 << 24) / (256 + softness), (1 << 24) / (512 + softness)}};
-        std::vector<SolverEdge> first;
-        for (uint32_t i = 0; i < scene.wide.size(); ++i)
-          first.push_back({2 * i, 2 * i + 1, 16 * kCellUnits, scene.within(places == Places::kFar ? 1 << 30 : 99999)});
-        std::vector<SolverEdge> same = first;
-        std::vector<Vec3i> expected = scene.nodes, found = scene.nodes;
+        std::vector<uint32_t> ends(scene.nodes.size());
+        for (uint32_t n = 0; n < ends.size(); ++n) ends[n] = n;
+        const std::vector<int32_t> rests(scene.flags.size(), 16 * kCellUnits);
+        std::vector<int32_t> first;
+        for (uint32_t i = 0; i < scene.flags.size(); ++i)
+          first.push_back(scene.within(places == Places::kFar ? 1 << 30 : 99999));
+        std::vector<int32_t> same = first;
+        std::vector<SolverNode> expected = scene.nodes, found = scene.nodes;
         for (uint32_t round = 0; round < (places == Places::kFar ? 1u : 6u); ++round) {
-          const EdgeList a = {rates, first.data(), scene.wide.data(), scene.moves.data(), expected.data()},
-                         b = {rates, same.data(), scene.wide.data(), scene.moves.data(), found.data()};
+          const EdgeList a = {rates, ends.data(), rests.data(), first.data(), scene.flags.data(), expected.data()},
+                         b = {rates, ends.data(), rests.data(), same.data(), scene.flags.data(), found.data()};
           const uint32_t count = static_cast<uint32_t>(first.size());
           solve_edges_ref(a, 0, count, round % 2 != 0);
           variant.edges(b, 0, count, round % 2 != 0);
           expect_same(expected, found);
-          for (size_t e = 0; e < first.size(); ++e) ASSERT_EQ(first[e].lambda, same[e].lambda) << e;
+          for (size_t e = 0; e < first.size(); ++e) ASSERT_EQ(first[e], same[e]) << e;
         }
       }
     }

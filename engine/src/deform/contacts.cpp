@@ -110,11 +110,11 @@ class ContactFinder {
 
   // False for one that is turned over or nearly flat.
   bool measure(Posed* t) const {
-    const Vec3d b = to_double(input_.nodes[t->nodes[1]] - t->origin),
-                c = to_double(input_.nodes[t->nodes[2]] - t->origin),
-                d = to_double(input_.nodes[t->nodes[3]] - t->origin);
+    const auto from_origin = [&](int k) { return to_double(input_.nodes[t->nodes[k]].place - t->origin); };
+    const Vec3d b = from_origin(1), c = from_origin(2), d = from_origin(3);
     const double volume = dot(b, cross(c, d));
-    if (!(volume > kLeastVolume * kCell * static_cast<double>(rest_volume(t->number)))) return false;
+    if (!(volume > kLeastVolume * kCell * static_cast<double>(t->number % 5 == 4 ? 2 * kSmallVolume : kSmallVolume)))
+      return false;
     const double inverse = 1 / volume;
     t->gradients[0] = inverse * cross(c, d);
     t->gradients[1] = inverse * cross(d, b);
@@ -126,12 +126,12 @@ class ContactFinder {
     Posed t = {};
     t.number = number;
     t.nodes = lattice_.tetrahedra + 4 * static_cast<size_t>(number);
-    t.origin = t.low = t.high = input_.nodes[t.nodes[0]];
+    t.origin = t.low = t.high = input_.nodes[t.nodes[0]].place;
     t.rest_low = t.rest_high = lattice_.nodes[t.nodes[0]];
     t.joint = lattice_.rows[t.nodes[0]].joints[0];
     bool one_joint = true;
     for (int k = 1; k < 4; ++k) {
-      grow(input_.nodes[t.nodes[k]], &t.low, &t.high);
+      grow(input_.nodes[t.nodes[k]].place, &t.low, &t.high);
       grow(lattice_.nodes[t.nodes[k]], &t.rest_low, &t.rest_high);
       one_joint = one_joint && lattice_.rows[t.nodes[k]].joints[0] == t.joint;
     }

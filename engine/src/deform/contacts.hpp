@@ -43,10 +43,10 @@ struct ContactState {
 // A corrected pose.
 struct ContactInput {
   const PosedJoints& posed;
-  const HalfSpace* bends;  // [V] of find_half_spaces(): what these keep apart is none of ours
-  const Vec3d* places;     // [V] posed vertices
-  const Vec3i* nodes;      // [n] posed nodes, lattice units around `middle`
-  Vec3d middle;            // the caller's units
+  const HalfSpace* bends;   // [V] of find_half_spaces(): what these keep apart is none of ours
+  const Vec3d* places;      // [V] posed vertices
+  const SolverNode* nodes;  // [n] posed, around `middle`
+  Vec3d middle;             // the caller's units
 };
 
 // Fills pushes and ways: a vertex that lies in a tetrahedron of another part of the body, and the surface that it came through, are to meet half

@@ -52,7 +52,9 @@ sinew_status create_deformer(const RestInput& input, Arena& arena, sinew_deforme
   DeformRest rest;
   const sinew_status status = build_rest(input, arena, &rest);
   if (status != SINEW_OK || arena.measuring()) return status;
-  if (detect_cpu().avx2) (void)add_constraints_s32_avx2(&rest.kernels);
+  const Cpu cpu = detect_cpu();
+  if (cpu.avx2) (void)add_constraints_s32_avx2(&rest.kernels);
+  if (cpu.vnni) (void)add_constraints_s32_avx512(&rest.kernels);
   *home = rest;
   Arena measuring;
   (void)run_pose(rest, nullptr, measuring, nullptr);

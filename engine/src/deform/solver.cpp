@@ -27,27 +27,28 @@ void step(Vec3i* p, int64_t ratio, Vec3i v, int shift) {
   p->z += rounded(ratio * v.z, shift);
 }
 
-void solve_point(const SolverPoint& point, const uint8_t* moves, Vec3i* nodes) {
+void solve_point(const SolverPoint& point, SolverNode* nodes) {
   int64_t place = 0;
-  for (int k = 0; k < 4; ++k) place += (dot(point.normal, nodes[point.nodes[k]]) >> 14) * point.shares[k];
+  for (int k = 0; k < 4; ++k) place += (dot(point.normal, nodes[point.nodes[k]].place) >> 14) * point.shares[k];
   int64_t outside = point.offset - (place >> kShareBits);
   if (outside <= 0) return;
   if (outside > kLongSide) outside = kLongSide;
   for (int k = 0; k < 4; ++k) {
-    if (moves[point.nodes[k]] == 0 || point.shares[k] == 0) continue;
-    Vec3i& node = nodes[point.nodes[k]];
-    step(&node, outside * point.shares[k] / point.stiffness, point.normal, 14);
-    node = clamped(node, 2 * kFarthest);  // there may be any number of points
+    SolverNode& node = nodes[point.nodes[k]];
+    if (node.moves == 0 || point.shares[k] == 0) continue;
+    step(&node.place, outside * point.shares[k] / point.stiffness, point.normal, 14);
+    node.place = clamped(node.place, 2 * kFarthest);  // there may be any number of points
   }
 }
 
 // Every node goes on in the way that it came since the last round's end.
 void add_momentum(bool on, uint32_t count, SolverState* state) {
   for (uint32_t n = 0; n < count; ++n) {
-    if (state->moves[n] == 0) continue;
-    const Vec3i way = clamped(state->nodes[n] - state->last[n], kCellUnits);
-    state->last[n] = state->nodes[n];
-    if (on) step(&state->nodes[n], kMomentum, way, 8);
+    SolverNode& node = state->nodes[n];
+    if (node.moves == 0) continue;
+    const Vec3i way = clamped(node.place - state->last[n], kCellUnits);
+    state->last[n] = node.place;
+    if (on) step(&node.place, kMomentum, way, 8);
   }
 }
 
@@ -68,7 +69,7 @@ void each_piece(const Lattice& lattice, const uint32_t* begins, bool backwards, 
   }
 }
 
-// Marks runs of kWide entries of a piece that have no node in common.
+// Marks runs of entries of a piece.
 class WideRuns {
  public:
   // stamps [n] is scratch
@@ -77,14 +78,22 @@ class WideRuns {
   }
   // Entries begin to end by each_node(entry, visit), which calls visit(node) until it says false.
   template <class Nodes>
-  void mark(uint32_t begin, uint32_t end, WideKind kind, const Nodes& each_node, uint8_t* wide) {
-    for (uint32_t k = begin; k < end; ++k) wide[k] = kNarrow;
-    for (uint32_t k = begin; k + kWide <= end;) {
+  void mark(uint32_t begin, uint32_t end, uint8_t own, const Nodes& each_node, uint8_t* flags) {
+    for (uint32_t k = begin; k < end; ++k) flags[k] = own;
+    for (uint32_t k = begin; k < end;) {
       ++stamp_;
       uint32_t free = 0;
-      while (free < kWide && each_node(k + free, [this](uint32_t n) { return take(n); })) ++free;
-      if (free == kWide) wide[k] = kind;
-      k += free > 0 ? free : 1;
+      while (free < 8 && k + free < end && each_node(k + free, [this](uint32_t n) { return take(n); })) ++free;
+      if (free == 8) {
+        flags[k] |= kRunOfEight | kRunOfFour;
+        flags[k + 4] |= kRunOfFour;
+        k += 8;
+      } else if (free >= 4) {
+        flags[k] |= kRunOfFour;
+        k += 4;
+      } else {
+        k += free > 0 ? free : 1;
+      }
     }
   }
 
@@ -102,14 +111,15 @@ class WideRuns {
 
 bool SolverState::allocate(Arena& arena, uint32_t node_count, uint32_t tetrahedra_most, uint32_t edges_most,
                            uint32_t points_most) {
-  nodes = arena.alloc<Vec3i>(node_count);
+  nodes = arena.alloc<SolverNode>(node_count);
   last = arena.alloc<Vec3i>(node_count);
-  moves = arena.alloc<uint8_t>(node_count);
-  tetrahedra = arena.alloc<uint32_t>(tetrahedra_most);
-  edges = arena.alloc<SolverEdge>(edges_most);
+  corners = arena.alloc<uint32_t>(4 * static_cast<size_t>(tetrahedra_most));
+  ends = arena.alloc<uint32_t>(2 * static_cast<size_t>(edges_most));
+  rests = arena.alloc<int32_t>(edges_most);
+  lambdas = arena.alloc<int32_t>(edges_most);
   points = arena.alloc<SolverPoint>(points_most);
-  wide_tetrahedra = arena.alloc<uint8_t>(tetrahedra_most);
-  wide_edges = arena.alloc<uint8_t>(edges_most);
+  tetrahedron_flags = arena.alloc<uint8_t>(tetrahedra_most);
+  edge_flags = arena.alloc<uint8_t>(edges_most);
   stamps = arena.alloc<uint32_t>(node_count);
   const size_t pieces = tetrahedra_most / (5 * kPieceCopies) + kColours + 1;
   piece_tetrahedra = arena.alloc<uint32_t>(pieces);
@@ -118,15 +128,15 @@ bool SolverState::allocate(Arena& arena, uint32_t node_count, uint32_t tetrahedr
 }
 
 void list_constraints(const Lattice& lattice, SolverState* state) {
-  const uint8_t* const moves = state->moves;
+  const SolverNode* const nodes = state->nodes;
   constexpr int32_t kStraight = kCellUnits * 16;
   const int32_t diagonal = static_cast<int32_t>(isqrt64(uint64_t{2} * kStraight * kStraight));
-  const auto corners_of = [&](uint32_t entry, auto visit) {
-    const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(state->tetrahedra[entry]);
+  const auto corners_of = [state](uint32_t entry, auto visit) {
+    const uint32_t* const at = state->corners + 4 * static_cast<size_t>(entry);
     return visit(at[0]) && visit(at[1]) && visit(at[2]) && visit(at[3]);
   };
-  const auto ends_of = [&](uint32_t entry, auto visit) {
-    return visit(state->edges[entry].a) && visit(state->edges[entry].b);
+  const auto ends_of = [state](uint32_t entry, auto visit) {
+    return visit(state->ends[2 * static_cast<size_t>(entry)]) && visit(state->ends[2 * static_cast<size_t>(entry) + 1]);
   };
   WideRuns runs(state->stamps, lattice.node_count);
   uint32_t tetrahedra = 0, edges = 0;
@@ -139,18 +149,23 @@ void list_constraints(const Lattice& lattice, SolverState* state) {
       for (uint32_t i = lattice.piece_copies[piece]; i < lattice.piece_copies[piece + 1]; ++i) {
         const uint32_t t = 5 * lattice.copy_order[i] + kind;
         const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(t);
-        if ((moves[at[0]] | moves[at[1]] | moves[at[2]] | moves[at[3]]) != 0) state->tetrahedra[tetrahedra++] = t;
+        if ((nodes[at[0]].moves | nodes[at[1]].moves | nodes[at[2]].moves | nodes[at[3]].moves) == 0) continue;
+        for (size_t k = 0; k < 4; ++k) state->corners[4 * static_cast<size_t>(tetrahedra) + k] = at[k];
+        ++tetrahedra;
       }
-      runs.mark(begin, tetrahedra, kind == 4 ? kWideLarge : kWideSmall, corners_of, state->wide_tetrahedra);
+      runs.mark(begin, tetrahedra, kind == 4 ? kLargeVolume : 0, corners_of, state->tetrahedron_flags);
     }
     for (uint32_t e = lattice.piece_edges[piece]; e < lattice.piece_edges[piece + 1]; ++e) {
       const LatticeEdge& edge = lattice.edges[e];
-      if ((moves[edge.a] | moves[edge.b]) == 0) continue;
+      if ((nodes[edge.a].moves | nodes[edge.b].moves) == 0) continue;
       const Vec3i d = lattice.nodes[edge.b] - lattice.nodes[edge.a];
       const int axes = (d.x != 0) + (d.y != 0) + (d.z != 0);
-      state->edges[edges++] = {edge.a, edge.b, axes == 1 ? kStraight : diagonal, 0};
+      state->ends[2 * static_cast<size_t>(edges)] = edge.a;
+      state->ends[2 * static_cast<size_t>(edges) + 1] = edge.b;
+      state->rests[edges] = axes == 1 ? kStraight : diagonal;
+      state->lambdas[edges++] = 0;
     }
-    runs.mark(state->piece_edges[piece], edges, kWideSmall, ends_of, state->wide_edges);
+    runs.mark(state->piece_edges[piece], edges, 0, ends_of, state->edge_flags);
   }
   state->piece_tetrahedra[lattice.piece_count()] = state->tetrahedron_count = tetrahedra;
   state->piece_edges[lattice.piece_count()] = state->edge_count = edges;
@@ -163,7 +178,7 @@ void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int
   for (int k = 0; k < 4; ++k) {
     point.nodes[k] = at[k];
     point.shares[k] = place.shares[k];
-    if (state->moves[at[k]] != 0) squares += static_cast<int64_t>(place.shares[k]) * place.shares[k];
+    if (state->nodes[at[k]].moves != 0) squares += static_cast<int64_t>(place.shares[k]) * place.shares[k];
   }
   constexpr int64_t kLeastSquares = (int64_t{1} << (2 * kShareBits)) / 50;
   if (squares <= kLeastSquares) return;
@@ -175,13 +190,12 @@ void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int
 
 void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const ConstraintKernels& kernels,
            const Threads& threads, SolverState* state) {
-  Vec3i* const nodes = state->nodes;
-  const uint8_t* const moves = state->moves;
-  EdgeList edges = {{softness, {0, 0}}, state->edges, state->wide_edges, moves, nodes};
+  SolverNode* const nodes = state->nodes;
+  EdgeList edges = {{softness, {0, 0}}, state->ends, state->rests, state->lambdas, state->edge_flags, nodes};
   for (int64_t ends = 1; ends <= 2; ++ends)
     edges.rates.inverse[ends - 1] = (int64_t{1} << 24) / (256 * ends + edges.rates.softness);
-  const VolumeList volumes = {state->tetrahedra, state->wide_tetrahedra, lattice.tetrahedra, moves, nodes};
-  for (uint32_t n = 0; n < lattice.node_count; ++n) state->last[n] = nodes[n];
+  const VolumeList volumes = {state->corners, state->tetrahedron_flags, nodes};
+  for (uint32_t n = 0; n < lattice.node_count; ++n) state->last[n] = nodes[n].place;
   for (uint32_t round = 0; round < rounds; ++round) {
     // Every other round goes backwards, so that no direction is ahead of the others.
     const bool backwards = round % 2 != 0;
@@ -189,19 +203,19 @@ void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const Con
                [&](uint32_t begin, uint32_t end) { kernels.edges(edges, begin, end, backwards); });
     each_piece(lattice, state->piece_tetrahedra, backwards, threads,
                [&](uint32_t begin, uint32_t end) { kernels.volumes(volumes, begin, end, backwards); });
-    for (uint32_t i = 0; i < state->point_count; ++i) solve_point(state->points[i], moves, nodes);
+    for (uint32_t i = 0; i < state->point_count; ++i) solve_point(state->points[i], nodes);
     add_momentum(round > 0 && round + kRoundsWithout < rounds, lattice.node_count, state);
   }
 }
 
-uint32_t count_inverted(const Lattice& lattice, const SolverState& state) {
+uint32_t count_inverted(const SolverState& state) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < state.tetrahedron_count; ++i) {
-    const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(state.tetrahedra[i]);
-    const Vec3i origin = state.nodes[at[0]];
-    const Vec3i b = clamped(state.nodes[at[1]] - origin, kLongSide),
-                c = clamped(state.nodes[at[2]] - origin, kLongSide),
-                d = clamped(state.nodes[at[3]] - origin, kLongSide);
+    const uint32_t* const at = state.corners + 4 * static_cast<size_t>(i);
+    const Vec3i origin = state.nodes[at[0]].place;
+    const Vec3i b = clamped(state.nodes[at[1]].place - origin, kLongSide),
+                c = clamped(state.nodes[at[2]].place - origin, kLongSide),
+                d = clamped(state.nodes[at[3]].place - origin, kLongSide);
     if (dot(b, over_cell(cross(c, d))) < 0) ++count;
   }
   return count;

@@ -32,15 +32,15 @@ struct SolverPoint {
 };
 
 struct SolverState {
-  Vec3i* nodes = nullptr;          // [n] in and out, lattice units
-  Vec3i* last = nullptr;           // [n] where the last round's constraints left them
-  uint8_t* moves = nullptr;        // [n] 1: the node may be moved
-  uint32_t* tetrahedra = nullptr;  // [t] of the lattice, those with a node that moves
-  uint32_t tetrahedron_count = 0;
-  SolverEdge* edges = nullptr;  // [e] those with an end that moves
-  uint32_t edge_count = 0;
+  SolverNode* nodes = nullptr;  // [n] in and out
+  Vec3i* last = nullptr;        // [n] where the last round's constraints left them
+  // Those with a node that moves. What is read together lies together.
+  uint32_t* corners = nullptr;                                  // [t x 4] of tetrahedra
+  uint32_t* ends = nullptr;                                     // [e x 2] of edges
+  int32_t *rests = nullptr, *lambdas = nullptr;                 // [e]
+  uint8_t *tetrahedron_flags = nullptr, *edge_flags = nullptr;  // [t], [e]
+  uint32_t tetrahedron_count = 0, edge_count = 0;
   uint32_t *piece_tetrahedra = nullptr, *piece_edges = nullptr;  // [pieces + 1] begins in the two lists
-  uint8_t *wide_tetrahedra = nullptr, *wide_edges = nullptr;     // [t], [e] WideKind
   uint32_t* stamps = nullptr;                                    // [n] scratch of list_constraints()
   SolverPoint* points = nullptr;
   uint32_t point_count = 0;
@@ -48,7 +48,7 @@ struct SolverState {
   bool allocate(Arena& arena, uint32_t nodes, uint32_t tetrahedra, uint32_t edges, uint32_t points);
 };
 
-// Lists tetrahedra and edges after `moves` is filled.
+// Lists tetrahedra and edges when it is known which nodes move.
 void list_constraints(const Lattice& lattice, SolverState* state);
 // A point goes to the list if its moving nodes can carry it there.
 void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int32_t offset, SolverState* state);
@@ -58,7 +58,7 @@ void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int
 void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const ConstraintKernels& kernels,
            const Threads& threads, SolverState* state);
 // Tetrahedra of the list that are inside out.
-uint32_t count_inverted(const Lattice& lattice, const SolverState& state);
+uint32_t count_inverted(const SolverState& state);
 
 }  // namespace sinew
 #endif

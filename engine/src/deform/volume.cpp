@@ -52,7 +52,7 @@ class VolumePose {
       if (rest_.options.no_contact == 0) list_points();
       counts_.active_tetrahedra = state_.tetrahedron_count;
       solve(lattice_, rest_.options.round_count, rest_.options.softness, rest_.kernels, threads_, &state_);
-      counts_.inverted_tetrahedra = count_inverted(lattice_, state_);
+      counts_.inverted_tetrahedra = count_inverted(state_);
       map_back();
     }
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
@@ -84,7 +84,7 @@ class VolumePose {
       }
       for (uint32_t n = 0; n < lattice_.node_count; ++n) {
         const Vec3d way = contacts_.field[n];
-        state_.nodes[n] = state_.nodes[n] + Vec3i{to_units(way.x), to_units(way.y), to_units(way.z)};
+        state_.nodes[n].place = state_.nodes[n].place + Vec3i{to_units(way.x), to_units(way.y), to_units(way.z)};
       }
     }
   }
@@ -143,7 +143,7 @@ class VolumePose {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
       const bool free = (rest_.node_flags[n] & kNodeFree) != 0 && (flags_[n] & kStrained) != 0;
       const bool freed = (rest_.node_flags[n] & kNodeAtBone) == 0 && (flags_[n] & kOutside) != 0;
-      state_.moves[n] = free || freed ? 1 : 0;
+      state_.nodes[n].moves = free || freed ? -1 : 0;
       any = any || free || freed;
     }
     return any;
@@ -159,7 +159,7 @@ class VolumePose {
         const Vec3d p =
             per_unit * (blend_dual(posed_, row.joints, row.weights, kNodeSlots, rest_.node_place(n)) - middle_);
         begin_[n] = {to_units(p.x), to_units(p.y), to_units(p.z)};
-        state_.nodes[n] = begin_[n];
+        state_.nodes[n].place = begin_[n];
       }
     });
   }
@@ -190,8 +190,8 @@ class VolumePose {
       int64_t moved[3] = {0, 0, 0}, start[3] = {0, 0, 0}, own[3] = {0, 0, 0}, moving = 0;
       for (int k = 0; k < 4; ++k) {
         const int64_t share = place.shares[k];
-        const Vec3i before = begin_[at[k]], change = state_.nodes[at[k]] - before, still = lattice_.nodes[at[k]];
-        if (state_.moves[at[k]] != 0) moving += share;
+        const Vec3i before = begin_[at[k]], change = state_.nodes[at[k]].place - before, still = lattice_.nodes[at[k]];
+        if (state_.nodes[at[k]].moves != 0) moving += share;
         const int32_t changes[3] = {change.x, change.y, change.z}, befores[3] = {before.x, before.y, before.z},
                       stills[3] = {still.x, still.y, still.z};
         for (int axis = 0; axis < 3; ++axis) {

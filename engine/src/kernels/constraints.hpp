@@ -21,10 +21,10 @@ constexpr int64_t kLeastDenominator = 36 * (int64_t{1} << (2 * kCellBits)) / 5;
 constexpr int64_t kLongestStep = kCellUnits / 4;
 constexpr int kRatioBits = 18;
 
-struct SolverEdge {
-  uint32_t a, b;
-  int32_t rest;    // Q4 lattice units
-  int32_t lambda;  // Q4
+// A node while it is solved: as wide as a register.
+struct alignas(16) SolverNode {
+  Vec3i place;    // lattice units
+  int32_t moves;  // -1, 0 for a node that is pinned
 };
 
 struct EdgeRates {
@@ -32,28 +32,28 @@ struct EdgeRates {
   int64_t inverse[2];  // Q24 of 1 / (moving ends + softness), one or two ends
 };
 
-// Entries of a list that follow each other and have no node in common, so that their order says nothing.
-constexpr uint32_t kWide = 4;
-enum WideKind : uint8_t { kNarrow = 0, kWideSmall = 1, kWideLarge = 2 };
+// Flags of entries. Entries that follow each other and have no node in common, so that their order says nothing, are a run.
+constexpr uint8_t kRunOfFour = 1, kRunOfEight = 2;  // begins with this one; a run of eight is two of four as well
+constexpr uint8_t kLargeVolume =
+    4;  // the middle tetrahedron of a cell, twice as large as those of its corners. The same in all of a run
 
 struct EdgeList {
   EdgeRates rates;
-  SolverEdge* edges;
-  const uint8_t* wide;   // [e] kWideSmall: this one and the three after it are independent
-  const uint8_t* moves;  // [n] 1: the node may be moved
-  Vec3i* nodes;          // [n] lattice units
+  const uint32_t* ends;  // [e x 2] nodes
+  const int32_t* rests;  // [e] lengths at rest, Q4 lattice units
+  int32_t* lambdas;      // [e] Q4
+  const uint8_t* flags;  // [e]
+  SolverNode* nodes;
 };
 
 struct VolumeList {
-  const uint32_t* tetrahedra;  // [t] numbers in `corners`
-  const uint8_t* wide;  // [t] the same: kWideSmall where all four are of corners of a cell, kWideLarge if of its middle
-  const uint32_t* corners;  // [4 x tetrahedra] nodes
-  const uint8_t* moves;
-  Vec3i* nodes;
+  const uint32_t* corners;  // [t x 4] nodes
+  const uint8_t* flags;     // [t]
+  SolverNode* nodes;
 };
 
-// Six volumes at rest over the cell's edge: the fifth tetrahedron of a cell is twice as large.
-inline int64_t rest_volume(uint32_t tetrahedron) { return tetrahedron % 5 == 4 ? 2 * kSmallVolume : kSmallVolume; }
+// Six volumes at rest over the cell's edge.
+inline int64_t rest_volume(uint8_t flags) { return (flags & kLargeVolume) != 0 ? 2 * kSmallVolume : kSmallVolume; }
 
 // One constraint by its definition.
 void solve_edge_ref(const EdgeList& list, uint32_t edge);
@@ -69,6 +69,7 @@ struct ConstraintKernels {
 
 // False when the file was compiled without its instruction set. The same nodes as the reference, bit for bit.
 bool add_constraints_s32_avx2(ConstraintKernels* kernels);
+bool add_constraints_s32_avx512(ConstraintKernels* kernels);
 
 }  // namespace sinew
 #endif

@@ -32,33 +32,39 @@ void each(uint32_t begin, uint32_t end, bool backwards, const One& one) {
   }
 }
 
-void solve_edge(const EdgeRates& rates, const uint8_t* moves, Vec3i* nodes, SolverEdge* edge) {
-  const Vec3i d = clamped(nodes[edge->a] - nodes[edge->b], kLongEdge);
+}  // namespace
+
+void solve_edge_ref(const EdgeList& list, uint32_t edge) {
+  SolverNode &a = list.nodes[list.ends[2 * static_cast<size_t>(edge)]],
+             &b = list.nodes[list.ends[2 * static_cast<size_t>(edge) + 1]];
+  const Vec3i d = clamped(a.place - b.place, kLongEdge);
   const int64_t now = isqrt64(static_cast<uint64_t>(dot(d, d)) << 8);  // Q4
   if (now < 16) return;
-  const bool a = moves[edge->a] != 0, b = moves[edge->b] != 0;
-  const int64_t error = (edge->rest - now) * 256 - rates.softness * edge->lambda;
-  const int32_t change = rounded(error * rates.inverse[a && b ? 1 : 0], 24);
-  edge->lambda += change;
+  int32_t& lambda = list.lambdas[edge];
+  const int64_t error = (list.rests[edge] - now) * 256 - list.rates.softness * lambda;
+  const int32_t change = rounded(error * list.rates.inverse[a.moves != 0 && b.moves != 0 ? 1 : 0], 24);
+  lambda += change;
   const int64_t ratio = (static_cast<int64_t>(change) * (1 << 20)) / now;  // Q20
-  if (a) step(&nodes[edge->a], ratio, d, 20);
-  if (b) step(&nodes[edge->b], -ratio, d, 20);
+  if (a.moves != 0) step(&a.place, ratio, d, 20);
+  if (b.moves != 0) step(&b.place, -ratio, d, 20);
 }
 
-void solve_volume(const uint32_t* at, int64_t rest, const uint8_t* moves, Vec3i* nodes) {
-  const Vec3i origin = nodes[at[0]];
-  const Vec3i b = clamped(nodes[at[1]] - origin, kLongSide), c = clamped(nodes[at[2]] - origin, kLongSide),
-              d = clamped(nodes[at[3]] - origin, kLongSide);
+void solve_volume_ref(const VolumeList& list, uint32_t entry) {
+  const uint32_t* const at = list.corners + 4 * static_cast<size_t>(entry);
+  SolverNode* const nodes[4] = {list.nodes + at[0], list.nodes + at[1], list.nodes + at[2], list.nodes + at[3]};
+  const Vec3i origin = nodes[0]->place;
+  const Vec3i b = clamped(nodes[1]->place - origin, kLongSide), c = clamped(nodes[2]->place - origin, kLongSide),
+              d = clamped(nodes[3]->place - origin, kLongSide);
   Vec3i gradient[4];
   gradient[1] = over_cell(cross(c, d));
   gradient[2] = over_cell(cross(d, b));
   gradient[3] = over_cell(cross(b, c));
   gradient[0] = {-(gradient[1].x + gradient[2].x + gradient[3].x), -(gradient[1].y + gradient[2].y + gradient[3].y),
                  -(gradient[1].z + gradient[2].z + gradient[3].z)};
-  const int64_t error = rest - dot(b, gradient[1]);
+  const int64_t error = rest_volume(list.flags[entry]) - dot(b, gradient[1]);
   int64_t denominator = 0, largest = 0;
   for (int k = 0; k < 4; ++k) {
-    if (moves[at[k]] == 0) continue;
+    if (nodes[k]->moves == 0) continue;
     denominator += dot(gradient[k], gradient[k]);
     const int64_t bound = sum_of_sides(gradient[k]);
     largest = bound > largest ? bound : largest;
@@ -70,26 +76,15 @@ void solve_volume(const uint32_t* at, int64_t rest, const uint8_t* moves, Vec3i*
   if ((size * largest) >> kRatioBits > kLongestStep) {
     int64_t square = 0;
     for (int k = 0; k < 4; ++k) {
-      const int64_t own = moves[at[k]] != 0 ? dot(gradient[k], gradient[k]) : 0;
+      const int64_t own = nodes[k]->moves != 0 ? dot(gradient[k], gradient[k]) : 0;
       square = own > square ? own : square;
     }
     const int64_t moved = (size * isqrt64(static_cast<uint64_t>(square))) >> kRatioBits;
     if (moved > kLongestStep) ratio = ratio * kLongestStep / moved;
   }
   for (int k = 0; k < 4; ++k) {
-    if (moves[at[k]] != 0) step(&nodes[at[k]], ratio, gradient[k], kRatioBits);
+    if (nodes[k]->moves != 0) step(&nodes[k]->place, ratio, gradient[k], kRatioBits);
   }
-}
-
-}  // namespace
-
-void solve_edge_ref(const EdgeList& list, uint32_t edge) {
-  solve_edge(list.rates, list.moves, list.nodes, list.edges + edge);
-}
-
-void solve_volume_ref(const VolumeList& list, uint32_t entry) {
-  const uint32_t t = list.tetrahedra[entry];
-  solve_volume(list.corners + 4 * static_cast<size_t>(t), rest_volume(t), list.moves, list.nodes);
 }
 
 void solve_edges_ref(const EdgeList& list, uint32_t begin, uint32_t end, bool backwards) {
