@@ -89,7 +89,7 @@ double find_overturn(const PosedJoints& posed, uint32_t j) {
 // The twist of a joint about the bone that leads to it, given to its parent's bone if that has no other child.
 void find_twist(uint32_t j, PosedJoints* posed) {
   const RestJoint& joint = posed->rest->skeleton[j];
-  if (joint.parent < 0) return;
+  if (joint.parent < 0 || joint.bound == 0) return;
   const RestJoint& above = posed->rest->skeleton[joint.parent];
   if (above.child_count != 1 || joint.parent_length < 1e-3 * posed->rest->size) return;
   PosedJoint& bone = posed->joints[joint.parent];

@@ -101,6 +101,18 @@ void copy_surface(const Mesh& mesh, DeformRest* rest) {
   memcpy(rest->col_indices, mesh.col_indices, sizeof(uint32_t) * mesh.row_offsets[mesh.welded_count]);
 }
 
+// An end marker may turn as it likes: nothing follows it.
+void find_bound_joints(DeformRest* rest) {
+  for (uint32_t j = 0; j < rest->joint_count; ++j) rest->skeleton[j].bound = 0;
+  const size_t values = static_cast<size_t>(rest->vertex_count) * rest->influence_count;
+  for (size_t i = 0; i < values; ++i) {
+    if (rest->weights[i] == 0) continue;
+    for (int32_t j = rest->joints[i]; j >= 0 && rest->skeleton[j].bound == 0; j = rest->skeleton[j].parent) {
+      rest->skeleton[j].bound = 1;
+    }
+  }
+}
+
 // What the arrays are filled from and with.
 struct Builder {
   const RestInput& input;
@@ -220,6 +232,7 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
       rest->corner = {units.zero(0) + units.length(grid.low.x), units.zero(1) + units.length(grid.low.y),
                       units.zero(2) + units.length(grid.low.z)};
       measure_joints(input.skeleton, rest);
+      find_bound_joints(rest);
     }
   }
   status = Builder{input, counts, quantizer, *rest}.mesh_and_lattice(bounds, grid, arena);

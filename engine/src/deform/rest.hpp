@@ -24,6 +24,7 @@ struct RestJoint {
   Vec3d to_children;  // unit vector along the bone; a leaf's leads away from its parent
   double parent_length, bone_length;
   uint32_t child_count;
+  uint32_t bound;  // 1: it has weight, or a joint below it has
   uint32_t hinge;  // 1: parent and bone lead apart, so that its bends may be held apart by a plane
 };
 

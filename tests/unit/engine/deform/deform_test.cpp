@@ -166,6 +166,19 @@ TEST(Deform, ATwistKeepsItsRadiusAndTheBoneTakesAPart) {
   EXPECT_GT(std::abs(spread[3 * middle + 1] - tube.positions[3 * middle + 1]), 0.01f);
 }
 
+// As the end of a head or a toe.
+TEST(Deform, AJointWithoutWeightMovesNothing) {
+  BentTube tube(3, 0.2);
+  for (size_t i = 0; i < tube.joints.size(); ++i) tube.joints[i] = std::min<uint16_t>(tube.joints[i], 1);
+  std::vector<float> palette = tube.turned({0, 0, 1}, 40), still = palette, turned = tube.turned({1, 0, 0}, 120);
+  std::copy_n(palette.begin() + 12, 12, still.begin() + 24);  // goes with its parent
+  std::copy_n(turned.begin() + 24, 12, palette.begin() + 24);
+  for (const uint32_t method : kMethods) {
+    EXPECT_EQ(pose(tube, options_of(method), palette).positions, pose(tube, options_of(method), still).positions)
+        << method;
+  }
+}
+
 // Two neighbours of a chain turn by less than half a turn against each other, the first and the third by more.
 TEST(Deform, BlendsOverMoreThanHalfATurnDoNotJump) {
   BentTube tube(3, 0.2);
