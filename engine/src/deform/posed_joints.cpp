@@ -21,7 +21,7 @@ constexpr double kBeginSwung = 0.2756, kFullSwung = 0.0872, kBeginMixed = 0.5736
 // A turn whose swing is below 20 degrees is a twist, and one whose twist is below 20 a swing; from 50 degrees of the other on it
 // is wholly mixed. Sines of half angles.
 constexpr double kPure = 0.1736, kMixed = 0.4226;
-constexpr double kMostTwistShare = 0.3;
+constexpr double kMostTwistShare = 0.27;
 
 Vec3d column(const double* m, int c) { return {m[c], m[4 + c], m[8 + c]}; }
 
