@@ -27,7 +27,7 @@ constexpr size_t kHeldOut = 10;
 struct Settings {
   std::string character, output, animation;
   DeformSettings deform{"volume", 0, 0};
-  size_t poses = 400, shapes = 8;
+  size_t poses = 1500, shapes = 8;
   uint64_t seed = 1;
   double limit = 60;
   bool animated = false, json = false;

@@ -3,6 +3,7 @@
 #ifndef SINEW_FORMATS_MORPHS_HPP
 #define SINEW_FORMATS_MORPHS_HPP
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,15 +21,23 @@ struct MorphShape {
   std::vector<Vec3> moves;         // [vertices]
 };
 
-// Shapes of one bend, read off the turn of its joint. A turn is the joint's rotation against its parent joint, world axes of
-// the rest pose, as in MotionFrame::rotations. With angle(a, b) = 2 acos |a . b|, shape i has the weight
-//   exp(-(angle(turn, turns[i]) / falloff)^2) - exp(-(angle(none, turns[i]) / falloff)^2)
-// which is 0 at rest: radial basis functions of the pose space (Lewis, Cordner and Fong 2000, Pose Space Deformation).
+// A part of the weights of one bend's shapes: nine values that one turn gives, or two turns together. A turn is a joint's rotation
+// against its parent joint, world axes of the rest pose, as in MotionFrame::rotations, here a matrix R with the vector
+// u = (R21 - R12, R02 - R20, R10 - R01) / 2, its axis times the sine of its angle.
+//   one:  value 3 r + c is R(r, c) - I(r, c)
+//   two:  value 3 r + c is u(r) of `joint` times u(c) of `with`
+// All are 0 at rest, none passes 2 however far the joints turn, and half a turn is no jump.
+struct MorphTerm {
+  size_t joint = 0, with = 0;                  // index into Character::joints; the same for one turn
+  std::vector<std::array<double, 9>> factors;  // [shapes of the driver]
+};
+
+// Shapes of one bend. The weight of a shape is the sum of its factors times the values, over all terms: a polynomial of the pose
+// space (Lewis, Cordner and Fong 2000, Pose Space Deformation, have radial functions of it).
 struct MorphDriver {
-  size_t joint = 0;               // index into Character::joints
-  double falloff = 1;             // radians
-  std::vector<Quaternion> turns;  // [shapes]
-  std::vector<size_t> shapes;     // [turns] index into Morphs::shapes
+  size_t joint = 0;            // index into Character::joints
+  std::vector<size_t> shapes;  // index into Morphs::shapes
+  std::vector<MorphTerm> terms;
 };
 
 // Weights of all shapes frame by frame, for one animation of the written document.
@@ -61,8 +70,11 @@ OwnMotion read_own_motion(const std::string& path);
 
 // The joint's turn in a pose of skinning matrices, its parent's taken off.
 Quaternion joint_turn(const std::vector<Joint>& joints, const std::vector<Affine>& palette, size_t joint);
-// [turns of the driver]
-std::vector<double> driver_weights(const MorphDriver& driver, const Quaternion& turn);
+std::vector<Quaternion> joint_turns(const std::vector<Joint>& joints, const std::vector<Affine>& palette);
+// turns [J]: joint_turns()
+std::array<double, 9> term_values(const MorphTerm& term, const std::vector<Quaternion>& turns);
+// [shapes of the driver]
+std::vector<double> driver_weights(const MorphDriver& driver, const std::vector<Quaternion>& turns);
 // Weights of all shapes in a pose; a shape without a driver has 0. [shapes]
 std::vector<float> shape_weights(const std::vector<Joint>& joints, const Morphs& morphs,
                                  const std::vector<Affine>& palette);

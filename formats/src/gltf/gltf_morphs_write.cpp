@@ -300,19 +300,54 @@ class MorphWriter {
     return number;
   }
 
-  // The node's own rotation when its joint has turned and nothing else has.
-  Quaternion node_rotation(size_t joint, const Quaternion& turn) const {
+  // Where the turn of a joint is read off: its node, the rotation that the node has at rest, and the axes of what is above it.
+  Json turning_node(size_t joint) const {
     const size_t node = static_cast<size_t>(joints_.nodes[joint]);
-    const Affine& rest = joints_.worlds[joint];
-    const Affine posed = multiply(rotation_about(rotation_of(turn), {rest[3], rest[7], rest[11]}), rest);
     Affine above = kIdentity;
     if (const int parent = nodes_.parents[node]; parent >= 0) {
       const int parent_joint = joint_of_node_[static_cast<size_t>(parent)];
       above = parent_joint >= 0 ? joints_.worlds[static_cast<size_t>(parent_joint)]
                                 : nodes_.worlds[static_cast<size_t>(parent)];
     }
-    const NodeParts parts = parts_of(multiply(inverse(above).value_or(kIdentity), posed), parts_of(model_.nodes[node]));
-    return parts.rotation;
+    const Affine own = multiply(inverse(above).value_or(kIdentity), joints_.worlds[joint]);
+    const NodeParts parts = parts_of(own, parts_of(model_.nodes[node]));
+    const Affine& m = above;
+    const double volume =
+        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+    if (volume < 0)  // a turn is the same in axes that all point the other way
+      for (size_t r = 0; r < 3; ++r)
+        for (size_t c = 0; c < 3; ++c) above[4 * r + c] = -above[4 * r + c];
+    return {{"joint", character_.joints[joint].name},
+            {"node", node},
+            {"rest", parts.rotation},
+            {"axes", quaternion_of(rotation_part(above))}};
+  }
+
+  // A driver of those of its shapes that the mesh has.
+  Json drive(const MorphDriver& driver, const std::vector<size_t>& shapes, size_t before,
+             std::vector<size_t>* turning) const {
+    const auto number_of = [&](size_t joint) {
+      const auto at = std::find(turning->begin(), turning->end(), joint);
+      if (at != turning->end()) return static_cast<size_t>(at - turning->begin());
+      turning->push_back(joint);
+      return turning->size() - 1;
+    };
+    Json bend = {{"joint", character_.joints[driver.joint].name}, {"targets", Json::array()}, {"terms", Json::array()}};
+    std::vector<size_t> own;
+    for (size_t i = 0; i < driver.shapes.size(); ++i) {
+      const auto at = std::find(shapes.begin(), shapes.end(), driver.shapes[i]);
+      if (at == shapes.end()) continue;
+      own.push_back(i);
+      bend["targets"].push_back(before + static_cast<size_t>(at - shapes.begin()));
+    }
+    if (own.empty()) return bend;
+    for (const MorphTerm& term : driver.terms) {
+      Json turns = {number_of(term.joint)}, factors = Json::array();
+      if (term.with != term.joint) turns.push_back(number_of(term.with));
+      for (const size_t i : own) factors.push_back(term.factors[i]);
+      bend["terms"].push_back({{"turns", std::move(turns)}, {"factors", std::move(factors)}});
+    }
+    return bend;
   }
 
   void write_extras(const std::vector<size_t>& shapes, size_t before, Json* mesh) {
@@ -324,24 +359,17 @@ class MorphWriter {
     while (names.size() < before) names.push_back("target_" + std::to_string(names.size()));
     for (const size_t s : shapes) names.push_back(morphs_.shapes[s].name);
     extras["targetNames"] = std::move(names);
-    Json drivers = Json::array();
+    Json bends = Json::array();
+    std::vector<size_t> turning;  // joints that the terms are about
     for (const MorphDriver& driver : morphs_.drivers) {
-      Json targets = Json::array(), rotations = Json::array();
-      for (size_t i = 0; i < driver.shapes.size(); ++i) {
-        const auto at = std::find(shapes.begin(), shapes.end(), driver.shapes[i]);
-        if (at == shapes.end()) continue;
-        targets.push_back(before + static_cast<size_t>(at - shapes.begin()));
-        rotations.push_back(node_rotation(driver.joint, driver.turns[i]));
-      }
-      if (targets.empty()) continue;
-      drivers.push_back({{"joint", character_.joints[driver.joint].name},
-                         {"node", joints_.nodes[driver.joint]},
-                         {"rest", node_rotation(driver.joint, kNoTurn4)},
-                         {"falloff", driver.falloff},
-                         {"targets", std::move(targets)},
-                         {"rotations", std::move(rotations)}});
+      Json bend = drive(driver, shapes, before, &turning);
+      if (!bend["targets"].empty()) bends.push_back(std::move(bend));
     }
-    if (!drivers.empty()) extras["sinew_correctives"] = std::move(drivers);
+    if (!bends.empty()) {
+      Json joints = Json::array();
+      for (const size_t joint : turning) joints.push_back(turning_node(joint));
+      extras["sinew_correctives"] = {{"joints", std::move(joints)}, {"bends", std::move(bends)}};
+    }
     (*mesh)["extras"] = std::move(extras);
   }
 

@@ -2,9 +2,6 @@
 // Weights of corrective shapes, and meshes under them.
 #include "sinew_formats/morphs.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "motion/turns.hpp"
 
 namespace sinew {
@@ -16,21 +13,42 @@ Quaternion joint_turn(const std::vector<Joint>& joints, const std::vector<Affine
   return normalised(multiply(conjugate(quaternion_of(rotation_part(palette.at(static_cast<size_t>(parent))))), own));
 }
 
-std::vector<double> driver_weights(const MorphDriver& driver, const Quaternion& turn) {
-  const auto kernel = [&](const Quaternion& a, const Quaternion& b) {
-    const double angle = 2 * std::acos(std::min(1.0, std::abs(dot(a, b)))) / driver.falloff;
-    return std::exp(-angle * angle);
-  };
-  std::vector<double> weights;
-  for (const Quaternion& centre : driver.turns) weights.push_back(kernel(turn, centre) - kernel(kNoTurn4, centre));
+std::vector<Quaternion> joint_turns(const std::vector<Joint>& joints, const std::vector<Affine>& palette) {
+  std::vector<Quaternion> turns;
+  for (size_t j = 0; j < joints.size(); ++j) turns.push_back(joint_turn(joints, palette, j));
+  return turns;
+}
+
+std::array<double, 9> term_values(const MorphTerm& term, const std::vector<Quaternion>& turns) {
+  std::array<double, 9> values{};
+  if (term.joint == term.with) {
+    values = rotation_of(turns.at(term.joint));
+    for (size_t i = 0; i < 9; i += 4) values[i] -= 1;
+    return values;
+  }
+  const Quaternion &a = turns.at(term.joint), &b = turns.at(term.with);
+  for (size_t r = 0; r < 3; ++r)
+    for (size_t c = 0; c < 3; ++c) values[3 * r + c] = (2 * a[3] * a[r]) * (2 * b[3] * b[c]);
+  return values;
+}
+
+std::vector<double> driver_weights(const MorphDriver& driver, const std::vector<Quaternion>& turns) {
+  std::vector<double> weights(driver.shapes.size(), 0.0);
+  for (const MorphTerm& term : driver.terms) {
+    const std::array<double, 9> values = term_values(term, turns);
+    for (size_t s = 0; s < weights.size(); ++s)
+      for (size_t i = 0; i < 9; ++i) weights[s] += term.factors.at(s)[i] * values[i];
+  }
   return weights;
 }
 
 std::vector<float> shape_weights(const std::vector<Joint>& joints, const Morphs& morphs,
                                  const std::vector<Affine>& palette) {
   std::vector<float> weights(morphs.shapes.size(), 0.0f);
+  if (morphs.drivers.empty()) return weights;
+  const std::vector<Quaternion> turns = joint_turns(joints, palette);
   for (const MorphDriver& driver : morphs.drivers) {
-    const std::vector<double> values = driver_weights(driver, joint_turn(joints, palette, driver.joint));
+    const std::vector<double> values = driver_weights(driver, turns);
     for (size_t i = 0; i < values.size(); ++i) weights.at(driver.shapes[i]) = static_cast<float>(values[i]);
   }
   return weights;

@@ -17,7 +17,6 @@ using Palette = std::vector<Affine>;  // a skinning matrix a joint
 struct BakeSettings {
   sinew_deform_options deform = sinew_deform_options_init();
   size_t shapes_per_bend = 8;
-  double falloff = 2;        // radians, of the drivers' basis functions
   double least_move = 5e-5;  // share of the mesh's longest side; a shape leaves vertices out that it moves by less
 };
 
@@ -30,10 +29,11 @@ struct BakeError {
 // Called once a corrected pose; false ends the work with Error.
 using BakeProgress = std::function<bool()>;
 
-// Shapes for every joint with a parent that bends the surface (vertices follow it and others), driven by that joint's turn. The turns of the
-// basis functions are cluster centres of the poses' own; the moves are least squares over all poses, with a small ridge, in
-// posed space. A joint that turns in no pose, or whose bend moves no vertex enough, gets no shape. Throws Error for missing
-// weights, no pose, or what the deformer refuses.
+// Shapes for every joint with a parent that bends the surface (vertices follow it and others), driven by turns of joints. Drivers
+// are found bend by bend: the weights that tell most of how the vertices move which are nearest to it, by reduced rank regression on
+// turns, single and in pairs. Then each vertex is fitted to the shapes of the bends near it. Least squares over all poses with a small
+// ridge. A bend that moves no vertex enough gets no shape. Memory: 12 bytes a pose and vertex. Throws Error for missing weights,
+// no pose, or what the deformer refuses.
 Morphs bake_bends(const Character& character, const std::vector<Palette>& poses, const BakeSettings& settings,
                   const BakeProgress& progress);
 

@@ -2,6 +2,7 @@
 // Poses for a fit, what linear skinning lacks in them, and what is still lacking with shapes.
 #include "bake/corrections.hpp"
 
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <random>
 
@@ -12,26 +13,35 @@
 
 namespace sinew {
 
-Corrections find_corrections(const Character& character, const std::vector<Palette>& poses,
-                             const sinew_deform_options& deform, const BakeProgress& progress) {
+Eigen::MatrixXf moves_before_skinning(const Character& character, const std::vector<Palette>& poses,
+                                      const sinew_deform_options& deform, const BakeProgress& progress) {
+  constexpr double kRidge = 2e-2;  // with 3e-3 a skirt's held out error was 0.443 of linear skinning's, with this 0.427
   if (character.influences.size() != character.vertices.size())
     throw Error(character.name + ": has no skin weights to bake; bind it first with sinew bind");
   if (poses.empty()) throw Error(character.name + ": cannot bake, there is no pose to learn from");
   CharacterDeformer deformer(character, deform);
   const Morphs none;
-  Corrections out;
-  for (const Palette& pose : poses) {
-    std::vector<float> lack = deformer.pose(pose);
-    const std::vector<Vec3> linear = morphed_pose(character, none, {}, pose);
+  Eigen::MatrixXf moves(static_cast<Eigen::Index>(poses.size()),
+                        static_cast<Eigen::Index>(3 * character.vertices.size()));
+  for (size_t p = 0; p < poses.size(); ++p) {
+    const std::vector<float>& wanted = deformer.pose(poses[p]);
+    const std::vector<Vec3> linear = morphed_pose(character, none, {}, poses[p]);
     for (size_t v = 0; v < linear.size(); ++v) {
-      lack[3 * v] -= linear[v].x;
-      lack[3 * v + 1] -= linear[v].y;
-      lack[3 * v + 2] -= linear[v].z;
+      const Affine m = blended_matrix(character.influences[v], poses[p]);
+      Eigen::Matrix3d turn;
+      for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) turn(r, c) = m[static_cast<size_t>(4 * r + c)];
+      const Eigen::Vector3d lack(static_cast<double>(wanted[3 * v] - linear[v].x),
+                                 static_cast<double>(wanted[3 * v + 1] - linear[v].y),
+                                 static_cast<double>(wanted[3 * v + 2] - linear[v].z));
+      Eigen::Matrix3d normal = turn.transpose() * turn;
+      normal.diagonal().array() += kRidge;
+      moves.block<1, 3>(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(3 * v)) =
+          normal.llt().solve(turn.transpose() * lack).cast<float>().transpose();
     }
-    out.lacks.push_back(std::move(lack));
     if (!progress()) throw Error(character.name + ": the work was interrupted");
   }
-  return out;
+  return moves;
 }
 
 BakeError bake_error(const Character& character, const Morphs& morphs, const std::vector<Palette>& poses,

@@ -52,6 +52,18 @@ TEST(Bake, HalvesTheErrorOfPosesThatItDidNotLearn) {
   for (const float weight : shape_weights(c.joints, morphs, rest)) EXPECT_EQ(weight, 0);
 }
 
+TEST(Bake, WeightsOfLearntPosesAreAtMostOne) {
+  const Character c = arm();
+  const std::vector<Palette> poses = random_palettes(c, 60, 90, 1);
+  const Morphs morphs = bake_bends(c, poses, {}, on);
+  std::vector<float> largest(morphs.shapes.size(), 0.0f);
+  for (const Palette& pose : poses) {
+    const std::vector<float> weights = shape_weights(c.joints, morphs, pose);
+    for (size_t s = 0; s < weights.size(); ++s) largest[s] = std::fmax(largest[s], std::fabs(weights[s]));
+  }
+  for (const float one : largest) EXPECT_NEAR(one, 1, 0.01);
+}
+
 TEST(Bake, AClipNeedsFewShapes) {
   const Character c = arm();
   std::vector<Palette> frames;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "gltf_validator.hpp"
 #include "make_glb.hpp"
@@ -28,7 +29,12 @@ GlbBuilder turned_strip() {
 Morphs knee_shape(uint32_t vertex) {
   Morphs morphs;
   morphs.shapes = {{"knee.1", {vertex}, {{0.25f, 0, 0.5f}}}};
-  morphs.drivers = {{1, 1.5, {axis_turn(0, 1)}, {0}}};
+  MorphTerm one{1, 1, {{}}}, two{0, 1, {{}}};
+  for (size_t i = 0; i < 9; ++i) {
+    one.factors[0][i] = 0.125 * static_cast<double>(i) - 0.5;
+    two.factors[0][i] = 0.75 - 0.25 * static_cast<double>(i);
+  }
+  morphs.drivers = {{1, {0}, {one, two}}};
   return morphs;
 }
 
@@ -69,19 +75,77 @@ TEST(GltfMorphs, MovesLieInTheMeshsOwnSpace) {
   SINEW_EXPECT_VALID_GLTF({folder.file("out.glb")});
 }
 
-TEST(GltfMorphs, DriversAreRotationsOfTheJointsNode) {
+Quaternion quaternion(const json& q) { return {q[0], q[1], q[2], q[3]}; }
+
+// formats/spec/correctives.md, by rotations of nodes. Written without morphs.cpp, whose frames are others.
+double weight_by_the_file(const json& correctives, const std::map<size_t, Quaternion>& rotations) {
+  std::vector<Quaternion> turns;
+  for (const json& joint : correctives["joints"]) {
+    const Quaternion rest = quaternion(joint["rest"]), axes = quaternion(joint["axes"]);
+    const auto at = rotations.find(joint["node"].get<size_t>());
+    const Quaternion q = at == rotations.end() ? rest : at->second;
+    turns.push_back(multiply(multiply(axes, multiply(q, conjugate(rest))), conjugate(axes)));
+  }
+  double weight = 0;
+  for (const json& term : correctives["bends"][0]["terms"]) {
+    const Rotation a = rotation_of(turns[term["turns"][0].get<size_t>()]);
+    const Rotation b = rotation_of(turns[term["turns"].back().get<size_t>()]);
+    const auto sine_axis = [](const Rotation& r) {
+      return std::array<double, 3>{(r[7] - r[5]) / 2, (r[2] - r[6]) / 2, (r[3] - r[1]) / 2};
+    };
+    for (size_t i = 0; i < 9; ++i)
+      weight += term["factors"][0][i].get<double>() *
+                (term["turns"].size() == 1 ? a[i] - (i % 4 == 0 ? 1 : 0) : sine_axis(a)[i / 3] * sine_axis(b)[i % 3]);
+  }
+  return weight;
+}
+
+// Turns node 1 (the knee) by 0.7 about its own x after its rest rotation, and asks both.
+void expect_the_same_weight(const GlbBuilder& builder) {
   const TempFolder folder;
-  const Character c = read_gltf(folder.write("in.glb", turned_strip().glb()));
+  const Character c = read_gltf(folder.write("in.glb", builder.glb()));
+  Morphs morphs = knee_shape(7);
   std::string glb;
-  const json document = written(folder, c, knee_shape(7), &glb);
-  const json& driver = document["meshes"][0]["extras"]["sinew_correctives"][0];
-  EXPECT_EQ(driver["joint"], "knee");
-  EXPECT_EQ(driver["targets"], json::array({0}));
-  EXPECT_EQ(driver["falloff"], 1.5);
-  const auto quaternion = [](const json& q) { return Quaternion{q[0], q[1], q[2], q[3]}; };
-  EXPECT_NEAR(std::abs(dot(quaternion(driver["rest"]), kNoTurn4)), 1, 1e-7);
-  // About the world's x; below a node turned by 90 degrees about z that is the node's own -y.
-  EXPECT_NEAR(std::abs(dot(quaternion(driver["rotations"][0]), axis_turn(1, -1))), 1, 1e-7);
+  json document = written(folder, c, morphs, &glb);
+  const json correctives = document["meshes"][0]["extras"]["sinew_correctives"];
+  ASSERT_EQ(correctives["joints"].size(), 2u);
+  EXPECT_EQ(correctives["joints"][0]["joint"], "knee");
+  EXPECT_EQ(correctives["bends"][0]["joint"], "knee");
+  EXPECT_EQ(correctives["bends"][0]["targets"], json::array({0}));
+  EXPECT_NEAR(weight_by_the_file(correctives, {}), 0, 1e-9);
+  // The same rotations as an animation, whose palette is in world axes.
+  GlbBuilder moving = builder;
+  std::map<size_t, Quaternion> rotations;
+  json channels = json::array(), samplers = json::array();
+  for (const json& joint : correctives["joints"]) {
+    const size_t node = joint["node"].get<size_t>();
+    const Quaternion q = multiply(quaternion(joint["rest"]), axis_turn(node % 2, 0.7));
+    rotations[node] = q;
+    std::vector<float> values;
+    for (size_t i = 0; i < 8; ++i) values.push_back(static_cast<float>(q[i % 4]));
+    const json input = moving.accessor(std::vector<float>{0, 1}, "SCALAR");
+    moving.document["accessors"][input.get<size_t>()]["min"] = {0.0};
+    moving.document["accessors"][input.get<size_t>()]["max"] = {1.0};
+    channels.push_back({{"sampler", samplers.size()}, {"target", {{"node", node}, {"path", "rotation"}}}});
+    samplers.push_back({{"input", input}, {"output", moving.accessor(values, "VEC4")}, {"interpolation", "LINEAR"}});
+  }
+  moving.add("animations", {{"name", "turn"}, {"channels", channels}, {"samplers", samplers}});
+  const std::string path = folder.write("moving.glb", moving.glb());
+  const OwnMotion own = read_own_motion(path);
+  ASSERT_EQ(own.motion.clips.size(), 1u);
+  const Character same = read_gltf(path);
+  const std::vector<Affine> palette = motion_palette(own.motion, own.motion.clips[0].frames[0], same.joints.size());
+  const float weight = shape_weights(same.joints, morphs, palette)[0];
+  EXPECT_GT(std::abs(weight), 0.02f);
+  EXPECT_NEAR(weight_by_the_file(correctives, rotations), static_cast<double>(weight), 1e-5);
+}
+
+TEST(GltfMorphs, DriversReadRotationsOfNodes) {
+  expect_the_same_weight(two_joint_strip());
+  expect_the_same_weight(turned_strip());
+  GlbBuilder mirrored = turned_strip();
+  mirrored.document["nodes"][0]["scale"] = {-2, 2, 2};
+  expect_the_same_weight(mirrored);
 }
 
 TEST(GltfMorphs, TargetsAndTheirAnimationsStay) {

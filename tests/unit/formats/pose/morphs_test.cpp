@@ -20,22 +20,37 @@ Character two_points() {
   return c;
 }
 
+// Weight: 0.5 (R10 - 0) of the turn of b, and 2 u_z(a) u_x(b).
 Morphs one_shape() {
   Morphs morphs;
   morphs.shapes = {{"b.1", {1}, {{0, 0.5f, 0}}}};
-  morphs.drivers = {{1, 0.8, {axis_turn(2, 1)}, {0}}};
+  MorphTerm one{1, 1, {{}}}, two{0, 1, {{}}};
+  one.factors[0][3] = 0.5;
+  two.factors[0][6] = 2;
+  morphs.drivers = {{1, {0}, {one, two}}};
   return morphs;
 }
 
-TEST(Morphs, NothingAtRestAndMostAtTheCentre) {
+TEST(Morphs, NothingAtRestAndSmoothAtHalfATurn) {
   const MorphDriver driver = one_shape().drivers[0];
-  EXPECT_EQ(driver_weights(driver, kNoTurn4)[0], 0);
-  EXPECT_NEAR(driver_weights(driver, axis_turn(2, 1))[0], 1 - std::exp(-1 / 0.64), 1e-9);
-  EXPECT_NEAR(driver_weights(driver, axis_turn(2, 1.4))[0], std::exp(-0.25) - std::exp(-1 / 0.64), 1e-9);
-  EXPECT_LT(driver_weights(driver, axis_turn(2, -1))[0], 0) << "further from the centre than rest";
+  EXPECT_EQ(driver_weights(driver, {kNoTurn4, kNoTurn4})[0], 0);
+  EXPECT_NEAR(driver_weights(driver, {kNoTurn4, axis_turn(2, 1)})[0], 0.5 * std::sin(1), 1e-9);
+  EXPECT_NEAR(driver_weights(driver, {axis_turn(2, 0.5), axis_turn(0, 1)})[0], 2 * std::sin(0.5) * std::sin(1), 1e-9);
+  EXPECT_NEAR(driver_weights(driver, {axis_turn(2, 0.5), axis_turn(1, 1)})[0], 0, 1e-9);
   Quaternion other = axis_turn(2, 1);
   for (double& x : other) x = -x;
-  EXPECT_NEAR(driver_weights(driver, other)[0], 1 - std::exp(-1 / 0.64), 1e-9) << "the same turn";
+  EXPECT_NEAR(driver_weights(driver, {kNoTurn4, other})[0], 0.5 * std::sin(1), 1e-9) << "the same turn";
+  const double half = std::acos(-1.0);
+  EXPECT_NEAR(driver_weights(driver, {axis_turn(2, 0.5), axis_turn(0, half - 1e-6)})[0],
+              driver_weights(driver, {axis_turn(2, 0.5), axis_turn(0, half + 1e-6)})[0], 1e-5);
+}
+
+TEST(Morphs, ValuesOfOneTurnAreItsMatrixLessNone) {
+  const std::array<double, 9> values = term_values({0, 0, {}}, {axis_turn(2, 1)});
+  EXPECT_NEAR(values[0], std::cos(1) - 1, 1e-9);
+  EXPECT_NEAR(values[1], -std::sin(1), 1e-9);
+  EXPECT_NEAR(values[3], std::sin(1), 1e-9);
+  EXPECT_NEAR(values[8], 0, 1e-9);
 }
 
 TEST(Morphs, TurnsAreAgainstTheParent) {
