@@ -9,22 +9,38 @@ scripts/setup.sh $(scripts/conformance.sh --packages ci) $(samples/web/build.sh 
   $(tests/integration/csharp_test.sh --packages)
 jobs=$(nproc)
 
-echo "== format"
-scripts/format.sh --check
-echo "== release build"
-cmake --preset ci >/dev/null
-cmake --build --preset ci -j "$jobs"
-ctest --test-dir build/release --output-on-failure -j "$jobs"
+# phase NAME COMMAND...: the end lists the seconds of each, also where one fails.
+seconds=()
+phase() {
+  local name=$1 begin=$SECONDS
+  shift
+  echo "== $name"
+  running=$name running_since=$begin
+  "$@"
+  running=
+  seconds+=("$(printf '%5d s  %s' $((SECONDS - begin)) "$name")")
+}
+tell_seconds() {
+  [ -z "${running:-}" ] || seconds+=("$(printf '%5d s  %s, FAILED' $((SECONDS - running_since)) "$running")")
+  [ "${#seconds[@]}" -eq 0 ] || printf '%s\n' "${seconds[@]}" "$(printf '%5d s  in all, %d processors' "$SECONDS" "$jobs")"
+}
+trap tell_seconds EXIT
+
+build() {  # PRESET ARGUMENT_OF_CMAKE...
+  cmake --preset "$@" >/dev/null
+  cmake --build --preset "$1" -j "$jobs"
+}
+
+phase format scripts/format.sh --check
+phase "release build" build ci
+phase "release tests" ctest --test-dir build/release --output-on-failure -j "$jobs"
 if [ "${1:-}" != quick ]; then
-  echo "== conformance"
   # Native targets were tests above.
-  scripts/conformance.sh ci
-  scripts/conformance.sh --kernels aarch64 cortex-m7
-  echo "== sanitizer build"
+  phase conformance scripts/conformance.sh ci
+  phase "conformance of kernels" scripts/conformance.sh --kernels aarch64 cortex-m7
   # Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
-  cmake --preset dev -DSINEW_BUILD_TRAINER=OFF -DSINEW_BUILD_SAMPLES=OFF >/dev/null
-  cmake --build --preset dev -j "$jobs"
+  phase "sanitizer build" build dev -DSINEW_BUILD_TRAINER=OFF -DSINEW_BUILD_SAMPLES=OFF
   # Without the data folder, which is large: those cases ran above.
-  SINEW_SHARED_DIR=none ctest --test-dir build/dev --output-on-failure -j "$jobs" -LE 'slow|tools'
+  phase "sanitizer tests" env SINEW_SHARED_DIR=none ctest --test-dir build/dev --output-on-failure -j "$jobs" -LE 'slow|tools'
 fi
 echo "all tests passed"

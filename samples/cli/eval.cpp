@@ -32,6 +32,7 @@
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/evaluate.hpp"
+#include "sinew_trainer/garment_pictures.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "sinew_trainer/reliability_plot.hpp"
@@ -329,9 +330,12 @@ class Evaluation {
     }
     const Prediction& main = predictions[main_];
     JudgedConfidence judged;
-    if (!s_.report.empty())
+    Clothing clothing;
+    if (!s_.report.empty()) {
       judged =
           judge_confidence(character, main.rows, main.confidence.empty() ? top_weights(main.rows) : main.confidence);
+      clothing = measure_clothing(character);
+    }
     const std::lock_guard<std::mutex> guard(lock_);
     for (size_t i = 0; i < variants_.size(); ++i) {
       Variant& variant = variants_[i];
@@ -344,6 +348,7 @@ class Evaluation {
     if (s_.report.empty()) return;
     // Kept by name: sums of doubles must not depend on which thread was first.
     confidence_[name] = judged;
+    if (clothing.bends > 0) dressed_[name] = clothing;
     drawn_[name] = {found.path, std::move(predictions[main_].rows)};
   }
 
@@ -452,21 +457,41 @@ class Evaluation {
       data.pictures.push_back(report_picture(read_character(path), rows, heading));
     }
     draw_bends(scores[main_], &data);
+    draw_cloth(&data);
     write_text_file(s_.report, report_html(data));
     if (data.variants.size() > 1) std::printf("%s\n", quantisation_table_markdown(data).c_str());
   }
 
-  // Of the character with the lowest error among those whose joints' names tell most bends, with the weights that it got.
+  // Of the drawn character whose joints' names tell most bends, of these the finest mesh, with the weights that it got.
   void draw_bends(const Scores& scores, ReportData* data) {
     std::optional<ReportPicture> best;
+    size_t vertices = 0;
     for (const auto& [heading, name] : best_median_worst(scores)) {
       const auto& [path, rows] = drawn_.at(name);
       Character character = read_character(path);
       character.influences = rows;
       ReportPicture bends = bend_pictures(character);
-      if (!best || bends.panels.size() > best->panels.size()) best = std::move(bends);
+      if (best && std::pair(bends.panels.size(), character.vertices.size()) <= std::pair(best->panels.size(), vertices))
+        continue;
+      best = std::move(bends);
+      vertices = character.vertices.size();
     }
     if (best && !best->panels.empty()) data->pictures.push_back(std::move(*best));
+  }
+
+  // Of the character with most bends under cloth, of these the one whose cloth lies cleanest on the skin.
+  void draw_cloth(ReportData* data) {
+    const std::string* best = nullptr;
+    for (const auto& [name, clothing] : dressed_) {
+      const Clothing* const other = best == nullptr ? nullptr : &dressed_.at(*best);
+      if (other == nullptr || clothing.bends > other->bends ||
+          (clothing.bends == other->bends && clothing.crossings < other->crossings))
+        best = &name;
+    }
+    if (best == nullptr) return;
+    const bool by_heat = s_.method == "heat" || s_.method == "nearest";
+    const std::unique_ptr<LoadedModel> model = by_heat ? nullptr : load_model(s_.model);
+    data->pictures.push_back(garment_pictures(read_character(drawn_.at(*best).first), model ? &model->model : nullptr));
   }
 
   const Settings& s_;
@@ -477,6 +502,7 @@ class Evaluation {
   std::map<std::string, std::string> failures_;
   std::map<std::string, std::pair<std::string, Rows>> drawn_;  // name -> path, main variant's rows
   std::map<std::string, JudgedConfidence> confidence_;
+  std::map<std::string, Clothing> dressed_;  // the dressed ones
 };
 
 template <class Body>

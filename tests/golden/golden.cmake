@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 add_test(NAME golden_all_compilers
   COMMAND ${CMAKE_SOURCE_DIR}/tests/golden/golden_test.sh ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/golden)
-set_tests_properties(golden_all_compilers PROPERTIES LABELS "tools" TIMEOUT 1200)
+set_tests_properties(golden_all_compilers PROPERTIES LABELS "tools" COST 700 TIMEOUT 1200)
 if(SINEW_BUILD_QUANT)
   sinew_test(golden_models_test SOURCES ${CMAKE_CURRENT_LIST_DIR}/models_test.cpp
              LIBS sinew::quant sinew::engine_internals LABELS golden)

@@ -4,5 +4,5 @@ if(TARGET sinew_cli AND TARGET sinew_engine_shared AND UNIX AND NOT SINEW_SANITI
   add_test(NAME blender_addon
     COMMAND ${CMAKE_SOURCE_DIR}/tests/integration/blender_test.sh ${CMAKE_SOURCE_DIR} $<TARGET_FILE:sinew_engine_shared> $<TARGET_FILE:sinew_cli>
     ${CMAKE_BINARY_DIR}/blender_test)
-  set_tests_properties(blender_addon PROPERTIES LABELS "blender;tools" TIMEOUT 1800 SKIP_RETURN_CODE 77)
+  set_tests_properties(blender_addon PROPERTIES LABELS "blender;tools" COST 300 TIMEOUT 1800 SKIP_RETURN_CODE 77)
 endif()

@@ -401,6 +401,7 @@ TEST_F(Cli, EvalScoresTheSamples) {
   EXPECT_EQ(good("eval " + kData + " --method heat --known --json -").out[0], '{');
   EXPECT_NE(html.find("sinew eval " + kData + " --method heat --report report.html"), std::string::npos);
   EXPECT_NE(html.find("Confidence: the largest weight of a vertex"), std::string::npos);
+  EXPECT_NE(html.find("<h3>cloth: biped__caped"), std::string::npos);
   EXPECT_NE(html.find("nearest bone"), std::string::npos);
   // The same page whatever the number of jobs, with the other run's predictions as a column.
   good("eval " + kData + " --method heat --report report.html --jobs 1");

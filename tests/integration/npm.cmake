@@ -12,5 +12,6 @@ endif()
 add_test(NAME npm_build COMMAND ${npm}/build.sh ${CMAKE_BINARY_DIR}/npm)
 add_test(NAME npm_package COMMAND ${CMAKE_COMMAND} -E env SINEW_CHROMIUM=${SINEW_CHROMIUM} ${SINEW_NODE} ${npm}/test/package_test.mjs
   ${CMAKE_BINARY_DIR}/npm ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/npm_projects $<TARGET_FILE:sinew_cli>)
-set_tests_properties(npm_build PROPERTIES LABELS "npm;tools" TIMEOUT 1200 FIXTURES_SETUP npm)
-set_tests_properties(npm_package PROPERTIES LABELS "npm;tools" TIMEOUT 1200 FIXTURES_REQUIRED npm RESOURCE_LOCK web_packages)
+set_tests_properties(npm_build PROPERTIES LABELS "npm;tools" COST 600 TIMEOUT 1200 FIXTURES_SETUP npm
+  ENVIRONMENT SINEW_WASM_ENGINE=${CMAKE_BINARY_DIR}/wasm_engine RESOURCE_LOCK wasm_engine)  # as in web.cmake
+set_tests_properties(npm_package PROPERTIES LABELS "npm;tools" COST 200 TIMEOUT 1200 FIXTURES_REQUIRED npm RESOURCE_LOCK web_packages)

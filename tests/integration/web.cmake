@@ -14,10 +14,12 @@ if(NOT (SINEW_NODE AND SINEW_EMCC AND SINEW_CHROMIUM AND TARGET sinew_cli))
   message(STATUS "sinew: no test of samples/web: it needs node, emcc, a Chromium and the command; scripts/test.sh installs them")
   return()
 endif()
+# Page, package and the tests of kernels have one build of the engine, with SIMD and without: not two at a time.
 add_test(NAME web_build COMMAND ${web}/build.sh ${CMAKE_BINARY_DIR}/web)
-set_tests_properties(web_build PROPERTIES LABELS "web;tools" TIMEOUT 1200 FIXTURES_SETUP web RESOURCE_LOCK web_packages)
+set_tests_properties(web_build PROPERTIES LABELS "web;tools" COST 900 TIMEOUT 1200 FIXTURES_SETUP web
+  ENVIRONMENT SINEW_WASM_ENGINE=${CMAKE_BINARY_DIR}/wasm_engine RESOURCE_LOCK "wasm_engine;web_packages")
 foreach(name page studio moves)
   add_test(NAME web_${name} COMMAND ${CMAKE_COMMAND} -E env SINEW_CHROMIUM=${SINEW_CHROMIUM} ${SINEW_NODE} ${web}/test/${name}_test.mjs
     ${CMAKE_BINARY_DIR}/web ${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR}/web_screenshots_${name} $<TARGET_FILE:sinew_cli>)
-  set_tests_properties(web_${name} PROPERTIES LABELS "web;tools" TIMEOUT 1200 FIXTURES_REQUIRED web)
+  set_tests_properties(web_${name} PROPERTIES LABELS "web;tools" COST 300 TIMEOUT 1200 FIXTURES_REQUIRED web)
 endforeach()

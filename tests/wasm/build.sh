@@ -7,6 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd) build=$1
 shift
 . "$here/emscripten.sh"
 commit=$(git -C "$here" describe --always --dirty --abbrev=7 2>/dev/null || echo unknown)
-emcmake cmake -S "$here" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSINEW_BENCH_COMMIT="$commit" \
+build_engine simd
+emcmake cmake -S "$here" -B "$build" -DCMAKE_BUILD_TYPE=Release "$engine_archive" -DSINEW_BENCH_COMMIT="$commit" \
   -DSINEW_GTEST_SOURCE="${SINEW_GTEST_SOURCE:-/usr/src/googletest/googletest}" >"$build.log" 2>&1 || { cat "$build.log" >&2; exit 1; }
 cmake --build "$build" -j "$(nproc)" ${@/#/--target } >"$build.log" 2>&1 || { cat "$build.log" >&2; exit 1; }

@@ -5,4 +5,5 @@ if(NOT SINEW_EMCC)
   return()
 endif()
 add_test(NAME wasm_kernels COMMAND ${CMAKE_CURRENT_LIST_DIR}/kernels_test.sh ${CMAKE_BINARY_DIR}/wasm)
-set_tests_properties(wasm_kernels PROPERTIES LABELS "web;tools" TIMEOUT 600)
+set_tests_properties(wasm_kernels PROPERTIES LABELS "web;tools" COST 200 TIMEOUT 600
+  ENVIRONMENT SINEW_WASM_ENGINE=${CMAKE_BINARY_DIR}/wasm_engine RESOURCE_LOCK wasm_engine)  # as in integration/web.cmake

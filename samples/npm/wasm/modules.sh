@@ -13,7 +13,8 @@ start_build() {
 build_modules() {
   for kind in simd scalar; do
     step "engine to WebAssembly, $kind"
-    emcmake cmake -S "$1" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -D"$2"="$([ $kind = simd ] && echo ON || echo OFF)" >"$build/$kind.log" 2>&1 &&
+    build_engine "$kind" || exit 1
+    emcmake cmake -S "$1" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -D"$2"="$([ $kind = simd ] && echo ON || echo OFF)" "$engine_archive" >"$build/$kind.log" 2>&1 &&
       cmake --build "$build/$kind" -j "$(nproc)" >>"$build/$kind.log" 2>&1 || { cat "$build/$kind.log" >&2; exit 1; }
   done
 }

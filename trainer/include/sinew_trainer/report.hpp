@@ -39,6 +39,7 @@ struct ReportPicture {
     std::vector<uint8_t> png;
   };
   std::vector<Panel> panels;
+  int columns = 3;  // 3 or 4 panels in a row
 };
 
 struct ReportData {

@@ -63,7 +63,8 @@ std::string pictures(const ReportData& data) {
                     "the scale. The pose is the first of the ten random ones.</p>\n";
   for (const ReportPicture& picture : data.pictures) {
     out += "<div class=\"card character\"><h3>" + escape(picture.heading) + ": " + escape(picture.character) +
-           "<span>" + escape(picture.note) + "</span></h3><div class=\"panels\">\n";
+           "<span>" + escape(picture.note) + "</span></h3><div class=\"panels" + (picture.columns == 4 ? " four" : "") +
+           "\">\n";
     for (const ReportPicture::Panel& panel : picture.panels)
       out += "<figure>" + html::image(panel.png, picture.character + ", " + panel.caption) + "<figcaption>" +
              escape(panel.caption) + "</figcaption></figure>\n";

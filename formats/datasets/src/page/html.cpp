@@ -49,10 +49,11 @@ svg text { fill: var(--text); } svg .tick { fill: var(--soft); } svg .value { fi
 .legend { display: flex; flex-wrap: wrap; gap: 4px 18px; font-size: 13px; margin: 0 0 8px; }
 .legend span { white-space: nowrap; }
 .panels { display: grid; grid-template-columns: repeat(3, 1fr); gap: 10px; }
+.panels.four { grid-template-columns: repeat(4, 1fr); }
 .gallery { display: grid; grid-template-columns: repeat(auto-fill, minmax(180px, 1fr)); gap: 14px 12px; }
 .ramp { display: inline-block; width: 130px; height: 10px; border-radius: 5px; vertical-align: middle; margin: 0 6px;
   background: linear-gradient(to right, rgb(34,48,102), rgb(58,116,158), rgb(246,222,110), rgb(238,128,44), rgb(196,22,34)); }
-@media (max-width: 700px) { main { padding: 20px 12px 40px; } .panels { grid-template-columns: repeat(2, 1fr); } .card { padding: 12px; }
+@media (max-width: 700px) { main { padding: 20px 12px 40px; } .panels, .panels.four { grid-template-columns: repeat(2, 1fr); } .card { padding: 12px; }
   .gallery { grid-template-columns: repeat(2, 1fr); } .facts { grid-template-columns: 1fr; } .facts dd { margin-bottom: 6px; } }
 @media print { :root { --page: #fff; --card: #fff; --text: #000; --soft: #444; --rule: #ccc; } main { max-width: none; padding: 0; }
   body { font-size: 12px; } .card, figure, .figures div { break-inside: avoid; } h2 { break-after: avoid; } .grid { grid-template-columns: 1fr 1fr; } }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The bends that the report's pictures show: which joint, about which axis, how far and from which side.
+#ifndef SINEW_SCORE_BENDS_HPP
+#define SINEW_SCORE_BENDS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/vec3d.hpp"
+#include "sinew_datasets/image.hpp"
+#include "sinew_datasets/label_skeleton.hpp"
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// What is shown of a class of joints.
+struct Bend {
+  uint32_t joint_class;
+  const char* what;  // as "elbow, bent by"
+  double degrees;
+  bool twist;      // about the bone before it
+  bool upwards;    // as arms are raised, in the plane that the front view shows; else to the front
+  bool backwards;  // as knees bend
+  double aside;    // degrees that the view turns away from the axis, to the front
+};
+const std::vector<Bend>& report_bends();
+
+// The joint of the bend's class that has most weight and, unless it is twisted, a bone of its own; SIZE_MAX without any.
+size_t bent_joint(const Character& character, const LabelledSkeleton& labels, const Bend& bend);
+
+// From a joint to its children, their directions added up; unit length, or zero for a leaf.
+Vec3d bone_direction(const Character& character, size_t joint);
+
+// "elbow, bent by 130 degrees"
+std::string bend_text(const Bend& bend, double degrees);
+
+// One joint turned by so many degrees with all that hangs on it, and the view that shows the turn, `radius` of the longest side around
+// the joint: from the front where the turn lies in that plane, else from the joint's own side, so that the body is not in the way.
+struct BentView {
+  std::vector<Affine> palette;  // [J]
+  RenderOptions view;
+};
+BentView bent_view(const Character& character, size_t joint, const Bend& bend, double degrees, bool up_z, float radius,
+                   int side);
+
+}  // namespace sinew
+#endif
