@@ -34,21 +34,21 @@ class FieldMaker {
   void find_edges() {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
       state_.field[n] = {0, 0, 0};
-      state_.near[n] = 0;
+      state_.reached[n] = 0;
       state_.counts[n] = 0;
     }
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       if (state_.pushes[u] <= 0) continue;
       const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(lattice_.vertices[u].tetrahedron);
-      for (int k = 0; k < 4; ++k) state_.near[at[k]] = 1;
+      for (int k = 0; k < 4; ++k) state_.reached[at[k]] = 1;
     }
-    grow_nodes(lattice_, 1, kRings, state_.near);
+    grow_nodes(lattice_, 1, kRings, state_.reached);
     state_.edge_count = 0;
     for (uint32_t i = 0; i < lattice_.edge_count; ++i) {
       const LatticeEdge& edge = lattice_.edges[i];
-      state_.counts[edge.a] += state_.near[edge.a];
-      state_.counts[edge.b] += state_.near[edge.b];
-      if ((state_.near[edge.a] & state_.near[edge.b]) != 0) state_.edges[state_.edge_count++] = i;
+      state_.counts[edge.a] += state_.reached[edge.a];
+      state_.counts[edge.b] += state_.reached[edge.b];
+      if ((state_.reached[edge.a] & state_.reached[edge.b]) != 0) state_.edges[state_.edge_count++] = i;
     }
   }
 

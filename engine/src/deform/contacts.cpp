@@ -240,8 +240,9 @@ class ContactFinder {
     const double depth = dot(way, normal) - greater(rest_depth, 0);
     if (depth <= 0) return;
     share *= 1 - ramp(depth, kDeep, kTooDeep);
-    const double far = length(way);
-    if (far > kShallow) share *= 1 - ramp(far, kShallow, kSteep) * (1 - ramp(dot(way, out) / far, kAcross, kStraight));
+    const double way_length = length(way);
+    if (way_length > kShallow)
+      share *= 1 - ramp(way_length, kShallow, kSteep) * (1 - ramp(dot(way, out) / way_length, kAcross, kStraight));
     const double whole = share * lesser(depth, 2 * kLongestPush), own_way = whole * own / (own + others);
     push(u, normal, own_way);
     for (uint32_t k = 0; k < 3; ++k) {
@@ -320,7 +321,7 @@ bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count
   borne = arena.alloc<double>(vertices);
   field = arena.alloc<Vec3d>(node_count);
   sums = arena.alloc<Vec3d>(node_count);
-  near = arena.alloc<uint8_t>(node_count);
+  reached = arena.alloc<uint8_t>(node_count);
   edges = arena.alloc<uint32_t>(edges_most);
   counts = arena.alloc<uint32_t>(node_count);
   return arena.ok();

@@ -32,7 +32,7 @@ struct ContactState {
   // How the lattice gives way.
   Vec3d* field = nullptr;      // [n] how far its nodes go, lattice units
   Vec3d* sums = nullptr;       // [n] scratch
-  uint8_t* near = nullptr;     // [n] 1: near something that touches
+  uint8_t* reached = nullptr;  // [n] 1: near something that touches
   uint32_t* edges = nullptr;   // [e] those between such nodes
   uint32_t* counts = nullptr;  // [n] how many of these a node has
   uint32_t edge_count = 0;

@@ -154,6 +154,16 @@ class TransferAndPoses(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "matrices: expected shape"):
             deformer.pose(matrices[:3])
 
+    def test_body_contact(self):
+        one, _ = character("biped__robed")
+        rotations, _ = one.skeleton.rest()
+        lowered = rotations.astype(np.float32)
+        lowered[one.skeleton.index("upper_arm.L")] = [0, 0, -np.sin(0.57), np.cos(0.57)]
+        matrices = one.skeleton.matrices(lowered)
+        poses = [sinew.Deformer(one.positions, one.faces, one.skeleton, one.skin, body_contact=contact).pose(matrices)
+                 for contact in (False, True)]
+        self.assertGreater(np.abs(poses[0] - poses[1]).max(), 1e-3)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -18,7 +18,7 @@ export async function main(worker: Worker): Promise<number> {
   const three = new THREE.Mesh(new THREE.BufferGeometry());
   const { mesh: skinned } = await bindMesh(skin, three, bones, { symmetric: true });
   const palette: Float32Array = paletteOf(skinned.skeleton);
-  const deformer = skin.deformer(mesh, skeleton, bound, { method: "volume" });
+  const deformer = skin.deformer(mesh, skeleton, bound, { method: "volume", bodyContact: true });
   const { positions } = deformer.pose(palette);
   deformer.free();
   const clip: THREE.AnimationClip = retargetClip(skin, new THREE.AnimationClip("walk"), bones, skinned.skeleton, { fps: 30, inPlace: true });
