@@ -7,8 +7,7 @@
 
 namespace sinew {
 
-// Passes of find_contacts() and press_contacts() over one pose: what one pass leaves inside, the next one finds nearer to the surface. Crossings of ten
-// characters in seven poses of contact fall from 101 to 68, 50 and 43 a pose with one, two and three; a fourth brings 41.
+// Passes of find_contacts() and press_contacts() over one pose: what one pass leaves inside, the next one finds nearer to the surface.
 constexpr int kContactPasses = 3;
 
 // U welded vertices, n nodes, e edges, B buckets.

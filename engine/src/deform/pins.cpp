@@ -37,6 +37,37 @@ void grow_nodes(const Lattice& lattice, uint8_t mask, uint32_t rounds, uint8_t* 
   }
 }
 
+void find_rigid_parts(const Mesh& mesh, uint8_t* soft, DeformRest* rest) {
+  const Lattice& lattice = rest->lattice;
+  const auto row = [&](uint32_t u) { return static_cast<size_t>(rest->first[u]) * rest->influence_count; };
+  const auto nodes_of = [&](uint32_t u, const auto& visit) {
+    const uint32_t t = lattice.vertices[u].tetrahedron;
+    for (size_t k = 0; k < 4 && t != kNoTetrahedron; ++k) visit(lattice.tetrahedra[4 * static_cast<size_t>(t) + k]);
+  };
+  for (uint32_t n = 0; n < lattice.node_count; ++n) soft[n] = 0;
+  const auto each_part = [&](const auto& visit) {
+    for (uint32_t p = 0; p < mesh.part_count; ++p)
+      visit(mesh.part_vertices + mesh.part_offsets[p], mesh.part_offsets[p + 1] - mesh.part_offsets[p]);
+  };
+  each_part([&](const uint32_t* vertices, uint32_t count) {
+    bool rigid = true;
+    for (uint32_t i = 0; i < count && rigid; ++i) {
+      rigid = rest->weights[row(vertices[i])] >= kRigidWeight &&
+              rest->joints[row(vertices[i])] == rest->joints[row(vertices[0])];
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+      rest->rigid[vertices[i]] = rigid ? 1 : 0;
+      if (!rigid) nodes_of(vertices[i], [soft](uint32_t n) { soft[n] = 1; });
+    }
+  });
+  each_part([&](const uint32_t* vertices, uint32_t count) {
+    bool alone = true;
+    for (uint32_t i = 0; i < count && alone; ++i)
+      nodes_of(vertices[i], [&](uint32_t n) { alone = alone && soft[n] == 0; });
+    for (uint32_t i = 0; i < count && !alone; ++i) rest->rigid[vertices[i]] = 0;
+  });
+}
+
 void find_pins(DeformRest* rest) {
   const Lattice& lattice = rest->lattice;
   for (uint32_t n = 0; n < lattice.node_count; ++n) {

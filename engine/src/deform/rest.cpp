@@ -145,12 +145,14 @@ struct Builder {
     if (!rest.has_lattice() || bounds.pairs == 0) return SINEW_OK;
     const LatticeInput lattice_input = {&mesh, rest.first, rest.joints, rest.weights};
     const sinew_status built = build_lattice(lattice_input, bounds, grid, arena, &rest.lattice);
-    if (built != SINEW_OK || arena.measuring() || !rest.has_contact()) return built;
+    if (built != SINEW_OK || arena.measuring()) return built;
+    find_rigid_parts(mesh, rest.node_flags, &rest);
+    if (!rest.has_contact()) return SINEW_OK;
     for (uint32_t u = 0; u < mesh.welded_count; ++u) {
       const Vec3d p = (1 / rest.unit) * (rest.position(rest.first[u]) - rest.corner);
       rest.surface.places[u] = {to_units(p.x), to_units(p.y), to_units(p.z)};
     }
-    fill_surface(lattice_input, rest.influence_count, rest.lattice, &rest.surface);
+    fill_surface(mesh, rest.lattice, &rest.surface);
     return SINEW_OK;
   }
 };
@@ -204,6 +206,7 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
   if (rest->has_lattice()) {
     rest->lattice.allocate(arena, bounds);
     rest->node_flags = arena.alloc<uint8_t>(bounds.nodes);
+    rest->rigid = arena.alloc<uint8_t>(vertices);
     if (rest->has_contact()) rest->surface.allocate(arena, vertices, counts.triangles(), bounds.nodes);
   }
   if (rest->has_surface()) {
@@ -243,7 +246,7 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
     }
     find_pins(rest);
     if (rest->has_contact() && bounds.pairs > 0) {
-      fill_yields(rest->lattice, rest->node_flags, kNodeAtBone, rest->welded_count, &rest->surface);
+      fill_yields(rest->lattice, rest->node_flags, kNodeAtBone, rest->rigid, rest->welded_count, &rest->surface);
     }
   }
   if (rest->options.method == SINEW_DEFORM_DELTA_MUSH) smooth_rest(rest);

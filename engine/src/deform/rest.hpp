@@ -45,6 +45,7 @@ struct DeformRest {
   // Of a volume or published pose.
   Lattice lattice;
   uint8_t* node_flags = nullptr;  // [n]
+  uint8_t* rigid = nullptr;       // [U] 1: of a part that belongs to one joint and has no soft skin around it
   // Of a volume pose with contact of the whole body.
   SkinSurface surface;
   // For smoothing, as in Mesh, and whether a vertex has an edge of one triangle.

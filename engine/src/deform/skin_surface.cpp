@@ -9,9 +9,8 @@
 namespace sinew {
 namespace {
 
-constexpr uint32_t kMostSteps = 64;       // from vertex to vertex
-constexpr uint32_t kMostSweeps = 64;      // over the lattice's edges; some eight are enough
-constexpr uint16_t kRigidWeight = 64225;  // 0.98
+constexpr uint32_t kMostSteps = 64;   // from vertex to vertex
+constexpr uint32_t kMostSweeps = 64;  // over the lattice's edges; some eight are enough
 
 int64_t square_apart(Vec3i a, Vec3i b) {
   const Vec3i d = a - b;
@@ -29,22 +28,6 @@ void list_corners(SkinSurface* surface, uint32_t welded_count) {
     offsets[u] = total;
   }
   for (uint32_t c = corners; c-- > 0;) surface->corner_triangles[--offsets[surface->triangles[c]]] = c / 3;
-}
-
-// A hat, a sword or a robot's arm keeps its shape, whatever touches it.
-void find_rigid_parts(const LatticeInput& input, uint32_t influences, SkinSurface* surface) {
-  const Mesh& mesh = *input.mesh;
-  for (uint32_t part = 0; part < mesh.part_count; ++part) {
-    const uint32_t begin = mesh.part_offsets[part], end = mesh.part_offsets[part + 1];
-    const auto first_of = [&](uint32_t i) {
-      return static_cast<size_t>(input.first_vertices[mesh.part_vertices[i]]) * influences;
-    };
-    bool rigid = true;
-    for (uint32_t i = begin; i < end && rigid; ++i) {
-      rigid = input.weights[first_of(i)] >= kRigidWeight && input.joints[first_of(i)] == input.joints[first_of(begin)];
-    }
-    for (uint32_t i = begin; i < end; ++i) surface->yields[mesh.part_vertices[i]] = rigid ? 1 : 0;
-  }
 }
 
 // Vertices tell the nodes around them, and nodes their neighbours, so that what is near in space but another copy stays apart.
@@ -128,24 +111,22 @@ SurfacePoint SkinSurface::find_nearest(uint32_t start, Vec3d place) const {
   return best;
 }
 
-void fill_surface(const LatticeInput& input, uint32_t influences, const Lattice& lattice, SkinSurface* surface) {
-  const Mesh& mesh = *input.mesh;
+void fill_surface(const Mesh& mesh, const Lattice& lattice, SkinSurface* surface) {
   surface->triangle_count = mesh.triangle_count;
   memcpy(surface->triangles, mesh.triangles, 3 * sizeof(uint32_t) * static_cast<size_t>(mesh.triangle_count));
   memcpy(surface->normals, mesh.normals, sizeof(Vec3i) * static_cast<size_t>(mesh.welded_count));
   list_corners(surface, mesh.welded_count);
-  find_rigid_parts(input, influences, surface);
   find_nearest_vertices(lattice, mesh.welded_count, surface);
 }
 
-void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t mask, uint32_t welded_count,
-                 SkinSurface* surface) {
+void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t pinned, const uint8_t* rigid,
+                 uint32_t welded_count, SkinSurface* surface) {
   for (uint32_t u = 0; u < welded_count; ++u) {
     const Embedding& place = lattice.vertices[u];
     int32_t sum = 0;
-    for (size_t k = 0; k < 4 && place.tetrahedron != kNoTetrahedron && surface->yields[u] == 0; ++k) {
+    for (size_t k = 0; k < 4 && place.tetrahedron != kNoTetrahedron && rigid[u] == 0; ++k) {
       const uint32_t node = lattice.tetrahedra[4 * static_cast<size_t>(place.tetrahedron) + k];
-      if ((node_flags[node] & mask) == 0) sum += place.shares[k];
+      if ((node_flags[node] & pinned) == 0) sum += place.shares[k];
     }
     surface->yields[u] = static_cast<uint16_t>(sum < 0 ? 0 : sum);
   }

@@ -39,12 +39,11 @@ struct SkinSurface {
   SurfacePoint find_nearest(uint32_t start, Vec3d place) const;
 };
 
-// Fills a surface, allocated beforehand, whose places were filled, but for `yields`: there 1 says that all of the vertex's part belongs to one
-// joint, else 0.
-void fill_surface(const LatticeInput& input, uint32_t influences, const Lattice& lattice, SkinSurface* surface);
-// Fills `yields`, when it is known which nodes lie at a bone: those of node_flags with a bit of `mask`.
-void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t mask, uint32_t welded_count,
-                 SkinSurface* surface);
+// Fills a surface, allocated beforehand, whose places were filled, but for `yields`.
+void fill_surface(const Mesh& mesh, const Lattice& lattice, SkinSurface* surface);
+// Fills `yields`. pinned: flag of nodes that lie at a bone; rigid [U]: vertices that do not yield at all.
+void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t pinned, const uint8_t* rigid,
+                 uint32_t welded_count, SkinSurface* surface);
 
 }  // namespace sinew
 #endif

@@ -64,11 +64,17 @@ class VolumePose {
   }
 
  private:
+  bool is_rigid(uint32_t v) const { return lattice_.tetrahedron_count > 0 && rest_.rigid[rest_.welded[v]] != 0; }
+
   void skin_vertices() {
     const uint32_t n = rest_.influence_count;
     threads_.ranges(rest_.vertex_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
       for (uint32_t v = begin; v < end; ++v) {
         const size_t at = static_cast<size_t>(v) * n;
+        if (is_rigid(v)) {  // and takes no part of a twist
+          places_[v] = move(posed_.joints[rest_.joints[at]].motion, rest_.position(v));
+          continue;
+        }
         places_[v] = blend_dual(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
       }
     });
@@ -110,6 +116,7 @@ class VolumePose {
   }
   // Share of the correction that a vertex keeps.
   double kept(uint32_t v) const {
+    if (is_rigid(v)) return 0;
     const Embedding& place = lattice_.vertices[rest_.welded[v]];
     if (!posed_.overturned || place.tetrahedron == kNoTetrahedron) return 1;
     const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);

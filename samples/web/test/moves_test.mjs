@@ -81,6 +81,9 @@ try {
     await page.focus("#joints");
     await page.keyboard.press("d");
     await settled();
+    assert.equal(await page.locator("#skinning input:checked + span").innerText(), "Contact");
+    await page.keyboard.press("d");
+    await settled();
     assert.deepEqual(await positions(), shown.Linear);
     await page.keyboard.press("r");
     await settled();

@@ -11,21 +11,35 @@
 namespace sinew {
 namespace {
 
+// Joints that some row moves in part only, a vertex's or a face's: between vertices of rigid parts skin is stretched as well.
 std::vector<size_t> bending_joints(const Character& character) {
   std::vector<char> bends(character.joints.size(), 0);
-  for (const std::vector<Influence>& row : character.influences) {
-    double total = 0;
-    for (const Influence& influence : row) total += static_cast<double>(influence.weight);
-    std::map<size_t, double> below;  // by joint: weight of its subtree
+  std::map<size_t, double> below;  // by joint: weight of its subtree
+  double total = 0;
+  const auto add = [&](const std::vector<Influence>& row) {
     for (const Influence& influence : row) {
+      total += static_cast<double>(influence.weight);
       size_t steps = 0;
       for (int j = static_cast<int>(influence.joint); j >= 0 && steps <= bends.size(); ++steps) {
         below[static_cast<size_t>(j)] += static_cast<double>(influence.weight);
         j = character.joints[static_cast<size_t>(j)].parent;
       }
     }
+  };
+  const auto finish = [&] {
     for (const auto& [joint, weight] : below)
       if (weight > 0.01 * total && weight < 0.99 * total && character.joints[joint].parent >= 0) bends[joint] = 1;
+    below.clear();
+    total = 0;
+  };
+  for (const std::vector<Influence>& row : character.influences) {
+    add(row);
+    finish();
+  }
+  for (size_t f = 0; f < character.face_count(); ++f) {
+    for (uint32_t c = character.face_offsets[f]; c < character.face_offsets[f + 1]; ++c)
+      add(character.influences[character.face_vertices[c]]);
+    finish();
   }
   std::vector<size_t> out;
   for (size_t j = 0; j < bends.size(); ++j)

@@ -32,5 +32,15 @@ TEST(Bends, NoneWhereEachVertexFollowsOneRigidPart) {
   EXPECT_TRUE(bends.of_vertex[1].empty());
 }
 
+TEST(Bends, BetweenVerticesOfRigidParts) {
+  Character c;
+  c.joints = {{"root", {0, 0, 0}, -1}, {"a", {0, 1, 0}, 0}};
+  c.influences = {{{0, 1.0f}}, {{1, 1.0f}}, {{1, 1.0f}}};
+  c.vertices.resize(3);
+  c.face_offsets = {0, 3};
+  c.face_vertices = {0, 1, 2};
+  EXPECT_EQ(find_bends(c, 2).joints, std::vector<size_t>{1});
+}
+
 }  // namespace
 }  // namespace sinew

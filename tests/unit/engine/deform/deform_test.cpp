@@ -172,6 +172,29 @@ TEST(Deform, ATwistKeepsItsRadiusAndTheBoneTakesAPart) {
   EXPECT_NEAR(angle(spread) - angle(tube.positions), blend * 180 / 3.14159265358979, 0.2);
 }
 
+// A robot's upper and lower arm, which overlap at the elbow.
+TEST(Deform, PartsOfOneJointKeepTheirShape) {
+  BentTube tube(2, 0.3);
+  const uint32_t upper = tube.vertex_count();
+  const BentTube lower = tube;
+  for (uint32_t v = 0; v < upper; ++v) {
+    for (size_t a = 0; a < 3; ++a) tube.positions.push_back(lower.positions[3 * v + a] * (a == 0 ? 0.55f : 0.9f));
+    tube.positions[3 * v] = 0.55f * tube.positions[3 * v] - 0.45f;
+    tube.positions[3 * (upper + v)] += 0.45f;
+    tube.joints.insert(tube.joints.end(), {1, 0});
+    tube.weights.insert(tube.weights.end(), {65535, 0});
+    tube.joints[2 * v] = tube.joints[2 * v + 1] = 0;
+    tube.weights[2 * v] = 65535;
+    tube.weights[2 * v + 1] = 0;
+  }
+  for (const uint32_t corner : lower.corners) tube.corners.push_back(corner + upper);
+  for (const auto& axis : {std::array<double, 3>{0, 0, 1}, std::array<double, 3>{1, 0, 0}}) {
+    const std::vector<float> palette = tube.turned(axis, 80);
+    const std::vector<float> posed = pose(tube, options_of(SINEW_DEFORM_VOLUME), palette).positions;
+    EXPECT_LT(farthest(posed, skinned(tube, palette, true)), 1e-6f);
+  }
+}
+
 // As the end of a head or a toe.
 TEST(Deform, AJointWithoutWeightMovesNothing) {
   BentTube tube(3, 0.2);
