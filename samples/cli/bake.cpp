@@ -121,9 +121,10 @@ void run(const Settings& s) {
   };
   Morphs morphs = bake_bends(character, poses.learnt, settings, step);
   if (morphs.shapes.empty() && !stop) {
-    throw Error(s.character +
-                ": has nothing to bake: nothing bends in the poses, so linear skinning loses nothing; expected vertices "
-                "or faces that follow two joints");
+    throw Error(
+        s.character +
+        ": has nothing to bake: nothing bends in the poses, so linear skinning loses nothing; expected vertices "
+        "or faces that follow two joints");
   }
   const BakeError learnt = bake_error(character, morphs, poses.learnt, deform, step);
   BakeError held_out;
