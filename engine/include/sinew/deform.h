@@ -42,8 +42,8 @@ typedef struct sinew_skin {
  *   softness         less is calmer over time and keeps less volume. SINEW_DEFORM_VOLUME alone
  *   no_twist_spread  0: the parent's bone takes a part of the twist, as twist joints do. SINEW_DEFORM_VOLUME alone
  *   body_contact     1: parts of the body that are no neighbours keep apart too, as far as they lie less than two cells in
- *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Costs two
- *                    to three times the pose. Where a motion drives limbs through each other, dents come and go within a
+ *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Takes
+ *                    several times as long. Where a motion drives limbs through each other, dents come and go within a
  *                    frame. SINEW_DEFORM_VOLUME alone, on the calling thread
  *   parallel_for     as in sinew_options. The result does not depend on it. Where several threads pose one deformer, each
  *                    calls it. SINEW_DEFORM_VOLUME alone

@@ -83,7 +83,9 @@ class ContactFinder {
     }
     for (uint32_t u = rest_.welded_count; u-- > 0;) {
       if (lattice_.vertices[u].tetrahedron == kNoTetrahedron) continue;
-      state_.members[--state_.offsets[bucket_of(cell_of(state_.places[u]))]] = u;
+      const uint32_t m = --state_.offsets[bucket_of(cell_of(state_.places[u]))];
+      state_.members[m] = u;
+      state_.sorted[m] = state_.places[u];
     }
   }
 
@@ -105,6 +107,8 @@ class ContactFinder {
     Vec3i low, high, rest_low, rest_high;  // boxes
     Vec3i origin;
     uint32_t joint;      // of its first node
+    bool one_joint;      // of all nodes
+    bool yields;         // one of its nodes lies at no bone
     Vec3d gradients[3];  // of the last three barycentric coordinates
   };
 
@@ -129,12 +133,13 @@ class ContactFinder {
     t.origin = t.low = t.high = input_.nodes[t.nodes[0]].place;
     t.rest_low = t.rest_high = lattice_.nodes[t.nodes[0]];
     t.joint = lattice_.rows[t.nodes[0]].joints[0];
-    bool one_joint = true;
+    t.one_joint = true;
     for (int k = 1; k < 4; ++k) {
       grow(input_.nodes[t.nodes[k]].place, &t.low, &t.high);
       grow(lattice_.nodes[t.nodes[k]], &t.rest_low, &t.rest_high);
-      one_joint = one_joint && lattice_.rows[t.nodes[k]].joints[0] == t.joint;
+      t.one_joint = t.one_joint && lattice_.rows[t.nodes[k]].joints[0] == t.joint;
     }
+    for (int k = 0; k < 4; ++k) t.yields = t.yields || (rest_.node_flags[t.nodes[k]] & kNodeAtBone) == 0;
     if (extent(t.high - t.low) > kLongestCells * kCellUnits) return;
     const Vec3i first = cell_of(t.low), last = cell_of(t.high);
     bool measured = false;
@@ -142,27 +147,37 @@ class ContactFinder {
       for (int32_t y = first.y; y <= last.y; ++y) {
         for (int32_t x = first.x; x <= last.x; ++x) {
           const uint32_t b = bucket_of({x, y, z}), begin = state_.offsets[b], end = state_.offsets[b + 1];
-          if (begin == end || own_part(state_.buckets[b], t, one_joint)) continue;
+          if (begin == end || own_part(state_.buckets[b], t)) continue;
           if (!measured && !measure(&t)) return;
           measured = true;
-          for (uint32_t m = begin; m < end; ++m) try_vertex(state_.members[m], t);
+          for (uint32_t m = begin; m < end; ++m) {
+            const Vec3i p = state_.sorted[m];
+            if (p.x >= t.low.x && p.y >= t.low.y && p.z >= t.low.z && p.x <= t.high.x && p.y <= t.high.y &&
+                p.z <= t.high.z) {
+              try_vertex(state_.members[m], t);
+            }
+          }
         }
       }
     }
   }
 
   // Whether all vertices of a bucket move with a tetrahedron, or are its neighbours at rest: most are.
-  bool own_part(const ContactState::Bucket& bucket, const Posed& t, bool one_joint) const {
+  bool own_part(const ContactState::Bucket& bucket, const Posed& t) const {
     if (bucket.joint == ContactState::kMixed) return false;
-    if (one_joint && posed_.joints[bucket.joint].group == posed_.joints[t.joint].group) return true;
+    if (go_together(bucket.joint, t)) return true;
     return follow(bucket.joint, t.joint) && extent(bucket.high - t.rest_low) < kNeighbours &&
            extent(t.rest_high - bucket.low) < kNeighbours;
   }
 
+  bool go_together(uint32_t joint, const Posed& t) const {
+    return t.one_joint && posed_.joints[joint].group == posed_.joints[t.joint].group;
+  }
+
   void try_vertex(uint32_t u, const Posed& t) {
     const Vec3i p = state_.places[u];
-    if (p.x < t.low.x || p.y < t.low.y || p.z < t.low.z || p.x > t.high.x || p.y > t.high.y || p.z > t.high.z) return;
-    if (lattice_.vertices[u].tetrahedron / 5 == t.number / 5) return;
+    if (lattice_.vertices[u].tetrahedron / 5 == t.number / 5 || go_together(joint_of(u), t)) return;
+    if (!t.yields && surface_.yields[u] == 0) return;
     if (extent(surface_.places[u] - t.rest_low) < kNeighbours && follow(joint_of(u), t.joint)) return;
     const Vec3d from = to_double(p - t.origin);
     double shares[4] = {1, 0, 0, 0};
@@ -314,6 +329,7 @@ bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count
   const size_t bucket_count = size_t{1} << bucket_bits;
   places = arena.alloc<Vec3i>(vertices);
   members = arena.alloc<uint32_t>(vertices);
+  sorted = arena.alloc<Vec3i>(vertices);
   offsets = arena.alloc<uint32_t>(bucket_count + 1);
   buckets = arena.alloc<Bucket>(bucket_count);
   pushes = arena.alloc<double>(vertices);
