@@ -62,7 +62,8 @@ struct LoadedBinder {
 
 LoadedBinder load_binder(const Settings& s) {
   LoadedBinder loaded;
-  if (s.method == "heat") return loaded;
+  if (s.method == "distance") loaded.binder = {nullptr, s.method, SINEW_METHOD_DISTANCE};
+  if (s.method == "heat" || s.method == "distance") return loaded;
   loaded.model = load_model(s.model);
   loaded.binder = {&loaded.model->model, model_label(s.model)};
   return loaded;
@@ -115,7 +116,8 @@ void run(Settings s) {
   settle_joints(&s);
   constexpr unsigned kQuestions = 3;
   if (s.one.ask && s.one.questions == 0) s.one.questions = kQuestions;
-  if (s.method == "heat" && !s.model.empty()) throw UsageError("--method heat uses no model: leave out --model");
+  if ((s.method == "heat" || s.method == "distance") && !s.model.empty())
+    throw UsageError("--method " + s.method + " uses no model: leave out --model");
   std::error_code ignored;
   if (std::filesystem::is_directory(s.one.mesh, ignored)) return run_folder(s);
   refuse_folder_options(s);
@@ -160,8 +162,11 @@ void add_bind(CLI::App& app) {
   sub->add_option("--format", s->format, "With a folder: what to write [glb]")
       ->check(CLI::IsMember(std::vector<std::string>(std::begin(kFormats), std::end(kFormats))));
   sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")->type_name("FILE");
-  sub->add_option("--method", s->method, "heat: heat fields alone, no model; model: the network")
-      ->check(CLI::IsMember({"heat", "model"}));
+  sub->add_option(
+         "--method", s->method,
+         "heat: heat fields alone, no model; model: the network; distance: by distance to bones, the published way, "
+         "for comparison")
+      ->check(CLI::IsMember({"heat", "model", "distance"}));
   sub->add_option("--influences", s->one.influences, "Most joints per vertex")
       ->check(CLI::Range(1, 12))
       ->capture_default_str()

@@ -133,7 +133,7 @@ BindJob make_job(const BindSettings& settings, const Binder& binder, const std::
   job.options.keep_tips = settings.keep_tips;
   job.options.bind_props = settings.bind_props;
   BindOptions& options = job.options.bind;
-  options.method = binder.model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  options.method = binder.model == nullptr ? binder.method : SINEW_METHOD_MODEL;
   options.model = binder.model;
   options.influence_count = settings.influences;
   options.up_axis = settings.up == "z" ? 1 : 0;

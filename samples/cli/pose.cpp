@@ -173,11 +173,11 @@ void add_pose(CLI::App& app) {
   sub->add_option("--matrices", s->matrices,
                   "A pose of skinning matrices (rest to posed space), a line a joint: pose NAME m00 m01 ... m23")
       ->type_name("FILE.pose");
-  sub->add_option(
-         "--deform", s->deform.method,
-         "How the mesh follows: linear or dual-quaternion skinning; volume: bends keep their volume and do not "
-         "pass through themselves; xpbd: the published correction; delta-mush [linear]")
-      ->check(CLI::IsMember({"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"}));
+  sub->add_option("--deform", s->deform.method,
+                  "How the mesh follows: linear (or none) or dual-quaternion skinning; volume: bends keep their volume "
+                  "and do not "
+                  "pass through themselves; xpbd: the published correction; delta-mush [linear]")
+      ->check(CLI::IsMember({"none", "linear", "dual-quaternion", "volume", "xpbd", "delta-mush"}));
   sub->add_flag("--dual-quaternion", s->dual_quaternion, "The same as --deform dual-quaternion");
   add_solver_options(sub, &s->deform);
   sub->add_option("--up", s->up, "Axis that points up in the picture")

@@ -29,8 +29,8 @@ void add_style_options(CLI::App* sub, StyleOptions* style) {
 }
 
 void apply_style(const StyleOptions& style, BindOptions* options) {
-  if (options->method == SINEW_METHOD_HEAT && style.softness != 1)
-    throw UsageError("--softness is for the model's weights: leave it out with --method heat");
+  if (options->method != SINEW_METHOD_MODEL && style.softness != 1)
+    throw UsageError("--softness is for the model's weights: leave it out with --method heat or distance");
   options->rigid_parts = style.rigid_parts == "always"  ? SINEW_RIGID_PARTS_ALWAYS
                          : style.rigid_parts == "never" ? SINEW_RIGID_PARTS_NEVER
                                                         : SINEW_RIGID_PARTS_AUTO;

@@ -286,6 +286,7 @@ struct SetLine {
     if (key == "details") return &details;
     if (key == "deform") return &deform;
     if (key == "cells") return &deform_options.cell_count;
+    if (key == "distance") return &by_distance;
     if (key == "contact") return &deform_options.body_contact;
     if (key == "turns") return &turns;
     if (key == "method") return &rig_options.method;
@@ -315,6 +316,7 @@ struct SetLine {
   uint32_t details = 0;  // 1: the skeleton grows by what sinew_rig_hands(), sinew_rig_face() and sinew_rig_props() find
   sinew_rig_options rig_options = sinew_rig_options_init();
   uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
+  uint32_t by_distance = 0;    // 1: weights by distance in place of heat
   uint32_t deform = 0;         // 1 + the method: a pose of the mesh as it is bound by heat
   sinew_deform_options deform_options = sinew_deform_options_init();
   uint32_t turns = 1;  // so many times the angle of the pose
@@ -355,7 +357,9 @@ Hash hash_questions(const std::vector<sinew_question>& questions, const std::vec
 // Everything that sinew_bind() gives to a caller, its status and memory included.
 void hash_line(const char* name, const SetLine& line, const Input& in, const sinew_model* model, uint32_t kernel) {
   sinew_options options = line.options;
-  options.method = model == nullptr ? SINEW_METHOD_HEAT : SINEW_METHOD_MODEL;
+  options.method = model != nullptr        ? SINEW_METHOD_MODEL
+                   : line.by_distance != 0 ? SINEW_METHOD_DISTANCE
+                                           : SINEW_METHOD_HEAT;
   const uint32_t vertices = in.mesh.vertex_count;
   const size_t slots = size_t{vertices} * (options.influence_count != 0 ? options.influence_count : 4);
   std::vector<uint16_t> joints(slots, 0);

@@ -582,6 +582,15 @@ TEST_F(Cli, InspectAndPose) {
   for (size_t v = 0; v < rest.vertices.size(); ++v) ASSERT_NEAR(rest.vertices[v].y, still.vertices[v].y, 1e-5f);
 }
 
+TEST_F(Cli, WeightsByDistanceNeedNoModel) {
+  const std::string call = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method ";
+  EXPECT_NE(good(call + "distance -o distance.rig.txt").out.find("bound with distance"), std::string::npos);
+  good(call + "heat -o heat.rig.txt");
+  EXPECT_FALSE(slurp(in("distance.rig.txt")) == slurp(in("heat.rig.txt")));
+  bad(2, call + "distance --model bundled -o no.rig.txt");
+  bad(2, call + "distance --softness 2 -o no.rig.txt");
+}
+
 TEST_F(Cli, PosesAreCorrectedAndReadFromMatrices) {
   const std::string turned = "pose " + kSnake + " --joint spine_2=0,0,70";
   std::set<std::string> results;
@@ -596,6 +605,8 @@ TEST_F(Cli, PosesAreCorrectedAndReadFromMatrices) {
   good(turned + " --deform volume --cells 16 --rounds 3 -o coarse.obj");
   EXPECT_FALSE(slurp(in("coarse.obj")) == slurp(in("volume.obj")));
 
+  good(turned + " --deform none -o none.obj");
+  EXPECT_TRUE(slurp(in("plain.obj")) == slurp(in("none.obj")));
   // An arm that is lowered to the body touches it.
   const std::string lowered = "pose " + kData + "/biped__robed.obj --joint upper_arm.L=0,0,-65 --deform volume";
   good(lowered + " -o inside.obj");

@@ -14,7 +14,11 @@ extern "C" {
 
 typedef enum sinew_method {
   SINEW_METHOD_MODEL = 0, /* the network of the model */
-  SINEW_METHOD_HEAT = 1   /* heat fields alone; model may be null */
+  SINEW_METHOD_HEAT = 1,  /* heat fields alone; model may be null */
+  SINEW_METHOD_DISTANCE =
+      2 /* by distance to bones, the published way, for comparison; model may be null. Vertices nearest
+                             * to a bone are a sub-mesh, on which that bone and those beside it in the hierarchy have
+                             * weights by the inverse square of their distance */
 } sinew_method;
 
 typedef enum sinew_weight_format {
@@ -52,7 +56,7 @@ typedef struct sinew_options {
                               * sinew_bind_outputs::symmetric_vertices */
   uint32_t rigid_parts;      /* sinew_rigid_parts; locked vertices and hints have the last word */
   uint32_t softness_percent; /* 25..400: how softly the model's weights blend, 200 twice as softly; 0 = 100. Not for
-                              * SINEW_METHOD_HEAT */
+                              * SINEW_METHOD_HEAT and DISTANCE */
   uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being packed. Saves about the
                               * model's size, for small devices; slower where kernels want them packed */
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */

@@ -6,6 +6,7 @@
 
 #include "bind/progress.hpp"
 #include "candidates/own_parts.hpp"
+#include "heat/distances.hpp"
 #include "heat/source_joints.hpp"
 #include "spectral/spectral.hpp"
 
@@ -139,6 +140,12 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const Counts surface = counts.surface();
   const Mesh& mesh_of_stages = out->surface();
 
+  if (kHasExtras && purpose == PrepareFor::kDistance) {
+    if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+    status = weigh_by_distance(mesh_of_stages, out->skeleton, out->source_joints, surface, arena, &out->heat);
+    if (status != SINEW_OK) return status;
+    return progress.report(ends_at::kHeatAlone) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+  }
   const bool network = purpose != PrepareFor::kHeat;
   const size_t mark = arena.mark();
   if (network && kHasThreads && surface.threads.lanes > 1) {

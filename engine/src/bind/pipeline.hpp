@@ -32,6 +32,7 @@ struct Prepared {
 // What prepare() is to make ready for.
 enum class PrepareFor {
   kHeat,          // rows from the heat field: there are neither candidates nor features
+  kDistance,      // the same, with weights by distance in its place
   kNetwork,       // the network and readers of candidates and heat: everything is there
   kNetworkAlone,  // the network and nobody else: candidates and heat are given back, and features lie in their place
 };

@@ -24,16 +24,17 @@ bool is_default_or_in(uint32_t value, uint32_t least, uint32_t most) {
 
 // What can be said of the options without the model and the counts.
 sinew_status check_options(const sinew_options& o) {
-  if (o.symmetric > 1 || o.method > SINEW_METHOD_HEAT || o.influence_count > SINEW_MAX_INFLUENCES || o.up_axis > 1 ||
-      o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS || kernel_name(o.kernel) == nullptr ||
-      o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
-      !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) || !is_default_or_in(o.softness_percent, 25, 400) ||
-      o.answer_count > SINEW_MAX_QUESTIONS || o.question_count > SINEW_MAX_QUESTIONS ||
-      (o.answer_count > 0 && o.answers == nullptr)) {
+  if (o.symmetric > 1 || o.method > SINEW_METHOD_DISTANCE || o.influence_count > SINEW_MAX_INFLUENCES ||
+      o.up_axis > 1 || o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS ||
+      kernel_name(o.kernel) == nullptr || o.weight_format > SINEW_WEIGHT_FLOAT ||
+      o.rigid_parts > SINEW_RIGID_PARTS_NEVER || !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) ||
+      !is_default_or_in(o.softness_percent, 25, 400) || o.answer_count > SINEW_MAX_QUESTIONS ||
+      o.question_count > SINEW_MAX_QUESTIONS || (o.answer_count > 0 && o.answers == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (!kHasExtras && (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO ||
-                      o.surface_vertices != 0 || o.answer_count != 0 || o.question_count != 0)) {
+  if (!kHasExtras && (o.hints != nullptr || o.method == SINEW_METHOD_DISTANCE || o.symmetric != 0 ||
+                      o.rigid_parts != SINEW_RIGID_PARTS_AUTO || o.surface_vertices != 0 || o.answer_count != 0 ||
+                      o.question_count != 0)) {
     return SINEW_ERROR_ARGUMENT;
   }
   return SINEW_OK;
@@ -62,7 +63,8 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status == SINEW_OK) status = check_options(o);
   if (status != SINEW_OK) return status;
-  plan->with_network = o.method != SINEW_METHOD_HEAT;
+  plan->with_network = o.method == SINEW_METHOD_MODEL;
+  plan->by_distance = o.method == SINEW_METHOD_DISTANCE;
   uint32_t candidates = or_default(o.candidate_count, 8), grid = or_default(o.grid_size, 64), feature_flags = 0;
   if (plan->with_network) {
     if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;

@@ -16,6 +16,7 @@ constexpr uint32_t kSurfaceVertices = 32768;
 struct BindPlan {
   Counts counts;
   bool with_network;  // rows come from the network, else from the heat field
+  bool by_distance;   // or from distances
   sinew_model model;  // valid with_network
   NetworkOptions network;
   uint32_t kernel;  // sinew_kernel that the caller wants
@@ -25,7 +26,7 @@ struct BindPlan {
 
   // make_parts_soft() is all that reads candidates or heat fields after the features.
   PrepareFor purpose() const {
-    if (!with_network) return PrepareFor::kHeat;
+    if (!with_network) return by_distance ? PrepareFor::kDistance : PrepareFor::kHeat;
     return rows.reads_heat() ? PrepareFor::kNetwork : PrepareFor::kNetworkAlone;
   }
 };

@@ -160,7 +160,7 @@ export class Skin {
     const m = meshOf(mesh), s = skeletonOf(skeleton);
     const n = options.influences ?? 4;
     if (!Number.isInteger(n) || n < 1 || n > 12) throw new SinewError(`bind: options.influences: expected 1 to 12, found ${n}`);
-    const method = choice(options.method, ["model", "heat"], "bind: options.method");
+    const method = choice(options.method, ["model", "heat", "distance"], "bind: options.method");
     const asFloat = choice(options.format, ["float", "unorm16"], "bind: options.format") === 0;
     const rigid = choice(options.rigidParts, ["auto", "always", "never"], "bind: options.rigidParts");
     const upAxis = choice(options.upAxis, ["y", "z"], "bind: options.upAxis");

@@ -64,8 +64,8 @@ export type Progress = (share: number) => boolean | void;
 
 export interface BindOptions<M = Model> {
   model?: M;
-  /** "heat" needs no model */
-  method?: "model" | "heat";
+  /** "heat" and "distance" need no model */
+  method?: "model" | "heat" | "distance";
   /** N, 1..12; 4 */
   influences?: number;
   /** weights as floats of sum 1, or as Uint16Array of sum 65535 */

@@ -12,7 +12,7 @@ from .arrays import Mesh, chosen, mask
 from .character import Alternative, Question, Skeleton, Skin, skin_of
 from .models import Model, model_for
 
-METHODS = ("model", "heat")
+METHODS = ("model", "heat", "distance")
 FORMATS = ("unorm16", "unorm8", "float")
 DTYPES = (np.uint16, np.uint8, np.float32)
 UP = ("y", "z")
@@ -33,7 +33,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
     positions     [n, 3] rest pose, any unit
     faces         [f, 3], [f, 4], ragged lists, meshio's cells, or None; see arrays.Mesh
     skeleton      joints in the same space; its `ends` get no weight
-    method        "model": the network; "heat": heat fields alone
+    method        "model": the network; "heat": heat fields alone; "distance": by distance to bones
     model         file or Model; None: the bundled one
     influences    most joints a vertex, 1 to 12
     weight_format "unorm16", "unorm8" or "float"
