@@ -335,7 +335,7 @@ bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count
   pushes = arena.alloc<double>(vertices);
   ways = arena.alloc<Vec3d>(vertices);
   borne = arena.alloc<double>(vertices);
-  field = arena.alloc<Vec3d>(node_count);
+  displacements = arena.alloc<Vec3d>(node_count);
   sums = arena.alloc<Vec3d>(node_count);
   reached = arena.alloc<uint8_t>(node_count);
   edges = arena.alloc<uint32_t>(edges_most);

@@ -30,11 +30,11 @@ struct ContactState {
   Vec3d* ways = nullptr;     // [U] where to: unit vectors
   double* borne = nullptr;   // [U] scratch
   // How the lattice gives way.
-  Vec3d* field = nullptr;      // [n] how far its nodes go, lattice units
-  Vec3d* sums = nullptr;       // [n] scratch
-  uint8_t* reached = nullptr;  // [n] 1: near something that touches
-  uint32_t* edges = nullptr;   // [e] those between such nodes
-  uint32_t* counts = nullptr;  // [n] how many of these a node has
+  Vec3d* displacements = nullptr;  // [n] how far its nodes go, lattice units
+  Vec3d* sums = nullptr;           // [n] scratch
+  uint8_t* reached = nullptr;      // [n] 1: near something that touches
+  uint32_t* edges = nullptr;       // [e] those between such nodes
+  uint32_t* counts = nullptr;      // [n] how many of these a node has
   uint32_t edge_count = 0;
 
   bool allocate(Arena& arena, uint32_t vertices, uint32_t node_count, uint32_t edges_most);
@@ -54,10 +54,10 @@ struct ContactInput {
 // elasticity for character skinning with contact and collisions", ACM TOG 30(4), 2011. Returns whether anything touches.
 bool find_contacts(const ContactInput& input, ContactState* state);
 
-// Fills the field: smooth, and as long as the pushes where there are some. It falls to 0 with them, so that nothing jumps when a touch begins.
+// Fills the displacements: smooth, and as long as the pushes where there are some. They fall to 0 with them, so that nothing jumps when a touch begins.
 void press_contacts(const DeformRest& rest, ContactState* state);
 
-// How far a caller's vertex goes with the field, the caller's units.
+// How far a caller's vertex goes with them, the caller's units.
 Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t vertex);
 
 }  // namespace sinew

@@ -89,7 +89,7 @@ class VolumePose {
         places_[v] = places_[v] + kept(v) * contact_push(rest_, contacts_, v);
       }
       for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-        const Vec3d way = contacts_.field[n];
+        const Vec3d way = contacts_.displacements[n];
         state_.nodes[n].place = state_.nodes[n].place + Vec3i{to_units(way.x), to_units(way.y), to_units(way.z)};
       }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the lattice gives way to what touches: a smooth field over its nodes.
+// How the lattice gives way to what touches: smooth displacements of its nodes.
 #include "core/vector_math.hpp"
 #include "deform/contacts.hpp"
 #include "deform/pins.hpp"
@@ -8,15 +8,16 @@ namespace sinew {
 namespace {
 
 constexpr int kRounds = 10;
-constexpr uint32_t kRings = 3;          // around what touches, which the field reaches
+constexpr uint32_t kRings = 3;          // around what touches, which they reach
 constexpr double kSmoothing = 0.6;      // of a round: share of the neighbours' mean
 constexpr double kBoneYields = 0.3;     // of what other nodes do
 constexpr double kLeastSquares = 0.25;  // a vertex that hangs on few nodes does not carry them away
 constexpr double kShare = 1.0 / (1 << kShareBits);
 
-class FieldMaker {
+class DisplacementMaker {
  public:
-  FieldMaker(const DeformRest& rest, ContactState* state) : rest_(rest), lattice_(rest.lattice), state_(*state) {}
+  DisplacementMaker(const DeformRest& rest, ContactState* state)
+      : rest_(rest), lattice_(rest.lattice), state_(*state) {}
 
   void run() {
     find_edges();
@@ -33,7 +34,7 @@ class FieldMaker {
 
   void find_edges() {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-      state_.field[n] = {0, 0, 0};
+      state_.displacements[n] = {0, 0, 0};
       state_.reached[n] = 0;
       state_.counts[n] = 0;
     }
@@ -52,17 +53,18 @@ class FieldMaker {
     }
   }
 
-  // All nodes at once go towards the mean of their neighbours. The field is 0 beyond.
+  // All nodes at once go towards the mean of their neighbours. Displacements are 0 beyond.
   void smooth() {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) state_.sums[n] = {0, 0, 0};
     for (uint32_t i = 0; i < state_.edge_count; ++i) {
       const LatticeEdge& edge = lattice_.edges[state_.edges[i]];
-      state_.sums[edge.a] = state_.sums[edge.a] + state_.field[edge.b];
-      state_.sums[edge.b] = state_.sums[edge.b] + state_.field[edge.a];
+      state_.sums[edge.a] = state_.sums[edge.a] + state_.displacements[edge.b];
+      state_.sums[edge.b] = state_.sums[edge.b] + state_.displacements[edge.a];
     }
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
       if (state_.counts[n] == 0) continue;
-      state_.field[n] = state_.field[n] + kSmoothing * ((1.0 / state_.counts[n]) * state_.sums[n] - state_.field[n]);
+      state_.displacements[n] =
+          state_.displacements[n] + kSmoothing * ((1.0 / state_.counts[n]) * state_.sums[n] - state_.displacements[n]);
     }
   }
 
@@ -73,14 +75,15 @@ class FieldMaker {
     double gone = 0, squares = 0;
     for (int k = 0; k < 4; ++k) {
       const double share = kShare * place.shares[k];
-      gone += share * dot(state_.ways[u], state_.field[at[k]]);
+      gone += share * dot(state_.ways[u], state_.displacements[at[k]]);
       squares += share * share * yield(at[k]);
     }
     const double left = state_.pushes[u] - gone;
     if (left <= 0) return;
     const double step = left / greater(squares, kLeastSquares);
     for (int k = 0; k < 4; ++k) {
-      state_.field[at[k]] = state_.field[at[k]] + (step * kShare * place.shares[k] * yield(at[k])) * state_.ways[u];
+      state_.displacements[at[k]] =
+          state_.displacements[at[k]] + (step * kShare * place.shares[k] * yield(at[k])) * state_.ways[u];
     }
   }
 
@@ -91,14 +94,14 @@ class FieldMaker {
 
 }  // namespace
 
-void press_contacts(const DeformRest& rest, ContactState* state) { FieldMaker(rest, state).run(); }
+void press_contacts(const DeformRest& rest, ContactState* state) { DisplacementMaker(rest, state).run(); }
 
 Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t vertex) {
   const Embedding& place = rest.lattice.vertices[rest.welded[vertex]];
   if (place.tetrahedron == kNoTetrahedron) return {0, 0, 0};
   const uint32_t* const at = rest.lattice.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
   Vec3d sum = {0, 0, 0};
-  for (int k = 0; k < 4; ++k) sum = sum + (kShare * place.shares[k]) * state.field[at[k]];
+  for (int k = 0; k < 4; ++k) sum = sum + (kShare * place.shares[k]) * state.displacements[at[k]];
   return rest.unit * sum;
 }
 
