@@ -96,7 +96,7 @@ function node() {
     index: "SinewError 0: mesh.indices: expected indices below",
     parent: "SinewError 0: skeleton.parents: expected -1 or a joint below 1, found 5 at 0",
     cycle: "SinewError 0: skeleton.parents: expected a tree, found a cycle above joint 0",
-    option: 'SinewError 0: bind: options.method: expected "model", "heat", found "magic"',
+    option: 'SinewError 0: bind: options.method: expected "model", "heat", "distance", found "magic"',
     finite: "SinewError -4: bind: ",
     never: "SinewError -7: bind: ",
     model: "SinewError -9: openModel: not a sinew model file",
