@@ -60,10 +60,12 @@ struct LoadedBinder {
   Binder binder;
 };
 
+bool needs_no_model(const Settings& s) { return s.method == "heat" || s.method == "distance"; }
+
 LoadedBinder load_binder(const Settings& s) {
   LoadedBinder loaded;
   if (s.method == "distance") loaded.binder = {nullptr, s.method, SINEW_METHOD_DISTANCE};
-  if (s.method == "heat" || s.method == "distance") return loaded;
+  if (needs_no_model(s)) return loaded;
   loaded.model = load_model(s.model);
   loaded.binder = {&loaded.model->model, model_label(s.model)};
   return loaded;
@@ -116,7 +118,7 @@ void run(Settings s) {
   settle_joints(&s);
   constexpr unsigned kQuestions = 3;
   if (s.one.ask && s.one.questions == 0) s.one.questions = kQuestions;
-  if ((s.method == "heat" || s.method == "distance") && !s.model.empty())
+  if (needs_no_model(s) && !s.model.empty())
     throw UsageError("--method " + s.method + " uses no model: leave out --model");
   std::error_code ignored;
   if (std::filesystem::is_directory(s.one.mesh, ignored)) return run_folder(s);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // How the lattice gives way to what touches: smooth displacements of its nodes.
-#include "core/vector_math.hpp"
 #include "deform/contacts.hpp"
 #include "deform/pins.hpp"
 

@@ -64,8 +64,7 @@ class ContactFinder {
     const double per_unit = 1 / rest_.unit;
     for (uint32_t b = 0; b <= count; ++b) state_.offsets[b] = 0;
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
-      const Vec3d p = per_unit * (input_.places[rest_.first[u]] - input_.middle);
-      state_.places[u] = {to_units(p.x), to_units(p.y), to_units(p.z)};
+      state_.places[u] = to_units(per_unit * (input_.places[rest_.first[u]] - input_.middle));
       if (lattice_.vertices[u].tetrahedron == kNoTetrahedron) continue;
       const uint32_t b = bucket_of(cell_of(state_.places[u]));
       ContactState::Bucket& bucket = state_.buckets[b];
@@ -117,7 +116,7 @@ class ContactFinder {
     const auto from_origin = [&](int k) { return to_double(input_.nodes[t->nodes[k]].place - t->origin); };
     const Vec3d b = from_origin(1), c = from_origin(2), d = from_origin(3);
     const double volume = dot(b, cross(c, d));
-    if (!(volume > kLeastVolume * kCell * static_cast<double>(t->number % 5 == 4 ? 2 * kSmallVolume : kSmallVolume)))
+    if (!(volume > kLeastVolume * kCell * static_cast<double>(rest_volume(t->number % 5 == 4 ? kLargeVolume : 0))))
       return false;
     const double inverse = 1 / volume;
     t->gradients[0] = inverse * cross(c, d);

@@ -143,14 +143,13 @@ struct Builder {
       }
     }
     if (!rest.has_lattice() || bounds.pairs == 0) return SINEW_OK;
-    const LatticeInput lattice_input = {&mesh, rest.first, rest.joints, rest.weights};
-    const sinew_status built = build_lattice(lattice_input, bounds, grid, arena, &rest.lattice);
+    const sinew_status built =
+        build_lattice({&mesh, rest.first, rest.joints, rest.weights}, bounds, grid, arena, &rest.lattice);
     if (built != SINEW_OK || arena.measuring()) return built;
     find_rigid_parts(mesh, rest.node_flags, &rest);
     if (!rest.has_contact()) return SINEW_OK;
     for (uint32_t u = 0; u < mesh.welded_count; ++u) {
-      const Vec3d p = (1 / rest.unit) * (rest.position(rest.first[u]) - rest.corner);
-      rest.surface.places[u] = {to_units(p.x), to_units(p.y), to_units(p.z)};
+      rest.surface.places[u] = to_units((1 / rest.unit) * (rest.position(rest.first[u]) - rest.corner));
     }
     fill_surface(mesh, rest.lattice, &rest.surface);
     return SINEW_OK;

@@ -5,6 +5,7 @@
 #define SINEW_DEFORM_SOLVER_HPP
 
 #include "core/threads.hpp"
+#include "core/vec3d.hpp"
 #include "deform/lattice.hpp"
 
 namespace sinew {
@@ -21,6 +22,7 @@ inline int32_t to_units(double x) {
   const double rest = x - whole;
   return rest >= 0.5 ? whole + 1 : rest < -0.5 ? whole - 1 : whole;
 }
+inline Vec3i to_units(Vec3d v) { return {to_units(v.x), to_units(v.y), to_units(v.z)}; }
 
 // An embedded point stays where normal . x >= offset.
 struct SolverPoint {

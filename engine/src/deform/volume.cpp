@@ -89,8 +89,7 @@ class VolumePose {
         places_[v] = places_[v] + kept(v) * contact_push(rest_, contacts_, v);
       }
       for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-        const Vec3d way = contacts_.displacements[n];
-        state_.nodes[n].place = state_.nodes[n].place + Vec3i{to_units(way.x), to_units(way.y), to_units(way.z)};
+        state_.nodes[n].place = state_.nodes[n].place + to_units(contacts_.displacements[n]);
       }
     }
   }
@@ -165,7 +164,7 @@ class VolumePose {
         const WeightRow& row = lattice_.rows[n];
         const Vec3d p =
             per_unit * (blend_dual(posed_, row.joints, row.weights, kNodeSlots, rest_.node_place(n)) - middle_);
-        begin_[n] = {to_units(p.x), to_units(p.y), to_units(p.z)};
+        begin_[n] = to_units(p);
         state_.nodes[n].place = begin_[n];
       }
     });
@@ -177,8 +176,7 @@ class VolumePose {
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       const HalfSpace& half = spaces_[rest_.first[u]];
       if (!half.set() || lattice_.vertices[u].tetrahedron == kNoTetrahedron) continue;
-      const Vec3i normal = {to_units(half.normal.x * 16384), to_units(half.normal.y * 16384),
-                            to_units(half.normal.z * 16384)};
+      const Vec3i normal = to_units(16384.0 * half.normal);
       const int32_t offset = to_units(per_unit * (half.offset - dot(half.normal, middle_)));
       add_point(lattice_, lattice_.vertices[u], normal, offset, &state_);
     }
