@@ -204,11 +204,7 @@ class ContactFinder {
     const size_t n = rest_.influence_count, row = rest_.first[u] * n;
     double nearest = 2;
     for (uint32_t k = 0; k < 4; ++k) {
-      uint32_t common = 0;
-      for (size_t i = row; i < row + n; ++i) {
-        const uint32_t other = lattice_.rows[t.nodes[k]].of(rest_.joints[i]);
-        common += other < rest_.weights[i] ? other : rest_.weights[i];
-      }
+      const uint32_t common = common_weight(lattice_.rows[t.nodes[k]], rest_.joints + row, rest_.weights + row, n);
       nearest = lesser(nearest, 2 - common / 32767.5);
     }
     return greater(by_place, ramp(nearest, kOtherRow, kFarRow));
