@@ -44,7 +44,7 @@ struct ContactScene : ClipScene {
 void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch);
 
 // SINEW_OK, SINEW_ERROR_NOT_FINITE or SINEW_ERROR_CANCELLED.
-sinew_status hold_feet(ContactScene* scene);
+void hold_feet(ContactScene* scene);
 sinew_status place_hands(ContactScene* scene);
 
 // Behind sinew_retarget_contacts(); the caller has checked pointers and the source's body against the target's.

@@ -7,7 +7,9 @@
 
 namespace sinew {
 
-constexpr double kContactFps = 30;  // to which ways a frame are related
+// Frames a second for which the limits of a foot's speed are given: a distance from one frame to the next is multiplied by
+// the clip's rate over this one.
+constexpr double kContactFps = 30;
 
 struct FootHeights {
   double source = 0, target = 0;  // of the lowest point over the floor, each in its own units
