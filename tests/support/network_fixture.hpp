@@ -472,7 +472,7 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k, uint32_t vertex_chan
   const uint32_t count = 4 + random.below(28);
   for (uint32_t i = 0; i < count; ++i) {
     Layer layer;
-    layer.kind = static_cast<LayerKind>(1 + random.below(11));
+    layer.kind = static_cast<LayerKind>(1 + random.below(kLayerKindCount));
     const Domain domain = random.below(3) == 0 ? Domain::kVertex : Domain::kPair;
     const uint32_t channels = 1 + random.below(random.below(4) == 0 ? 80 : 12);
     const auto fit = [&](Domain d) {  // not more channels than some buffer of the domain holds
