@@ -10,8 +10,8 @@
 #include "expect_error.hpp"
 #include "motion/common_body.hpp"
 #include "motion/turns.hpp"
-#include "sinew_formats/pose.hpp"
-#include "sinew_formats/retarget.hpp"
+#include "sinew_character/pose.hpp"
+#include "sinew_character/retarget.hpp"
 
 namespace sinew {
 namespace {
