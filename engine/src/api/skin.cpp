@@ -13,7 +13,8 @@ sinew_status sinew_skin_linear(const float* positions, uint32_t vertex_count, co
       influence_count == 0) {
     return SINEW_ERROR_ARGUMENT;
   }
-  return sinew::skin_linear(positions, vertex_count, joints, weights, influence_count, palette, joint_count, out);
+  return sinew::deform::skin_linear(positions, vertex_count, joints, weights, influence_count, palette, joint_count,
+                                    out);
 }
 
 sinew_status sinew_skin_dual_quaternion(const float* positions, uint32_t vertex_count, const uint16_t* joints,
@@ -23,8 +24,8 @@ sinew_status sinew_skin_dual_quaternion(const float* positions, uint32_t vertex_
       influence_count == 0) {
     return SINEW_ERROR_ARGUMENT;
   }
-  return sinew::skin_dual_quaternion(positions, vertex_count, joints, weights, influence_count, palette, joint_count,
-                                     out);
+  return sinew::deform::skin_dual_quaternion(positions, vertex_count, joints, weights, influence_count, palette,
+                                             joint_count, out);
 }
 
 }  // extern "C"

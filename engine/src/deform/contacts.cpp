@@ -5,7 +5,7 @@
 #include "core/vector_math.hpp"
 #include "deform/solver.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr double kCell = kCellUnits;
@@ -340,4 +340,4 @@ bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count
 
 bool find_contacts(const ContactInput& input, ContactState* state) { return ContactFinder(input, state).run(); }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -7,7 +7,7 @@
 #include "deform/correction.hpp"
 #include "kernels/cpu.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 // With a measuring arena only takes memory.
@@ -73,4 +73,4 @@ sinew_status pose_deformer(const DeformRest& rest, const float* palette, Arena& 
   return run_pose(rest, palette, arena, outputs);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -9,7 +9,7 @@
 #include "mesh/topology.hpp"
 #include "voxels/triangle_cells.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 // Triangles and cells that touch: more would need gigabytes.
@@ -387,4 +387,4 @@ sinew_status build_lattice(const LatticeInput& input, const LatticeBounds& bound
   return LatticeMaker(input, bounds, grid, lattice).run(arena);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

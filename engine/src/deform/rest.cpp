@@ -13,7 +13,7 @@
 #include "deform/solver.hpp"
 #include "grid/caller_units.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kFirstOptionsSize = offsetof(sinew_deform_options, no_smoothing) + sizeof(uint32_t);
@@ -252,4 +252,4 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -6,7 +6,7 @@
 #include "core/arena.hpp"
 #include "core/fixed.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 constexpr uint32_t kNodeSlots = 8;
 
@@ -106,5 +106,5 @@ class RowSum {
   uint32_t count_ = 0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

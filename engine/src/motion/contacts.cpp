@@ -4,7 +4,7 @@
 
 #include "motion/natural_range.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr uint32_t kFeetEnd = 250;  // permille
@@ -89,4 +89,4 @@ sinew_status keep_range(sinew_retarget* plan, const sinew_motion_body& target, c
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -6,7 +6,7 @@
 
 #include "motion/arm_search.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 constexpr uint32_t kNearTriangles = 24;
 
@@ -60,5 +60,5 @@ sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source,
                           const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count,
                           sinew_contact_spot* spots);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

@@ -3,7 +3,7 @@
 #include "motion/contacts.hpp"
 #include "motion/foot_search.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr double kFloorReach = 0.1;  // share of the source's height up to which the floor is felt
@@ -123,4 +123,4 @@ void hold_feet(ContactScene* scene) {
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -5,7 +5,7 @@
 
 #include "motion/clip_scene.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 // Frames a second for which the limits of a foot's speed are given: a distance from one frame to the next is multiplied by
 // the clip's rate over this one.
@@ -35,5 +35,5 @@ class FootSearch {
   double source_floor_ = 0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

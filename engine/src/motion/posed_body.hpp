@@ -6,7 +6,7 @@
 #include "core/arena.hpp"
 #include "motion/motion_rig.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 struct PosedBody {
   const sinew_motion_body* body = nullptr;
@@ -44,5 +44,5 @@ struct PosedBody {
 // that does not exist, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX for a triangle's vertex.
 sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

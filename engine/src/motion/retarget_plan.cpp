@@ -5,7 +5,7 @@
 #include "core/struct_size.hpp"
 #include "sinew/rig.h"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 // The struct of the first release.
@@ -375,4 +375,4 @@ sinew_status create_plan(const sinew_motion_rig& source, const sinew_motion_rig&
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

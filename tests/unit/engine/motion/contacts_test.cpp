@@ -16,7 +16,7 @@ namespace {
 
 using namespace sinew_test;
 using sinew::ContactSettings;
-using sinew::Limb;
+using sinew::motion::Limb;
 
 TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
   const MotionScene scene = body(20);
@@ -28,7 +28,7 @@ TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
   ASSERT_EQ(sinew_retarget_create(&rig, &rig, one_to_one(17).data(), scene.classes.data(), nullptr, block.data(), bytes,
                                   &plan),
             SINEW_OK);
-  const sinew::LimbList limbs = sinew::find_limbs(*plan);
+  const sinew::motion::LimbList limbs = sinew::motion::find_limbs(*plan);
   ASSERT_EQ(limbs.count, 4u);
   EXPECT_FALSE(limbs.limbs[0].leg);
   EXPECT_TRUE(limbs.limbs[3].leg);
@@ -38,12 +38,12 @@ TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
   const Pose rest = rest_pose(scene);
   for (const Vec3d way :
        {Vec3d{-0.1, 0.1, 0.2}, {0.05, -0.2, 0.1}, {-0.3, 0, 0.05}, {0, 0, 0}, {9, 9, 9}, {-0.5, 0.15, 0}}) {
-    sinew::load_target(plan, rest.rotations.data(), rest.translations.data());
+    sinew::motion::load_target(plan, rest.rotations.data(), rest.translations.data());
     const Vec3d shoulder = plan->target_places[arm.first], goal = plan->target_places[arm.last] + way;
     const sinew::Quat hand = plan->target_turns[arm.last];
     const double upper = distance(scene.at(arm.first), scene.at(arm.middle)),
                  lower = distance(scene.at(arm.middle), scene.at(arm.last));
-    sinew::move_limb(arm, goal, plan->target_places[arm.middle], plan);
+    sinew::motion::move_limb(arm, goal, plan->target_places[arm.middle], plan);
     const Vec3d elbow = plan->target_places[arm.middle], wrist = plan->target_places[arm.last];
     EXPECT_NEAR(distance(elbow, shoulder), upper, 1e-9);
     EXPECT_NEAR(distance(wrist, elbow), lower, 1e-9);
