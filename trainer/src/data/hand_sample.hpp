@@ -40,6 +40,7 @@ class HandSource {
     Point palm_end{};
     std::vector<uint8_t> classes;  // [joints_] HandClass; those of a missing finger are kHandPalm
   };
+  class Labels;
   Posed pose(uint64_t seed, double strength) const;
 
   std::string name_, family_;
