@@ -4,10 +4,13 @@
 
 #include <stddef.h>
 
+#include "core/build.hpp"
+#include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
 #include "mapping/branches.hpp"
 #include "mapping/matcher.hpp"
 #include "mapping/same_rig.hpp"
+#include "sinew/published.h"
 
 namespace sinew::mapping {
 namespace {
@@ -29,10 +32,9 @@ struct Side {
     (void)anatomy.allocate(arena, joints);
     return arena.ok();
   }
-  void read_up(const sinew_map_rig& given) {
-    up = direction(
-        {static_cast<double>(given.up[0]), static_cast<double>(given.up[1]), static_cast<double>(given.up[2])});
-    has_up = dot(up, up) > 0.5;
+  void read_up(const sinew_skeleton& given) {
+    has_up = given.up != SINEW_UP_AUTO;
+    up = {given.up == SINEW_UP_X ? 1.0 : 0.0, given.up == SINEW_UP_Y ? 1.0 : 0.0, given.up == SINEW_UP_Z ? 1.0 : 0.0};
   }
   bool build(bool flip, Arena& arena) { return anatomy.build(rig, has_up ? &up : nullptr, flip, arena); }
 };
@@ -191,26 +193,22 @@ double certainty(const Anatomy& rig) {
 
 }  // namespace
 
-sinew_status plan_map(const sinew_map_rig* target, const sinew_map_rig* source, const sinew_map_options* options,
+sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source, const sinew_map_options* options,
                       MapPlan* plan) {
-  constexpr uint32_t kFirstRig = sizeof(sinew_map_rig), kFirstOptions = sizeof(sinew_map_options);
-  sinew_status status = read_struct(target, kFirstRig, sizeof plan->target, &plan->target);
-  if (status == SINEW_OK) status = read_struct(source, kFirstRig, sizeof plan->source, &plan->source);
+  constexpr uint32_t kFirstOptions = sizeof(sinew_map_options);
+  sinew_status status = read_skeleton(target, &plan->target);
+  if (status == SINEW_OK) status = read_skeleton(source, &plan->source);
   plan->options = sinew_map_options_init();
   if (status == SINEW_OK && options != nullptr)
     status = read_struct(options, kFirstOptions, sizeof plan->options, &plan->options);
   if (status != SINEW_OK) return status;
   const sinew_map_options& o = plan->options;
   if (o.method > SINEW_MAP_BRANCHES || (o.pin_count > 0 && o.pins == nullptr)) return SINEW_ERROR_ARGUMENT;
+  if (!kHasPublished && o.method == SINEW_MAP_BRANCHES) return SINEW_ERROR_NOT_BUILT;
   if (o.reserved != 0) return SINEW_ERROR_VERSION;
-  const sinew_map_rig* const rigs[2] = {&plan->target, &plan->source};
-  for (const sinew_map_rig* rig : rigs) {
-    if (rig->positions == nullptr || rig->parents == nullptr) return SINEW_ERROR_ARGUMENT;
-    if (rig->reserved != 0) return SINEW_ERROR_VERSION;
+  const sinew_skeleton* const rigs[2] = {&plan->target, &plan->source};
+  for (const sinew_skeleton* rig : rigs) {
     if (rig->joint_count == 0 || rig->joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
-    for (const float u : rig->up) {
-      if (u - u != 0) return SINEW_ERROR_ARGUMENT;
-    }
   }
   for (uint32_t k = 0; k < o.pin_count; ++k) {
     if (o.pins[k].target >= plan->target.joint_count || o.pins[k].source < -1 ||
@@ -285,27 +283,30 @@ sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outpu
     if (!match(best_target, best_source)) return SINEW_ERROR_WORKSPACE;
   }
   bool same = false;
-  {
+  if (!arena.measuring()) {
+    same = method == SINEW_MAP_AUTO &&
+           is_same_rig(plan.target, plan.source, target.rig, source.rig, published.sources, owner);
+  }
+  const bool asked = method == SINEW_MAP_BRANCHES;
+  // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
+  const bool odd = !arena.measuring() && method == SINEW_MAP_AUTO && !pins.any && !same &&
+                   10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
+  method = SINEW_MAP_SINEW;
+  if constexpr (kHasPublished) {
     const ArenaScope scope(arena);
     Branches branches;
     if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
     if (arena.measuring()) return SINEW_OK;
-    same = method == SINEW_MAP_AUTO &&
-           is_same_rig(plan.target, plan.source, target.rig, source.rig, published.sources, owner);
-    // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
-    const bool odd =
-        method == SINEW_MAP_AUTO && !pins.any && !same && 10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
-    const bool asked = method == SINEW_MAP_BRANCHES;
     const uint64_t cells = asked || odd
                                ? branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame)
                                : UINT64_MAX;
     if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
-    method = SINEW_MAP_SINEW;
     if (asked || cells < kMostAutoCells) {
       const double cost = branches.run(published.sources, published.costs);
       if (asked || cost < kNearlyEqual) method = SINEW_MAP_BRANCHES;
     }
   }
+  if (arena.measuring()) return SINEW_OK;
   const Result& result = same || method == SINEW_MAP_BRANCHES ? published : own;
   for (uint32_t i = 0; i < n && same; ++i) published.costs[i] = 0;
   Cleaner(target.rig, source.rig, pins, result.sources, reasons, owner).run(method == SINEW_MAP_SINEW);

@@ -21,10 +21,10 @@ using sinew::Limb;
 TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
   const MotionScene scene = body(20);
   size_t bytes = 0;
-  ASSERT_EQ(sinew_retarget_size(17, 17, &bytes), SINEW_OK);
+  ASSERT_EQ(sinew_retarget_create_workspace_size(17, 17, &bytes), SINEW_OK);
   const sinew::Workspace block(bytes);
   sinew_retarget* plan = nullptr;
-  const sinew_motion_rig rig = scene.view();
+  const sinew_skeleton rig = scene.view();
   ASSERT_EQ(sinew_retarget_create(&rig, &rig, one_to_one(17).data(), scene.classes.data(), nullptr, block.data(), bytes,
                                   &plan),
             SINEW_OK);
@@ -287,7 +287,7 @@ TEST(Spots, AreTheMeasureFrameByFrame) {
       EXPECT_EQ(row[0].kind, uint32_t{SINEW_SPOT_INSIDE}) << f;
       EXPECT_NEAR(row[0].error, limbs[0].depth, 1e-4);
       const Placed posed = clip.frame(f);
-      const Vec3d place = {row[0].place[0], row[0].place[1], row[0].place[2]};
+      const Vec3d place = {row[0].position[0], row[0].position[1], row[0].position[2]};
       EXPECT_LT(std::min(distance(place, posed.places[kLeftHand]), distance(place, posed.places[kLeftForearm])), 0.07)
           << "a corner of the hand's box or the elbow's";
       EXPECT_EQ(row[1].kind, uint32_t{SINEW_SPOT_NONE});
@@ -362,7 +362,7 @@ TEST(Contacts, WhatIsWrongIsRefused) {
   const sinew_motion_body own = target.view();
   size_t bytes = 0;
   sinew_retarget* const none = nullptr;
-  EXPECT_EQ(sinew_retarget_contacts_size(none, &own, 4, &bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_retarget_contacts_workspace_size(none, &own, 4, &bytes), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(clip.rotations, before);
 
   // A callback stops it.
