@@ -15,13 +15,13 @@
 #include "motion_sheet.hpp"
 #include "progress.hpp"
 #include "rig_mesh.hpp"
-#include "sinew_datasets/bake.hpp"
+#include "sinew_character/bake.hpp"
+#include "sinew_character/motion_map.hpp"
+#include "sinew_character/retarget.hpp"
 #include "sinew_datasets/image.hpp"
-#include "sinew_datasets/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_formats/retarget.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

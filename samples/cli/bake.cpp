@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew bake: corrective morph targets for programs that know linear skinning alone.
-#include "sinew_datasets/bake.hpp"
+#include "sinew_character/bake.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -2,9 +2,9 @@
 // Transfer, then hints where it fits.
 #include "bind_like.hpp"
 
+#include "sinew_character/transfer.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_formats/transfer.hpp"
 #include "thread_pool.hpp"
 #include "transfer_target.hpp"
 

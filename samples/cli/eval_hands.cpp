@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "progress.hpp"
+#include "sinew_character/predict_hands.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/predict_hands.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/hand_score.hpp"
 #include "sinew_trainer/parallel.hpp"

@@ -8,9 +8,9 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_character/bind.hpp"
+#include "sinew_character/mesh_neighbours.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/mesh_neighbours.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/parallel.hpp"
 #include "support.hpp"

@@ -6,9 +6,9 @@
 
 #include "eval_studies.hpp"
 #include "progress.hpp"
-#include "sinew_formats/answers.hpp"
+#include "sinew_character/answers.hpp"
+#include "sinew_character/style.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/style.hpp"
 #include "sinew_trainer/artist.hpp"
 #include "sinew_trainer/evaluate.hpp"
 #include "sinew_trainer/parallel.hpp"

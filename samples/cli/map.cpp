@@ -10,10 +10,10 @@
 
 #include "commands.hpp"
 #include "map_picture.hpp"
-#include "sinew_datasets/motion_map.hpp"
+#include "sinew_character/map_skeleton.hpp"
+#include "sinew_character/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/map_skeleton.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "sinew_character/pose.hpp"
 #include "sinew_formats/box.hpp"
-#include "sinew_formats/pose.hpp"
 
 namespace sinew::cli {
 namespace {

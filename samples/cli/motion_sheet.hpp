@@ -3,8 +3,8 @@
 #ifndef SINEW_CLI_MOTION_SHEET_HPP
 #define SINEW_CLI_MOTION_SHEET_HPP
 
+#include "sinew_character/deform.hpp"
 #include "sinew_datasets/image.hpp"
-#include "sinew_formats/deform.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::cli {

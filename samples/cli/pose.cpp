@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew pose: turns joints of a bound character and writes the deformed mesh or a picture of it.
-#include "sinew_formats/pose.hpp"
+#include "sinew_character/pose.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -11,8 +11,8 @@
 
 #include "commands.hpp"
 #include "deform_options.hpp"
+#include "sinew_character/deform.hpp"
 #include "sinew_datasets/image.hpp"
-#include "sinew_formats/deform.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"

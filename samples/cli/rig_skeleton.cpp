@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <map>
 
+#include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/skeleton_template.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/joint_mirror.hpp"
-#include "sinew_formats/skeleton_template.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

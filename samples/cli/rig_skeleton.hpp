@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "sinew_datasets/label_skeleton.hpp"
-#include "sinew_formats/bind_character.hpp"
+#include "sinew_character/bind_character.hpp"
+#include "sinew_character/edit_skeleton.hpp"
+#include "sinew_character/fit_skeleton.hpp"
+#include "sinew_character/label_skeleton.hpp"
 #include "sinew_formats/character.hpp"
-#include "sinew_formats/edit_skeleton.hpp"
-#include "sinew_formats/fit_skeleton.hpp"
 
 namespace CLI {
 class App;

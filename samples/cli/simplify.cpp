@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "sinew_character/retarget.hpp"
+#include "sinew_character/simplify_skeleton.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/gltf_summary.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
-#include "sinew_formats/retarget.hpp"
-#include "sinew_formats/simplify_skeleton.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "sinew_formats/bind.hpp"
+#include "sinew_character/bind.hpp"
 
 namespace sinew::cli {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew transfer: the weights of a finished character go to other meshes.
-#include "sinew_formats/transfer.hpp"
+#include "sinew_character/transfer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "rig_skeleton.hpp"
+#include "sinew_character/map_skeleton.hpp"
+#include "sinew_character/predict_skeleton.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/map_skeleton.hpp"
-#include "sinew_formats/predict_skeleton.hpp"
 
 namespace sinew::cli {
 namespace {

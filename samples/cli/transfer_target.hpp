@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "sinew_character/joint_map.hpp"
 #include "sinew_formats/character.hpp"
-#include "sinew_formats/joint_map.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "open_bundled_model.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_character/bind.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/calibrate.hpp"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "sinew/sinew.h"
-#include "sinew_datasets/label_skeleton.hpp"
-#include "sinew_formats/bind_character.hpp"
+#include "sinew_character/bind_character.hpp"
+#include "sinew_character/label_skeleton.hpp"
 
 #define SKIN_EXPORT(name) __attribute__((used, export_name(name)))
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "sinew_formats/answers.hpp"
-#include "sinew_formats/bind_character.hpp"
+#include "sinew_character/answers.hpp"
+#include "sinew_character/bind_character.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {

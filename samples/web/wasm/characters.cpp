@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "rig_json.hpp"
-#include "sinew_formats/bind_character.hpp"
-#include "sinew_formats/engine_views.hpp"
+#include "sinew_character/bind_character.hpp"
+#include "sinew_character/engine_views.hpp"
+#include "sinew_character/predict_details.hpp"
+#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/skeleton_repair.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/predict_details.hpp"
-#include "sinew_formats/predict_skeleton.hpp"
-#include "sinew_formats/skeleton_repair.hpp"
 
 namespace sinew::web {
 namespace {

@@ -7,8 +7,8 @@
 #include <map>
 #include <utility>
 
-#include "sinew_formats/bind.hpp"
-#include "sinew_formats/mesh_neighbours.hpp"
+#include "sinew_character/bind.hpp"
+#include "sinew_character/mesh_neighbours.hpp"
 
 namespace sinew::web {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sinew_character/map_skeleton.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/map_skeleton.hpp"
 
 namespace sinew::web {
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "sinew_datasets/motion_map.hpp"
+#include "sinew_character/motion_map.hpp"
+#include "sinew_character/retarget.hpp"
 #include "sinew_formats/motion.hpp"
-#include "sinew_formats/retarget.hpp"
 
 namespace sinew::web {
 

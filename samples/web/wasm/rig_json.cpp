@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "sinew_character/joint_mirror.hpp"
 #include "sinew_datasets/image.hpp"
-#include "sinew_formats/joint_mirror.hpp"
 
 namespace sinew::web {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "sinew_datasets/label_skeleton.hpp"
+#include "sinew_character/label_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {

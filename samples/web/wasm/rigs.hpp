@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "sinew_formats/bind_character.hpp"
+#include "sinew_character/bind_character.hpp"
+#include "sinew_character/edit_skeleton.hpp"
+#include "sinew_character/predict_skeleton.hpp"
 #include "sinew_formats/character.hpp"
-#include "sinew_formats/edit_skeleton.hpp"
-#include "sinew_formats/predict_skeleton.hpp"
 
 namespace sinew::web {
 

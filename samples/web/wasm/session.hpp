@@ -11,7 +11,7 @@
 #include "player.hpp"
 #include "rigs.hpp"
 #include "sinew/sinew.h"
-#include "sinew_formats/style.hpp"
+#include "sinew_character/style.hpp"
 #include "skinning.hpp"
 #include "surface.hpp"
 

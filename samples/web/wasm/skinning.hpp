@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
+#include "sinew_character/bend_volume.hpp"
+#include "sinew_character/deform.hpp"
 #include "sinew_formats/affine.hpp"
-#include "sinew_formats/bend_volume.hpp"
 #include "sinew_formats/character.hpp"
-#include "sinew_formats/deform.hpp"
 
 namespace sinew::web {
 

@@ -18,9 +18,9 @@
 #include "paint.hpp"
 #include "rig/rig_task.hpp"
 #include "session.hpp"
+#include "sinew_character/pose.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/pose.hpp"
 
 EM_JS(void, show_progress, (uint32_t permille), {
   if (Module["onProgress"]) Module["onProgress"](permille / 1000);

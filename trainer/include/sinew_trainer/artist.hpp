@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sinew_formats/bind.hpp"
+#include "sinew_character/bind.hpp"
 
 namespace sinew {
 

@@ -3,8 +3,8 @@
 #ifndef SINEW_TRAINER_FLOAT_SKELETON_HPP
 #define SINEW_TRAINER_FLOAT_SKELETON_HPP
 
+#include "sinew_character/predict_skeleton.hpp"
 #include "sinew_formats/float_network.hpp"
-#include "sinew_formats/predict_skeleton.hpp"
 
 namespace sinew {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "sinew_character/predict_skeleton.hpp"
 #include "sinew_datasets/target_hands.hpp"
-#include "sinew_formats/predict_skeleton.hpp"
 
 namespace sinew {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <string>
 
+#include "sinew_character/predict_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/float_network.hpp"
-#include "sinew_formats/predict_skeleton.hpp"
 #include "sinew_trainer/joint_slots.hpp"
 
 namespace sinew {

@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "sinew_character/pose.hpp"
 #include "sinew_datasets/dataset.hpp"
 #include "sinew_formats/box.hpp"
-#include "sinew_formats/pose.hpp"
 
 namespace sinew {
 namespace {

@@ -13,7 +13,7 @@
 #include "data/engine_mesh.hpp"
 #include "data/point_sample.hpp"
 #include "rig/rig_task.hpp"
-#include "sinew_datasets/joint_class_of.hpp"
+#include "sinew_character/joint_class_of.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/sample.hpp"

@@ -6,7 +6,7 @@
 
 #include "kernels/select.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_character/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/network_input.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "sinew/rig.h"
+#include "sinew_character/pose.hpp"
 #include "sinew_formats/box.hpp"
-#include "sinew_formats/pose.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "sinew_datasets/label_skeleton.hpp"
+#include "sinew_character/label_skeleton.hpp"
+#include "sinew_character/mesh_neighbours.hpp"
 #include "sinew_formats/box.hpp"
-#include "sinew_formats/mesh_neighbours.hpp"
 
 namespace sinew {
 namespace {

@@ -5,11 +5,11 @@
 #include "bends.hpp"
 #include "dressed.hpp"
 #include "layer_crossings.hpp"
+#include "sinew_character/deform.hpp"
+#include "sinew_character/pose.hpp"
+#include "sinew_character/transfer.hpp"
 #include "sinew_datasets/html.hpp"
 #include "sinew_datasets/image.hpp"
-#include "sinew_formats/deform.hpp"
-#include "sinew_formats/pose.hpp"
-#include "sinew_formats/transfer.hpp"
 
 namespace sinew {
 namespace {

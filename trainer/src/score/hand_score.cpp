@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sinew_character/predict_hands.hpp"
 #include "sinew_formats/io.hpp"
-#include "sinew_formats/predict_hands.hpp"
 #include "sinew_formats/print.hpp"
 
 namespace sinew {

@@ -10,8 +10,8 @@
 #include <numbers>
 
 #include "score/numpy_random.hpp"
+#include "sinew_character/pose.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/pose.hpp"
 
 namespace sinew {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "score/assignment.hpp"
-#include "sinew_datasets/joint_class_of.hpp"
+#include "sinew_character/joint_class_of.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {

@@ -10,7 +10,7 @@
 #include "kernels/select.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew/sinew.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_character/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/calibrate.hpp"

@@ -42,9 +42,6 @@ struct TargetSkeleton {
 // Throws Error for a character without joints, weights or extent, or with indices that lead nowhere.
 TargetSkeleton target_skeleton(const Character& character);
 
-// What a leaf joint of a file is by its name: NAME_end or NAME_tip, digits behind it, is a bone end.
-bool names_bone_end(std::string name);
-
 // As joints of a file, in the same order. Names are unique, and no leaf but a bone end is named as one.
 std::vector<Joint> target_joints(const TargetSkeleton& target);
 

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_datasets/joint_class_of.hpp"
+#include "sinew_character/joint_class_of.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 

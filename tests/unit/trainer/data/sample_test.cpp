@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/counts.hpp"
-#include "sinew_formats/bind.hpp"
+#include "sinew_character/bind.hpp"
 
 namespace sinew {
 namespace {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Corrected poses of a character through the engine's sinew/deform.h.
+#ifndef SINEW_CHARACTER_DEFORM_HPP
+#define SINEW_CHARACTER_DEFORM_HPP
+
+#include <string>
+#include <vector>
+
+#include "sinew/sinew.hpp"
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// Poses one character any number of times. Weights are unorm16, the 12 strongest of a row; a vertex without weight stays where it is.
+class CharacterDeformer {
+ public:
+  // Throws Error for missing weights, a joint that does not exist, or what the engine refuses. `character` may go away.
+  CharacterDeformer(const Character& character, const sinew_deform_options& options);
+
+  // Posed vertices [V x 3]. Throws Error for another number of matrices than joints or one that is not finite.
+  const std::vector<float>& pose(const std::vector<Affine>& palette);
+  // The same as a character, whose corner normals and glTF source are dropped.
+  Character pose_character(const Character& character, const std::vector<Affine>& palette);
+
+  const sinew_deformer& deformer() const { return deformer_.get(); }
+  size_t memory_bytes() const { return deformer_.memory_bytes(); }
+  bool corrected() const { return corrected_; }  // of the last pose: see sinew_deform_outputs
+
+ private:
+  std::string name_;
+  Deformer deformer_;
+  std::vector<float> positions_, matrices_;
+  bool corrected_ = true;
+};
+
+// Reads lines `pose NAME m00 m01 ... m23`: a 3x4 skinning matrix a joint (rest space to posed space, row by row). Joints that the
+// file leaves out stay at rest; other lines are ignored when they are empty or begin with '#'. Throws Error with file and line for
+// an unknown or repeated joint, or a line that is not one of these.
+std::vector<Affine> read_pose_matrices(const std::string& path, const Character& character);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// A Character as the engine's borrowed views, with the arrays they point into.
+#ifndef SINEW_CHARACTER_ENGINE_VIEWS_HPP
+#define SINEW_CHARACTER_ENGINE_VIEWS_HPP
+
+#include <cstdint>
+#include <vector>
+
+#include "sinew/sinew.h"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// Holds pointers into `character` and into itself: neither may move while the views are used.
+struct EngineViews {
+  EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags);
+  EngineViews(const EngineViews&) = delete;
+  EngineViews& operator=(const EngineViews&) = delete;
+
+  std::vector<float> positions, joint_positions;
+  std::vector<int32_t> parents;
+  std::vector<uint8_t> flags;
+  sinew_mesh mesh = {};
+  sinew_skeleton skeleton = {};
+};
+
+// Throws Error when there is nothing to bind or a limit of the engine is exceeded.
+void check_bindable(const Character& character);
+// Throws Error with the character's name when the status is not SINEW_OK.
+void throw_status(const Character& character, sinew_status status);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Which joint of one skeleton stands for which of another, through sinew/map.h: rigs read from files, maps as text.
+#ifndef SINEW_CHARACTER_MAP_SKELETON_HPP
+#define SINEW_CHARACTER_MAP_SKELETON_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sinew/sinew.h"
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+// A skeleton as mapping takes it.
+struct MapRig {
+  std::string name;           // the file, for messages
+  std::vector<Joint> joints;  // at least one
+  std::vector<uint8_t> ends;  // [J] 1: only says where a bone ends; empty = not known
+};
+
+// From .rig.txt, .txt, .obj with its .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh, or template:NAME. Where the file has skin
+// weights, leaves without any are ends. Throws Error.
+MapRig read_map_rig(const std::string& path);
+// The same of a character or a motion in memory. Ends of a motion are its End Sites, and joints whose only child is an End Site
+// that repeats their own offset.
+MapRig map_rig_of(const Character& character);
+MapRig map_rig_of(const Motion& motion);
+
+struct MapSkeletonOptions {
+  uint32_t method = SINEW_MAP_AUTO;
+  bool names = true, ends = true;         // whether they are read
+  char target_up = 'y', source_up = 'y';  // x, y, z, or a for not known
+  std::vector<sinew_map_pin> pins;
+};
+
+struct MappedSkeleton {
+  std::vector<int32_t> sources;   // [target J] -1 = none
+  std::vector<float> confidence;  // [target J] 0..1
+  std::vector<uint8_t> reasons;   // [target J] sinew_map_reason
+  uint32_t method = 0;            // SINEW_MAP_SINEW or SINEW_MAP_BRANCHES
+  size_t mapped = 0;
+  float certainty = 0;  // 0..1, of front, sides and trunk
+  size_t workspace_bytes = 0;
+  double seconds = 0;  // in sinew_map()
+};
+
+// Throws Error with the file's name, and OutOfMemory.
+MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options);
+
+// "", "no counterpart", ... for a sinew_map_reason.
+const char* map_reason_text(uint8_t reason);
+
+// A map as text: a line TARGET_JOINT SOURCE_JOINT, or TARGET_JOINT - for none, for each joint; # begins a comment. Blanks
+// in names are written as '_'.
+std::string map_text(const MapRig& target, const MapRig& source, const MappedSkeleton& map);
+// Which joints may stand in several lines of a map.
+enum class MapRepeats : uint8_t {
+  kNone,
+  kSources,  // for motion: several joints move as one
+  kTargets   // for weights: several joints give theirs to one
+};
+// The lines of such a file as pins: what has a line is kept, what has none is free. Throws Error with the line, also of a joint
+// that stands there twice and may not.
+std::vector<sinew_map_pin> read_map_file(const std::string& path, const MapRig& target, const MapRig& source,
+                                         MapRepeats repeats = MapRepeats::kNone);
+// TARGET_JOINT=SOURCE_JOINT, or TARGET_JOINT=- for none. Throws Error.
+sinew_map_pin parse_map_pin(const std::string& text, const MapRig& target, const MapRig& source);
+
+}  // namespace sinew
+#endif

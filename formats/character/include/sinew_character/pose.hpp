@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Poses of a skeleton: palettes (pose times inverse bind) and skinned meshes.
+#ifndef SINEW_CHARACTER_POSE_HPP
+#define SINEW_CHARACTER_POSE_HPP
+
+#include <cstddef>
+#include <vector>
+
+#include "sinew_formats/affine.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// Joint indices, every parent before its children. Throws Error when the hierarchy has a cycle or a parent that does
+// not exist.
+std::vector<size_t> parents_first(const Character& character);
+
+// One pose: turn joints about their own rest position by XYZ Euler angles in degrees (R = Rz Ry Rx), children follow.
+struct JointTurn {
+  size_t joint = 0;
+  double x = 0, y = 0, z = 0;
+};
+std::vector<Affine> pose_palette(const Character& character, const std::vector<JointTurn>& turns);
+// Skins with linear blend (or dual quaternions) through the engine's C API: weights as unorm16, the 12 strongest of a
+// row, rows without weight stay where they are. Returns the character with moved vertices and joints; its corner
+// normals and glTF source are dropped, since they describe the rest pose. Throws Error for missing weights or a joint
+// that does not exist.
+Character apply_pose(const Character& character, const std::vector<Affine>& palette, bool dual_quaternion = false);
+
+}  // namespace sinew
+#endif

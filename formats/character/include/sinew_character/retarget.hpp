@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Clips of one skeleton for another, by the engine (sinew/motion.h).
+#ifndef SINEW_CHARACTER_RETARGET_HPP
+#define SINEW_CHARACTER_RETARGET_HPP
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sinew/motion_clips.h"
+#include "sinew/sinew.hpp"
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+// The mesh of a motion's own file, which take_bodies() compares with; none in a .bvh or a file with a skeleton alone.
+std::optional<Character> body_of_motion(const std::string& path);
+
+// Limbs as they were copied, and as the method left them; as many of both, in one order.
+struct ClipReport {
+  std::vector<sinew_limb_measure> before, after;
+  std::vector<sinew_contact_spot>
+      spots;  // [frames x SINEW_MAX_MOTION_LIMBS] of what the method left; empty without a body
+};
+
+class Retargeter {
+ public:
+  //   target   joints of the character; clips made are poses of motion_of(target)
+  //   map      [target] joint of the source, or -1
+  //   classes  [target] sinew_joint_class
+  // Throws Error naming `source.name` for what the engine refuses.
+  Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
+             const std::vector<uint8_t>& classes, const RetargetSettings& settings = {});
+
+  // Bodies for what follows. `target` has the target's joints, `source` the motion's first ones and weights; null: the motion has
+  // no body. Returns how many triangles of skin the two share as one mesh in two shapes; 0: the target's own body is looked at
+  // alone.
+  size_t take_bodies(const Character& target, const Character* source);
+  // From now on clips keep their contacts (sinew_retarget_contacts()), for which bodies are there.
+  void keep_contacts();
+  // In place of contacts, arms go where reference points of the mesh want them (sinew_retarget_reference_points()). Throws
+  // Error where the two bodies are not one mesh.
+  void follow_reference_points(const sinew_reference_options& settings);
+
+  // From now on knees and elbows stay in their natural range (sinew_retarget_keep_range()), for which bodies are there.
+  void keep_range() { range_ = true; }
+
+  // Before each frame `keep_going` is asked; false ends with an Error that says so. With a `report` the clip is measured, for
+  // which bodies are there.
+  Clip run(const Clip& clip, const std::function<bool()>& keep_going = {}, ClipReport* report = nullptr);
+
+ private:
+  void check(sinew_status status) const;
+
+  // A body for the engine.
+  struct Body {
+    std::vector<float> positions;
+    std::vector<uint16_t> joints, weights;
+    uint32_t slots = 0;
+  };
+  static Body body_of(const Character& character, const std::vector<uint32_t>& vertices);
+  sinew_motion_body view(const Body& body) const;
+
+  std::string name_;
+  size_t source_count_, target_count_;
+  std::vector<uint8_t> classes_;
+  Workspace memory_;
+  sinew_retarget* plan_ = nullptr;  // in memory_
+  bool has_source_ = false, contacts_ = false, range_ = false;
+  std::optional<sinew_reference_options> reference_;
+  Body target_body_, source_body_;
+  std::vector<uint32_t> triangles_;
+  Workspace workspace_;
+};
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A character with fewer joints: the engine's sinew_simplify() on its skeleton, weights summed up.
+#ifndef SINEW_CHARACTER_SIMPLIFY_SKELETON_HPP
+#define SINEW_CHARACTER_SIMPLIFY_SKELETON_HPP
+
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+struct SimplifyOptions {
+  bool low = false;               // level of detail, see sinew/simplify.h
+  uint32_t joints = 0;            // 0: as the level says; else so many are left
+  std::vector<std::string> keep;  // joints that stay, by name
+};
+
+struct Simplified {
+  std::vector<uint32_t> into;  // [J before] index of the joint that it is part of, among those that were there before
+  std::vector<int> number;     // [J before] its number now, -1 where it is gone
+};
+
+// Leaves joints out of the skeleton; those below hang on what is left above, and its vertices move with what it became part
+// of. Where the character has weights, how much surface a joint moves counts. Joints keep their order and names.
+// Throws Error for a skeleton without joints, one that the engine refuses, or a name in `keep` that no joint has; the
+// character is as it was then.
+Simplified simplify_skeleton(const SimplifyOptions& options, Character* character);
+
+}  // namespace sinew
+#endif

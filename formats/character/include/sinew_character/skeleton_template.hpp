@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Skeletons with the names and the hierarchy of well-known conventions, at plausible places: for fit_skeleton().
+#ifndef SINEW_CHARACTER_SKELETON_TEMPLATE_HPP
+#define SINEW_CHARACTER_SKELETON_TEMPLATE_HPP
+
+#include <string>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+struct TemplateInfo {
+  std::string name;   // "mixamo"
+  std::string about;  // one line
+};
+std::vector<TemplateInfo> skeleton_templates();
+
+// Parents first, y up, facing +z, left at +x, 1.8 high or as the kind is; both sides are mirror images of each other. Throws
+// Error with the names there are.
+std::vector<Joint> skeleton_template(const std::string& name);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+# What character is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
+set(sinew_character_sources
+  bake/bake_bends
+  bake/bake_clip
+  bake/bends
+  bake/corrections
+  bake/driver_fit
+  bind/answers
+  bind/bind
+  bind/bind_character
+  bind/choose_joints
+  bind/engine_views
+  bind/fold_tips
+  bind/joint_map
+  bind/mesh_neighbours
+  bind/round_influences
+  bind/transfer
+  map/map_file
+  map/map_skeleton
+  map/motion_map
+  motion/common_body
+  motion/retarget
+  pose/bend_volume
+  pose/deform
+  pose/pose
+  pose/pose_file
+  predict/edit_skeleton
+  predict/fit_skeleton
+  predict/limbs
+  predict/match_limbs
+  predict/predict_details
+  predict/predict_face
+  predict/predict_hands
+  predict/predict_skeleton
+  predict/skeleton_arrays
+  predict/skeleton_template
+  predict/turn
+  rig/infer_parents
+  rig/joint_class_of
+  rig/joint_mirror
+  rig/joint_roles
+  rig/joint_words
+  rig/joints_beside_mesh
+  rig/label_skeleton
+  rig/simplify_skeleton
+  rig/skeleton_fit
+  style/style
+  style/style_file)
+list(TRANSFORM sinew_character_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/)
+list(TRANSFORM sinew_character_sources APPEND .cpp)
+
+# The bundled skeletons become part of the library; generated again when a file changes or appears.
+set(templates ${CMAKE_CURRENT_LIST_DIR}/src/predict/templates)
+set(template_texts ${CMAKE_CURRENT_BINARY_DIR}/template_texts.cpp)
+set(embed_templates ${CMAKE_CURRENT_LIST_DIR}/src/predict/embed_templates.cmake)
+file(GLOB template_files CONFIGURE_DEPENDS ${templates}/*.txt)
+add_custom_command(OUTPUT ${template_texts}
+  COMMAND ${CMAKE_COMMAND} -DFOLDER=${templates} -DOUTPUT=${template_texts} -P ${embed_templates}
+  DEPENDS ${embed_templates} ${template_files}
+  COMMENT "Embedding skeleton templates" VERBATIM)
+list(APPEND sinew_character_sources ${template_texts})

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Rigs from files with their end markers, and their way through sinew_map().
+#include "sinew_character/map_skeleton.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <utility>
+
+#include "sinew/sinew.hpp"
+#include "sinew_character/bind.hpp"
+#include "sinew_character/skeleton_template.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr const char* kTemplate = "template:";
+constexpr float kSomeWeight = 1e-3f;  // in sum over a mesh; less is what exporters leave behind
+
+// Vertices that the skin lines of a rig.txt number: the mesh itself is not needed to see who has weight.
+size_t skin_vertices(const std::string& path) {
+  const std::string text = read_text_file(path);
+  TextLines lines(path, text);
+  size_t count = 0;
+  while (lines.next()) {
+    if (lines.words().size() < 2 || lines.words()[0] != "skin") continue;
+    const std::optional<int64_t> vertex = to_integer(lines.words()[1]);
+    if (!vertex || *vertex < 0 || *vertex >= static_cast<int64_t>(SINEW_MAX_VERTICES))
+      lines.fail("a vertex number below " + std::to_string(SINEW_MAX_VERTICES), lines.words()[1]);
+    count = std::max(count, static_cast<size_t>(*vertex) + 1);
+  }
+  return count;
+}
+
+sinew_map_rig view_of(const MapRig& rig, char up, std::vector<float>* places, std::vector<int32_t>* parents,
+                      std::vector<const char*>* names, const MapSkeletonOptions& options) {
+  for (const Joint& joint : rig.joints) {
+    places->insert(places->end(), {joint.position.x, joint.position.y, joint.position.z});
+    parents->push_back(joint.parent);
+    names->push_back(joint.name.c_str());
+  }
+  sinew_map_rig view = sinew_map_rig_init(places->data(), parents->data(), static_cast<uint32_t>(rig.joints.size()));
+  if (options.names) view.names = names->data();
+  if (options.ends && !rig.ends.empty()) view.ends = rig.ends.data();
+  view.up[0] = up == 'x' ? 1 : 0;
+  view.up[1] = up == 'y' ? 1 : 0;
+  view.up[2] = up == 'z' ? 1 : 0;
+  return view;
+}
+
+}  // namespace
+
+MapRig map_rig_of(const Character& character) {
+  MapRig rig;
+  rig.name = character.name;
+  rig.joints = character.joints;
+  std::vector<float> weight(rig.joints.size(), 0);
+  bool any = false;
+  for (const auto& row : character.influences) {
+    for (const Influence& influence : row) {
+      weight[influence.joint] += influence.weight;
+      any = any || influence.weight > 0;
+    }
+  }
+  if (!any) return rig;
+  rig.ends.assign(rig.joints.size(), 1);
+  for (size_t j = 0; j < rig.joints.size(); ++j) {
+    if (weight[j] > kSomeWeight) rig.ends[j] = 0;
+    if (rig.joints[j].parent >= 0) rig.ends[static_cast<size_t>(rig.joints[j].parent)] = 0;
+  }
+  return rig;
+}
+
+MapRig map_rig_of(const Motion& motion) {
+  MapRig rig;
+  rig.name = motion.name;
+  rig.joints = rest_joints(motion);
+  std::vector<size_t> children(motion.joints.size(), 0);
+  for (const MotionJoint& joint : motion.joints)
+    if (joint.parent >= 0) ++children[static_cast<size_t>(joint.parent)];
+  for (const MotionJoint& joint : motion.joints) rig.ends.push_back(joint.end ? 1 : 0);
+  for (const MotionJoint& joint : motion.joints) {
+    if (!joint.end || joint.parent < 0) continue;
+    const size_t above = static_cast<size_t>(joint.parent);
+    if (children[above] == 1 && joint.offset == motion.joints[above].offset && joint.offset != Point3{})
+      rig.ends[above] = 1;
+  }
+  if (std::all_of(rig.ends.begin(), rig.ends.end(), [](uint8_t end) { return end == 0; })) rig.ends.clear();
+  return rig;
+}
+
+MapRig read_map_rig(const std::string& path) {
+  MapRig rig;
+  if (path.rfind(kTemplate, 0) == 0) {
+    rig.joints = skeleton_template(path.substr(std::string(kTemplate).size()));
+    for (const Joint& joint : rig.joints) rig.ends.push_back(joint.deforms.value_or(true) ? 0 : 1);
+  } else if (has_extension(path, ".obj")) {
+    rig = map_rig_of(read_character(path));
+  } else if (has_extension(path, ".bvh")) {
+    rig = map_rig_of(read_bvh(path));
+  } else if (has_extension(path, ".txt")) {
+    Character character;
+    character.vertices.resize(skin_vertices(path));
+    read_skeleton(path, !character.vertices.empty(), &character);
+    rig = map_rig_of(character);
+  } else {
+    Character character;
+    read_skeleton(path, false, &character);  // says what is wrong with a file without joints
+    rig = map_rig_of(read_gltf(path));
+  }
+  rig.name = path;
+  return rig;
+}
+
+MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options) {
+  std::vector<float> places[2];
+  std::vector<int32_t> parents[2];
+  std::vector<const char*> names[2];
+  const sinew_map_rig to = view_of(target, options.target_up, &places[0], &parents[0], &names[0], options);
+  const sinew_map_rig from = view_of(source, options.source_up, &places[1], &parents[1], &names[1], options);
+  MapSettings settings;
+  settings.method = options.method;
+  settings.pins = options.pins.data();
+  settings.pin_count = static_cast<uint32_t>(options.pins.size());
+  const auto check = [&](sinew_status status) {
+    if (status != SINEW_OK)
+      throw Error(target.name + " from " + source.name + ": cannot map, " + sinew_status_text(status));
+  };
+  for (const MapRig* rig : {&target, &source})
+    if (rig->joints.size() > SINEW_MAX_JOINTS)
+      throw Error(rig->name + ": expected at most " + std::to_string(SINEW_MAX_JOINTS) + " joints, found " +
+                  std::to_string(rig->joints.size()));
+  MappedSkeleton result;
+  check(sinew_map_workspace_size(to.joint_count, from.joint_count, &result.workspace_bytes));
+  Workspace workspace(result.workspace_bytes);
+  if (workspace.size() < result.workspace_bytes)
+    throw OutOfMemory(target.name + ": no memory for a workspace of " +
+                      std::to_string(result.workspace_bytes / 1000000) + " MB in one piece");
+  JointMap map;
+  const auto begin = std::chrono::steady_clock::now();
+  check(map_joints(to, from, settings, &workspace, &map));
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.sources = std::move(map.sources);
+  result.reasons = std::move(map.reasons);
+  for (const uint16_t one : map.confidence) result.confidence.push_back(static_cast<float>(one) / 32768.0f);
+  result.method = map.method;
+  result.mapped = map.mapped;
+  result.certainty = static_cast<float>(map.certainty) / 32768.0f;
+  return result;
+}
+
+}  // namespace sinew

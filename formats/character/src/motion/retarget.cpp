@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+// Views of motions for the engine, frame by frame.
+#include "sinew_character/retarget.hpp"
+
+#include "motion/common_body.hpp"
+#include "motion/turns.hpp"
+#include "pose/skin_arrays.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace sinew {
+namespace {
+
+// A skeleton as arrays.
+struct RigArrays {
+  std::vector<float> positions;
+  std::vector<int32_t> parents;
+
+  explicit RigArrays(const std::vector<Joint>& joints) {
+    for (const Joint& joint : joints) {
+      positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
+      parents.push_back(joint.parent);
+    }
+  }
+  sinew_motion_rig view() const {
+    return {positions.data(), parents.data(), nullptr, static_cast<uint32_t>(parents.size())};
+  }
+};
+
+// All frames of a clip, one behind the other.
+struct FrameArrays {
+  size_t joints;
+  std::vector<float> rotations, translations;
+
+  FrameArrays(size_t joint_count, size_t frames)
+      : joints(joint_count), rotations(4 * joint_count * frames), translations(3 * joint_count * frames) {}
+  float* rotations_at(size_t f) { return rotations.data() + 4 * joints * f; }
+  float* translations_at(size_t f) { return translations.data() + 3 * joints * f; }
+  void take(size_t f, const MotionFrame& frame) {
+    for (size_t j = 0; j < joints; ++j) {
+      for (size_t i = 0; i < 4; ++i) rotations_at(f)[4 * j + i] = static_cast<float>(frame.rotations[j][i]);
+      for (size_t i = 0; i < 3; ++i) translations_at(f)[3 * j + i] = static_cast<float>(frame.translations[j][i]);
+    }
+  }
+  MotionFrame frame(size_t f) {
+    MotionFrame out;
+    for (size_t j = 0; j < joints; ++j) {
+      Quaternion q{};
+      Point3 p{};
+      for (size_t i = 0; i < 4; ++i) q[i] = static_cast<double>(rotations_at(f)[4 * j + i]);
+      for (size_t i = 0; i < 3; ++i) p[i] = static_cast<double>(translations_at(f)[3 * j + i]);
+      out.rotations.push_back(normalised(q));
+      out.translations.push_back(p);
+    }
+    return out;
+  }
+};
+
+}  // namespace
+
+std::optional<Character> body_of_motion(const std::string& path) {
+  if (has_extension(path, ".bvh")) return std::nullopt;
+  try {
+    return read_mesh(path);
+  } catch (const Error&) {  // a skeleton alone
+    return std::nullopt;
+  }
+}
+
+void Retargeter::check(sinew_status status) const {
+  if (status != SINEW_OK) throw Error(name_ + ": cannot retarget the motion: " + sinew_status_text(status));
+}
+
+Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
+                       const std::vector<uint8_t>& classes, const RetargetSettings& settings)
+    : name_(source.name), source_count_(source.joints.size()), target_count_(target.size()), classes_(classes) {
+  const RigArrays from(rest_joints(source)), to(target);
+  const sinew_motion_rig source_rig = from.view(), target_rig = to.view();
+  size_t bytes = 0;
+  check(sinew_retarget_size(source_rig.joint_count, target_rig.joint_count, &bytes));
+  check(memory_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+  check(sinew_retarget_create(&source_rig, &target_rig, map.data(), classes.data(), &settings, memory_.data(),
+                              memory_.size(), &plan_));
+}
+
+Retargeter::Body Retargeter::body_of(const Character& character, const std::vector<uint32_t>& vertices) {
+  const SkinArrays rows = skin_arrays(character);
+  Body body;
+  body.slots = rows.influences;
+  for (const uint32_t v : vertices) {
+    const Vec3& p = character.vertices[v];
+    body.positions.insert(body.positions.end(), {p.x, p.y, p.z});
+    const size_t first = size_t{v} * body.slots;
+    for (size_t i = first; i < first + body.slots; ++i) {
+      body.joints.push_back(rows.joints[i]);
+      body.weights.push_back(i == first && rows.weights[i] == 0 ? 65535
+                                                                : rows.weights[i]);  // the engine wants a full row
+    }
+  }
+  return body;
+}
+
+sinew_motion_body Retargeter::view(const Body& body) const {
+  return {body.positions.data(),
+          body.joints.data(),
+          body.weights.data(),
+          triangles_.data(),
+          static_cast<uint32_t>(body.positions.size() / 3),
+          body.slots,
+          static_cast<uint32_t>(triangles_.size() / 3)};
+}
+
+size_t Retargeter::take_bodies(const Character& target, const Character* source) {
+  CommonBody common;
+  if (source != nullptr && source->influences.size() == source->vertices.size()) common = common_body(target, *source);
+  constexpr size_t kFewest = 100;  // triangles that could be a body
+  has_source_ = common.triangles.size() >= 3 * kFewest;
+  const size_t shared = has_source_ ? common.triangles.size() / 3 : 0;
+  if (has_source_) source_body_ = body_of(*source, common.second);
+  if (!has_source_) common = common_body(target, target);
+  std::vector<bool> in_hand;
+  for (size_t j = 0; j < target.joints.size(); ++j) {
+    int at = static_cast<int>(j);
+    while (at >= 0 && classes_[static_cast<size_t>(at)] != SINEW_CLASS_HAND)
+      at = target.joints[static_cast<size_t>(at)].parent;
+    in_hand.push_back(at >= 0);
+  }
+  keep_skin(target, in_hand, &common);
+  target_body_ = body_of(target, common.first);
+  triangles_ = std::move(common.triangles);
+  return shared;
+}
+
+void Retargeter::keep_contacts() {
+  contacts_ = true;
+  reference_.reset();
+}
+
+void Retargeter::follow_reference_points(const sinew_reference_options& settings) {
+  if (!has_source_)
+    throw Error(name_ +
+                ": has no body of the character's own mesh, which reference points need; give an animated .glb of that "
+                "mesh, or use the contacts method");
+  contacts_ = false;
+  reference_ = settings;
+}
+
+Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, ClipReport* report) {
+  const size_t frames = clip.frames.size();
+  FrameArrays from(source_count_, frames), to(target_count_, frames);
+  std::vector<float> heights(frames);
+  for (size_t f = 0; f < frames; ++f) {
+    from.take(f, clip.frames[f]);
+    check(sinew_retarget_height(plan_, from.rotations_at(f), from.translations_at(f), &heights[f]));
+  }
+  float ground = 0;
+  check(sinew_retarget_ground(plan_, heights.data(), heights.size(), &ground));
+  const auto go_on = [&] {
+    if (keep_going && !keep_going()) throw Error(name_ + ": cannot go on, the work was interrupted");
+  };
+  for (size_t f = 0; f < frames; ++f) {
+    go_on();
+    check(sinew_retarget_frame(plan_, from.rotations_at(f), from.translations_at(f), ground, to.rotations_at(f),
+                               to.translations_at(f)));
+  }
+  const sinew_motion_clip whole = {from.rotations.data(),  from.translations.data(),      to.rotations.data(),
+                                   to.translations.data(), static_cast<uint32_t>(frames), ground};
+  const sinew_motion_body target = view(target_body_), source = view(source_body_);
+  const sinew_motion_body* const from_body = has_source_ ? &source : nullptr;
+  const bool has_body = target.vertex_count > 0;
+  ContactSettings settings;
+  settings.fps = static_cast<float>(1 / clip.frame_time);
+  size_t bytes = 0;
+  if (has_body) {
+    check(sinew_retarget_contacts_size(plan_, &target, whole.frame_count, &bytes));
+    check(workspace_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+  }
+  const auto measure = [&](std::vector<sinew_limb_measure>* limbs) {
+    uint32_t count = 0;
+    limbs->resize(SINEW_MAX_MOTION_LIMBS);
+    if (has_body) {
+      report->spots.resize(frames * SINEW_MAX_MOTION_LIMBS);
+      check(sinew_retarget_spots(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size(),
+                                 limbs->data(), &count, report->spots.data()));
+    }
+    limbs->resize(count);
+  };
+  if (report != nullptr) measure(&report->before);
+  if (range_ && has_body)
+    check(sinew_retarget_keep_range(plan_, &target, &whole, workspace_.data(), workspace_.size()));
+  if (contacts_ && has_body)
+    check(sinew_retarget_contacts(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size()));
+  if (reference_) {
+    Workspace room;
+    check(sinew_retarget_reference_points_size(plan_, &target, &bytes));
+    check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+    check(sinew_retarget_reference_points(plan_, &source, &target, &whole, &*reference_, room.data(), room.size()));
+  }
+  if (report != nullptr) measure(&report->after);
+  go_on();
+  Clip out = {clip.name, clip.frame_time, {}};
+  for (size_t f = 0; f < frames; ++f) out.frames.push_back(to.frame(f));
+  return out;
+}
+
+}  // namespace sinew

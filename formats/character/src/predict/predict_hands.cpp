@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A skeleton's arrays go through sinew_rig_hands(); longer ones come back.
+#include "sinew_character/predict_hands.hpp"
+
+#include <set>
+
+#include "skeleton_arrays.hpp"
+
+namespace sinew {
+
+size_t predict_hands(const Character& character, const sinew_model& hands, const SkeletonOptions& options,
+                     PredictedSkeleton* skeleton) {
+  // Names here are longer than there, so only what is put behind them is taken: the hand's own name is left empty.
+  SkeletonArrays arrays(character, *skeleton, "fingers", false);
+  GrowingCall call;
+  call.workspace_size = [&](const sinew_mesh& mesh, const sinew_rig_options& engine_options, size_t* bytes) {
+    return sinew_rig_hands_workspace_size(&hands, mesh.vertex_count, mesh.face_count, mesh.corner_count,
+                                          &engine_options, bytes);
+  };
+  call.run = [&](const sinew_mesh& mesh, const sinew_rig_options& engine_options, void* block, size_t bytes,
+                 sinew_rig_outputs* outputs) {
+    return sinew_rig_hands(&hands, &mesh, &engine_options, block, bytes, outputs);
+  };
+  arrays.run(character, options, call, skeleton);
+
+  std::set<int> fingered;
+  arrays.resize(skeleton);
+  for (size_t j = 0; j < arrays.joint_count(); ++j) {
+    if (!is_finger_class(arrays.joint_class(j)) || *arrays.name(j) == 0) continue;
+    int hand = arrays.parent(j);
+    while (is_finger_class(arrays.joint_class(static_cast<size_t>(hand))))
+      hand = arrays.parent(static_cast<size_t>(hand));
+    fingered.insert(hand);
+    arrays.take(j, skeleton->joints[static_cast<size_t>(hand)].name + arrays.name(j), skeleton);
+  }
+  return fingered.size();
+}
+
+}  // namespace sinew

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// Areas of the joints from weights and faces, the engine's answer, and the character put together anew.
+#include "sinew_character/simplify_skeleton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sinew/sinew.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double u[3] = {double{b.x} - a.x, double{b.y} - a.y, double{b.z} - a.z};
+  const double v[3] = {double{c.x} - a.x, double{c.y} - a.y, double{c.z} - a.z};
+  return 0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+}
+
+// [V] a third of the faces around a vertex; all alike where there is no surface.
+std::vector<double> vertex_areas(const Character& c) {
+  std::vector<double> areas(c.vertices.size(), 0.0);
+  double whole = 0;
+  for (size_t f = 0; f + 1 < c.face_offsets.size(); ++f) {
+    const uint32_t* const corners = c.face_vertices.data() + c.face_offsets[f];
+    for (size_t k = 2; k < c.face_offsets[f + 1] - c.face_offsets[f]; ++k) {
+      const uint32_t triangle[3] = {corners[0], corners[k - 1], corners[k]};
+      const double third = triangle_area(c.vertices[triangle[0]], c.vertices[triangle[1]], c.vertices[triangle[2]]) / 3;
+      for (const uint32_t v : triangle) areas[v] += third;
+      whole += third;
+    }
+  }
+  if (!(whole > 0)) areas.assign(areas.size(), 1.0);
+  return areas;
+}
+
+// [J] share of the surface, empty without weights.
+std::vector<float> joint_areas(const Character& c) {
+  if (c.influences.empty()) return {};
+  const std::vector<double> areas = vertex_areas(c);
+  std::vector<double> sums(c.joints.size(), 0.0);
+  double whole = 0;
+  for (size_t v = 0; v < c.influences.size(); ++v) {
+    for (const Influence& influence : c.influences[v]) {
+      sums.at(influence.joint) += areas[v] * influence.weight;
+      whole += areas[v] * influence.weight;
+    }
+  }
+  if (!(whole > 0)) return {};
+  std::vector<float> shares;
+  for (const double sum : sums) shares.push_back(static_cast<float>(sum / whole));
+  return shares;
+}
+
+void merge_weights(const Simplified& simplified, std::vector<Influence>* row) {
+  std::map<uint32_t, float> sums;
+  for (const Influence& influence : *row)
+    sums[static_cast<uint32_t>(simplified.number[simplified.into[influence.joint]])] += influence.weight;
+  row->clear();
+  for (const auto& [joint, weight] : sums) row->push_back({joint, weight});
+  std::stable_sort(row->begin(), row->end(),
+                   [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+}
+
+}  // namespace
+
+Simplified simplify_skeleton(const SimplifyOptions& options, Character* character) {
+  const std::vector<Joint>& joints = character->joints;
+  if (joints.empty()) throw Error(character->name + ": no joints to simplify");
+  std::vector<uint8_t> keep(joints.size(), 0);
+  for (const std::string& name : options.keep) {
+    bool found = false;
+    for (size_t j = 0; j < joints.size(); ++j) {
+      if (joints[j].name != name) continue;
+      found = true;
+      keep[j] = 1;
+    }
+    if (!found) throw Error(character->name + ": no joint is called " + name + ", which is to be kept");
+  }
+  std::vector<float> positions;
+  std::vector<int32_t> parents;
+  for (const Joint& joint : joints) {
+    positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
+    parents.push_back(joint.parent);
+  }
+  const std::vector<float> areas = joint_areas(*character);
+  SimplifySettings settings;
+  settings.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
+  settings.joint_count = options.joints;
+  const uint32_t count = static_cast<uint32_t>(joints.size());
+  Workspace workspace;
+  Simplified simplified;
+  const sinew_status status = simplify(positions.data(), parents.data(), count, areas.empty() ? nullptr : areas.data(),
+                                       keep.data(), settings, &workspace, &simplified.into);
+  if (status != SINEW_OK)
+    throw Error(character->name + ": the skeleton cannot be simplified: " + sinew_status_text(status));
+
+  std::vector<Joint> left;
+  for (size_t j = 0; j < count; ++j) {
+    simplified.number.push_back(simplified.into[j] == j ? static_cast<int>(left.size()) : -1);
+    if (simplified.into[j] == j) left.push_back(joints[j]);
+  }
+  for (Joint& joint : left) {
+    if (joint.parent >= 0) joint.parent = simplified.number[simplified.into[static_cast<size_t>(joint.parent)]];
+  }
+  for (std::vector<Influence>& row : character->influences) merge_weights(simplified, &row);
+  character->joints = std::move(left);
+  return simplified;
+}
+
+}  // namespace sinew

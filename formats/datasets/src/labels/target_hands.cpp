@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Fingers by names below joints of class hand.
+#include "sinew_datasets/target_hands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sinew_character/joint_class_of.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+using Point = std::array<double, 3>;
+
+constexpr double kLeastVertices = 0.5;  // by weight, that a joint has to move
+constexpr double kQuantile = 0.98, kEndShare = 0.95;
+constexpr size_t kMostJoints = 3, kFewestFingers = 3;
+
+Point point(const Vec3& p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double length(const Point& a) { return std::sqrt(dot(a, a)); }
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+// hand.L, hand_l, LeftHand, L_Wrist, Bip01_L_Hand; nullopt where the name says nothing.
+std::optional<bool> is_right(const std::string& name) {
+  const std::string text = lower(name);
+  const auto side = [&](char letter, const char* word) {
+    if (has(text, word)) return true;
+    for (size_t i = 0; i < text.size(); ++i) {
+      const auto gap = [&](size_t at) { return std::string("._- :").find(text[at]) != std::string::npos; };
+      if (text[i] == letter && (i == 0 || gap(i - 1)) && (i + 1 == text.size() || gap(i + 1))) return true;
+    }
+    return false;
+  };
+  if (side('l', "left")) return false;
+  if (side('r', "right")) return true;
+  return std::nullopt;
+}
+
+class HandFinder {
+ public:
+  explicit HandFinder(const Character& c) : c_(c), moved_(c.joints.size(), 0), children_(c.joints.size()) {
+    for (size_t j = 0; j < c.joints.size(); ++j) {
+      if (c.joints[j].parent >= 0) children_[static_cast<size_t>(c.joints[j].parent)].push_back(static_cast<int>(j));
+      from_zero_ = from_zero_ || has(lower(c.joints[j].name), "finger0");
+    }
+    for (const auto& row : c.influences)
+      for (const Influence& i : row) moved_[i.joint] += static_cast<double>(i.weight);
+    for (const Joint& joint : c.joints) {
+      fingers_.push_back(finger_of(joint.name, from_zero_));
+      classes_.push_back(joint_class_of(joint.name, {}));
+    }
+  }
+
+  std::vector<TargetHand> run() {
+    std::vector<TargetHand> hands;
+    for (size_t j = 0; j < c_.joints.size(); ++j) {
+      if (classes_[j] != kClassHand || is_finger(j) || names_bone_end(c_.joints[j].name)) continue;
+      below_ = all_below(j);
+      // A hand of a hand: palms, and what a hand holds.
+      const int above = body_parent(j);
+      if (above >= 0 && classes_[static_cast<size_t>(above)] == kClassHand) continue;
+      double moved = 0;
+      for (const size_t b : below_) moved += moved_[b];
+      if (moved < kLeastVertices) continue;
+      hands.push_back(hand(j));
+    }
+    return hands;
+  }
+
+ private:
+  bool is_finger(size_t j) const { return fingers_[j].has_value(); }
+  int body_parent(size_t j) const {
+    int above = c_.joints[j].parent;
+    while (above >= 0 && !classes_[static_cast<size_t>(above)]) above = c_.joints[static_cast<size_t>(above)].parent;
+    return above;
+  }
+  std::vector<size_t> all_below(size_t top) const {
+    std::vector<size_t> found = {top};
+    for (size_t i = 0; i < found.size(); ++i)
+      for (const int child : children_[found[i]]) found.push_back(static_cast<size_t>(child));
+    return found;
+  }
+
+  TargetHand hand(size_t j) {
+    TargetHand hand;
+    hand.joint = static_cast<uint32_t>(j);
+    const Point wrist = point(c_.joints[j].position);
+    hand.elbow = body_parent(j);
+    const auto is_forearm = [&](int above) {
+      const auto& one = classes_[static_cast<size_t>(above)];
+      return one && *one == kClassForearm;
+    };
+    while (hand.elbow >= 0 && !is_forearm(hand.elbow) &&
+           length(minus(point(c_.joints[static_cast<size_t>(hand.elbow)].position), wrist)) < 1e-4)
+      hand.elbow = body_parent(static_cast<size_t>(hand.elbow));
+    const std::optional<bool> side = is_right(c_.joints[j].name);
+    hand.right = side ? *side : wrist[0] < 0;
+
+    std::vector<bool> inside(c_.joints.size(), false);
+    for (const size_t b : below_) inside[b] = true;
+    std::vector<double> reach;
+    for (size_t v = 0; v < c_.vertices.size(); ++v) {
+      for (const Influence& i : c_.influences[v]) {
+        if (!inside[i.joint] || i.weight < 0.5f) continue;
+        reach.push_back(length(minus(point(c_.vertices[v]), wrist)));
+        break;
+      }
+    }
+    hand.length = reach.empty() ? 0 : quantile(std::move(reach), kQuantile);
+    for (const size_t b : below_) {
+      if (b == j || moved_[b] < kLeastVertices) continue;
+      const std::string text = lower(c_.joints[b].name);
+      hand.clear = hand.clear && (is_finger(b) || !has(text, "finger"));
+    }
+    for (uint32_t f = 0; f < 5; ++f) add_finger(f, &hand);
+    hand.clear = hand.clear && (hand.fingers.empty() || hand.fingers.size() >= kFewestFingers) && hand.length > 0;
+    return hand;
+  }
+
+  void add_finger(uint32_t f, TargetHand* hand) const {
+    TargetFinger finger;
+    finger.finger = f;
+    size_t last = 0;
+    for (const size_t b : below_) {  // parents first
+      if (!is_finger(b) || *fingers_[b] != f || moved_[b] < kLeastVertices) continue;
+      const bool follows = finger.joints.empty() || is_below(b, finger.joints.back());
+      if (!follows) continue;
+      finger.joints.push_back(static_cast<uint32_t>(b));
+      last = b;
+    }
+    if (finger.joints.empty()) return;
+    if (finger.joints.size() > kMostJoints)
+      finger.joints.erase(finger.joints.begin(), finger.joints.end() - static_cast<long>(kMostJoints));
+    for (const uint32_t j : finger.joints) finger.positions.push_back(point(c_.joints[j].position));
+    finger.end = end_of(last, finger);
+    hand->fingers.push_back(std::move(finger));
+  }
+
+  bool is_below(size_t j, size_t top) const {
+    for (int above = c_.joints[j].parent; above >= 0; above = c_.joints[static_cast<size_t>(above)].parent)
+      if (static_cast<size_t>(above) == top) return true;
+    return false;
+  }
+
+  // The file's, or how far its vertices reach along the bone before it.
+  std::optional<Point> end_of(size_t last, const TargetFinger& finger) const {
+    const Point from = point(c_.joints[last].position);
+    if (children_[last].size() == 1) {
+      const size_t child = static_cast<size_t>(children_[last][0]);
+      const Point at = point(c_.joints[child].position);
+      if (moved_[child] < kLeastVertices && length(minus(at, from)) > 1e-6) return at;
+    }
+    Point along{};
+    std::vector<Point> offsets;
+    for (size_t v = 0; v < c_.vertices.size(); ++v) {
+      for (const Influence& i : c_.influences[v]) {
+        if (i.joint != last || !(i.weight > 0.5f)) continue;
+        offsets.push_back(minus(point(c_.vertices[v]), from));
+        for (size_t k = 0; k < 3; ++k) along[k] += offsets.back()[k];
+      }
+    }
+    if (offsets.empty()) return std::nullopt;
+    if (finger.positions.size() > 1) along = minus(from, finger.positions[finger.positions.size() - 2]);
+    const double norm = length(along);
+    if (norm < 1e-9) return std::nullopt;
+    std::vector<double> reach;
+    for (double& one : along) one /= norm;
+    for (const Point& offset : offsets) reach.push_back(dot(offset, along));
+    const double far = kEndShare * quantile(std::move(reach), kQuantile);
+    if (far <= 1e-6) return std::nullopt;
+    return Point{from[0] + far * along[0], from[1] + far * along[1], from[2] + far * along[2]};
+  }
+
+  const Character& c_;
+  std::vector<double> moved_;  // [J] vertices by weight
+  std::vector<std::vector<int>> children_;
+  std::vector<std::optional<uint32_t>> fingers_;
+  std::vector<std::optional<JointClass>> classes_;
+  bool from_zero_ = false;
+  std::vector<size_t> below_;  // the hand, then all below it
+};
+
+}  // namespace
+
+std::optional<uint32_t> finger_of(const std::string& name, bool from_zero) {
+  const std::string text = lower(name);
+  for (const char* other : {"eyebrow", "foot", "toe", "earring", "string"})
+    if (has(text, other)) return std::nullopt;
+  if (has(text, "thumb")) return 0;
+  if (has(text, "meta") || has(text, "middlehand")) return std::nullopt;
+  if (has(text, "index")) return 1;
+  if (has(text, "middle")) return 2;
+  if (has(text, "pinky") || has(text, "pinkie") || has(text, "little")) return 4;
+  if (has(text, "ring")) return 3;
+  const size_t at = text.find("finger");
+  if (at == std::string::npos || at + 6 >= text.size()) return std::nullopt;
+  const int digit = text[at + 6] - '0' - (from_zero ? 0 : 1);
+  if (text[at + 6] < '0' || digit < 0 || digit > 4) return std::nullopt;
+  return static_cast<uint32_t>(digit);
+}
+
+std::vector<TargetHand> target_hands(const Character& character) {
+  if (character.joints.empty() || character.influences.size() != character.vertices.size())
+    throw Error(character.name + ": has no joints or no weights to take hands from");
+  return HandFinder(character).run();
+}
+
+TargetSkeleton with_fingers(const Character& character, TargetSkeleton body) {
+  std::vector<TargetJoint> ends;
+  for (const TargetHand& hand : target_hands(character)) {
+    if (!hand.clear) continue;
+    const int owner = static_cast<int>(body.owners[hand.joint]);
+    const std::vector<TargetJoint>& joints = body.joints;
+    for (const TargetFinger& finger : hand.fingers) {
+      int parent = owner;
+      for (size_t k = 0; k < finger.joints.size(); ++k) {
+        TargetJoint joint;
+        joint.name = character.joints[finger.joints[k]].name;
+        joint.position = finger.positions[k];
+        joint.parent = parent;
+        joint.source = finger.joints[k];
+        parent = static_cast<int>(joints.size());
+        body.joints.push_back(std::move(joint));
+      }
+      if (!finger.end) continue;
+      TargetJoint end;
+      end.name = body.joints.back().name + "_end";
+      end.position = *finger.end;
+      end.parent = parent;
+      end.tip = true;
+      end.source = body.joints.back().source;
+      ends.push_back(std::move(end));
+    }
+  }
+  body.joints.insert(body.joints.end(), ends.begin(), ends.end());
+  return body;
+}
+
+}  // namespace sinew

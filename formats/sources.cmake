@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+# What formats is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
+set(sinew_formats_sources
+  files/files
+  files/folders
+  files/picture_files
+  files/read_mesh
+  gltf/bind_pose
+  gltf/gltf_container
+  gltf/gltf_decompress
+  gltf/gltf_document
+  gltf/gltf_draco
+  gltf/gltf_from_mesh
+  gltf/gltf_from_scene
+  gltf/gltf_meshopt
+  gltf/gltf_morphs_write
+  gltf/gltf_motion_read
+  gltf/gltf_motion_write
+  gltf/gltf_read
+  gltf/gltf_skin
+  gltf/gltf_summary
+  gltf/gltf_write
+  gltf/tinygltf
+  motion/affine
+  motion/bvh_read
+  motion/bvh_write
+  motion/morphs
+  motion/motion
+  motion/turns
+  text/mtl
+  text/obj
+  text/print
+  text/rig)
+# Checkpoints and models: what trainer and quant meet in; a page has neither.
+set(sinew_network_sources
+  network/checkpoint
+  network/float_network
+  network/model_weights)
+foreach(sources sinew_formats_sources sinew_network_sources)
+  list(TRANSFORM ${sources} PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/)
+  list(TRANSFORM ${sources} APPEND .cpp)
+endforeach()
