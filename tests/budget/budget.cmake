@@ -28,14 +28,14 @@ endif()
 
 # What SINEW_SMALL_CODE refuses, and that the rest of it works.
 get_target_property(small_sources sinew_engine_objects SOURCES)
-list(FILTER small_sources EXCLUDE REGEX "src/api/(deform|map|motion|rig|simplify|transfer)\\.cpp")
-list(APPEND small_sources src/api/left_out.cpp)
+list(FILTER small_sources EXCLUDE REGEX "src/api/(deform|map|motion|rig|simplify|transfer)\\.cpp|src/(deform|mapping|motion|rig|simplify|transfer)/")
+list(APPEND small_sources src/api/left_out.cpp src/deform/skinning.cpp)
 list(TRANSFORM small_sources PREPEND ${CMAKE_SOURCE_DIR}/engine/)
 add_library(sinew_engine_small STATIC ${small_sources})
 target_compile_features(sinew_engine_small PUBLIC cxx_std_17)
 target_include_directories(sinew_engine_small PUBLIC ${CMAKE_SOURCE_DIR}/engine/include PRIVATE ${CMAKE_SOURCE_DIR}/engine/src)
 target_compile_definitions(sinew_engine_small PRIVATE SINEW_SMALL_CODE)
-target_compile_options(sinew_engine_small PRIVATE -fno-exceptions -fno-rtti)
+target_compile_options(sinew_engine_small PRIVATE -fno-exceptions -fno-rtti $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
 target_link_libraries(sinew_engine_small PRIVATE sinew_build_flags)
 sinew_test(small_code_test SOURCES budget/small_code_test.cpp LIBS sinew_engine_small LABELS budget)
 
