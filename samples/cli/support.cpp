@@ -110,8 +110,6 @@ std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes,
   return loaded;
 }
 
-bool has_bundled_model() { return kBundledModelSize > 0; }
-
 namespace {
 
 bool is_bundled(const std::string& path) { return path.empty() || path == "bundled"; }

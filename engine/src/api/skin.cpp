@@ -15,16 +15,17 @@ extern "C" {
 sinew_status sinew_skin_linear(const float* positions, uint32_t vertex_count, const sinew_skin* skin,
                                const float* palette, uint32_t joint_count, float* out) {
   if (!are_given(positions, skin, palette, out)) return SINEW_ERROR_ARGUMENT;
-  return sinew::skin_linear(positions, vertex_count, skin->joint_indices, static_cast<const uint16_t*>(skin->weights),
-                            skin->influence_count, palette, joint_count, out);
+  return sinew::deform::skin_linear(positions, vertex_count, skin->joint_indices,
+                                    static_cast<const uint16_t*>(skin->weights), skin->influence_count, palette,
+                                    joint_count, out);
 }
 
 sinew_status sinew_skin_dual_quaternion(const float* positions, uint32_t vertex_count, const sinew_skin* skin,
                                         const float* palette, uint32_t joint_count, float* out) {
   if (!are_given(positions, skin, palette, out)) return SINEW_ERROR_ARGUMENT;
-  return sinew::skin_dual_quaternion(positions, vertex_count, skin->joint_indices,
-                                     static_cast<const uint16_t*>(skin->weights), skin->influence_count, palette,
-                                     joint_count, out);
+  return sinew::deform::skin_dual_quaternion(positions, vertex_count, skin->joint_indices,
+                                             static_cast<const uint16_t*>(skin->weights), skin->influence_count,
+                                             palette, joint_count, out);
 }
 
 }  // extern "C"

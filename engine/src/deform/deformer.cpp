@@ -9,7 +9,7 @@
 #include "kernels/cpu.hpp"
 #include "sinew/published.h"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 // With a measuring arena only takes memory.
@@ -77,4 +77,4 @@ sinew_status pose_deformer(const DeformRest& rest, const float* palette, Arena& 
   return run_pose(rest, palette, arena, outputs);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

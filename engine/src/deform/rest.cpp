@@ -15,7 +15,7 @@
 #include "grid/caller_units.hpp"
 #include "sinew/published.h"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kFirstOptionsSize = offsetof(sinew_deform_options, no_smoothing) + sizeof(uint32_t);
@@ -255,4 +255,4 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

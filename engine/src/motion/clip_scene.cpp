@@ -5,7 +5,7 @@
 #include "motion/retarget.hpp"
 #include "sinew/rig.h"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 bool all_finite(const float* values, size_t count) {
@@ -121,4 +121,4 @@ void ClipScene::pose_target_at_rest() {
   for (uint32_t v = 0; v < body->vertex_count; ++v) target.vertices[v] = target.rest(v);
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -5,9 +5,11 @@
 
 #include "motion/clip_scene.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
-constexpr double kContactFps = 30;  // distances per frame are those of a clip with so many frames a second
+// Frames a second for which the limits of a foot's speed are given: a distance from one frame to the next is multiplied by
+// the clip's rate over this one.
+constexpr double kContactFps = 30;
 
 struct FootHeights {
   double source = 0, target = 0;  // of the lowest point above the floor, each in its own units
@@ -34,5 +36,5 @@ class FootSearch {
   double source_floor_ = 0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

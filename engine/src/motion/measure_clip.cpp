@@ -4,7 +4,7 @@
 #include "motion/foot_search.hpp"
 #include "motion/natural_range.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr double kDeep = 0.006;  // share of the height
@@ -160,4 +160,4 @@ sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source,
   return status == SINEW_OK ? Measure(&scene, spots).run(limbs, limb_count) : status;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -2,7 +2,7 @@
 // Checks a skeleton and sorts its joints by depth.
 #include "motion/motion_rig.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 bool MotionRig::allocate(Arena& arena, uint32_t joint_count) {
   count = joint_count;
@@ -47,4 +47,4 @@ sinew_status MotionRig::fill(const sinew_skeleton& input, uint32_t* scratch) {
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -7,7 +7,7 @@
 #include "motion/quaternion.hpp"
 #include "sinew/motion.h"
 
-namespace sinew {
+namespace sinew::motion {
 
 struct MotionRig {
   uint32_t count = 0;          // J
@@ -33,5 +33,5 @@ struct MotionRig {
 
 inline bool is_finite(double x) { return x - x == 0; }
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

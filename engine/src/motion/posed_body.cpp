@@ -2,7 +2,7 @@
 // Linear blend skinning in doubles, because contacts decide by it.
 #include "motion/posed_body.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 bool PosedBody::allocate(Arena& arena, uint32_t vertex_count, uint32_t triangle_count, uint32_t joint_count) {
   vertices = arena.alloc<Vec3d>(vertex_count);
@@ -93,4 +93,4 @@ sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count) {
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -5,7 +5,7 @@
 #include "core/struct_size.hpp"
 #include "sinew/rig.h"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 // The struct of the first release.
@@ -379,4 +379,4 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

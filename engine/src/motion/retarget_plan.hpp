@@ -8,7 +8,7 @@
 
 // The type of the interface: the plan is one block of memory, this is its beginning.
 struct sinew_retarget {
-  sinew::MotionRig source, target;
+  sinew::motion::MotionRig source, target;
   int32_t* map = nullptr;        // [target joints] source joint or -1
   uint8_t* classes = nullptr;    // [target joints] sinew_joint_class
   int32_t* long_ends = nullptr;  // [target joints] where a limb's long bone that begins here ends, else -1
@@ -35,7 +35,7 @@ struct sinew_retarget {
   sinew::Vec3d* target_places = nullptr;
 };
 
-namespace sinew {
+namespace sinew::motion {
 
 // The options of the interface, checked.
 struct RetargetOptions {
@@ -54,5 +54,5 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif
