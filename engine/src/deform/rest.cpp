@@ -6,12 +6,14 @@
 #include <string.h>
 
 #include "bind/pipeline.hpp"
+#include "core/build.hpp"
 #include "core/struct_size.hpp"
 #include "deform/dual_quaternion.hpp"
 #include "deform/pins.hpp"
 #include "deform/smoothing.hpp"
 #include "deform/solver.hpp"
 #include "grid/caller_units.hpp"
+#include "sinew/published.h"
 
 namespace sinew::deform {
 namespace {
@@ -172,6 +174,7 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.cell_count == 0) o.cell_count = 32;
+  if (!kHasPublished && o.method == SINEW_DEFORM_XPBD) return SINEW_ERROR_NOT_BUILT;
   if (o.round_count == 0) o.round_count = o.method == SINEW_DEFORM_DELTA_MUSH ? 5 : 20;
   if (o.softness == 0) o.softness = 5 * 256;
   return SINEW_OK;

@@ -4,10 +4,13 @@
 
 #include <stddef.h>
 
+#include "core/build.hpp"
+#include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
 #include "mapping/branches.hpp"
 #include "mapping/matcher.hpp"
 #include "mapping/same_rig.hpp"
+#include "sinew/published.h"
 
 namespace sinew::mapping {
 namespace {
@@ -29,10 +32,9 @@ struct Side {
     (void)anatomy.allocate(arena, joints);
     return arena.ok();
   }
-  void read_up(const sinew_map_rig& given) {
-    up = direction(
-        {static_cast<double>(given.up[0]), static_cast<double>(given.up[1]), static_cast<double>(given.up[2])});
-    has_up = dot(up, up) > 0.5;
+  void read_up(const sinew_skeleton& given) {
+    has_up = given.up != SINEW_UP_AUTO;
+    up = {given.up == SINEW_UP_X ? 1.0 : 0.0, given.up == SINEW_UP_Y ? 1.0 : 0.0, given.up == SINEW_UP_Z ? 1.0 : 0.0};
   }
   bool build(bool flip, Arena& arena) { return anatomy.build(rig, has_up ? &up : nullptr, flip, arena); }
 };
@@ -250,22 +252,26 @@ class MapRun {
 
   // As branches, where that is asked for or limbs say too little; nearly the same rigs as what they are.
   sinew_status match_branches() {
-    const ArenaScope scope(arena_);
-    Branches branches;
-    if (!branches.allocate(arena_, n_, m_)) return SINEW_ERROR_WORKSPACE;
-    if (arena_.measuring()) return SINEW_OK;
     const bool automatic = plan_.options.method == SINEW_MAP_AUTO, asked = plan_.options.method == SINEW_MAP_BRANCHES;
-    same_ = automatic && is_same_rig(plan_.target, plan_.source, target_.rig, source_.rig, published_.sources, owner_);
-    // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
-    const bool odd = automatic && !pins_.any && !same_ && 10 * mapped_count(own_.sources, n_) < 6 * (n_ < m_ ? n_ : m_);
-    const uint64_t cells =
-        asked || odd ? branches.prepare(target_.rig, target_.anatomy.frame, source_.rig, source_.anatomy.frame)
-                     : UINT64_MAX;
-    if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
+    same_ = automatic && !arena_.measuring() &&
+            is_same_rig(plan_.target, plan_.source, target_.rig, source_.rig, published_.sources, owner_);
     method_ = SINEW_MAP_SINEW;
-    if (asked || cells < kMostAutoCells) {
-      const double cost = branches.run(published_.sources, published_.costs);
-      if (asked || cost < kNearlyEqual) method_ = SINEW_MAP_BRANCHES;
+    if constexpr (kHasPublished) {
+      const ArenaScope scope(arena_);
+      Branches branches;
+      if (!branches.allocate(arena_, n_, m_)) return SINEW_ERROR_WORKSPACE;
+      if (arena_.measuring()) return SINEW_OK;
+      // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
+      const bool odd =
+          automatic && !pins_.any && !same_ && 10 * mapped_count(own_.sources, n_) < 6 * (n_ < m_ ? n_ : m_);
+      const uint64_t cells =
+          asked || odd ? branches.prepare(target_.rig, target_.anatomy.frame, source_.rig, source_.anatomy.frame)
+                       : UINT64_MAX;
+      if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
+      if (asked || cells < kMostAutoCells) {
+        const double cost = branches.run(published_.sources, published_.costs);
+        if (asked || cost < kNearlyEqual) method_ = SINEW_MAP_BRANCHES;
+      }
     }
     return SINEW_OK;
   }
@@ -319,26 +325,22 @@ class MapRun {
 
 }  // namespace
 
-sinew_status plan_map(const sinew_map_rig* target, const sinew_map_rig* source, const sinew_map_options* options,
+sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source, const sinew_map_options* options,
                       MapPlan* plan) {
-  constexpr uint32_t kFirstRig = sizeof(sinew_map_rig), kFirstOptions = sizeof(sinew_map_options);
-  sinew_status status = read_struct(target, kFirstRig, sizeof plan->target, &plan->target);
-  if (status == SINEW_OK) status = read_struct(source, kFirstRig, sizeof plan->source, &plan->source);
+  constexpr uint32_t kFirstOptions = sizeof(sinew_map_options);
+  sinew_status status = read_skeleton(target, &plan->target);
+  if (status == SINEW_OK) status = read_skeleton(source, &plan->source);
   plan->options = sinew_map_options_init();
   if (status == SINEW_OK && options != nullptr)
     status = read_struct(options, kFirstOptions, sizeof plan->options, &plan->options);
   if (status != SINEW_OK) return status;
   const sinew_map_options& o = plan->options;
   if (o.method > SINEW_MAP_BRANCHES || (o.pin_count > 0 && o.pins == nullptr)) return SINEW_ERROR_ARGUMENT;
+  if (!kHasPublished && o.method == SINEW_MAP_BRANCHES) return SINEW_ERROR_NOT_BUILT;
   if (o.reserved != 0) return SINEW_ERROR_VERSION;
-  const sinew_map_rig* const rigs[2] = {&plan->target, &plan->source};
-  for (const sinew_map_rig* rig : rigs) {
-    if (rig->positions == nullptr || rig->parents == nullptr) return SINEW_ERROR_ARGUMENT;
-    if (rig->reserved != 0) return SINEW_ERROR_VERSION;
+  const sinew_skeleton* const rigs[2] = {&plan->target, &plan->source};
+  for (const sinew_skeleton* rig : rigs) {
     if (rig->joint_count == 0 || rig->joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
-    for (const float u : rig->up) {
-      if (u - u != 0) return SINEW_ERROR_ARGUMENT;
-    }
   }
   for (uint32_t k = 0; k < o.pin_count; ++k) {
     if (o.pins[k].target >= plan->target.joint_count || o.pins[k].source < -1 ||

@@ -118,9 +118,9 @@ class Measure {
     if (spots_ == nullptr) return;
     sinew_contact_spot* const spot = &spots_[size_t{f} * kMostLimbs + limb];
     spot->kind = static_cast<uint32_t>(kind);
-    spot->place[0] = static_cast<float>(place.x);
-    spot->place[1] = static_cast<float>(place.y);
-    spot->place[2] = static_cast<float>(place.z);
+    spot->position[0] = static_cast<float>(place.x);
+    spot->position[1] = static_cast<float>(place.y);
+    spot->position[2] = static_cast<float>(place.z);
     spot->error = static_cast<float>(error);
   }
 

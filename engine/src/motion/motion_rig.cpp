@@ -13,7 +13,7 @@ bool MotionRig::allocate(Arena& arena, uint32_t joint_count) {
   return arena.ok();
 }
 
-sinew_status MotionRig::fill(const sinew_motion_rig& input, uint32_t* scratch) {
+sinew_status MotionRig::fill(const sinew_skeleton& input, uint32_t* scratch) {
   const int32_t joints = static_cast<int32_t>(count);
   for (uint32_t j = 0; j < count; ++j) {
     const float* const p = input.positions + size_t{3} * j;

@@ -5,6 +5,7 @@
 #define SINEW_MOTION_REFERENCE_POINTS_HPP
 
 #include "motion/clip_scene.hpp"
+#include "sinew/published.h"
 
 namespace sinew::motion {
 

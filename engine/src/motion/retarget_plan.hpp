@@ -39,9 +39,9 @@ namespace sinew::motion {
 
 // The options of the interface, checked.
 struct RetargetOptions {
-  uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;
   bool in_place = false;
   double scale = 0;
+  uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;  // create_plan() takes them from the skeletons
 };
 // Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.
 sinew_status read_retarget_options(const sinew_retarget_options* options, RetargetOptions* out);
@@ -50,7 +50,7 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
 size_t measure_plan(uint32_t source_joints, uint32_t target_joints);
 
 // As sinew_retarget_create() after its checks of pointers, counts and memory.
-sinew_status create_plan(const sinew_motion_rig& source, const sinew_motion_rig& target, const int32_t* map,
+sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan);
 

@@ -247,7 +247,7 @@ TEST(Spots, AreTheMeasureFrameByFrame) {
       EXPECT_EQ(row[0].kind, uint32_t{SINEW_SPOT_INSIDE}) << f;
       EXPECT_NEAR(row[0].error, limbs[0].depth, 1e-4);
       const Placed posed = clip.frame(f);
-      const Vec3d place = {row[0].place[0], row[0].place[1], row[0].place[2]};
+      const Vec3d place = {row[0].position[0], row[0].position[1], row[0].position[2]};
       EXPECT_LT(std::min(distance(place, posed.places[kLeftHand]), distance(place, posed.places[kLeftForearm])), 0.07)
           << "a corner of the hand's box or the elbow's";
       EXPECT_EQ(row[1].kind, uint32_t{SINEW_SPOT_NONE});
@@ -322,7 +322,7 @@ TEST(Contacts, WhatIsWrongIsRefused) {
   const sinew_motion_body own = target.view();
   size_t bytes = 0;
   sinew_retarget* const none = nullptr;
-  EXPECT_EQ(sinew_retarget_contacts_size(none, &own, 4, &bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_retarget_contacts_workspace_size(none, &own, 4, &bytes), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(clip.rotations, before);
 
   // A callback stops it.

@@ -63,8 +63,8 @@ std::vector<float> posed(const MeshScene& scene, const std::vector<uint16_t>& jo
   }
   std::vector<float> out(scene.positions.size());
   const uint32_t n = static_cast<uint32_t>(joints.size() / scene.vertex_count());
-  EXPECT_EQ(sinew_skin_linear(scene.positions.data(), scene.vertex_count(), joints.data(), weights.data(), n,
-                              palette.data(), 3, out.data()),
+  const sinew_skin skin = {joints.data(), weights.data(), n, SINEW_WEIGHT_UNORM16};
+  EXPECT_EQ(sinew_skin_linear(scene.positions.data(), scene.vertex_count(), &skin, palette.data(), 3, out.data()),
             SINEW_OK);
   return out;
 }
