@@ -18,7 +18,7 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
-#include "thread_pool.hpp"
+#include "sinew_character/thread_pool.hpp"
 #include "transfer_target.hpp"
 
 namespace sinew::cli {

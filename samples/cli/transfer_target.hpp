@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "sinew_character/joint_map.hpp"
+#include "sinew_character/find_joint_map.hpp"
 #include "sinew_formats/character.hpp"
 #include "support.hpp"
 
@@ -28,11 +28,6 @@ struct TransferTarget {
   std::string mapped_by;
   bool fitted = false;
 };
-
-// Which joint of the target (a character of the file `path`) stands for which of the source's [source joints]: by the file `map` where
-// it is not empty, by equal names where most joints have one, else by anatomy. One place for all ways of finding that out.
-JointMapping find_joint_map(const Character& source, const std::string& map, const std::string& path,
-                            const Character& target, std::string* mapped_by);
 
 class TargetReader {
  public:
