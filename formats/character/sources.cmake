@@ -49,19 +49,30 @@ set(sinew_character_sources
   style/style_file)
 # Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
 set(sinew_job_sources
+  src/jobs/animate_job
+  src/jobs/bake_job
   src/jobs/bind_job
   src/jobs/character_file
   src/jobs/find_joint_map
   src/jobs/own_skeleton
+  src/jobs/pose_job
   src/jobs/rig_job
+  src/jobs/simplify_job
   src/jobs/thread_pool
+  src/jobs/transfer_job
   src/models/models
+  capi/animate
   capi/arrays
+  capi/bake
   capi/bind
   capi/clips
+  capi/map
   capi/open
+  capi/pose
   capi/rig
-  capi/save)
+  capi/save
+  capi/simplify
+  capi/transfer)
 list(TRANSFORM sinew_job_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 list(TRANSFORM sinew_job_sources APPEND .cpp)
 

@@ -14,7 +14,6 @@
 #include "dataset.hpp"
 #include "folder_files.hpp"
 #include "progress.hpp"
-#include "rig_mesh.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
 #include "sinew_character/rig_job.hpp"
@@ -217,11 +216,6 @@ void run(Settings s) {
 }
 
 }  // namespace
-
-Character rig_bare_mesh(const std::string& path) {
-  const Settings s;
-  return rig_one(s, load_models(s), path).character;
-}
 
 void add_rig(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh, and bind the mesh to it");

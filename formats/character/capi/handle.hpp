@@ -63,6 +63,7 @@ struct sinew_character {
   bool own_skeleton = true;                       // of the mesh's own file
   bool same_skin = true;                          // weights and skeleton are the file's
   bool drop_animations = false;                   // the file's animations are not written
+  bool posed = false;                             // a mesh in a pose: an .obj of it has no skeleton
   bool keep_confidence = false;
   std::optional<sinew::Motion> own_motion;  // of the file, once it was asked for
   std::vector<sinew::Clip> clips;           // added ones, of the character's joints

@@ -26,6 +26,7 @@ void save(sinew_character* from, const std::string& path) {
   const Character& character = from->character;
   if (character.vertices.empty() && kind->reader != FileReader::kRig)
     throw Error(path + ": cannot write, " + character.name + " has no mesh; expected a .rig.txt or .bvh");
+  if (from->posed && kind->reader == FileReader::kObj) return write_obj(path, character);
   Character plain;  // confidence is written where it was asked for
   const bool leave_out = !from->keep_confidence && !character.confidence.empty();
   if (leave_out) {

@@ -57,5 +57,8 @@ RiggedCharacter rig_character(Character mesh, const RigJobOptions& options, cons
 RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& options,
                               const RigModels& models);
 
+// By the bundled models and every default, for jobs that need a skeleton on the way. Throws Error.
+Character rig_bare_mesh(Character mesh);
+
 }  // namespace sinew
 #endif

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "sinew_character/models.hpp"
 #include "sinew_character/own_skeleton.hpp"
 #include "sinew_character/predict_face.hpp"
 #include "sinew_character/predict_hands.hpp"
@@ -116,6 +117,11 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
 RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const RigModels& models) {
   PredictedSkeleton predicted = predict(job, models, &mesh);
   return rig_character(std::move(mesh), std::move(predicted), false, job, models);
+}
+
+Character rig_bare_mesh(Character mesh) {
+  const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model("");
+  return rig_character(std::move(mesh), {}, {&rig->model, &bind->model, nullptr}).character;
 }
 
 }  // namespace sinew
