@@ -15,6 +15,7 @@
 #include "motion_sheet.hpp"
 #include "progress.hpp"
 #include "rig_mesh.hpp"
+#include "sinew/published.h"
 #include "sinew_character/bake.hpp"
 #include "sinew_character/motion_map.hpp"
 #include "sinew_character/retarget.hpp"
@@ -144,10 +145,8 @@ void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic
   RetargetSettings settings;
   settings.method = s.method == "copy" ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
   settings.in_place = s.in_place ? 1 : 0;
-  settings.target_up = up_of(s.up);
-  settings.source_up = up_of(s.motion_up);
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
-                        settings);
+                        settings, {up_of(s.motion_up), up_of(s.up)});
   set_method(s, choice.file, out, &retargeter);
   size_t frames = 0, mapped = 0;
   for (const Clip& clip : clips) frames += clip.frames.size();

@@ -38,7 +38,7 @@ struct BindSettings {
 struct Binder {
   const sinew_model* model = nullptr;
   std::string name = "heat";
-  sinew_method method = SINEW_METHOD_HEAT;  // without a model
+  uint32_t method = SINEW_METHOD_HEAT;  // sinew_method without a model
 };
 
 // What a bind leaves beside the file it wrote.

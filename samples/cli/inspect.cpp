@@ -28,34 +28,6 @@ struct Settings {
   bool json = false;
 };
 
-const char* layer_name(LayerKind kind) {
-  switch (kind) {
-    case LayerKind::kLinear:
-      return "linear";
-    case LayerKind::kRingMean:
-      return "ring mean";
-    case LayerKind::kRingMax:
-      return "ring max";
-    case LayerKind::kPartMean:
-      return "part mean";
-    case LayerKind::kGlobalMean:
-      return "global mean";
-    case LayerKind::kGlobalMax:
-      return "global max";
-    case LayerKind::kCandidateMax:
-      return "candidate max";
-    case LayerKind::kVertexToPair:
-      return "vertex to pair";
-    case LayerKind::kPairToVertex:
-      return "pair to vertex";
-    case LayerKind::kVertexToSlots:
-      return "vertex to slots";
-    case LayerKind::kCopy:
-      return "copy";
-  }
-  return "unknown";
-}
-
 std::string feature_set_text(uint32_t set) {
   return std::to_string(set & ~kFeatureFlags) + ((set & kSpectralFlag) != 0 ? " with spectral signatures" : "");
 }
@@ -89,7 +61,7 @@ Json checkpoint_json(const std::string& path, const Checkpoint& checkpoint) {
   json["layers"] = Json::array();
   for (const Layer& layer : network.layers)
     json["layers"].push_back(
-        {{"kind", layer_name(layer.kind)}, {"in", layer.in.channels}, {"out", layer.out.channels}});
+        {{"kind", traits_of(layer.kind).name}, {"in", layer.in.channels}, {"out", layer.out.channels}});
   json["config"] = Json::parse(checkpoint.state.config_json, nullptr, false);
   return json;
 }
@@ -111,7 +83,7 @@ void inspect_checkpoint(const Settings& s) {
   for (size_t l = 0; l < network.layers.size(); ++l) {
     const Layer& layer = network.layers[l];
     const char* domain = network.buffers[layer.out.buffer].domain == Domain::kPair ? "pair" : "vertex";
-    std::printf("  %3zu  %-15s %4u -> %-4u %-6s%s%s\n", l, layer_name(layer.kind), layer.in.channels,
+    std::printf("  %3zu  %-15s %4u -> %-4u %-6s%s%s\n", l, traits_of(layer.kind).name, layer.in.channels,
                 layer.out.channels, domain, (layer.flags & kLayerRelu) != 0 ? " relu" : "",
                 (layer.flags & kLayerResidual) != 0 ? " residual" : "");
   }

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "sinew/published.h"
 #include "sinew_formats/float_network.hpp"
 #include "sinew_trainer/slot_skeleton.hpp"
 
@@ -21,7 +22,8 @@ struct MethodOptions {
   // From the mesh alone, without a model.
   bool extracts() const { return method == "shape" || method == "regions"; }
   uint32_t engine_method() const {
-    return method == "shape" ? SINEW_RIG_SHAPE : method == "regions" ? SINEW_RIG_REGIONS : SINEW_RIG_VOTES;
+    if (method == "regions") return SINEW_RIG_REGIONS;
+    return method == "shape" ? SINEW_RIG_SHAPE : SINEW_RIG_VOTES;
   }
 };
 void add_method_options(CLI::App* sub, MethodOptions* options);

@@ -46,7 +46,6 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use = 
 std::string model_label(const std::string& path);  // "bundled model" or the file's name
 std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what,
                                               ModelUse use = ModelUse::kBind);
-bool has_bundled_model();
 
 // Joints named in a text file, one per line; '#' starts a comment line. Throws Error naming the line of an unknown
 // joint.

@@ -99,6 +99,8 @@ model=$(pkg-config --variable=default_model sinew)
 cmp "$model" "$source_dir/samples/data/sinew_default.sinew" || fail "pkg-config's default_model is '$model'"
 rig_model=$(pkg-config --variable=rig_model sinew)
 cmp "$rig_model" "$source_dir/samples/data/sinew_rig.sinew" || fail "pkg-config's rig_model is '$rig_model'"
+hands_model=$(pkg-config --variable=hands_model sinew)
+cmp "$hands_model" "$source_dir/samples/data/sinew_hands.sinew" || fail "pkg-config's hands_model is '$hands_model'"
 bind "$sinew" file.glb --model "$model"
 cmp bundled.glb file.glb
 bind "$build/sinew" built.glb
@@ -106,7 +108,7 @@ cmp bundled.glb built.glb
 
 quietly cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$root/usr"
 quietly cmake --build "$work/consumer"
-for name in default rig; do
+for name in default rig hands; do
   [ -e "$root/usr/share/doc/sinew/sinew_$name.md" ] || fail "the card of the $name model is missing"
   "$work/consumer/consumer" | grep -F "opened $root/usr/share/sinew/sinew_$name.sinew" >/dev/null || fail "the CMake package has no $name model in $root"
 done
