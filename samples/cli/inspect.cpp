@@ -13,6 +13,7 @@
 #include "inspect_parts.hpp"
 #include "model/layers.hpp"
 #include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
@@ -115,7 +116,8 @@ void inspect_model(const Settings& s) {
 }
 
 bool is_gltf(const std::string& path) {
-  return has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm");
+  const FileKind* kind = file_kind(path);
+  return kind != nullptr && kind->reader == FileReader::kGltf;
 }
 
 // A mesh alone is fine here; a rig beside an OBJ belongs to it.
@@ -165,14 +167,12 @@ void inspect_character(const Settings& s) {
 void run(const Settings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
   if (is_gltf(s.path)) return inspect_gltf(s);
-  for (const char* extension : {".obj", ".txt", ".fbx", ".dae"})
-    if (has_extension(s.path, extension)) return inspect_character(s);
-  if (s.path == "-") return inspect_character(s);
+  const bool is_rig = has_use(s.path, kReadsSkeleton) && !has_use(s.path, kReadsMotion);
+  if (is_rig || has_use(s.path, kReadsMesh) || s.path == "-") return inspect_character(s);
   read_file(s.path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
-  throw Error(
-      s.path +
-      ": neither a mesh (.obj, .gltf, .glb, .vrm, .fbx, .dae), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
+  throw Error(s.path + ": neither a mesh (" + extensions_text(kReadsMesh) +
+              "), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
 }
 
 }  // namespace
