@@ -154,6 +154,22 @@ class TransferAndPoses(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "matrices: expected shape"):
             deformer.pose(matrices[:3])
 
+    def test_poses_are_not_written_where_nothing_may_be(self):
+        one, _ = character("snake__long")
+        matrices = one.skeleton.matrices()
+        for method in ("volume", "linear"):
+            deformer = sinew.Deformer(one.positions, one.faces, one.skeleton, one.skin, method=method)
+            with folder() as where:
+                np.save(f"{where}/rest.npy", one.positions.astype(np.float32))
+                on_disk = np.load(f"{where}/rest.npy", mmap_mode="r")
+                frozen = np.zeros(on_disk.shape, np.float32)
+                frozen.flags.writeable = False
+                for out in (frozen, on_disk, frozen[:, ::-1], frozen.tolist()):
+                    with self.assertRaisesRegex(ValueError, "out: expected"):
+                        deformer.pose(matrices, out)
+                self.assertFalse(frozen.any())
+                del on_disk
+
     def test_body_contact(self):
         one, _ = character("biped__robed")
         rotations, _ = one.skeleton.rest()

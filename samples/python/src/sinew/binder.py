@@ -44,7 +44,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
     rigid_parts   whether connected pieces move as a whole: "auto", "always", "never"
     softness      0.25 to 4: how softly weights blend, 2 twice as softly
     surface_vertices  a finer mesh is bound on a surface of so many; 0: 32768
-    locked        mask [n] or indices of vertices that keep their rows of `given`
+    locked        mask [n] of bool or uint8, or indices (wider integers) of vertices that keep their rows of `given`
     hints         the same, and their rows steer the vertices around them
     given         Skin, (joints, weights) or dense [n, j]: rows of locked and hinted vertices; others are not read
     questions     list at most so many parts whose weights an artist should decide about
@@ -86,9 +86,8 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
         outputs.vertex_questions, outputs.vertex_parts = (binding.address(p) for p in parts)
     flags = joint_flags(skeleton, deform, never)
     view = skeleton_view(skeleton, flags)
-    report = binding.Progress(progress)
-    options.progress = report.callback
-    with binding.Threads(threads) as pool:
+    with binding.Progress(progress) as report, binding.Threads(threads) as pool:
+        options.progress = report.callback
         options.thread_count, options.parallel_for = pool.count, pool.callback
         pointer = used.pointer() if used is not None else None
         block = binding.block("sinew_bind_workspace_size", "bind", pointer, *mesh.counts, len(skeleton), ctypes.byref(options))

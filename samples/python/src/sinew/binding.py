@@ -9,10 +9,12 @@ from __future__ import annotations
 import concurrent.futures
 import ctypes
 import os
+import signal
 import sys
+import threading
 from ctypes import CFUNCTYPE, POINTER, Structure, c_char_p, c_float, c_int, c_int32, c_size_t, c_uint16, c_uint32, c_void_p
 from pathlib import Path
-from typing import Any, Callable, Optional
+from typing import Any, Callable, List, Optional
 
 import numpy as np
 
@@ -329,14 +331,40 @@ def block(size_query: str, what: str, *arguments: Any) -> Block:
 
 
 class Progress:
-    """A Python function as sinew_progress. What it raises, Ctrl-C above all, ends the call and is raised by finish()."""
+    """A Python function as sinew_progress, for the time of a `with` block. It returns True to stop the call. What it raises ends the
+    call and is raised by finish(), and so does Ctrl-C.
+
+    Python raises KeyboardInterrupt between two of its own instructions, which may be the first of a callback: ctypes would print and lose
+    it there. In the main thread Ctrl-C is therefore noted while the library works, and given to the handler that was there afterwards.
+    """
 
     def __init__(self, function: Optional[Callable[[float], Any]]) -> None:
         self._function = function
         self._raised: Optional[BaseException] = None
+        self._interrupts: List[Any] = []
+        self._before: Any = None
         self.callback = PROGRESS(self._step)
 
+    def __enter__(self) -> "Progress":
+        if threading.current_thread() is threading.main_thread():
+            before = signal.getsignal(signal.SIGINT)
+            if callable(before):
+                self._before = before
+                signal.signal(signal.SIGINT, lambda number, frame: self._interrupts.append((number, frame)))
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        if self._before is None:
+            return
+        before, self._before = self._before, None
+        signal.signal(signal.SIGINT, before)
+        if self._interrupts:
+            interrupts, self._interrupts = self._interrupts, []
+            before(*interrupts[0])
+
     def _step(self, _user: Any, done_permille: int) -> int:
+        if self._interrupts:
+            return 1
         try:
             return 1 if self._function is not None and self._function(done_permille / 1000) else 0
         except BaseException as error:  # nothing may pass through the library
@@ -344,7 +372,9 @@ class Progress:
             return 1
 
     def finish(self, status: int, what: str) -> None:
-        """check(), but what the function raised goes first."""
+        """check(), but Ctrl-C and what the function raised go first."""
+        if self._interrupts:
+            self.__exit__()
         if self._raised is not None:
             raise self._raised
         check(status, what)

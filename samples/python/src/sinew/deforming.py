@@ -58,7 +58,7 @@ class Deformer:
         """Positions in a pose.
 
         matrices  [j, 3, 4] or [j, 4, 4], pose times inverse bind per joint, see Skeleton.matrices(); rows first
-        out       [n, 3] float32, C-contiguous, to write to; None: a new array
+        out       [n, 3] float32, C-contiguous and writable, to write to; None: a new array
         Returns [n, 3] float32. Raises ValueError and Error.
         """
         if np.shape(matrices)[1:] == (4, 4):
@@ -66,8 +66,8 @@ class Deformer:
         palette = real(matrices, (self.joint_count, 3, 4), "matrices")
         if out is None:
             out = np.empty((self.vertex_count, 3), np.float32)
-        elif out.shape != (self.vertex_count, 3) or out.dtype != np.float32 or not out.flags.c_contiguous:
-            raise ValueError(f"out: expected float32 of shape ({self.vertex_count}, 3), C-contiguous")
+        elif not isinstance(out, np.ndarray) or out.shape != (self.vertex_count, 3) or out.dtype != np.float32 or not out.flags.carray:
+            raise ValueError(f"out: expected float32 of shape ({self.vertex_count}, 3), C-contiguous, in memory that may be written to")
         library = binding.library()
         if self._plain:
             rest, skin = self._rest

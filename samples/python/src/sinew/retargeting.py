@@ -128,12 +128,12 @@ def _keep_contacts(plan: ctypes.c_void_p, clip: Clip, out: Clip, ground: float, 
         raise ValueError(f"source_body: expected {target.vertex_count} vertices as target_body has, found {source.vertex_count}")
     options = binding.init(binding.sinew_contact_options)
     options.fps = clip.fps
-    report = binding.Progress(progress)
-    options.progress = report.callback
     whole_clip = binding.sinew_motion_clip(binding.address(clip.rotations), binding.address(clip.translations),
                                            binding.address(out.rotations), binding.address(out.translations),
                                            len(clip.rotations), ground)
     block = binding.block("sinew_retarget_contacts_size", "retarget", plan, ctypes.byref(target), len(clip.rotations))
-    status = library.sinew_retarget_contacts(plan, None if source is None else ctypes.byref(source), ctypes.byref(target),
-                                             ctypes.byref(whole_clip), ctypes.byref(options), block.address, block.size_bytes)
+    with binding.Progress(progress) as report:
+        options.progress = report.callback
+        status = library.sinew_retarget_contacts(plan, None if source is None else ctypes.byref(source), ctypes.byref(target),
+                                                 ctypes.byref(whole_clip), ctypes.byref(options), block.address, block.size_bytes)
     report.finish(status, "retarget")

@@ -66,8 +66,6 @@ def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None,
     if not 0 <= spine <= 16:
         raise ValueError(f"spine: expected 0 to 16, found {spine}")
     options.spine_count, options.no_toes, options.no_ends = spine, int(not toes), int(not ends)
-    report = binding.Progress(progress)
-    options.progress = report.callback
     room = binding.MAX_RIG_JOINTS
     arrays = {"positions": np.zeros((room, 3), np.float32), "parents": np.zeros(room, np.int32), "flags": np.zeros(room, np.uint8),
               "joint_classes": np.zeros(room, np.uint8), "partners": np.zeros(room, np.int32),
@@ -77,19 +75,21 @@ def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None,
     for name, array in arrays.items():
         setattr(outputs, name, binding.address(array))
 
-    def run(call: str, query: str, *pointer: Any) -> None:
+    def run(report: binding.Progress, call: str, query: str, *pointer: Any) -> None:
         block = binding.block(query, "rig", *pointer, *mesh.counts, ctypes.byref(options))
         status = getattr(binding.library(), call)(*pointer, mesh.pointer(), ctypes.byref(options), block.address,
                                                   block.size_bytes, ctypes.byref(outputs))
         report.finish(status, "rig")
 
-    run("sinew_rig", "sinew_rig_workspace_size", model_for(model, "skeletons").pointer() if method == "votes" else None)
-    if fingers:
-        run("sinew_rig_hands", "sinew_rig_hands_workspace_size", model_for(hands_model, "hands").pointer())
-    if face:
-        run("sinew_rig_face", "sinew_rig_face_workspace_size")
-    if props:
-        run("sinew_rig_props", "sinew_rig_face_workspace_size")
+    with binding.Progress(progress) as report:
+        options.progress = report.callback
+        run(report, "sinew_rig", "sinew_rig_workspace_size", model_for(model, "skeletons").pointer() if method == "votes" else None)
+        if fingers:
+            run(report, "sinew_rig_hands", "sinew_rig_hands_workspace_size", model_for(hands_model, "hands").pointer())
+        if face:
+            run(report, "sinew_rig_face", "sinew_rig_face_workspace_size")
+        if props:
+            run(report, "sinew_rig_props", "sinew_rig_face_workspace_size")
     found = {name: array[:outputs.joint_count] for name, array in arrays.items()}
     skeleton = Skeleton(found["positions"].copy(), found["parents"], [n.decode() for n in found["names"]],
                         classes=found["joint_classes"], ends=found["flags"] & binding.JOINT_NEVER != 0)

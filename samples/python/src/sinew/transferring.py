@@ -55,7 +55,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     influences  most joints a vertex, 1 to 12
     up, source_up  axes that point up, "y" or "z"; source_up None: as up
     never       joints of the target that must get no weight
-    locked      mask [n] or indices of vertices that keep their rows of `given`
+    locked      mask [n] of bool or uint8, or indices (wider integers) of vertices that keep their rows of `given`
     pairs       (source vertex, target vertex) of the same place, for "biharmonic"
     Raises ValueError, Error and Cancelled as bind() does.
     """
@@ -99,9 +99,8 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
         weight_format={1: 1, 2: 0}.get(of_skin.weights.dtype.itemsize, 2), joint_map=binding.address(mapped))
     used = None if heat else model_for(model, "weights")
     pointer = None if used is None else used.pointer()
-    report = binding.Progress(progress)
-    options.progress = report.callback
-    with binding.Threads(threads) as pool:
+    with binding.Progress(progress) as report, binding.Threads(threads) as pool:
+        options.progress = report.callback
         options.thread_count, options.parallel_for = pool.count, pool.callback
         common = (pointer, ctypes.byref(bound), mesh.pointer(), ctypes.byref(views[1]), ctypes.byref(options))
         block = binding.block("sinew_transfer_workspace_size", "transfer", *common)
