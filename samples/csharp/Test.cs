@@ -9,6 +9,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Runtime.InteropServices;
+using System.Text.RegularExpressions;
 using Sinew;
 
 static class Test
@@ -22,10 +23,10 @@ static class Test
     {
         foreach (Type type in typeof(Native).GetNestedTypes())
         {
-            if (!type.Name.StartsWith("sinew_")) continue;
+            if (!type.IsValueType || !type.Name.StartsWith("sinew_")) continue;
             Console.WriteLine("{0} {1}", type.Name, Marshal.SizeOf(type));
             foreach (var field in type.GetFields())
-                Console.WriteLine("{0}.{1} {2}", type.Name, field.Name, Marshal.OffsetOf(type, field.Name));
+                Console.WriteLine("{0}.{1} {2}", type.Name, Regex.Replace(field.Name, "_([0-9]+)$", "[$1]"), Marshal.OffsetOf(type, field.Name));
         }
     }
 
@@ -110,7 +111,7 @@ static class Test
                     Require(done >= last && done <= 1, "progress rises to 1");
                     last = done;
                     ++reports;
-                    return true;
+                    return false;
                 }
             });
             Require(reports > 3 && Hash(plain) == Hash(told), "progress changes nothing");
@@ -120,7 +121,7 @@ static class Test
                 for (int i = 0; i < 4; ++i) sum += plain.Weights[4 * v + i];
                 Require(sum == 65535, "rows sum to 65535");
             }
-            Expect<CancelledException>("bind", () => Engine.Bind(model, mesh, skeleton, new BindSettings { Progress = d => d < 0.5f }));
+            Expect<CancelledException>("bind", () => Engine.Bind(model, mesh, skeleton, new BindSettings { Progress = d => d >= 0.5f }));
             Expect<InvalidOperationException>("mine", () => Engine.Bind(model, mesh, skeleton, new BindSettings
             {
                 Progress = d => { throw new InvalidOperationException("mine"); }

@@ -16,7 +16,7 @@ if ! command -v mcs >/dev/null || ! command -v mono >/dev/null; then
 fi
 rm -rf "$work" && mkdir -p "$work"
 fail() { echo "csharp_test: $*" >&2; exit 1; }
-mcs -langversion:7 -warnaserror -out:"$work/Test.exe" "$source/samples/csharp/Sinew.cs" "$source/samples/csharp/Test.cs"
+mcs -langversion:7 -warnaserror -out:"$work/Test.exe" "$source"/samples/csharp/*.cs
 export LD_LIBRARY_PATH=$(dirname "$library")
 run() { mono "$work/Test.exe" "$@"; }
 

@@ -12,6 +12,7 @@
  *   sinew/transfer.h  carries weights to another mesh
  *   sinew/skin.h   poses a mesh with its weights
  *   sinew/deform.h poses a mesh so that bends keep their volume
+ *   sinew/abi.h    sizes of structs, for bindings
  *
  * Way of a call:
  *   1. sinew_model_open()           checks every byte of a model file in place; SINEW_METHOD_HEAT needs no model
@@ -25,6 +26,7 @@
 #ifndef SINEW_SINEW_H
 #define SINEW_SINEW_H
 
+#include "sinew/abi.h"
 #include "sinew/bind.h"
 #include "sinew/deform.h"
 #include "sinew/map.h"

@@ -11,7 +11,7 @@ from .work import EngineOperator, Problem
 
 PREFIX = "sinew bend "
 # Limbs, whose joints bend far; classes of sinew.CLASSES.
-_LIMBS = ("upper_arm", "forearm", "thigh", "calf")
+_LIMBS = ("upper-arm", "forearm", "thigh", "calf")
 _AXES = {"X": (1, 0, 0), "Z": (0, 0, 1)}  # of the bone; it lies along its Y
 
 

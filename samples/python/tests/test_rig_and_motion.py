@@ -145,7 +145,7 @@ class TransferAndPoses(unittest.TestCase):
         expected = np.einsum("nab,nb->na", blended[:, :, :3], one.positions) + blended[:, :, 3]
         linear = sinew.Deformer(one.positions, one.faces, one.skeleton, one.skin, method="linear").pose(matrices)
         np.testing.assert_allclose(linear, expected, atol=1e-5)
-        for method in ("volume", "xpbd", "delta mush", "dual quaternion"):
+        for method in ("volume", "xpbd", "delta-mush", "dual-quaternion"):
             deformer = sinew.Deformer(one.positions, one.faces, one.skeleton, one.skin, method=method)
             np.testing.assert_allclose(deformer.pose(one.skeleton.matrices()), one.positions, atol=1e-4)
             out = np.empty((len(one.positions), 3), np.float32)

@@ -3,29 +3,27 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, List, Literal, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen, mask
 from .character import Alternative, Question, Skeleton, Skin, skin_of
 from .models import Model, model_for
 
-METHODS = ("model", "heat", "distance")
-FORMATS = ("unorm16", "unorm8", "float")
-DTYPES = (np.uint16, np.uint8, np.float32)
-UP = ("y", "z")
-RIGID_PARTS = ("auto", "always", "never")
-ANSWERS = ("proposed", "rigid", "soft", "hard", "softer", "host")
+METHODS, ANSWERS = declarations.METHOD, declarations.ANSWER_KIND
+DTYPES = (np.uint16, np.uint8, np.float32)  # of declarations.WEIGHT_FORMAT
+UpAxis = Literal["y", "z"]
+UP = get_args(UpAxis)
 
 Joints = Optional[Iterable[Union[str, int]]]
 ProgressFunction = Optional[Callable[[float], Any]]
 
 
-def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model",
-         model: Union[None, str, Model] = None, influences: int = 4, weight_format: str = "unorm16", up: str = "y",
-         deform: Joints = None, never: Joints = None, symmetric: bool = False, rigid_parts: str = "auto",
+def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations.Method = "model",
+         model: Union[None, str, Model] = None, influences: int = 4, weight_format: declarations.WeightFormat = "unorm16", up: UpAxis = "y",
+         deform: Joints = None, never: Joints = None, symmetric: bool = False, rigid_parts: declarations.RigidParts = "auto",
          softness: float = 1.0, surface_vertices: int = 0, locked: Any = None, hints: Any = None, given: Any = None,
          questions: int = 0, answers: Sequence[Tuple] = (), threads: int = 1, progress: ProgressFunction = None) -> Skin:
     """Predicts the skin weights of a mesh. The same bytes on every machine and for any number of threads.
@@ -59,10 +57,10 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
     options = binding.init(binding.sinew_options)
     options.method = chosen(method, METHODS, "method")
     options.influence_count = _within(influences, 1, binding.MAX_INFLUENCES, "influences")
-    options.weight_format = chosen(weight_format, FORMATS, "weight_format")
+    options.weight_format = chosen(weight_format, declarations.WEIGHT_FORMAT, "weight_format")
     options.up_axis = chosen(up, UP, "up")
     options.symmetric = int(bool(symmetric))
-    options.rigid_parts = chosen(rigid_parts, RIGID_PARTS, "rigid_parts")
+    options.rigid_parts = chosen(rigid_parts, declarations.RIGID_PARTS, "rigid_parts")
     options.softness_percent = _within(round(100 * softness), 25, 400, "softness (in percent)")
     options.surface_vertices = surface_vertices
     options.question_count = _within(questions, 0, binding.MAX_QUESTIONS, "questions")

@@ -8,13 +8,11 @@ from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import real, whole
 
 # sinew_joint_class: what a joint is for.
-CLASSES = ("pelvis", "spine", "neck", "head", "clavicle", "upper_arm", "forearm", "hand", "hip", "thigh", "calf", "foot", "toe",
-           "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye",
-           "jaw", "prop")
+CLASSES = declarations.JOINT_CLASS
 
 
 @dataclass

@@ -8,14 +8,13 @@ from typing import Any, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen
-from .binder import UP, ProgressFunction
+from .binder import UP, ProgressFunction, UpAxis
 from .character import Skeleton
 from .models import Model, model_for
 
-RIG_METHODS = ("votes", "shape", "regions")
-MIRRORS = ("auto", "always", "never")
+RIG_METHODS, MIRRORS = declarations.RIG_METHOD, declarations.MIRROR
 
 
 @dataclass
@@ -40,8 +39,8 @@ class Rig:
     spread: float
 
 
-def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None, str, Model] = None, up: str = "y",
-        mirror: str = "auto", spine: int = 0, toes: bool = True, ends: bool = True, fingers: bool = False,
+def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes", model: Union[None, str, Model] = None, up: UpAxis = "y",
+        mirror: declarations.Mirror = "auto", spine: int = 0, toes: bool = True, ends: bool = True, fingers: bool = False,
         face: bool = False, props: bool = False, hands_model: Union[None, str, Model] = None, progress: ProgressFunction = None) -> Rig:
     """Predicts a skeleton for a mesh. The same bytes on every machine; bind() takes its `skeleton` as it is.
 

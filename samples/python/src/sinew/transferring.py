@@ -8,15 +8,14 @@ from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen, mask, whole
-from .binder import UP, Joints, ProgressFunction, joint_flags, skeleton_view
+from .binder import UP, Joints, ProgressFunction, UpAxis, joint_flags, skeleton_view
 from .character import Character, Skeleton, Skin, skin_of
 from .mapping import map as map_joints
 from .models import Model, model_for
 
-TRANSFER_METHODS = ("auto", "nearest", "biharmonic", "rebind")
-TRANSFER_REASONS = ("asked", "style", "mismatch", "plain", "near", "far", "no match", "kept")
+TRANSFER_METHODS, TRANSFER_REASONS = declarations.TRANSFER_METHOD, declarations.TRANSFER_REASON
 
 
 @dataclass
@@ -38,9 +37,9 @@ class Transferred:
     parts: List[TransferredPart]
 
 
-def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[Skeleton] = None, *, method: str = "auto",
+def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[Skeleton] = None, *, method: declarations.TransferMethod = "auto",
              joint_map: Any = None, garment: bool = False, heat: bool = False, model: Union[None, str, Model] = None,
-             influences: int = 4, up: str = "y", source_up: Optional[str] = None, never: Joints = None, locked: Any = None,
+             influences: int = 4, up: UpAxis = "y", source_up: Optional[UpAxis] = None, never: Joints = None, locked: Any = None,
              given: Any = None, pairs: Sequence[Tuple[int, int]] = (), threads: int = 1,
              progress: ProgressFunction = None) -> Transferred:
     """Carries weights to another mesh. The same bytes on every machine and for any number of threads.
@@ -112,7 +111,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     return Transferred(skin, outputs.carried_q16 / 65536, told)
 
 
-def _joint_map(joint_map: Any, source: Skeleton, target: Skeleton, up: str, source_up: str) -> np.ndarray:
+def _joint_map(joint_map: Any, source: Skeleton, target: Skeleton, up: UpAxis, source_up: UpAxis) -> np.ndarray:
     """[source j] int32."""
     if joint_map is not None:
         return whole(joint_map, (len(source),), "joint_map", np.int32, -1, len(target))
