@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 # What formats is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
 set(sinew_formats_sources
+  files/file_kinds
   files/files
   files/folders
+  files/memory_files
   files/picture_files
   files/read_mesh
   gltf/bind_pose

@@ -14,8 +14,10 @@
 
 #include "files/folders.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -86,7 +88,16 @@ class PendingFile {
   fs::path target_;
 };
 
+bool write_to_memory(const std::string& path, const void* bytes, size_t size) {
+  std::vector<NamedBytes>* outputs = memory_outputs();
+  if (outputs == nullptr) return false;
+  const uint8_t* first = static_cast<const uint8_t*>(bytes);
+  outputs->push_back({path, {first, first + size}});
+  return true;
+}
+
 void write_bytes(const std::string& path, const void* bytes, size_t size) {
+  if (write_to_memory(path, bytes, size)) return;
   if (path == "-") return write_all("standard output", stdout, bytes, size);
   PendingFile(path, bytes, size).replace();
 }
@@ -95,13 +106,6 @@ std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return text;
-}
-
-// Files that bring mesh and skeleton.
-bool is_whole(const std::string& path) {
-  for (const char* extension : {".glb", ".gltf", ".vrm", ".fbx", ".dae"})
-    if (has_extension(path, extension)) return true;
-  return false;
 }
 
 }  // namespace
@@ -114,12 +118,16 @@ bool has_extension(const std::string& path, const char* extension) {
 std::string stem_of(const std::string& path) {
   if (path == "-") return "stdin";
   std::string name = fs::path(path).filename().string();
-  for (const char* extension : {".rig.txt", ".obj", ".gltf", ".glb", ".vrm", ".fbx", ".dae", ".txt"})
-    if (has_extension(name, extension)) return name.substr(0, name.size() - std::strlen(extension));
+  if (const FileKind* kind = file_kind(name)) return name.substr(0, name.size() - std::strlen(kind->extension));
   return fs::path(name).stem().string();
 }
 
 std::vector<uint8_t> read_file(const std::string& path) {
+  if (const FileBytes* files = memory_inputs()) {
+    const auto file = files->find(fs::path(path).lexically_normal().generic_string());
+    if (file == files->end()) throw Error(path + ": no such file");
+    return file->second;
+  }
   const bool standard_input = path == "-";
   const std::string name = standard_input ? "standard input" : path;
   File opened;
@@ -158,7 +166,8 @@ void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
 void write_files(const std::vector<NamedBytes>& files) {
   std::vector<std::unique_ptr<PendingFile>> pending;
   for (const NamedBytes& file : files)
-    pending.push_back(std::make_unique<PendingFile>(file.path, file.bytes.data(), file.bytes.size()));
+    if (!write_to_memory(file.path, file.bytes.data(), file.bytes.size()))
+      pending.push_back(std::make_unique<PendingFile>(file.path, file.bytes.data(), file.bytes.size()));
   for (const auto& file : pending) file->replace();
 }
 
@@ -167,9 +176,8 @@ void write_text_file(const std::string& path, const std::string& text) { write_b
 std::vector<std::string> list_characters(const std::string& folder) {
   std::vector<std::pair<std::string, std::string>> found;  // name, path
   for (const std::string& path : files_below(folder)) {
-    std::error_code absent;  // no failure of the folder's
-    const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), absent);
-    if (pair || is_whole(path)) found.emplace_back(stem_of(path), path);
+    const bool pair = has_use(path, kReadsMesh) && !has_use(path, kReadsWhole) && is_file(rig_path_beside(path));
+    if (pair || has_use(path, kReadsWhole)) found.emplace_back(stem_of(path), path);
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> paths;
@@ -180,7 +188,7 @@ std::vector<std::string> list_characters(const std::string& folder) {
 std::vector<std::string> list_meshes(const std::string& folder) {
   std::vector<std::string> paths;
   for (const std::string& path : files_below(folder)) {
-    if (has_extension(path, ".obj") || is_whole(path)) paths.push_back(path);
+    if (has_use(path, kReadsMesh)) paths.push_back(path);
   }
   return paths;
 }

@@ -3,6 +3,7 @@
 
 #include "gltf/gltf_container.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "text/text_lines.hpp"
@@ -22,17 +23,21 @@
 
 #include "files/picture_files.hpp"
 #include "gltf/scene_animations.hpp"
+#include "gltf/scene_files.hpp"
 #endif
 
 namespace sinew {
 
-bool is_scene_file(const std::string& path) { return has_extension(path, ".fbx") || has_extension(path, ".dae"); }
+bool is_scene_file(const std::string& path) {
+  const FileKind* kind = file_kind(path);
+  return kind != nullptr && kind->reader == FileReader::kScene;
+}
 
 #ifndef SINEW_HAS_ASSIMP
 
 GltfSource gltf_from_scene(const std::string& path) {
   (void)read_file(path);  // a missing file is told as such
-  throw Error(path + ": cannot read " + (has_extension(path, ".fbx") ? "FBX" : "COLLADA") +
+  throw Error(path + ": cannot read " + file_kind(path)->name +
               ", this sinew was built without Assimp; install libassimp-dev and build again, or export as .glb");
 }
 
@@ -587,6 +592,7 @@ GltfSource gltf_from_scene(const std::string& path) {
   if (read_file(path).empty()) throw Error(path + ": expected a scene, found an empty file");
   try {
     Assimp::Importer importer;
+    importer.SetIOHandler(new SceneFiles);  // the importer deletes it
     const aiScene* scene = import(path, true, &importer);
     // COLLADA's bones are found by name: where two nodes share one, by identifier.
     if (has_extension(path, ".dae") && !names_are_unique(scene->mRootNode)) scene = import(path, false, &importer);

@@ -26,8 +26,8 @@ extern "C" {
 #endif
 
 /* What calls of this header return beside the numbers of sinew_status. Numbers are never reused. */
-#define SINEW_ERROR_INPUT ((sinew_status)-64)  /* a file, an array or a name cannot be used: the error line says why */
-#define SINEW_ERROR_MEMORY ((sinew_status)-65) /* there is no memory for it */
+#define SINEW_ERROR_INPUT ((sinew_status)-30)  /* a file, an array or a name cannot be used: the error line says why */
+#define SINEW_ERROR_MEMORY ((sinew_status)-31) /* there is no memory for it */
 
 typedef struct sinew_character sinew_character;
 
