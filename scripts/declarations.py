@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[1]
 ENGINE, CHARACTER = ROOT / "engine" / "include" / "sinew", ROOT / "formats" / "character" / "include" / "sinew"
 PYTHON, CSHARP = ROOT / "samples" / "python" / "src" / "sinew" / "declarations.py", ROOT / "samples" / "csharp" / "Native.cs"
 JAVASCRIPT = ROOT / "samples" / "npm" / "src" / "layouts.js"
-TABLES = {False: ROOT / "engine" / "src" / "api" / "struct_sizes.cpp", True: ROOT / "formats" / "character" / "src" / "api" / "struct_sizes.cpp"}
+TABLES = {False: ROOT / "engine" / "src" / "api" / "struct_sizes.cpp", True: ROOT / "formats" / "character" / "capi" / "struct_sizes.cpp"}
 GENERATOR = "Generated from the C headers by scripts/declarations.py; a test compares."
 # What the headers include, so that no C library is needed and every target has its own sizes.
 STUBS = {
@@ -408,7 +408,7 @@ def javascript_text(h: Headers) -> str:
 
 def table_text(h: Headers, character: bool) -> str:
     headers = sorted(p.name for p in (CHARACTER if character else ENGINE).glob("*.h") if p.name not in ("sinew.h", "abi.h"))
-    out = ["// SPDX-License-Identifier: MIT", f"// {GENERATOR}", "#include <cstring>", "", '#include "sinew/abi.h"']
+    out = ["// SPDX-License-Identifier: MIT", f"// {GENERATOR}", "#include <cstring>", ""] + ([] if character else ['#include "sinew/abi.h"'])
     out += [f'#include "sinew/{name}"' for name in headers]
     out += ["", "namespace {", "", "struct StructSize {", "  const char* name;", "  size_t size_bytes;", "};", "", "constexpr StructSize kStructSizes[] = {"]
     out += [f'    {{"{s.name}", sizeof({s.name})}},' for s in h.structs if s.character == character]

@@ -61,8 +61,8 @@ namespace Sinew
         public const uint JOINT_NAME_BYTES = 32;
         public const uint MAX_TRANSFER_PAIRS = 128;
         public const uint MAX_BIHARMONIC_VERTICES = 65536;
-        public const int ERROR_INPUT = -64;
-        public const int ERROR_MEMORY = -65;
+        public const int ERROR_INPUT = -30;
+        public const int ERROR_MEMORY = -31;
         public const int OK = 0;
         public const int ERROR_ARGUMENT = -1;
         public const int ERROR_WORKSPACE = -2;
@@ -673,6 +673,9 @@ namespace Sinew
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern IntPtr sinew_character_error(IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr sinew_character_struct_size(IntPtr name);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern IntPtr sinew_character_extensions(uint uses);

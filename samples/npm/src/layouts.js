@@ -176,8 +176,8 @@ export const MAX_RIG_JOINTS = 192;
 export const JOINT_NAME_BYTES = 32;
 export const MAX_TRANSFER_PAIRS = 128;
 export const MAX_BIHARMONIC_VERTICES = 65536;
-export const ERROR_INPUT = -64;
-export const ERROR_MEMORY = -65;
+export const ERROR_INPUT = -30;
+export const ERROR_MEMORY = -31;
 
 // Words of enumerations, by number.
 export const WORDS = {

@@ -64,7 +64,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations
     options.softness_percent = _within(round(100 * softness), 25, 400, "softness (in percent)")
     options.surface_vertices = surface_vertices
     options.question_count = _within(questions, 0, binding.MAX_QUESTIONS, "questions")
-    said = _answers(answers, count, skeleton)
+    said = answers_of(answers, count, skeleton)
     options.answers, options.answer_count = said, len(said)
     joints = np.zeros((count, influences), np.uint16)
     weights = np.zeros((count, influences), DTYPES[options.weight_format])
@@ -92,7 +92,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations
         status = binding.library().sinew_bind(pointer, mesh.pointer(), ctypes.byref(view), ctypes.byref(options), block.address,
                                               block.size_bytes, ctypes.byref(outputs))
     report.finish(status, "bind")
-    listed = [_question(q) for q in asked[:outputs.questions_written]]
+    listed = [question_of(q) for q in asked[:outputs.questions_written]]
     return Skin(joints, weights, confidence, outputs.symmetric_vertices, listed, *parts)
 
 
@@ -140,7 +140,8 @@ def _fill_given(given: Any, locked: Optional[np.ndarray], hints: Optional[np.nda
     weights[kept] = rows.astype(np.float32) / np.float32(65535) if weights.dtype == np.float32 else rows
 
 
-def _answers(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) -> Any:
+def answers_of(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) -> Any:
+    """sinew_answer of what callers write. Raises ValueError."""
     out = (binding.sinew_answer * len(answers))()
     for i, answer in enumerate(answers):
         name = f"answers[{i}]"
@@ -155,6 +156,7 @@ def _answers(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) ->
     return out
 
 
-def _question(q: binding.sinew_question) -> Question:
+def question_of(q: binding.sinew_question) -> Question:
+    """A sinew_question as callers see it."""
     alternatives = [Alternative(ANSWERS[a.kind], a.joint, a.change / 65536) for a in q.alternatives[:q.alternative_count]]
     return Question(q.vertex, q.part_count, q.vertex_count, q.joint, q.share / 65535, q.doubt / 65536, q.gain / 65536, alternatives)

@@ -52,7 +52,8 @@ def _library_path() -> Path:
         if not Path(named).is_file():
             raise Error(f"SINEW_LIBRARY={named}: no such file; expected the shared library of the engine")
         return Path(named)
-    names = {"win32": ["libsinew.dll", "sinew.dll"], "darwin": ["libsinew.dylib"]}.get(sys.platform, ["libsinew.so"])
+    names = {"win32": ["libsinew_character.dll", "sinew_character.dll", "libsinew.dll", "sinew.dll"],
+             "darwin": ["libsinew_character.dylib", "libsinew.dylib"]}.get(sys.platform, ["libsinew_character.so", "libsinew.so"])
     for name in names:
         if (data_folder() / name).is_file():
             return data_folder() / name
@@ -61,7 +62,7 @@ def _library_path() -> Path:
 
 
 def library() -> ctypes.CDLL:
-    """The engine's shared library, loaded once. Raises Error where it is missing, for another machine or of another version."""
+    """The shared library, loaded once. Raises Error where it is missing, for another machine or of another version."""
     global _library
     if _library is not None:
         return _library
@@ -77,10 +78,21 @@ def library() -> ctypes.CDLL:
             raise Error(f"{path}: expected version {_VERSION}x of the engine, found {version}; install library and package of "
                         "one version")
         _declare(loaded, declarations.FUNCTIONS)
-        _compare_sizes(loaded, path)
+        _compare_sizes(loaded.sinew_struct_size, declarations.STRUCTS, path)
+        if hasattr(loaded, "sinew_character_open"):
+            _declare(loaded, declarations.CHARACTER_FUNCTIONS)
+            _compare_sizes(loaded.sinew_character_struct_size, declarations.CHARACTER_STRUCTS, path)
     except AttributeError as error:
         raise Error(f"{path}: is no library of sinew {_VERSION}x, {error}") from None
     _library = loaded
+    return loaded
+
+
+def character_library() -> ctypes.CDLL:
+    """library(), which has the calls of sinew/character.h. Raises Error where it is the engine alone."""
+    loaded = library()
+    if not hasattr(loaded, "sinew_character_open"):
+        raise Error(f"{_library_path()}: is the engine alone; files and the command's jobs need libsinew_character")
     return loaded
 
 
@@ -90,10 +102,10 @@ def _declare(loaded: ctypes.CDLL, functions: Any) -> None:
         function.restype, function.argtypes = result, arguments
 
 
-def _compare_sizes(loaded: ctypes.CDLL, path: Any) -> None:
+def _compare_sizes(size_of: Callable[[bytes], int], structs: Any, path: Any) -> None:
     """Raises Error where a struct of the library is another one than here. One with a struct_size may have grown."""
-    for one in declarations.STRUCTS:
-        here, there = ctypes.sizeof(one), loaded.sinew_struct_size(one.__name__.encode())
+    for one in structs:
+        here, there = ctypes.sizeof(one), size_of(one.__name__.encode())
         if there != here and not (one._fields_[0][0] == "struct_size" and there > here):
             raise Error(f"{path}: {one.__name__} has {there} bytes, this package was made for {here}; install library and package of one build")
 
@@ -175,12 +187,14 @@ class Progress:
             self._raised = error
             return 1
 
-    def finish(self, status: int, what: str) -> None:
-        """check(), but Ctrl-C and what the function raised go first."""
+    def finish(self, status: int, what: str, line: str = "") -> None:
+        """check(), or an Error of that line, but Ctrl-C and what the function raised go first."""
         if self._interrupts:
             self.__exit__()
         if self._raised is not None:
             raise self._raised
+        if line and status != _CANCELLED:
+            raise Error(line, status)
         check(status, what)
 
 

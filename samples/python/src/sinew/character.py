@@ -260,7 +260,8 @@ class Character:
     skin: Optional[Skin] = None
     clips: List[Clip] = field(default_factory=list)
     name: str = "character"
-    document: Any = None  # the glTF that it came from: save() keeps what it does not know of
+    document: Any = None  # the OpenCharacter that it came from: save() keeps what is not here
+    loaded: Any = field(default=(None, None, ()), repr=False, compare=False)  # skeleton, skin and clips that document has
 
 
 def multiply(a: np.ndarray, b: np.ndarray) -> np.ndarray:

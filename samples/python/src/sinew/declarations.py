@@ -28,8 +28,8 @@ MAX_RIG_JOINTS = 192
 JOINT_NAME_BYTES = 32
 MAX_TRANSFER_PAIRS = 128
 MAX_BIHARMONIC_VERTICES = 65536
-ERROR_INPUT = -64
-ERROR_MEMORY = -65
+ERROR_INPUT = -30
+ERROR_MEMORY = -31
 
 # Words of enumerations, by number.
 STATUS: Dict[str, int] = {"OK": 0, "ERROR_ARGUMENT": -1, "ERROR_WORKSPACE": -2, "ERROR_COUNT": -3, "ERROR_NOT_FINITE": -4,
@@ -462,6 +462,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
 # Result and arguments of sinew/character.h.
 CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_error": (c_char_p, [c_void_p]),
+    "sinew_character_struct_size": (c_size_t, [c_char_p]),
     "sinew_character_extensions": (c_char_p, [c_uint32]),
     "sinew_character_open": (c_int, [c_char_p, POINTER(c_void_p)]),
     "sinew_character_open_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(c_void_p)]),
