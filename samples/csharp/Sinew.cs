@@ -235,11 +235,7 @@ namespace Sinew
                     hints = pins.Of(settings.Hints), progress = watch.Callback
                 };
                 Native.sinew_mesh view = View(mesh, pins);
-                var bones = new Native.sinew_skeleton
-                {
-                    positions = pins.Of(skeleton.Positions), parents = pins.Of(skeleton.Parents),
-                    flags = pins.Of(skeleton.Flags), joint_count = (uint)skeleton.JointCount
-                };
+                Native.sinew_skeleton bones = View(skeleton, pins);
                 var outputs = new Native.sinew_bind_outputs
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_bind_outputs)),
@@ -354,7 +350,16 @@ namespace Sinew
             Array.Copy(keep.Weights, skin.Weights, skin.Weights.Length);
         }
 
-        static Native.sinew_mesh View(Mesh mesh, Pins pins)
+        internal static Native.sinew_skeleton View(Skeleton skeleton, Pins pins)
+        {
+            return new Native.sinew_skeleton
+            {
+                positions = pins.Of(skeleton.Positions), parents = pins.Of(skeleton.Parents),
+                flags = pins.Of(skeleton.Flags), joint_count = (uint)skeleton.JointCount
+            };
+        }
+
+        internal static Native.sinew_mesh View(Mesh mesh, Pins pins)
         {
             return new Native.sinew_mesh
             {

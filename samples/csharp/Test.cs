@@ -4,6 +4,7 @@
 //   Test.exe bind MODEL NAME.obj       the hash of the weights, as sinew bind --json prints it
 //   Test.exe rig MODEL NAME.obj        joints as lines: name, x, y, z, parent
 //   Test.exe errors MODEL NAME.obj     checks what is refused, and progress
+//   Test.exe character JOB IN OUT [MOTION]   a job of Character with its defaults, saved; 1 and the library's line where it fails
 using System;
 using System.Collections.Generic;
 using System.Globalization;
@@ -149,6 +150,39 @@ static class Test
         }
     }
 
+    static int Job(string job, string input, string output, string other)
+    {
+        using (Character one = Character.Open(input))
+        using (Character two = other == null ? null : Character.Open(other))
+        {
+            if (job == "bind") Console.WriteLine(one.Bind());
+            if (job == "rig") one.Rig();
+            if (job == "simplify") one.Simplify();
+            if (job == "transfer") one.Transfer(two);
+            if (job == "bake") one.Bake(new BakeSettings { Poses = 60, Shapes = 2 });
+            if (job == "animate")
+            {
+                File.WriteAllText(output + ".map", one.Map(two).Text);
+                Require(one.Animate(two) == one.ClipCount && one.Clip(0).Rotations.Length > 0, "clips");
+            }
+            one.Save(output);
+            Require(one.Write(Path.GetFileName(output))[0].Bytes.Length == new FileInfo(output).Length, "Write() is Save() in memory");
+            if (job != "bind" || one.Skin == null) return 0;
+            // Arrays out and in: the same weights again.
+            using (Character again = Character.Create(one.Mesh, one.Skeleton))
+            {
+                again.SetSkin(one.Skin);
+                Require(Hash(again.Skin) == Hash(one.Skin), "arrays make the same character");
+                Require(again.JointClasses.Length == again.Skeleton.JointCount, "classes");
+                using (Character posed = one.Pose(new PoseSettings { Angles = new double[3 * one.Skeleton.JointCount] }))
+                    Require(posed.Mesh.VertexCount == one.Mesh.VertexCount, "a pose");
+            }
+            Expect<CancelledException>("bind", () => one.Bind(new CharacterBindSettings { Progress = d => true }));
+            Expect<ArgumentException>("Locked", () => one.Bind(new CharacterBindSettings { Locked = new byte[1] }));
+            return 0;
+        }
+    }
+
     static int Main(string[] args)
     {
         try
@@ -158,6 +192,7 @@ static class Test
                 Sizes();
                 return 0;
             }
+            if (args[0] == "character") return Job(args[1], args[2], args[3], args.Length > 4 ? args[4] : null);
             byte[] file = File.ReadAllBytes(args[1]);
             Mesh mesh = ReadMesh(args[2]);
             if (args[0] == "rig")

@@ -237,11 +237,11 @@ class OpenCharacter:
 
     @property
     def skin(self) -> Optional[Skin]:
-        """As bind() gives it, at most 12 joints a vertex; None without weights."""
+        """As bind() gives it, 4 joints a vertex or as many as the longest row has, at most 12; None without weights."""
         view = self._view()
         if not view.influence_count:
             return None
-        width = min(view.influence_count, declarations.MAX_INFLUENCES)
+        width = min(max(view.influence_count, 4), declarations.MAX_INFLUENCES)
         joints, weights = (np.zeros((view.vertex_count, width), np.uint16) for _ in range(2))
         _check(binding.character_library().sinew_character_skin(self.pointer, width, joints.ctypes.data, weights.ctypes.data), self)
         confidence = _array(view.confidence, np.uint8, (view.vertex_count,)) if view.confidence else None
