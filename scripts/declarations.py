@@ -121,7 +121,10 @@ def _declaration(kinds, cursor, character: bool, found: Headers, seen: set) -> N
         if value and name.startswith("SINEW_"):
             found.constants[name[6:]] = int(value.group(1), 0)
     elif cursor.kind == kinds.ENUM_DECL and name:
-        found.enums.append((name, {c.spelling: c.enum_value for c in cursor.get_children()}))
+        enumerators = {c.spelling: c.enum_value for c in cursor.get_children()}
+        found.enums.append((name, enumerators))
+        if words_of(enumerators) is None and min(enumerators.values()) > 0:  # flags, which callers combine
+            found.constants.update({c[6:]: v for c, v in enumerators.items()})
     elif cursor.kind == kinds.STRUCT_DECL and cursor.is_definition() and name not in seen:
         seen.add(name)
         members = [Member(c.spelling, _type(c.type), cursor.type.get_offset(c.spelling) // 8, c.type.get_size())
@@ -318,7 +321,7 @@ def csharp_text(h: Headers) -> str:
         kind = "uint" if value >= 0 else "int"
         out.append(f"        public const {kind} {name} = {value};")
     for name, enumerators in h.enums:
-        if words_of(enumerators) is None:
+        if words_of(enumerators) is None and min(enumerators.values()) <= 0:
             out += [f"        public const int {k[6:]} = {v};" for k, v in enumerators.items()]
     for name, result, kinds in h.callbacks:
         parameters = ", ".join(f"{_csharp_type(k)} {chr(97 + i)}" for i, k in enumerate(kinds))
@@ -371,7 +374,7 @@ def _js_members(struct: Struct, structs: Dict[str, Struct], at: int = 0, prefix:
         if m.type.kind == "struct" and not m.type.depth:
             inner = structs[m.type.name]
             for i in range(max(m.type.count, 1)):
-                name = f"{prefix}{m.name}{'_%d' % i if m.type.count else ''}_"
+                name = f"{prefix}{m.name}_{i}_" if m.type.count else prefix
                 out += _js_members(inner, structs, offset + i * inner.size, name)
             continue
         kind = "u32" if m.type.depth or m.type.kind == "function" else _JS[m.type.name]
@@ -382,8 +385,8 @@ def _js_members(struct: Struct, structs: Dict[str, Struct], at: int = 0, prefix:
 def javascript_text(h: Headers) -> str:
     structs = {s.name: s for s in h.structs}
     out = ["// SPDX-License-Identifier: MIT", f"// The engine's structs on wasm32, constants and words of enumerations. {GENERATOR}",
-           "// A member is name@offset:type, or name@offset:typexCOUNT for an array in a struct; structs in structs have their members as",
-           "// outer_inner. Addresses are u32.",
+           "// A member is name@offset:type, or name@offset:typexCOUNT for an array in a struct; a struct in a struct has its members here,",
+           "// those of an array of them as name_0_member. Addresses are u32.",
            "const layout = (size, text) => ({", "  size,", '  members: text.split(" ").map((word) => {',
            "    const [, name, offset, type, count] = /^(\\w+)@(\\d+):([uif]\\d+)(?:x(\\d+))?$/.exec(word);",
            "    return { name, offset: Number(offset), type, count: Number(count ?? 0) };", "  }),", "});", "",

@@ -12,6 +12,7 @@
 #include "bind_one.hpp"
 #include "commands.hpp"
 #include "progress.hpp"
+#include "sinew/published.h"
 #include "sinew_formats/file_names.hpp"
 #include "style_options.hpp"
 #include "support.hpp"

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "sinew/published.h"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "map_picture.hpp"
+#include "sinew/published.h"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_character/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -146,7 +147,8 @@ void run(Settings s) {
     read_ends(s.ends_file, &source);
   }
   MapSkeletonOptions options;
-  options.method = s.method == "sinew" ? SINEW_MAP_SINEW : s.method == "branches" ? SINEW_MAP_BRANCHES : SINEW_MAP_AUTO;
+  options.method = s.method == "sinew" ? SINEW_MAP_SINEW : SINEW_MAP_AUTO;
+  if (s.method == "branches") options.method = SINEW_MAP_BRANCHES;
   options.names = !s.no_names;
   options.ends = !s.no_ends;
   options.target_up = s.up[0];

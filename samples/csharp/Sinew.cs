@@ -229,13 +229,13 @@ namespace Sinew
                 var options = new Native.sinew_options
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_options)),
-                    influence_count = (uint)settings.Influences, up_axis = settings.ZUp ? 1u : 0,
+                    influence_count = (uint)settings.Influences,
                     symmetric = settings.Symmetric ? 1u : 0, rigid_parts = (uint)settings.RigidParts,
                     softness_percent = (uint)settings.SoftnessPercent, locked = pins.Of(settings.Locked),
                     hints = pins.Of(settings.Hints), progress = watch.Callback
                 };
                 Native.sinew_mesh view = View(mesh, pins);
-                Native.sinew_skeleton bones = View(skeleton, pins);
+                Native.sinew_skeleton bones = View(skeleton, pins, settings.ZUp ? Up.Z : Up.Y);
                 var outputs = new Native.sinew_bind_outputs
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_bind_outputs)),
@@ -276,7 +276,7 @@ namespace Sinew
                 var watch = new Watch(settings.Progress);
                 var options = new Native.sinew_rig_options
                 {
-                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_options)), up_axis = settings.ZUp ? 1u : 0,
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_options)), up = (uint)(settings.ZUp ? Up.Z : Up.Y),
                     mirror = (uint)settings.Mirror, spine_count = (uint)settings.SpineCount,
                     no_toes = settings.NoToes ? 1u : 0, no_ends = settings.NoEnds ? 1u : 0, progress = watch.Callback
                 };
@@ -350,12 +350,13 @@ namespace Sinew
             Array.Copy(keep.Weights, skin.Weights, skin.Weights.Length);
         }
 
-        internal static Native.sinew_skeleton View(Skeleton skeleton, Pins pins)
+        internal static Native.sinew_skeleton View(Skeleton skeleton, Pins pins, Up up = Up.Auto)
         {
             return new Native.sinew_skeleton
             {
-                positions = pins.Of(skeleton.Positions), parents = pins.Of(skeleton.Parents),
-                flags = pins.Of(skeleton.Flags), joint_count = (uint)skeleton.JointCount
+                struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_skeleton)), joint_count = (uint)skeleton.JointCount,
+                positions = pins.Of(skeleton.Positions), parents = pins.Of(skeleton.Parents), flags = pins.Of(skeleton.Flags),
+                names = pins.Of(skeleton.Names), up = (uint)up
             };
         }
 

@@ -16,6 +16,7 @@ METHODS, ANSWERS = declarations.METHOD, declarations.ANSWER_KIND
 DTYPES = (np.uint16, np.uint8, np.float32)  # of declarations.WEIGHT_FORMAT
 UpAxis = Literal["y", "z"]
 UP = get_args(UpAxis)
+UP_AXES = tuple(declarations.UP.index(u) for u in UP)  # sinew_up of each
 
 Joints = Optional[Iterable[Union[str, int]]]
 ProgressFunction = Optional[Callable[[float], Any]]
@@ -58,7 +59,6 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations
     options.method = chosen(method, METHODS, "method")
     options.influence_count = _within(influences, 1, binding.MAX_INFLUENCES, "influences")
     options.weight_format = chosen(weight_format, declarations.WEIGHT_FORMAT, "weight_format")
-    options.up_axis = chosen(up, UP, "up")
     options.symmetric = int(bool(symmetric))
     options.rigid_parts = chosen(rigid_parts, declarations.RIGID_PARTS, "rigid_parts")
     options.softness_percent = _within(round(100 * softness), 25, 400, "softness (in percent)")
@@ -83,7 +83,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations
         outputs.questions = asked
         outputs.vertex_questions, outputs.vertex_parts = (binding.address(p) for p in parts)
     flags = joint_flags(skeleton, deform, never)
-    view = skeleton_view(skeleton, flags)
+    view = skeleton_view(skeleton, flags, UP_AXES[chosen(up, UP, "up")])
     with binding.Progress(progress) as report, binding.Threads(threads) as pool:
         options.progress = report.callback
         options.thread_count, options.parallel_for = pool.count, pool.callback
@@ -107,10 +107,13 @@ def joint_flags(skeleton: Skeleton, deform: Joints, never: Joints) -> np.ndarray
     return flags
 
 
-def skeleton_view(skeleton: Skeleton, flags: Optional[np.ndarray]) -> binding.sinew_skeleton:
-    """The engine's view; it borrows the arrays."""
-    return binding.sinew_skeleton(positions=binding.address(skeleton.positions), parents=binding.address(skeleton.parents),
-                                  flags=binding.address(flags), joint_count=len(skeleton))
+def skeleton_view(skeleton: Skeleton, flags: Optional[np.ndarray], up: int = 0) -> binding.sinew_skeleton:
+    """The engine's view; it borrows the arrays. up: sinew_up."""
+    view = binding.init(binding.sinew_skeleton)
+    view.joint_count, view.up = len(skeleton), up
+    view.positions, view.parents = binding.address(skeleton.positions), binding.address(skeleton.parents)
+    view.flags = binding.address(flags)
+    return view
 
 
 def _within(value: Any, low: int, high: int, name: str) -> int:

@@ -13,7 +13,6 @@ from .arrays import chosen
 from .character import Skeleton
 
 MAP_METHODS, REASONS = declarations.MAP_METHOD, declarations.MAP_REASON
-_UP = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "auto": (0, 0, 0)}
 
 
 @dataclass
@@ -62,8 +61,8 @@ def map(target: Skeleton, source: Skeleton, *, method: declarations.MapMethod = 
 
 
 def _view(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
-    chosen(up, list(_UP), argument)
-    view = binding.init(binding.sinew_map_rig)
+    view = binding.init(binding.sinew_skeleton)
+    view.up = chosen(up, declarations.UP, argument)
     view.joint_count = len(skeleton)
     view.positions, view.parents = binding.address(skeleton.positions), binding.address(skeleton.parents)
     if names:
@@ -71,5 +70,4 @@ def _view(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
     if skeleton.ends is not None:
         view.kept_ends = skeleton.ends.astype(np.uint8)  # the view borrows it
         view.ends = binding.address(view.kept_ends)
-    view.up = (ctypes.c_float * 3)(*_UP[up])
     return view
