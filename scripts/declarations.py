@@ -74,6 +74,7 @@ class Headers:
     callbacks: List[Tuple[str, Type, List[Type]]] = field(default_factory=list)
     enums: List[Tuple[str, Dict[str, int]]] = field(default_factory=list)
     constants: Dict[str, int] = field(default_factory=dict)
+    published: Dict[str, int] = field(default_factory=dict)
 
 
 NUMBERS = {"int8_t", "uint8_t", "int16_t", "uint16_t", "int32_t", "uint32_t", "int64_t", "uint64_t", "size_t", "float", "double", "int",
@@ -110,6 +111,12 @@ def headers_of(cindex, target: str) -> Headers:
             where = str(cursor.location.file)
             if where in known:
                 _declaration(cindex.CursorKind, cursor, known[where], found, opened)
+    for enumerator, value in found.published.items():
+        call = enumerator.split("_")[1].lower()
+        of = [e for n, e in found.enums if n in (f"sinew_{call}_method", f"sinew_{call}")]
+        if len(of) != 1:
+            sys.exit(f"declarations: {enumerator}: no enum of methods is known for it")
+        of[0][enumerator] = value
     return found
 
 
@@ -120,8 +127,11 @@ def _declaration(kinds, cursor, character: bool, found: Headers, seen: set) -> N
         value = re.fullmatch(r"\(*(?:\(sinew_status\))?(-?(?:0x[0-9a-fA-F]+|\d+))u?\)*", text)
         if value and name.startswith("SINEW_"):
             found.constants[name[6:]] = int(value.group(1), 0)
-    elif cursor.kind == kinds.ENUM_DECL and name:
+    elif cursor.kind == kinds.ENUM_DECL:
         enumerators = {c.spelling: c.enum_value for c in cursor.get_children()}
+        if not name or "(" in name:  # published.h: methods beside those of a call's own enum
+            found.published.update(enumerators)
+            return
         found.enums.append((name, enumerators))
         if words_of(enumerators) is None and min(enumerators.values()) > 0:  # flags, which callers combine
             found.constants.update({c[6:]: v for c, v in enumerators.items()})

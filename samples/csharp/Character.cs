@@ -41,7 +41,7 @@ namespace Sinew
     public sealed class CharacterRigSettings : JobSettings
     {
         public CharacterRigMethod Method;
-        public SkeletonDetail Detail;
+        public CharacterDetail Detail;
         public Mirror Mirror;
         public int SpineCount, Influences;
         public bool ZUp, NoToes, NoEnds, NoBind, KeepLengths;
@@ -221,8 +221,7 @@ namespace Sinew
             IntPtr handle;
             using (var pins = new Pins())
                 Check(Native.sinew_character_create(mesh == null ? IntPtr.Zero : pins.Of(Engine.View(mesh, pins)),
-                    skeleton == null ? IntPtr.Zero : pins.Of(Engine.View(skeleton, pins)),
-                    skeleton == null ? IntPtr.Zero : pins.Of(skeleton.Names), out handle), IntPtr.Zero, "create");
+                    skeleton == null ? IntPtr.Zero : pins.Of(Engine.View(skeleton, pins)), out handle), IntPtr.Zero, "create");
             return new Character(handle);
         }
 
@@ -341,7 +340,7 @@ namespace Sinew
         {
             skeleton.Check();
             using (var pins = new Pins())
-                Check(Native.sinew_character_set_skeleton(Handle, pins.Of(Engine.View(skeleton, pins)), pins.Of(skeleton.Names)), handle_, "skeleton");
+                Check(Native.sinew_character_set_skeleton(Handle, pins.Of(Engine.View(skeleton, pins))), handle_, "skeleton");
         }
 
         /// <summary>The skeleton of another character, with its weights where the mesh is the same.</summary>
@@ -435,7 +434,7 @@ namespace Sinew
                     models = Models(pins, settings.Model, null, null), method = (uint)settings.Method, joints = (uint)settings.Joints,
                     rigid_parts = (uint)settings.RigidParts, influence_count = (uint)settings.Influences,
                     softness_percent = (uint)settings.SoftnessPercent, surface_vertices = (uint)settings.SurfaceVertices,
-                    up_axis = One(settings.ZUp), keep_tips = One(settings.KeepTips), bind_props = One(settings.BindProps), fit = One(settings.Fit),
+                    up = Axis(settings.ZUp), keep_tips = One(settings.KeepTips), bind_props = One(settings.BindProps), fit = One(settings.Fit),
                     symmetric = One(settings.Symmetric), keep_confidence = One(settings.KeepConfidence), joint_flags = pins.Of(settings.JointFlags),
                     locked = pins.Of(settings.Locked), hinted = pins.Of(settings.Hinted),
                     like = settings.Like == null ? IntPtr.Zero : settings.Like.Handle, style = pins.Of(settings.Style)
@@ -458,7 +457,7 @@ namespace Sinew
                 {
                     struct_size = Size<Native.sinew_character_rig_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
                     models = Models(pins, null, settings.Model, settings.HandsModel), method = (uint)settings.Method,
-                    detail = (uint)settings.Detail, mirror = (uint)settings.Mirror, up_axis = One(settings.ZUp),
+                    detail = (uint)settings.Detail, mirror = (uint)settings.Mirror, up = Axis(settings.ZUp),
                     spine_count = (uint)settings.SpineCount, no_toes = One(settings.NoToes), no_ends = One(settings.NoEnds),
                     no_bind = One(settings.NoBind), keep_lengths = One(settings.KeepLengths), influence_count = (uint)settings.Influences,
                     skeleton = pins.Of(settings.Skeleton)
@@ -545,8 +544,8 @@ namespace Sinew
                 int status = Native.sinew_character_transfer(source.Handle, Handle, pins.Of(new Native.sinew_character_transfer_options
                 {
                     struct_size = Size<Native.sinew_character_transfer_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    method = (uint)settings.Method, influence_count = (uint)settings.Influences, target_up_axis = One(settings.ZUp),
-                    source_up_axis = One(settings.SourceZUp), garment = One(settings.Garment), heat = One(settings.Heat),
+                    method = (uint)settings.Method, influence_count = (uint)settings.Influences, target_up = Axis(settings.ZUp),
+                    source_up = Axis(settings.SourceZUp), garment = One(settings.Garment), heat = One(settings.Heat),
                     locked = pins.Of(settings.Locked), map = pins.Of(settings.Map)
                 }), result);
                 Check(status, handle_, "transfer", watch);
@@ -598,6 +597,7 @@ namespace Sinew
             throw new SinewException(Text(Native.sinew_character_error(handle)), status);
         }
 
+        static uint Axis(bool z) { return (uint)(z ? Up.Z : Up.Y); }
         static uint One(bool value) { return value ? 1u : 0; }
         static uint Size<T>() { return (uint)Marshal.SizeOf(typeof(T)); }
         static T Read<T>(IntPtr at) { return (T)Marshal.PtrToStructure(at, typeof(T)); }

@@ -10,26 +10,26 @@ namespace Sinew
 {
     public enum Kernel { Auto = 0, Ref = 1, Avx2 = 2, Avxvnni = 3, Vnni = 4, Simd128 = 5, Neon = 6, Dsp = 7 }
     public enum AnswerKind { Proposed = 0, Rigid = 1, Soft = 2, Hard = 3, Softer = 4, Host = 5 }
-    public enum Method { Model = 0, Heat = 1, Distance = 2 }
+    public enum Up { Auto = 0, X = 1, Y = 2, Z = 3 }
     public enum WeightFormat { Unorm16 = 0, Unorm8 = 1, Float = 2 }
+    public enum Method { Model = 0, Heat = 1, Distance = 2 }
     public enum RigidParts { Auto = 0, Always = 1, Never = 2 }
     public enum DeformMethod { Volume = 0, Xpbd = 1, DeltaMush = 2 }
     public enum MapMethod { Auto = 0, Sinew = 1, Branches = 2 }
     public enum MapReason { Found = 0, Pinned = 1, NoCounterpart = 2, FewerJoints = 3, End = 4, Outside = 5, Taken = 6, BesideLimits = 7 }
     public enum RetargetMethod { Auto = 0, Copy = 1 }
-    public enum Up { Auto = 0, X = 1, Y = 2, Z = 3 }
     public enum SpotKind { None = 0, Stands = 1, Touches = 2, Inside = 3 }
     public enum JointClass { Pelvis = 0, Spine = 1, Neck = 2, Head = 3, Clavicle = 4, UpperArm = 5, Forearm = 6, Hand = 7, Hip = 8,
         Thigh = 9, Calf = 10, Foot = 11, Toe = 12, Tail = 13, Wing = 14, Ear = 15, Hair = 16, Other = 17, Thumb = 19, Index = 20,
         Middle = 21, Ring = 22, Pinky = 23, Eye = 24, Jaw = 25, Prop = 26 }
     public enum Mirror { Auto = 0, Always = 1, Never = 2 }
     public enum RigMethod { Votes = 0, Shape = 1, Regions = 2 }
-    public enum SimplifyLevel { High = 0, Low = 1 }
     public enum TransferMethod { Auto = 0, Nearest = 1, Biharmonic = 2, Rebind = 3 }
     public enum TransferReason { Asked = 0, Style = 1, Mismatch = 2, Plain = 3, Near = 4, Far = 5, NoMatch = 6, Kept = 7 }
+    public enum SimplifyLevel { High = 0, Low = 1 }
     public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3 }
-    public enum SkeletonDetail { Body = 0, Hands = 1, Full = 2 }
+    public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
     public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4 }
     public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3 }
     public enum PoseDeform { Linear = 0, DualQuaternion = 1, Volume = 2, Xpbd = 3, DeltaMush = 4 }
@@ -47,22 +47,32 @@ namespace Sinew
         public const uint MAX_VERTICES = 4000000;
         public const uint WORKSPACE_ALIGNMENT = 64;
         public const uint MAX_THREADS = 64;
-        public const uint JOINT_NEVER = 1;
-        public const uint JOINT_DEFORMS = 2;
         public const uint MAX_ALTERNATIVES = 8;
         public const uint MAX_QUESTIONS = 1024;
         public const uint NO_QUESTION = 4294967295;
+        public const uint JOINT_NEVER = 1;
+        public const uint JOINT_DEFORMS = 2;
         public const uint MAX_DEFORM_CELLS = 64;
         public const uint MAX_DEFORM_ROUNDS = 200;
         public const uint MAX_MAP_LIMBS = 1024;
         public const uint MAX_MOTION_LIMBS = 16;
-        public const uint NO_AREA = 4294967295;
         public const uint MAX_RIG_JOINTS = 192;
         public const uint JOINT_NAME_BYTES = 32;
         public const uint MAX_TRANSFER_PAIRS = 128;
         public const uint MAX_BIHARMONIC_VERTICES = 65536;
+        public const uint NO_AREA = 4294967295;
         public const int ERROR_INPUT = -30;
         public const int ERROR_MEMORY = -31;
+        public const uint DETAIL_HANDS = 1;
+        public const uint DETAIL_FACE = 2;
+        public const uint DETAIL_PROPS = 4;
+        public const uint READ_MESH = 1;
+        public const uint READ_SKELETON = 2;
+        public const uint READ_MOTION = 4;
+        public const uint READ_WHOLE = 8;
+        public const uint WRITE_CHARACTER = 16;
+        public const uint WRITE_MOTION = 32;
+        public const uint WRITE_MESH = 64;
         public const int OK = 0;
         public const int ERROR_ARGUMENT = -1;
         public const int ERROR_WORKSPACE = -2;
@@ -83,13 +93,7 @@ namespace Sinew
         public const int ERROR_KERNEL = -17;
         public const int ERROR_VERSION = -18;
         public const int ERROR_MODEL_TASK = -19;
-        public const int READ_MESH = 1;
-        public const int READ_SKELETON = 2;
-        public const int READ_MOTION = 4;
-        public const int READ_WHOLE = 8;
-        public const int WRITE_CHARACTER = 16;
-        public const int WRITE_MOTION = 32;
-        public const int WRITE_MESH = 64;
+        public const int ERROR_NOT_BUILT = -20;
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         public delegate int sinew_progress(IntPtr a, uint b);
@@ -107,13 +111,6 @@ namespace Sinew
             public uint vertex_count;
             public IntPtr face_offsets, face_vertices;
             public uint face_count, corner_count;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_skeleton
-        {
-            public IntPtr positions, parents, flags;
-            public uint joint_count;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -153,10 +150,25 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_skeleton
+        {
+            public uint struct_size, joint_count;
+            public IntPtr positions, parents, flags, ends, names, rotations;
+            public uint up, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_skin
+        {
+            public IntPtr joint_indices, weights;
+            public uint influence_count, weight_format;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_options
         {
-            public uint struct_size, method, influence_count, weight_format, up_axis, candidate_count, grid_size, surface_vertices,
-                symmetric, rigid_parts, softness_percent, weights_in_place, kernel, thread_count;
+            public uint struct_size, method, influence_count, weight_format, candidate_count, grid_size, surface_vertices, symmetric,
+                rigid_parts, softness_percent, weights_in_place, kernel, thread_count, reserved;
             public IntPtr locked, hints, parallel_for, parallel_user, progress, progress_user, answers;
             public uint answer_count, question_count;
         }
@@ -169,13 +181,6 @@ namespace Sinew
             public UIntPtr used_bytes;
             public IntPtr questions, vertex_questions, vertex_parts;
             public uint questions_written, reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_skin
-        {
-            public IntPtr joint_indices, weights;
-            public uint influence_count;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -204,15 +209,6 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_map_rig
-        {
-            public uint struct_size, joint_count;
-            public IntPtr positions, parents, names, ends;
-            public float up_0, up_1, up_2;
-            public uint reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_map_pin
         {
             public uint target;
@@ -236,24 +232,18 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_motion_rig
-        {
-            public IntPtr positions, parents, rotations;
-            public uint joint_count;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_retarget_options
         {
-            public uint struct_size, method, source_up, target_up, in_place;
+            public uint struct_size, method, in_place;
             public float scale;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_motion_body
         {
-            public IntPtr positions, joints, weights, triangles;
-            public uint vertex_count, influence_count, triangle_count;
+            public IntPtr positions, triangles;
+            public sinew_skin skin;
+            public uint vertex_count, triangle_count;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -284,22 +274,14 @@ namespace Sinew
         public struct sinew_contact_spot
         {
             public uint kind;
-            public float place_0, place_1, place_2, error;
+            public float position_0, position_1, position_2, error;
             public uint reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_reference_options
-        {
-            public uint struct_size, area_power, no_own_limb, legs;
-            public float falloff, least_cosine;
-            public IntPtr progress, progress_user;
         }
 
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_rig_options
         {
-            public uint struct_size, up_axis, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
+            public uint struct_size, up, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
             public IntPtr progress, progress_user;
             public uint method, reserved;
         }
@@ -309,22 +291,16 @@ namespace Sinew
         {
             public uint struct_size, joint_count;
             public IntPtr positions, parents, flags, joint_classes, partners, confidence, parent_confidence, names;
-            public uint mirrored, quarter_turns;
+            public uint mirrored, facing;
             public float plane, spread;
             public UIntPtr used_bytes;
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_simplify_options
-        {
-            public uint struct_size, level, joint_count, reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_bound_character
         {
-            public IntPtr mesh, skeleton, joint_indices, weights;
-            public uint influence_count, weight_format;
+            public IntPtr mesh, skeleton;
+            public sinew_skin skin;
             public IntPtr joint_map;
         }
 
@@ -337,8 +313,8 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_transfer_options
         {
-            public uint struct_size, method, influence_count, weight_format, up_axis, source_up_axis, garment, as_drawn, weights_in_place,
-                kernel, thread_count, pair_count;
+            public uint struct_size, method, influence_count, weight_format, garment, as_drawn, weights_in_place, kernel, thread_count,
+                pair_count;
             public IntPtr locked, pairs, parallel_for, parallel_user, progress, progress_user;
         }
 
@@ -355,6 +331,20 @@ namespace Sinew
             public IntPtr joint_indices, weights, confidence, parts, vertex_parts;
             public uint part_count, bound_by, carried_q16, style_q16, mismatch_q16, reference_count;
             public UIntPtr used_bytes;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_reference_options
+        {
+            public uint struct_size, area_power, no_own_limb, legs;
+            public float falloff, least_cosine;
+            public IntPtr progress, progress_user;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_simplify_options
+        {
+            public uint struct_size, level, joint_count, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -397,8 +387,8 @@ namespace Sinew
         {
             public uint struct_size, thread_count;
             public IntPtr progress, progress_user, models;
-            public uint method, influence_count, up_axis, joints, rigid_parts, softness_percent, surface_vertices, keep_tips, bind_props,
-                fit, symmetric, keep_confidence, question_count, answer_count;
+            public uint method, influence_count, up, joints, rigid_parts, softness_percent, surface_vertices, keep_tips, bind_props, fit,
+                symmetric, keep_confidence, question_count, answer_count;
             public IntPtr answers, joint_flags, locked, hinted, hints, like, style;
         }
 
@@ -424,7 +414,7 @@ namespace Sinew
         {
             public uint struct_size, thread_count;
             public IntPtr progress, progress_user, models;
-            public uint method, detail, mirror, up_axis, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
+            public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
                 softness_percent, surface_vertices, edit_count;
             public IntPtr edits, skeleton, skeleton_character;
         }
@@ -488,7 +478,7 @@ namespace Sinew
         {
             public uint struct_size, thread_count;
             public IntPtr progress, progress_user, models;
-            public uint method, influence_count, target_up_axis, source_up_axis, garment, as_drawn, heat, pair_count;
+            public uint method, influence_count, target_up, source_up, garment, as_drawn, heat, pair_count;
             public IntPtr pairs, locked, map;
         }
 
@@ -544,10 +534,18 @@ namespace Sinew
         public static extern int sinew_model_open(IntPtr bytes, UIntPtr size_bytes, IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern UIntPtr sinew_model_packed_size(IntPtr model);
+        public static extern UIntPtr sinew_model_pack_workspace_size(IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_model_pack(IntPtr model, IntPtr memory, UIntPtr memory_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_skin_linear(IntPtr positions, uint vertex_count, IntPtr skin, IntPtr palette, uint joint_count,
+            IntPtr @out);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_skin_dual_quaternion(IntPtr positions, uint vertex_count, IntPtr skin, IntPtr palette,
+            uint joint_count, IntPtr @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_bind_workspace_size(IntPtr model, uint vertex_count, uint face_count, uint corner_count,
@@ -558,7 +556,7 @@ namespace Sinew
             UIntPtr workspace_bytes, IntPtr outputs);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_deform_memory_size(IntPtr mesh, uint joint_count, uint influence_count, IntPtr options,
+        public static extern int sinew_deform_create_workspace_size(IntPtr mesh, uint joint_count, uint influence_count, IntPtr options,
             out UIntPtr size_bytes);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -577,7 +575,7 @@ namespace Sinew
             IntPtr outputs);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_retarget_size(uint source_joints, uint target_joints, out UIntPtr size_bytes);
+        public static extern int sinew_retarget_create_workspace_size(uint source_joints, uint target_joints, out UIntPtr size_bytes);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_retarget_create(IntPtr source, IntPtr target, IntPtr map, IntPtr target_classes, IntPtr options,
@@ -594,7 +592,8 @@ namespace Sinew
             IntPtr out_rotations, IntPtr out_translations);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_retarget_contacts_size(IntPtr plan, IntPtr target, uint frame_count, out UIntPtr size_bytes);
+        public static extern int sinew_retarget_contacts_workspace_size(IntPtr plan, IntPtr target, uint frame_count,
+            out UIntPtr size_bytes);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_retarget_contacts(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
@@ -613,13 +612,6 @@ namespace Sinew
             IntPtr workspace, UIntPtr workspace_bytes, IntPtr limbs, IntPtr limb_count, IntPtr spots);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_retarget_reference_points_size(IntPtr plan, IntPtr target, out UIntPtr size_bytes);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_retarget_reference_points(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
-            IntPtr workspace, UIntPtr workspace_bytes);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_rig_model_open(IntPtr bytes, UIntPtr size_bytes, IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -631,37 +623,12 @@ namespace Sinew
             IntPtr outputs);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig_hands_workspace_size(IntPtr model, uint vertex_count, uint face_count, uint corner_count,
-            IntPtr options, out UIntPtr size_bytes);
+        public static extern int sinew_rig_details_workspace_size(IntPtr hands_model, uint vertex_count, uint face_count, uint corner_count,
+            uint wanted, IntPtr options, out UIntPtr size_bytes);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig_hands(IntPtr model, IntPtr mesh, IntPtr options, IntPtr workspace, UIntPtr workspace_bytes,
-            IntPtr outputs);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig_face_workspace_size(uint vertex_count, uint face_count, uint corner_count, IntPtr options,
-            out UIntPtr size_bytes);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig_face(IntPtr mesh, IntPtr options, IntPtr workspace, UIntPtr workspace_bytes, IntPtr outputs);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig_props(IntPtr mesh, IntPtr options, IntPtr workspace, UIntPtr workspace_bytes, IntPtr outputs);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_simplify_workspace_size(uint joint_count, out UIntPtr size_bytes);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_simplify(IntPtr positions, IntPtr parents, uint joint_count, IntPtr areas, IntPtr keep,
-            IntPtr options, IntPtr workspace, UIntPtr workspace_bytes, IntPtr into);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_skin_linear(IntPtr positions, uint vertex_count, IntPtr joints, IntPtr weights, uint influence_count,
-            IntPtr palette, uint joint_count, IntPtr @out);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_skin_dual_quaternion(IntPtr positions, uint vertex_count, IntPtr joints, IntPtr weights,
-            uint influence_count, IntPtr palette, uint joint_count, IntPtr @out);
+        public static extern int sinew_rig_details(IntPtr hands_model, IntPtr mesh, uint wanted, IntPtr options, IntPtr workspace,
+            UIntPtr workspace_bytes, IntPtr outputs);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_transfer_workspace_size(IntPtr model, IntPtr source, IntPtr target, IntPtr skeleton, IntPtr options,
@@ -670,6 +637,20 @@ namespace Sinew
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_transfer(IntPtr model, IntPtr source, IntPtr target, IntPtr skeleton, IntPtr options,
             IntPtr workspace, UIntPtr workspace_bytes, IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_reference_points_workspace_size(IntPtr plan, IntPtr target, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_reference_points(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
+            IntPtr workspace, UIntPtr workspace_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_simplify_workspace_size(uint joint_count, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_simplify(IntPtr skeleton, IntPtr areas, IntPtr keep, IntPtr options, IntPtr workspace,
+            UIntPtr workspace_bytes, IntPtr into);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern IntPtr sinew_character_error(IntPtr character);
@@ -687,7 +668,7 @@ namespace Sinew
         public static extern int sinew_character_open_files(IntPtr files, uint file_count, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_create(IntPtr mesh, IntPtr skeleton, IntPtr joint_names, out IntPtr character);
+        public static extern int sinew_character_create(IntPtr mesh, IntPtr skeleton, out IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_copy(IntPtr from, out IntPtr character);
@@ -714,7 +695,7 @@ namespace Sinew
         public static extern IntPtr sinew_character_notes(IntPtr character);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_character_set_skeleton(IntPtr character, IntPtr skeleton, IntPtr joint_names);
+        public static extern int sinew_character_set_skeleton(IntPtr character, IntPtr skeleton);
 
         [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_character_take_skeleton(IntPtr character, IntPtr other, uint with_weights);
@@ -764,37 +745,35 @@ namespace Sinew
         internal static readonly StructSize[] Structs =
         {
             new StructSize("sinew_mesh", Marshal.SizeOf(typeof(sinew_mesh)), false),
-            new StructSize("sinew_skeleton", Marshal.SizeOf(typeof(sinew_skeleton)), false),
             new StructSize("sinew_model", Marshal.SizeOf(typeof(sinew_model)), false),
             new StructSize("sinew_answer", Marshal.SizeOf(typeof(sinew_answer)), false),
             new StructSize("sinew_alternative", Marshal.SizeOf(typeof(sinew_alternative)), false),
             new StructSize("sinew_question", Marshal.SizeOf(typeof(sinew_question)), false),
+            new StructSize("sinew_skeleton", Marshal.SizeOf(typeof(sinew_skeleton)), true),
+            new StructSize("sinew_skin", Marshal.SizeOf(typeof(sinew_skin)), false),
             new StructSize("sinew_options", Marshal.SizeOf(typeof(sinew_options)), true),
             new StructSize("sinew_bind_outputs", Marshal.SizeOf(typeof(sinew_bind_outputs)), true),
-            new StructSize("sinew_skin", Marshal.SizeOf(typeof(sinew_skin)), false),
             new StructSize("sinew_deform_options", Marshal.SizeOf(typeof(sinew_deform_options)), true),
             new StructSize("sinew_deformer", Marshal.SizeOf(typeof(sinew_deformer)), false),
             new StructSize("sinew_deform_outputs", Marshal.SizeOf(typeof(sinew_deform_outputs)), true),
-            new StructSize("sinew_map_rig", Marshal.SizeOf(typeof(sinew_map_rig)), true),
             new StructSize("sinew_map_pin", Marshal.SizeOf(typeof(sinew_map_pin)), false),
             new StructSize("sinew_map_options", Marshal.SizeOf(typeof(sinew_map_options)), true),
             new StructSize("sinew_map_outputs", Marshal.SizeOf(typeof(sinew_map_outputs)), true),
-            new StructSize("sinew_motion_rig", Marshal.SizeOf(typeof(sinew_motion_rig)), false),
             new StructSize("sinew_retarget_options", Marshal.SizeOf(typeof(sinew_retarget_options)), true),
             new StructSize("sinew_motion_body", Marshal.SizeOf(typeof(sinew_motion_body)), false),
             new StructSize("sinew_contact_options", Marshal.SizeOf(typeof(sinew_contact_options)), true),
             new StructSize("sinew_motion_clip", Marshal.SizeOf(typeof(sinew_motion_clip)), false),
             new StructSize("sinew_limb_measure", Marshal.SizeOf(typeof(sinew_limb_measure)), false),
             new StructSize("sinew_contact_spot", Marshal.SizeOf(typeof(sinew_contact_spot)), false),
-            new StructSize("sinew_reference_options", Marshal.SizeOf(typeof(sinew_reference_options)), true),
             new StructSize("sinew_rig_options", Marshal.SizeOf(typeof(sinew_rig_options)), true),
             new StructSize("sinew_rig_outputs", Marshal.SizeOf(typeof(sinew_rig_outputs)), true),
-            new StructSize("sinew_simplify_options", Marshal.SizeOf(typeof(sinew_simplify_options)), true),
             new StructSize("sinew_bound_character", Marshal.SizeOf(typeof(sinew_bound_character)), false),
             new StructSize("sinew_vertex_pair", Marshal.SizeOf(typeof(sinew_vertex_pair)), false),
             new StructSize("sinew_transfer_options", Marshal.SizeOf(typeof(sinew_transfer_options)), true),
             new StructSize("sinew_transfer_part", Marshal.SizeOf(typeof(sinew_transfer_part)), false),
             new StructSize("sinew_transfer_outputs", Marshal.SizeOf(typeof(sinew_transfer_outputs)), true),
+            new StructSize("sinew_reference_options", Marshal.SizeOf(typeof(sinew_reference_options)), true),
+            new StructSize("sinew_simplify_options", Marshal.SizeOf(typeof(sinew_simplify_options)), true),
         };
 
         internal static readonly StructSize[] CharacterStructs =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine's structs on wasm32, constants and words of enumerations. Generated from the C headers by scripts/declarations.py; a test compares.
-// A member is name@offset:type, or name@offset:typexCOUNT for an array in a struct; structs in structs have their members as
-// outer_inner. Addresses are u32.
+// A member is name@offset:type, or name@offset:typexCOUNT for an array in a struct; a struct in a struct has its members here,
+// those of an array of them as name_0_member. Addresses are u32.
 const layout = (size, text) => ({
   size,
   members: text.split(" ").map((word) => {
@@ -13,7 +13,6 @@ const layout = (size, text) => ({
 export const LAYOUTS = {
   mesh: layout(24,
     "positions@0:u32 vertex_count@4:u32 face_offsets@8:u32 face_vertices@12:u32 face_count@16:u32 corner_count@20:u32"),
-  skeleton: layout(16, "positions@0:u32 parents@4:u32 flags@8:u32 joint_count@12:u32"),
   model: layout(116,
     "bytes@0:u32 size_bytes@4:u32 packed@8:u32 format_version@12:u32 candidate_count@16:u32 grid_size@20:u32 " +
     "feature_set@24:u32 fixed_candidates@28:u32 layer_count@32:u32 parameter_count@36:u32 checksum@40:u32 " +
@@ -29,15 +28,18 @@ export const LAYOUTS = {
     "alternatives_4_change@68:u32 alternatives_5_kind@72:u16 alternatives_5_joint@74:u16 alternatives_5_change@76:u32 " +
     "alternatives_6_kind@80:u16 alternatives_6_joint@82:u16 alternatives_6_change@84:u32 alternatives_7_kind@88:u16 " +
     "alternatives_7_joint@90:u16 alternatives_7_change@92:u32"),
+  skeleton: layout(40,
+    "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 ends@20:u32 names@24:u32 " +
+    "rotations@28:u32 up@32:u32 reserved@36:u32"),
+  skin: layout(16, "joint_indices@0:u32 weights@4:u32 influence_count@8:u32 weight_format@12:u32"),
   options: layout(92,
-    "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 up_axis@16:u32 candidate_count@20:u32 " +
-    "grid_size@24:u32 surface_vertices@28:u32 symmetric@32:u32 rigid_parts@36:u32 softness_percent@40:u32 " +
-    "weights_in_place@44:u32 kernel@48:u32 thread_count@52:u32 locked@56:u32 hints@60:u32 parallel_for@64:u32 " +
-    "parallel_user@68:u32 progress@72:u32 progress_user@76:u32 answers@80:u32 answer_count@84:u32 question_count@88:u32"),
+    "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 candidate_count@16:u32 grid_size@20:u32 " +
+    "surface_vertices@24:u32 symmetric@28:u32 rigid_parts@32:u32 softness_percent@36:u32 weights_in_place@40:u32 kernel@44:u32 " +
+    "thread_count@48:u32 reserved@52:u32 locked@56:u32 hints@60:u32 parallel_for@64:u32 parallel_user@68:u32 progress@72:u32 " +
+    "progress_user@76:u32 answers@80:u32 answer_count@84:u32 question_count@88:u32"),
   bindOutputs: layout(44,
     "struct_size@0:u32 symmetric_vertices@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 used_bytes@20:u32 " +
     "questions@24:u32 vertex_questions@28:u32 vertex_parts@32:u32 questions_written@36:u32 reserved@40:u32"),
-  skin: layout(12, "joint_indices@0:u32 weights@4:u32 influence_count@8:u32"),
   deformOptions: layout(48,
     "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 no_twist_spread@20:u32 " +
     "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32"),
@@ -46,43 +48,36 @@ export const LAYOUTS = {
     "split_cell_count@24:u32 reserved@28:u32x7"),
   deformOutputs: layout(20,
     "struct_size@0:u32 corrected@4:u32 positions@8:u32 active_tetrahedra@12:u32 inverted_tetrahedra@16:u32"),
-  mapRig: layout(40,
-    "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 names@16:u32 ends@20:u32 up@24:f32x3 reserved@36:u32"),
   mapPin: layout(8, "target@0:u32 source@4:i32"),
   mapOptions: layout(20, "struct_size@0:u32 method@4:u32 pin_count@8:u32 reserved@12:u32 pins@16:u32"),
   mapOutputs: layout(32,
     "struct_size@0:u32 method@4:u32 sources@8:u32 confidence@12:u32 reasons@16:u32 mapped@20:u32 certainty@24:u32 " +
     "used_bytes@28:u32"),
-  motionRig: layout(16, "positions@0:u32 parents@4:u32 rotations@8:u32 joint_count@12:u32"),
-  retargetOptions: layout(24, "struct_size@0:u32 method@4:u32 source_up@8:u32 target_up@12:u32 in_place@16:u32 scale@20:f32"),
-  motionBody: layout(28,
-    "positions@0:u32 joints@4:u32 weights@8:u32 triangles@12:u32 vertex_count@16:u32 influence_count@20:u32 " +
-    "triangle_count@24:u32"),
+  retargetOptions: layout(16, "struct_size@0:u32 method@4:u32 in_place@8:u32 scale@12:f32"),
+  motionBody: layout(32,
+    "positions@0:u32 triangles@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 " +
+    "vertex_count@24:u32 triangle_count@28:u32"),
   contactOptions: layout(16, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32"),
   motionClip: layout(24,
     "source_rotations@0:u32 source_translations@4:u32 rotations@8:u32 translations@12:u32 frame_count@16:u32 ground@20:f32"),
   limbMeasure: layout(48,
     "joint@0:u32 leg@4:u32 frames@8:u32 deep_frames@12:u32 contact_frames@16:u32 range_frames@20:u32 depth@24:f32 " +
     "greatest_depth@28:f32 error@32:f32 greatest_error@36:f32 reserved@40:u32x2"),
-  contactSpot: layout(24, "kind@0:u32 place@4:f32x3 error@16:f32 reserved@20:u32"),
-  referenceOptions: layout(32,
-    "struct_size@0:u32 area_power@4:u32 no_own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
-    "progress_user@28:u32"),
+  contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
   rigOptions: layout(48,
-    "struct_size@0:u32 up_axis@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
+    "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
     "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 reserved@44:u32"),
   rigOutputs: layout(60,
     "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 joint_classes@20:u32 partners@24:u32 " +
-    "confidence@28:u32 parent_confidence@32:u32 names@36:u32 mirrored@40:u32 quarter_turns@44:u32 plane@48:f32 spread@52:f32 " +
+    "confidence@28:u32 parent_confidence@32:u32 names@36:u32 mirrored@40:u32 facing@44:u32 plane@48:f32 spread@52:f32 " +
     "used_bytes@56:u32"),
-  simplifyOptions: layout(16, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32"),
   boundCharacter: layout(28,
     "mesh@0:u32 skeleton@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 joint_map@24:u32"),
   vertexPair: layout(8, "source@0:u32 target@4:u32"),
-  transferOptions: layout(72,
-    "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 up_axis@16:u32 source_up_axis@20:u32 " +
-    "garment@24:u32 as_drawn@28:u32 weights_in_place@32:u32 kernel@36:u32 thread_count@40:u32 pair_count@44:u32 locked@48:u32 " +
-    "pairs@52:u32 parallel_for@56:u32 parallel_user@60:u32 progress@64:u32 progress_user@68:u32"),
+  transferOptions: layout(64,
+    "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 garment@16:u32 as_drawn@20:u32 " +
+    "weights_in_place@24:u32 kernel@28:u32 thread_count@32:u32 pair_count@36:u32 locked@40:u32 pairs@44:u32 " +
+    "parallel_for@48:u32 parallel_user@52:u32 progress@56:u32 progress_user@60:u32"),
   transferPart: layout(32,
     "vertex@0:u32 vertex_count@4:u32 reason@8:u32 carried_q16@12:u32 style_q16@16:u32 mismatch_q16@20:u32 distance_q16@24:u32 " +
     "reserved@28:u32"),
@@ -90,6 +85,10 @@ export const LAYOUTS = {
     "struct_size@0:u32 part_capacity@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 parts@20:u32 " +
     "vertex_parts@24:u32 part_count@28:u32 bound_by@32:u32 carried_q16@36:u32 style_q16@40:u32 mismatch_q16@44:u32 " +
     "reference_count@48:u32 used_bytes@52:u32"),
+  referenceOptions: layout(32,
+    "struct_size@0:u32 area_power@4:u32 no_own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
+    "progress_user@28:u32"),
+  simplifyOptions: layout(16, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
@@ -103,7 +102,7 @@ export const LAYOUTS = {
     "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32"),
   characterBindOptions: layout(104,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
-    "influence_count@24:u32 up_axis@28:u32 joints@32:u32 rigid_parts@36:u32 softness_percent@40:u32 surface_vertices@44:u32 " +
+    "influence_count@24:u32 up@28:u32 joints@32:u32 rigid_parts@36:u32 softness_percent@40:u32 surface_vertices@44:u32 " +
     "keep_tips@48:u32 bind_props@52:u32 fit@56:u32 symmetric@60:u32 keep_confidence@64:u32 question_count@68:u32 " +
     "answer_count@72:u32 answers@76:u32 joint_flags@80:u32 locked@84:u32 hinted@88:u32 hints@92:u32 like@96:u32 style@100:u32"),
   characterBindResult: layout(64,
@@ -113,7 +112,7 @@ export const LAYOUTS = {
   skeletonEdit: layout(12, "kind@0:u32 reserved@4:u32 text@8:u32"),
   characterRigOptions: layout(88,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +
-    "mirror@28:u32 up_axis@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
+    "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
     "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
     "skeleton@80:u32 skeleton_character@84:u32"),
   characterRigResult: layout(64,
@@ -138,8 +137,8 @@ export const LAYOUTS = {
     "rotations@28:u32 matrices@32:u32 clip@36:u32 time@40:f64"),
   characterTransferOptions: layout(64,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
-    "influence_count@24:u32 target_up_axis@28:u32 source_up_axis@32:u32 garment@36:u32 as_drawn@40:u32 heat@44:u32 " +
-    "pair_count@48:u32 pairs@52:u32 locked@56:u32 map@60:u32"),
+    "influence_count@24:u32 target_up@28:u32 source_up@32:u32 garment@36:u32 as_drawn@40:u32 heat@44:u32 pair_count@48:u32 " +
+    "pairs@52:u32 locked@56:u32 map@60:u32"),
   characterTransferResult: layout(64,
     "struct_size@0:u32 mapped_joints@4:u32 fitted@8:u32 bound@12:u32 bound_by@16:u32 part_count@20:u32 carried@24:f64 " +
     "style@32:f64 mismatch@40:f64 seconds@48:f64 mapped_by@56:u32 parts@60:u32"),
@@ -162,46 +161,56 @@ export const MAX_JOINTS = 4096;
 export const MAX_VERTICES = 4000000;
 export const WORKSPACE_ALIGNMENT = 64;
 export const MAX_THREADS = 64;
-export const JOINT_NEVER = 1;
-export const JOINT_DEFORMS = 2;
 export const MAX_ALTERNATIVES = 8;
 export const MAX_QUESTIONS = 1024;
 export const NO_QUESTION = 4294967295;
+export const JOINT_NEVER = 1;
+export const JOINT_DEFORMS = 2;
 export const MAX_DEFORM_CELLS = 64;
 export const MAX_DEFORM_ROUNDS = 200;
 export const MAX_MAP_LIMBS = 1024;
 export const MAX_MOTION_LIMBS = 16;
-export const NO_AREA = 4294967295;
 export const MAX_RIG_JOINTS = 192;
 export const JOINT_NAME_BYTES = 32;
 export const MAX_TRANSFER_PAIRS = 128;
 export const MAX_BIHARMONIC_VERTICES = 65536;
+export const NO_AREA = 4294967295;
 export const ERROR_INPUT = -30;
 export const ERROR_MEMORY = -31;
+export const DETAIL_HANDS = 1;
+export const DETAIL_FACE = 2;
+export const DETAIL_PROPS = 4;
+export const READ_MESH = 1;
+export const READ_SKELETON = 2;
+export const READ_MOTION = 4;
+export const READ_WHOLE = 8;
+export const WRITE_CHARACTER = 16;
+export const WRITE_MOTION = 32;
+export const WRITE_MESH = 64;
 
 // Words of enumerations, by number.
 export const WORDS = {
   kernel: ["auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp"],
   answerKind: ["proposed", "rigid", "soft", "hard", "softer", "host"],
-  method: ["model", "heat", "distance"],
+  up: ["auto", "x", "y", "z"],
   weightFormat: ["unorm16", "unorm8", "float"],
+  method: ["model", "heat", "distance"],
   rigidParts: ["auto", "always", "never"],
   deformMethod: ["volume", "xpbd", "delta-mush"],
   mapMethod: ["auto", "sinew", "branches"],
   mapReason: ["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"],
   retargetMethod: ["auto", "copy"],
-  up: ["auto", "x", "y", "z"],
   spotKind: ["none", "stands", "touches", "inside"],
   jointClass: ["pelvis", "spine", "neck", "head", "clavicle", "upper-arm", "forearm", "hand", "hip", "thigh", "calf", "foot",
     "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop"],
   mirror: ["auto", "always", "never"],
   rigMethod: ["votes", "shape", "regions"],
-  simplifyLevel: ["high", "low"],
   transferMethod: ["auto", "nearest", "biharmonic", "rebind"],
   transferReason: ["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"],
+  simplifyLevel: ["high", "low"],
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions"],
-  skeletonDetail: ["body", "hands", "full"],
+  characterDetail: ["body", "hands", "full"],
   editKind: ["move", "add", "remove", "parent", "rename"],
   animateMethod: ["auto", "copy", "contacts", "reference-points"],
   poseDeform: ["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"],

@@ -14,37 +14,49 @@ MAX_JOINTS = 4096
 MAX_VERTICES = 4000000
 WORKSPACE_ALIGNMENT = 64
 MAX_THREADS = 64
-JOINT_NEVER = 1
-JOINT_DEFORMS = 2
 MAX_ALTERNATIVES = 8
 MAX_QUESTIONS = 1024
 NO_QUESTION = 4294967295
+JOINT_NEVER = 1
+JOINT_DEFORMS = 2
 MAX_DEFORM_CELLS = 64
 MAX_DEFORM_ROUNDS = 200
 MAX_MAP_LIMBS = 1024
 MAX_MOTION_LIMBS = 16
-NO_AREA = 4294967295
 MAX_RIG_JOINTS = 192
 JOINT_NAME_BYTES = 32
 MAX_TRANSFER_PAIRS = 128
 MAX_BIHARMONIC_VERTICES = 65536
+NO_AREA = 4294967295
 ERROR_INPUT = -30
 ERROR_MEMORY = -31
+DETAIL_HANDS = 1
+DETAIL_FACE = 2
+DETAIL_PROPS = 4
+READ_MESH = 1
+READ_SKELETON = 2
+READ_MOTION = 4
+READ_WHOLE = 8
+WRITE_CHARACTER = 16
+WRITE_MOTION = 32
+WRITE_MESH = 64
 
 # Words of enumerations, by number.
 STATUS: Dict[str, int] = {"OK": 0, "ERROR_ARGUMENT": -1, "ERROR_WORKSPACE": -2, "ERROR_COUNT": -3, "ERROR_NOT_FINITE": -4,
     "ERROR_INDEX": -5, "ERROR_HIERARCHY": -6, "ERROR_NO_JOINT": -7, "ERROR_CANCELLED": -8, "ERROR_MODEL_MAGIC": -9,
     "ERROR_MODEL_VERSION": -10, "ERROR_MODEL_TRUNCATED": -11, "ERROR_MODEL_CHECKSUM": -12, "ERROR_MODEL_LAYOUT": -13,
     "ERROR_MODEL_OVERFLOW": -14, "ERROR_MODEL_ALIGNMENT": -15, "ERROR_RANGE": -16, "ERROR_KERNEL": -17, "ERROR_VERSION": -18,
-    "ERROR_MODEL_TASK": -19}
+    "ERROR_MODEL_TASK": -19, "ERROR_NOT_BUILT": -20}
 Kernel = Literal["auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp"]
 KERNEL: Tuple[str, ...] = ("auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp")
 AnswerKind = Literal["proposed", "rigid", "soft", "hard", "softer", "host"]
 ANSWER_KIND: Tuple[str, ...] = ("proposed", "rigid", "soft", "hard", "softer", "host")
-Method = Literal["model", "heat", "distance"]
-METHOD: Tuple[str, ...] = ("model", "heat", "distance")
+Up = Literal["auto", "x", "y", "z"]
+UP: Tuple[str, ...] = ("auto", "x", "y", "z")
 WeightFormat = Literal["unorm16", "unorm8", "float"]
 WEIGHT_FORMAT: Tuple[str, ...] = ("unorm16", "unorm8", "float")
+Method = Literal["model", "heat", "distance"]
+METHOD: Tuple[str, ...] = ("model", "heat", "distance")
 RigidParts = Literal["auto", "always", "never"]
 RIGID_PARTS: Tuple[str, ...] = ("auto", "always", "never")
 DeformMethod = Literal["volume", "xpbd", "delta-mush"]
@@ -55,8 +67,6 @@ MapReason = Literal["found", "pinned", "no-counterpart", "fewer-joints", "end", 
 MAP_REASON: Tuple[str, ...] = ("found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits")
 RetargetMethod = Literal["auto", "copy"]
 RETARGET_METHOD: Tuple[str, ...] = ("auto", "copy")
-Up = Literal["auto", "x", "y", "z"]
-UP: Tuple[str, ...] = ("auto", "x", "y", "z")
 SpotKind = Literal["none", "stands", "touches", "inside"]
 SPOT_KIND: Tuple[str, ...] = ("none", "stands", "touches", "inside")
 JointClass = Literal["pelvis", "spine", "neck", "head", "clavicle", "upper-arm", "forearm", "hand", "hip", "thigh", "calf", "foot", "toe",
@@ -67,20 +77,21 @@ Mirror = Literal["auto", "always", "never"]
 MIRROR: Tuple[str, ...] = ("auto", "always", "never")
 RigMethod = Literal["votes", "shape", "regions"]
 RIG_METHOD: Tuple[str, ...] = ("votes", "shape", "regions")
-SimplifyLevel = Literal["high", "low"]
-SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
+RIG_DETAIL: Dict[str, int] = {"DETAIL_HANDS": 1, "DETAIL_FACE": 2, "DETAIL_PROPS": 4}
 TransferMethod = Literal["auto", "nearest", "biharmonic", "rebind"]
 TRANSFER_METHOD: Tuple[str, ...] = ("auto", "nearest", "biharmonic", "rebind")
 TransferReason = Literal["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"]
 TRANSFER_REASON: Tuple[str, ...] = ("asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept")
+SimplifyLevel = Literal["high", "low"]
+SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
 FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
     "WRITE_MOTION": 32, "WRITE_MESH": 64}
 JointsFrom = Literal["auto", "own", "names", "all"]
 JOINTS_FROM: Tuple[str, ...] = ("auto", "own", "names", "all")
 CharacterRigMethod = Literal["auto", "votes", "shape", "regions"]
 CHARACTER_RIG_METHOD: Tuple[str, ...] = ("auto", "votes", "shape", "regions")
-SkeletonDetail = Literal["body", "hands", "full"]
-SKELETON_DETAIL: Tuple[str, ...] = ("body", "hands", "full")
+CharacterDetail = Literal["body", "hands", "full"]
+CHARACTER_DETAIL: Tuple[str, ...] = ("body", "hands", "full")
 EditKind = Literal["move", "add", "remove", "parent", "rename"]
 EDIT_KIND: Tuple[str, ...] = ("move", "add", "remove", "parent", "rename")
 AnimateMethod = Literal["auto", "copy", "contacts", "reference-points"]
@@ -97,10 +108,6 @@ sinew_parallel_for = CFUNCTYPE(None, c_void_p, c_uint32, sinew_parallel_for_body
 class sinew_mesh(Structure):
     _fields_ = [("positions", c_void_p), ("vertex_count", c_uint32), ("face_offsets", c_void_p), ("face_vertices", c_void_p),
         ("face_count", c_uint32), ("corner_count", c_uint32)]
-
-
-class sinew_skeleton(Structure):
-    _fields_ = [("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p), ("joint_count", c_uint32)]
 
 
 class sinew_model(Structure):
@@ -124,11 +131,20 @@ class sinew_question(Structure):
         ("alternatives", sinew_alternative * 8)]
 
 
+class sinew_skeleton(Structure):
+    _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p),
+        ("ends", c_void_p), ("names", POINTER(c_char_p)), ("rotations", c_void_p), ("up", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_skin(Structure):
+    _fields_ = [("joint_indices", c_void_p), ("weights", c_void_p), ("influence_count", c_uint32), ("weight_format", c_uint32)]
+
+
 class sinew_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
-        ("up_axis", c_uint32), ("candidate_count", c_uint32), ("grid_size", c_uint32), ("surface_vertices", c_uint32),
-        ("symmetric", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("weights_in_place", c_uint32),
-        ("kernel", c_uint32), ("thread_count", c_uint32), ("locked", c_void_p), ("hints", c_void_p), ("parallel_for", sinew_parallel_for),
+        ("candidate_count", c_uint32), ("grid_size", c_uint32), ("surface_vertices", c_uint32), ("symmetric", c_uint32),
+        ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32),
+        ("thread_count", c_uint32), ("reserved", c_uint32), ("locked", c_void_p), ("hints", c_void_p), ("parallel_for", sinew_parallel_for),
         ("parallel_user", c_void_p), ("progress", sinew_progress), ("progress_user", c_void_p), ("answers", POINTER(sinew_answer)),
         ("answer_count", c_uint32), ("question_count", c_uint32)]
 
@@ -137,10 +153,6 @@ class sinew_bind_outputs(Structure):
     _fields_ = [("struct_size", c_uint32), ("symmetric_vertices", c_uint32), ("joint_indices", c_void_p), ("weights", c_void_p),
         ("confidence", c_void_p), ("used_bytes", c_size_t), ("questions", POINTER(sinew_question)), ("vertex_questions", c_void_p),
         ("vertex_parts", c_void_p), ("questions_written", c_uint32), ("reserved", c_uint32)]
-
-
-class sinew_skin(Structure):
-    _fields_ = [("joint_indices", c_void_p), ("weights", c_void_p), ("influence_count", c_uint32)]
 
 
 class sinew_deform_options(Structure):
@@ -159,11 +171,6 @@ class sinew_deform_outputs(Structure):
         ("inverted_tetrahedra", c_uint32)]
 
 
-class sinew_map_rig(Structure):
-    _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p),
-        ("names", POINTER(c_char_p)), ("ends", c_void_p), ("up", c_float * 3), ("reserved", c_uint32)]
-
-
 class sinew_map_pin(Structure):
     _fields_ = [("target", c_uint32), ("source", c_int32)]
 
@@ -178,18 +185,13 @@ class sinew_map_outputs(Structure):
         ("mapped", c_uint32), ("certainty", c_uint32), ("used_bytes", c_size_t)]
 
 
-class sinew_motion_rig(Structure):
-    _fields_ = [("positions", c_void_p), ("parents", c_void_p), ("rotations", c_void_p), ("joint_count", c_uint32)]
-
-
 class sinew_retarget_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("source_up", c_uint32), ("target_up", c_uint32), ("in_place", c_uint32),
-        ("scale", c_float)]
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("in_place", c_uint32), ("scale", c_float)]
 
 
 class sinew_motion_body(Structure):
-    _fields_ = [("positions", c_void_p), ("joints", c_void_p), ("weights", c_void_p), ("triangles", c_void_p), ("vertex_count", c_uint32),
-        ("influence_count", c_uint32), ("triangle_count", c_uint32)]
+    _fields_ = [("positions", c_void_p), ("triangles", c_void_p), ("skin", sinew_skin), ("vertex_count", c_uint32),
+        ("triangle_count", c_uint32)]
 
 
 class sinew_contact_options(Structure):
@@ -208,16 +210,11 @@ class sinew_limb_measure(Structure):
 
 
 class sinew_contact_spot(Structure):
-    _fields_ = [("kind", c_uint32), ("place", c_float * 3), ("error", c_float), ("reserved", c_uint32)]
-
-
-class sinew_reference_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32), ("falloff", c_float),
-        ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p)]
+    _fields_ = [("kind", c_uint32), ("position", c_float * 3), ("error", c_float), ("reserved", c_uint32)]
 
 
 class sinew_rig_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("up_axis", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32), ("no_toes", c_uint32),
+    _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32), ("no_toes", c_uint32),
         ("no_ends", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("progress", sinew_progress),
         ("progress_user", c_void_p), ("method", c_uint32), ("reserved", c_uint32)]
 
@@ -225,16 +222,11 @@ class sinew_rig_options(Structure):
 class sinew_rig_outputs(Structure):
     _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p),
         ("joint_classes", c_void_p), ("partners", c_void_p), ("confidence", c_void_p), ("parent_confidence", c_void_p), ("names", c_void_p),
-        ("mirrored", c_uint32), ("quarter_turns", c_uint32), ("plane", c_float), ("spread", c_float), ("used_bytes", c_size_t)]
-
-
-class sinew_simplify_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32)]
+        ("mirrored", c_uint32), ("facing", c_uint32), ("plane", c_float), ("spread", c_float), ("used_bytes", c_size_t)]
 
 
 class sinew_bound_character(Structure):
-    _fields_ = [("mesh", POINTER(sinew_mesh)), ("skeleton", POINTER(sinew_skeleton)), ("joint_indices", c_void_p), ("weights", c_void_p),
-        ("influence_count", c_uint32), ("weight_format", c_uint32), ("joint_map", c_void_p)]
+    _fields_ = [("mesh", POINTER(sinew_mesh)), ("skeleton", POINTER(sinew_skeleton)), ("skin", sinew_skin), ("joint_map", c_void_p)]
 
 
 class sinew_vertex_pair(Structure):
@@ -243,10 +235,9 @@ class sinew_vertex_pair(Structure):
 
 class sinew_transfer_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
-        ("up_axis", c_uint32), ("source_up_axis", c_uint32), ("garment", c_uint32), ("as_drawn", c_uint32), ("weights_in_place", c_uint32),
-        ("kernel", c_uint32), ("thread_count", c_uint32), ("pair_count", c_uint32), ("locked", c_void_p),
-        ("pairs", POINTER(sinew_vertex_pair)), ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p),
-        ("progress", sinew_progress), ("progress_user", c_void_p)]
+        ("garment", c_uint32), ("as_drawn", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("thread_count", c_uint32),
+        ("pair_count", c_uint32), ("locked", c_void_p), ("pairs", POINTER(sinew_vertex_pair)), ("parallel_for", sinew_parallel_for),
+        ("parallel_user", c_void_p), ("progress", sinew_progress), ("progress_user", c_void_p)]
 
 
 class sinew_transfer_part(Structure):
@@ -259,6 +250,15 @@ class sinew_transfer_outputs(Structure):
         ("confidence", c_void_p), ("parts", POINTER(sinew_transfer_part)), ("vertex_parts", c_void_p), ("part_count", c_uint32),
         ("bound_by", c_uint32), ("carried_q16", c_uint32), ("style_q16", c_uint32), ("mismatch_q16", c_uint32),
         ("reference_count", c_uint32), ("used_bytes", c_size_t)]
+
+
+class sinew_reference_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32), ("falloff", c_float),
+        ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p)]
+
+
+class sinew_simplify_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_file(Structure):
@@ -287,7 +287,7 @@ class sinew_character_models(Structure):
 
 class sinew_character_bind_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
-        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("influence_count", c_uint32), ("up_axis", c_uint32),
+        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("influence_count", c_uint32), ("up", c_uint32),
         ("joints", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
         ("keep_tips", c_uint32), ("bind_props", c_uint32), ("fit", c_uint32), ("symmetric", c_uint32), ("keep_confidence", c_uint32),
         ("question_count", c_uint32), ("answer_count", c_uint32), ("answers", POINTER(sinew_answer)), ("joint_flags", c_void_p),
@@ -307,11 +307,10 @@ class sinew_skeleton_edit(Structure):
 
 class sinew_character_rig_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
-        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("detail", c_uint32), ("mirror", c_uint32),
-        ("up_axis", c_uint32), ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32),
-        ("keep_lengths", c_uint32), ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32),
-        ("surface_vertices", c_uint32), ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p),
-        ("skeleton_character", c_void_p)]
+        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("detail", c_uint32), ("mirror", c_uint32), ("up", c_uint32),
+        ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
+        ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
+        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p)]
 
 
 class sinew_character_rig_result(Structure):
@@ -354,8 +353,8 @@ class sinew_character_pose_options(Structure):
 
 class sinew_character_transfer_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
-        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("influence_count", c_uint32), ("target_up_axis", c_uint32),
-        ("source_up_axis", c_uint32), ("garment", c_uint32), ("as_drawn", c_uint32), ("heat", c_uint32), ("pair_count", c_uint32),
+        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("influence_count", c_uint32), ("target_up", c_uint32),
+        ("source_up", c_uint32), ("garment", c_uint32), ("as_drawn", c_uint32), ("heat", c_uint32), ("pair_count", c_uint32),
         ("pairs", POINTER(sinew_vertex_pair)), ("locked", c_void_p), ("map", c_char_p)]
 
 
@@ -383,11 +382,11 @@ class sinew_character_bake_result(Structure):
 
 
 
-STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_skeleton, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_options,
-    sinew_bind_outputs, sinew_skin, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_map_rig, sinew_map_pin,
-    sinew_map_options, sinew_map_outputs, sinew_motion_rig, sinew_retarget_options, sinew_motion_body, sinew_contact_options,
-    sinew_motion_clip, sinew_limb_measure, sinew_contact_spot, sinew_reference_options, sinew_rig_options, sinew_rig_outputs,
-    sinew_simplify_options, sinew_bound_character, sinew_vertex_pair, sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs)
+STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
+    sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_map_pin, sinew_map_options,
+    sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
+    sinew_contact_spot, sinew_rig_options, sinew_rig_outputs, sinew_bound_character, sinew_vertex_pair, sinew_transfer_options,
+    sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
@@ -405,26 +404,29 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_kernel_select": (c_uint32, [c_uint32]),
     "sinew_struct_size": (c_size_t, [c_char_p]),
     "sinew_model_open": (c_int, [c_void_p, c_size_t, POINTER(sinew_model)]),
-    "sinew_model_packed_size": (c_size_t, [POINTER(sinew_model)]),
+    "sinew_model_pack_workspace_size": (c_size_t, [POINTER(sinew_model)]),
     "sinew_model_pack": (c_int, [POINTER(sinew_model), c_void_p, c_size_t]),
+    "sinew_skin_linear": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
+    "sinew_skin_dual_quaternion": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
     "sinew_bind_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_options),
         POINTER(c_size_t)]),
     "sinew_bind": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_options), c_void_p, c_size_t,
         POINTER(sinew_bind_outputs)]),
-    "sinew_deform_memory_size": (c_int, [POINTER(sinew_mesh), c_uint32, c_uint32, POINTER(sinew_deform_options), POINTER(c_size_t)]),
+    "sinew_deform_create_workspace_size": (c_int, [POINTER(sinew_mesh), c_uint32, c_uint32, POINTER(sinew_deform_options),
+        POINTER(c_size_t)]),
     "sinew_deform_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_skin), POINTER(sinew_deform_options),
         c_void_p, c_size_t, POINTER(sinew_deformer)]),
     "sinew_deform_pose": (c_int, [POINTER(sinew_deformer), c_void_p, c_void_p, c_size_t, POINTER(sinew_deform_outputs)]),
     "sinew_map_workspace_size": (c_int, [c_uint32, c_uint32, POINTER(c_size_t)]),
-    "sinew_map": (c_int, [POINTER(sinew_map_rig), POINTER(sinew_map_rig), POINTER(sinew_map_options), c_void_p, c_size_t,
+    "sinew_map": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), POINTER(sinew_map_options), c_void_p, c_size_t,
         POINTER(sinew_map_outputs)]),
-    "sinew_retarget_size": (c_int, [c_uint32, c_uint32, POINTER(c_size_t)]),
-    "sinew_retarget_create": (c_int, [POINTER(sinew_motion_rig), POINTER(sinew_motion_rig), c_void_p, c_void_p,
-        POINTER(sinew_retarget_options), c_void_p, c_size_t, POINTER(c_void_p)]),
+    "sinew_retarget_create_workspace_size": (c_int, [c_uint32, c_uint32, POINTER(c_size_t)]),
+    "sinew_retarget_create": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), c_void_p, c_void_p, POINTER(sinew_retarget_options),
+        c_void_p, c_size_t, POINTER(c_void_p)]),
     "sinew_retarget_height": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p]),
     "sinew_retarget_ground": (c_int, [c_void_p, c_void_p, c_size_t, c_void_p]),
     "sinew_retarget_frame": (c_int, [c_void_p, c_void_p, c_void_p, c_float, c_void_p, c_void_p]),
-    "sinew_retarget_contacts_size": (c_int, [c_void_p, POINTER(sinew_motion_body), c_uint32, POINTER(c_size_t)]),
+    "sinew_retarget_contacts_workspace_size": (c_int, [c_void_p, POINTER(sinew_motion_body), c_uint32, POINTER(c_size_t)]),
     "sinew_retarget_contacts": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
         POINTER(sinew_contact_options), c_void_p, c_size_t]),
     "sinew_retarget_keep_range": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_clip), c_void_p, c_size_t]),
@@ -432,30 +434,24 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p]),
     "sinew_retarget_spots": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
         POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p, POINTER(sinew_contact_spot)]),
-    "sinew_retarget_reference_points_size": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(c_size_t)]),
-    "sinew_retarget_reference_points": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body),
-        POINTER(sinew_motion_clip), POINTER(sinew_reference_options), c_void_p, c_size_t]),
     "sinew_rig_model_open": (c_int, [c_void_p, c_size_t, POINTER(sinew_model)]),
     "sinew_rig_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, POINTER(sinew_rig_options),
         POINTER(c_size_t)]),
     "sinew_rig": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_rig_options), c_void_p, c_size_t,
         POINTER(sinew_rig_outputs)]),
-    "sinew_rig_hands_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, POINTER(sinew_rig_options),
+    "sinew_rig_details_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_rig_options),
         POINTER(c_size_t)]),
-    "sinew_rig_hands": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_rig_options), c_void_p, c_size_t,
+    "sinew_rig_details": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), c_uint32, POINTER(sinew_rig_options), c_void_p, c_size_t,
         POINTER(sinew_rig_outputs)]),
-    "sinew_rig_face_workspace_size": (c_int, [c_uint32, c_uint32, c_uint32, POINTER(sinew_rig_options), POINTER(c_size_t)]),
-    "sinew_rig_face": (c_int, [POINTER(sinew_mesh), POINTER(sinew_rig_options), c_void_p, c_size_t, POINTER(sinew_rig_outputs)]),
-    "sinew_rig_props": (c_int, [POINTER(sinew_mesh), POINTER(sinew_rig_options), c_void_p, c_size_t, POINTER(sinew_rig_outputs)]),
-    "sinew_simplify_workspace_size": (c_int, [c_uint32, POINTER(c_size_t)]),
-    "sinew_simplify": (c_int, [c_void_p, c_void_p, c_uint32, c_void_p, c_void_p, POINTER(sinew_simplify_options), c_void_p, c_size_t,
-        c_void_p]),
-    "sinew_skin_linear": (c_int, [c_void_p, c_uint32, c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p]),
-    "sinew_skin_dual_quaternion": (c_int, [c_void_p, c_uint32, c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p]),
     "sinew_transfer_workspace_size": (c_int, [POINTER(sinew_model), POINTER(sinew_bound_character), POINTER(sinew_mesh),
         POINTER(sinew_skeleton), POINTER(sinew_transfer_options), POINTER(c_size_t)]),
     "sinew_transfer": (c_int, [POINTER(sinew_model), POINTER(sinew_bound_character), POINTER(sinew_mesh), POINTER(sinew_skeleton),
         POINTER(sinew_transfer_options), c_void_p, c_size_t, POINTER(sinew_transfer_outputs)]),
+    "sinew_retarget_reference_points_workspace_size": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(c_size_t)]),
+    "sinew_retarget_reference_points": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body),
+        POINTER(sinew_motion_clip), POINTER(sinew_reference_options), c_void_p, c_size_t]),
+    "sinew_simplify_workspace_size": (c_int, [c_uint32, POINTER(c_size_t)]),
+    "sinew_simplify": (c_int, [POINTER(sinew_skeleton), c_void_p, c_void_p, POINTER(sinew_simplify_options), c_void_p, c_size_t, c_void_p]),
 }
 
 
@@ -466,7 +462,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_extensions": (c_char_p, [c_uint32]),
     "sinew_character_open": (c_int, [c_char_p, POINTER(c_void_p)]),
     "sinew_character_open_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(c_void_p)]),
-    "sinew_character_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(c_char_p), POINTER(c_void_p)]),
+    "sinew_character_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(c_void_p)]),
     "sinew_character_copy": (c_int, [c_void_p, POINTER(c_void_p)]),
     "sinew_character_close": (None, [c_void_p]),
     "sinew_character_save": (c_int, [c_void_p, c_char_p]),
@@ -475,7 +471,7 @@ CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_character_skin": (c_int, [c_void_p, c_uint32, c_void_p, c_void_p]),
     "sinew_character_joint_classes": (c_int, [c_void_p, c_void_p]),
     "sinew_character_notes": (c_char_p, [c_void_p]),
-    "sinew_character_set_skeleton": (c_int, [c_void_p, POINTER(sinew_skeleton), POINTER(c_char_p)]),
+    "sinew_character_set_skeleton": (c_int, [c_void_p, POINTER(sinew_skeleton)]),
     "sinew_character_take_skeleton": (c_int, [c_void_p, c_void_p, c_uint32]),
     "sinew_character_set_weights": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p]),
     "sinew_character_clip_count": (c_int, [c_void_p, c_void_p]),

@@ -12,13 +12,13 @@ import ctypes
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, Union, get_args
+from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen, mask, real, whole
-from .binder import ProgressFunction, UpAxis, answers_of, question_of
+from .binder import UP, UP_AXES, ProgressFunction, UpAxis, answers_of, question_of, skeleton_view
 from .character import Character, Clip, Question, Skeleton, Skin, multiply, skin_of, turn
 
 Source = Union[str, os.PathLike, bytes]
@@ -121,8 +121,8 @@ def create(character: Character) -> "OpenCharacter":
     mesh = Mesh(character.positions, character.faces, "character.")
     handle = ctypes.c_void_p()
     with_mesh = None if len(mesh.positions) == 0 else mesh.pointer()
-    view, names = (None, None) if character.skeleton is None else _skeleton_view(character.skeleton)
-    _check(library.sinew_character_create(with_mesh, None if view is None else ctypes.byref(view), names, ctypes.byref(handle)), None)
+    view = None if character.skeleton is None else ctypes.byref(_skeleton_view(character.skeleton))
+    _check(library.sinew_character_create(with_mesh, view, ctypes.byref(handle)), None)
     out = OpenCharacter(handle)
     if character.skin is not None:
         if character.skeleton is None:
@@ -281,8 +281,7 @@ class OpenCharacter:
 
     def set_skeleton(self, skeleton: Skeleton) -> None:
         """Another skeleton for the mesh; weights go."""
-        view, names = _skeleton_view(skeleton)
-        _check(binding.character_library().sinew_character_set_skeleton(self.pointer, ctypes.byref(view), names), self)
+        _check(binding.character_library().sinew_character_set_skeleton(self.pointer, ctypes.byref(_skeleton_view(skeleton))), self)
 
     def take_skeleton(self, other: "OpenCharacter", *, weights: bool = False) -> None:
         """The skeleton of another character, as `sinew bind --skeleton FILE` takes it; with its weights, where the mesh is the same."""
@@ -345,7 +344,7 @@ class OpenCharacter:
         """
         options = binding.init(declarations.sinew_character_bind_options)
         options.method, options.joints = chosen(method, declarations.METHOD, "method"), chosen(joints, declarations.JOINTS_FROM, "joints")
-        options.influence_count, options.up_axis = influences, chosen(up, get_args(UpAxis), "up")
+        options.influence_count, options.up = influences, UP_AXES[chosen(up, UP, "up")]
         options.rigid_parts = chosen(rigid_parts, declarations.RIGID_PARTS, "rigid_parts")
         options.softness_percent, options.surface_vertices = round(100 * softness), surface_vertices
         options.keep_tips, options.bind_props, options.fit, options.symmetric = int(keep_tips), int(bind_props), int(fit), int(symmetric)
@@ -376,7 +375,7 @@ class OpenCharacter:
                      [question_of(result.questions[i]) for i in range(result.question_count)],
                      _array(result.vertex_questions, np.uint32, (view.vertex_count,)) if result.vertex_questions else None)
 
-    def rig(self, *, method: declarations.CharacterRigMethod = "auto", detail: declarations.SkeletonDetail = "body",
+    def rig(self, *, method: declarations.CharacterRigMethod = "auto", detail: declarations.CharacterDetail = "body",
             mirror: declarations.Mirror = "auto", up: UpAxis = "y", spine: int = 0, toes: bool = True, ends: bool = True, bind: bool = True,
             skeleton: Union[None, str, os.PathLike, "OpenCharacter"] = None, keep_lengths: bool = False,
             edits: Sequence[Tuple[declarations.EditKind, str]] = (), influences: int = 0, model: ModelFile = None,
@@ -391,8 +390,8 @@ class OpenCharacter:
         """
         options = binding.init(declarations.sinew_character_rig_options)
         options.method = chosen(method, declarations.CHARACTER_RIG_METHOD, "method")
-        options.detail, options.mirror = chosen(detail, declarations.SKELETON_DETAIL, "detail"), chosen(mirror, declarations.MIRROR, "mirror")
-        options.up_axis, options.spine_count = chosen(up, get_args(UpAxis), "up"), spine
+        options.detail, options.mirror = chosen(detail, declarations.CHARACTER_DETAIL, "detail"), chosen(mirror, declarations.MIRROR, "mirror")
+        options.up, options.spine_count = UP_AXES[chosen(up, UP, "up")], spine
         options.no_toes, options.no_ends, options.no_bind = int(not toes), int(not ends), int(not bind)
         options.keep_lengths, options.influence_count = int(keep_lengths), influences
         listed = (declarations.sinew_skeleton_edit * len(edits))()
@@ -510,7 +509,7 @@ class OpenCharacter:
         """Weights of a bound character for this mesh, which keeps its skeleton or gets the source's, fitted. Arguments as sinew.transfer()."""
         options = binding.init(declarations.sinew_character_transfer_options)
         options.method, options.influence_count = chosen(method, declarations.TRANSFER_METHOD, "method"), influences
-        options.target_up_axis, options.source_up_axis = chosen(up, get_args(UpAxis), "up"), chosen(source_up, get_args(UpAxis), "source_up")
+        options.target_up, options.source_up = UP_AXES[chosen(up, UP, "up")], UP_AXES[chosen(source_up, UP, "source_up")]
         options.garment, options.heat, options.pair_count = int(garment), int(heat), len(pairs)
         options.pairs = (declarations.sinew_vertex_pair * len(pairs))(*[declarations.sinew_vertex_pair(int(s), int(t)) for s, t in pairs])
         kept = mask(locked, self._view().vertex_count, "locked")
@@ -608,12 +607,13 @@ def _array(address: Any, dtype: Any, shape: Tuple[int, ...]) -> np.ndarray:
     return np.frombuffer(ctypes.string_at(address, size), dtype).reshape(shape).copy()
 
 
-def _skeleton_view(skeleton: Skeleton) -> Tuple[Any, Any]:
-    view = declarations.sinew_skeleton(positions=binding.address(skeleton.positions), parents=binding.address(skeleton.parents), joint_count=len(skeleton))
-    if skeleton.ends is not None:
-        view.kept = np.where(skeleton.ends, declarations.JOINT_NEVER, 0).astype(np.uint8)
-        view.flags = binding.address(view.kept)
-    return view, (ctypes.c_char_p * len(skeleton))(*[str(n).encode() for n in skeleton.names])
+def _skeleton_view(skeleton: Skeleton) -> Any:
+    """The library's view with names; it borrows the arrays."""
+    flags = None if skeleton.ends is None else np.where(skeleton.ends, declarations.JOINT_NEVER, 0).astype(np.uint8)
+    view = skeleton_view(skeleton, flags)
+    view.kept = flags
+    view.names = (ctypes.c_char_p * len(skeleton))(*[str(n).encode() for n in skeleton.names])
+    return view
 
 
 def _correction(word: str, name: str) -> int:
