@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What formats is compiled from, once for every build of it: this folder's and the WebAssembly modules'.
 set(sinew_formats_sources
+  files/file_kinds
   files/files
   files/folders
   files/picture_files

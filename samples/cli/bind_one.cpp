@@ -122,7 +122,7 @@ std::vector<size_t> joints_said(const Character& character, const std::vector<ui
 // What every bind of a file has in common, read once: a file is bound again with more answers.
 struct BindJob {
   CharacterBindOptions options;
-  std::vector<uint8_t> said;  // [J] SINEW_JOINT_* of --deform and --never, or empty
+  std::vector<uint8_t> said;  // [J] SINEW_JOINT_* of --joints FILE and --never, or empty
   JointChoice choice;         // before answers take joints back
 };
 
@@ -159,7 +159,7 @@ CharacterBind bind_with(const BindJob& job, const std::vector<sinew_answer>& ans
   take_back_joints(joints_said(character, options.hints, answers), job.said, choice);
   for (const sinew_answer& answer : answers) {
     if (answer.kind == SINEW_ANSWER_RIGID && (choice->flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
-      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --deform for other joints, " +
+      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --joints for other joints, " +
                   "says that this joint gets no weight");
   }
   uint32_t shown = 0;
@@ -233,7 +233,7 @@ void add_notes(const Character& character, const JointChoice& choice, const Char
     summary->left_out.emplace_back(character.joints[left.joint].name, left.why);
   if (!choice.left_out.empty())
     notes.push_back(std::to_string(choice.left_out.size()) + " joints get no weight (" +
-                    left_out_text(character, choice) + "); --all-joints gives it to all");
+                    left_out_text(character, choice) + "); --joints all gives it to all");
   if (result.folded_tips > 0)
     notes.push_back(std::to_string(result.folded_tips) +
                     " joints that end chains gave their weight to their parents; --keep-tips keeps it");

@@ -12,7 +12,9 @@
 #include "features/features.hpp"
 #include "inspect_parts.hpp"
 #include "model/layers.hpp"
+#include "options.hpp"
 #include "sinew_formats/checkpoint.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
@@ -193,14 +195,11 @@ void inspect_character(const Settings& s) {
 void run(const Settings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
   if (is_gltf(s.path)) return inspect_gltf(s);
-  for (const char* extension : {".obj", ".txt", ".fbx", ".dae"})
-    if (has_extension(s.path, extension)) return inspect_character(s);
+  if (has_use(s.path, kReadsMesh) || has_extension(s.path, ".txt")) return inspect_character(s);
   if (s.path == "-") return inspect_character(s);
   read_file(s.path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
-  throw Error(
-      s.path +
-      ": neither a mesh (.obj, .gltf, .glb, .vrm, .fbx, .dae), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
+  throw Error(s.path + ": neither a mesh (" + mesh_files() + "), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
 }
 
 }  // namespace
@@ -209,12 +208,13 @@ void add_inspect(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, checkpoint or model");
   auto s = std::make_shared<Settings>();
   sub->add_option("file", s->path,
-                  "A mesh, rig, character, checkpoint or model; bundled = the model built into the program")
+                  "A mesh, rig, character, checkpoint or model. " + mesh_files() + ", " + skeleton_files() +
+                      "; bundled = the model built into the program")
       ->required()
       ->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print JSON");
+  shared_flag(sub, "--json", s->json);
   sub->footer(
-      "Example:\n  sinew inspect hero.glb\n"
+      "Example:\n  sinew inspect hero.glb\n\n"
       "Of a glTF also: meshes and their skins, materials, images, animations, morph targets, extensions, and whether\n"
       "the inverse bind matrices agree with where the nodes stand now.");
   sub->callback([s] { run(*s); });

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "options.hpp"
 #include "sinew_character/joint_mirror.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -54,9 +55,8 @@ std::vector<SkeletonEdit> EditOptions::in_order() const {
 
 void check_skeleton_source(const std::string& source) {
   if (has_extension(source, ".obj"))
-    throw UsageError(
-        "--skeleton " + source +
-        ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh or template:NAME");
+    throw UsageError("--skeleton " + source + ": an OBJ holds no skeleton; expected " + skeleton_files() +
+                     " or template:NAME");
   if (!is_template(source)) return;
   try {
     (void)skeleton_template(source.substr(std::string(kTemplate).size()));

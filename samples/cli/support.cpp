@@ -4,14 +4,18 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "bundled_model.hpp"
+#include "options.hpp"
 #include "rig/rig_task.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -37,7 +41,7 @@ void check_output(const std::string& path, const std::vector<std::string>& exten
     }
     known += (known.empty() ? "" : ", ") + extension;
   }
-  if (has_extension(path, ".fbx") || has_extension(path, ".dae"))
+  if (has_use(path, kReadsMesh) && !has_use(path, kWritesCharacter))
     throw UsageError("output " + path + ": sinew reads this format but does not write it; write .glb and import that");
   throw UsageError("output " + path + ": unknown extension, expected " + known);
 }
@@ -61,8 +65,7 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
         mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
   }
   if (has_extension(skeleton, ".obj")) {
-    throw UsageError("--skeleton " + skeleton +
-                     ": an OBJ holds no skeleton; expected .rig.txt, .gltf, .glb, .vrm, .fbx, .dae or .bvh");
+    throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected " + skeleton_files());
   }
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) {
@@ -221,6 +224,21 @@ Character read_found(const FoundCharacter& found) {
   Character character = read_character(found.path);
   character.name = found.name;
   return character;
+}
+
+std::string report_date() {
+  const char* const text = std::getenv("SOURCE_DATE_EPOCH");
+  if (text == nullptr || *text == 0) return "";
+  char* end = nullptr;
+  const long long seconds = std::strtoll(text, &end, 10);
+  if (*end != 0 || seconds < 0)
+    throw Error(std::string("SOURCE_DATE_EPOCH: expected seconds since 1970, found ") + text);
+  const std::time_t when = static_cast<std::time_t>(seconds);
+  std::tm parts{};
+  if (gmtime_r(&when, &parts) == nullptr) throw Error(std::string("SOURCE_DATE_EPOCH: out of range: ") + text);
+  char date[64];
+  std::strftime(date, sizeof date, "%Y-%m-%d", &parts);
+  return date;
 }
 
 std::string json_line(const nlohmann::ordered_json& json) {

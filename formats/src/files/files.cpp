@@ -14,6 +14,7 @@
 
 #include "files/folders.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -97,13 +98,6 @@ std::string lower(std::string text) {
   return text;
 }
 
-// Files that bring mesh and skeleton.
-bool is_whole(const std::string& path) {
-  for (const char* extension : {".glb", ".gltf", ".vrm", ".fbx", ".dae"})
-    if (has_extension(path, extension)) return true;
-  return false;
-}
-
 }  // namespace
 
 bool has_extension(const std::string& path, const char* extension) {
@@ -114,8 +108,7 @@ bool has_extension(const std::string& path, const char* extension) {
 std::string stem_of(const std::string& path) {
   if (path == "-") return "stdin";
   std::string name = fs::path(path).filename().string();
-  for (const char* extension : {".rig.txt", ".obj", ".gltf", ".glb", ".vrm", ".fbx", ".dae", ".txt"})
-    if (has_extension(name, extension)) return name.substr(0, name.size() - std::strlen(extension));
+  if (const FileKind* kind = file_kind(name)) return name.substr(0, name.size() - std::strlen(kind->extension));
   return fs::path(name).stem().string();
 }
 
@@ -169,7 +162,7 @@ std::vector<std::string> list_characters(const std::string& folder) {
   for (const std::string& path : files_below(folder)) {
     std::error_code absent;  // no failure of the folder's
     const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), absent);
-    if (pair || is_whole(path)) found.emplace_back(stem_of(path), path);
+    if (pair || has_use(path, kReadsWhole)) found.emplace_back(stem_of(path), path);
   }
   std::sort(found.begin(), found.end());
   std::vector<std::string> paths;
@@ -180,7 +173,7 @@ std::vector<std::string> list_characters(const std::string& folder) {
 std::vector<std::string> list_meshes(const std::string& folder) {
   std::vector<std::string> paths;
   for (const std::string& path : files_below(folder)) {
-    if (has_extension(path, ".obj") || is_whole(path)) paths.push_back(path);
+    if (has_use(path, kReadsMesh)) paths.push_back(path);
   }
   return paths;
 }

@@ -5,6 +5,7 @@
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/gltf_read.hpp"
 #include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
@@ -14,10 +15,7 @@ namespace sinew {
 namespace {
 
 // Read as glTF, or turned into one.
-bool is_scene(const std::string& path) {
-  return has_extension(path, ".gltf") || has_extension(path, ".glb") || has_extension(path, ".vrm") ||
-         is_scene_file(path);
-}
+bool is_scene(const std::string& path) { return has_use(path, kReadsWhole); }
 
 // What to do about files of other programs; the words go behind "found another extension".
 std::string way_out(const std::string& path) {
@@ -37,7 +35,7 @@ std::string way_out(const std::string& path) {
   if (has_extension(path, ".ma") || has_extension(path, ".mb"))
     return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";
   if (has_extension(path, ".c4d")) return "; in Cinema 4D: File > Export > glTF or FBX";
-  for (const char* extension : {".3ds", ".stl", ".ply", ".x", ".lwo", ".abc", ".x3d", ".pmx"})
+  for (const char* extension : {".3ds", ".stl", ".ply", ".lwo", ".abc", ".x3d", ".pmx"})
     if (has_extension(path, extension)) return "; import it in Blender and export it: File > Export > glTF 2.0 or OBJ";
   return "";
 }
@@ -47,11 +45,8 @@ std::string way_out(const std::string& path) {
 Character read_mesh(const std::string& path) {
   if (path == "-" || has_extension(path, ".obj")) return read_obj(path);
   if (is_scene(path)) return read_gltf(path);
-  throw Error(
-      path +
-      ": expected a mesh (.obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input), found another "
-      "extension" +
-      way_out(path));
+  throw Error(path + ": expected a mesh (" + extensions_text(kReadsMesh) +
+              ", or - for an OBJ on standard input), found another extension" + way_out(path));
 }
 
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
@@ -65,8 +60,7 @@ void read_skeleton(const std::string& path, bool with_skin, Character* character
     return;
   }
   if (!is_scene(path))
-    throw Error(path +
-                ": expected a skeleton (.rig.txt, .txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh), found another extension" +
+    throw Error(path + ": expected a skeleton (" + extensions_text(kReadsSkeleton) + "), found another extension" +
                 way_out(path));
   Character other = read_gltf_character(path, with_skin);
   if (other.joints.empty()) throw Error(path + ": expected a skeleton, found a file without a skin");
@@ -87,10 +81,8 @@ Character read_character(const std::string& path) {
   if (has_extension(path, ".rig.txt"))
     obj = (std::filesystem::path(path).parent_path() / (stem_of(path) + ".obj")).string();
   else if (!has_extension(path, ".obj"))
-    throw Error(
-        path +
-        ": expected a character (.obj or .rig.txt of a pair, .gltf, .glb, .vrm, .fbx, .dae), found another extension" +
-        way_out(path));
+    throw Error(path + ": expected a character (.obj or .rig.txt of a pair, " + extensions_text(kReadsWhole) +
+                "), found another extension" + way_out(path));
   Character character = read_obj(obj);
   read_rig(rig_path_beside(obj), true, &character);
   return character;

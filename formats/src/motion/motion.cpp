@@ -8,7 +8,7 @@
 
 #include "motion/turns.hpp"
 #include "sinew_formats/error.hpp"
-#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
@@ -162,10 +162,9 @@ std::vector<Affine> motion_palette(const Motion& motion, const MotionFrame& fram
 }
 
 Motion read_motion(const std::string& path, double fps) {
-  if (has_extension(path, ".bvh")) return read_bvh(path);
-  for (const char* extension : {".gltf", ".glb", ".vrm", ".fbx", ".dae"})
-    if (has_extension(path, extension)) return read_gltf_motion(path, fps);
-  throw Error(path + ": expected a motion (.bvh, .gltf, .glb, .vrm, .fbx, .dae), found another extension");
+  if (!has_use(path, kReadsMotion))
+    throw Error(path + ": expected a motion (" + extensions_text(kReadsMotion) + "), found another extension");
+  return file_kind(path)->reader == FileReader::kBvh ? read_bvh(path) : read_gltf_motion(path, fps);
 }
 
 }  // namespace sinew

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The files that there are: one row an extension. Readers, lists of folders, error lines, help texts and file dialogs ask here.
+// formats/README.md says how to add one.
+#ifndef SINEW_FORMATS_FILE_KINDS_HPP
+#define SINEW_FORMATS_FILE_KINDS_HPP
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace sinew {
+
+// What a file is good for; bits.
+enum FileUse : uint32_t {
+  kReadsMesh = 1,
+  kReadsSkeleton = 2,
+  kReadsMotion = 4,
+  kReadsWhole = 8,        // mesh, skeleton and weights in one file
+  kWritesCharacter = 16,  // mesh, skeleton and weights
+  kWritesMotion = 32,
+  kWritesMesh = 64  // a mesh alone: poses
+};
+
+// Who reads it.
+enum class FileReader : uint8_t {
+  kObj,
+  kRig,
+  kGltf,
+  kScene,  // through Assimp as a glTF document
+  kBvh
+};
+
+struct FileKind {
+  const char* extension;  // ".glb", in small letters
+  const char* name;       // "FBX", for error lines
+  uint32_t uses;          // FileUse
+  FileReader reader;
+};
+
+// In the order of error lines; an extension stands before those that it ends with.
+const std::vector<FileKind>& file_kinds();
+// By the extension, without regard to case; null for another.
+const FileKind* file_kind(const std::string& path);
+bool has_use(const std::string& path, uint32_t uses);  // all of them
+
+// ".obj, .gltf, .glb" of the files of a use.
+std::string extensions_text(uint32_t uses, const char* between = ", ");
+std::vector<std::string> extensions_of(uint32_t uses);
+
+}  // namespace sinew
+#endif

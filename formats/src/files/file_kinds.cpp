@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// The table, and questions to it.
+#include "sinew_formats/file_kinds.hpp"
+
+#include "sinew_formats/file_names.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kWhole = kReadsMesh | kReadsSkeleton | kReadsMotion | kReadsWhole;
+constexpr uint32_t kGltfUses = kWhole | kWritesCharacter | kWritesMotion;
+
+}  // namespace
+
+const std::vector<FileKind>& file_kinds() {
+  static const std::vector<FileKind> kinds = {
+      {".obj", "OBJ", kReadsMesh | kWritesCharacter | kWritesMesh, FileReader::kObj},
+      {".rig.txt", "rig.txt", kReadsSkeleton | kWritesCharacter, FileReader::kRig},
+      {".txt", "rig.txt", kReadsSkeleton, FileReader::kRig},
+      {".gltf", "glTF", kGltfUses, FileReader::kGltf},
+      {".glb", "GLB", kGltfUses, FileReader::kGltf},
+      {".vrm", "VRM", kGltfUses, FileReader::kGltf},
+      {".fbx", "FBX", kWhole, FileReader::kScene},
+      {".dae", "COLLADA", kWhole, FileReader::kScene},
+      {".b3d", "Blitz3D", kWhole, FileReader::kScene},
+      {".x", "DirectX", kWhole, FileReader::kScene},
+      {".mesh.xml", "OGRE", kWhole, FileReader::kScene},
+      {".mesh", "OGRE", kWhole, FileReader::kScene},
+      {".md5mesh", "MD5", kWhole, FileReader::kScene},
+      {".ms3d", "MilkShape", kWhole, FileReader::kScene},
+      {".smd", "Valve SMD", kWhole, FileReader::kScene},
+      {".bvh", "BVH", kReadsSkeleton | kReadsMotion | kWritesMotion, FileReader::kBvh},
+  };
+  return kinds;
+}
+
+const FileKind* file_kind(const std::string& path) {
+  for (const FileKind& kind : file_kinds())
+    if (has_extension(path, kind.extension)) return &kind;
+  return nullptr;
+}
+
+bool has_use(const std::string& path, uint32_t uses) {
+  const FileKind* kind = file_kind(path);
+  return kind != nullptr && (kind->uses & uses) == uses;
+}
+
+std::vector<std::string> extensions_of(uint32_t uses) {
+  std::vector<std::string> extensions;
+  for (const FileKind& kind : file_kinds())
+    if ((kind.uses & uses) == uses) extensions.emplace_back(kind.extension);
+  return extensions;
+}
+
+std::string extensions_text(uint32_t uses, const char* between) {
+  std::string text;
+  for (const std::string& extension : extensions_of(uses)) text += (text.empty() ? "" : between) + extension;
+  return text;
+}
+
+}  // namespace sinew
