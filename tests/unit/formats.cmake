@@ -7,6 +7,7 @@ if(SINEW_BUILD_FORMATS)
     sinew_test(unit_formats_${room} SOURCES ${sources} LIBS sinew::formats nlohmann_json::nlohmann_json LABELS unit)
     target_include_directories(unit_formats_${room} PRIVATE ${CMAKE_SOURCE_DIR}/formats/src)
   endforeach()
+  target_link_libraries(unit_formats_motion PRIVATE sinew::character)  # poses to try shapes with
   # Compressed files are made by the libraries' own encoders.
   sinew_link_encoders(unit_formats_gltf)
 endif()

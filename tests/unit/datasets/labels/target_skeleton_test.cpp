@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "expect_error.hpp"
+#include "sinew_character/joint_class_of.hpp"
 
 namespace sinew {
 namespace {
