@@ -4,6 +4,7 @@ set(sinew_formats_sources
   files/file_kinds
   files/files
   files/folders
+  files/memory_files
   files/picture_files
   files/read_mesh
   gltf/bind_pose

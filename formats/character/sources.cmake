@@ -47,6 +47,49 @@ set(sinew_character_sources
   rig/skeleton_fit
   style/style
   style/style_file)
+# Jobs as the command does them, the bundled models, and the C API over both; a page has models of its own.
+set(sinew_job_sources
+  src/jobs/animate_job
+  src/jobs/bake_job
+  src/jobs/bind_job
+  src/jobs/character_file
+  src/jobs/find_joint_map
+  src/jobs/own_skeleton
+  src/jobs/pose_job
+  src/jobs/rig_job
+  src/jobs/simplify_job
+  src/jobs/thread_pool
+  src/jobs/transfer_job
+  src/models/models
+  capi/animate
+  capi/arrays
+  capi/bake
+  capi/bind
+  capi/clips
+  capi/map
+  capi/open
+  capi/pose
+  capi/rig
+  capi/save
+  capi/simplify
+  capi/transfer)
+list(TRANSFORM sinew_job_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
+list(TRANSFORM sinew_job_sources APPEND .cpp)
+
+# A model of samples/data as a source file, generated again when it changes or appears.
+function(sinew_embed_model name file output)
+  set(model ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../samples/data/${file})
+  set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/src/models/embed_model.cmake)
+  file(GLOB model_if_there CONFIGURE_DEPENDS ${model})
+  add_custom_command(OUTPUT ${output} COMMAND ${CMAKE_COMMAND} -DMODEL=${model} -DNAME=${name} -DOUTPUT=${output} -P ${script}
+    DEPENDS ${script} ${model_if_there} COMMENT "Embedding ${file}" VERBATIM)
+endfunction()
+sinew_embed_model(BundledModel sinew_default.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_model.cpp)
+sinew_embed_model(BundledRigModel sinew_rig.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_rig_model.cpp)
+sinew_embed_model(BundledHandsModel sinew_hands.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp)
+list(APPEND sinew_job_sources ${CMAKE_CURRENT_BINARY_DIR}/bundled_model.cpp ${CMAKE_CURRENT_BINARY_DIR}/bundled_rig_model.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp)
+
 list(TRANSFORM sinew_character_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/)
 list(TRANSFORM sinew_character_sources APPEND .cpp)
 

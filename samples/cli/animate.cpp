@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sinew animate: motion of any skeleton for a character, into its own file.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -15,10 +14,7 @@
 #include "motion_sheet.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "rig_mesh.hpp"
-#include "sinew_character/bake.hpp"
-#include "sinew_character/motion_map.hpp"
-#include "sinew_character/retarget.hpp"
+#include "sinew_character/animate_job.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -53,127 +49,54 @@ MotionChoice parse_choice(const std::string& text) {
   return {text.substr(0, mark), text.substr(mark + 1)};
 }
 
-// What became of one clip.
-struct Made {
-  std::string file, clip, map;
-  size_t frames = 0, mapped = 0;
-  double frame_time = 0;
-  ClipReport report;
-  size_t shapes = 0;  // of --deform, and how far the clip is from the corrected poses with them
-  BakeError error = {};
-};
-
-struct Animated {
-  Character character;
-  Motion motion;  // of its joints
-  std::vector<Made> made;
-  Morphs morphs;        // what --deform adds to the clips
-  bool rigged = false;  // was a bare mesh
-};
+using Animated = AnimatedCharacter;
 
 // A bound character as it is; a mesh without a skeleton gets one.
-void read_animated(const std::string& path, Animated* out) {
+Animated read_animated(const std::string& path) {
   std::error_code ignored;
   const bool pair = has_extension(path, ".rig.txt") ||
                     (has_extension(path, ".obj") && std::filesystem::is_regular_file(rig_path_beside(path), ignored));
-  out->character = pair ? read_character(path) : read_mesh(path);
-  if (out->character.joints.empty()) {
-    out->character = rig_bare_mesh(path);
-    out->rigged = true;
-  }
-  if (out->character.influences.empty())
-    throw Error(path + ": has a skeleton but no skin weights to animate; bind it first with sinew bind");
+  return animated_character(pair ? read_character(path) : read_mesh(path), path);
 }
 
-uint32_t up_of(const std::string& text) {
-  return text == "x" ? SINEW_UP_X : text == "y" ? SINEW_UP_Y : text == "z" ? SINEW_UP_Z : SINEW_UP_AUTO;
+AnimateOptions animate_options(const Settings& s) {
+  AnimateOptions options;
+  options.character = s.character;
+  options.up = s.up;
+  options.motion_up = s.motion_up;
+  options.map = s.map;
+  options.method = s.method == "copy"               ? AnimateMethod::kCopy
+                   : s.method == "contacts"         ? AnimateMethod::kContacts
+                   : s.method == "reference-points" ? AnimateMethod::kReferencePoints
+                                                    : AnimateMethod::kAuto;
+  options.in_place = s.in_place;
+  options.range = s.range;
+  options.report = s.report;
+  options.fps = s.fps;
+  options.from = s.from;
+  options.to = s.to;
+  options.reference.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
+  options.reference.falloff = static_cast<float>(s.falloff);
+  options.reference.no_own_limb = s.own_limb ? 0 : 1;
+  options.reference.legs = s.legs ? 1 : 0;
+  return options;
 }
 
-std::vector<Clip> chosen_clips(const Settings& s, const MotionChoice& choice, const Motion& source) {
-  if (source.clips.empty()) throw Error(choice.file + ": expected a motion, found a skeleton without frames");
-  std::vector<Clip> chosen;
-  if (choice.clip.empty())
-    chosen = source.clips;
-  else
-    chosen.push_back(find_clip(source, choice.file, choice.clip));
-  for (Clip& clip : chosen) {
-    const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
-    clip = cut(clip, s.from, s.to);
-    if (clip.frames.empty())
-      throw Error(choice.file + ": clip " + clip.name +
-                  print(" has no frame between --start %g and --end %g; it lasts %g seconds", s.from, s.to, seconds));
-    if (s.fps > 0 && clip.frame_time * s.fps != 1) clip = resample(clip, s.fps);
-  }
-  return chosen;
-}
-
-// By the method; the motion's own body, if it has one, says what touches what.
-void set_method(const Settings& s, const std::string& file, Animated* out, Retargeter* retargeter) {
-  if (s.method == "copy" && !s.report) return;
-  const std::optional<Character> source = body_of_motion(file);
-  const size_t shared = retargeter->take_bodies(out->character, source ? &*source : nullptr);
-  if (s.method == "copy") return;
-  if (s.method == "reference-points") {
-    if (shared == 0)
-      throw Error(
-          file +
-          ": has no body of the character's own mesh, which reference points need; give an animated .glb of that "
-          "mesh, or --method contacts");
-    sinew_reference_options settings = sinew_reference_options_init();
-    settings.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
-    settings.falloff = static_cast<float>(s.falloff);
-    settings.no_own_limb = s.own_limb ? 0 : 1;
-    settings.legs = s.legs ? 1 : 0;
-    retargeter->follow_reference_points(settings);
-    return;
-  }
-  retargeter->keep_contacts();
-  if (s.range) retargeter->keep_range();
-  if (s.method == "contacts" && shared == 0)
-    out->motion.notes.push_back(file +
-                                ": has no body of the character's own mesh, so feet are held and arms kept out of the "
-                                "body, but what hands touched is not known");
-}
-
-void add_motion(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
-  const Motion source = read_motion(choice.file, s.fps);
-  const std::vector<Clip> clips = chosen_clips(s, choice, source);
-  MapRig target = map_rig_of(out->character), from = map_rig_of(source);
-  target.name = s.character;
-  from.name = choice.file;
-  const MotionMap map = map_motion(target, from, s.up, s.motion_up, s.map);
-  RetargetSettings settings;
-  settings.method = s.method == "copy" ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
-  settings.in_place = s.in_place ? 1 : 0;
-  settings.target_up = up_of(s.up);
-  settings.source_up = up_of(s.motion_up);
-  Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
-                        settings);
-  set_method(s, choice.file, out, &retargeter);
-  size_t frames = 0, mapped = 0;
-  for (const Clip& clip : clips) frames += clip.frames.size();
-  for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
-  if (3 * mapped < 2 * std::min(source.joints.size(), out->character.joints.size()))
-    out->motion.notes.push_back(print("warning: only %zu joints of ", mapped) + choice.file + " move the character's " +
-                                std::to_string(out->character.joints.size()) +
-                                "; look at the result, and say the others with --map");
-  Progress progress(frames, "frames of " + file_name(choice.file));
-  const auto keep_going = [&] {
-    progress.step();
-    return !stop;
+// A line that counts, and an end at Ctrl-C.
+StepsOf counted(std::string what, const std::atomic<bool>& stop) {
+  return [what = std::move(what), &stop](size_t steps) {
+    auto progress = std::make_shared<Progress>(steps, what);
+    return [progress, &stop] {
+      progress->step();
+      return !stop;
+    };
   };
-  for (const Clip& clip : clips) {
-    ClipReport report;
-    out->motion.clips.push_back(retargeter.run(clip, keep_going, s.report ? &report : nullptr));
-    out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
-  }
-  if (map.certainty < kDoubtfulSides)
-    out->motion.notes.push_back(
-        choice.file +
-        print(": which way is front is not sure (%.0f %%), left and right may be exchanged; sinew map with "
-              "one --set settles it, and --map takes what it writes",
-              100 * static_cast<double>(map.certainty)));
-  for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
+}
+
+void add_motion_file(const Settings& s, const MotionChoice& choice, const std::atomic<bool>& stop, Animated* out) {
+  const Motion source = read_motion(choice.file, s.fps);
+  const MotionInput input = {choice.file, choice.clip, &source, [&] { return body_of_motion(choice.file); }};
+  add_motion(animate_options(s), input, counted("frames of " + file_name(choice.file), stop), out);
 }
 
 Json limb_json(const sinew_limb_measure& limb) {
@@ -201,41 +124,6 @@ void tell_report(const Character& character, const ClipReport& report) {
   }
 }
 
-// Every clip's corrections as morph targets that move in it alone.
-void bake_clips(const Settings& s, const sinew_deform_options& deform, const std::atomic<bool>& stop, Animated* out) {
-  size_t frames = 0;
-  for (const Clip& clip : out->motion.clips) frames += clip.frames.size();
-  Progress progress(2 * frames, "corrected poses");
-  const BakeProgress step = [&] {
-    progress.step();
-    return !stop;
-  };
-  BakeSettings settings;
-  settings.deform = deform;
-  Morphs& morphs = out->morphs;
-  for (size_t c = 0; c < out->motion.clips.size(); ++c) {
-    const Clip& clip = out->motion.clips[c];
-    std::vector<Palette> poses;
-    for (const MotionFrame& frame : clip.frames)
-      poses.push_back(motion_palette(out->motion, frame, out->character.joints.size()));
-    MorphClip keys;
-    Morphs own = bake_clip(out->character, poses, settings, s.shapes, step, &keys.weights);
-    out->made[c].shapes = own.shapes.size();
-    out->made[c].error = bake_error(out->character, own, poses, deform, step, &keys.weights);
-    keys.is_new = true;
-    keys.animation = c;
-    keys.frame_time = clip.frame_time;
-    for (std::vector<float>& row : keys.weights) row.insert(row.begin(), morphs.shapes.size(), 0.0f);
-    for (MorphShape& shape : own.shapes) {
-      shape.name = clip.name + "." + std::to_string(morphs.shapes.size() + 1);
-      morphs.shapes.push_back(std::move(shape));
-    }
-    morphs.clips.push_back(std::move(keys));
-  }
-  for (MorphClip& clip : morphs.clips)
-    for (std::vector<float>& row : clip.weights) row.resize(morphs.shapes.size(), 0.0f);
-}
-
 void tell(const Settings& s, const Animated& animated) {
   const size_t joints = animated.character.joints.size();
   if (s.json) {
@@ -244,7 +132,7 @@ void tell(const Settings& s, const Animated& animated) {
     json["output"] = s.output;
     json["joints"] = joints;
     json["rigged"] = animated.rigged;
-    for (const Made& one : animated.made) {
+    for (const AnimatedClip& one : animated.made) {
       json["clips"].push_back({{"motion", one.file},
                                {"name", one.clip},
                                {"frames", one.frames},
@@ -266,13 +154,13 @@ void tell(const Settings& s, const Animated& animated) {
   }
   if (animated.rigged)
     std::printf("%s: had no skeleton and got one of %zu joints\n", printable(s.character).c_str(), joints);
-  for (const Made& one : animated.made) {
+  for (const AnimatedClip& one : animated.made) {
     std::printf("%s, %s: %zu frames, %.4g a second; %zu of %zu joints move by %s\n", printable(one.file).c_str(),
                 printable(one.clip).c_str(), one.frames, 1 / one.frame_time, one.mapped, joints,
                 printable(one.map).c_str());
     if (s.report) tell_report(animated.character, one.report);
   }
-  for (const Made& one : animated.made)
+  for (const AnimatedClip& one : animated.made)
     if (!s.deform.method.empty())
       std::printf("  %s: %zu shapes, %.3f %% of the size from the corrected poses, linear skinning alone %.3f %%\n",
                   printable(one.clip).c_str(), one.shapes, 100 * one.error.baked, 100 * one.error.linear);
@@ -289,15 +177,13 @@ void run(const Settings& s) {
   if (deform && as_bvh && s.sheet.empty())
     throw UsageError(s.output + ": a BVH has no mesh that --deform could correct; write a .glb, or a --sheet");
   const std::atomic<bool>& stop = stop_on_signals();
-  Animated animated;
-  read_animated(s.character, &animated);
-  animated.motion = motion_of(animated.character.joints);
-  for (const std::string& text : s.motions) add_motion(s, parse_choice(text), stop, &animated);
+  Animated animated = read_animated(s.character);
+  for (const std::string& text : s.motions) add_motion_file(s, parse_choice(text), stop, &animated);
   if (as_bvh && animated.motion.clips.size() != 1)
     throw UsageError(s.output + ": a BVH holds one clip, and there are " +
                      std::to_string(animated.motion.clips.size()) +
                      "; say which with --motion FILE#CLIP, or write a .glb");
-  if (deform && !as_bvh) bake_clips(s, *deform, stop, &animated);
+  if (deform && !as_bvh) bake_clips(*deform, s.shapes, counted("corrected poses", stop), &animated);
   std::vector<uint8_t> sheet;
   if (!s.sheet.empty()) {
     std::optional<CharacterDeformer> deformer;

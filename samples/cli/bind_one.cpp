@@ -10,18 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "bind_like.hpp"
 #include "bind_questions.hpp"
 #include "sinew_character/answers.hpp"
-#include "sinew_character/bind_character.hpp"
+#include "sinew_character/bind_job.hpp"
 #include "sinew_character/engine_views.hpp"
-#include "sinew_character/skeleton_repair.hpp"
 #include "sinew_character/style.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
-#include "thread_pool.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -64,37 +61,23 @@ std::vector<uint8_t> read_locks(const BindSettings& settings, const Character& c
   return locked;
 }
 
-// Rows of the hint file go where the mesh's own are; joints are matched by name.
-void set_hints(const BindSettings& settings, Character* character, std::vector<uint8_t>* hints) {
-  if (settings.hints.empty()) return;
+// Weights that a file has for some of the vertices.
+std::optional<BindHints> read_hints(const BindSettings& settings, const Character& character) {
+  if (settings.hints.empty()) return std::nullopt;
   Character painted;
-  painted.name = character->name;
-  painted.vertices = character->vertices;
-  painted.gltf = character->gltf;
+  painted.name = character.name;
+  painted.vertices = character.vertices;
+  painted.gltf = character.gltf;
   read_skeleton(settings.hints, true, &painted);
-  std::vector<uint32_t> joint_of(painted.joints.size());
-  for (size_t j = 0; j < painted.joints.size(); ++j) {
-    const auto at = std::find_if(character->joints.begin(), character->joints.end(),
-                                 [&](const Joint& joint) { return joint.name == painted.joints[j].name; });
-    joint_of[j] = static_cast<uint32_t>(at - character->joints.begin());
-  }
-  hints->assign(character->vertices.size(), 0);
-  character->influences.resize(character->vertices.size());
-  size_t count = 0;
-  for (size_t v = 0; v < painted.influences.size(); ++v) {
-    if (painted.influences[v].empty()) continue;
-    for (Influence& influence : painted.influences[v]) {
-      if (joint_of[influence.joint] == character->joints.size()) {
-        throw Error(settings.hints + ": vertex " + std::to_string(v) + " is painted with joint " +
-                    painted.joints[influence.joint].name + ", which the skeleton does not have");
-      }
-      influence.joint = joint_of[influence.joint];
-    }
-    character->influences[v] = std::move(painted.influences[v]);
-    (*hints)[v] = 1;
-    ++count;
-  }
-  if (count == 0) throw Error(settings.hints + ": paints no vertex; expected weights (skin lines) for some of them");
+  return BindHints{settings.hints, std::move(painted.joints), std::move(painted.influences)};
+}
+
+std::optional<Character> read_like(const BindSettings& settings) {
+  if (settings.like.empty()) return std::nullopt;
+  Character source = read_character(settings.like);
+  if (source.joints.empty() || source.influences.empty())
+    throw Error(settings.like + ": --like needs a bound character, and this one has no skin weights");
+  return source;
 }
 
 JointsFrom joints_from(const BindSettings& settings) {
@@ -104,73 +87,25 @@ JointsFrom joints_from(const BindSettings& settings) {
   return settings.skeleton.empty() ? JointsFrom::kAuto : JointsFrom::kNames;
 }
 
-// Joints that the user binds vertices to, by hints and by answers.
-std::vector<size_t> joints_said(const Character& character, const std::vector<uint8_t>& hints,
-                                const std::vector<sinew_answer>& answers) {
-  std::vector<size_t> joints;
-  for (const sinew_answer& answer : answers)
-    if (answer.kind == SINEW_ANSWER_RIGID) joints.push_back(answer.joint);
-  for (size_t v = 0; v < hints.size(); ++v) {
-    if (hints[v] == 0) continue;
-    for (const Influence& influence : character.influences[v]) joints.push_back(influence.joint);
-  }
-  std::sort(joints.begin(), joints.end());
-  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-  return joints;
-}
-
-// What every bind of a file has in common, read once: a file is bound again with more answers.
-struct BindJob {
-  CharacterBindOptions options;
-  std::vector<uint8_t> said;  // [J] SINEW_JOINT_* of --joints FILE and --never, or empty
-  JointChoice choice;         // before answers take joints back
-};
-
-// Puts the rows of the hints into the character.
-BindJob make_job(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
-                 Character* character) {
-  BindJob job;
-  job.options.keep_tips = settings.keep_tips;
-  job.options.bind_props = settings.bind_props;
-  BindOptions& options = job.options.bind;
-  options.method = binder.model == nullptr ? binder.method : SINEW_METHOD_MODEL;
-  options.model = binder.model;
-  options.influence_count = settings.influences;
-  options.up_axis = settings.up == "z" ? 1 : 0;
-  set_flags(settings, *character, &job.said);
-  // Hints are no weights of the file: the choice comes first.
-  job.choice = choose_joints(*character, joints_from(settings), job.said);
-  options.locked = locked;
-  set_hints(settings, character, &options.hints);
-  add_hints_like(settings, binder, locked, character, &options.hints);
-  options.symmetric = settings.symmetric;
-  apply_style(settings.style, &options);
-  options.thread_count = settings.threads;
+BindJobOptions job_options(const BindSettings& settings, const Binder& binder, const Character& character) {
+  BindJobOptions job;
+  job.mesh = settings.mesh;
+  job.joints = joints_from(settings);
+  job.keep_tips = settings.keep_tips;
+  job.bind_props = settings.bind_props;
+  job.fit = settings.fit;
+  job.symmetric = settings.symmetric;
+  job.influence_count = settings.influences;
+  job.up_axis = settings.up == "z" ? 1 : 0;
+  job.thread_count = settings.threads;
+  set_flags(settings, character, &job.said);
+  BindOptions style;
+  style.method = binder.model == nullptr ? binder.method : SINEW_METHOD_MODEL;
+  apply_style(settings.style, &style);
+  job.rigid_parts = style.rigid_parts;
+  job.softness_percent = style.softness_percent;
+  job.surface_vertices = style.surface_vertices;
   return job;
-}
-
-CharacterBind bind_with(const BindJob& job, const std::vector<sinew_answer>& answers, uint32_t questions, bool progress,
-                        const Character& character, JointChoice* choice) {
-  CharacterBindOptions character_options = job.options;
-  BindOptions& options = character_options.bind;
-  options.answers = answers;
-  options.question_count = questions;
-  *choice = job.choice;
-  take_back_joints(joints_said(character, options.hints, answers), job.said, choice);
-  for (const sinew_answer& answer : answers) {
-    if (answer.kind == SINEW_ANSWER_RIGID && (choice->flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
-      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --joints for other joints, " +
-                  "says that this joint gets no weight");
-  }
-  uint32_t shown = 0;
-  if (progress) {
-    options.progress = show_progress;
-    options.progress_user = &shown;
-  }
-  ThreadPool pool(options.thread_count);
-  options.parallel_for = ThreadPool::parallel_for;
-  options.parallel_user = &pool;
-  return bind_character(character, *choice, character_options);
 }
 
 void draw(const BindSettings& settings, const Character& character, const std::vector<uint8_t>& confidence) {
@@ -208,51 +143,6 @@ BindSummary summarise(const BindSettings& settings, const Binder& binder, const 
   return summary;
 }
 
-// "slot: handslot.l, handslot.r; root: root", the reasons in the order of their first joint; --json names every joint.
-std::string left_out_text(const Character& character, const JointChoice& choice) {
-  constexpr size_t kMostNames = 200;  // of a reason
-  std::vector<std::pair<std::string, std::vector<std::string>>> names;
-  for (const LeftOutJoint& left : choice.left_out) {
-    auto at = std::find_if(names.begin(), names.end(), [&](const auto& entry) { return entry.first == left.why; });
-    if (at == names.end()) at = names.insert(names.end(), {left.why, {}});
-    at->second.push_back(character.joints[left.joint].name);
-  }
-  std::string text;
-  for (const auto& [why, joints] : names) {
-    text += (text.empty() ? "" : "; ") + why + ": ";
-    for (size_t j = 0; j < joints.size() && j < kMostNames; ++j) text += (j == 0 ? "" : ", ") + joints[j];
-    if (joints.size() > kMostNames) text += " and " + std::to_string(joints.size() - kMostNames) + " more";
-  }
-  return text;
-}
-
-void add_notes(const Character& character, const JointChoice& choice, const CharacterBind& result,
-               BindSummary* summary) {
-  std::vector<std::string>& notes = summary->notes;
-  for (const LeftOutJoint& left : choice.left_out)
-    summary->left_out.emplace_back(character.joints[left.joint].name, left.why);
-  if (!choice.left_out.empty())
-    notes.push_back(std::to_string(choice.left_out.size()) + " joints get no weight (" +
-                    left_out_text(character, choice) + "); --joints all gives it to all");
-  if (result.folded_tips > 0)
-    notes.push_back(std::to_string(result.folded_tips) +
-                    " joints that end chains gave their weight to their parents; --keep-tips keeps it");
-  if (result.kept_meshes > 0)
-    notes.push_back(std::to_string(result.kept_meshes) + " attached meshes kept as they are; --bind-props binds them");
-}
-
-// Warns of a skeleton that lies elsewhere than its mesh, or mends it.
-void fit_skeleton(const BindSettings& settings, Character* character) {
-  const std::optional<SkeletonFit> fit = find_skeleton_fit(*character);
-  if (!fit) return;
-  if (settings.fit) {
-    apply_skeleton_fit(*fit, &character->joints);
-    character->notes.push_back(fit->what + "; --fit has mended that");
-  } else {
-    character->notes.push_back("warning: " + fit->what + ", so that the weights are hardly right; --fit mends that");
-  }
-}
-
 // What the file says before it is bound anew.
 struct WeightsBefore {
   std::vector<std::vector<Influence>> rows;
@@ -270,51 +160,31 @@ WeightsBefore weights_before(const BindSettings& settings, const Character& char
   return before;
 }
 
-}  // namespace
-
-namespace {
-
 // Answers from the style file, the command line and the terminal, in this order: the later one counts.
 struct Answers {
   std::vector<sinew_answer> given;
   size_t by_style = 0;
 };
 
-CharacterBind bind_and_ask(const BindSettings& settings, const Binder& binder, const std::vector<uint8_t>& locked,
-                           bool progress, Character* character, JointChoice* choice, Answers* answers) {
+CharacterBind bind_and_ask(const BindSettings& settings, const Character& character, BindJob* job, Answers* answers) {
   std::vector<sinew_answer>& given = answers->given;
   Style style;
   if (!settings.studio_style.empty()) style = read_style(settings.studio_style);
   std::vector<sinew_answer> said;
-  for (const std::string& answer : settings.answers) said.push_back(parse_answer(answer, *character));
-  const BindJob job = make_job(settings, binder, locked, character);
-  const auto bind_again = [&](uint32_t questions) {
-    return bind_with(job, given, questions, progress, *character, choice);
-  };
-  // What there could be answers for, as proposed: what a style is matched with and made of.
-  CharacterBind proposed;
-  if (!settings.studio_style.empty() || !settings.save_style.empty()) {
-    proposed = bind_again(SINEW_MAX_QUESTIONS);
-    given = answer_by_style(style, *character, {proposed.questions, proposed.vertex_parts}, choice->flags);
-    answers->by_style = given.size();
-  }
+  for (const std::string& answer : settings.answers) said.push_back(parse_answer(answer, character));
+  if (!settings.studio_style.empty()) given = job->answers_of(style);
+  answers->by_style = given.size();
   given.insert(given.end(), said.begin(), said.end());
-  CharacterBind result = bind_again(settings.questions);
+  CharacterBind result = job->bind(given, settings.questions);
   if (settings.ask && !result.questions.empty()) {
     const std::vector<sinew_answer> typed =
-        ask(*character, result, stem_of(settings.output), settings.up == "z", std::cin, std::cerr);
+        ask(character, result, stem_of(settings.output), settings.up == "z", std::cin, std::cerr);
     given.insert(given.end(), typed.begin(), typed.end());
     said.insert(said.end(), typed.begin(), typed.end());
-    if (!typed.empty()) result = bind_again(settings.questions);
+    if (!typed.empty()) result = job->bind(given, settings.questions);
   }
-  if (!settings.save_style.empty()) {
-    style.sheets.push_back(learn_style(*character, {proposed.questions, proposed.vertex_parts}, said));
-    if (style.sheets.back().rules.empty())
-      throw Error(settings.save_style +
-                  ": there is no answer to keep; give some with --ask or --answer, about parts "
-                  "that --questions lists");
-    write_style(settings.save_style, style);
-  }
+  if (!settings.save_style.empty())
+    write_style(settings.save_style, job->learnt(std::move(style), said, settings.save_style));
   return result;
 }
 
@@ -326,13 +196,20 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   check_bindable(character);  // before anything that takes longer the more joints there are
   const std::vector<uint8_t> locked = read_locks(settings, character);
   const WeightsBefore before = weights_before(settings, character, locked);
-  if (const size_t given = infer_parents(&character.joints); given > 0)
-    character.notes.push_back(std::to_string(given) +
-                              " joints had no parent and got the nearest one along the body; check the hierarchy");
-  fit_skeleton(settings, &character);
-  JointChoice choice;
+  const std::optional<BindHints> hints = read_hints(settings, character);
+  const std::optional<Character> like = read_like(settings);
+  BindJobOptions options = job_options(settings, binder, character);
+  options.locked = locked;
+  options.hints = hints ? &*hints : nullptr;
+  options.like = like ? &*like : nullptr;
+  uint32_t shown = 0;
+  if (progress) {
+    options.progress = show_progress;
+    options.progress_user = &shown;
+  }
+  BindJob job(options, binder, &character);
   Answers answers;
-  CharacterBind result = bind_and_ask(settings, binder, locked, progress, &character, &choice, &answers);
+  CharacterBind result = bind_and_ask(settings, character, &job, &answers);
   character.influences = std::move(result.influences);
   if (settings.confidence) character.confidence = result.confidence;
   write_character(settings.output, character);
@@ -343,7 +220,9 @@ BoundFile bind_one(const BindSettings& settings, const Binder& binder, bool prog
   summary.style = settings.save_style;
   if (!settings.ask) summary.questions = asked_parts(character, result);
   summary.notes.insert(summary.notes.end(), character.notes.begin(), character.notes.end());
-  add_notes(character, choice, result, &summary);
+  for (const LeftOutJoint& left : job.choice().left_out)
+    summary.left_out.emplace_back(character.joints[left.joint].name, left.why);
+  for (std::string& note : bind_notes(character, job.choice(), result)) summary.notes.push_back(std::move(note));
   summary.compare = settings.compare;
   summary.replaced = compare_weights(character.joints, before.rows, character.influences, before.kept);
   return {std::move(character), std::move(summary)};

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bind_summary.hpp"
-#include "sinew/sinew.h"
+#include "sinew_character/bind_job.hpp"
 #include "sinew_formats/character.hpp"
 #include "style_options.hpp"
 
@@ -32,13 +32,6 @@ struct BindSettings {
   std::string studio_style;          // a style file that answers what it knows
   std::string save_style;            // where the answers go, with those of studio_style
   bool compare = false;              // with the weights that the file, or the skeleton's file, has
-};
-
-// Who binds: the model with the name that the summary gives it, or heat alone where `model` is null.
-struct Binder {
-  const sinew_model* model = nullptr;
-  std::string name = "heat";
-  sinew_method method = SINEW_METHOD_HEAT;  // without a model
 };
 
 // What a bind leaves beside the file it wrote.

@@ -13,6 +13,7 @@
 #include "deform_options.hpp"
 #include "options.hpp"
 #include "sinew_character/deform.hpp"
+#include "sinew_character/pose_job.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -72,16 +73,14 @@ std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, d
 
 Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {
   const std::optional<sinew_deform_options> options = deform_options(s.deform);
-  if (!options) return apply_pose(character, palette, s.deform.method == "dual-quaternion");
-  CharacterDeformer deformer(character, *options);
-  Character posed = deformer.pose_character(character, palette);
-  if (!deformer.corrected()) {
+  PosedCharacter posed = pose_character(character, palette, options, s.deform.method == "dual-quaternion");
+  if (!posed.corrected) {
     std::fprintf(stderr,
                  "warning: %s: the matrices are not rotations with one common scale, so the pose is plain linear "
                  "skinning\n",
                  character.name.c_str());
   }
-  return posed;
+  return std::move(posed.character);
 }
 
 // By turns of joints.
@@ -100,14 +99,7 @@ std::vector<Affine> turned_palette(const Settings& s, const Character& character
 std::vector<Affine> animated_palette(const Settings& s, const Character& character, std::string* what) {
   if (character.gltf == nullptr)
     throw Error(s.character + ": has no animations, they lie in glTF files; expected a .glb, .gltf or .vrm");
-  const Motion motion = read_gltf_motion(s.character);
-  const Clip& clip = find_clip(motion, s.character, s.animation);
-  const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
-  if (s.time > seconds + 1e-6)
-    throw Error(s.character +
-                print(": --time %g is behind the end of the animation, which lasts %g seconds", s.time, seconds));
-  *what = print("%s at %g of %g seconds", clip.name.c_str(), s.time, seconds);
-  return motion_palette(motion, frame_at(clip, s.time), character.joints.size());
+  return clip_palette(read_gltf_motion(s.character), s.character, s.animation, s.time, character.joints.size(), what);
 }
 
 // By what the command line says.

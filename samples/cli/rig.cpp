@@ -15,13 +15,9 @@
 #include "folder_files.hpp"
 #include "options.hpp"
 #include "progress.hpp"
-#include "rig_mesh.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
-#include "sinew_character/predict_details.hpp"
-#include "sinew_character/predict_face.hpp"
-#include "sinew_character/predict_hands.hpp"
-#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/rig_job.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -62,104 +58,54 @@ Models load_models(const Settings& s) {
   return models;
 }
 
-struct Rigged {
-  Character character;
-  PredictedSkeleton skeleton;
-  std::optional<FittedSkeleton> fitted;  // with --skeleton
-  double bind_seconds = 0;
-};
+using Rigged = RiggedCharacter;
 
-// By the model, or what --prediction says.
-LabelledSkeleton predict(const Settings& s, const Models& models, Rigged* rigged) {
-  if (!s.prediction.empty()) {
-    Character file;
-    read_skeleton(s.prediction, false, &file);
-    rigged->skeleton = skeleton_from_joints(file.joints);
-    return label_skeleton(rigged->skeleton.joints);
-  }
-  if (s.method.slots()) {
-    SlotSkeletonOptions options;
-    options.category = slot_category(s.method.category);
-    options.up_axis = s.up == "z" ? 1 : 0;
-    options.toes = !s.no_toes;
-    options.ends = !s.no_ends;
-    rigged->skeleton = predict_slots(rigged->character, models.slots, options);
-    return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
-  }
-  SkeletonOptions options;
-  if (s.method.extracts()) {
-    options.method = s.method.engine_method();
-  } else {
-    options.model = &models.rig->model;
-  }
-  options.up_axis = s.up == "z" ? 1 : 0;
-  options.mirror = s.mirror ? SINEW_MIRROR_ALWAYS : s.no_mirror ? SINEW_MIRROR_NEVER : SINEW_MIRROR_AUTO;
-  options.spine_count = s.spine;
-  options.toes = !s.no_toes;
-  options.ends = !s.no_ends;
-  rigged->skeleton = predict_skeleton(rigged->character, options);
-  const float spread = rigged->skeleton.spread;
-  if (s.method.method == "auto" && spread > kUnknownSpread) {
-    options.method = SINEW_RIG_SHAPE;
-    rigged->skeleton = predict_skeleton(rigged->character, options);
-    rigged->skeleton.spread = spread;
-    rigged->character.notes.push_back(
-        "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
-        "names; --method votes gives the model's guess");
-  } else if (spread > kDoubtfulSpread) {
-    rigged->character.notes.push_back(
-        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
-        "--method shape");
-  }
-  return {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+RigJobOptions job_options(const Settings& s) {
+  RigJobOptions job;
+  job.method = s.method.job_method();
+  job.detail = s.detail == "full"    ? SkeletonDetail::kFull
+               : s.detail == "hands" ? SkeletonDetail::kHands
+                                     : SkeletonDetail::kBody;
+  job.mirror = s.mirror ? SINEW_MIRROR_ALWAYS : s.no_mirror ? SINEW_MIRROR_NEVER : SINEW_MIRROR_AUTO;
+  job.up_axis = s.up == "z" ? 1 : 0;
+  job.spine_count = s.spine;
+  job.toes = !s.no_toes;
+  job.ends = !s.no_ends;
+  job.bind = !s.no_bind;
+  job.keep_lengths = s.keep_lengths;
+  job.influence_count = s.influences;
+  BindOptions style;
+  style.method = SINEW_METHOD_MODEL;
+  apply_style(s.style, &style);
+  job.rigid_parts = style.rigid_parts;
+  job.softness_percent = style.softness_percent;
+  job.surface_vertices = style.surface_vertices;
+  job.edits = s.edits;
+  job.skeleton = s.skeleton;
+  return job;
 }
 
-// What the skeleton has besides a body: fingers, and a face.
-LabelledSkeleton add_details(const Settings& s, const LoadedModel& hands, Rigged* rigged) {
-  SkeletonOptions options;
+PredictedSkeleton predict_by_slots(const Settings& s, const FloatNetwork& network, const Character& mesh) {
+  SlotSkeletonOptions options;
+  options.category = slot_category(s.method.category);
   options.up_axis = s.up == "z" ? 1 : 0;
-  const SkeletonDetail detail = s.detail == "full" ? SkeletonDetail::kFull : SkeletonDetail::kHands;
-  for (std::string& note : predict_details(rigged->character, detail, hands.model, options, &rigged->skeleton))
-    rigged->character.notes.push_back(std::move(note));
-  LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
-  for (uint8_t& one : found.classes)
-    if (is_finger_class(one) || is_face_class(one) || is_prop_class(one)) one = kClassDetail;
-  return found;
+  options.toes = !s.no_toes;
+  options.ends = !s.no_ends;
+  return predict_slots(mesh, network, options);
 }
 
 Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
-  Rigged rigged;
-  Character& character = rigged.character;
-  character = read_mesh(path);
-  LabelledSkeleton found = predict(s, models, &rigged);
-  if (models.hands != nullptr) found = add_details(s, *models.hands, &rigged);
-  if (!s.skeleton.empty()) {
-    FitOptions options;
-    options.up_axis = s.up == "z" ? 2 : 1;
-    options.keep_lengths = s.keep_lengths;
-    rigged.fitted = fit_own_skeleton(s.skeleton, found, options, character, &rigged.skeleton);
-    if (2 * rigged.fitted->matched < rigged.fitted->telling)
-      character.notes.push_back("warning: most joints of " + s.skeleton +
-                                " have no like in this mesh; look at them before using them");
+  const auto opened = [](const std::unique_ptr<LoadedModel>& model) { return model ? &model->model : nullptr; };
+  const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands)};
+  Character mesh = read_mesh(path);
+  if (!s.prediction.empty()) {
+    Character file;
+    read_skeleton(s.prediction, false, &file);
+    return rig_character(std::move(mesh), skeleton_from_joints(file.joints), true, job_options(s), ready);
   }
-  edit_skeleton(s.edits, !s.no_mirror, &rigged.skeleton);
-  if (!character.joints.empty())
-    character.notes.push_back("the file's own skeleton of " + std::to_string(character.joints.size()) +
-                              " joints was left out; sinew bind keeps it");
-  character.joints = rigged.fitted && s.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
-  character.influences.clear();
-  if (s.no_bind) return rigged;
-  BindOptions options;
-  options.method = SINEW_METHOD_MODEL;
-  options.model = &models.bind->model;
-  options.influence_count = s.influences;
-  options.up_axis = s.up == "z" ? 1 : 0;
-  apply_style(s.style, &options);
-  CharacterBind result =
-      rigged.fitted ? bind_to_own(options, character) : bind_to_prediction(rigged.skeleton, options, &character);
-  character.influences = std::move(result.influences);
-  rigged.bind_seconds = result.seconds;
-  return rigged;
+  if (!s.method.slots()) return rig_character(std::move(mesh), job_options(s), ready);
+  PredictedSkeleton slots = predict_by_slots(s, models.slots, mesh);
+  return rig_character(std::move(mesh), std::move(slots), false, job_options(s), ready);
 }
 
 Json summary_json(const Settings& s, const Rigged& rigged, const std::string& mesh, const std::string& output) {
@@ -335,11 +281,6 @@ void add_models(CLI::App* sub, Settings* s) {
 }
 
 }  // namespace
-
-Character rig_bare_mesh(const std::string& path) {
-  const Settings s;
-  return rig_one(s, load_models(s), path).character;
-}
 
 void add_rig(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh, and bind the mesh to it");

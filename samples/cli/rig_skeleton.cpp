@@ -7,21 +7,11 @@
 #include <map>
 
 #include "options.hpp"
-#include "sinew_character/joint_mirror.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_formats/file_names.hpp"
-#include "sinew_formats/io.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
-namespace {
-
-constexpr const char* kTemplate = "template:";
-
-bool is_template(const std::string& source) { return source.rfind(kTemplate, 0) == 0; }
-
-}  // namespace
-
 EditOptions::EditOptions(CLI::App* sub) : sub_(sub) {
   const auto add = [&](EditKind kind, const char* name, const char* form, const char* about) {
     auto texts = std::make_shared<std::vector<std::string>>();
@@ -59,66 +49,10 @@ void check_skeleton_source(const std::string& source) {
                      " or template:NAME");
   if (!is_template(source)) return;
   try {
-    (void)skeleton_template(source.substr(std::string(kTemplate).size()));
+    (void)read_own_skeleton(source);
   } catch (const Error& error) {
     throw UsageError(error.what());
   }
-}
-
-FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
-                             const Character& mesh) {
-  float floor = component(mesh.vertices.at(0), options.up_axis);
-  for (const Vec3& v : mesh.vertices) floor = std::min(floor, component(v, options.up_axis));
-  options.floor = floor;
-  return fit_skeleton(label_skeleton(joints), found, options);
-}
-
-FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleton& found, FitOptions options,
-                                const Character& mesh, PredictedSkeleton* skeleton) {
-  Character own;
-  if (is_template(source))
-    own.joints = skeleton_template(source.substr(std::string(kTemplate).size()));
-  else
-    read_skeleton(source, false, &own);
-  FittedSkeleton fitted;
-  try {
-    fitted = fit_into_mesh(own.joints, found, options, mesh);
-  } catch (const Error& error) {
-    throw Error("--skeleton " + source + ": " + error.what());
-  }
-  PredictedSkeleton result = skeleton_from_joints(fitted.joints);
-  std::map<std::string, std::optional<bool>> deforms;
-  for (const Joint& joint : own.joints) deforms.emplace(joint.name, joint.deforms);
-  for (Joint& joint : result.joints) joint.deforms = deforms.at(joint.name);
-  if (fitted.symmetric && !result.mirrored) {  // but for details that are on one side alone
-    JointMirror mirror = find_joint_mirror(result.joints);
-    result.mirrored = mirror.axis != 1;
-    if (result.mirrored) result.partners = std::move(mirror.partners);
-  }
-  result.spread = skeleton->spread;
-  result.seconds = skeleton->seconds;
-  result.workspace_bytes = skeleton->workspace_bytes;
-  *skeleton = std::move(result);
-  return fitted;
-}
-
-CharacterBind bind_to_own(BindOptions options, const Character& character) {
-  CharacterBindOptions bind;
-  bind.bind = std::move(options);
-  bind.bind_props = true;
-  return bind_character(character, choose_joints(character, JointsFrom::kNames), bind);
-}
-
-CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character) {
-  character->joints = skeleton.joints;
-  character->influences.clear();
-  std::vector<uint8_t> said;
-  for (const uint8_t end : skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
-  CharacterBindOptions bind;
-  bind.bind = options;
-  bind.keep_tips = true;
-  bind.bind_props = true;
-  return bind_character(*character, choose_joints(*character, JointsFrom::kAll, said), bind);
 }
 
 }  // namespace sinew::cli

@@ -5,14 +5,10 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "sinew_character/bind_character.hpp"
 #include "sinew_character/edit_skeleton.hpp"
-#include "sinew_character/fit_skeleton.hpp"
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_formats/character.hpp"
+#include "sinew_character/own_skeleton.hpp"
 
 namespace CLI {
 class App;
@@ -40,19 +36,6 @@ class EditOptions {
 
 // Throws UsageError for a template that does not exist and for a mesh. Called before any work.
 void check_skeleton_source(const std::string& source);
-
-// A skeleton put into a mesh, where `found` is; its floor is the mesh's. Throws Error that says what does not fit.
-FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
-                             const Character& mesh);
-// The skeleton of a file or template:NAME put where `found` is, in place of *skeleton. What its joints deform stays as the
-// file says.
-FittedSkeleton fit_own_skeleton(const std::string& source, const LabelledSkeleton& found, FitOptions options,
-                                const Character& mesh, PredictedSkeleton* skeleton);
-
-// Binds a mesh to the skeleton that it was given: a user's own, whose names say which joints deform, or a predicted one,
-// which becomes the character's and whose joints all do but for bone ends.
-CharacterBind bind_to_own(BindOptions options, const Character& character);
-CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character);
 
 }  // namespace sinew::cli
 #endif

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "sinew_character/rig_job.hpp"
 #include "sinew_formats/float_network.hpp"
 #include "sinew_trainer/slot_skeleton.hpp"
 
@@ -20,8 +21,11 @@ struct MethodOptions {
   bool slots() const { return method == "slots"; }
   // From the mesh alone, without a model.
   bool extracts() const { return method == "shape" || method == "regions"; }
-  uint32_t engine_method() const {
-    return method == "shape" ? SINEW_RIG_SHAPE : method == "regions" ? SINEW_RIG_REGIONS : SINEW_RIG_VOTES;
+  RigMethod job_method() const {
+    return method == "shape"     ? RigMethod::kShape
+           : method == "regions" ? RigMethod::kRegions
+           : method == "votes"   ? RigMethod::kVotes
+                                 : RigMethod::kAuto;
   }
 };
 void add_method_options(CLI::App* sub, MethodOptions* options);

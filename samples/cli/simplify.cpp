@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "options.hpp"
-#include "sinew_character/retarget.hpp"
-#include "sinew_character/simplify_skeleton.hpp"
+#include "sinew_character/simplify_job.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/gltf_summary.hpp"
 #include "sinew_formats/io.hpp"
@@ -58,21 +58,11 @@ Character read_input(const Settings& s) {
   return character;
 }
 
-// The file's own animations on the joints that are left; none in files of other kinds.
-Motion simplified_motion(const Settings& s, const std::vector<Joint>& left, const Simplified& simplified) {
-  Motion motion = motion_of(left);
+// The file's own animations; none in files of other kinds.
+std::optional<Motion> own_animations(const Settings& s) {
   if (has_extension(s.rig, ".txt") || has_extension(s.rig, ".obj") || summarise_gltf(s.rig).animations.empty())
-    return motion;
-  const Motion own = read_gltf_motion(s.rig);
-  std::vector<int> sources(left.size(), -1);
-  for (size_t j = 0; j < simplified.number.size(); ++j)
-    if (simplified.number[j] >= 0) sources[static_cast<size_t>(simplified.number[j])] = static_cast<int>(j);
-  RetargetSettings settings;
-  settings.method = SINEW_RETARGET_COPY;
-  settings.scale = 1;
-  Retargeter retargeter(own, left, sources, std::vector<uint8_t>(left.size(), SINEW_CLASS_OTHER), settings);
-  for (const Clip& clip : own.clips) motion.clips.push_back(retargeter.run(clip));
-  return motion;
+    return std::nullopt;
+  return read_gltf_motion(s.rig);
 }
 
 void run(const Settings& s) {
@@ -84,16 +74,15 @@ void run(const Settings& s) {
   if (character.vertices.empty() && s.output != "-" && !has_extension(s.output, ".rig.txt"))
     throw UsageError(s.output + ": " + s.rig + " has no mesh; expected -o OUT.rig.txt, or --mesh MESH.obj beside it");
   const std::vector<Joint> before = character.joints;
-  const Simplified simplified = simplify_skeleton(options, &character);
-  const Motion motion = simplified_motion(s, character.joints, simplified);
-  if (has_extension(s.output, ".glb") || has_extension(s.output, ".gltf") || has_extension(s.output, ".vrm")) {
-    GlbOptions glb;
-    glb.drop_animations = true;
-    glb.motion = &motion;
-    write_gltf(s.output, character, glb);
-  } else {
-    write_character(s.output, character);
-  }
+  const std::optional<Motion> own = own_animations(s);
+  std::vector<const Motion*> motions;
+  if (own) motions.push_back(&*own);
+  const SimplifiedCharacter left = simplify_character(options, motions, &character);
+  const Simplified& simplified = left.simplified;
+  GlbOptions glb;
+  glb.drop_animations = true;
+  glb.motion = &left.motion;
+  write_character(s.output, character, glb);
   if (s.json) {
     Json json;
     json["rig"] = s.rig;

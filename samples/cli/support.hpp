@@ -11,7 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "sinew/sinew.hpp"
+#include "sinew_character/character_file.hpp"
+#include "sinew_character/models.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/error.hpp"
 
@@ -27,26 +28,9 @@ class UsageError : public Error {
 // missing or it is a folder itself. Called before any work.
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed = false);
 
-// .glb, .gltf, .vrm, .obj (with .rig.txt beside it when there are joints), .rig.txt / .txt; "-" is rig.txt on standard output.
-void write_character(const std::string& path, const Character& character);
 std::vector<std::string> character_outputs();
 // A mesh, with the skeleton of another file when `skeleton` is not empty. UsageError when the two are swapped.
 Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin);
-
-// A checked model and the bytes it stands on.
-struct LoadedModel {
-  std::vector<uint64_t> storage;  // 8-byte aligned copy of a file; empty for the bundled model
-  sinew::Workspace packed;        // its weights for the processor's kernels
-  sinew_model model{};
-};
-// What a model is opened for.
-enum class ModelUse { kBind, kRig, kHands };
-// `path` empty or "bundled": the model built into the program. Throws Error.
-std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use = ModelUse::kBind);
-std::string model_label(const std::string& path);  // "bundled model" or the file's name
-std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what,
-                                              ModelUse use = ModelUse::kBind);
-bool has_bundled_model();
 
 // Joints named in a text file, one per line; '#' starts a comment line. Throws Error naming the line of an unknown
 // joint.

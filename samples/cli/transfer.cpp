@@ -14,12 +14,12 @@
 #include "commands.hpp"
 #include "folder_files.hpp"
 #include "options.hpp"
+#include "sinew_character/thread_pool.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
-#include "thread_pool.hpp"
 #include "transfer_target.hpp"
 
 namespace sinew::cli {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Reads targets, gives those without a skeleton the source's, and maps joints.
+// Reads targets and their skeletons.
 #include "transfer_target.hpp"
 
-#include <algorithm>
 #include <filesystem>
+#include <utility>
 
-#include "rig_skeleton.hpp"
-#include "sinew_character/map_skeleton.hpp"
-#include "sinew_character/predict_skeleton.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "support.hpp"
 
 namespace sinew::cli {
 namespace {
@@ -21,88 +19,29 @@ bool has_rig_beside(const std::string& path) {
 
 }  // namespace
 
-JointMapping find_joint_map(const Character& source, const std::string& map, const std::string& path,
-                            const Character& target, std::string* mapped_by) {
-  MapRig target_rig = map_rig_of(target), source_rig = map_rig_of(source);
-  target_rig.name = path;
-  source_rig.name = source.name;
-  if (!map.empty()) {
-    *mapped_by = map;
-    JointMapping mapping(source.joints.size(), -1);
-    for (const sinew_map_pin& pin : read_map_file(map, target_rig, source_rig, MapRepeats::kTargets))
-      if (pin.source >= 0) mapping[static_cast<size_t>(pin.source)] = static_cast<int32_t>(pin.target);
-    if (mapped_count(mapping) == 0) throw Error(map + ": maps no joint; expected lines TARGET_JOINT SOURCE_JOINT");
-    return mapping;
-  }
-  JointMapping mapping = map_joints_by_name(source.joints, target.joints);
-  *mapped_by = "equal names";
-  if (2 * mapped_count(mapping) >= std::min(source.joints.size(), target.joints.size())) return mapping;
-  MapSkeletonOptions options;
-  options.target_up = options.source_up = 'a';
-  const MappedSkeleton found = map_skeleton(target_rig, source_rig, options);
-  *mapped_by = "anatomy and names";
-  mapping.assign(source.joints.size(), -1);
-  for (size_t t = 0; t < found.sources.size(); ++t)
-    if (found.sources[t] >= 0) mapping[static_cast<size_t>(found.sources[t])] = static_cast<int32_t>(t);
-  if (mapped_count(mapping) == 0)
-    throw Error(path + ": none of its " + std::to_string(target.joints.size()) + " joints stands for a joint of " +
-                source.name + " (" + target.joints.front().name + ", " + source.joints.front().name +
-                "); say with --map FILE which joint is which");
-  return mapping;
-}
-
-// The source's skeleton in the place of the one that is predicted for the mesh.
-void TargetReader::fit_source_skeleton(Character* character) {
-  if (rig_model_ == nullptr) rig_model_ = load_model(from_.rig_model, ModelUse::kRig);
-  SkeletonOptions predict;
-  predict.model = &rig_model_->model;
-  predict.up_axis = from_.z_up ? 1 : 0;
-  const PredictedSkeleton predicted = predict_skeleton(*character, predict);
-  FitOptions fit;
-  fit.up_axis = from_.z_up ? 2 : 1;
-  FittedSkeleton fitted;
-  try {
-    fitted = fit_into_mesh(source_.joints, label_skeleton(predicted), fit, *character);
-  } catch (const Error& error) {
-    throw Error(character->name + ": has no skeleton, and that of " + source_.name + " does not fit: " + error.what() +
-                "; give one with --skeleton");
-  }
-  character->joints = fitted.joints;
-  if (predicted.spread > kDoubtfulSpread || 2 * fitted.matched < fitted.telling)
-    character->notes.push_back("warning: the skeleton of " + source_.name +
-                               " was fitted to a mesh that resembles little that the model knows; look at its joints, "
-                               "or give a skeleton with --skeleton");
-}
-
 TransferTarget TargetReader::read(const std::string& path) {
-  TransferTarget target;
-  Character& character = target.character;
   if (has_extension(path, ".txt"))
     throw UsageError(path + " is a skeleton, but a mesh is expected as a target: give its skeleton with --skeleton");
-  character = read_mesh(path);
-  if (from_.garment) {
-    character.joints = source_.joints;
-    character.influences.clear();
-    target.skeleton = source_.name;
-    target.mapped_by = "the same skeleton";
-    for (size_t j = 0; j < source_.joints.size(); ++j) target.mapping.push_back(static_cast<int32_t>(j));
-    return target;
-  }
+  Character mesh = read_mesh(path);
+  TransferTargetOptions options;
+  options.path = path;
+  options.map = from_.map;
+  options.garment = from_.garment;
+  options.z_up = from_.z_up;
+  options.rig_model = [this] {
+    if (rig_model_ == nullptr) rig_model_ = load_model(from_.rig_model, ModelUse::kRig);
+    return &rig_model_->model;
+  };
   if (!from_.skeleton.empty()) {
-    read_skeleton(from_.skeleton, false, &character);
-    target.skeleton = from_.skeleton;
-  } else if (!character.joints.empty()) {
-    target.skeleton = "its own";
-  } else if (has_rig_beside(path)) {
-    read_skeleton(rig_path_beside(path), true, &character);
-    target.skeleton = rig_path_beside(path);
-  } else {
-    fit_source_skeleton(&character);
-    target.skeleton = source_.name;
-    target.fitted = true;
+    read_skeleton(from_.skeleton, false, &mesh);
+    options.skeleton = from_.skeleton;
+  } else if (!mesh.joints.empty()) {
+    options.skeleton = "its own";
+  } else if (!from_.garment && has_rig_beside(path)) {
+    read_skeleton(rig_path_beside(path), true, &mesh);
+    options.skeleton = rig_path_beside(path);
   }
-  target.mapping = find_joint_map(source_, from_.map, path, character, &target.mapped_by);
-  return target;
+  return transfer_target(source_, std::move(mesh), options);
 }
 
 }  // namespace sinew::cli

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A target of sinew transfer: its mesh, its skeleton wherever that comes from, and which of its joints stands for which.
+// A target of sinew transfer from its file.
 #ifndef SINEW_CLI_TRANSFER_TARGET_HPP
 #define SINEW_CLI_TRANSFER_TARGET_HPP
 
 #include <memory>
 #include <string>
 
-#include "sinew_character/joint_map.hpp"
+#include "sinew_character/models.hpp"
+#include "sinew_character/transfer_job.hpp"
 #include "sinew_formats/character.hpp"
-#include "support.hpp"
 
 namespace sinew::cli {
 
@@ -21,19 +21,6 @@ struct TargetSource {
   bool z_up = false;
 };
 
-struct TransferTarget {
-  Character character;  // with joints; its own weights where it has some for these joints
-  JointMapping mapping;
-  std::string skeleton;  // whose skeleton it is, for the summary
-  std::string mapped_by;
-  bool fitted = false;
-};
-
-// Which joint of the target (a character of the file `path`) stands for which of the source's [source joints]: by the file `map` where
-// it is not empty, by equal names where most joints have one, else by anatomy. One place for all ways of finding that out.
-JointMapping find_joint_map(const Character& source, const std::string& map, const std::string& path,
-                            const Character& target, std::string* mapped_by);
-
 class TargetReader {
  public:
   TargetReader(const Character& source, const TargetSource& from) : source_(source), from_(from) {}
@@ -41,8 +28,6 @@ class TargetReader {
   TransferTarget read(const std::string& path);
 
  private:
-  void fit_source_skeleton(Character* character);
-
   const Character& source_;
   const TargetSource& from_;
   std::unique_ptr<LoadedModel> rig_model_;

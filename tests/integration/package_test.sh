@@ -70,8 +70,16 @@ cmp bundled.glb file.glb
 bind "$build/sinew" built.glb
 cmp bundled.glb built.glb
 
+# A C program with libsinew_character, by pkg-config and by CMake.
+read -ra flags <<<"$(pkg-config --cflags --libs sinew-character)"
+cc -std=c99 -pedantic-errors "$source_dir/samples/02_character_c/bind.c" -o by_pkg_config "${flags[@]}"
+LD_LIBRARY_PATH=$(pkg-config --variable=libdir sinew-character) ./by_pkg_config snake__long.obj library.glb >"$work/log"
+cmp library.glb bundled.glb
+
 quietly cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$root/usr"
 quietly cmake --build "$work/consumer"
+"$work/consumer/character" snake__long.obj linked.glb >"$work/log"
+cmp linked.glb bundled.glb
 for name in default rig; do
   [ -e "$root/usr/share/doc/sinew/sinew_$name.md" ] || fail "the card of the $name model is missing"
   "$work/consumer/consumer" | grep -F "opened $root/usr/share/sinew/sinew_$name.sinew" >/dev/null || fail "the CMake package has no $name model in $root"

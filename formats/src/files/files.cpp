@@ -17,6 +17,7 @@
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -87,7 +88,16 @@ class PendingFile {
   fs::path target_;
 };
 
+bool write_to_memory(const std::string& path, const void* bytes, size_t size) {
+  std::vector<NamedBytes>* outputs = memory_outputs();
+  if (outputs == nullptr) return false;
+  const uint8_t* first = static_cast<const uint8_t*>(bytes);
+  outputs->push_back({path, {first, first + size}});
+  return true;
+}
+
 void write_bytes(const std::string& path, const void* bytes, size_t size) {
+  if (write_to_memory(path, bytes, size)) return;
   if (path == "-") return write_all("standard output", stdout, bytes, size);
   PendingFile(path, bytes, size).replace();
 }
@@ -113,6 +123,11 @@ std::string stem_of(const std::string& path) {
 }
 
 std::vector<uint8_t> read_file(const std::string& path) {
+  if (const FileBytes* files = memory_inputs()) {
+    const auto file = files->find(fs::path(path).lexically_normal().generic_string());
+    if (file == files->end()) throw Error(path + ": no such file");
+    return file->second;
+  }
   const bool standard_input = path == "-";
   const std::string name = standard_input ? "standard input" : path;
   File opened;
@@ -151,7 +166,8 @@ void write_file(const std::string& path, const std::vector<uint8_t>& bytes) {
 void write_files(const std::vector<NamedBytes>& files) {
   std::vector<std::unique_ptr<PendingFile>> pending;
   for (const NamedBytes& file : files)
-    pending.push_back(std::make_unique<PendingFile>(file.path, file.bytes.data(), file.bytes.size()));
+    if (!write_to_memory(file.path, file.bytes.data(), file.bytes.size()))
+      pending.push_back(std::make_unique<PendingFile>(file.path, file.bytes.data(), file.bytes.size()));
   for (const auto& file : pending) file->replace();
 }
 
@@ -160,8 +176,7 @@ void write_text_file(const std::string& path, const std::string& text) { write_b
 std::vector<std::string> list_characters(const std::string& folder) {
   std::vector<std::pair<std::string, std::string>> found;  // name, path
   for (const std::string& path : files_below(folder)) {
-    std::error_code absent;  // no failure of the folder's
-    const bool pair = has_extension(path, ".obj") && fs::is_regular_file(rig_path_beside(path), absent);
+    const bool pair = has_use(path, kReadsMesh) && !has_use(path, kReadsWhole) && is_file(rig_path_beside(path));
     if (pair || has_use(path, kReadsWhole)) found.emplace_back(stem_of(path), path);
   }
   std::sort(found.begin(), found.end());

@@ -7,6 +7,7 @@
 
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 #include "text/text_lines.hpp"
 
 namespace fs = std::filesystem;
@@ -40,8 +41,7 @@ Picture PictureFiles::find(const std::string& name) {
   const std::string title = fs::path(owner_).filename().string();
   const std::string shown = in_quotes(fs::path(plain).filename().string());
   for (const fs::path& path : {folder / plain, folder / fs::path(plain).filename()}) {
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) continue;
+    if (!is_file(path.string())) continue;
     try {
       auto bytes = std::make_shared<std::vector<uint8_t>>(read_file(path.string()));
       if (png_or_jpeg(bytes->data(), bytes->size()) == nullptr) {

@@ -12,6 +12,7 @@
 #include "gltf/gltf_source.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
@@ -22,10 +23,7 @@ namespace fs = std::filesystem;
 // tinygltf before 2.6 expanded file names as a shell does (wordexp), which a file from a stranger must never reach.
 tinygltf::FsCallbacks plain_file_access() {
   tinygltf::FsCallbacks access;
-  access.FileExists = [](const std::string& path, void*) {
-    std::error_code ignored;
-    return fs::is_regular_file(path, ignored);
-  };
+  access.FileExists = [](const std::string& path, void*) { return is_file(path); };
   access.ExpandFilePath = [](const std::string& path, void*) { return path; };
   access.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* problem, const std::string& path, void*) {
     try {
@@ -163,6 +161,7 @@ GltfSource load_gltf(const std::string& path, const std::vector<uint8_t>& file) 
 
   GltfSource source;
   source.path = path;
+  source.in_memory = memory_inputs() != nullptr;
   std::string problem, warning;
   bool ok = false;
   try {

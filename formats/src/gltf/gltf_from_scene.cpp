@@ -23,6 +23,7 @@
 
 #include "files/picture_files.hpp"
 #include "gltf/scene_animations.hpp"
+#include "gltf/scene_files.hpp"
 #endif
 
 namespace sinew {
@@ -593,6 +594,7 @@ GltfSource gltf_from_scene(const std::string& path) {
   if (read_file(path).empty()) throw Error(path + ": expected a scene, found an empty file");
   try {
     Assimp::Importer importer;
+    importer.SetIOHandler(new SceneFiles);  // the importer deletes it
     const aiScene* scene = import(path, true, &importer);
     // COLLADA's bones are found by name: where two nodes share one, by identifier.
     if (has_extension(path, ".dae") && !names_are_unique(scene->mRootNode)) scene = import(path, false, &importer);

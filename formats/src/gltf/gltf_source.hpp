@@ -45,6 +45,7 @@ struct GltfSource {
   GltfBindPose bind_pose;
   size_t vertex_count = 0;         // of the Character
   std::vector<Joint> joints;       // as read: a Character whose joints differ has its skeleton from elsewhere
+  bool in_memory = false;          // that file is one of MemoryFiles
   std::string path;                // of the file that uris of pictures are relative to; empty when there is none
   std::vector<std::string> notes;  // one-line remarks for the user
 };

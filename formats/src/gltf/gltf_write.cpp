@@ -13,6 +13,7 @@
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 #include "text/text_lines.hpp"
 
 namespace fs = std::filesystem;
@@ -257,7 +258,8 @@ void write_document(const std::string& path, const Character& character, const G
     throw Error(path + ": cannot write a VRM, " + character.name +
                 " has none of its data (extension VRM or VRMC_vrm); write a .glb");
   try {
-    embed_images(path, !as_text || source.path.empty() || !same_folder(path, source.path), &source);
+    const bool in_memory = source.in_memory || memory_outputs() != nullptr;  // no folder to share
+    embed_images(path, !as_text || source.path.empty() || in_memory || !same_folder(path, source.path), &source);
     if (as_text) return write_text_form(path, &source);
     write_file(path, pack_glb(path, &source.document, std::move(source.bytes)));
   } catch (const nlohmann::json::exception& error) {

@@ -11,6 +11,7 @@
 
 #include "files/picture_files.hpp"
 #include "sinew_formats/io.hpp"
+#include "sinew_formats/memory_files.hpp"
 #include "text/text_lines.hpp"
 
 namespace fs = std::filesystem;
@@ -137,9 +138,8 @@ void read_materials(const std::string& obj_path, const std::vector<std::string>&
     std::string plain = name;
     std::replace(plain.begin(), plain.end(), '\\', '/');
     fs::path path = folder / plain;
-    std::error_code ignored;
-    if (!fs::is_regular_file(path, ignored)) path = folder / fs::path(plain).filename();
-    if (!fs::is_regular_file(path, ignored)) {
+    if (!is_file(path.string())) path = folder / fs::path(plain).filename();
+    if (!is_file(path.string())) {
       character->notes.push_back("materials " + in_quotes(name) +
                                  " were not found; the output has their names, not their colours");
       continue;

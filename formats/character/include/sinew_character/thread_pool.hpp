@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Threads that the command lends to the engine (sinew_options::parallel_for).
-#ifndef SINEW_CLI_THREAD_POOL_HPP
-#define SINEW_CLI_THREAD_POOL_HPP
+// Threads that a job lends to the engine (sinew_options::parallel_for).
+#ifndef SINEW_CHARACTER_THREAD_POOL_HPP
+#define SINEW_CHARACTER_THREAD_POOL_HPP
 
 #include <atomic>
 #include <cstdint>
 #include <thread>
 #include <vector>
 
-namespace sinew::cli {
+namespace sinew {
 
 // The calling thread and `threads - 1` others, which sleep between two loops. One caller at a time.
 class ThreadPool {
@@ -38,5 +38,5 @@ class ThreadPool {
   std::atomic<uint32_t> working_{0};  // others that are not back from it
 };
 
-}  // namespace sinew::cli
+}  // namespace sinew
 #endif

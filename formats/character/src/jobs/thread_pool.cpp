@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A loop over a few pieces of work on threads that stay, because a bind has a hundred of them.
-#include "thread_pool.hpp"
+#include "sinew_character/thread_pool.hpp"
 
-namespace sinew::cli {
+namespace sinew {
 
 ThreadPool::ThreadPool(unsigned threads) {
   for (unsigned i = 1; i < threads; ++i) others_.emplace_back([this] { serve(); });
@@ -46,4 +46,4 @@ void ThreadPool::serve() {
   }
 }
 
-}  // namespace sinew::cli
+}  // namespace sinew

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// sinew_character_rig(): the job of `sinew rig`.
+#include "handle.hpp"
+#include "rig_of.hpp"
+#include "sinew_character/rig_job.hpp"
+#include "sinew_character/skeleton_template.hpp"
+
+namespace sinew {
+namespace {
+
+RigJobOptions job_of(const sinew_character_rig_options& options) {
+  check_at_most("method", options.method, SINEW_CHARACTER_RIG_REGIONS);
+  check_at_most("detail", options.detail, SINEW_DETAIL_FULL);
+  check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
+  check_at_most("up_axis", options.up_axis, 1);
+  check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
+  check_at_most("influence_count", options.influence_count, SINEW_MAX_INFLUENCES);
+  need(options.edits != nullptr || options.edit_count == 0, "edits");
+  RigJobOptions job;
+  job.method = static_cast<RigMethod>(options.method);
+  job.detail = static_cast<SkeletonDetail>(options.detail);
+  job.mirror = options.mirror;
+  job.up_axis = options.up_axis;
+  job.spine_count = options.spine_count;
+  job.toes = options.no_toes == 0;
+  job.ends = options.no_ends == 0;
+  job.bind = options.no_bind == 0;
+  job.keep_lengths = options.keep_lengths != 0;
+  if (options.influence_count != 0) job.influence_count = options.influence_count;
+  if (options.thread_count != 0) job.thread_count = options.thread_count;
+  job.rigid_parts = options.rigid_parts;
+  if (options.softness_percent != 0) job.softness_percent = options.softness_percent;
+  if (options.surface_vertices != 0) job.surface_vertices = options.surface_vertices;
+  for (uint32_t e = 0; e < options.edit_count; ++e) {
+    check_at_most("edits: kind", options.edits[e].kind, SINEW_EDIT_RENAME);
+    need(options.edits[e].text != nullptr, "edits: text");
+    job.edits.push_back(parse_edit(static_cast<EditKind>(options.edits[e].kind), options.edits[e].text));
+  }
+  if (options.skeleton != nullptr) job.skeleton = options.skeleton;
+  if (options.skeleton_character != nullptr) {
+    const sinew_character& own = *options.skeleton_character;
+    if (own.character.joints.empty()) throw Error(own.character.name + ": expected a skeleton, found a mesh alone");
+    job.skeleton = own.path.empty() ? own.character.name : own.path;
+    job.own = own.character.joints;
+  }
+  return job;
+}
+
+// The mesh as `sinew rig` reads it: from its file where it is one, without the skeleton of another.
+Character bare_mesh(const sinew_character& from) {
+  Character mesh = from.character;
+  if (mesh.vertices.empty()) throw Error(mesh.name + ": has no mesh to rig");
+  if (!from.own_skeleton) {
+    mesh.joints.clear();
+    mesh.influences.clear();
+  }
+  return mesh;
+}
+
+void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_character_rig_result* result) {
+  if (result == nullptr) return;
+  *views = {};
+  const PredictedSkeleton& skeleton = rigged.skeleton;
+  views->ends = skeleton.ends;
+  views->confidence = skeleton.confidence;
+  views->parent_confidence = skeleton.parent_confidence;
+  sinew_character_rig_result filled = sinew_character_rig_result_init();
+  filled.mirrored = skeleton.mirrored ? 1 : 0;
+  filled.joint_count = count32(skeleton.joints.size());
+  filled.spread = skeleton.spread;
+  filled.scale = 1;
+  if (rigged.fitted) {
+    filled.matched = count32(rigged.fitted->matched);
+    filled.scale = rigged.fitted->scale;
+  }
+  filled.seconds = skeleton.seconds;
+  filled.bind_seconds = rigged.bind_seconds;
+  filled.ends = views->ends.data();
+  filled.confidence = views->confidence.data();
+  filled.parent_confidence = views->parent_confidence.data();
+  give(filled, result);
+}
+
+}  // namespace
+
+RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_options& options,
+                       ProgressOfCaller* progress) {
+  RigJobOptions job = job_of(options);
+  job.progress = progress->callback();
+  job.progress_user = progress->user();
+  std::unique_ptr<LoadedModel> rig, bind, hands;
+  if (job.method == RigMethod::kAuto || job.method == RigMethod::kVotes) rig = model_of(options.models, ModelUse::kRig);
+  if (job.bind) bind = model_of(options.models, ModelUse::kBind);
+  if (job.detail != SkeletonDetail::kBody) hands = model_of(options.models, ModelUse::kHands);
+  RigModels models;
+  if (rig) models.rig = &rig->model;
+  if (bind) models.bind = &bind->model;
+  if (hands) models.hands = &hands->model;
+  return rig_character(bare_mesh(from), job, models);
+}
+
+}  // namespace sinew
+
+using namespace sinew;
+
+extern "C" {
+
+sinew_status sinew_character_rig(sinew_character* character, const sinew_character_rig_options* given,
+                                 sinew_character_rig_result* result) {
+  ProgressOfCaller progress = progress_of(given);
+  return guarded(
+      character,
+      [&] {
+        need(character != nullptr, "character");
+        check_result(result);
+        RiggedCharacter rigged = rig_of(*character, options_of(given), &progress);
+        character->character = std::move(rigged.character);
+        character->own_skeleton = true;
+        character->clips.clear();
+        character->morphs = {};
+        changed(character);
+        fill_result(rigged, &character->results, result);
+      },
+      &progress);
+}
+
+const char* sinew_character_templates(void) {
+  static const std::string names = [] {
+    std::string text;
+    for (const TemplateInfo& one : skeleton_templates()) text += (text.empty() ? "" : " ") + one.name;
+    return text;
+  }();
+  return names.c_str();
+}
+
+}  // extern "C"

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What `sinew animate` does with one character by default: clips chosen, joints mapped, contacts kept, corrections as morph targets.
+#ifndef SINEW_CHARACTER_ANIMATE_JOB_HPP
+#define SINEW_CHARACTER_ANIMATE_JOB_HPP
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sinew_character/bake.hpp"
+#include "sinew_character/retarget.hpp"
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+enum class AnimateMethod { kAuto, kCopy, kContacts, kReferencePoints };  // kAuto: contacts
+
+struct AnimateOptions {
+  std::string character;                        // its file, for messages
+  std::string up = "auto", motion_up = "auto";  // x, y, z
+  std::string map;                              // a map's file, or empty
+  std::vector<int> sources;                     // [J] joint of the motion or -1, in place of a map; or empty
+  AnimateMethod method = AnimateMethod::kAuto;
+  bool in_place = false, range = true, report = false;
+  double fps = 0, from = 0, to = 1e9;  // seconds
+  sinew_reference_options reference = sinew_reference_options_init();
+};
+
+struct MotionInput {
+  std::string file;  // for messages
+  std::string clip;  // by name or number; empty: all
+  const Motion* motion = nullptr;
+  std::function<std::optional<Character>()>
+      body;  // the mesh of the motion's own file; asked where a method looks at it
+};
+
+// What became of one clip.
+struct AnimatedClip {
+  std::string file, clip, map;
+  size_t frames = 0, mapped = 0;
+  double frame_time = 0;
+  ClipReport report;
+  size_t shapes = 0;  // of bake_clips(), and how far the clip is from the corrected poses with them
+  BakeError error = {};
+};
+
+struct AnimatedCharacter {
+  Character character;
+  Motion motion;                   // of its joints
+  std::vector<AnimatedClip> made;  // [motion.clips]
+  Morphs morphs;                   // of bake_clips()
+  bool rigged = false;             // was a bare mesh
+  std::vector<int> sources;        // [J] map of the last motion
+  float certainty = 1;             // and how sure its front and sides are
+};
+
+// Told how many steps there are, gives what is asked before each; that says false to stop, which ends the work with an Error.
+using StepsOf = std::function<std::function<bool()>(size_t steps)>;
+
+// A bound character; a mesh without a skeleton gets one by the bundled models. Throws Error, which begins with `path`, for a skeleton
+// without weights.
+AnimatedCharacter animated_character(Character character, const std::string& path);
+void add_motion(const AnimateOptions& options, const MotionInput& input, const StepsOf& steps, AnimatedCharacter* out);
+// Every clip's corrections as morph targets that move in it alone, `shapes` a clip at most.
+void bake_clips(const sinew_deform_options& deform, size_t shapes, const StepsOf& steps, AnimatedCharacter* out);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What `sinew bind` does with one character by default: the hierarchy and the fit, which joints, hints, an example, a studio's style.
+#ifndef SINEW_CHARACTER_BIND_JOB_HPP
+#define SINEW_CHARACTER_BIND_JOB_HPP
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sinew_character/bind_character.hpp"
+#include "sinew_character/style.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+// Who binds: the model with the name that a summary gives it, or heat alone where `model` is null.
+struct Binder {
+  const sinew_model* model = nullptr;
+  std::string name = "heat";
+  sinew_method method = SINEW_METHOD_HEAT;  // without a model
+};
+
+// Vertices' weights that steer a bind, of a character with the same vertices; joints are matched by name.
+struct BindHints {
+  std::string name;  // the file, for messages
+  std::vector<Joint> joints;
+  std::vector<std::vector<Influence>> influences;  // [V] rows of painted vertices, others are empty
+};
+
+struct BindJobOptions {
+  JointsFrom joints = JointsFrom::kAuto;  // of a skeleton of another file than the mesh's: kNames
+  uint32_t influence_count = 4, thread_count = 1, up_axis = 0;
+  uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
+  bool keep_tips = false, bind_props = false, fit = false, symmetric = false;
+  std::vector<uint8_t> said;    // [J] SINEW_JOINT_* of the user, or empty
+  std::vector<uint8_t> locked;  // [V] non-zero: keeps its weights; or empty
+  std::vector<uint8_t> hinted;  // [V] the same, and they steer their surroundings; or empty
+  const BindHints* hints = nullptr;
+  const Character* like = nullptr;  // a bound character whose weights show how they are wanted
+  std::string mesh;                 // file of the character, for messages
+  sinew_progress progress = nullptr;
+  void* progress_user = nullptr;
+};
+
+// A character that is bound any number of times, each time with more answers.
+class BindJob {
+ public:
+  // Gives flat joint lists a hierarchy, brings the skeleton into the mesh or warns, puts rows of hints into the character, all told in its
+  // notes. `character` must outlive the job. Throws Error.
+  BindJob(const BindJobOptions& options, const Binder& binder, Character* character);
+
+  // The character is as it was. Throws Error.
+  CharacterBind bind(const std::vector<sinew_answer>& answers, uint32_t question_count);
+  // Answers of a style for the parts that a bind without them asks about.
+  std::vector<sinew_answer> answers_of(const Style& style);
+  // The rules that answers make, with `style`'s before them. Throws Error, which begins with `path`, where there are none.
+  Style learnt(Style style, const std::vector<sinew_answer>& said, const std::string& path);
+
+  const JointChoice& choice() const { return choice_; }  // of the last bind
+
+ private:
+  const CharacterBind& proposed();
+
+  BindJobOptions job_;
+  CharacterBindOptions options_;
+  Character* character_;
+  JointChoice chosen_, choice_;  // before answers take joints back, and after
+  CharacterBind proposed_;
+  bool has_proposed_ = false;
+};
+
+// Lines about joints that get no weight, folded tips, attached meshes.
+std::vector<std::string> bind_notes(const Character& character, const JointChoice& choice, const CharacterBind& bound);
+
+}  // namespace sinew
+#endif

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// What `sinew rig` does with one mesh by default: a skeleton by the model or the shape, details, a user's own in its place, edits, weights.
+#ifndef SINEW_CHARACTER_RIG_JOB_HPP
+#define SINEW_CHARACTER_RIG_JOB_HPP
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sinew_character/edit_skeleton.hpp"
+#include "sinew_character/fit_skeleton.hpp"
+#include "sinew_character/predict_details.hpp"
+#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_formats/character.hpp"
+
+namespace sinew {
+
+enum class RigMethod {
+  kAuto,  // votes, or shape where the votes know nothing
+  kVotes,
+  kShape,
+  kRegions
+};
+
+struct RigJobOptions {
+  RigMethod method = RigMethod::kAuto;
+  SkeletonDetail detail = SkeletonDetail::kBody;
+  uint32_t mirror = SINEW_MIRROR_AUTO, up_axis = 0, spine_count = 0;
+  bool toes = true, ends = true, bind = true, keep_lengths = false;
+  uint32_t influence_count = 4, thread_count = 1;
+  uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
+  std::vector<SkeletonEdit> edits;
+  std::string skeleton;    // a user's own, in place of the predicted one: its file or template:NAME, empty: none
+  std::vector<Joint> own;  // its joints where they were read already, `skeleton` is a name for messages then
+  sinew_progress progress = nullptr;  // of the bind
+  void* progress_user = nullptr;
+};
+
+// Opened for their tasks; those that a job does not need may be null: hands for the body alone, bind without one, rig for shape and
+// regions.
+struct RigModels {
+  const sinew_model *rig = nullptr, *bind = nullptr, *hands = nullptr;
+};
+
+struct RiggedCharacter {
+  Character character;
+  PredictedSkeleton skeleton;
+  std::optional<FittedSkeleton> fitted;  // with RigJobOptions::skeleton
+  double bind_seconds = 0;
+};
+
+// Starts from a bare mesh, whatever skeleton `mesh` has: that goes, which the notes say. Throws Error.
+RiggedCharacter rig_character(Character mesh, const RigJobOptions& options, const RigModels& models);
+// The same from a skeleton that something else predicted.
+//   by_names  its joints' names say what they are, else its classes
+RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& options,
+                              const RigModels& models);
+
+// By the bundled models and every default, for jobs that need a skeleton on the way. Throws Error.
+Character rig_bare_mesh(Character mesh);
+
+}  // namespace sinew
+#endif

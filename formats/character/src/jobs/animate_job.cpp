@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// Motion of any skeleton for a character.
+#include "sinew_character/animate_job.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "sinew_character/motion_map.hpp"
+#include "sinew_character/rig_job.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/print.hpp"
+
+namespace sinew {
+namespace {
+
+uint32_t up_of(const std::string& text) {
+  return text == "x" ? SINEW_UP_X : text == "y" ? SINEW_UP_Y : text == "z" ? SINEW_UP_Z : SINEW_UP_AUTO;
+}
+
+std::vector<Clip> chosen_clips(const AnimateOptions& s, const MotionInput& choice) {
+  if (choice.motion->clips.empty()) throw Error(choice.file + ": expected a motion, found a skeleton without frames");
+  std::vector<Clip> chosen;
+  if (choice.clip.empty())
+    chosen = choice.motion->clips;
+  else
+    chosen.push_back(find_clip(*choice.motion, choice.file, choice.clip));
+  for (Clip& clip : chosen) {
+    const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
+    clip = cut(clip, s.from, s.to);
+    if (clip.frames.empty())
+      throw Error(choice.file + ": clip " + clip.name +
+                  print(" has no frame between --start %g and --end %g; it lasts %g seconds", s.from, s.to, seconds));
+    if (s.fps > 0 && clip.frame_time * s.fps != 1) clip = resample(clip, s.fps);
+  }
+  return chosen;
+}
+
+// By the method; the motion's own body, if it has one, says what touches what.
+void set_method(const AnimateOptions& s, const MotionInput& input, AnimatedCharacter* out, Retargeter* retargeter) {
+  if (s.method == AnimateMethod::kCopy && !s.report) return;
+  const std::string& file = input.file;
+  const std::optional<Character> source = input.body ? input.body() : std::nullopt;
+  const size_t shared = retargeter->take_bodies(out->character, source ? &*source : nullptr);
+  if (s.method == AnimateMethod::kCopy) return;
+  if (s.method == AnimateMethod::kReferencePoints) {
+    if (shared == 0)
+      throw Error(
+          file +
+          ": has no body of the character's own mesh, which reference points need; give an animated .glb of that "
+          "mesh, or --method contacts");
+    retargeter->follow_reference_points(s.reference);
+    return;
+  }
+  retargeter->keep_contacts();
+  if (s.range) retargeter->keep_range();
+  if (s.method == AnimateMethod::kContacts && shared == 0)
+    out->motion.notes.push_back(file +
+                                ": has no body of the character's own mesh, so feet are held and arms kept out of the "
+                                "body, but what hands touched is not known");
+}
+
+// The caller's map, a file's, or a found one.
+MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& from) {
+  if (s.sources.empty()) return map_motion(target, from, s.up, s.motion_up, s.map);
+  MotionMap map;
+  map.sources = s.sources;
+  map.reasons.assign(s.sources.size(), SINEW_MAP_PINNED);
+  map.how = "what was given";
+  return map;
+}
+
+}  // namespace
+
+AnimatedCharacter animated_character(Character character, const std::string& path) {
+  AnimatedCharacter out;
+  out.character = std::move(character);
+  if (out.character.joints.empty()) {
+    out.character = rig_bare_mesh(std::move(out.character));
+    out.rigged = true;
+  }
+  if (out.character.influences.empty())
+    throw Error(path + ": has a skeleton but no skin weights to animate; bind it first with sinew bind");
+  out.motion = motion_of(out.character.joints);
+  return out;
+}
+
+void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsOf& steps, AnimatedCharacter* out) {
+  const Motion& source = *choice.motion;
+  const std::vector<Clip> clips = chosen_clips(s, choice);
+  MapRig target = map_rig_of(out->character), from = map_rig_of(source);
+  target.name = s.character;
+  from.name = choice.file;
+  const MotionMap map = map_of(s, target, from);
+  RetargetSettings settings;
+  settings.method = s.method == AnimateMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
+  settings.in_place = s.in_place ? 1 : 0;
+  settings.target_up = up_of(s.up);
+  settings.source_up = up_of(s.motion_up);
+  Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
+                        settings);
+  set_method(s, choice, out, &retargeter);
+  size_t frames = 0, mapped = 0;
+  for (const Clip& clip : clips) frames += clip.frames.size();
+  for (const int joint : map.sources) mapped += joint >= 0 ? 1 : 0;
+  if (3 * mapped < 2 * std::min(source.joints.size(), out->character.joints.size()))
+    out->motion.notes.push_back(print("warning: only %zu joints of ", mapped) + choice.file + " move the character's " +
+                                std::to_string(out->character.joints.size()) +
+                                "; look at the result, and say the others with --map");
+  const std::function<bool()> keep_going = steps(frames);
+  for (const Clip& clip : clips) {
+    ClipReport report;
+    out->motion.clips.push_back(retargeter.run(clip, keep_going, s.report ? &report : nullptr));
+    out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
+  }
+  out->sources = map.sources;
+  out->certainty = map.certainty;
+  if (map.certainty < kDoubtfulSides)
+    out->motion.notes.push_back(
+        choice.file +
+        print(": which way is front is not sure (%.0f %%), left and right may be exchanged; sinew map with "
+              "one --set settles it, and --map takes what it writes",
+              100 * static_cast<double>(map.certainty)));
+  for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
+}
+
+// Every clip's corrections as morph targets that move in it alone.
+void bake_clips(const sinew_deform_options& deform, size_t shapes, const StepsOf& steps, AnimatedCharacter* out) {
+  size_t frames = 0;
+  for (const Clip& clip : out->motion.clips) frames += clip.frames.size();
+  const BakeProgress step = steps(2 * frames);
+  BakeSettings settings;
+  settings.deform = deform;
+  Morphs& morphs = out->morphs;
+  for (size_t c = 0; c < out->motion.clips.size(); ++c) {
+    const Clip& clip = out->motion.clips[c];
+    std::vector<Palette> poses;
+    for (const MotionFrame& frame : clip.frames)
+      poses.push_back(motion_palette(out->motion, frame, out->character.joints.size()));
+    MorphClip keys;
+    Morphs own = bake_clip(out->character, poses, settings, shapes, step, &keys.weights);
+    out->made[c].shapes = own.shapes.size();
+    out->made[c].error = bake_error(out->character, own, poses, deform, step, &keys.weights);
+    keys.is_new = true;
+    keys.animation = c;
+    keys.frame_time = clip.frame_time;
+    for (std::vector<float>& row : keys.weights) row.insert(row.begin(), morphs.shapes.size(), 0.0f);
+    for (MorphShape& shape : own.shapes) {
+      shape.name = clip.name + "." + std::to_string(morphs.shapes.size() + 1);
+      morphs.shapes.push_back(std::move(shape));
+    }
+    morphs.clips.push_back(std::move(keys));
+  }
+  for (MorphClip& clip : morphs.clips)
+    for (std::vector<float>& row : clip.weights) row.resize(morphs.shapes.size(), 0.0f);
+}
+
+}  // namespace sinew

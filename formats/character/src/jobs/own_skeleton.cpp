@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Skeletons from files and templates, fitted, and binds to them.
+#include "sinew_character/own_skeleton.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/skeleton_template.hpp"
+#include "sinew_formats/box.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr const char* kTemplate = "template:";
+
+}  // namespace
+
+bool is_template(const std::string& source) { return source.rfind(kTemplate, 0) == 0; }
+
+std::vector<Joint> read_own_skeleton(const std::string& source) {
+  if (is_template(source)) return skeleton_template(source.substr(std::string(kTemplate).size()));
+  Character own;
+  read_skeleton(source, false, &own);
+  return own.joints;
+}
+
+FittedSkeleton fit_into_mesh(const std::vector<Joint>& joints, const LabelledSkeleton& found, FitOptions options,
+                             const Character& mesh) {
+  float floor = component(mesh.vertices.at(0), options.up_axis);
+  for (const Vec3& v : mesh.vertices) floor = std::min(floor, component(v, options.up_axis));
+  options.floor = floor;
+  return fit_skeleton(label_skeleton(joints), found, options);
+}
+
+FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string& source, const LabelledSkeleton& found,
+                                FitOptions options, const Character& mesh, PredictedSkeleton* skeleton) {
+  FittedSkeleton fitted;
+  try {
+    fitted = fit_into_mesh(own, found, options, mesh);
+  } catch (const Error& error) {
+    throw Error("--skeleton " + source + ": " + error.what());
+  }
+  PredictedSkeleton result = skeleton_from_joints(fitted.joints);
+  std::map<std::string, std::optional<bool>> deforms;
+  for (const Joint& joint : own) deforms.emplace(joint.name, joint.deforms);
+  for (Joint& joint : result.joints) joint.deforms = deforms.at(joint.name);
+  if (fitted.symmetric && !result.mirrored) {  // but for details that are on one side alone
+    JointMirror mirror = find_joint_mirror(result.joints);
+    result.mirrored = mirror.axis != 1;
+    if (result.mirrored) result.partners = std::move(mirror.partners);
+  }
+  result.spread = skeleton->spread;
+  result.seconds = skeleton->seconds;
+  result.workspace_bytes = skeleton->workspace_bytes;
+  *skeleton = std::move(result);
+  return fitted;
+}
+
+CharacterBind bind_to_own(BindOptions options, const Character& character) {
+  CharacterBindOptions bind;
+  bind.bind = std::move(options);
+  bind.bind_props = true;
+  return bind_character(character, choose_joints(character, JointsFrom::kNames), bind);
+}
+
+CharacterBind bind_to_prediction(const PredictedSkeleton& skeleton, const BindOptions& options, Character* character) {
+  character->joints = skeleton.joints;
+  character->influences.clear();
+  std::vector<uint8_t> said;
+  for (const uint8_t end : skeleton.ends) said.push_back(end != 0 ? SINEW_JOINT_NEVER : SINEW_JOINT_DEFORMS);
+  CharacterBindOptions bind;
+  bind.bind = options;
+  bind.keep_tips = true;
+  bind.bind_props = true;
+  return bind_character(*character, choose_joints(*character, JointsFrom::kAll, said), bind);
+}
+
+}  // namespace sinew

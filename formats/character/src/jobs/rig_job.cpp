@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// A bare mesh with a skeleton and weights.
+#include "sinew_character/rig_job.hpp"
+
+#include <utility>
+
+#include "sinew_character/models.hpp"
+#include "sinew_character/own_skeleton.hpp"
+#include "sinew_character/predict_face.hpp"
+#include "sinew_character/predict_hands.hpp"
+#include "sinew_character/thread_pool.hpp"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+uint32_t engine_method(RigMethod method) {
+  return method == RigMethod::kShape     ? SINEW_RIG_SHAPE
+         : method == RigMethod::kRegions ? SINEW_RIG_REGIONS
+                                         : SINEW_RIG_VOTES;
+}
+
+PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Character* character) {
+  SkeletonOptions options;
+  options.method = engine_method(job.method);
+  if (options.method == SINEW_RIG_VOTES) options.model = models.rig;
+  options.up_axis = job.up_axis;
+  options.mirror = job.mirror;
+  options.spine_count = job.spine_count;
+  options.toes = job.toes;
+  options.ends = job.ends;
+  PredictedSkeleton skeleton = predict_skeleton(*character, options);
+  const float spread = skeleton.spread;
+  if (job.method == RigMethod::kAuto && spread > kUnknownSpread) {
+    options.method = SINEW_RIG_SHAPE;
+    skeleton = predict_skeleton(*character, options);
+    skeleton.spread = spread;
+    character->notes.push_back(
+        "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
+        "names; --method votes gives the model's guess");
+  } else if (spread > kDoubtfulSpread) {
+    character->notes.push_back(
+        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
+        "--method shape");
+  }
+  return skeleton;
+}
+
+// What the skeleton has besides a body: fingers, and a face.
+LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
+  SkeletonOptions options;
+  options.up_axis = job.up_axis;
+  for (std::string& note : predict_details(rigged->character, job.detail, hands, options, &rigged->skeleton))
+    rigged->character.notes.push_back(std::move(note));
+  LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
+  for (uint8_t& one : found.classes)
+    if (is_finger_class(one) || is_face_class(one) || is_prop_class(one)) one = kClassDetail;
+  return found;
+}
+
+void put_own(const RigJobOptions& job, const LabelledSkeleton& found, RiggedCharacter* rigged) {
+  FitOptions options;
+  options.up_axis = job.up_axis == 1 ? 2 : 1;
+  options.keep_lengths = job.keep_lengths;
+  const std::vector<Joint> own = job.own.empty() ? read_own_skeleton(job.skeleton) : job.own;
+  rigged->fitted = fit_own_skeleton(own, job.skeleton, found, options, rigged->character, &rigged->skeleton);
+  if (2 * rigged->fitted->matched < rigged->fitted->telling)
+    rigged->character.notes.push_back("warning: most joints of " + job.skeleton +
+                                      " have no like in this mesh; look at them before using them");
+}
+
+void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharacter* rigged) {
+  BindOptions options;
+  options.method = SINEW_METHOD_MODEL;
+  options.model = models.bind;
+  options.influence_count = job.influence_count;
+  options.up_axis = job.up_axis;
+  options.rigid_parts = job.rigid_parts;
+  options.surface_vertices = job.surface_vertices;
+  options.softness_percent = job.softness_percent;
+  options.thread_count = job.thread_count;
+  options.progress = job.progress;
+  options.progress_user = job.progress_user;
+  ThreadPool pool(job.thread_count);
+  options.parallel_for = ThreadPool::parallel_for;
+  options.parallel_user = &pool;
+  Character& character = rigged->character;
+  CharacterBind result =
+      rigged->fitted ? bind_to_own(options, character) : bind_to_prediction(rigged->skeleton, options, &character);
+  character.influences = std::move(result.influences);
+  rigged->bind_seconds = result.seconds;
+}
+
+}  // namespace
+
+RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& job,
+                              const RigModels& models) {
+  RiggedCharacter rigged;
+  rigged.character = std::move(mesh);
+  rigged.skeleton = std::move(predicted);
+  LabelledSkeleton found =
+      by_names ? label_skeleton(rigged.skeleton.joints)
+               : LabelledSkeleton{rigged.skeleton.joints, rigged.skeleton.classes, rigged.skeleton.ends};
+  Character& character = rigged.character;
+  if (job.detail != SkeletonDetail::kBody) found = add_details(job, *models.hands, &rigged);
+  if (!job.skeleton.empty()) put_own(job, found, &rigged);
+  edit_skeleton(job.edits, job.mirror != SINEW_MIRROR_NEVER, &rigged.skeleton);
+  if (!character.joints.empty())
+    character.notes.push_back("the file's own skeleton of " + std::to_string(character.joints.size()) +
+                              " joints was left out; sinew bind keeps it");
+  character.joints = rigged.fitted && job.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
+  character.influences.clear();
+  if (job.bind) bind_rigged(job, models, &rigged);
+  return rigged;
+}
+
+RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const RigModels& models) {
+  PredictedSkeleton predicted = predict(job, models, &mesh);
+  return rig_character(std::move(mesh), std::move(predicted), false, job, models);
+}
+
+Character rig_bare_mesh(Character mesh) {
+  const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model("");
+  return rig_character(std::move(mesh), {}, {&rig->model, &bind->model, nullptr}).character;
+}
+
+}  // namespace sinew

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Model files and the bundled models, opened and packed.
+#include "sinew_character/models.hpp"
+
+#include <cstring>
+#include <filesystem>
+
+#include "models/bundled_models.hpp"
+#include "rig/rig_task.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/io.hpp"
+
+namespace sinew {
+
+namespace {
+
+sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model* model) {
+  if (use == ModelUse::kBind) return sinew_model_open(bytes, size, model);
+  const sinew_status status = sinew_rig_model_open(bytes, size, model);
+  // Bodies and hands have models of their own.
+  const bool hands = status == SINEW_OK && model->feature_set == kHandsFeatureSet;
+  return status == SINEW_OK && hands != (use == ModelUse::kHands) ? SINEW_ERROR_MODEL_TASK : status;
+}
+
+// Once for all characters that it will bind.
+void pack_weights(LoadedModel* loaded) {
+  const size_t bytes = sinew_model_packed_size(&loaded->model);
+  if (loaded->packed.reserve(bytes)) (void)sinew_model_pack(&loaded->model, loaded->packed.data(), bytes);
+}
+
+}  // namespace
+
+std::unique_ptr<LoadedModel> model_from_bytes(const std::vector<uint8_t>& bytes, const std::string& what,
+                                              ModelUse use) {
+  auto loaded = std::make_unique<LoadedModel>();
+  loaded->storage.resize(bytes.size() / 8 + 1);
+  if (!bytes.empty()) std::memcpy(loaded->storage.data(), bytes.data(), bytes.size());
+  const sinew_status status = open_for(use, loaded->storage.data(), bytes.size(), &loaded->model);
+  const char* cure = status == SINEW_ERROR_MODEL_MAGIC ? "; make one from a checkpoint with: sinew quantize" : "";
+  if (bytes.empty()) throw Error(what + ": the file is empty, expected a model (.sinew)");
+  if (status != SINEW_OK) throw Error(what + ": " + sinew_status_text(status) + cure);
+  pack_weights(loaded.get());
+  return loaded;
+}
+
+namespace {
+
+bool is_bundled(const std::string& path) { return path.empty() || path == "bundled"; }
+
+}  // namespace
+
+std::string model_label(const std::string& path) {
+  return is_bundled(path) ? "bundled model" : std::filesystem::path(path).filename().string();
+}
+
+std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
+  if (!is_bundled(path)) return model_from_bytes(read_file(path), path, use);
+  struct Bundled {
+    const uint8_t* bytes;
+    size_t size;
+    const char* missing;
+  };
+  const Bundled bundled =
+      use == ModelUse::kRig
+          ? Bundled{kBundledRigModel, kBundledRigModelSize, "no bundled model of skeletons: give --model"}
+      : use == ModelUse::kHands
+          ? Bundled{kBundledHandsModel, kBundledHandsModelSize, "no bundled model of hands: give --hands-model"}
+          : Bundled{kBundledModel, kBundledModelSize, "no bundled model: give --model or --method heat"};
+  if (bundled.size == 0) throw Error(bundled.missing);
+  auto loaded = std::make_unique<LoadedModel>();
+  const sinew_status status = open_for(use, bundled.bytes, bundled.size, &loaded->model);
+  if (status != SINEW_OK) throw Error(std::string("the bundled model: ") + sinew_status_text(status));
+  pack_weights(loaded.get());
+  return loaded;
+}
+
+}  // namespace sinew

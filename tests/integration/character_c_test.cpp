@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: MIT
+// sinew/character.h through libsinew_character alone: for each job the same bytes as the command's with the same input and default
+// options, from files and from memory; what a caller may get wrong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli_fixture.hpp"
+#include "make_glb.hpp"
+#include "sinew/character.h"
+
+namespace sinew {
+namespace {
+
+const std::string kRobed = kData + "/biped__robed.obj", kRobedRig = kData + "/biped__robed.rig.txt";
+
+struct Close {
+  void operator()(sinew_character* character) const { sinew_character_close(character); }
+};
+using Handle = std::unique_ptr<sinew_character, Close>;
+
+Handle open(const std::string& path) {
+  sinew_character* character = nullptr;
+  EXPECT_EQ(sinew_character_open(path.c_str(), &character), SINEW_OK) << sinew_character_error(nullptr);
+  return Handle(character);
+}
+
+// Files of the disk as files in memory, named without their folder.
+Handle open_memory(const std::vector<std::string>& paths) {
+  std::vector<std::string> bytes, names;
+  for (const std::string& path : paths) {
+    bytes.push_back(slurp(path));
+    names.push_back(fs::path(path).filename().string());
+  }
+  std::vector<sinew_file> files;
+  for (size_t i = 0; i < paths.size(); ++i) files.push_back({names[i].c_str(), bytes[i].data(), bytes[i].size()});
+  sinew_character* character = nullptr;
+  EXPECT_EQ(sinew_character_open_files(files.data(), static_cast<uint32_t>(files.size()), &character), SINEW_OK)
+      << sinew_character_error(nullptr);
+  return Handle(character);
+}
+
+sinew_character_arrays view(sinew_character* character) {
+  sinew_character_arrays arrays = sinew_character_arrays_init();
+  EXPECT_EQ(sinew_character_view(character, &arrays), SINEW_OK) << sinew_character_error(character);
+  return arrays;
+}
+
+class CharacterC : public Cli {
+ protected:
+  void good_call(sinew_status status, const Handle& character) {
+    ASSERT_EQ(status, SINEW_OK) << sinew_character_error(character.get());
+  }
+  void save(const Handle& character, const std::string& name) {
+    good_call(sinew_character_save(character.get(), in(name).c_str()), character);
+  }
+  void expect_same(const std::string& ours, const std::string& commands) {
+    const std::string a = slurp(in(ours)), b = slurp(in(commands));
+    EXPECT_GT(a.size(), 0u);
+    EXPECT_TRUE(a == b) << ours << " has " << a.size() << " bytes, " << commands << " " << b.size();
+  }
+  std::string written(const Handle& character, const std::string& name, size_t file = 0) {
+    const sinew_file* files = nullptr;
+    uint32_t count = 0;
+    EXPECT_EQ(sinew_character_write(character.get(), name.c_str(), &files, &count), SINEW_OK)
+        << sinew_character_error(character.get());
+    EXPECT_LT(file, count);
+    return file < count ? std::string(static_cast<const char*>(files[file].bytes), files[file].size_bytes) : "";
+  }
+  void bind(const Handle& character) { good_call(sinew_character_bind(character.get(), nullptr, nullptr), character); }
+  // Ten frames in which joints swing, of the robed biped, as swing.bvh.
+  void make_swing() {
+    const Handle robed = open(kRobed);
+    const sinew_character_arrays arrays = view(robed.get());
+    const uint32_t joints = arrays.joint_count, frames = 10;
+    std::vector<double> rotations, translations;
+    for (uint32_t f = 0; f < frames; ++f) {
+      for (uint32_t j = 0; j < joints; ++j) {
+        const double angle = arrays.parents[j] < 0 ? 0 : 0.02 * f;
+        rotations.insert(rotations.end(), {0, 0, std::sin(angle / 2), std::cos(angle / 2)});
+        for (uint32_t i = 0; i < 3; ++i) {
+          const int parent = arrays.parents[j];
+          const float above = parent < 0 ? 0 : arrays.joint_positions[3 * parent + static_cast<int>(i)];
+          translations.push_back(static_cast<double>(arrays.joint_positions[3 * j + i]) - static_cast<double>(above));
+        }
+      }
+    }
+    sinew_character_clip clip = sinew_character_clip_init();
+    clip.frame_count = frames;
+    clip.joint_count = joints;
+    clip.frame_time = 0.05;
+    clip.name = "swing";
+    clip.rotations = rotations.data();
+    clip.translations = translations.data();
+    good_call(sinew_character_add_clip(robed.get(), &clip), robed);
+    save(robed, "swing.bvh");
+  }
+};
+
+TEST_F(CharacterC, BindsAsTheCommand) {
+  good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o command.glb");
+  const Handle snake = open(kSnake);
+  sinew_character_bind_result result = sinew_character_bind_result_init();
+  good_call(sinew_character_bind(snake.get(), nullptr, &result), snake);
+  save(snake, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+  EXPECT_EQ(std::string(result.hash).size(), 16u);
+  EXPECT_EQ(written(snake, "ours.glb"), slurp(in("command.glb")));
+
+  good("bind " + kCaped + " -o caped.glb");
+  const Handle caped = open(kCaped);
+  bind(caped);
+  save(caped, "caped_ours.glb");
+  expect_same("caped_ours.glb", "caped.glb");
+
+  good("bind " + kCaped + " --method heat --influences 8 --symmetric --joints all --confidence -o heat.glb");
+  const Handle heat = open(kCaped);
+  sinew_character_bind_options options = sinew_character_bind_options_init();
+  options.method = SINEW_METHOD_HEAT;
+  options.influence_count = 8;
+  options.symmetric = 1;
+  options.joints = SINEW_JOINTS_ALL;
+  options.keep_confidence = 1;
+  options.thread_count = 3;
+  good_call(sinew_character_bind(heat.get(), &options, nullptr), heat);
+  save(heat, "heat_ours.glb");
+  expect_same("heat_ours.glb", "heat.glb");
+}
+
+TEST_F(CharacterC, FilesInMemoryGiveTheSame) {
+  good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o snake.glb");
+  const Handle snake = open_memory({kSnake, kSnakeRig});
+  bind(snake);
+  EXPECT_EQ(written(snake, "snake.glb"), slurp(in("snake.glb")));
+  good("bind " + kCaped + " -o caped.gltf");
+  const Handle caped = open_memory({kCaped});
+  bind(caped);
+  EXPECT_EQ(written(caped, "caped.gltf"), slurp(in("caped.gltf")));
+  EXPECT_EQ(written(caped, "caped.gltf", 1), slurp(in("caped.bin")));
+  EXPECT_EQ(files(), 3u) << "a file in memory was written to the disk";
+}
+
+// A cube without a skin that hangs on a joint of another mesh's skin.
+TEST_F(CharacterC, MeshesThatHangOnJointsStayThere) {
+  GlbBuilder b;
+  const std::vector<float> bar = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 0};
+  const std::vector<uint16_t> faces = {0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4};
+  const std::vector<uint8_t> joints = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+  std::vector<float> weights;
+  for (int v = 0; v < 6; ++v) weights.insert(weights.end(), {1, 0, 0, 0});
+  const int skinned = b.add("meshes", {{"primitives",
+                                        {{{"attributes",
+                                           {{"POSITION", b.positions(bar)},
+                                            {"JOINTS_0", b.accessor(joints, "VEC4")},
+                                            {"WEIGHTS_0", b.accessor(weights, "VEC4")}}},
+                                          {"indices", b.accessor(faces, "SCALAR")}}}}});
+  const int badge = b.add("meshes", {{"primitives",
+                                      {{{"attributes", {{"POSITION", b.positions({0, 0, 1, 1, 0, 1, 0, 1, 1})}}},
+                                        {"indices", b.accessor(std::vector<uint16_t>{0, 1, 2}, "SCALAR")}}}}});
+  const int hat = b.add("nodes", {{"name", "hat"}, {"mesh", badge}});
+  const int head = b.add("nodes", {{"name", "Head"}, {"translation", {0, 1, 0}}, {"children", {hat}}});
+  const int hips = b.root({{"name", "Hips"}, {"children", {head}}});
+  const std::vector<float> inverse = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
+                                      1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1};
+  b.add("skins", {{"joints", {hips, head}}, {"inverseBindMatrices", b.accessor(inverse, "MAT4")}});
+  b.root({{"name", "body"}, {"mesh", skinned}, {"skin", 0}});
+  put(in("hat.glb"), b.glb());
+  good("bind hat.glb -o command.glb");
+  const Handle character = open(in("hat.glb"));
+  const sinew_character_arrays arrays = view(character.get());
+  ASSERT_EQ(arrays.mesh_count, 2u);
+  EXPECT_EQ(arrays.mesh_skinned[0] + arrays.mesh_skinned[1], 1);
+  const uint32_t plain = arrays.mesh_skinned[0] != 0 ? 1 : 0;
+  ASSERT_GE(arrays.mesh_joints[plain], 0);
+  EXPECT_STREQ(arrays.joint_names[arrays.mesh_joints[plain]], "Head");
+  sinew_character_bind_result result = sinew_character_bind_result_init();
+  good_call(sinew_character_bind(character.get(), nullptr, &result), character);
+  EXPECT_EQ(result.kept_meshes, 1u);
+  save(character, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+}
+
+TEST_F(CharacterC, RigsAsTheCommand) {
+  good("rig " + kRobed + " -o command.glb");
+  const Handle robed = open(kRobed);
+  sinew_character_rig_result result = sinew_character_rig_result_init();
+  good_call(sinew_character_rig(robed.get(), nullptr, &result), robed);
+  EXPECT_EQ(result.joint_count, view(robed.get()).joint_count);
+  save(robed, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+
+  good("rig " + kCaped + " --detail full --no-toes --skeleton template:mixamo --influences 2 -o command.rig.txt");
+  const Handle caped = open(kCaped);
+  sinew_character_rig_options options = sinew_character_rig_options_init();
+  options.detail = SINEW_DETAIL_FULL;
+  options.no_toes = 1;
+  options.skeleton = "template:mixamo";
+  options.influence_count = 2;
+  good_call(sinew_character_rig(caped.get(), &options, nullptr), caped);
+  save(caped, "ours.rig.txt");
+  expect_same("ours.rig.txt", "command.rig.txt");
+
+  good("rig " + kRobed + " --method shape --no-bind --no-mirror -o shape.rig.txt");
+  options = sinew_character_rig_options_init();
+  options.method = SINEW_CHARACTER_RIG_SHAPE;
+  options.no_bind = 1;
+  options.mirror = SINEW_MIRROR_NEVER;
+  good_call(sinew_character_rig(robed.get(), &options, nullptr), robed);
+  save(robed, "shape_ours.rig.txt");
+  expect_same("shape_ours.rig.txt", "shape.rig.txt");
+}
+
+TEST_F(CharacterC, MapsAsTheCommand) {
+  good("map " + kCaped + " --to mixamo -o command.map");
+  const Handle caped = open(kCaped), robed = open(kRobed);
+  sinew_character_map_result result = sinew_character_map_result_init();
+  good_call(sinew_character_map_file(caped.get(), "template:mixamo", nullptr, &result), caped);
+  EXPECT_EQ(result.text, slurp(in("command.map")));
+  good("map " + kCaped + " --from " + kRobed + " -o other.map");
+  good_call(sinew_character_map(caped.get(), robed.get(), nullptr, &result), caped);
+  EXPECT_EQ(result.text, slurp(in("other.map")));
+  EXPECT_GT(result.mapped, 5u);
+}
+
+TEST_F(CharacterC, AnimatesAsTheCommand) {
+  make_swing();
+  good("animate " + kRobed + " --motion swing.bvh -o command.glb");
+  const Handle robed = open(kRobed), swing = open(in("swing.bvh"));
+  uint32_t clips = 0;
+  good_call(sinew_character_clip_count(swing.get(), &clips), swing);
+  EXPECT_EQ(clips, 1u);
+  sinew_character_animate_result result = sinew_character_animate_result_init();
+  good_call(sinew_character_animate(robed.get(), swing.get(), nullptr, &result), robed);
+  EXPECT_EQ(result.clip_count, 1u);
+  save(robed, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+  sinew_character_clip clip = sinew_character_clip_init();
+  good_call(sinew_character_get_clip(robed.get(), result.first_clip, &clip), robed);
+  EXPECT_EQ(clip.frame_count, 10u);
+  EXPECT_STREQ(clip.name, "swing");
+
+  // A bare mesh is rigged first; from memory.
+  put(in("bare.obj"), slurp(kRobed));
+  good("animate bare.obj --motion swing.bvh --in-place --deform volume --cells 16 --shapes 2 -o bare.glb");
+  const Handle bare = open_memory({in("bare.obj")}), memory = open_memory({in("swing.bvh")});
+  sinew_character_animate_options options = sinew_character_animate_options_init();
+  options.in_place = 1;
+  options.deform = SINEW_POSE_VOLUME;
+  options.cells = 16;
+  options.shapes = 2;
+  good_call(sinew_character_animate(bare.get(), memory.get(), &options, &result), bare);
+  EXPECT_EQ(result.rigged, 1u);
+  save(bare, "bare_ours.glb");
+  expect_same("bare_ours.glb", "bare.glb");
+}
+
+TEST_F(CharacterC, PosesAsTheCommand) {
+  const Handle caped = open(kCaped);
+  const sinew_character_arrays arrays = view(caped.get());
+  std::vector<double> angles(3 * size_t{arrays.joint_count}, 0);
+  const uint32_t turned = arrays.joint_count / 2;
+  angles[3 * turned + 2] = -40;
+  angles[3 * turned] = 15;
+  const std::string joint = std::string(" --joint '") + arrays.joint_names[turned] + "=15,0,-40' ";
+  const std::pair<const char*, uint32_t> methods[] = {{"linear", SINEW_POSE_LINEAR},
+                                                      {"dual-quaternion", SINEW_POSE_DUAL_QUATERNION},
+                                                      {"volume", SINEW_POSE_VOLUME},
+                                                      {"xpbd", SINEW_POSE_XPBD},
+                                                      {"delta-mush", SINEW_POSE_DELTA_MUSH}};
+  for (const auto& [name, method] : methods) {
+    good("pose " + kCaped + joint + "--deform " + name + " -o command.obj");
+    sinew_character_pose_options options = sinew_character_pose_options_init();
+    options.angles = angles.data();
+    options.deform = method;
+    sinew_character* posed = nullptr;
+    good_call(sinew_character_pose(caped.get(), &options, &posed), caped);
+    const Handle owner(posed);
+    EXPECT_EQ(written(owner, "ours.obj"), slurp(in("command.obj"))) << name;
+  }
+}
+
+TEST_F(CharacterC, TransfersAsTheCommand) {
+  good("transfer " + kCaped + " " + kRobed + " -o command.glb");
+  const Handle source = open(kCaped), target = open(kRobed);
+  sinew_character_transfer_result result = sinew_character_transfer_result_init();
+  good_call(sinew_character_transfer(source.get(), target.get(), nullptr, &result), target);
+  EXPECT_GT(result.part_count, 0u);
+  save(target, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+  // A target without a skeleton gets the source's.
+  put(in("bare.obj"), slurp(kRobed));
+  good("transfer " + kCaped + " bare.obj -o bare.glb");
+  const Handle bare = open(in("bare.obj"));
+  good_call(sinew_character_transfer(source.get(), bare.get(), nullptr, &result), bare);
+  EXPECT_EQ(result.fitted, 1u);
+  save(bare, "bare_ours.glb");
+  expect_same("bare_ours.glb", "bare.glb");
+}
+
+TEST_F(CharacterC, SimplifiesAndBakesAsTheCommand) {
+  good("simplify " + kCaped + " --level low -o command.glb");
+  const Handle caped = open(kCaped);
+  sinew_character_simplify_options options = sinew_character_simplify_options_init();
+  options.low = 1;
+  std::vector<uint32_t> into(view(caped.get()).joint_count);
+  good_call(sinew_character_simplify(caped.get(), &options, into.data()), caped);
+  EXPECT_LT(view(caped.get()).joint_count, into.size());
+  save(caped, "ours.glb");
+  expect_same("ours.glb", "command.glb");
+
+  good("bake " + kSnake + " --poses 40 --shapes 2 --cells 16 -o baked.glb");
+  const Handle snake = open(kSnake);
+  sinew_character_bake_options bake = sinew_character_bake_options_init();
+  bake.poses = 40;
+  bake.shapes = 2;
+  bake.cells = 16;
+  sinew_character_bake_result result = sinew_character_bake_result_init();
+  good_call(sinew_character_bake(snake.get(), &bake, &result), snake);
+  EXPECT_LT(result.baked_error, result.linear_error);
+  save(snake, "baked_ours.glb");
+  expect_same("baked_ours.glb", "baked.glb");
+}
+
+TEST_F(CharacterC, ArraysInAreArraysOut) {
+  const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, joints[] = {0, 0, 0, 0, 1, 0};
+  const uint32_t faces[] = {0, 1, 2, 1, 3, 2};
+  const int32_t parents[] = {-1, 0};
+  const char* names[] = {"Hips", "Head"};
+  const sinew_mesh mesh = {positions, 4, nullptr, faces, 2, 6};
+  const sinew_skeleton skeleton = {joints, parents, nullptr, 2};
+  sinew_character* made = nullptr;
+  ASSERT_EQ(sinew_character_create(&mesh, &skeleton, names, &made), SINEW_OK) << sinew_character_error(nullptr);
+  const Handle character(made);
+  const uint32_t offsets[] = {0, 1, 2, 4, 5}, indices[] = {0, 0, 0, 1, 1};
+  const float weights[] = {1, 1, 0.25f, 0.75f, 1};
+  good_call(sinew_character_set_weights(made, offsets, indices, weights), character);
+  const sinew_character_arrays arrays = view(made);
+  EXPECT_EQ(arrays.vertex_count, 4u);
+  EXPECT_EQ(std::memcmp(arrays.positions, positions, sizeof positions), 0);
+  EXPECT_EQ(std::memcmp(arrays.face_vertices, faces, sizeof faces), 0);
+  EXPECT_STREQ(arrays.joint_names[1], "Head");
+  EXPECT_EQ(arrays.influence_count, 2u);
+  EXPECT_EQ(arrays.joint_indices[2], 1u) << "rows fall";
+  uint16_t rows[8], shares[8];
+  good_call(sinew_character_skin(made, 2, rows, shares), character);
+  EXPECT_EQ(shares[4] + shares[5], 65535);
+  EXPECT_EQ(rows[4], 1);
+  bind(character);
+  const Handle again = [&] {
+    const std::string bytes = written(character, "made.glb");
+    const sinew_file file = {"made.glb", bytes.data(), bytes.size()};
+    sinew_character* read = nullptr;
+    EXPECT_EQ(sinew_character_open_files(&file, 1, &read), SINEW_OK) << sinew_character_error(nullptr);
+    return Handle(read);
+  }();
+  EXPECT_EQ(view(again.get()).joint_count, 2u);
+}
+
+TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
+  const auto refused = [&](sinew_status wanted, sinew_status status, const sinew_character* of, const char* word) {
+    EXPECT_EQ(status, wanted) << sinew_character_error(of);
+    const std::string line = sinew_character_error(of);
+    EXPECT_NE(line.find(word), std::string::npos) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+  };
+  sinew_character* none = nullptr;
+  const auto open_refused = [&](const std::string& path, const char* word) {
+    refused(SINEW_ERROR_INPUT, sinew_character_open(path.c_str(), &none), nullptr, word);
+    EXPECT_EQ(none, nullptr);
+  };
+  put(in("empty.glb"), "");
+  put(in("cut.gltf"), slurp(kCaped).substr(0, 1000));
+  put(in("nan.obj"), "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  fs::create_directory(in("folder.glb"));
+  open_refused(in("missing.glb"), "no such file");
+  open_refused(in("empty.glb"), "empty");
+  open_refused(in("cut.gltf"), "does not parse");
+  open_refused(in("nan.obj"), "nan");
+  open_refused(in("folder.glb"), "directory");
+  open_refused(in("hero.xyz"), "expected a mesh (.obj, ");
+  refused(SINEW_ERROR_ARGUMENT, sinew_character_open(nullptr, &none), nullptr, "path");
+  refused(SINEW_ERROR_ARGUMENT, sinew_character_open("x.glb", nullptr), nullptr, "character");
+  refused(SINEW_ERROR_ARGUMENT, sinew_character_bind(nullptr, nullptr, nullptr), nullptr, "null");
+  const std::string document = R"({"asset":{"version":"2.0"},"buffers":[{"uri":"/etc/passwd","byteLength":1}]})";
+  const sinew_file outside = {"a.gltf", document.data(), document.size()};
+  refused(SINEW_ERROR_INPUT, sinew_character_open_files(&outside, 1, &none), nullptr, "a.gltf");
+
+  const Handle snake = open(kSnake);
+  const std::string before = written(snake, "snake.glb");
+  refused(SINEW_ERROR_INPUT, sinew_character_save(snake.get(), in("none/x.glb").c_str()), snake.get(), "none");
+  refused(SINEW_ERROR_INPUT, sinew_character_save(snake.get(), in("x.fbx").c_str()), snake.get(), "cannot write");
+  refused(SINEW_ERROR_INPUT, sinew_character_save(snake.get(), in("x.bvh").c_str()), snake.get(), "one clip");
+  sinew_character_bind_options options = {};
+  refused(SINEW_ERROR_ARGUMENT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "struct_size");
+  struct {
+    sinew_character_bind_options known;
+    uint64_t later;
+  } newer = {sinew_character_bind_options_init(), 0};
+  newer.known.struct_size = sizeof newer;
+  good_call(sinew_character_bind(snake.get(), &newer.known, nullptr), snake);
+  const std::string bound = written(snake, "snake.glb");
+  newer.later = 1;
+  refused(SINEW_ERROR_VERSION, sinew_character_bind(snake.get(), &newer.known, nullptr), snake.get(), "older");
+  options = sinew_character_bind_options_init();
+  options.influence_count = 13;
+  refused(SINEW_ERROR_ARGUMENT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "influence_count");
+  options = sinew_character_bind_options_init();
+  options.progress = [](void*, uint32_t) { return 1; };
+  refused(SINEW_ERROR_CANCELLED, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "");
+  sinew_character_models models = sinew_character_models_init();
+  models.bind = "nonsense";
+  models.bind_size = 8;
+  options = sinew_character_bind_options_init();
+  options.models = &models;
+  refused(SINEW_ERROR_INPUT, sinew_character_bind(snake.get(), &options, nullptr), snake.get(), "the model");
+  EXPECT_EQ(written(snake, "snake.glb"), bound) << "a call that failed changed the character";
+  EXPECT_NE(before, "");
+  const float positions[] = {0, 0, NAN};
+  const sinew_mesh mesh = {positions, 1, nullptr, nullptr, 0, 0};
+  refused(SINEW_ERROR_NOT_FINITE, sinew_character_create(&mesh, nullptr, nullptr, &none), nullptr, "finite");
+  EXPECT_EQ(none, nullptr);
+}
+
+TEST_F(CharacterC, ExtensionsComeFromOneTable) {
+  EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MESH), ".obj .gltf .glb .vrm .fbx .dae");
+  EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MOTION), ".gltf .glb .vrm .fbx .dae .bvh");
+  EXPECT_STREQ(sinew_character_extensions(SINEW_WRITE_CHARACTER), ".obj .rig.txt .gltf .glb .vrm");
+  EXPECT_STREQ(sinew_character_extensions(SINEW_READ_MOTION | SINEW_WRITE_MOTION), ".gltf .glb .vrm .bvh");
+  EXPECT_STREQ(sinew_character_extensions(1u << 20), "");
+  EXPECT_NE(std::string(sinew_character_templates()).find("mixamo"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sinew
