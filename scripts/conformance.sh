@@ -26,7 +26,7 @@ all=("${native[@]}" "${linux[@]}" "${cortex[@]}" "${web[@]}" "${windows[@]}")
 
 while [ $# -gt 0 ]; do
   case $1 in
-    --work) work=$2; shift ;;
+    --work) work=$(realpath -m "$2"); shift ;;
     --update) update=yes ;;
     --kernels) job=check_kernels ;;
     --packages) only_packages=yes ;;

@@ -27,7 +27,7 @@ step() { echo "== $*"; }
 quietly() { "$@" >"$work/log" 2>&1 || { tail -30 "$work/log" >&2; fail "failed: $*"; }; }
 [ -z "$(git status --porcelain 2>/dev/null)" ] || fail "the folder has changes that are not committed; a release is made of a clean clone"
 
-step "Debian package and tar.gz"
+step "Debian packages and tar.gz"
 quietly cmake --preset package
 quietly cmake --build --preset package -j "$jobs"
 version=$("$root/build/package/sinew" --version | cut -d ' ' -f 2)
@@ -45,14 +45,14 @@ binds() { # COMMAND NAME
   cmp expected.glb "$2.glb" || fail "$2: other weights than the build's"
   echo "   $2: binds, the same bytes"
 }
-dpkg-deb -x "$out"/*.deb "$work/deb"
+for deb in "$out"/*.deb; do dpkg-deb -x "$deb" "$work/deb"; done
 binds "$work/deb/usr/bin/sinew" deb
 mkdir -p "$work/tgz" && tar -C "$work/tgz" --strip-components 1 -xf "$out"/*.tar.gz
 binds "$(find "$work/tgz" -path '*/bin/sinew')" tar.gz
 if [ "${SINEW_CLEAN_ROOT:-0}" = 1 ]; then
   command -v mmdebstrap >/dev/null || fail "SINEW_CLEAN_ROOT=1 needs mmdebstrap"
   quietly mmdebstrap --variant=minbase "$(. /etc/os-release && echo "$VERSION_CODENAME")" "$work/clean"
-  cp "$out"/*.deb snake__long.* "$work/clean/tmp"
+  cp "$out"/sinew_*.deb snake__long.* "$work/clean/tmp"
   quietly chroot "$work/clean" sh -c 'cd /tmp && apt-get update && apt-get install -y ./sinew_*.deb && sinew bind snake__long.obj --skeleton snake__long.rig.txt -o clean.glb'
   cmp expected.glb "$work/clean/tmp/clean.glb" || fail "a clean root: other weights"
   rm -rf "$work/clean"

@@ -128,7 +128,7 @@ class ModelQuantizer {
     for (size_t i = 0; i < network_.layers.size(); ++i) {
       Layer& layer = model.layers[i];
       if (!(layer.flags & kLayerResidual)) layer.residual = Region();
-      if (layer.kind == LayerKind::kLinear) {
+      if (has_weights(layer.kind)) {
         layer.parameters = static_cast<uint32_t>(model.linears.size());
         model.linears.push_back(linear(i, &result.layers));
       } else {
@@ -154,7 +154,7 @@ class ModelQuantizer {
     const auto finite = [](float v) { return std::isfinite(v); };
     for (size_t i = 0; i < network_.layers.size(); ++i) {
       const Layer& layer = network_.layers[i];
-      if (layer.kind != LayerKind::kLinear) continue;
+      if (!has_weights(layer.kind)) continue;
       const LinearParameters& p = network_.parameters[layer.parameters];
       if (!std::all_of(p.weights.begin(), p.weights.end(), finite) ||
           !std::all_of(p.bias.begin(), p.bias.end(), finite) || !finite(calibration_.layer_max[i])) {
@@ -163,22 +163,21 @@ class ModelQuantizer {
     }
   }
 
-  // Linear layers that write the network's output: the last one, or those the last kVertexToSlots hands on.
+  // Layers with weights that write the network's output: the last one, or those whose values the last one hands on.
   void mark_output_layers() {
     outputs_.assign(network_.layers.size(), false);
     const size_t last = network_.layers.size() - 1;
     const Layer& output = network_.layers[last];
-    if (output.kind == LayerKind::kLinear) {
+    if (has_weights(output.kind)) {
       outputs_[last] = true;
       return;
     }
-    if (output.kind != LayerKind::kVertexToSlots) {
-      throw Error(layer_name(last) + ": the last layer must be a linear one or vertex-to-slots");
-    }
+    if (!traits_of(output.kind).ends_network)
+      throw Error(layer_name(last) + ": a network cannot end with a layer of kind " + traits_of(output.kind).name);
     for (uint32_t channel = output.in.offset; channel < region_end(output.in);) {
       const Segment segment =
           segment_at(network_.layers.data(), inputs_, static_cast<uint32_t>(last), output.in, channel);
-      if (segment.producer < 0 || network_.layers[segment.producer].kind != LayerKind::kLinear) {
+      if (segment.producer < 0 || !has_weights(network_.layers[segment.producer].kind)) {
         throw Error(layer_name(last) + ": the output must come straight from a linear layer");
       }
       outputs_[segment.producer] = true;
@@ -186,14 +185,14 @@ class ModelQuantizer {
     }
   }
 
-  // Everything but linear layers keeps values, so scales go through channel by channel.
+  // Layers without weights keep values, so scales go through channel by channel.
   void hand_on_scales(size_t index) {
     const Layer& layer = network_.layers[index];
     ranges_[index] =
         region_range(network_.layers.data(), inputs_, static_cast<uint32_t>(index), ranges_.data(), layer.in);
     const std::vector<double>& in = scales_[layer.in.buffer];
     for (uint32_t c = 0; c < layer.out.channels; ++c) {
-      if (layer.kind == LayerKind::kVertexToSlots) {
+      if (traits_of(layer.kind).shape == LayerShape::kSplitSlots) {
         for (uint32_t slot = 1; slot < network_.candidate_count; ++slot) {
           if (in[layer.in.offset + slot * layer.out.channels + c] != in[layer.in.offset + c]) {
             throw Error(layer_name(index) + ": slots of different scales cannot share a channel");

@@ -40,7 +40,8 @@ int main(void) {
   for (uint32_t f = 0; f <= kFaces; ++f) offsets[f] = 4 * f;
 
   const sinew_mesh mesh = {positions, kVertices, offsets, corners, kFaces, 4 * kFaces};
-  const sinew_skeleton skeleton = {kJointPositions, kJointParents, kJointFlags, 2};
+  sinew_skeleton skeleton = sinew_skeleton_init(kJointPositions, kJointParents, 2);
+  skeleton.flags = kJointFlags;
   sinew_options options = sinew_options_init();
   options.method = SINEW_METHOD_HEAT;
   options.influence_count = kInfluences;
@@ -48,17 +49,19 @@ int main(void) {
   /* One block of memory, given by the caller, is all the engine ever uses. */
   size_t bytes = 0;
   sinew_status status = sinew_bind_workspace_size(NULL, kVertices, kFaces, 4 * kFaces, 2, &options, &bytes);
-  void* workspace = NULL;
+  void* block = NULL;
   if (status == SINEW_OK) {
-    workspace = aligned_alloc(SINEW_WORKSPACE_ALIGNMENT, (bytes + SINEW_WORKSPACE_ALIGNMENT - 1) /
-                                                             SINEW_WORKSPACE_ALIGNMENT * SINEW_WORKSPACE_ALIGNMENT);
-    if (workspace == NULL) {
+    /* C99 has no aligned_alloc(): a little more, and the first address in it that is aligned. */
+    block = malloc(bytes + SINEW_WORKSPACE_ALIGNMENT);
+    if (block == NULL) {
       fprintf(stderr, "hello: no memory for %zu bytes\n", bytes);
       return 1;
     }
+    void* const workspace = (char*)block + (SINEW_WORKSPACE_ALIGNMENT - (uintptr_t)block % SINEW_WORKSPACE_ALIGNMENT) %
+                                               SINEW_WORKSPACE_ALIGNMENT;
     sinew_bind_outputs outputs = sinew_bind_outputs_init(joints, weights);
     status = sinew_bind(NULL, &mesh, &skeleton, &options, workspace, bytes, &outputs);
-    free(workspace);
+    free(block);
   }
   if (status != SINEW_OK) {
     fprintf(stderr, "hello: %s\n", sinew_status_text(status));

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "sinew/published.h"
 #include "sinew_formats/file_names.hpp"
 #include "style_options.hpp"
 #include "support.hpp"

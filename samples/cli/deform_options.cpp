@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "options.hpp"
+#include "sinew/published.h"
 #include "support.hpp"
 
 namespace sinew::cli {

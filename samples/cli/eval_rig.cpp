@@ -13,6 +13,7 @@
 #include "rig/rig_task.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
+#include "sinew/published.h"
 #include "sinew_character/predict_skeleton.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -64,7 +65,7 @@ double measure_owned(const Character& character, const TargetSkeleton& target, c
   Character bound = character;
   const CharacterBind result = bind_to_prediction(skeleton, options, &bound);
   BoundSkeleton measured{skeleton.joints, labels.classes, result.influences};
-  measured.axis = skeleton.quarter_turns % 2 == 0 ? 0 : 2;
+  measured.axis = skeleton.facing % 2 == 0 ? 0 : 2;
   measured.plane = skeleton.plane;
   return owned_surface(measured, character, target);
 }

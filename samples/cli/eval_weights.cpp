@@ -15,6 +15,7 @@
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
 #include "sinew_trainer/parallel.hpp"
+#include "sinew_trainer/reliability_plot.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "options.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "support.hpp"
@@ -37,7 +37,7 @@ std::vector<FolderFile> folder_files(const std::string& folder, const std::strin
                                      const std::string& extension) {
   refuse_folder_inside(folder, output_folder);
   const std::vector<std::string> meshes = list_meshes(folder);
-  if (meshes.empty()) throw Error(folder + ": no mesh in it nor below it; expected " + mesh_files());
+  if (meshes.empty()) throw Error(folder + ": no mesh in it nor below it; expected " + extensions_text(kReadsMesh));
   std::set<std::string> inputs;
   for (const std::string& mesh : meshes) inputs.insert(real_path(mesh));
   std::map<std::string, std::string> taken;  // output -> mesh

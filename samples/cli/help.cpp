@@ -82,9 +82,11 @@ Value value_of(const CLI::Option& option) {
   return value;
 }
 
+bool has_no_name(const CLI::Option& option) { return option.get_positional() && option.get_lnames().empty(); }
+
 std::string option_row(const CLI::Option& option, bool full) {
   const Value value = value_of(option);
-  const bool positional = option.get_positional() && option.get_lnames().empty();
+  const bool positional = has_no_name(option);
   std::string name = positional ? value.kind : option.get_name(false, true);
   for (size_t at = name.find("{false}"); at != std::string::npos; at = name.find("{false}")) name.erase(at, 7);
   if (!positional && option.get_type_size() != 0 && !value.kind.empty()) name += " " + value.kind;
@@ -95,6 +97,16 @@ std::string option_row(const CLI::Option& option, bool full) {
   if (!usual.empty() && usual != "\"\"") text += " [" + usual + "]";
   if (option.get_required() && !positional) text += " (required)";
   return row(name, text);
+}
+
+// What has no name first, then heading by heading.
+std::vector<const CLI::Option*> in_groups(const CLI::App& app) {
+  std::vector<const CLI::Option*> options = app.get_options([](const CLI::Option* o) { return has_no_name(*o); });
+  for (const std::string& group : app.get_groups())
+    for (const CLI::Option* option :
+         app.get_options([&](const CLI::Option* o) { return !has_no_name(*o) && o->get_group() == group; }))
+      options.push_back(option);
+  return options;
 }
 
 std::string usage(const CLI::App& app, const std::string& name) {
@@ -113,19 +125,20 @@ std::string usage(const CLI::App& app, const std::string& name) {
 
 std::string HelpText::make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const {
   const bool full = mode == CLI::AppFormatMode::All;
-  std::string out = wrapped(app->get_description()) + usage(*app, name) + "\n";
+  std::string out = wrapped(app->get_description()) + usage(*app, name);
   const auto subcommands = app->get_subcommands([](const CLI::App*) { return true; });
+  if (!subcommands.empty()) out += "\nSubcommands:\n";
   for (const CLI::App* sub : subcommands) out += row(sub->get_name(), sub->get_description());
   size_t left_out = 0;
   std::string heading;
-  for (const CLI::Option* option : app->get_options()) {
-    if (option == app->get_help_ptr() || option == app->get_help_all_ptr() || option->get_group().empty()) continue;
-    const bool own_heading = option->get_group() != "Options";
-    if (own_heading && !full) {
-      ++left_out;
+  for (const CLI::Option* option : in_groups(*app)) {
+    const bool about_help = option == app->get_help_ptr() || option == app->get_help_all_ptr();
+    const std::string group = has_no_name(*option) ? "Positionals" : option->get_group();
+    if (!full && (about_help || option->get_group() != "Options")) {
+      left_out += about_help ? 0 : 1;
       continue;
     }
-    if (own_heading && option->get_group() != heading) out += "\n" + (heading = option->get_group()) + ":\n";
+    if (group != heading) out += "\n" + (heading = group) + ":\n";
     out += option_row(*option, full);
   }
   std::string footer = app->get_footer();

@@ -30,34 +30,6 @@ struct Settings {
   bool json = false;
 };
 
-const char* layer_name(LayerKind kind) {
-  switch (kind) {
-    case LayerKind::kLinear:
-      return "linear";
-    case LayerKind::kRingMean:
-      return "ring mean";
-    case LayerKind::kRingMax:
-      return "ring max";
-    case LayerKind::kPartMean:
-      return "part mean";
-    case LayerKind::kGlobalMean:
-      return "global mean";
-    case LayerKind::kGlobalMax:
-      return "global max";
-    case LayerKind::kCandidateMax:
-      return "candidate max";
-    case LayerKind::kVertexToPair:
-      return "vertex to pair";
-    case LayerKind::kPairToVertex:
-      return "pair to vertex";
-    case LayerKind::kVertexToSlots:
-      return "vertex to slots";
-    case LayerKind::kCopy:
-      return "copy";
-  }
-  return "unknown";
-}
-
 std::string feature_set_text(uint32_t set) {
   return std::to_string(set & ~kFeatureFlags) + ((set & kSpectralFlag) != 0 ? " with spectral signatures" : "");
 }
@@ -91,7 +63,7 @@ Json checkpoint_json(const std::string& path, const Checkpoint& checkpoint) {
   json["layers"] = Json::array();
   for (const Layer& layer : network.layers)
     json["layers"].push_back(
-        {{"kind", layer_name(layer.kind)}, {"in", layer.in.channels}, {"out", layer.out.channels}});
+        {{"kind", traits_of(layer.kind).name}, {"in", layer.in.channels}, {"out", layer.out.channels}});
   json["config"] = Json::parse(checkpoint.state.config_json, nullptr, false);
   return json;
 }
@@ -113,7 +85,7 @@ void inspect_checkpoint(const Settings& s) {
   for (size_t l = 0; l < network.layers.size(); ++l) {
     const Layer& layer = network.layers[l];
     const char* domain = network.buffers[layer.out.buffer].domain == Domain::kPair ? "pair" : "vertex";
-    std::printf("  %3zu  %-15s %4u -> %-4u %-6s%s%s\n", l, layer_name(layer.kind), layer.in.channels,
+    std::printf("  %3zu  %-15s %4u -> %-4u %-6s%s%s\n", l, traits_of(layer.kind).name, layer.in.channels,
                 layer.out.channels, domain, (layer.flags & kLayerRelu) != 0 ? " relu" : "",
                 (layer.flags & kLayerResidual) != 0 ? " residual" : "");
   }
@@ -145,7 +117,8 @@ void inspect_model(const Settings& s) {
 }
 
 bool is_gltf(const std::string& path) {
-  return has_extension(path, ".glb") || has_extension(path, ".gltf") || has_extension(path, ".vrm");
+  const FileKind* kind = file_kind(path);
+  return kind != nullptr && kind->reader == FileReader::kGltf;
 }
 
 // A mesh alone is fine here; a rig beside an OBJ belongs to it.
@@ -195,11 +168,12 @@ void inspect_character(const Settings& s) {
 void run(const Settings& s) {
   if (s.path == "bundled" || has_extension(s.path, ".sinew")) return inspect_model(s);
   if (is_gltf(s.path)) return inspect_gltf(s);
-  if (has_use(s.path, kReadsMesh) || has_extension(s.path, ".txt")) return inspect_character(s);
-  if (s.path == "-") return inspect_character(s);
+  const bool is_rig = has_use(s.path, kReadsSkeleton) && !has_use(s.path, kReadsMotion);
+  if (is_rig || has_use(s.path, kReadsMesh) || s.path == "-") return inspect_character(s);
   read_file(s.path);  // a missing file is told as such, not as an unknown kind
   if (is_checkpoint(s.path)) return inspect_checkpoint(s);
-  throw Error(s.path + ": neither a mesh (" + mesh_files() + "), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
+  throw Error(s.path + ": neither a mesh (" + extensions_text(kReadsMesh) +
+              "), a rig (.rig.txt), a checkpoint nor a model (.sinew)");
 }
 
 }  // namespace

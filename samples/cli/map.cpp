@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "map_picture.hpp"
 #include "options.hpp"
+#include "sinew/published.h"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_character/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -148,7 +149,8 @@ Settings settled(Settings s) {
 
 MappedSkeleton map_joints(const Settings& s, const MapRig& target, const MapRig& source) {
   MapSkeletonOptions options;
-  options.method = s.method == "sinew" ? SINEW_MAP_SINEW : s.method == "branches" ? SINEW_MAP_BRANCHES : SINEW_MAP_AUTO;
+  options.method = s.method == "sinew" ? SINEW_MAP_SINEW : SINEW_MAP_AUTO;
+  if (s.method == "branches") options.method = SINEW_MAP_BRANCHES;
   options.names = !s.no_names;
   options.ends = s.ends_file != kNoEnds;
   options.target_up = s.up[0];

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "options.hpp"
 #include "sinew_character/skeleton_template.hpp"
+#include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "support.hpp"
 
@@ -45,8 +45,8 @@ std::vector<SkeletonEdit> EditOptions::in_order() const {
 
 void check_skeleton_source(const std::string& source) {
   if (has_extension(source, ".obj"))
-    throw UsageError("--skeleton " + source + ": an OBJ holds no skeleton; expected " + skeleton_files() +
-                     " or template:NAME");
+    throw UsageError("--skeleton " + source + ": an OBJ holds no skeleton; expected " +
+                     extensions_text(kReadsSkeleton) + " or template:NAME");
   if (!is_template(source)) return;
   try {
     (void)read_own_skeleton(source);

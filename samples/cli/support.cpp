@@ -11,7 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "options.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -38,12 +37,12 @@ void check_output(const std::string& path, const std::vector<std::string>& exten
     }
     known += (known.empty() ? "" : ", ") + extension;
   }
-  if (has_use(path, kReadsMesh) && !has_use(path, kWritesCharacter))
+  if (has_use(path, kReadsWhole) && !has_use(path, kWritesCharacter))
     throw UsageError("output " + path + ": sinew reads this format but does not write it; write .glb and import that");
   throw UsageError("output " + path + ": unknown extension, expected " + known);
 }
 
-std::vector<std::string> character_outputs() { return {".glb", ".gltf", ".vrm", ".obj", ".rig.txt"}; }
+std::vector<std::string> character_outputs() { return extensions_of(kWritesCharacter); }
 
 Character read_mesh_and_skeleton(const std::string& mesh, const std::string& skeleton, bool with_skin) {
   if (has_extension(mesh, ".txt")) {
@@ -51,7 +50,8 @@ Character read_mesh_and_skeleton(const std::string& mesh, const std::string& ske
         mesh + " is a skeleton, but a mesh is expected here: give the mesh first and the skeleton with --skeleton");
   }
   if (has_extension(skeleton, ".obj")) {
-    throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected " + skeleton_files());
+    throw UsageError("--skeleton " + skeleton + ": an OBJ holds no skeleton; expected " +
+                     extensions_text(kReadsSkeleton));
   }
   Character character = read_mesh(mesh);
   if (!skeleton.empty()) {

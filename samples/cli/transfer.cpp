@@ -14,6 +14,7 @@
 #include "commands.hpp"
 #include "folder_files.hpp"
 #include "options.hpp"
+#include "sinew/published.h"
 #include "sinew_character/thread_pool.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -36,7 +37,7 @@ struct Settings {
   bool as_drawn = false, heat = false, json = false;
 };
 
-sinew_transfer_method method_of(const std::string& name) {
+uint32_t method_of(const std::string& name) {
   if (name == "nearest") return SINEW_TRANSFER_NEAREST;
   if (name == "biharmonic") return SINEW_TRANSFER_BIHARMONIC;
   if (name == "rebind") return SINEW_TRANSFER_REBIND;

@@ -46,8 +46,9 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_skeleton
         {
-            public IntPtr positions, parents, flags;
-            public uint joint_count;
+            public uint struct_size, joint_count;
+            public IntPtr positions, parents, flags, ends, names, rotations;
+            public uint up, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -64,8 +65,8 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_options
         {
-            public uint struct_size, method, influence_count, weight_format, up_axis, candidate_count, grid_size,
-                surface_vertices, symmetric, rigid_parts, softness_percent, weights_in_place, kernel, thread_count;
+            public uint struct_size, method, influence_count, weight_format, candidate_count, grid_size,
+                surface_vertices, symmetric, rigid_parts, softness_percent, weights_in_place, kernel, thread_count, reserved;
             public IntPtr locked, hints, parallel_for, parallel_user;
             public Progress progress;
             public IntPtr progress_user, answers;
@@ -85,7 +86,7 @@ namespace Sinew
         [StructLayout(LayoutKind.Sequential)]
         public struct sinew_rig_options
         {
-            public uint struct_size, up_axis, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
+            public uint struct_size, up, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
             public Progress progress;
             public IntPtr progress_user;
             public uint method, reserved;
@@ -96,7 +97,7 @@ namespace Sinew
         {
             public uint struct_size, joint_count;
             public IntPtr positions, parents, flags, joint_classes, partners, confidence, parent_confidence, names;
-            public uint mirrored, quarter_turns;
+            public uint mirrored, facing;
             public float plane, spread;
             public UIntPtr used_bytes;
         }
@@ -312,7 +313,7 @@ namespace Sinew
                 var options = new Native.sinew_options
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_options)),
-                    influence_count = (uint)settings.Influences, up_axis = settings.ZUp ? 1u : 0,
+                    influence_count = (uint)settings.Influences,
                     symmetric = settings.Symmetric ? 1u : 0, rigid_parts = (uint)settings.RigidParts,
                     softness_percent = (uint)settings.SoftnessPercent, locked = pins.Of(settings.Locked),
                     hints = pins.Of(settings.Hints), progress = watch.Callback
@@ -320,6 +321,7 @@ namespace Sinew
                 Native.sinew_mesh view = View(mesh, pins);
                 var bones = new Native.sinew_skeleton
                 {
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_skeleton)), up = settings.ZUp ? 3u : 2u,
                     positions = pins.Of(skeleton.Positions), parents = pins.Of(skeleton.Parents),
                     flags = pins.Of(skeleton.Flags), joint_count = (uint)skeleton.JointCount
                 };
@@ -362,7 +364,7 @@ namespace Sinew
                 var watch = new Watch(settings.Progress);
                 var options = new Native.sinew_rig_options
                 {
-                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_options)), up_axis = settings.ZUp ? 1u : 0,
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_options)), up = settings.ZUp ? 3u : 2u,
                     mirror = (uint)settings.Mirror, spine_count = (uint)settings.SpineCount,
                     no_toes = settings.NoToes ? 1u : 0, no_ends = settings.NoEnds ? 1u : 0, progress = watch.Callback
                 };

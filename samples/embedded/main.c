@@ -73,7 +73,7 @@ int main(void) {
   if (status != SINEW_OK) return fail("the model", status);
 
   const sinew_mesh mesh = {kPositions, kVertices, NULL, kCorners, kTriangles, 3 * kTriangles};
-  const sinew_skeleton skeleton = {kJointPositions, kJointParents, NULL, kJoints};
+  const sinew_skeleton skeleton = sinew_skeleton_init(kJointPositions, kJointParents, kJoints);
   sinew_options options = sinew_options_init();
   options.influence_count = kInfluences;
   options.candidate_count = CANDIDATES;
@@ -108,7 +108,8 @@ int main(void) {
   float* const posed = (float*)(void*)(workspace + sizeof(float[kJoints][12]));
   start = board_instructions();
   bend(palette);
-  status = sinew_skin_linear(kPositions, kVertices, joint_indices, weights, kInfluences, palette[0], kJoints, posed);
+  const sinew_skin skin = {joint_indices, weights, kInfluences, SINEW_WEIGHT_UNORM16};
+  status = sinew_skin_linear(kPositions, kVertices, &skin, palette[0], kJoints, posed);
   if (status != SINEW_OK) return fail("the pose", status);
   instructions = board_instructions() - start;
   float far = 0;

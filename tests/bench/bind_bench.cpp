@@ -41,7 +41,7 @@ void check(sinew_status status, const char* what) {
 struct Input {
   sinew_test::HeatScene scene;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = {};
+  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
 
   // 61 joints whatever the size; rings and segments as on the 10k body of the other benchmarks.
   explicit Input(double vertices) {

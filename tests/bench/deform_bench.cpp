@@ -104,8 +104,9 @@ void run(double vertices, int repeats) {
   measure(
       repeats,
       [&] {
-        check(sinew_skin_dual_quaternion(mesh.positions, mesh.vertex_count, bound.joints.data(), bound.weights.data(),
-                                         kInfluences, bound.palette.data(), joint_count, out.data()),
+        const sinew_skin skin = {bound.joints.data(), bound.weights.data(), kInfluences, SINEW_WEIGHT_UNORM16};
+        check(sinew_skin_dual_quaternion(mesh.positions, mesh.vertex_count, &skin, bound.palette.data(), joint_count,
+                                         out.data()),
               "skin");
       },
       &skinned, &ignored);

@@ -8,6 +8,7 @@
 #include "bench_report.hpp"
 #include "draw.hpp"
 #include "map_rig.hpp"
+#include "sinew/published.h"
 #include "sinew/sinew.hpp"
 
 namespace {
@@ -46,7 +47,7 @@ void measure(const char* name, const TestRig& target, const TestRig& source, int
   constexpr const char* kNames[] = {"sinew", "branches"};
   sinew_test::MapCall call;
   std::vector<const char*> texts[2];
-  const sinew_map_rig to = call.view(target, &texts[0]), from = call.view(source, &texts[1]);
+  const sinew_skeleton to = call.view(target, &texts[0]), from = call.view(source, &texts[1]);
   sinew::Workspace workspace;
   sinew::JointMap maps[2];
   sinew_status status[2] = {};

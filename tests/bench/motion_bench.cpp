@@ -12,6 +12,7 @@
 #include "bench_report.hpp"
 #include "motion_scene.hpp"
 #include "sinew/motion_clips.h"
+#include "sinew/published.h"
 #include "sinew/sinew.hpp"
 #include "skinned_triangles.hpp"
 
@@ -124,9 +125,9 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
     rotations.insert(rotations.end(), pose.rotations.begin(), pose.rotations.end());
     translations.insert(translations.end(), pose.translations.begin(), pose.translations.end());
   }
-  const sinew_motion_rig source_rig = from.view(), target_rig = to.view();
+  const sinew_skeleton source_rig = from.view(), target_rig = to.view();
   size_t bytes = 0;
-  check(sinew_retarget_size(from.count(), to.count(), &bytes), "size");
+  check(sinew_retarget_create_workspace_size(from.count(), to.count(), &bytes), "size");
   const sinew::Workspace memory(bytes);
   sinew_retarget* plan = nullptr;
   check(sinew_retarget_create(&source_rig, &target_rig, one_to_one(to.count()).data(), to.classes.data(), nullptr,
@@ -136,8 +137,8 @@ void measure(uint32_t vertices, uint32_t frames, int repeats) {
   check(sinew_retarget_ground(plan, nullptr, 0, &ground), "ground");
   Method methods[] = {{"copy"}, {"contacts"}, {"contacts without a body"}, {"reference points"}};
   size_t contacts = 0, points = 0;
-  check(sinew_retarget_contacts_size(plan, &target, frames, &contacts), "size");
-  check(sinew_retarget_reference_points_size(plan, &target, &points), "size");
+  check(sinew_retarget_contacts_workspace_size(plan, &target, frames, &contacts), "size");
+  check(sinew_retarget_reference_points_workspace_size(plan, &target, &points), "size");
   const sinew::Workspace workspace(contacts > points ? contacts : points);
   sinew_motion_body const* const bodies[] = {nullptr, &source, nullptr, &source};
   for (int i = 0; i < repeats; ++i) {

@@ -124,34 +124,6 @@ struct EigenForward : Contestant {
   std::vector<float> logits() const override { return result; }
 };
 
-const char* kind_name(LayerKind kind) {
-  switch (kind) {
-    case LayerKind::kLinear:
-      return "linear";
-    case LayerKind::kRingMean:
-      return "ring_mean";
-    case LayerKind::kRingMax:
-      return "ring_max";
-    case LayerKind::kPartMean:
-      return "part_mean";
-    case LayerKind::kGlobalMean:
-      return "global_mean";
-    case LayerKind::kGlobalMax:
-      return "global_max";
-    case LayerKind::kCandidateMax:
-      return "candidate_max";
-    case LayerKind::kVertexToPair:
-      return "vertex_to_pair";
-    case LayerKind::kPairToVertex:
-      return "pair_to_vertex";
-    case LayerKind::kVertexToSlots:
-      return "vertex_to_slots";
-    case LayerKind::kCopy:
-      return "copy";
-  }
-  return "";
-}
-
 // A child process that has the network and the sample, and passes once per line.
 struct PyTorch : Contestant {
   TempFolder folder;
@@ -221,7 +193,7 @@ struct PyTorch : Contestant {
     for (const Buffer& b : network.buffers) spec["buffers"].push_back({b.domain == Domain::kPair ? 1 : 0, b.channels});
     const auto region = [](const Region& r) { return nlohmann::json{r.buffer, r.offset, r.channels}; };
     for (const Layer& l : network.layers)
-      spec["layers"].push_back({{"kind", kind_name(l.kind)},
+      spec["layers"].push_back({{"kind", traits_of(l.kind).name},
                                 {"in", region(l.in)},
                                 {"out", region(l.out)},
                                 {"residual", (l.flags & kLayerResidual) != 0 ? region(l.residual) : nlohmann::json()},

@@ -92,27 +92,27 @@ def run_layer(layer):
             out += region(layer["residual"])
         if layer["relu"]:
             out.relu_()
-    elif kind == "ring_mean":
+    elif kind == "ring mean":
         out = ring[pair](rows)
-    elif kind == "ring_max":
+    elif kind == "ring max":
         source, target = edges[pair]
         out = torch.full(rows.shape, -1e30)
         out.scatter_reduce_(0, target.reshape(-1, 1).expand(-1, rows.shape[1]), rows.index_select(0, source), "amax")
         out[out == -1e30] = 0
-    elif kind == "part_mean":
+    elif kind == "part mean":
         out = part[pair](rows).index_select(0, group_of[pair])
-    elif kind == "global_mean":
+    elif kind == "global mean":
         out = (rows.index_select(0, live) if pair and not all_present else rows).mean(0)
-    elif kind == "global_max":
+    elif kind == "global max":
         out = (rows.index_select(0, live) if pair and not all_present else rows).amax(0)
-    elif kind == "candidate_max":
+    elif kind == "candidate max":
         valued = rows if all_present else rows.masked_fill(mask == 0, -1e30)
         out = valued.reshape(U, K, -1).amax(1, keepdim=True).expand(-1, K, -1).reshape(U * K, -1)
-    elif kind == "vertex_to_pair":
+    elif kind == "vertex to pair":
         out = rows.unsqueeze(1).expand(-1, K, -1).reshape(U * K, -1)
-    elif kind == "pair_to_vertex":
+    elif kind == "pair to vertex":
         out = rows.reshape(U, -1)
-    elif kind == "vertex_to_slots":
+    elif kind == "vertex to slots":
         out = rows.reshape(U * K, -1)
     else:
         out = rows

@@ -38,7 +38,7 @@ struct Input {
   std::vector<float> positions, joints;
   std::vector<int32_t> parents;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = {};
+  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
 };
 
 int run(int argc, char** argv) {
@@ -79,7 +79,8 @@ int run(int argc, char** argv) {
         return 1;
       }
     }
-    uint64_t hash = sinew_bench::fnv1a(sinew_bench::kHashStart, skin.joints.data(), skin.joints.size() * 2);
+    uint64_t hash =
+        sinew_bench::fnv1a(sinew_bench::kHashStart, skin.joint_indices.data(), skin.joint_indices.size() * 2);
     hash = sinew_bench::fnv1a(hash, skin.weights.data(), skin.weights.size());
     std::printf("%s,%s,%u,%u,%.6f,%.6f,%016llx\n", sinew_bench::row_start().c_str(), character.name.c_str(),
                 in.mesh.vertex_count, in.skeleton.joint_count, median(ours), median(peer),

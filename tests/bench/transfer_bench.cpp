@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "bench_report.hpp"
+#include "sinew/published.h"
 #include "transfer_scene.hpp"
 
 namespace {
@@ -39,7 +40,7 @@ void measure(double vertices, int repeats) {
   const sinew_skeleton skeleton = source.skeleton_view(), target_skeleton = target.skeleton_view();
   const int32_t map[] = {0, 1, 2};
   const sinew_bound_character bound = {
-      &from, &skeleton, rows.joints.data(), rows.weights.data(), 2, SINEW_WEIGHT_UNORM16, map};
+      &from, &skeleton, {rows.joints.data(), rows.weights.data(), 2, SINEW_WEIGHT_UNORM16}, map};
   sinew::Workspace workspace;
   sinew::Skin<uint16_t> skins[kCount];
   size_t used[kCount] = {};
@@ -61,7 +62,8 @@ void measure(double vertices, int repeats) {
     used[i] = report.used_bytes;
   });
   for (size_t i = 0; i < kCount; ++i) {
-    uint64_t hash = sinew_bench::fnv1a(sinew_bench::kHashStart, skins[i].joints.data(), 2 * skins[i].joints.size());
+    uint64_t hash =
+        sinew_bench::fnv1a(sinew_bench::kHashStart, skins[i].joint_indices.data(), 2 * skins[i].joint_indices.size());
     hash = sinew_bench::fnv1a(hash, skins[i].weights.data(), 2 * skins[i].weights.size());
     std::printf("%s,%u,%s,%.3f,%.2f,%zu,%016llx\n", sinew_bench::row_start().c_str(), to.vertex_count,
                 kContestants[i].name, seconds[i] * 1e3, seconds[i] / seconds[0], used[i],

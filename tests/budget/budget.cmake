@@ -28,13 +28,28 @@ endif()
 
 # What SINEW_SMALL_CODE refuses, and that the rest of it works.
 get_target_property(small_sources sinew_engine_objects SOURCES)
-list(FILTER small_sources EXCLUDE REGEX "src/api/(deform|map|motion|rig|simplify|transfer)\\.cpp")
-list(APPEND small_sources src/api/left_out.cpp)
+list(FILTER small_sources EXCLUDE REGEX "src/api/(deform|map|motion|rig|simplify|transfer)\\.cpp|src/(deform|mapping|motion|rig|simplify|transfer)/")
+list(APPEND small_sources src/api/left_out.cpp src/deform/skinning.cpp)
 list(TRANSFORM small_sources PREPEND ${CMAKE_SOURCE_DIR}/engine/)
 add_library(sinew_engine_small STATIC ${small_sources})
 target_compile_features(sinew_engine_small PUBLIC cxx_std_17)
 target_include_directories(sinew_engine_small PUBLIC ${CMAKE_SOURCE_DIR}/engine/include PRIVATE ${CMAKE_SOURCE_DIR}/engine/src)
 target_compile_definitions(sinew_engine_small PRIVATE SINEW_SMALL_CODE)
-target_compile_options(sinew_engine_small PRIVATE -fno-exceptions -fno-rtti)
+target_compile_options(sinew_engine_small PRIVATE -fno-exceptions -fno-rtti $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
 target_link_libraries(sinew_engine_small PRIVATE sinew_build_flags)
 sinew_test(small_code_test SOURCES budget/small_code_test.cpp LIBS sinew_engine_small LABELS budget)
+
+# What SINEW_PUBLISHED_METHODS=OFF leaves out, and that nothing else needs it: what knows of the option is compiled anew and linked first, the
+# archive has the rest.
+if(SINEW_PUBLISHED_METHODS AND NOT SINEW_SMALL_CODE)
+  set(knows_option api/motion bind/pipeline bind/plan deform/deformer deform/rest mapping/map rig/rig transfer/plan transfer/transfer)
+  list(TRANSFORM knows_option REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/engine/src/\\1.cpp")
+  add_library(sinew_engine_plain OBJECT ${knows_option})  # an archive would lose against the other
+  target_compile_features(sinew_engine_plain PUBLIC cxx_std_17)
+  target_include_directories(sinew_engine_plain PUBLIC ${CMAKE_SOURCE_DIR}/engine/include PRIVATE ${CMAKE_SOURCE_DIR}/engine/src)
+  target_compile_definitions(sinew_engine_plain PRIVATE SINEW_NO_PUBLISHED_METHODS)
+  target_compile_options(sinew_engine_plain PRIVATE $<TARGET_PROPERTY:sinew_engine_objects,COMPILE_OPTIONS>)
+  target_link_libraries(sinew_engine_plain PRIVATE sinew_build_flags)
+  sinew_test(published_methods_test SOURCES budget/published_methods_test.cpp LIBS sinew_engine_plain sinew_engine LABELS budget)
+  target_compile_definitions(published_methods_test PRIVATE SINEW_TEST_PROGRAM="$<TARGET_FILE:published_methods_test>")
+endif()

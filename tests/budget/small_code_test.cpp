@@ -54,7 +54,7 @@ struct Result {
 // Asks for the workspace and binds, in more than enough where the question was refused.
 Result bind(const Model& model, const sinew_options& options) {
   const sinew_mesh mesh = {kPositions, kVertices, nullptr, kCorners, kTriangles, 3 * kTriangles};
-  const sinew_skeleton skeleton = {kJointPositions, kJointParents, nullptr, kJoints};
+  const sinew_skeleton skeleton = sinew_skeleton_init(kJointPositions, kJointParents, kJoints);
   Result result;
   result.joints.assign(size_t{kVertices} * 4, 0);
   result.weights.assign(size_t{kVertices} * 4, 0);
@@ -84,22 +84,22 @@ TEST(SmallCode, RefusesWhatWasLeftOut) {
   add("surface_vertices").surface_vertices = 100;
   for (const auto& [name, options] : refused) {
     const Result result = bind(model, options);
-    EXPECT_EQ(result.asked, SINEW_ERROR_ARGUMENT) << name;
-    EXPECT_EQ(result.bound, SINEW_ERROR_ARGUMENT) << name;
+    EXPECT_EQ(result.asked, SINEW_ERROR_NOT_BUILT) << name;
+    EXPECT_EQ(result.bound, SINEW_ERROR_NOT_BUILT) << name;
     EXPECT_EQ(result.joints, std::vector<uint16_t>(result.joints.size(), 0)) << name << " was written";
   }
 }
 
 TEST(SmallCode, HasNoMotion) {
   size_t bytes = 7;
-  EXPECT_EQ(sinew_retarget_size(1, 1, &bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_retarget_create_workspace_size(1, 1, &bytes), SINEW_ERROR_NOT_BUILT);
   const float origin[3] = {0, 0, 0};
   const int32_t parent = -1, map = 0;
-  const sinew_motion_rig rig = {origin, &parent, nullptr, 1};
+  const sinew_skeleton rig = sinew_skeleton_init(origin, &parent, 1);
   const Block block = block_of(1 << 16);
   sinew_retarget* plan = nullptr;
   EXPECT_EQ(sinew_retarget_create(&rig, &rig, &map, nullptr, nullptr, block.get(), 1 << 16, &plan),
-            SINEW_ERROR_ARGUMENT);
+            SINEW_ERROR_NOT_BUILT);
   EXPECT_EQ(plan, nullptr);
 }
 
@@ -126,7 +126,7 @@ TEST(SmallCode, ThreadsAndThePlaceOfWeightsChangeNothing) {
   EXPECT_EQ(other.weights, plain.weights);
   EXPECT_EQ(other.bytes, plain.bytes);
   sinew_model packed = model.model;
-  EXPECT_EQ(sinew_model_packed_size(&packed), size_t{0});
+  EXPECT_EQ(sinew_model_pack_workspace_size(&packed), size_t{0});
   EXPECT_EQ(sinew_model_pack(&packed, block_of(64).get(), 64), SINEW_OK);
   EXPECT_EQ(packed.packed, nullptr);
 }
@@ -134,7 +134,7 @@ TEST(SmallCode, ThreadsAndThePlaceOfWeightsChangeNothing) {
 TEST(SmallCode, PosesAreNotCorrected) {
   const sinew_mesh mesh = {kPositions, kVertices, nullptr, kCorners, kTriangles, 3 * kTriangles};
   size_t bytes = 7;
-  EXPECT_EQ(sinew_deform_memory_size(&mesh, kJoints, 4, nullptr, &bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_deform_create_workspace_size(&mesh, kJoints, 4, nullptr, &bytes), SINEW_ERROR_NOT_BUILT);
 }
 
 }  // namespace

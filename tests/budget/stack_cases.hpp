@@ -49,7 +49,7 @@ struct Tube {
             static_cast<uint32_t>(corners.size() / 3),
             static_cast<uint32_t>(corners.size())};
   }
-  sinew_skeleton skeleton() const { return {joints.data(), parents.data(), nullptr, kJoints}; }
+  sinew_skeleton skeleton() const { return sinew_skeleton_init(joints.data(), parents.data(), kJoints); }
 };
 
 struct StackCase {

@@ -18,6 +18,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
   uint32_t influences = 4;
   bool wants_confidence = false;
   size_t weight_size = 2;
+  uint32_t up = SINEW_UP_AUTO;
 
   explicit Call(Bytes in) {
     const uint8_t shape = in.u8(), extras = in.u8();
@@ -25,6 +26,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
     read_options(in, extras, vertices);
     read_joints(in, shape, joints);
     read(in, shape, vertices, faces);
+    skeleton.up = up;
     skeleton.flags = (shape & 64) != 0 ? flags.data() : nullptr;
     for (size_t i = 0; i < size_t{vertices} * influences; ++i) {
       given_joints.push_back(static_cast<uint16_t>(in.below(joints + ((shape & 128) != 0 ? 1 : 0) + (joints == 0))));
@@ -40,7 +42,7 @@ struct Call : MeshInput, SkeletonInput, Hindrance {
       o.candidate_count = in.below(18);
       constexpr uint32_t kGrids[] = {16, 17, 20, 24, 15, 129, 16, 0};  // finer ones cost time and show nothing new
       o.grid_size = kGrids[in.below(7)];
-      o.up_axis = in.below(8) == 7 ? 2 : in.below(2);
+      up = in.below(8) == 7 ? in.below(6) : 2 + in.below(2);
       o.weight_format = in.below(4);
       o.symmetric = in.below(8) == 7 ? 2 : in.below(2);
       o.rigid_parts = in.below(4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fuzz target: sinew_deform_memory_size(), _create() and _pose() on arbitrary bound meshes and matrices. Refusals are those that
+// Fuzz target: sinew_deform_create_workspace_size(), _create() and _pose() on arbitrary bound meshes and matrices. Refusals are those that
 // the header documents; the rest pose comes back exactly; a second deformer and another content of the memory give the same bytes.
 #include <algorithm>
 
@@ -159,8 +159,8 @@ void check_poses(const Call& call, Made* first, Made* second) {
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const Call call{Bytes(data, size)};
   size_t need = 1;
-  const sinew_status sized =
-      sinew_deform_memory_size(&call.mesh, call.skeleton.joint_count, call.skin.influence_count, &call.options, &need);
+  const sinew_status sized = sinew_deform_create_workspace_size(&call.mesh, call.skeleton.joint_count,
+                                                                call.skin.influence_count, &call.options, &need);
   if (sized != SINEW_OK) {
     demand(need == 0, "the size is 0 on failure");
     const Made made(call, size_t{1} << 16, 0xA5);

@@ -19,12 +19,12 @@ struct RigInput : SkeletonInput {
   std::vector<std::string> names;
   std::vector<const char*> texts;
   std::vector<uint8_t> ends;
-  sinew_map_rig rig = {};
+  sinew_skeleton rig = sinew_skeleton_init(nullptr, nullptr, 0);
 
   void read(Bytes& in, uint8_t shape, uint8_t extras) {
     const uint32_t joints = in.below(48);
     read_joints(in, shape, joints);
-    rig = sinew_map_rig_init(joint_positions.data(), parents.data(), joints);
+    rig = sinew_skeleton_init(joint_positions.data(), parents.data(), joints);
     for (uint32_t j = 0; j < joints; ++j) {
       const uint8_t name = in.u8();
       names.push_back(name < 9 ? kNames[name] : std::string(1 + name % 3, static_cast<char>(name)));
@@ -33,8 +33,7 @@ struct RigInput : SkeletonInput {
     for (const std::string& name : names) texts.push_back(name.c_str());
     if ((shape & 8) != 0) rig.names = texts.data();
     if ((shape & 16) != 0) rig.ends = ends.data();
-    if ((shape & 32) != 0)
-      for (float& x : rig.up) x = any_float(in, (shape & 64) != 0);
+    if ((shape & 32) != 0) rig.up = in.below(5);
     if ((extras & 1) != 0 && in.below(32) == 31) rig.struct_size -= 4;
   }
 };
@@ -107,7 +106,7 @@ void check_status(const Call& call, sinew_status status) {
 }
 
 void check_map(const Call& call, const Map& map) {
-  const sinew_map_rig& target = call.target.rig;
+  const sinew_skeleton& target = call.target.rig;
   const auto is_below = [&](int32_t joint, int32_t above) {
     for (int32_t up = call.source.parents[static_cast<size_t>(joint)]; up >= 0;
          up = call.source.parents[static_cast<size_t>(up)])

@@ -27,7 +27,7 @@ void bind_with(const sinew_model& model) {
   mesh.face_vertices = faces;
   mesh.face_count = 4;
   mesh.corner_count = 12;
-  sinew_skeleton skeleton = {};
+  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
   skeleton.positions = joint_positions;
   skeleton.parents = parents;
   skeleton.joint_count = 3;
@@ -41,7 +41,7 @@ void bind_with(const sinew_model& model) {
     demand(sinew_bind_workspace_size(&model, 4, 4, 12, 3, &options, &need) == SINEW_OK, "an opened model has a size");
     if (need > size_t{1} << 28) return;  // channels by the ten thousand are legal and take their memory
     sinew_model used = model;
-    const sinew::Workspace packed(binding == &first ? 0 : sinew_model_packed_size(&model));
+    const sinew::Workspace packed(binding == &first ? 0 : sinew_model_pack_workspace_size(&model));
     if (binding == &second) {
       demand(sinew_model_pack(&used, packed.data(), packed.size()) == SINEW_OK, "an opened model is packed");
     }

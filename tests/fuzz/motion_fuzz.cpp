@@ -10,6 +10,7 @@
 #include "fuzz.hpp"
 #include "mesh_input.hpp"
 #include "sinew/motion_clips.h"
+#include "sinew/published.h"
 #include "sinew/rig.h"
 #include "skinned_triangles.hpp"
 
@@ -44,9 +45,13 @@ struct RigInput {
         if ((extras & kRotations) != 0) rotations.push_back(any_float(in, (extras & kRaw) != 0));
     }
   }
-  sinew_motion_rig view() const {
-    return {positions.data(), parents.data(), rotations.empty() ? nullptr : rotations.data(),
-            static_cast<uint32_t>(parents.size())};
+  uint32_t up = SINEW_UP_AUTO;
+
+  sinew_skeleton view() const {
+    sinew_skeleton view = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    if (!rotations.empty()) view.rotations = rotations.data();
+    view.up = up;
+    return view;
   }
 };
 
@@ -91,8 +96,8 @@ struct Call {
     const uint32_t vertices = in.below(40), triangles = in.below(40);
     if ((extras & kOptions) != 0) {
       options.struct_size -= in.below(16) == 15 ? 4 : 0;
-      options.source_up = in.below(5);
-      options.target_up = in.below(5);
+      source.up = in.below(5);
+      target.up = in.below(5);
       options.in_place = in.below(8) == 7 ? 2 : in.below(2);
       contacts.fps = any_float(in, (extras & kRaw) != 0);
       points.area_power = in.below(8) == 7 ? SINEW_NO_AREA : in.below(6);
@@ -191,7 +196,7 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
                              ground};
   };
   const auto contacts_size = [&](size_t* bytes) {
-    return sinew_retarget_contacts_size(plan, &own, call.frames, bytes);
+    return sinew_retarget_contacts_workspace_size(plan, &own, call.frames, bytes);
   };
   const auto measure = [&](void* block, size_t bytes, ClipResult* result) {
     const sinew_motion_clip clip = clip_of(result);
@@ -241,7 +246,9 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
     }
     return status;
   };
-  const auto points_size = [&](size_t* bytes) { return sinew_retarget_reference_points_size(plan, &own, bytes); };
+  const auto points_size = [&](size_t* bytes) {
+    return sinew_retarget_reference_points_workspace_size(plan, &own, bytes);
+  };
   const auto points = [&](void* block, size_t bytes, ClipResult* result) {
     const sinew_motion_clip clip = clip_of(result);
     return sinew_retarget_reference_points(plan, source, &own, &clip, &call.points, block, bytes);
@@ -262,9 +269,10 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   Call call{Bytes(data, size)};
-  const sinew_motion_rig source = call.source.view(), target = call.target.view();
+  const sinew_skeleton source = call.source.view(), target = call.target.view();
   size_t need = 0;
-  demand(sinew_retarget_size(source.joint_count, target.joint_count, &need) == SINEW_OK, "these counts have a size");
+  demand(sinew_retarget_create_workspace_size(source.joint_count, target.joint_count, &need) == SINEW_OK,
+         "these counts have a size");
   const size_t bytes = (call.extras & kShort) != 0 ? need - 1 : need;
   Workspace memory(bytes, 0, 0xA5);
   sinew_retarget* plan = nullptr;

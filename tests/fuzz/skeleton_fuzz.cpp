@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fuzz target: the size query and sinew_rig() on arbitrary meshes and options with the bundled model, and
-// sinew_rig_face(), sinew_rig_props(), sinew_rig_hands() and sinew_bind() on what comes out. Refusals are those that the header documents; a skeleton obeys its rules, whatever the mesh.
+// sinew_rig_details() and sinew_bind() on what comes out. Refusals are those that the header documents; a skeleton obeys its rules, whatever the mesh.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -51,7 +51,7 @@ struct Call : MeshInput, Hindrance {
     const uint32_t vertices = in.below(61), faces = in.below(81);
     if ((extras & 1) != 0) {
       options.struct_size -= in.below(16) == 15 ? 4 : 0;
-      options.up_axis = in.below(8) == 7 ? 2 : in.below(2);
+      options.up = in.below(5);
       options.mirror = in.below(4);
       options.spine_count = in.below(18);
       options.no_toes = in.below(8) == 7 ? 2 : in.below(2);
@@ -114,7 +114,7 @@ void check_skeleton(const Call& call, const Skeleton& s) {
   const uint32_t count = s.outputs.joint_count;
   demand(count >= 1 && count <= SINEW_MAX_RIG_JOINTS, "at least one joint, and no more than there is room for");
   demand(s.parents[0] == -1 && s.flags[0] == 0, "the root comes first and may get weight");
-  demand(std::isfinite(s.outputs.plane) && std::isfinite(s.outputs.spread) && s.outputs.quarter_turns <= 3 &&
+  demand(std::isfinite(s.outputs.plane) && std::isfinite(s.outputs.spread) && s.outputs.facing <= 3 &&
              s.outputs.mirrored <= 1,
          "what is said of the whole is in its range");
   if (call.options.mirror == SINEW_MIRROR_NEVER) demand(s.outputs.mirrored == 0, "not mirrored where that is unwanted");
@@ -146,7 +146,7 @@ void check_skeleton(const Call& call, const Skeleton& s) {
 // the bone ends of hands.
 void check_details(const Call& call, const Skeleton& given, size_t seed) {
   sinew_rig_options options = sinew_rig_options_init();
-  options.up_axis = call.options.up_axis;
+  options.up = call.options.up;
   const sinew_mesh& mesh = call.mesh;
   Skeleton s = given;
   s.outputs.positions = s.positions.data();
@@ -160,18 +160,20 @@ void check_details(const Call& call, const Skeleton& given, size_t seed) {
   s.classes[seed % s.outputs.joint_count] = SINEW_CLASS_HEAD;
   s.classes[seed / 3 % s.outputs.joint_count] = SINEW_CLASS_HAND;
   size_t need = 0, hands = 0;
-  demand(sinew_rig_face_workspace_size(mesh.vertex_count, mesh.face_count, mesh.corner_count, &options, &need) ==
-                 SINEW_OK &&
-             sinew_rig_hands_workspace_size(hands_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
-                                            &options, &hands) == SINEW_OK,
+  constexpr uint32_t kShape = SINEW_DETAIL_FACE | SINEW_DETAIL_PROPS;
+  demand(sinew_rig_details_workspace_size(nullptr, mesh.vertex_count, mesh.face_count, mesh.corner_count, kShape,
+                                          &options, &need) == SINEW_OK &&
+             sinew_rig_details_workspace_size(hands_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
+                                              SINEW_DETAIL_HANDS, &options, &hands) == SINEW_OK,
          "details have a size where a skeleton has one");
   Workspace workspace(need, 0, 0xA5), more(hands, 0, 0xA5);
   const uint32_t before = s.outputs.joint_count;
-  demand(sinew_rig_face(&mesh, &options, workspace.data(), need, &s.outputs) == SINEW_OK, "faces are found or not");
-  demand(sinew_rig_props(&mesh, &options, workspace.data(), need, &s.outputs) == SINEW_OK, "props are found or not");
+  demand(sinew_rig_details(nullptr, &mesh, kShape, &options, workspace.data(), need, &s.outputs) == SINEW_OK,
+         "faces and props are found or not");
   demand(std::equal(given.parents.begin(), given.parents.begin() + before, s.parents.begin()), "joints stay");
   if (seed % 4 == 1)  // a network for every hand
-    demand(sinew_rig_hands(hands_model(), &mesh, &options, more.data(), hands, &s.outputs) == SINEW_OK,
+    demand(sinew_rig_details(hands_model(), &mesh, SINEW_DETAIL_HANDS, &options, more.data(), hands, &s.outputs) ==
+               SINEW_OK,
            "fingers are found or not");
   demand(workspace.guards_hold() && more.guards_hold(), "no workspace is written beyond its size");
   const uint32_t count = s.outputs.joint_count;
@@ -188,10 +190,11 @@ void check_details(const Call& call, const Skeleton& given, size_t seed) {
 
 // What comes out is a skeleton for sinew_bind().
 void check_bind(const Call& call, const Skeleton& s) {
-  const sinew_skeleton skeleton = {s.positions.data(), s.parents.data(), s.flags.data(), s.outputs.joint_count};
+  sinew_skeleton skeleton = sinew_skeleton_init(s.positions.data(), s.parents.data(), s.outputs.joint_count);
+  skeleton.flags = s.flags.data();
   sinew_options options = sinew_options_init();
   options.grid_size = 16;
-  options.up_axis = call.options.up_axis;
+  skeleton.up = call.options.up;
   size_t need = 0;
   demand(sinew_bind_workspace_size(fuzzed_model(), call.mesh.vertex_count, call.mesh.face_count, call.mesh.corner_count,
                                    skeleton.joint_count, &options, &need) == SINEW_OK,

@@ -28,6 +28,7 @@ struct Call : Hindrance {
   std::vector<sinew_vertex_pair> pairs;
   sinew_transfer_options options = sinew_transfer_options_init();
   const sinew_model* model = nullptr;
+  uint32_t target_up = 0, source_up = 0;
   uint32_t influences = 4, weight_size = 2, part_capacity = 0;
 
   explicit Call(Bytes in) {
@@ -57,8 +58,8 @@ struct Call : Hindrance {
     options.method = in.below(5);
     options.influence_count = in.below(14);
     options.weight_format = in.below(4);
-    options.up_axis = in.below(2);
-    options.source_up_axis = in.below(8) == 7 ? 2 : in.below(2);
+    target_up = 2 + in.below(2);
+    source_up = in.below(8) == 7 ? in.below(6) : 2 + in.below(2);
     options.garment = in.below(2);
     options.as_drawn = in.below(2);
     options.weights_in_place = in.below(2);
@@ -72,13 +73,13 @@ struct Call : Hindrance {
   void read_rows(Bytes& in, uint8_t extras) {
     const uint32_t from = source.mesh.vertex_count, to = target.mesh.vertex_count;
     const uint32_t from_joints = source.skeleton.joint_count, to_joints = target.skeleton.joint_count;
-    bound.influence_count = 1 + in.below(4);
-    bound.weight_format = in.below(4);
-    const uint32_t size = bound.weight_format == SINEW_WEIGHT_UNORM8  ? 1
-                          : bound.weight_format == SINEW_WEIGHT_FLOAT ? 4
-                                                                      : 2;
+    bound.skin.influence_count = 1 + in.below(4);
+    bound.skin.weight_format = in.below(4);
+    const uint32_t size = bound.skin.weight_format == SINEW_WEIGHT_UNORM8  ? 1
+                          : bound.skin.weight_format == SINEW_WEIGHT_FLOAT ? 4
+                                                                           : 2;
     const uint32_t beyond = in.below(16) == 15 ? 1 : 0;
-    for (uint32_t i = 0; i < from * bound.influence_count; ++i) {
+    for (uint32_t i = 0; i < from * bound.skin.influence_count; ++i) {
       source_joints.push_back(static_cast<uint16_t>(from_joints + beyond == 0 ? 0 : in.below(from_joints + beyond)));
       for (uint32_t b = 0; b < size; ++b) source_weights.push_back(in.u8());
     }
@@ -97,9 +98,11 @@ struct Call : Hindrance {
       for (uint32_t b = 0; b < weight_size; ++b) given_weights.push_back(in.u8());
     }
     bound.mesh = &source.mesh;
+    source.skeleton.up = source_up;
+    target.skeleton.up = target_up;
     bound.skeleton = &source.skeleton;
-    bound.joint_indices = source_joints.data();
-    bound.weights = source_weights.data();
+    bound.skin.joint_indices = source_joints.data();
+    bound.skin.weights = source_weights.data();
     bound.joint_map = joint_map.data();
   }
 

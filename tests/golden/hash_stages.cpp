@@ -17,6 +17,7 @@
 #include "kernels/select.hpp"
 #include "network/network.hpp"
 #include "sinew/motion_clips.h"
+#include "sinew/published.h"
 #include "spectral/spectral.hpp"
 #include "weights/influences.hpp"
 
@@ -86,7 +87,7 @@ struct Input {
   std::vector<int32_t> parents;
   std::vector<std::string> names;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = {};
+  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
 };
 
 Input read_input(const std::string& obj) {
@@ -123,7 +124,7 @@ Input read_input(const std::string& obj) {
   in.mesh = {
       in.positions.data(), static_cast<uint32_t>(in.positions.size() / 3), in.offsets.data(),
       in.corners.data(),   static_cast<uint32_t>(in.offsets.size() - 1),   static_cast<uint32_t>(in.corners.size())};
-  in.skeleton = {in.joints.data(), in.parents.data(), nullptr, static_cast<uint32_t>(names.size())};
+  in.skeleton = sinew_skeleton_init(in.joints.data(), in.parents.data(), static_cast<uint32_t>(names.size()));
   return in;
 }
 
@@ -272,7 +273,7 @@ struct SetLine {
     if (key == "candidates") return &options.candidate_count;
     if (key == "influences") return &options.influence_count;
     if (key == "format") return &options.weight_format;
-    if (key == "up") return &options.up_axis;
+    if (key == "up") return &z_up;
     if (key == "symmetric") return &options.symmetric;
     if (key == "rigid") return &options.rigid_parts;
     if (key == "softness") return &options.softness_percent;
@@ -309,11 +310,12 @@ struct SetLine {
   uint32_t names = 0;
   uint32_t pin = 0;  // joint of the target that has the source's joint 1, if it is not 0
   sinew_options options = sinew_options_init();
+  uint32_t z_up = 0;         // 1: Z is up; with a source 1: not known
   uint32_t hint_step = 0;    // every so many vertices one is a hint
   uint32_t answer_step = 0;  // every so many vertices one's part has an answer, of the kinds in turn
   uint32_t confidence = 0;
   uint32_t rig = 0;      // 1: a skeleton for the mesh alone
-  uint32_t details = 0;  // 1: the skeleton grows by what sinew_rig_hands(), sinew_rig_face() and sinew_rig_props() find
+  uint32_t details = 0;  // 1: the skeleton grows by what sinew_rig_details() finds
   sinew_rig_options rig_options = sinew_rig_options_init();
   uint32_t motion_frames = 0;  // so many frames of a made-up motion retargeted to the character's skeleton
   uint32_t by_distance = 0;    // 1: weights by distance in place of heat
@@ -357,9 +359,8 @@ Hash hash_questions(const std::vector<sinew_question>& questions, const std::vec
 // Everything that sinew_bind() gives to a caller, its status and memory included.
 void hash_line(const char* name, const SetLine& line, const Input& in, const sinew_model* model, uint32_t kernel) {
   sinew_options options = line.options;
-  options.method = model != nullptr        ? SINEW_METHOD_MODEL
-                   : line.by_distance != 0 ? SINEW_METHOD_DISTANCE
-                                           : SINEW_METHOD_HEAT;
+  options.method = model != nullptr ? SINEW_METHOD_MODEL : SINEW_METHOD_HEAT;
+  if (model == nullptr && line.by_distance != 0) options.method = SINEW_METHOD_DISTANCE;
   const uint32_t vertices = in.mesh.vertex_count;
   const size_t slots = size_t{vertices} * (options.influence_count != 0 ? options.influence_count : 4);
   std::vector<uint16_t> joints(slots, 0);
@@ -398,7 +399,9 @@ void hash_line(const char* name, const SetLine& line, const Input& in, const sin
                                   &options, &bytes));
   options.kernel = kernel;
   Block block(bytes);
-  check(sinew_bind(model, &in.mesh, &in.skeleton, &options, block.data, bytes, &outputs));
+  sinew_skeleton skeleton = in.skeleton;
+  skeleton.up = line.z_up != 0 ? SINEW_UP_Z : SINEW_UP_Y;
+  check(sinew_bind(model, &in.mesh, &skeleton, &options, block.data, bytes, &outputs));
   Hash memory, rows, extras;
   const uint64_t size = bytes;
   memory.add(&size, 1);
@@ -435,7 +438,7 @@ struct HashedRig : sinew_test::RigSkeleton {
     joints.add(confidence.data(), count);
     joints.add(parent_confidence.data(), count);
     joints.add(&outputs.mirrored, 1);
-    joints.add(&outputs.quarter_turns, 1);
+    joints.add(&outputs.facing, 1);
     for (size_t j = 0; j < count; ++j) {
       const char* const own = outputs.names[j];
       names_hash.add(reinterpret_cast<const uint8_t*>(own), std::strlen(own));
@@ -449,7 +452,7 @@ struct HashedRig : sinew_test::RigSkeleton {
 // Everything that sinew_rig() gives to a caller.
 void hash_rig(const char* name, const SetLine& line, const Input& in, const sinew_model& model, uint32_t kernel) {
   sinew_rig_options options = line.rig_options;
-  options.up_axis = line.options.up_axis;
+  options.up = line.z_up != 0 ? SINEW_UP_Z : SINEW_UP_Y;
   options.weights_in_place = line.options.weights_in_place;
   HashedRig arrays;
   size_t bytes = 0;
@@ -464,7 +467,7 @@ void hash_rig(const char* name, const SetLine& line, const Input& in, const sine
 // The character's own skeleton with fingers, faces and props; joints are for what their names end in.
 void hash_details(const char* name, const SetLine& line, const Input& in, const sinew_model& model, uint32_t kernel) {
   sinew_rig_options options = line.rig_options;
-  options.up_axis = line.options.up_axis;
+  options.up = line.z_up != 0 ? SINEW_UP_Z : SINEW_UP_Y;
   options.weights_in_place = line.options.weights_in_place;
   HashedRig arrays;
   const uint32_t count = in.skeleton.joint_count;
@@ -480,17 +483,19 @@ void hash_details(const char* name, const SetLine& line, const Input& in, const 
     const float* const p = &in.joints[3 * j];
     arrays.add(text, p[0], p[1], p[2], in.parents[j], joint_class, ends_in("_end") ? SINEW_JOINT_NEVER : 0, -1);
   }
-  size_t bytes = 0, hands = 0;
-  check(
-      sinew_rig_face_workspace_size(in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, &options, &bytes));
-  check(sinew_rig_hands_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count, &options,
-                                       &hands));
-  bytes = bytes > hands ? bytes : hands;
+  size_t bytes = 0;
+  const auto measure = [&](uint32_t wanted, size_t* size) {
+    size_t one = 0;
+    check(sinew_rig_details_workspace_size(&model, in.mesh.vertex_count, in.mesh.face_count, in.mesh.corner_count,
+                                           wanted, &options, &one));
+    *size = one > *size ? one : *size;
+  };
+  constexpr uint32_t kDetails[] = {SINEW_DETAIL_HANDS, SINEW_DETAIL_FACE, SINEW_DETAIL_PROPS};
+  for (const uint32_t wanted : kDetails) measure(wanted, &bytes);
   options.kernel = kernel;
   Block block(bytes);
-  check(sinew_rig_hands(&model, &in.mesh, &options, block.data, bytes, &arrays.outputs));
-  check(sinew_rig_face(&in.mesh, &options, block.data, bytes, &arrays.outputs));
-  check(sinew_rig_props(&in.mesh, &options, block.data, bytes, &arrays.outputs));
+  for (const uint32_t wanted : kDetails)
+    check(sinew_rig_details(&model, &in.mesh, wanted, &options, block.data, bytes, &arrays.outputs));
   arrays.print_hashes(name, bytes);
 }
 
@@ -498,13 +503,13 @@ void hash_details(const char* name, const SetLine& line, const Input& in, const 
 void hash_map(const char* name, const SetLine& line, const Input& in, const Input& source) {
   std::vector<const char*> names[2];
   const auto rig_of = [&](const Input& of, std::vector<const char*>* texts) {
-    sinew_map_rig rig = sinew_map_rig_init(of.joints.data(), of.parents.data(), of.skeleton.joint_count);
+    sinew_skeleton rig = sinew_skeleton_init(of.joints.data(), of.parents.data(), of.skeleton.joint_count);
     for (const std::string& one : of.names) texts->push_back(one.c_str());
     if (line.names != 0) rig.names = texts->data();
-    if (line.options.up_axis != 0) rig.up[1] = 0;
+    if (line.z_up == 0) rig.up = SINEW_UP_Y;
     return rig;
   };
-  const sinew_map_rig to = rig_of(in, &names[0]), from = rig_of(source, &names[1]);
+  const sinew_skeleton to = rig_of(in, &names[0]), from = rig_of(source, &names[1]);
   const sinew_map_pin pin = {line.pin, 1};
   sinew_map_options options = sinew_map_options_init();
   options.method = line.rig_options.method;
@@ -556,10 +561,11 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
     for (int32_t up = in.parents[j]; up >= 0 && depth < 7; up = in.parents[static_cast<size_t>(up)]) ++depth;
     classes.push_back(by_depth[depth]);
   }
-  const sinew_motion_rig source = {positions.data(), in.parents.data(), rotations.data(), joints};
-  const sinew_motion_rig target = {in.joints.data(), in.parents.data(), nullptr, joints};
+  sinew_skeleton source = sinew_skeleton_init(positions.data(), in.parents.data(), joints);
+  source.rotations = rotations.data();
+  const sinew_skeleton target = sinew_skeleton_init(in.joints.data(), in.parents.data(), joints);
   size_t bytes = 0;
-  check(sinew_retarget_size(joints, joints, &bytes));
+  check(sinew_retarget_create_workspace_size(joints, joints, &bytes));
   Block block(bytes);
   sinew_retarget* plan = nullptr;
   check(sinew_retarget_create(&source, &target, map.data(), classes.data(), nullptr, block.data, bytes, &plan));
@@ -618,13 +624,17 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
       triangles.insert(triangles.end(), {in.corners[in.offsets[f]], in.corners[c - 1], in.corners[c]});
   }
   const uint32_t vertices = in.mesh.vertex_count, triangle_count = static_cast<uint32_t>(triangles.size() / 3);
-  const sinew_motion_body own = {in.positions.data(), nearest.data(), whole.data(), triangles.data(), vertices, 1,
+  const sinew_motion_body own = {in.positions.data(),
+                                 triangles.data(),
+                                 {nearest.data(), whole.data(), 1, SINEW_WEIGHT_UNORM16},
+                                 vertices,
                                  triangle_count};
-  const sinew_motion_body other = {body.data(), nearest.data(), whole.data(), nullptr, vertices, 1, 0};
+  const sinew_motion_body other = {
+      body.data(), nullptr, {nearest.data(), whole.data(), 1, SINEW_WEIGHT_UNORM16}, vertices, 0};
   const std::vector<float> copied_turns = out_turns, copied_places = out_places;
   const sinew_motion_clip clip = {turns.data(),      places.data(),      out_turns.data(),
                                   out_places.data(), line.motion_frames, ground};
-  check(sinew_retarget_contacts_size(plan, &own, line.motion_frames, &bytes));
+  check(sinew_retarget_contacts_workspace_size(plan, &own, line.motion_frames, &bytes));
   Block workspace(bytes);
   check(sinew_retarget_contacts(plan, &other, &own, &clip, nullptr, workspace.data, bytes));
   poses = Hash();
@@ -650,7 +660,7 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   print(name, "contacts", poses);
   // The published method, as drawn and with all of its options.
   poses = Hash();
-  check(sinew_retarget_reference_points_size(plan, &own, &bytes));
+  check(sinew_retarget_reference_points_workspace_size(plan, &own, &bytes));
   Block room(bytes);
   sinew_reference_options options = sinew_reference_options_init();
   for (const bool drawn : {true, false}) {
@@ -726,8 +736,8 @@ void hash_deform(const char* name, const SetLine& line, const Input& in) {
   }
   sinew_deform_options options = line.deform_options;
   options.method = line.deform - 1;
-  const sinew_skin skin = {joints.data(), weights.data(), 4};
-  check(sinew_deform_memory_size(&in.mesh, in.skeleton.joint_count, 4, &options, &bytes));
+  const sinew_skin skin = {joints.data(), weights.data(), 4, SINEW_WEIGHT_UNORM16};
+  check(sinew_deform_create_workspace_size(&in.mesh, in.skeleton.joint_count, 4, &options, &bytes));
   Block memory(bytes);
   sinew_deformer deformer = {};
   check(sinew_deform_create(&in.mesh, &in.skeleton, &skin, &options, memory.data, bytes, &deformer));
@@ -774,11 +784,10 @@ void hash_transfer(const char* name, const SetLine& line, const Input& source, c
   std::vector<int32_t> map;
   for (uint32_t j = 0; j < source.skeleton.joint_count; ++j)
     map.push_back(j < target.skeleton.joint_count ? static_cast<int32_t>(j) : -1);
-  const sinew_bound_character bound = {&source.mesh, &source.skeleton,     joints.data(), weights.data(),
-                                       kInfluences,  SINEW_WEIGHT_UNORM16, map.data()};
+  const sinew_bound_character bound = {
+      &source.mesh, &source.skeleton, {joints.data(), weights.data(), kInfluences, SINEW_WEIGHT_UNORM16}, map.data()};
   sinew_transfer_options options = line.transfer;
   options.influence_count = line.options.influence_count;
-  options.up_axis = line.options.up_axis;
   options.weights_in_place = line.options.weights_in_place;
   const uint32_t n = options.influence_count != 0 ? options.influence_count : 4, vertices = target.mesh.vertex_count;
   std::vector<uint16_t> out_joints(size_t{n} * vertices, 0), out_weights(out_joints);

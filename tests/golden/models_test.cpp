@@ -67,7 +67,7 @@ TEST(GoldenModels, UseEveryKindOfLayer) {
       partial = partial || linear.block < linear.in;
     }
   }
-  EXPECT_EQ(kinds.size(), static_cast<size_t>(LayerKind::kCopy));
+  EXPECT_EQ(kinds.size(), size_t{kLayerKindCount});
   EXPECT_EQ(classes.size(), 2u);
   EXPECT_TRUE(residual);
   EXPECT_TRUE(partial) << "no layer of class W in several blocks";

@@ -331,9 +331,10 @@ TEST_F(CharacterC, ArraysInAreArraysOut) {
   const int32_t parents[] = {-1, 0};
   const char* names[] = {"Hips", "Head"};
   const sinew_mesh mesh = {positions, 4, nullptr, faces, 2, 6};
-  const sinew_skeleton skeleton = {joints, parents, nullptr, 2};
+  sinew_skeleton skeleton = sinew_skeleton_init(joints, parents, 2);
+  skeleton.names = names;
   sinew_character* made = nullptr;
-  ASSERT_EQ(sinew_character_create(&mesh, &skeleton, names, &made), SINEW_OK) << sinew_character_error(nullptr);
+  ASSERT_EQ(sinew_character_create(&mesh, &skeleton, &made), SINEW_OK) << sinew_character_error(nullptr);
   const Handle character(made);
   const uint32_t offsets[] = {0, 1, 2, 4, 5}, indices[] = {0, 0, 0, 1, 1};
   const float weights[] = {1, 1, 0.25f, 0.75f, 1};
@@ -421,7 +422,7 @@ TEST_F(CharacterC, WhatIsWrongIsSaidInOneLineAndChangesNothing) {
   EXPECT_NE(before, "");
   const float positions[] = {0, 0, NAN};
   const sinew_mesh mesh = {positions, 1, nullptr, nullptr, 0, 0};
-  refused(SINEW_ERROR_NOT_FINITE, sinew_character_create(&mesh, nullptr, nullptr, &none), nullptr, "finite");
+  refused(SINEW_ERROR_NOT_FINITE, sinew_character_create(&mesh, nullptr, &none), nullptr, "finite");
   EXPECT_EQ(none, nullptr);
 }
 

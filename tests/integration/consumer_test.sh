@@ -34,6 +34,8 @@ done
 ldd "$work/by_pkg_config_ON" | grep 'libsinew\.so\.' >/dev/null || { echo "the shared library was not linked"; exit 1; }
 if ldd "$work/by_pkg_config_OFF" | grep libsinew >/dev/null; then echo "the archive was not linked"; exit 1; fi
 
+# The first sample is C99, nothing newer.
+cc -std=c99 "${strict[@]}" -fsyntax-only "-I$work/prefix_ON/include" "$source_dir/samples/01_hello_c/hello.c"
 for header in "$work"/prefix_ON/include/sinew/*.h; do
   cc -std=c99 "${strict[@]}" -fsyntax-only "-I$work/prefix_ON/include" -x c - <<<"#include <sinew/${header##*/}>"
 done
@@ -41,7 +43,7 @@ for header in "$work"/prefix_ON/include/sinew/*; do
   c++ -std=c++17 "${strict[@]}" -fsyntax-only "-I$work/prefix_ON/include" -x c++ - <<<"#include <sinew/${header##*/}>"
 done
 
-for option in SINEW_INSTALL_MODEL SINEW_INSTALL_RIG_MODEL; do
+for option in SINEW_INSTALL_MODEL SINEW_INSTALL_RIG_MODEL SINEW_INSTALL_HANDS_MODEL; do
   if cmake -S "$source_dir/engine" -B "$work/engine" "-D$option=$work/none.sinew" >"$work/log" 2>&1; then
     echo "a model to install that is not there is no error"; exit 1
   fi

@@ -58,7 +58,7 @@ void expect_same(const std::vector<int16_t>& got, const std::vector<int16_t>& wa
 }
 
 TEST(Executor, EqualsInterpreterOnRandomLists) {
-  size_t kinds[12] = {}, wide = 0, several_stages = 0, distinct = 0;
+  size_t kinds[kLayerKindCount + 1] = {}, wide = 0, several_stages = 0, distinct = 0;
   for (uint32_t seed = 1; seed <= 150; ++seed) {
     const uint32_t k = 1 + seed % 9;
     const IntegerModel model = random_model(seed, k);
@@ -90,7 +90,7 @@ TEST(Executor, EqualsInterpreterOnRandomLists) {
     distinct += std::set<int16_t>(want.begin(), want.end()).size() > 3;
   }
   // The comparison is worth something only when the lists were.
-  for (size_t kind = 1; kind < 12; ++kind) EXPECT_GT(kinds[kind], 20u) << "kind " << kind;
+  for (size_t kind = 1; kind <= kLayerKindCount; ++kind) EXPECT_GT(kinds[kind], 20u) << "kind " << kind;
   EXPECT_GT(wide, 50u);
   EXPECT_GT(several_stages, 30u);
   EXPECT_GT(distinct, 75u);

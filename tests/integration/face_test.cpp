@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew_rig_face(): eyes where loose balls are, the jaw behind and below them, and nothing where there are none.
+// sinew_rig_details() of faces and props: eyes where loose balls are, the jaw behind and below them, and nothing where there are none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,15 +71,16 @@ struct Skeleton : RigSkeleton {
 
 sinew_status add_face(const MeshScene& scene, RigSkeleton* skeleton,
                       sinew_rig_options options = sinew_rig_options_init(), size_t missing = 0,
-                      decltype(&sinew_rig_face) call = sinew_rig_face) {
+                      uint32_t wanted = SINEW_DETAIL_FACE) {
   const sinew_mesh mesh = scene.mesh_view();
   size_t bytes = 0;
-  const sinew_status status =
-      sinew_rig_face_workspace_size(mesh.vertex_count, mesh.face_count, mesh.corner_count, &options, &bytes);
+  const sinew_status status = sinew_rig_details_workspace_size(nullptr, mesh.vertex_count, mesh.face_count,
+                                                               mesh.corner_count, wanted, &options, &bytes);
   if (status != SINEW_OK) return status;
   const sinew::Workspace block(bytes);
   std::memset(block.data(), 0x5A, bytes);
-  return call(&mesh, &options, block.data(), missing > bytes ? 0 : bytes - missing, &skeleton->outputs);
+  return sinew_rig_details(nullptr, &mesh, wanted, &options, block.data(), missing > bytes ? 0 : bytes - missing,
+                           &skeleton->outputs);
 }
 
 void expect_near(const Point& p, const Point& q, float distance, const std::string& what) {
@@ -128,14 +129,14 @@ TEST(FaceOfASkeleton, TakesABallWithoutItsBackForAWholeOne) {
 TEST(FaceOfASkeleton, IsTheSameWhereverItFacesAndWhateverPointsUp) {
   Skeleton first;
   ASSERT_EQ(add_face(with_eyes(), &first), SINEW_OK);
-  const auto expect_same = [&](const char* what, uint32_t quarters, uint32_t up_axis, auto turn) {
+  const auto expect_same = [&](const char* what, uint32_t quarters, uint32_t up, auto turn) {
     MeshScene scene = with_eyes();
     Skeleton s;
     for (size_t v = 0; v < scene.positions.size(); v += 3) turn(&scene.positions[v]);
     for (uint32_t j = 0; j < s.outputs.joint_count; ++j) turn(&s.positions[size_t{3} * j]);
-    s.outputs.quarter_turns = quarters;
+    s.outputs.facing = quarters;
     sinew_rig_options options = sinew_rig_options_init();
-    options.up_axis = up_axis;
+    options.up = up;
     ASSERT_EQ(add_face(scene, &s, options), SINEW_OK) << what;
     ASSERT_EQ(s.outputs.joint_count, 8u) << what;
     for (uint32_t j = 4; j < 8; ++j) {
@@ -144,16 +145,16 @@ TEST(FaceOfASkeleton, IsTheSameWhereverItFacesAndWhateverPointsUp) {
       expect_near(s.at(j), expected, 1e-4f, what + (" " + s.name(j)));
     }
   };
-  expect_same("facing +x", 1, 0, [](float* p) {
+  expect_same("facing +x", 1, SINEW_UP_AUTO, [](float* p) {
     const float x = p[0];
     p[0] = p[2];
     p[2] = -x;
   });
-  expect_same("facing -z", 2, 0, [](float* p) {
+  expect_same("facing -z", 2, SINEW_UP_AUTO, [](float* p) {
     p[0] = -p[0];
     p[2] = -p[2];
   });
-  expect_same("Z up", 0, 1, [](float* p) {
+  expect_same("Z up", 0, SINEW_UP_Z, [](float* p) {
     const float y = p[1];
     p[1] = -p[2];
     p[2] = y;
@@ -231,14 +232,14 @@ TEST(FaceOfASkeleton, WhatIsWrongIsSaidAndNothingWritten) {
   options.progress = [](void*, uint32_t) { return 1; };
   EXPECT_EQ(add_face(scene, &s, options), SINEW_ERROR_CANCELLED);
   options = sinew_rig_options_init();
-  options.up_axis = 2;
+  options.up = SINEW_UP_X;
   EXPECT_EQ(add_face(scene, &s, options), SINEW_ERROR_ARGUMENT);
   MeshScene broken = scene;
   broken.positions[7] = std::numeric_limits<float>::infinity();
   EXPECT_EQ(add_face(broken, &s), SINEW_ERROR_NOT_FINITE);
   EXPECT_TRUE(s.same_as(before));
   size_t bytes = 1;
-  EXPECT_EQ(sinew_rig_face_workspace_size(0, 0, 0, nullptr, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(sinew_rig_details_workspace_size(nullptr, 0, 0, 0, SINEW_DETAIL_FACE, nullptr, &bytes), SINEW_ERROR_COUNT);
   EXPECT_EQ(bytes, 0u);
 }
 
@@ -260,7 +261,7 @@ struct ArmSkeleton : RigSkeleton {
 
 sinew_status add_props(const MeshScene& scene, RigSkeleton* skeleton,
                        sinew_rig_options options = sinew_rig_options_init(), size_t missing = 0) {
-  return add_face(scene, skeleton, options, missing, sinew_rig_props);
+  return add_face(scene, skeleton, options, missing, SINEW_DETAIL_PROPS);
 }
 
 TEST(PropsOfASkeleton, AreJointsOfWhatAHandHolds) {

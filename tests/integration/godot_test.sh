@@ -20,6 +20,7 @@ rm -rf "$work" && mkdir -p "$work/home" "$work/project/expected"
 cd "$work/project"
 cp -r "$addons" addons
 cp "$source/samples/godot/tests/check.gd" .
+cp -r "$source/samples/godot/tests/import" addons
 cat > project.godot <<'END'
 config_version=4
 
@@ -27,7 +28,7 @@ config_version=4
 config/name="sinew test"
 
 [editor_plugins]
-enabled=PoolStringArray( "sinew" )
+enabled=PoolStringArray( "sinew", "import" )
 END
 # FILE SOURCE OPTION=VALUE...: a file to import as Sinew Character
 character() {
@@ -53,7 +54,8 @@ grep -v '^skin' bird.rig.txt > "$work/bare.rig.txt"
 quietly bind bound.obj --skeleton "$work/bare.rig.txt" -o expected/bound_bare.rig.txt
 
 export HOME=$work/home SINEW=$command LC_ALL=C.UTF-8
-timeout 120 godot3-server --path . --editor --quit > "$work/import.log" 2>&1 || fail "the editor stopped: $(tail -5 "$work/import.log")"
+IMPORT_AND_QUIT=1 timeout 120 godot3-server --path . --editor > "$work/import.log" 2>&1 || fail "the editor stopped: $(tail -5 "$work/import.log")"
+grep -q '^IMPORT DONE' "$work/import.log" || fail "the import did not end: $(tail -5 "$work/import.log")"
 grep -q 'broken.obj: sinew: error: .*broken.obj' "$work/import.log" || fail "a broken file is not named: $(grep -v free_static "$work/import.log")"
 for name in rigged bound moved; do
   ls .import/$name.obj-*.scn >/dev/null || fail "$name.obj was not imported: $(cat "$work/import.log")"
@@ -70,7 +72,7 @@ if ! command -v godot3 >/dev/null || ! command -v xvfb-run >/dev/null; then
   exit 0
 fi
 cp -r "$source/samples/godot/tests/window" addons
-sed -i 's/"sinew" )/"sinew", "window" )/' project.godot
+sed -i 's/"import" )/"import", "window" )/' project.godot
 WINDOW_PICTURE=$work/window.png timeout 120 xvfb-run -a -s "-screen 0 1280x800x24" godot3 --path . --editor --video-driver GLES2 --audio-driver Dummy \
   --resolution 1280x800 > "$work/window.log" 2>&1 || fail "the window stopped: $(tail -20 "$work/window.log")"
 grep '^WINDOW OK' "$work/window.log" || fail "see $work/window.log"

@@ -12,6 +12,7 @@
 #include "bundled_model.hpp"
 #include "first_release.h"
 #include "sinew/motion_clips.h"
+#include "sinew/published.h"
 #include "sinew/sinew.hpp"
 
 // Members never move, and nothing is put between them.
@@ -21,7 +22,6 @@ SINEW_KEEPS(sinew_options, struct_size);
 SINEW_KEEPS(sinew_options, method);
 SINEW_KEEPS(sinew_options, influence_count);
 SINEW_KEEPS(sinew_options, weight_format);
-SINEW_KEEPS(sinew_options, up_axis);
 SINEW_KEEPS(sinew_options, candidate_count);
 SINEW_KEEPS(sinew_options, grid_size);
 SINEW_KEEPS(sinew_options, surface_vertices);
@@ -31,6 +31,7 @@ SINEW_KEEPS(sinew_options, softness_percent);
 SINEW_KEEPS(sinew_options, weights_in_place);
 SINEW_KEEPS(sinew_options, kernel);
 SINEW_KEEPS(sinew_options, thread_count);
+SINEW_KEEPS(sinew_options, reserved);
 SINEW_KEEPS(sinew_options, locked);
 SINEW_KEEPS(sinew_options, hints);
 SINEW_KEEPS(sinew_options, parallel_for);
@@ -44,7 +45,7 @@ SINEW_KEEPS(sinew_bind_outputs, weights);
 SINEW_KEEPS(sinew_bind_outputs, confidence);
 SINEW_KEEPS(sinew_bind_outputs, used_bytes);
 SINEW_KEEPS(sinew_rig_options, struct_size);
-SINEW_KEEPS(sinew_rig_options, up_axis);
+SINEW_KEEPS(sinew_rig_options, up);
 SINEW_KEEPS(sinew_rig_options, mirror);
 SINEW_KEEPS(sinew_rig_options, spine_count);
 SINEW_KEEPS(sinew_rig_options, no_toes);
@@ -64,7 +65,7 @@ SINEW_KEEPS(sinew_rig_outputs, confidence);
 SINEW_KEEPS(sinew_rig_outputs, parent_confidence);
 SINEW_KEEPS(sinew_rig_outputs, names);
 SINEW_KEEPS(sinew_rig_outputs, mirrored);
-SINEW_KEEPS(sinew_rig_outputs, quarter_turns);
+SINEW_KEEPS(sinew_rig_outputs, facing);
 SINEW_KEEPS(sinew_rig_outputs, plane);
 SINEW_KEEPS(sinew_rig_outputs, spread);
 SINEW_KEEPS(sinew_rig_outputs, used_bytes);
@@ -83,8 +84,6 @@ SINEW_KEEPS(sinew_deform_outputs, active_tetrahedra);
 SINEW_KEEPS(sinew_deform_outputs, inverted_tetrahedra);
 SINEW_KEEPS(sinew_retarget_options, struct_size);
 SINEW_KEEPS(sinew_retarget_options, method);
-SINEW_KEEPS(sinew_retarget_options, source_up);
-SINEW_KEEPS(sinew_retarget_options, target_up);
 SINEW_KEEPS(sinew_retarget_options, in_place);
 SINEW_KEEPS(sinew_retarget_options, scale);
 SINEW_KEEPS(sinew_contact_options, struct_size);
@@ -99,14 +98,16 @@ SINEW_KEEPS(sinew_reference_options, falloff);
 SINEW_KEEPS(sinew_reference_options, least_cosine);
 SINEW_KEEPS(sinew_reference_options, progress);
 SINEW_KEEPS(sinew_reference_options, progress_user);
-SINEW_KEEPS(sinew_map_rig, struct_size);
-SINEW_KEEPS(sinew_map_rig, joint_count);
-SINEW_KEEPS(sinew_map_rig, positions);
-SINEW_KEEPS(sinew_map_rig, parents);
-SINEW_KEEPS(sinew_map_rig, names);
-SINEW_KEEPS(sinew_map_rig, ends);
-SINEW_KEEPS(sinew_map_rig, up);
-SINEW_KEEPS(sinew_map_rig, reserved);
+SINEW_KEEPS(sinew_skeleton, struct_size);
+SINEW_KEEPS(sinew_skeleton, joint_count);
+SINEW_KEEPS(sinew_skeleton, positions);
+SINEW_KEEPS(sinew_skeleton, parents);
+SINEW_KEEPS(sinew_skeleton, flags);
+SINEW_KEEPS(sinew_skeleton, ends);
+SINEW_KEEPS(sinew_skeleton, names);
+SINEW_KEEPS(sinew_skeleton, rotations);
+SINEW_KEEPS(sinew_skeleton, up);
+SINEW_KEEPS(sinew_skeleton, reserved);
 SINEW_KEEPS(sinew_map_options, struct_size);
 SINEW_KEEPS(sinew_map_options, method);
 SINEW_KEEPS(sinew_map_options, pin_count);
@@ -124,8 +125,6 @@ SINEW_KEEPS(sinew_transfer_options, struct_size);
 SINEW_KEEPS(sinew_transfer_options, method);
 SINEW_KEEPS(sinew_transfer_options, influence_count);
 SINEW_KEEPS(sinew_transfer_options, weight_format);
-SINEW_KEEPS(sinew_transfer_options, up_axis);
-SINEW_KEEPS(sinew_transfer_options, source_up_axis);
 SINEW_KEEPS(sinew_transfer_options, garment);
 SINEW_KEEPS(sinew_transfer_options, as_drawn);
 SINEW_KEEPS(sinew_transfer_options, weights_in_place);
@@ -205,7 +204,7 @@ class GrowingStructs : public ::testing::Test {
     const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 2, 0.5f};
     const int32_t parents[] = {-1, 0};
     const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-    const sinew_skeleton skeleton = {joint_positions, parents, nullptr, 2};
+    const sinew_skeleton skeleton = sinew_skeleton_init(joint_positions, parents, 2);
     const auto* const o = reinterpret_cast<const sinew_options*>(&options);
     size_t bytes = 0;
     const sinew_status sized = sinew_bind_workspace_size(nullptr, mesh.vertex_count, mesh.face_count, mesh.corner_count,
@@ -436,13 +435,13 @@ class GrowingDeformStructs : public GrowingStructs {
     const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 1.5f, 0.5f};
     const int32_t parents[] = {-1, 0};
     const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-    const sinew_skeleton skeleton = {joint_positions, parents, nullptr, 2};
-    const sinew_skin skin = {joints.data(), weights.data(), kInfluences};
+    const sinew_skeleton skeleton = sinew_skeleton_init(joint_positions, parents, 2);
+    const sinew_skin skin = {joints.data(), weights.data(), kInfluences, SINEW_WEIGHT_UNORM16};
     const float palette[24] = {1,    0,     0, 0,    0,    1,    0, 0,    0, 0, 1, 0,
                                0.6f, -0.8f, 0, 1.4f, 0.8f, 0.6f, 0, 0.2f, 0, 0, 1, 0};
     const auto* const o = reinterpret_cast<const sinew_deform_options*>(&options);
     size_t bytes = 0;
-    const sinew_status sized = sinew_deform_memory_size(&mesh, 2, kInfluences, o, &bytes);
+    const sinew_status sized = sinew_deform_create_workspace_size(&mesh, 2, kInfluences, o, &bytes);
     sinew::Workspace memory(sized == SINEW_OK ? bytes : size_t{1} << 22);
     sinew_deformer made = {};
     const sinew_status status = sinew_deform_create(&mesh, &skeleton, &skin, o, memory.data(), memory.size(), &made);
@@ -516,9 +515,9 @@ class GrowingMotionStructs : public ::testing::Test {
   template <class RetargetOptions>
   sinew_status plan(const RetargetOptions& options) {
     const int32_t parent = -1, source = 0;
-    const sinew_motion_rig from = {origin, &parent, nullptr, 1}, to = {aside, &parent, nullptr, 1};
+    const sinew_skeleton from = sinew_skeleton_init(origin, &parent, 1), to = sinew_skeleton_init(aside, &parent, 1);
     size_t bytes = 0;
-    EXPECT_EQ(sinew_retarget_size(1, 1, &bytes), SINEW_OK);
+    EXPECT_EQ(sinew_retarget_create_workspace_size(1, 1, &bytes), SINEW_OK);
     memory = sinew::Workspace(bytes);
     return sinew_retarget_create(&from, &to, &source, nullptr,
                                  reinterpret_cast<const sinew_retarget_options*>(&options), memory.data(),
@@ -529,15 +528,15 @@ class GrowingMotionStructs : public ::testing::Test {
     const uint16_t joints[4] = {}, weights[4] = {65535, 65535, 65535, 65535};
     const float corners[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, larger[12] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 1};
     const uint32_t triangles[6] = {0, 1, 2, 0, 2, 3};
-    const sinew_motion_body from = {corners, joints, weights, triangles, 4, 1, 2};
-    const sinew_motion_body to = {larger, joints, weights, triangles, 4, 1, 2};
+    const sinew_motion_body from = {corners, triangles, {joints, weights, 1, SINEW_WEIGHT_UNORM16}, 4, 2};
+    const sinew_motion_body to = {larger, triangles, {joints, weights, 1, SINEW_WEIGHT_UNORM16}, 4, 2};
     float rotations[8] = {0, 0, 0, 1, 0, 0, 0, 1}, translations[6] = {}, out_rotations[8] = {0, 0, 0, 1, 0, 0, 0, 1},
           out_translations[6] = {};
     const sinew_motion_clip moved = {rotations, translations, out_rotations, out_translations, 2, 0};
     size_t bytes = 0;
-    EXPECT_EQ(sinew_retarget_contacts_size(made, &to, 2, &bytes), SINEW_OK);
+    EXPECT_EQ(sinew_retarget_contacts_workspace_size(made, &to, 2, &bytes), SINEW_OK);
     size_t other = 0;
-    EXPECT_EQ(sinew_retarget_reference_points_size(made, &to, &other), SINEW_OK);
+    EXPECT_EQ(sinew_retarget_reference_points_workspace_size(made, &to, &other), SINEW_OK);
     const sinew::Workspace block(bytes + other);
     if (points)
       return sinew_retarget_reference_points(made, &from, &to, &moved,
@@ -586,7 +585,7 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureMapAsEver) {
     size_t bytes = 0;
     EXPECT_EQ(sinew_map_workspace_size(4, 4, &bytes), SINEW_OK);
     sinew::Workspace workspace(bytes);
-    return sinew_map(static_cast<const sinew_map_rig*>(target), static_cast<const sinew_map_rig*>(source),
+    return sinew_map(static_cast<const sinew_skeleton*>(target), static_cast<const sinew_skeleton*>(source),
                      static_cast<const sinew_map_options*>(options), workspace.data(), bytes,
                      static_cast<sinew_map_outputs*>(outputs));
   };
@@ -595,7 +594,7 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureMapAsEver) {
     one.joint_count = 4;
     one.positions = places;
     one.parents = parents;
-    one.up[1] = 1;
+    one.up = SINEW_UP_Y;
     return one;
   };
   const auto options = [&](auto one, uint32_t size) {
@@ -610,14 +609,14 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureMapAsEver) {
     one.sources = sources.data();
     return one;
   };
-  const auto own_rig = rig(sinew_map_rig{}, sizeof(sinew_map_rig));
+  const auto own_rig = rig(sinew_skeleton{}, sizeof(sinew_skeleton));
   const auto own_options = options(sinew_map_options{}, sizeof(sinew_map_options));
   auto own_outputs = filled(sinew_map_outputs{}, sizeof(sinew_map_outputs));
   ASSERT_EQ(map(&own_rig, &own_rig, &own_options, &own_outputs), SINEW_OK);
   EXPECT_EQ(sources[2], 3);
   const std::vector<int32_t> expected = std::exchange(sources, std::vector<int32_t>(4));
 
-  const auto first_rig = rig(sinew_map_rig_0_1{}, sizeof(sinew_map_rig_0_1));
+  const auto first_rig = rig(sinew_skeleton_0_1{}, sizeof(sinew_skeleton_0_1));
   const auto first_options = options(sinew_map_options_0_1{}, sizeof(sinew_map_options_0_1));
   Guarded memory(filled(sinew_map_outputs_0_1{}, sizeof(sinew_map_outputs_0_1)));
   ASSERT_EQ(map(&first_rig, &first_rig, &first_options, &memory.known), SINEW_OK);
@@ -626,7 +625,7 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureMapAsEver) {
   EXPECT_EQ(memory.known.used_bytes, own_outputs.used_bytes);
   memory.expect_untouched();
 
-  Future<sinew_map_rig> future_rig = {rig(sinew_map_rig{}, sizeof(Future<sinew_map_rig>)), nullptr};
+  Future<sinew_skeleton> future_rig = {rig(sinew_skeleton{}, sizeof(Future<sinew_skeleton>)), nullptr};
   Future<sinew_map_options> future_options = {options(sinew_map_options{}, sizeof(Future<sinew_map_options>)), nullptr};
   Future<sinew_map_outputs> future = {filled(sinew_map_outputs{}, sizeof(Future<sinew_map_outputs>)), nullptr};
   ASSERT_EQ(map(&future_rig, &future_rig, &future_options, &future), SINEW_OK);
@@ -637,8 +636,8 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureMapAsEver) {
     *more = nullptr;
   }
   EXPECT_EQ(sources, std::vector<int32_t>(4)) << "outputs were written";
-  expect_sizes_refused(sizeof(sinew_map_rig_0_1), [&](uint32_t size) {
-    const auto one = rig(sinew_map_rig{}, size);
+  expect_sizes_refused(sizeof(sinew_skeleton_0_1), [&](uint32_t size) {
+    const auto one = rig(sinew_skeleton{}, size);
     return map(&own_rig, &one, &own_options, &own_outputs);
   });
   expect_sizes_refused(sizeof(sinew_map_options_0_1), [&](uint32_t size) {
@@ -655,11 +654,11 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureTransferAsEver) {
   const float joint_positions[] = {0.5f, 0.1f, 0.5f, 0.5f, 2, 0.5f};
   const int32_t parents[] = {-1, 0}, map[] = {0, 1};
   const sinew_mesh mesh = {positions.data(), kVertices, nullptr, corners.data(), kTriangles, 3 * kTriangles};
-  const sinew_skeleton skeleton = {joint_positions, parents, nullptr, 2};
+  const sinew_skeleton skeleton = sinew_skeleton_init(joint_positions, parents, 2);
   std::vector<uint16_t> source_joints(kVertices), source_weights(kVertices, 65535);
   for (uint32_t v = 0; v < kVertices; ++v) source_joints[v] = v >= kVertices / 2 ? 1 : 0;
   const sinew_bound_character source = {
-      &mesh, &skeleton, source_joints.data(), source_weights.data(), 1, SINEW_WEIGHT_UNORM16, map};
+      &mesh, &skeleton, {source_joints.data(), source_weights.data(), 1, SINEW_WEIGHT_UNORM16}, map};
   const auto transfer = [&](const void* given, void* outputs) {
     const auto* const o = static_cast<const sinew_transfer_options*>(given);
     size_t bytes = 0;
@@ -735,8 +734,9 @@ TEST_F(GrowingStructs, ProgramsOfTheFirstReleaseAndOfTheFutureSimplifyAsEver) {
     EXPECT_EQ(sinew_simplify_workspace_size(4, &bytes), SINEW_OK);
     sinew::Workspace workspace(bytes);
     uint32_t into[4] = {};
+    const sinew_skeleton skeleton = sinew_skeleton_init(places, parents, 4);
     const sinew_status status =
-        sinew_simplify(places, parents, 4, nullptr, nullptr, static_cast<const sinew_simplify_options*>(options),
+        sinew_simplify(&skeleton, nullptr, nullptr, static_cast<const sinew_simplify_options*>(options),
                        workspace.data(), bytes, into);
     if (status == SINEW_OK) {
       EXPECT_EQ(into[2], 1u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew_rig_hands() with the bundled model: what it promises of any skeleton, and what it makes of two hands.
+// sinew_rig_details() of hands with the bundled model: what it promises of any skeleton, and what it makes of two hands.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -114,12 +114,13 @@ sinew_status add_hands(const MeshScene& scene, Skeleton* skeleton, sinew_rig_opt
                        const sinew_model* model = bundled_hands_model(), size_t missing = 0) {
   const sinew_mesh mesh = scene.mesh_view();
   size_t bytes = 0;
-  const sinew_status status =
-      sinew_rig_hands_workspace_size(model, mesh.vertex_count, mesh.face_count, mesh.corner_count, &options, &bytes);
+  const sinew_status status = sinew_rig_details_workspace_size(model, mesh.vertex_count, mesh.face_count,
+                                                               mesh.corner_count, SINEW_DETAIL_HANDS, &options, &bytes);
   if (status != SINEW_OK) return status;
   const sinew::Workspace block(bytes);
   std::memset(block.data(), 0x5A, bytes);
-  return sinew_rig_hands(model, &mesh, &options, block.data(), bytes - missing, &skeleton->outputs);
+  return sinew_rig_details(model, &mesh, SINEW_DETAIL_HANDS, &options, block.data(), bytes - missing,
+                           &skeleton->outputs);
 }
 
 TEST(HandsOfASkeleton, GetFingersOnBothSidesInMirrorImage) {
@@ -220,6 +221,65 @@ TEST(HandsOfASkeleton, WithoutRoomGetNone) {
   const uint32_t count = s.outputs.joint_count;
   ASSERT_EQ(add_hands(two_arms(true), &s), SINEW_OK);
   EXPECT_EQ(s.outputs.joint_count, count);
+}
+
+sinew_status add_details(const MeshScene& scene, RigSkeleton* skeleton, uint32_t wanted,
+                         const sinew_rig_options& options = sinew_rig_options_init()) {
+  const sinew_mesh mesh = scene.mesh_view();
+  size_t bytes = 0;
+  const sinew_status status = sinew_rig_details_workspace_size(
+      bundled_hands_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count, wanted, &options, &bytes);
+  if (status != SINEW_OK) return status;
+  const sinew::Workspace block(bytes);
+  std::memset(block.data(), 0x5A, bytes);
+  return sinew_rig_details(bundled_hands_model(), &mesh, wanted, &options, block.data(), bytes, &skeleton->outputs);
+}
+
+// A stick in one hand, beside fingers.
+MeshScene armed() {
+  MeshScene scene = two_arms(true);
+  add_limb(&scene, {0.6, 1.38, -0.3}, {0.66, 1.44, 0.9}, 0.01, 0.01, 1);
+  return scene;
+}
+
+TEST(DetailsOfASkeleton, AreThoseOfOneCallAfterAnother) {
+  const MeshScene scene = armed();
+  Skeleton one_by_one, together;
+  for (const uint32_t wanted : {SINEW_DETAIL_HANDS, SINEW_DETAIL_FACE, SINEW_DETAIL_PROPS})
+    ASSERT_EQ(add_details(scene, &one_by_one, wanted), SINEW_OK);
+  ASSERT_EQ(add_details(scene, &together, SINEW_DETAIL_HANDS | SINEW_DETAIL_FACE | SINEW_DETAIL_PROPS), SINEW_OK);
+  EXPECT_GE(together.fingers(), 6u);
+  EXPECT_TRUE(together.same_as(one_by_one));
+}
+
+TEST(DetailsOfASkeleton, ACallThatIsStoppedInItsLastStageChangesNothing) {
+  const MeshScene scene = armed();
+  const Skeleton before;
+  Skeleton s;
+  uint32_t last = 0;
+  sinew_rig_options options = sinew_rig_options_init();
+  options.progress = [](void* user, uint32_t permille) {
+    EXPECT_GE(permille, *static_cast<uint32_t*>(user)) << "one bar for all stages";
+    *static_cast<uint32_t*>(user) = permille;
+    return permille > 700 ? 1 : 0;
+  };
+  options.progress_user = &last;
+  EXPECT_EQ(add_details(scene, &s, SINEW_DETAIL_HANDS | SINEW_DETAIL_PROPS, options), SINEW_ERROR_CANCELLED);
+  EXPECT_GT(last, 700u);
+  EXPECT_TRUE(s.same_as(before));
+  EXPECT_EQ(add_details(scene, &s, 0), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(add_details(scene, &s, 8), SINEW_ERROR_ARGUMENT);
+}
+
+TEST(OpenAModel, OfAnotherTaskSaysSo) {
+  const auto file_of = [](const sinew_model* model) { return std::make_pair(model->bytes, model->size_bytes); };
+  sinew_model model;
+  for (const sinew_model* other : {bundled_rig_model(), bundled_hands_model()}) {
+    const auto [bytes, size] = file_of(other);
+    EXPECT_EQ(sinew_model_open(bytes, size, &model), SINEW_ERROR_MODEL_TASK);
+  }
+  const auto [bytes, size] = file_of(bundled_model());
+  EXPECT_EQ(sinew_rig_model_open(bytes, size, &model), SINEW_ERROR_MODEL_TASK);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Bound bind_star(uint32_t kernel, uint32_t weights_in_place, const sinew_model* m
 
 // The bundled model with its weights packed once.
 const sinew_model* packed_model() {
-  static sinew::Workspace memory(sinew_model_packed_size(bundled_model()));
+  static sinew::Workspace memory(sinew_model_pack_workspace_size(bundled_model()));
   static const sinew_model packed = [] {
     sinew_model model = *bundled_model();
     EXPECT_EQ(sinew_model_pack(&model, memory.data(), memory.size()), SINEW_OK);
@@ -89,11 +89,12 @@ size_t bytes_of_many(const sinew_model* model) {
 }
 
 TEST(KernelOption, APackedModelNeedsAsMuchLessAsReadingInPlace) {
-  EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(packed_model()), sinew_model_packed_size(bundled_model()));
+  EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(packed_model()),
+            sinew_model_pack_workspace_size(bundled_model()));
   const Bound bound = bind_star(SINEW_KERNEL_AUTO, 0, packed_model());
   EXPECT_EQ(bound.used, bound.bytes);
   // What is asked for is what is written, and binds read it alone.
-  const size_t bytes = sinew_model_packed_size(bundled_model());
+  const size_t bytes = sinew_model_pack_workspace_size(bundled_model());
   EXPECT_GT(bytes, size_t{2} * bundled_model()->parameter_count);
   EXPECT_LE(bytes, size_t{2} * 93808);
   sinew::Workspace memory(bytes + 64);
@@ -108,7 +109,7 @@ TEST(KernelOption, APackedModelNeedsAsMuchLessAsReadingInPlace) {
 }
 
 TEST(KernelOption, PackingRefusesWhatDoesNotFit) {
-  const size_t bytes = sinew_model_packed_size(bundled_model());
+  const size_t bytes = sinew_model_pack_workspace_size(bundled_model());
   sinew::Workspace memory(bytes + 64);
   sinew_model model = *bundled_model(), empty = {};
   EXPECT_EQ(sinew_model_pack(&model, memory.data(), bytes - 1), SINEW_ERROR_WORKSPACE);
@@ -117,8 +118,8 @@ TEST(KernelOption, PackingRefusesWhatDoesNotFit) {
   EXPECT_EQ(sinew_model_pack(nullptr, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(sinew_model_pack(&empty, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(model.packed, nullptr);
-  EXPECT_EQ(sinew_model_packed_size(&empty), size_t{0});
-  EXPECT_EQ(sinew_model_packed_size(nullptr), size_t{0});
+  EXPECT_EQ(sinew_model_pack_workspace_size(&empty), size_t{0});
+  EXPECT_EQ(sinew_model_pack_workspace_size(nullptr), size_t{0});
 }
 
 TEST(KernelOption, UnknownValuesAreRefused) {

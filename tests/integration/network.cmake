@@ -8,7 +8,8 @@ if(SINEW_BUILD_QUANT)
   set(engine_src ${PROJECT_SOURCE_DIR}/engine/src)
   sinew_test(network_portable_bytes_test
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/executor_test.cpp ${engine_src}/model/reader.cpp ${engine_src}/network/plan.cpp
-            ${engine_src}/network/network.cpp ${engine_src}/kernels/packed.cpp ${engine_src}/kernels/linear_s16_ref.cpp
+            ${engine_src}/network/network.cpp ${engine_src}/network/run.cpp ${engine_src}/network/tables.cpp
+            ${engine_src}/network/tile_layers.cpp ${engine_src}/kernels/packed.cpp ${engine_src}/kernels/linear_s16_ref.cpp
             ${engine_src}/kernels/aggregate_s16_ref.cpp
     LIBS sinew::quant sinew::engine_internals
     LABELS integration)

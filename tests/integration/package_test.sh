@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The Debian package of a build, unpacked in an empty folder: control fields, licences, manual page; the command binds there with its own
-# model; CMake and pkg-config find library and model, also after the folder moved.
+# The Debian packages of a build, sinew and sinew-dev, unpacked in an empty folder: control fields, which files are in which, licences, manual page,
+# completion; the command binds there with its own model; CMake and pkg-config find library and model, also after the folder moved.
 #   package_test.sh SOURCE_DIR BUILD_DIR WORK_DIR
 set -euo pipefail
 source_dir=$1 build=$2 work=$3
@@ -17,19 +17,36 @@ if grep -q '^SINEW_TRAINER_ARCH:[A-Z]*=.' "$build/CMakeCache.txt"; then
   grep -e '--preset package' "$work/log" >/dev/null || { cat "$work/log"; fail "cpack does not say how to build a package"; }
 fi
 pack -D CPACK_SINEW_THIS_MACHINE=ON || { cat "$work/log"; fail "cpack failed"; }
-deb=$(find "$work/packed" -maxdepth 1 -name '*.deb')
-
-field() { dpkg-deb -f "$deb" "$1"; }
-is() { [ "$(field "$1")" = "$2" ] || fail "field $1 is '$(field "$1")', expected '$2'"; }
 version=$("$build/sinew" --version | cut -d ' ' -f 2)
-is Package sinew
-is Version "$version"
-is Architecture "$(dpkg --print-architecture)"
-for name in Maintainer Description Installed-Size; do [ -n "$(field "$name")" ] || fail "no field $name"; done
-others=$(dpkg-deb -c "$deb" | awk '$1 !~ /^[d-]rw[x-]r-[x-]r-[x-]$/ || $2 != "root/root"')
-[ -z "$others" ] || fail "owners or permissions: $others"
+architecture=$(dpkg --print-architecture)
+deb=$work/packed/sinew_${version}_$architecture.deb dev=$work/packed/sinew-dev_${version}_$architecture.deb
+field() { dpkg-deb -f "$1" "$2"; }
+is() { [ "$(field "$1" "$2")" = "$3" ] || fail "field $2 of $(basename "$1") is '$(field "$1" "$2")', expected '$3'"; }
+is "$deb" Package sinew
+is "$dev" Package sinew-dev
+is "$dev" Section libdevel
+is "$dev" Depends "sinew (= $version)"
+for one in "$deb" "$dev"; do
+  is "$one" Version "$version"
+  is "$one" Architecture "$architecture"
+  for name in Maintainer Description Installed-Size; do [ -n "$(field "$one" "$name")" ] || fail "no field $name"; done
+  others=$(dpkg-deb -c "$one" | awk '($1 !~ /^[d-]rw[x-]r-[x-]r-[x-]$/ && $1 !~ /^l/) || $2 != "root/root"')
+  [ -z "$others" ] || fail "owners or permissions: $others"
+done
+# What runs is in the one, what is built with in the other; no file is in both.
+files_of() { dpkg-deb --fsys-tarfile "$1" | tar t | grep -v '/$' | sort; }
+has() { files_of "$1" | grep -E "$2" >/dev/null || fail "$(basename "$1") has no file like $2"; }
+for name in bin/sinew 'lib/.*libsinew\.so\.[0-9.]*[0-9]' share/sinew/sinew_default.sinew share/sinew/sinew_rig.sinew share/doc/sinew/copyright \
+            share/man/man1/sinew.1.gz share/bash-completion/completions/sinew; do has "$deb" "^./usr/$name\$"; done
+for name in include/sinew/sinew.h 'lib/.*libsinew\.a' 'lib/.*libsinew\.so' 'lib/.*cmake/sinew/sinewConfig.cmake' 'lib/.*pkgconfig/sinew.pc' \
+            share/doc/sinew-dev/copyright; do has "$dev" "^./usr/$name\$"; done
+extra=$(files_of "$deb" | grep -E '/include/|\.a$|\.so$|\.cmake$|\.pc$' || true)
+[ -z "$extra" ] || fail "sinew has what belongs to sinew-dev: $extra"
+both=$(comm -12 <(files_of "$deb") <(files_of "$dev"))
+[ -z "$both" ] || fail "in both packages: $both"
 
 dpkg-deb -x "$deb" "$work/first"
+dpkg-deb -x "$dev" "$work/first"
 root=$work/moved
 mv "$work/first" "$root"
 sinew=$root/usr/bin/sinew
@@ -38,7 +55,7 @@ for library in $(objdump -p "$sinew" | awk '$1 == "NEEDED" { print $2 }'); do
   path=$(ldd "$sinew" | awk -v name="$library" '$1 == name { print $3 }')
   # dpkg knows one of the two where /lib is a link to /usr/lib.
   owner=$({ dpkg -S "$path" "$(realpath "$path")" 2>/dev/null || true; } | sed -n '1s/:.*//p')
-  [[ ", $(field Depends)," == *", $owner"[\ ,]* ]] || fail "Depends has no '$owner', which $library belongs to: $(field Depends)"
+  [[ ", $(field "$deb" Depends)," == *", $owner"[\ ,]* ]] || fail "Depends has no '$owner', which $library belongs to: $(field "$deb" Depends)"
 done
 
 copyright=$root/usr/share/doc/sinew/copyright
@@ -50,9 +67,26 @@ for library in tinygltf $(sed -n 's/^ *find_package(\([A-Za-z0-9_]*\).*/\1/p' fo
   case $library in PNG) library=libpng ;; ZLIB) library=zlib ;; esac
   grep -w "$library" "$copyright" >/dev/null || fail "$copyright does not name $library"
 done
-for command in $("$sinew" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p'); do
-  gzip -dc "$root/usr/share/man/man1/sinew.1.gz" | grep -x ".B $command" >/dev/null || fail "package/sinew.1 does not name the command $command"
+# Manual page and completion: every command, and its options as --help lists them.
+gzip -dc "$root/usr/share/man/man1/sinew.1.gz" >"$work/sinew.1"
+complete_words() { # WORD...: what bash offers for the last word
+  bash -c '. "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _sinew 2>/dev/null; printf "%s\n" "${COMPREPLY[@]}"' - \
+    "$root/usr/share/bash-completion/completions/sinew" "$@"
+}
+commands=$("$sinew" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
+[ -n "$commands" ] || fail "sinew --help lists no commands"
+for command in $commands; do
+  grep -x ".SS $command" "$work/sinew.1" >/dev/null || fail "the manual page does not name the command $command"
+  complete_words sinew "${command:0:1}" | grep -x -e "$command" >/dev/null || fail "the completion does not offer $command"
+  offered=$(complete_words sinew "$command" -)
+  for option in $("$sinew" "$command" --help | sed -n 's/^  \(-[^ ]*\).*/\1/p' | sed 's/{[^}]*}//g' | tr , ' '); do
+    grep -x -e "$option" <<<"$offered" >/dev/null || fail "the completion of $command does not offer $option"
+    [[ $option == -h || $option == --help || $option == --help-all ]] && continue
+    grep -F -e "${option//-/\\-}" "$work/sinew.1" >/dev/null || fail "the manual page does not name $command $option"
+  done
 done
+complete_words sinew dataset "" | grep -x check >/dev/null || fail "the completion does not offer sinew dataset check"
+complete_words sinew map --method "" | grep -x auto >/dev/null || fail "the completion does not offer the values of sinew map --method"
 
 # Binds far from the sources, and to the same bytes with the installed model.
 cd "$work/elsewhere"
@@ -65,6 +99,8 @@ model=$(pkg-config --variable=default_model sinew)
 cmp "$model" "$source_dir/samples/data/sinew_default.sinew" || fail "pkg-config's default_model is '$model'"
 rig_model=$(pkg-config --variable=rig_model sinew)
 cmp "$rig_model" "$source_dir/samples/data/sinew_rig.sinew" || fail "pkg-config's rig_model is '$rig_model'"
+hands_model=$(pkg-config --variable=hands_model sinew)
+cmp "$hands_model" "$source_dir/samples/data/sinew_hands.sinew" || fail "pkg-config's hands_model is '$hands_model'"
 bind "$sinew" file.glb --model "$model"
 cmp bundled.glb file.glb
 bind "$build/sinew" built.glb
@@ -80,7 +116,7 @@ quietly cmake -S "$source_dir/tests/integration/consumer" -B "$work/consumer" -D
 quietly cmake --build "$work/consumer"
 "$work/consumer/character" snake__long.obj linked.glb >"$work/log"
 cmp linked.glb bundled.glb
-for name in default rig; do
+for name in default rig hands; do
   [ -e "$root/usr/share/doc/sinew/sinew_$name.md" ] || fail "the card of the $name model is missing"
   "$work/consumer/consumer" | grep -F "opened $root/usr/share/sinew/sinew_$name.sinew" >/dev/null || fail "the CMake package has no $name model in $root"
 done

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "rig_scene.hpp"
+#include "sinew/published.h"
 #include "sinew_formats/io.hpp"
 
 namespace {
@@ -66,7 +67,7 @@ TEST(SkeletonOfAMesh, ASymmetricMeshHasExactlyMirroredJoints) {
       const float* const p = &rigged.positions[3 * j];
       ASSERT_GE(rigged.partners[j], 0);
       const float* const q = &rigged.positions[3 * static_cast<size_t>(rigged.partners[j])];
-      if (rigged.outputs.quarter_turns % 2 == 0) {
+      if (rigged.outputs.facing % 2 == 0) {
         EXPECT_EQ(p[0] - rigged.outputs.plane, rigged.outputs.plane - q[0]) << name << " " << rigged.names[j];
         EXPECT_EQ(p[2], q[2]);
       } else {
@@ -137,7 +138,7 @@ TEST(SkeletonOfAMesh, FarAwayTinyOrZUpIsTheSameSkeleton) {
       for (uint32_t axis = 0; axis < 3; ++axis) other.positions[3 * v + axis] = scale * turned[axis] + offset;
     }
     sinew_rig_options options = sinew_rig_options_init();
-    options.up_axis = z_up ? 1 : 0;
+    options.up = z_up ? SINEW_UP_Z : SINEW_UP_Y;
     return RiggedScene(other, options);
   };
   for (const auto& [scale, offset, z_up] :
@@ -170,7 +171,7 @@ TEST(SkeletonOfAMesh, ItIsFoundWhicheverWayItFaces) {
     }
     const RiggedScene rigged(other, sinew_rig_options_init());
     rigged.expect_sound();
-    EXPECT_EQ(rigged.outputs.quarter_turns, quarters);
+    EXPECT_EQ(rigged.outputs.facing, quarters);
     // Points lie elsewhere on the turned mesh, so a joint may come or go, and those behind it have other numbers; where one
     // was there is one of its class.
     size_t shared = 0;
@@ -219,7 +220,8 @@ TEST(SkeletonOfAMesh, TheSkeletonCanBeBoundAtOnce) {
   const RiggedScene rigged(scene, sinew_rig_options_init());
   rigged.expect_sound();
   const sinew_mesh mesh = scene.mesh_view();
-  const sinew_skeleton skeleton = {rigged.positions.data(), rigged.parents.data(), rigged.flags.data(), rigged.count};
+  sinew_skeleton skeleton = sinew_skeleton_init(rigged.positions.data(), rigged.parents.data(), rigged.count);
+  skeleton.flags = rigged.flags.data();
   size_t bytes = 0;
   ASSERT_EQ(sinew_bind_workspace_size(bundled_model(), mesh.vertex_count, mesh.face_count, mesh.corner_count,
                                       skeleton.joint_count, nullptr, &bytes),
@@ -357,7 +359,7 @@ TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {
       sinew_rig_options options = sinew_rig_options_init();
       options.mirror = mirror;
       RiggedScene(scenes[i], options).expect_sound();
-      for (const uint32_t method : {SINEW_RIG_SHAPE, SINEW_RIG_REGIONS}) {
+      for (const uint32_t method : {uint32_t{SINEW_RIG_SHAPE}, uint32_t{SINEW_RIG_REGIONS}}) {
         options.method = method;
         RiggedScene(scenes[i], options, nullptr).expect_sound();
       }
@@ -379,12 +381,12 @@ TEST(SkeletonOfAMesh, RandomMeshesAreSound) {
     for (uint32_t f = 0; f < faces; ++f) scene.add_face({below(vertices), below(vertices), below(vertices)});
     sinew_rig_options options = sinew_rig_options_init();
     options.mirror = below(3);
-    options.up_axis = below(2);
+    options.up = below(2) == 0 ? SINEW_UP_Y : SINEW_UP_Z;
     options.spine_count = below(5);
     options.no_toes = below(2);
     options.no_ends = below(2);
     RiggedScene(scene, options).expect_sound();
-    for (const uint32_t method : {SINEW_RIG_SHAPE, SINEW_RIG_REGIONS}) {
+    for (const uint32_t method : {uint32_t{SINEW_RIG_SHAPE}, uint32_t{SINEW_RIG_REGIONS}}) {
       options.method = method;
       RiggedScene(scene, options, nullptr).expect_sound();
     }

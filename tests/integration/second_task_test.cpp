@@ -271,7 +271,7 @@ TEST(SecondTask, OtherTasksRefuseItsModel) {
   const std::vector<uint8_t> bytes = quantize(network, calibrate(network, scene.items.validation)).bytes;
   const test::AlignedBytes file(bytes);
   sinew_model model;
-  EXPECT_EQ(sinew_model_open(file.data(), bytes.size(), &model), SINEW_ERROR_MODEL_VERSION);
+  EXPECT_EQ(sinew_model_open(file.data(), bytes.size(), &model), SINEW_ERROR_MODEL_TASK);
   ModelTask task = model_task(network);
   EXPECT_EQ(open_model(file.data(), bytes.size(), task, &model), SINEW_OK);
 

@@ -22,6 +22,7 @@ struct Scene {
   std::vector<float> positions, joints;
   std::vector<uint32_t> offsets = {0}, corners;
   std::vector<int32_t> parents;
+  uint32_t up = SINEW_UP_AUTO;
 };
 
 struct Rows {
@@ -52,7 +53,10 @@ sinew_mesh mesh_of(const Scene& scene) {
           static_cast<uint32_t>(scene.corners.size())};
 }
 sinew_skeleton skeleton_of(const Scene& scene) {
-  return {scene.joints.data(), scene.parents.data(), nullptr, static_cast<uint32_t>(scene.parents.size())};
+  sinew_skeleton skeleton =
+      sinew_skeleton_init(scene.joints.data(), scene.parents.data(), static_cast<uint32_t>(scene.parents.size()));
+  skeleton.up = scene.up;
+  return skeleton;
 }
 
 Rows bind(const Scene& scene, const sinew_model* model, sinew::Options options) {
@@ -187,12 +191,12 @@ TEST(BindProperty, TenThousandRandomScenes) {
   const sinew_model* model = bundled_model();
   for (int i = 0; i < scenes; ++i) {
     Random random(static_cast<uint64_t>(i));
-    const Scene scene = random_scene(random);
+    Scene scene = random_scene(random);
     sinew_options options = sinew_options_init();
     options.influence_count = 1 + below(random, SINEW_MAX_INFLUENCES);
     options.grid_size = 16;
     options.candidate_count = below(random, SINEW_MAX_CANDIDATES + 1);
-    options.up_axis = below(random, 2);
+    scene.up = below(random, 4) == 0 ? 0 : SINEW_UP_Y + below(random, 2);
     options.surface_vertices = below(random, 3) == 0 ? 16 + below(random, 20) : 0;  // a reduced surface now and then
     const Rows rows = bind(scene, i % 2 != 0 ? model : nullptr, options);
     ASSERT_EQ(rows.status, SINEW_OK) << "scene " << i << ": " << sinew_status_text(rows.status);
@@ -327,7 +331,8 @@ TEST(BindProperty, LockedRowsAndExcludedJoints) {
                            static_cast<uint32_t>(scene.offsets.size() - 1),
                            static_cast<uint32_t>(scene.corners.size())};
   std::vector<uint8_t> flags = {0, SINEW_JOINT_NEVER, 0, 0}, locked(n, 0);
-  const sinew_skeleton skeleton = {scene.joints.data(), scene.parents.data(), flags.data(), 4};
+  sinew_skeleton skeleton = sinew_skeleton_init(scene.joints.data(), scene.parents.data(), 4);
+  skeleton.flags = flags.data();
   locked[5] = 1;
   sinew_options options = sinew_options_init();
   options.method = SINEW_METHOD_HEAT;

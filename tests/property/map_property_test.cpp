@@ -9,6 +9,7 @@
 
 #include "draw.hpp"
 #include "map_rig.hpp"
+#include "sinew/published.h"
 
 namespace {
 

@@ -39,14 +39,14 @@ TEST(MotionProperty, RandomRigsGiveFinitePosesOfTheirOwnBones) {
   std::mt19937 random(1);
   for (int round = 0; round < 3000; ++round) {
     SCOPED_TRACE(round);
-    const MotionScene source = random_rig(random, 80), target = random_rig(random, 80);
+    MotionScene source = random_rig(random, 80), target = random_rig(random, 80);
     std::vector<int32_t> map;
     for (uint32_t t = 0; t < target.count(); ++t)
       map.push_back(random() % 4 == 0 ? -1 : static_cast<int32_t>(random() % source.count()));
     const bool any = std::any_of(map.begin(), map.end(), [](int32_t s) { return s >= 0; });
     sinew::RetargetSettings settings;
-    settings.source_up = static_cast<uint32_t>(random()) % 4;
-    settings.target_up = static_cast<uint32_t>(random()) % 4;
+    source.up = static_cast<uint32_t>(random()) % 4;
+    target.up = static_cast<uint32_t>(random()) % 4;
     settings.in_place = static_cast<uint32_t>(random()) % 2;
     const auto size_of = [](const MotionScene& scene) {
       float most = 0;

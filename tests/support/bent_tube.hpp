@@ -56,9 +56,9 @@ struct BentTube {
             static_cast<uint32_t>(corners.size())};
   }
   sinew_skeleton skeleton() const {
-    return {joint_positions.data(), parents.data(), nullptr, static_cast<uint32_t>(parents.size())};
+    return sinew_skeleton_init(joint_positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
   }
-  sinew_skin skin() const { return {joints.data(), weights.data(), 2}; }
+  sinew_skin skin() const { return {joints.data(), weights.data(), 2, SINEW_WEIGHT_UNORM16}; }
 
   // Every joint but the first turned by an angle about an axis through itself, on top of its parent.
   std::vector<float> turned(std::array<double, 3> axis, double degrees) const {

@@ -12,7 +12,6 @@ typedef struct sinew_options_0_1 {
   uint32_t method;
   uint32_t influence_count;
   uint32_t weight_format;
-  uint32_t up_axis;
   uint32_t candidate_count;
   uint32_t grid_size;
   uint32_t surface_vertices;
@@ -22,6 +21,7 @@ typedef struct sinew_options_0_1 {
   uint32_t weights_in_place;
   uint32_t kernel;
   uint32_t thread_count;
+  uint32_t reserved;
   const uint8_t* locked;
   const uint8_t* hints;
   void (*parallel_for)(void* user, uint32_t count, void (*body)(void* body_data, uint32_t index), void* body_data);
@@ -41,7 +41,7 @@ typedef struct sinew_bind_outputs_0_1 {
 
 typedef struct sinew_rig_options_0_1 {
   uint32_t struct_size;
-  uint32_t up_axis;
+  uint32_t up;
   uint32_t mirror;
   uint32_t spine_count;
   uint32_t no_toes;
@@ -64,7 +64,7 @@ typedef struct sinew_rig_outputs_0_1 {
   uint16_t* parent_confidence;
   char (*names)[32];
   uint32_t mirrored;
-  uint32_t quarter_turns;
+  uint32_t facing;
   float plane;
   float spread;
   size_t used_bytes;
@@ -92,8 +92,6 @@ typedef struct sinew_deform_outputs_0_1 {
 typedef struct sinew_retarget_options_0_1 {
   uint32_t struct_size;
   uint32_t method;
-  uint32_t source_up;
-  uint32_t target_up;
   uint32_t in_place;
   float scale;
 } sinew_retarget_options_0_1;
@@ -115,16 +113,19 @@ typedef struct sinew_reference_options_0_1 {
   int (*progress)(void* user, uint32_t permille);
   void* progress_user;
 } sinew_reference_options_0_1;
-typedef struct sinew_map_rig_0_1 {
+
+typedef struct sinew_skeleton_0_1 {
   uint32_t struct_size;
   uint32_t joint_count;
   const float* positions;
   const int32_t* parents;
-  const char* const* names;
+  const uint8_t* flags;
   const uint8_t* ends;
-  float up[3];
+  const char* const* names;
+  const float* rotations;
+  uint32_t up;
   uint32_t reserved;
-} sinew_map_rig_0_1;
+} sinew_skeleton_0_1;
 
 typedef struct sinew_map_options_0_1 {
   uint32_t struct_size;
@@ -150,8 +151,6 @@ typedef struct sinew_transfer_options_0_1 {
   uint32_t method;
   uint32_t influence_count;
   uint32_t weight_format;
-  uint32_t up_axis;
-  uint32_t source_up_axis;
   uint32_t garment;
   uint32_t as_drawn;
   uint32_t weights_in_place;

@@ -79,17 +79,17 @@ struct MapCall {
   std::vector<uint8_t> reasons;
   sinew_map_outputs outputs = {};
 
-  sinew_map_rig view(const TestRig& rig, std::vector<const char*>* texts) const {
-    sinew_map_rig view = sinew_map_rig_init(rig.places.data(), rig.parents.data(), rig.count());
+  sinew_skeleton view(const TestRig& rig, std::vector<const char*>* texts) const {
+    sinew_skeleton view = sinew_skeleton_init(rig.places.data(), rig.parents.data(), rig.count());
     for (const std::string& name : rig.names) texts->push_back(name.c_str());
     if (names) view.names = texts->data();
     if (ends) view.ends = rig.ends.data();
-    if (!up_known) view.up[1] = 0;
+    if (up_known) view.up = SINEW_UP_Y;
     return view;
   }
   MapCall& run(const TestRig& target, const TestRig& source) {
     std::vector<const char*> texts[2];
-    const sinew_map_rig to = view(target, &texts[0]), from = view(source, &texts[1]);
+    const sinew_skeleton to = view(target, &texts[0]), from = view(source, &texts[1]);
     sinew_map_options options = sinew_map_options_init();
     options.method = method;
     options.pins = pins.data();

@@ -9,6 +9,7 @@
 
 #include "motion_scene.hpp"
 #include "sinew/motion_clips.h"
+#include "sinew/published.h"
 #include "skinned_triangles.hpp"
 
 namespace sinew_test {
@@ -61,9 +62,9 @@ struct PlayedClip {
   sinew_retarget* plan = nullptr;
 
   PlayedClip(const MotionScene& s, const MotionScene& t) : source(s), target(t) {
-    const sinew_motion_rig from = s.view(), to = t.view();
+    const sinew_skeleton from = s.view(), to = t.view();
     size_t bytes = 0;
-    EXPECT_EQ(sinew_retarget_size(s.count(), t.count(), &bytes), SINEW_OK);
+    EXPECT_EQ(sinew_retarget_create_workspace_size(s.count(), t.count(), &bytes), SINEW_OK);
     memory = sinew::Workspace(bytes);
     EXPECT_EQ(sinew_retarget_create(&from, &to, one_to_one(t.count()).data(), t.classes.data(), nullptr, memory.data(),
                                     memory.size(), &plan),
@@ -101,7 +102,7 @@ struct PlayedClip {
   }
   auto contacts_size() const {
     return [this](const sinew_motion_body* own, size_t* bytes) {
-      return sinew_retarget_contacts_size(plan, own, frames, bytes);
+      return sinew_retarget_contacts_workspace_size(plan, own, frames, bytes);
     };
   }
   sinew_status contacts(const BoxBody* source_body, const BoxBody& target_body,
@@ -122,7 +123,7 @@ struct PlayedClip {
     return on_bodies(
         &source_body, target_body,
         [&](const sinew_motion_body* own, size_t* bytes) {
-          return sinew_retarget_reference_points_size(plan, own, bytes);
+          return sinew_retarget_reference_points_workspace_size(plan, own, bytes);
         },
         [&](const auto* from, const auto* own, const auto* clip, void* block, size_t bytes) {
           return sinew_retarget_reference_points(plan, from, own, clip, &options, block, bytes);

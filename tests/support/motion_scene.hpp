@@ -26,8 +26,13 @@ struct MotionScene {
   std::vector<uint8_t> classes;
 
   uint32_t count() const { return static_cast<uint32_t>(parents.size()); }
-  sinew_motion_rig view() const {
-    return {positions.data(), parents.data(), rotations.empty() ? nullptr : rotations.data(), count()};
+  uint32_t up = SINEW_UP_AUTO;
+
+  sinew_skeleton view() const {
+    sinew_skeleton view = sinew_skeleton_init(positions.data(), parents.data(), count());
+    if (!rotations.empty()) view.rotations = rotations.data();
+    view.up = up;
+    return view;
   }
   Vec3d at(size_t j) const { return vec(&positions[3 * j]); }
   Quat rest(size_t j) const { return rotations.empty() ? sinew::kNoTurn : sinew::normalised(quat(&rotations[4 * j])); }

@@ -472,7 +472,7 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k, uint32_t vertex_chan
   const uint32_t count = 4 + random.below(28);
   for (uint32_t i = 0; i < count; ++i) {
     Layer layer;
-    layer.kind = static_cast<LayerKind>(1 + random.below(11));
+    layer.kind = static_cast<LayerKind>(1 + random.below(kLayerKindCount));
     const Domain domain = random.below(3) == 0 ? Domain::kVertex : Domain::kPair;
     const uint32_t channels = 1 + random.below(random.below(4) == 0 ? 80 : 12);
     const auto fit = [&](Domain d) {  // not more channels than some buffer of the domain holds
@@ -480,33 +480,33 @@ inline IntegerModel random_model(uint32_t seed, uint32_t k, uint32_t vertex_chan
       for (size_t b = 0; b < filled.size(); ++b) most = model.buffers[b].domain == d ? std::max(most, filled[b]) : most;
       return std::min(channels, most);
     };
-    switch (layer.kind) {
-      case LayerKind::kLinear:
+    switch (traits_of(layer.kind).shape) {
+      case LayerShape::kWeights:
         layer.in = pick(domain, fit(domain));
         layer.flags = static_cast<uint8_t>(random.below(4));
         if (layer.flags & kLayerResidual) layer.residual = pick(domain, 1 + random.below(6));
         layer.out = place(domain, (layer.flags & kLayerResidual) ? layer.residual.channels : 1 + random.below(20));
         add_linear(layer, (layer.flags & kLayerRelu) ? ValueRange::kPositive : ValueRange::kSigned);
         continue;
-      case LayerKind::kCandidateMax:
+      case LayerShape::kSameSlots:
         layer.in = pick(Domain::kPair, fit(Domain::kPair));
         layer.out = place(Domain::kPair, layer.in.channels);
         break;
-      case LayerKind::kVertexToPair:
+      case LayerShape::kToSlots:
         layer.in = pick(Domain::kVertex, fit(Domain::kVertex));
         layer.out = place(Domain::kPair, layer.in.channels);
         break;
-      case LayerKind::kPairToVertex:
+      case LayerShape::kJoinSlots:
         layer.in = pick(Domain::kPair, std::min<uint32_t>(fit(Domain::kPair), 3));
         layer.out = place(Domain::kVertex, layer.in.channels * k);
         break;
-      case LayerKind::kVertexToSlots: {
+      case LayerShape::kSplitSlots: {
         if (fit(Domain::kVertex) < k) continue;
         layer.in = pick(Domain::kVertex, k);
         layer.out = place(Domain::kPair, 1);
         break;
       }
-      default:
+      case LayerShape::kSame:
         layer.in = pick(domain, fit(domain));
         layer.out = place(domain, layer.in.channels);
         break;

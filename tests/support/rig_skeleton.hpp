@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A skeleton with room for more joints, as sinew_rig() gives them and sinew_rig_hands() and sinew_rig_face() let them grow.
+// A skeleton with room for more joints, as sinew_rig() gives them and sinew_rig_details() lets them grow.
 #ifndef SINEW_TESTS_SUPPORT_RIG_SKELETON_HPP
 #define SINEW_TESTS_SUPPORT_RIG_SKELETON_HPP
 

@@ -15,6 +15,7 @@ struct SceneParts {
   std::vector<float> joints;     // [J x 3]
   std::vector<int32_t> parents;
   std::vector<uint8_t> flags;  // empty: none
+  uint32_t up = SINEW_UP_AUTO;
 
   uint32_t vertex_count() const { return static_cast<uint32_t>(positions.size() / 3); }
   uint32_t joint_count() const { return static_cast<uint32_t>(parents.size()); }
@@ -29,11 +30,12 @@ struct SceneParts {
   }
   // A view of the scene, which must outlive it.
   sinew_skeleton skeleton_view() const {
-    sinew_skeleton view = {};
+    sinew_skeleton view = sinew_skeleton_init(nullptr, nullptr, 0);
     view.positions = joints.data();
     view.parents = parents.data();
     view.flags = flags.empty() ? nullptr : flags.data();
     view.joint_count = joint_count();
+    view.up = up;
     return view;
   }
 };

@@ -19,11 +19,9 @@ struct SkinnedTriangles {
   explicit SkinnedTriangles(uint32_t influences) : influence_count(influences) {}
   sinew_motion_body view() const {
     return {positions.data(),
-            joints.data(),
-            weights.data(),
             triangles.data(),
+            {joints.data(), weights.data(), influence_count, SINEW_WEIGHT_UNORM16},
             static_cast<uint32_t>(positions.size() / 3),
-            influence_count,
             static_cast<uint32_t>(triangles.size() / 3)};
   }
 };

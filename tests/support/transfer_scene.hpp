@@ -99,9 +99,10 @@ inline TransferRun run_transfer(const MeshScene& source, const BoundRows& rows, 
   const sinew_skeleton source_skeleton = source.skeleton_view(), target_skeleton = target.skeleton_view();
   for (uint32_t j = 0; joint_map.size() < source_skeleton.joint_count; ++j)
     joint_map.push_back(j < target_skeleton.joint_count ? static_cast<int32_t>(j) : -1);
-  const sinew_bound_character bound = {
-      &source_mesh,         &source_skeleton, rows.joints.data(), rows.weights.data(), 2,
-      SINEW_WEIGHT_UNORM16, joint_map.data()};
+  const sinew_bound_character bound = {&source_mesh,
+                                       &source_skeleton,
+                                       {rows.joints.data(), rows.weights.data(), 2, SINEW_WEIGHT_UNORM16},
+                                       joint_map.data()};
   run.n = options.influence_count != 0 ? options.influence_count : 4;
   run.joints.resize(size_t{run.n} * target_mesh.vertex_count);
   run.weights.resize(run.joints.size());

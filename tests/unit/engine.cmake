@@ -6,5 +6,6 @@ foreach(room core grid mesh skeleton motion reduce voxels rig mapping simplify c
 endforeach()
 sinew_test(unit_engine_cpp_wrapper SOURCES ${CMAKE_CURRENT_LIST_DIR}/engine/cpp_wrapper_test.cpp LIBS sinew::engine_internals LABELS unit)
 if(SINEW_BUILD_QUANT)  # writes the models that it opens
-  sinew_test(unit_engine_model SOURCES ${CMAKE_CURRENT_LIST_DIR}/engine/model/reader_test.cpp LIBS sinew::quant LABELS unit)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/engine/model/*_test.cpp ${CMAKE_CURRENT_LIST_DIR}/engine/network/*_test.cpp)
+  sinew_test(unit_engine_model SOURCES ${sources} LIBS sinew::quant sinew::engine_internals LABELS unit)
 endif()

@@ -7,6 +7,8 @@
 
 #include "sinew/model.h"
 #include "sinew/questions.h"
+#include "sinew/skeleton.h"
+#include "sinew/skin.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -14,20 +16,10 @@ extern "C" {
 
 typedef enum sinew_method {
   SINEW_METHOD_MODEL = 0, /* the network of the model */
-  SINEW_METHOD_HEAT = 1,  /* heat fields alone; model may be null */
-  SINEW_METHOD_DISTANCE =
-      2 /* by distance to bones, the published way, for comparison; model may be null. Vertices nearest
-                             * to a bone are a sub-mesh, on which that bone and those beside it in the hierarchy have
-                             * weights by the inverse square of their distance */
-} sinew_method;
+  SINEW_METHOD_HEAT = 1   /* heat fields alone; model may be null */
+} sinew_method;           /* 2: sinew/published.h */
 
-typedef enum sinew_weight_format {
-  SINEW_WEIGHT_UNORM16 = 0, /* uint16_t, a row sums to exactly 65535 */
-  SINEW_WEIGHT_UNORM8 = 1,  /* uint8_t, a row sums to exactly 255 */
-  SINEW_WEIGHT_FLOAT = 2    /* float, unorm16 / 65535 */
-} sinew_weight_format;
-
-/* Whether a part, which is a connected piece of the mesh, moves as a whole. Artists bind the same geometry both ways. */
+/* Whether a part, which is a connected piece of the mesh, moves as a whole. Artists do both with the same geometry. */
 typedef enum sinew_rigid_parts {
   SINEW_RIGID_PARTS_AUTO = 0,   /* as the model or the heat field says */
   SINEW_RIGID_PARTS_ALWAYS = 1, /* every part gets one joint: the one with most of its weight */
@@ -43,7 +35,6 @@ typedef struct sinew_options {
   uint32_t method;           /* sinew_method */
   uint32_t influence_count;  /* 1..12 influences a vertex keeps; 0 = 4 */
   uint32_t weight_format;    /* sinew_weight_format */
-  uint32_t up_axis;          /* 0 = Y is up, 1 = Z is up */
   uint32_t candidate_count;  /* 1..16 joints a vertex is scored against; 0 = the model's own. Heat scores all joints. A
                               * model whose layers are tied to its own count refuses another (SINEW_ERROR_ARGUMENT) */
   uint32_t grid_size;        /* 16..128 voxel cells along the longest side; 0 = the model's own. Heat needs no grid */
@@ -56,12 +47,13 @@ typedef struct sinew_options {
                               * sinew_bind_outputs::symmetric_vertices */
   uint32_t rigid_parts;      /* sinew_rigid_parts; locked vertices and hints have the last word */
   uint32_t softness_percent; /* 25..400: how softly the model's weights blend, 200 twice as softly; 0 = 100. Not for
-                              * SINEW_METHOD_HEAT and DISTANCE */
+                              * SINEW_METHOD_HEAT */
   uint32_t weights_in_place; /* 1: the model's weights are read where they lie instead of being packed. Saves about the
                               * model's size, for small devices; slower where kernels want them packed */
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
   uint32_t thread_count;     /* 1..64 pieces that work is cut into, as many as threads are to be busy; 0 = 1. Every
                               * piece has scratch of its own */
+  uint32_t reserved;         /* 0 */
   const uint8_t* locked;     /* [vertex_count] non-zero: this vertex keeps the row already in the outputs; or null */
   const uint8_t* hints;      /* [vertex_count] non-zero: a hint. The vertex keeps the row already in the outputs, as if
                               * it were locked, and the row steers its surroundings: what was given minus what was
@@ -145,7 +137,8 @@ SINEW_API sinew_status sinew_bind_workspace_size(const sinew_model* model, uint3
  * Returns SINEW_OK, or with outputs untouched
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the model is not open, struct_size is smaller than in the
  *                           first release (0 above all) or above 4096, an option or an answer's kind is out of its
- *                           range, or this build is without it (SINEW_SMALL_CODE)
+ *                           range, or sinew_skeleton::up is X
+ *   SINEW_ERROR_NOT_BUILT   the library was built without what an option asks for
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
  *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 0
  *   SINEW_ERROR_COUNT       no vertex or joint, more of anything than the limits in sinew/types.h, or fewer than two

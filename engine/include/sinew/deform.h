@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-#include "sinew/types.h"
+#include "sinew/skeleton.h"
+#include "sinew/skin.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -17,23 +18,12 @@ extern "C" {
 
 /* How a pose is corrected. Numbers are never reused. */
 typedef enum sinew_deform_method {
-  SINEW_DEFORM_VOLUME =
-      0,                 /* dual quaternions, then tetrahedra of a lattice that keep their volume; contact in bends. The
-                            * solver runs in integers */
-  SINEW_DEFORM_XPBD = 1, /* the published correction as drawn: linear blending, stretch, volume and energy (k = 0.2)
-                            * constraints, contact, two rounds of smoothing over the bends. Keeps less volume */
-  SINEW_DEFORM_DELTA_MUSH =
-      2 /* linear blending, smoothed, with the rest pose's detail put back. For hard weights and small
-                               * bends: large bends lose volume */
-} sinew_deform_method;
-
-/* What the character is: weights as sinew_bind() gives them with SINEW_WEIGHT_UNORM16. */
-typedef struct sinew_skin {
-  const uint16_t* joint_indices; /* [vertex_count x influence_count] */
-  const uint16_t* weights;  /* [vertex_count x influence_count]; rows sum to 65535, by falling weight; a row of zeros
-                                  * stands still */
-  uint32_t influence_count; /* 1..SINEW_MAX_INFLUENCES */
-} sinew_skin;
+  /* Dual quaternions, then tetrahedra of a lattice that keep their volume; contact in bends. The solver runs in integers */
+  SINEW_DEFORM_VOLUME = 0,
+  /* Linear blending, smoothed, with the rest pose's detail put back. For hard weights and small bends: large bends lose
+   * volume */
+  SINEW_DEFORM_DELTA_MUSH = 2
+} sinew_deform_method; /* 1: sinew/published.h */
 
 /* What a deformer is asked to be: inputs only. Start from sinew_deform_options_init(), which asks for every default. Later
  * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h.
@@ -56,7 +46,7 @@ typedef struct sinew_deform_options {
   uint32_t softness;               /* compliance of the stretch in 1/256, 1..65535; 0 = 1280 */
   uint32_t no_twist_spread;        /* 1: a joint's twist about its parent's bone stays at the joint */
   uint32_t no_contact;             /* 1: the two sides of a bend may pass through each other */
-  uint32_t no_smoothing;           /* 1: no smoothing at the end of SINEW_DEFORM_XPBD */
+  uint32_t no_smoothing;           /* 1: no smoothing at the end of SINEW_DEFORM_XPBD, which is published.h's */
   sinew_parallel_for parallel_for; /* lends threads to sinew_deform_pose(); null: the calling thread alone */
   void* parallel_user;
   uint32_t thread_count; /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
@@ -109,18 +99,20 @@ static inline sinew_deform_outputs sinew_deform_outputs_init(float* positions) {
  *   options          null = all defaults
  *   size_bytes       out, 0 on failure
  * Returns what sinew_deform_create() does. */
-SINEW_API sinew_status sinew_deform_memory_size(const sinew_mesh* mesh, uint32_t joint_count, uint32_t influence_count,
-                                                const sinew_deform_options* options, size_t* size_bytes);
+SINEW_API sinew_status sinew_deform_create_workspace_size(const sinew_mesh* mesh, uint32_t joint_count,
+                                                          uint32_t influence_count, const sinew_deform_options* options,
+                                                          size_t* size_bytes);
 
 /* Makes a deformer of a bound mesh in the caller's memory.
- *   mesh       any topology: open, many parts, not watertight. Vertices of one place are welded for the lattice
- *   skeleton   joints at rest; flags are not looked at
- *   skin       copied
- *   memory     64-byte aligned, size from sinew_deform_memory_size()
+ *   mesh       any topology: open, many parts, not watertight. Vertices at one position are welded for the lattice
+ *   skeleton   joints at rest
+ *   skin       of SINEW_WEIGHT_UNORM16; copied
+ *   memory     64-byte aligned, size from sinew_deform_create_workspace_size()
  *   deformer   out, untouched on failure
  * Returns SINEW_OK, or
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out of
- *                           its range, or this build is without it (SINEW_SMALL_CODE)
+ *                           its range, or the skin's influence_count or weight_format is
+ *   SINEW_ERROR_NOT_BUILT   the library was built without what is asked for
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
  *   SINEW_ERROR_COUNT       no vertex or joint, more of anything than the limits in sinew/types.h, or fewer than two corners a
  *                           face

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "sinew/types.h"
+#include "sinew/skeleton.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -13,11 +13,10 @@ extern "C" {
 
 /* How joints are compared. */
 typedef enum sinew_map_method {
-  SINEW_MAP_AUTO = 0,    /* SINEW, but BRANCHES for two nearly equal rigs that have no body SINEW could read */
-  SINEW_MAP_SINEW = 1,   /* by anatomy: mirror plane, trunk, limbs in mirrored pairs, the long bones of arms and legs */
-  SINEW_MAP_BRANCHES = 2 /* the published method as drawn, for comparison: ways from the root to every leaf, matched by
-                          * the costs of their joints; several joints may get one source */
-} sinew_map_method;
+  SINEW_MAP_AUTO = 0, /* SINEW; but where published methods are built, SINEW_MAP_BRANCHES for two nearly equal skeletons
+                       * that have no body SINEW could read */
+  SINEW_MAP_SINEW = 1 /* by anatomy: mirror plane, trunk, limbs in mirrored pairs, the long bones of arms and legs */
+} sinew_map_method;   /* 2: sinew/published.h */
 
 /* Why a joint has its source, or none. Numbers are never reused. */
 typedef enum sinew_map_reason {
@@ -27,40 +26,12 @@ typedef enum sinew_map_reason {
   SINEW_MAP_FEWER_JOINTS = 3,   /* the source's chain has fewer joints, and others are nearer to them */
   SINEW_MAP_END = 4,            /* an end marker: it only says where a bone ends */
   SINEW_MAP_OUTSIDE = 5,        /* beside the body: roots on the floor, controls */
-  SINEW_MAP_TAKEN = 6,          /* its source went to another joint, or would have crossed another's way */
+  SINEW_MAP_TAKEN = 6,          /* its source went to another joint, or would have crossed another's chain */
   SINEW_MAP_BESIDE_LIMITS = 7   /* behind the limits of the method: more than SINEW_MAX_MAP_LIMBS limbs */
 } sinew_map_reason;
 
-/* Limbs of a rig that are looked at: chains off the trunk, and what branches off them. */
+/* Limbs of a skeleton that are looked at: chains off the trunk, and what branches off them. */
 #define SINEW_MAX_MAP_LIMBS 1024u
-
-/* A rig to map to or from: inputs only. Start from sinew_map_rig_init(). Later versions add members at the end; see
- * struct_size in sinew/types.h. */
-typedef struct sinew_map_rig {
-  uint32_t struct_size;     /* sizeof(sinew_map_rig) */
-  uint32_t joint_count;     /* J, 1 .. SINEW_MAX_JOINTS */
-  const float* positions;   /* [J x 3] rest pose, any unit */
-  const int32_t* parents;   /* [J] parent index or -1; any order */
-  const char* const* names; /* [J] UTF-8, what joints are called; null = not known. They help, and never override what
-                             * places say elsewhere. Both rigs have some, or none are read */
-  const uint8_t* ends;      /* [J] 1: the joint only says where a bone ends (BVH End Sites, leaves without skin weight);
-                             * null = not known; without names all leaves are taken for ends, or none, whatever makes the
-                             * rigs more alike */
-  float up[3];              /* which way is up, not 0 in length; all 0 = not known, it is guessed */
-  uint32_t reserved;
-} sinew_map_rig;
-
-/* A rig with the arrays that every call reads, and +y up. */
-static inline sinew_map_rig sinew_map_rig_init(const float* positions, const int32_t* parents, uint32_t joint_count) {
-  sinew_map_rig rig;
-  memset(&rig, 0, sizeof rig);
-  rig.struct_size = sizeof rig;
-  rig.joint_count = joint_count;
-  rig.positions = positions;
-  rig.parents = parents;
-  rig.up[1] = 1;
-  return rig;
-}
 
 /* A pair that the caller knows. */
 typedef struct sinew_map_pin {
@@ -88,13 +59,14 @@ static inline sinew_map_options sinew_map_options_init(void) {
 /* What a call gives: the caller's arrays and numbers that the call writes. Start from sinew_map_outputs_init(). */
 typedef struct sinew_map_outputs {
   uint32_t struct_size; /* sizeof(sinew_map_outputs) */
-  uint32_t method;      /* written: sinew_map_method that was used, SINEW or BRANCHES */
-  int32_t* sources; /* [target J] joint of the source, -1 = none. With SINEW every source at most once; never a joint
-                         * below another whose source is below its own. Pins may do both */
+  uint32_t method;      /* written: sinew_map_method that was used, SINEW_MAP_SINEW or SINEW_MAP_BRANCHES */
+  /* [target J] joint of the source, -1 = none. With SINEW_MAP_SINEW every source at most once, and a joint's source is never
+   * above that of the joint's ancestor. Pins may break both rules */
+  int32_t* sources;
   uint16_t* confidence; /* [target J] how sure the source is, 0..32768, 0 without one; null = not wanted */
   uint8_t* reasons;     /* [target J] sinew_map_reason; null = not wanted */
   uint32_t mapped;      /* written: joints with a source */
-  uint32_t certainty;   /* written: 0..32768, how sure front, sides and trunk of both rigs are; low: look at it */
+  uint32_t certainty;   /* written: 0..32768, how sure front, sides and trunk of both skeletons are; low: look at it */
   size_t used_bytes;    /* written: high-water mark of the workspace */
 } sinew_map_outputs;
 
@@ -107,7 +79,7 @@ static inline sinew_map_outputs sinew_map_outputs_init(int32_t* sources) {
   return outputs;
 }
 
-/* Bytes sinew_map() needs for two rigs of at most these counts. A pure function of its arguments: the same on every host.
+/* Bytes sinew_map() needs for two skeletons of at most these counts. A pure function of its arguments: the same on every host.
  * Returns SINEW_OK, or as sinew_map() does SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT; size_bytes is 0 then. */
 SINEW_API sinew_status sinew_map_workspace_size(uint32_t target_count, uint32_t source_count, size_t* size_bytes);
 
@@ -121,16 +93,17 @@ SINEW_API sinew_status sinew_map_workspace_size(uint32_t target_count, uint32_t 
  *
  * Returns SINEW_OK, or with outputs untouched
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out
- *                           of its range, up is not finite, or this build is without it (SINEW_SMALL_CODE)
+ *                           of its range
+ *   SINEW_ERROR_NOT_BUILT   the library was built without what is asked for
  *   SINEW_ERROR_VERSION     a member behind those that this library knows, or a reserved one, is not 0
- *   SINEW_ERROR_COUNT       no joint or more than SINEW_MAX_JOINTS in a rig; with SINEW_MAP_BRANCHES more than 2^18 pairs
+ *   SINEW_ERROR_COUNT       no joint or more than SINEW_MAX_JOINTS in a skeleton; with SINEW_MAP_BRANCHES more than 2^18 pairs
  *                           of branches, or more than 2^30 pairs of joints in them
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
  *   SINEW_ERROR_NOT_FINITE  a position is NaN or infinite
  *   SINEW_ERROR_INDEX       a parent is no joint
  *   SINEW_ERROR_HIERARCHY   parents form a cycle
  *   SINEW_ERROR_RANGE       a pin names a joint that does not exist, or a joint twice */
-SINEW_API sinew_status sinew_map(const sinew_map_rig* target, const sinew_map_rig* source,
+SINEW_API sinew_status sinew_map(const sinew_skeleton* target, const sinew_skeleton* source,
                                  const sinew_map_options* options, void* workspace, size_t workspace_bytes,
                                  sinew_map_outputs* outputs);
 

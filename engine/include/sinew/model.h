@@ -26,28 +26,30 @@ typedef struct sinew_model {
   uint32_t checksum;
   uint32_t confidence_offset; /* of its confidence table in bytes; 0 = it has none */
   uint32_t confidence_count;  /* entries of the table */
-  uint32_t task;              /* what it predicts: 0 = skin weights, for sinew_bind() */
+  uint32_t task;              /* 0: predicts skin weights; 1: skeletons, of hands alone where feature_set is 2 */
   uint32_t input_count;       /* arrays of features that it reads */
   uint32_t reserved[14];      /* 0 */
 } sinew_model;
 
-/* Checks magic, version, checksum, sizes, shapes, shifts and accumulator proofs, then fills *model.
+/* Checks a model for sinew_bind(): magic, version, task, checksum, sizes, shapes, shifts and accumulator proofs; then fills
+ * *model.
  *   bytes   in   the whole file, 8-byte aligned; read-only memory is fine; used in place, never copied
  *   model   out  untouched on failure
  * Returns SINEW_OK, or
- *   SINEW_ERROR_ARGUMENT  `bytes` or `model` is null
- *   SINEW_ERROR_MODEL_*   what is wrong with the file, see sinew_status */
+ *   SINEW_ERROR_ARGUMENT    `bytes` or `model` is null
+ *   SINEW_ERROR_MODEL_TASK  it is made for another call: open it with sinew_rig_model_open()
+ *   SINEW_ERROR_MODEL_*     what is wrong with the file, see sinew_status */
 SINEW_API sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
 
 /* Bytes that sinew_model_pack() needs: about the model's size.
  * 0 in builds whose kernels all read the model's own bytes (SINEW_SMALL_CODE), and for a model that is not open. */
-SINEW_API size_t sinew_model_packed_size(const sinew_model* model);
+SINEW_API size_t sinew_model_pack_workspace_size(const sinew_model* model);
 
 /* Packs an opened model's weights once, in the order that vector kernels read them.
  * A bind with a model that is not packed packs it anew, in its workspace, which is larger by as much.
  *   memory        out  64-byte aligned; belongs to the caller, who keeps it for as long as the model is used.
  *                      Any number of binds may read it at once
- *   memory_bytes       at least sinew_model_packed_size(); where that is 0 the call does nothing
+ *   memory_bytes       at least sinew_model_pack_workspace_size(); where that is 0 the call does nothing
  * Returns SINEW_OK, or with nothing written
  *   SINEW_ERROR_ARGUMENT   `model` or `memory` is null, or the model is not open
  *   SINEW_ERROR_WORKSPACE  the memory is too small or not aligned */

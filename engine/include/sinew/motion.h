@@ -6,45 +6,32 @@
 
 #include <string.h>
 
-#include "sinew/types.h"
+#include "sinew/skeleton.h"
+#include "sinew/skin.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* A skeleton in its rest pose, borrowed for the time of a call. A pose of it is an array of local rotations [J x 4], x y z
- * w, and one of local translations [J x 3], both in the axes of the joint's parent, or of the world for a root. */
-typedef struct sinew_motion_rig {
-  const float* positions; /* [joint_count x 3] in the world; any unit */
-  const int32_t* parents; /* [joint_count] parent index or -1; any order */
-  /* [joint_count x 4] x y z w, how the joints' axes are turned in the world; null = as the world's, which is BVH's way */
-  const float* rotations;
-  uint32_t joint_count; /* 1 .. SINEW_MAX_JOINTS */
-} sinew_motion_rig;
+/* A pose of a skeleton is an array of local rotations [J x 4], x y z w, and one of local translations [J x 3], both in the
+ * axes of the joint's parent, or of the world for a root. */
 
 typedef enum sinew_retarget_method {
   SINEW_RETARGET_AUTO = 0, /* the best that this library has for the inputs */
-  /* Every mapped joint turns as its source does. Upper and lower arms and legs point to where the source's do, whatever the
-   * rest poses are. Joints without a source follow their parents. Hips, and joints that move in theirs, go by the legs' ratio */
-  SINEW_RETARGET_COPY = 1 /* contacts come after it, see sinew_retarget_contacts() */
+  /* A mapped joint rotates as its source does. Upper and lower arms and legs point in the directions of the source's,
+   * whatever the rest poses are. Joints without a source follow their parents. Translations of the hips, and of joints that
+   * move against their parents, are scaled by the ratio of the legs. Contacts come after it: sinew_retarget_contacts() */
+  SINEW_RETARGET_COPY = 1
 } sinew_retarget_method;
-
-typedef enum sinew_up {
-  SINEW_UP_AUTO = 0, /* away from where the legs point at rest; Y without legs */
-  SINEW_UP_X = 1,
-  SINEW_UP_Y = 2,
-  SINEW_UP_Z = 3
-} sinew_up;
 
 /* What a plan is asked to do: inputs only. Start from sinew_retarget_options_init(), which asks for every default. Later
  * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_retarget_options {
   uint32_t struct_size; /* sizeof(sinew_retarget_options) */
   uint32_t method;      /* sinew_retarget_method */
-  uint32_t source_up;   /* sinew_up; the motion's world may have another axis up than the target's */
-  uint32_t target_up;   /* sinew_up */
   uint32_t in_place;    /* 1: the target stays above where it stands at rest */
-  float scale; /* lengths of the target per length of the source; 0 = by their legs, else by all mapped bones */
+  float scale;          /* lengths of the target per length of the source; 0 = by their legs, else by all mapped
+                         * bones */
 } sinew_retarget_options;
 
 /* Options that ask for every default. */
@@ -58,25 +45,27 @@ static inline sinew_retarget_options sinew_retarget_options_init(void) {
 /* A plan; it lies in the caller's memory, holds pointers into it and must not be moved. */
 typedef struct sinew_retarget sinew_retarget;
 
-/* Bytes a plan needs for skeletons of these counts. A pure function of its arguments: the same on every host with
- * pointers of one size.
+/* Bytes sinew_retarget_create() needs for skeletons of these counts. A pure function of its arguments: the same on every host
+ * with pointers of one size.
  *   size_bytes  out, 0 on failure
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_COUNT. */
-SINEW_API sinew_status sinew_retarget_size(uint32_t source_joints, uint32_t target_joints, size_t* size_bytes);
+SINEW_API sinew_status sinew_retarget_create_workspace_size(uint32_t source_joints, uint32_t target_joints,
+                                                            size_t* size_bytes);
 
 /* Makes a plan.
  *   map             [target->joint_count] the source joint that a target joint moves as, or -1. Several may have one source
  *   target_classes  [target->joint_count] sinew_joint_class: which bones are arms and legs. What is no joint of a body has
  *                   SINEW_CLASS_OTHER. null = all have it: rest poses must agree then
  *   options         null = all defaults
- *   memory          64-byte aligned, size from sinew_retarget_size(); the plan's until the last call with it
+ *   memory          64-byte aligned, size from sinew_retarget_create_workspace_size(); the plan's until the last call with it
  *   plan            out; untouched on failure
- * The map also says how the source's world is turned: of the quarter turns that bring one up axis to the other the one
+ * The two skeletons' up axes may differ. Of the rotations by quarters that bring one up axis to the other, the one is taken
  * that brings mapped joints nearest to each other at rest.
  *
  * Returns SINEW_OK, or
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out
- *                           of its range, or this build is without it (SINEW_SMALL_CODE)
+ *                           of its range
+ *   SINEW_ERROR_NOT_BUILT   the library was built without it (SINEW_SMALL_CODE), as of all calls below
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
  *   SINEW_ERROR_COUNT       no joint, or more than SINEW_MAX_JOINTS
  *   SINEW_ERROR_NOT_FINITE  a position or rotation is NaN or infinite
@@ -84,7 +73,7 @@ SINEW_API sinew_status sinew_retarget_size(uint32_t source_joints, uint32_t targ
  *   SINEW_ERROR_HIERARCHY   parents form a cycle
  *   SINEW_ERROR_NO_JOINT    no joint is mapped
  *   SINEW_ERROR_WORKSPACE   the memory is too small or not aligned */
-SINEW_API sinew_status sinew_retarget_create(const sinew_motion_rig* source, const sinew_motion_rig* target,
+SINEW_API sinew_status sinew_retarget_create(const sinew_skeleton* source, const sinew_skeleton* target,
                                              const int32_t* map, const uint8_t* target_classes,
                                              const sinew_retarget_options* options, void* memory, size_t memory_bytes,
                                              sinew_retarget** plan);
@@ -111,14 +100,12 @@ SINEW_API sinew_status sinew_retarget_ground(const sinew_retarget* plan, float* 
 SINEW_API sinew_status sinew_retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations,
                                             float ground, float* out_rotations, float* out_translations);
 
-/* A skinned mesh of a motion rig, borrowed for the time of a call. */
+/* A skinned mesh of a skeleton, borrowed for the time of a call. */
 typedef struct sinew_motion_body {
   const float* positions;    /* [vertex_count x 3] at rest, in the world */
-  const uint16_t* joints;    /* [vertex_count x influence_count] */
-  const uint16_t* weights;   /* [vertex_count x influence_count] of sum 65535 a row */
   const uint32_t* triangles; /* [triangle_count x 3] */
+  sinew_skin skin;           /* of SINEW_WEIGHT_UNORM16 */
   uint32_t vertex_count;
-  uint32_t influence_count; /* 1 .. SINEW_MAX_INFLUENCES */
   uint32_t triangle_count;
 } sinew_motion_body;
 
@@ -147,21 +134,24 @@ typedef struct sinew_motion_clip {
   float ground; /* of sinew_retarget_ground() */
 } sinew_motion_clip;
 
-/* Bytes sinew_retarget_contacts() needs. 0 bytes on failure.
+/* Bytes sinew_retarget_contacts() needs.
+ *   size_bytes  out, 0 on failure
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT, or SINEW_ERROR_COUNT where that is more than memory can hold. */
-SINEW_API sinew_status sinew_retarget_contacts_size(const sinew_retarget* plan, const sinew_motion_body* target,
-                                                    uint32_t frame_count, size_t* size_bytes);
+SINEW_API sinew_status sinew_retarget_contacts_workspace_size(const sinew_retarget* plan,
+                                                              const sinew_motion_body* target, uint32_t frame_count,
+                                                              size_t* size_bytes);
 
-/* Keeps contacts in a clip that sinew_retarget_frame() made. Feet that stand in the source stay where they stand, and are as high over
- * the floor; a hand near a place of the source's body goes to the same place of the target's, hands and forearms come out of the
- * body as far as the source's are not in it. Legs and arms bend for it; bones keep their length, hands and feet their turn.
- * It looks at frames before and behind, so it works on whole clips.
+/* Keeps contacts in a clip that sinew_retarget_frame() made, by bending arms and legs:
+ *   feet   a foot that stands in the source stands still in the target, as high above the floor as the source's
+ *   hands  a hand near a point of the source's body goes near the same point of the target's body
+ *   depth  hands and forearms that are in the target's body come out, but for the depth that they have in the source's body
+ * Bones keep their lengths, hands and feet their rotations. Frames before and after are looked at, so it works on whole clips.
  *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at);
- *           null: feet go by their joints, arms come out of the target's body as far as they are deeper than at rest
+ *           null: feet are seen by their joints alone, and arms may be in the target's body as deep as at rest
  * Limbs are found by the plan's map and classes: both bones of a limb must be mapped.
  * Returns SINEW_OK, or with the clip untouched
- *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the two bodies have not as many vertices, struct_size or
- *                           fps is out of its range, or this build is without it (SINEW_SMALL_CODE)
+ *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the two bodies have not as many vertices, struct_size,
+ *                           fps or weight_format is out of its range
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
  *   SINEW_ERROR_COUNT       a body without vertices, or more of anything than the limits
  *   SINEW_ERROR_RANGE       a weight's joint does not exist

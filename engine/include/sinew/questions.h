@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
- * Questions and answers: where geometry does not say how an artist binds a part of a mesh, the bind asks, and is told.
+ * Questions and answers: geometry does not always say how an artist binds a part of a mesh. Then the bind asks, and the user's
+ * answer goes into the next bind.
  *
- * A part is a connected piece of the mesh, vertices at one place taken as one. Parts of the same shape, mirrored ones
+ * A part is a connected piece of the mesh, vertices at one position taken as one. Parts of the same shape, mirrored ones
  * too, are one question: buttons, wheels, eyes. A bind with sinew_options::question_count lists those parts whose
  * answers are worth most; the next bind of the same mesh takes them in sinew_options::answers. */
 #ifndef SINEW_QUESTIONS_H
@@ -33,16 +34,16 @@ typedef enum sinew_answer_kind {
 typedef struct sinew_answer {
   uint32_t vertex; /* any vertex of the part */
   uint16_t kind;   /* sinew_answer_kind */
-  uint16_t joint;  /* of SINEW_ANSWER_RIGID, else 0. Parts alike may get another joint in place of this one: that which
-                    * lies to them as this joint lies to the part, as each wheel has its own */
+  uint16_t joint;  /* of SINEW_ANSWER_RIGID, else 0. A part alike gets the joint that lies relative to it as this joint
+                    * lies relative to the answer's part: each wheel gets its own axle */
   uint32_t alone;  /* 1: for this part alone; 0: for all parts alike as well */
 } sinew_answer;
 
 typedef struct sinew_alternative {
   uint16_t kind;   /* sinew_answer_kind */
   uint16_t joint;  /* of SINEW_ANSWER_RIGID, else 0 */
-  uint32_t change; /* mean over the question's vertices of the sum over joints of |weight then - weight now|, in steps
-                    * of 2^-16: 0 .. 131072 */
+  uint32_t change; /* how much it would change, 0 .. 131072 in steps of 2^-16: at each vertex the sum over joints of
+                    * |weight then - weight now|; of that the mean over the question's vertices */
 } sinew_alternative;
 
 /* A part that an answer is worth asking for, with those alike. */

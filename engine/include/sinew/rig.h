@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sinew/model.h"
+#include "sinew/skeleton.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -34,14 +35,14 @@ typedef enum sinew_joint_class {
   SINEW_CLASS_EAR = 15,
   SINEW_CLASS_HAIR = 16,
   SINEW_CLASS_OTHER = 17,
-  SINEW_CLASS_THUMB = 19, /* fingers, of sinew_rig_hands() alone */
+  SINEW_CLASS_THUMB = 19, /* fingers, of sinew_rig_details() alone */
   SINEW_CLASS_INDEX = 20,
   SINEW_CLASS_MIDDLE = 21,
   SINEW_CLASS_RING = 22,
   SINEW_CLASS_PINKY = 23,
-  SINEW_CLASS_EYE = 24, /* of sinew_rig_face() alone */
+  SINEW_CLASS_EYE = 24, /* this and the next two: of sinew_rig_details() alone */
   SINEW_CLASS_JAW = 25,
-  SINEW_CLASS_PROP = 26 /* of sinew_rig_props() alone */
+  SINEW_CLASS_PROP = 26
 } sinew_joint_class;
 
 /* Whether the skeleton is to be its own mirror image. */
@@ -54,17 +55,15 @@ typedef enum sinew_mirror {
 /* Where the skeleton comes from. */
 typedef enum sinew_rig_method {
   SINEW_RIG_VOTES = 0, /* from what the model has learnt */
-  SINEW_RIG_SHAPE = 1, /* from the middle line of the mesh alone, for what no model knows: the model may be null. Joints
-                        * are named Bone, of class OTHER and confidence 0; spread is 0, quarter_turns 0 or 1 */
-  SINEW_RIG_REGIONS = 2 /* as SHAPE, but from regions of the surface, their boxes and contacts, as published for mapping
-                        * skeletons: for comparison. Nothing is mirrored */
-} sinew_rig_method;
+  SINEW_RIG_SHAPE = 1  /* from the middle line of the mesh alone, for what no model knows: the model may be null. Joints
+                        * are named Bone, of class OTHER and confidence 0; spread is 0, facing 0 or 1 */
+} sinew_rig_method;    /* 2: sinew/published.h */
 
 /* What a call is asked to do: inputs only. Start from sinew_rig_options_init(), which asks for every default.
  * Later versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h. */
 typedef struct sinew_rig_options {
   uint32_t struct_size;      /* sizeof(sinew_rig_options) */
-  uint32_t up_axis;          /* 0 = Y is up, 1 = Z is up */
+  uint32_t up;               /* sinew_up of the mesh */
   uint32_t mirror;           /* sinew_mirror */
   uint32_t spine_count;      /* 1..16 joints between pelvis and neck or head; 0 = as the model says */
   uint32_t no_toes;          /* 1: no toe joints */
@@ -97,18 +96,18 @@ typedef struct sinew_rig_outputs {
   uint8_t* joint_classes;      /* [J] sinew_joint_class; a bone end's is its joint's; null = not wanted */
   int32_t* partners;           /* [J] the joint's mirror image, itself on the plane, -1 where nothing is mirrored; null
                                    * = not wanted */
-  uint16_t* confidence;        /* [J] how sure the joint's place is, 0..32768; null = not wanted */
+  uint16_t* confidence;        /* [J] how sure the joint's position is, 0..32768; null = not wanted */
   uint16_t* parent_confidence; /* [J] how sure its parent is, 0..32768; null = not wanted */
   /* [J] Hips, Spine, LeftArm, ... Head_end; every name once; null = not wanted */
   char (*names)[SINEW_JOINT_NAME_BYTES];
   uint32_t mirrored; /* written: 1 when the skeleton is its own mirror image */
   /* written: where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x, by where the votes are surest. Left is to the left of that.
    * For 0 and 2 the mirror plane is across x, else across z */
-  uint32_t quarter_turns;
+  uint32_t facing;
   float plane; /* written: where the plane is on that axis, the mesh's units */
-  /* written: how far off the votes think they are, in the mean, share of the longest side: a whole skeleton below about
-   * 0.03 is good, above 0.09 the votes are no better than SINEW_RIG_SHAPE. At least 0.1 for a sheet, whose surface nearly
-   * all faces one way and the opposite one */
+  /* written: how far off the votes think they are, in the mean, share of the longest side. Below about 0.03 the whole
+   * skeleton is good, above 0.09 the votes are no better than SINEW_RIG_SHAPE. At least 0.1 for a sheet: nearly all of its
+   * surface faces one direction or the opposite one */
   float spread;
   size_t used_bytes; /* written: high-water mark of the workspace */
 } sinew_rig_outputs;
@@ -123,7 +122,8 @@ static inline sinew_rig_outputs sinew_rig_outputs_init(float* positions, int32_t
   return outputs;
 }
 
-/* Checks a model for sinew_rig() as sinew_model_open() checks one for sinew_bind(), with the same results. */
+/* Checks a model for sinew_rig() or, made for hands, for sinew_rig_details(), as sinew_model_open() checks one for
+ * sinew_bind(), with the same results. */
 SINEW_API sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
 
 /* Bytes sinew_rig() needs for meshes of at most these counts. A pure function of its arguments: the same on every host.
@@ -145,7 +145,8 @@ SINEW_API sinew_status sinew_rig_workspace_size(const sinew_model* model, uint32
  *
  * Returns SINEW_OK, or with outputs untouched
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, the model is not open, struct_size is too small or above
- *                           4096, an option is out of its range, or this build is without it (SINEW_SMALL_CODE)
+ *                           4096, or an option is out of its range
+ *   SINEW_ERROR_NOT_BUILT   the library was built without what is asked for
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
  *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 1, or feature_set is 2 (hands)
  *   SINEW_ERROR_COUNT       no vertex, more of anything than the limits in sinew/types.h, or fewer than two corners a face
@@ -157,70 +158,54 @@ SINEW_API sinew_status sinew_rig_workspace_size(const sinew_model* model, uint32
 SINEW_API sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const sinew_rig_options* options,
                                  void* workspace, size_t workspace_bytes, sinew_rig_outputs* outputs);
 
-/* Bytes sinew_rig_hands() needs for meshes of at most these counts, whatever the skeleton. As sinew_rig_workspace_size(). */
-SINEW_API sinew_status sinew_rig_hands_workspace_size(const sinew_model* model, uint32_t vertex_count,
-                                                      uint32_t face_count, uint32_t corner_count,
-                                                      const sinew_rig_options* options, size_t* size_bytes);
+/* What sinew_rig_details() can add to a skeleton, bits of `wanted`. Numbers are never reused. */
+typedef enum sinew_rig_detail {
+  SINEW_DETAIL_HANDS = 1, /* fingers */
+  SINEW_DETAIL_FACE = 2,  /* eyes and jaws; needs no model */
+  SINEW_DETAIL_PROPS = 4  /* what hands hold; needs no model */
+} sinew_rig_detail;
 
-/* Gives the hands of a skeleton their fingers: each hand is cut out of the mesh and looked at by itself. A hand is a leaf
- * of class SINEW_CLASS_HAND with a parent, bone ends aside. It gets as many fingers as the mesh shows, none where the
- * votes do not agree: mittens, fists, paws. A finger has two or three joints and a bone end; a bone end of the hand
- * goes. Of two hands that are each other's mirror image the left one is looked at, and the right one is its image. The
- * same bytes on every platform and for any kernel.
- *   model      of sinew_rig_model_open(), made for hands
- *   options    those of sinew_rig(); mirror, spine_count, no_toes and no_ends are not looked at; null = all defaults
- *   outputs    in: joint_count, positions, parents and joint_classes as sinew_rig() gave them or the caller changed them;
- *              quarter_turns and plane as they were; partners, flags and names too where they are set. Each array has
- *              room for SINEW_MAX_RIG_JOINTS.
- *              out: the same with finger joints behind the others, or in the place of the hand's bone end: classes
- *              SINEW_CLASS_THUMB to SINEW_CLASS_PINKY, names such as LeftHandThumb1 and LeftHandThumb3_end (the hand's
- *              name comes first, its first 20 letters). Hands whose fingers have no room get none. used_bytes.
+/* Bytes sinew_rig_details() needs for meshes of at most these counts, whatever the skeleton. As sinew_rig_workspace_size(). */
+SINEW_API sinew_status sinew_rig_details_workspace_size(const sinew_model* hands_model, uint32_t vertex_count,
+                                                        uint32_t face_count, uint32_t corner_count, uint32_t wanted,
+                                                        const sinew_rig_options* options, size_t* size_bytes);
+
+/* Lets a skeleton grow by what the mesh shows. The same bytes on every platform and for any kernel. In this order:
+ *   HANDS  Each hand is cut out of the mesh and looked at by itself. A hand is a leaf of class SINEW_CLASS_HAND with a parent,
+ *          bone ends aside. It gets as many fingers as the mesh shows, none where the votes do not agree: mittens, fists,
+ *          paws. A finger has two or three joints and a bone end, of the classes SINEW_CLASS_THUMB to SINEW_CLASS_PINKY; its
+ *          names begin with the hand's, of which the first 20 letters: LeftHandThumb1, LeftHandThumb3_end. A bone end of the
+ *          hand goes. Of two hands that are each other's mirror image the left one is looked at, and the right one is its
+ *          image
+ *   FACE   Heads, joints of SINEW_CLASS_HEAD, get children LeftEye and RightEye (SINEW_CLASS_EYE) in the middles of two loose
+ *          parts of the mesh that are balls and lie like eyes. Upright heads get Jaw, where it rotates, and the bone end
+ *          Jaw_end at the chin (SINEW_CLASS_JAW), which follow from the eyes. Heads whose eyes are painted or part of the
+ *          skin, or that have an eye or a jaw, stay as they are
+ *   PROPS  A hand that holds a loose part of the mesh gets a joint of SINEW_CLASS_PROP for it, so that it is bound as a rigid
+ *          child. Such a part begins at the hand, reaches far beyond it and stays clear of the arm. RightHandProp is where
+ *          the part is nearest to the hand, the bone end RightHandProp_end where it is farthest. A hand with a prop stays as
+ *          it is
+ * Names are numbered where they are taken. Hands and heads whose joints have no room stay as they are.
+ *   hands_model  of sinew_rig_model_open(), made for hands; null is fine without SINEW_DETAIL_HANDS
+ *   wanted       sinew_rig_detail bits, at least one
+ *   options      those of sinew_rig(): up, weights_in_place, kernel and progress are looked at; null = all defaults
+ *   outputs      in: joint_count, positions, parents and joint_classes as sinew_rig() gave them or the caller changed them;
+ *                mirrored, facing and plane as they were; partners, flags and names too where they are set. Each array has
+ *                room for SINEW_MAX_RIG_JOINTS.
+ *                out: the same with new joints behind the others, or in place of a hand's bone end; used_bytes
  *
  * Overlap and threads: as for sinew_bind().
  *
  * Returns SINEW_OK, or with outputs untouched what sinew_rig() does, and
- *   SINEW_ERROR_ARGUMENT    joint_classes is null
+ *   SINEW_ERROR_ARGUMENT    joint_classes is null, or `wanted` is 0 or has other bits
  *   SINEW_ERROR_MODEL_TASK  the model is not made for hands: sinew_model::task is not 1 or feature_set is not 2
  *   SINEW_ERROR_COUNT       joint_count is 0 or above SINEW_MAX_RIG_JOINTS
  *   SINEW_ERROR_INDEX       a parent does not come before its child, or a partner is no joint
  *   SINEW_ERROR_NOT_FINITE  a joint's position is NaN or infinite
  * Bodies and hands tell their models apart: sinew_rig() refuses one for hands with SINEW_ERROR_MODEL_TASK. */
-SINEW_API sinew_status sinew_rig_hands(const sinew_model* model, const sinew_mesh* mesh,
-                                       const sinew_rig_options* options, void* workspace, size_t workspace_bytes,
-                                       sinew_rig_outputs* outputs);
-
-/* Bytes sinew_rig_face() needs for meshes of at most these counts, whatever the skeleton. A pure function of its arguments.
- * Returns SINEW_OK, or with *size_bytes 0 SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION or SINEW_ERROR_COUNT. */
-SINEW_API sinew_status sinew_rig_face_workspace_size(uint32_t vertex_count, uint32_t face_count, uint32_t corner_count,
-                                                     const sinew_rig_options* options, size_t* size_bytes);
-
-/* Gives the heads of a skeleton eyes, where two loose parts of the mesh are balls that lie like eyes, and upright heads a
- * jaw, which follows from them. Heads whose eyes are painted or part of the skin stay as they are. Needs no model. The same
- * bytes on every platform.
- *   options    those of sinew_rig(); up_axis, progress and progress_user alone are looked at; null = all defaults
- *   outputs    in: as for sinew_rig_hands(), and mirrored.
- *              out: the same with joints behind the others, children of a joint of SINEW_CLASS_HEAD: LeftEye and RightEye
- *              in the balls' middles (SINEW_CLASS_EYE), Jaw where it turns and the bone end Jaw_end at the chin
- *              (SINEW_CLASS_JAW); numbered where a name is taken. Heads whose face has no room, and heads that have an eye
- *              or a jaw, stay as they are. used_bytes.
- *
- * Overlap and threads: as for sinew_bind().
- *
- * Returns SINEW_OK, or with outputs untouched what sinew_rig_hands() does but for the errors of models and kernels. */
-SINEW_API sinew_status sinew_rig_face(const sinew_mesh* mesh, const sinew_rig_options* options, void* workspace,
-                                      size_t workspace_bytes, sinew_rig_outputs* outputs);
-
-/* Gives the hands of a skeleton that hold something a joint for it, so that it is bound as a rigid child: a loose part of the
- * mesh that begins at the hand, reaches far beyond it and stays clear of the arm. Needs no model. The same bytes on every
- * platform. Memory and options are those of sinew_rig_face().
- *   outputs  in: as for sinew_rig_hands(). Fingers come before or after.
- *            out: the same with a joint of SINEW_CLASS_PROP behind the others for every hand that holds a part, where the part
- *            is nearest to the hand, and a bone end where it is farthest: RightHandProp, RightHandProp_end. Hands without
- *            room, or with a prop, stay as they are. used_bytes.
- *
- * Returns what sinew_rig_face() does. */
-SINEW_API sinew_status sinew_rig_props(const sinew_mesh* mesh, const sinew_rig_options* options, void* workspace,
-                                       size_t workspace_bytes, sinew_rig_outputs* outputs);
+SINEW_API sinew_status sinew_rig_details(const sinew_model* hands_model, const sinew_mesh* mesh, uint32_t wanted,
+                                         const sinew_rig_options* options, void* workspace, size_t workspace_bytes,
+                                         sinew_rig_outputs* outputs);
 
 #ifdef __cplusplus
 }

@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-#include "sinew/types.h"
+#include "sinew/skeleton.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -40,24 +40,25 @@ static inline sinew_simplify_options sinew_simplify_options_init(void) {
  * or SINEW_ERROR_COUNT; size_bytes is 0 then. */
 SINEW_API sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_t* size_bytes);
 
-/* Collapses bones, the cheapest first: cost = shape + 0.1 sampling. Shape is how far the bone's middle lies from the lines of
- * the bones at both ends, squared; sampling is the bone's length times the sum of the bones' at the joint. Joints of equal
- * cost go together, so that both sides of a symmetric skeleton stay alike (not where joint_count is given).
- *   positions  in   [J x 3] rest pose, any unit
- *   parents    in   [J] parent index or -1; any order
+/* Collapses bones into their parents, the cheapest first. A bone's cost is a + 0.1 b:
+ *   a  the squared distance of the bone's middle from the lines through the bones at its two ends
+ *   b  the bone's length, times the sum of the lengths of the bones that meet at its joint
+ * Joints of equal cost go together, so that both sides of a symmetric skeleton stay alike; not so where joint_count is given.
+ *   skeleton   in   J joints
  *   areas      in   [J] share of the surface that moves with the joint (sums of weights will do), at least 0; null = not
  *                   known, no joint goes for it
  *   keep       in   [J] 1: the joint stays; null = none has to. Roots stay
  *   options         null = all defaults
  *   workspace       scratch, 64-byte aligned, size from sinew_simplify_workspace_size()
- *   into       out  [J] the joint that it is part of now: itself where it stays. Joints keep their places; the parent of one
- *                   that stays is into[its parent]; weights of the others are summed up there
+ *   into       out  [J] the joint that it is part of now: itself where it stays. Joints keep their indices. The parent of a
+ *                   joint that stays is into[its parent]; weights of a joint that goes belong to into[it]
  *
  * Nothing may overlap the output or the workspace. The same bytes on every platform: doubles in one order, without libm.
  *
  * Returns SINEW_OK, or with `into` untouched
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out of
- *                           its range, or this build is without it (SINEW_SMALL_CODE)
+ *                           its range
+ *   SINEW_ERROR_NOT_BUILT   the library was built without it (SINEW_SMALL_CODE)
  *   SINEW_ERROR_VERSION     a member behind those that this library knows, or a reserved one, is not 0
  *   SINEW_ERROR_COUNT       no joint, or more than SINEW_MAX_JOINTS
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
@@ -66,9 +67,9 @@ SINEW_API sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_
  *   SINEW_ERROR_INDEX       a parent is no joint
  *   SINEW_ERROR_HIERARCHY   parents form a cycle
  * Source: edge collapse of curve skeletons by quadrics (Au et al. 2008, section 5), conditions as for skeleton mapping. */
-SINEW_API sinew_status sinew_simplify(const float* positions, const int32_t* parents, uint32_t joint_count,
-                                      const float* areas, const uint8_t* keep, const sinew_simplify_options* options,
-                                      void* workspace, size_t workspace_bytes, uint32_t* into);
+SINEW_API sinew_status sinew_simplify(const sinew_skeleton* skeleton, const float* areas, const uint8_t* keep,
+                                      const sinew_simplify_options* options, void* workspace, size_t workspace_bytes,
+                                      uint32_t* into);
 
 #ifdef __cplusplus
 }

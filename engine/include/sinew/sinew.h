@@ -1,19 +1,23 @@
 /* SPDX-License-Identifier: MIT
- * sinew: predicts skin weights of a mesh for a skeleton, in integers, inside one block of memory.
- * These C99 headers are the whole public interface of the engine. Every function is reentrant: there are no globals.
+ * sinew: skeletons, skin weights and motion of characters, with the same bytes on every platform, each call inside one block
+ * of the caller's memory. These C99 headers are the whole public interface of the engine. Every function is reentrant: there are no globals.
  *
- *   sinew/types.h  version, limits, status, kernels, callbacks, mesh, skeleton
- *   sinew/model.h  opens a model and packs its weights
- *   sinew/bind.h   predicts skin weights
- *   sinew/motion.h plays motion of another skeleton
- *   sinew/motion_clips.h  whole clips of it: natural ranges, reference points, what is left to be mended
- *   sinew/rig.h    predicts a skeleton for a bare mesh
- *   sinew/map.h    maps the joints of one skeleton to those of another
- *   sinew/transfer.h  carries weights to another mesh
- *   sinew/skin.h   poses a mesh with its weights
- *   sinew/deform.h poses a mesh so that bends keep their volume
+ *   sinew/types.h         version, limits, status, kernels, callbacks, mesh
+ *   sinew/skeleton.h      a skeleton, and which axis is up
+ *   sinew/skin.h          weights; poses a mesh with them
+ *   sinew/model.h         opens a model and packs its weights
+ *   sinew/bind.h          predicts skin weights
+ *   sinew/questions.h     what a bind asks the user, and the answers
+ *   sinew/rig.h           predicts a skeleton for a bare mesh, with fingers, faces and props
+ *   sinew/map.h           maps the joints of one skeleton to those of another
+ *   sinew/simplify.h      a skeleton of fewer joints
+ *   sinew/transfer.h      carries weights to another mesh
+ *   sinew/deform.h        poses a mesh so that bends keep their volume
+ *   sinew/motion.h        plays motion of another skeleton, and keeps contacts
+ *   sinew/motion_clips.h  whole clips of it: natural ranges, what is left to be mended
+ *   sinew/published.h     methods as others published them, for comparison; this header does not include it
  *
- * Way of a call:
+ * Steps of a bind:
  *   1. sinew_model_open()           checks every byte of a model file in place; SINEW_METHOD_HEAT needs no model
  *      sinew_model_pack()           on demand: packs its weights once, instead of in every bind
  *   2. sinew_options_init()         asks for every default; set what is to differ
@@ -31,8 +35,10 @@
 #include "sinew/model.h"
 #include "sinew/motion.h"
 #include "sinew/motion_clips.h"
+#include "sinew/questions.h"
 #include "sinew/rig.h"
 #include "sinew/simplify.h"
+#include "sinew/skeleton.h"
 #include "sinew/skin.h"
 #include "sinew/transfer.h"
 #include "sinew/types.h"

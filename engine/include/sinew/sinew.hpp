@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Thin typed C++17 wrapper over sinew.h: who has a heap writes one line per skeleton and per bind. Header only; no exceptions of its own
-// and no RTTI. Everything of sinew.h works beside it.
+// Typed C++17 wrapper over sinew.h for programs with a heap: a call takes one line, memory and output arrays are taken care of. Header
+// only. It throws nothing itself and needs no RTTI. All of sinew.h can be used beside it.
 //
+//   sinew::Model model;
+//   sinew_status status = model.open_file("model.snw");
 //   sinew::Workspace workspace;  // kept for the next character
 //   sinew::Skin<uint8_t> skin;
-//   sinew_status status = sinew::bind(&model, mesh, skeleton, {}, &workspace, &skin);
+//   if (status == SINEW_OK) status = sinew::bind(model.get(), mesh, skeleton, {}, &workspace, &skin);
 //
 // Without a skeleton:
 //
 //   sinew::RiggedSkeleton rigged;
-//   sinew_status status = sinew::rig(&rig_model, mesh, {}, &workspace, &rigged);
-//   if (status == SINEW_OK) status = sinew::bind(&model, mesh, rigged.view(), {}, &workspace, &skin);
+//   status = sinew::rig(rig_model.get(), mesh, {}, &workspace, &rigged);
+//   if (status == SINEW_OK) status = sinew::bind(model.get(), mesh, rigged.view(), {}, &workspace, &skin);
 //
 // Joints of one skeleton for another's:
 //
@@ -19,12 +21,14 @@
 //
 // Weights of a bound character for another mesh:
 //
-//   sinew_status status = sinew::transfer(&model, bound, mesh, skeleton, {}, &workspace, &skin);
+//   sinew_status status = sinew::transfer(model.get(), bound, mesh, skeleton, {}, &workspace, &skin);
 #ifndef SINEW_SINEW_HPP
 #define SINEW_SINEW_HPP
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <new>
 #include <utility>
 #include <vector>
@@ -71,6 +75,79 @@ class Workspace {
   size_t size_ = 0;
 };
 
+// A model with the bytes of its file, aligned as the engine wants them. Moves; cannot be copied.
+class Model {
+ public:
+  Model() = default;
+  Model(Model&& other) noexcept
+      : bytes_(std::move(other.bytes_)), packed_(std::move(other.packed_)), model_(std::exchange(other.model_, {})) {}
+  Model& operator=(Model&& other) noexcept {
+    bytes_ = std::move(other.bytes_);
+    packed_ = std::move(other.packed_);
+    model_ = std::exchange(other.model_, {});
+    return *this;
+  }
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  // Copies a file's bytes and opens them: with sinew_model_open() for bind(), with sinew_rig_model_open() for rig() and for
+  // sinew_rig_details(). Return what those do; SINEW_ERROR_WORKSPACE where memory is short. On failure there is no model.
+  sinew_status open(const void* bytes, size_t size) { return open_with(sinew_model_open, bytes, size); }
+  sinew_status open_rig(const void* bytes, size_t size) { return open_with(sinew_rig_model_open, bytes, size); }
+  // The same of the file itself. SINEW_ERROR_ARGUMENT where it cannot be read.
+  sinew_status open_file(const char* path) { return open_file_with(sinew_model_open, path); }
+  sinew_status open_rig_file(const char* path) { return open_file_with(sinew_rig_model_open, path); }
+  // sinew_model_pack() with its memory taken care of.
+  sinew_status pack() {
+    if (get() == nullptr) return SINEW_ERROR_ARGUMENT;
+    const size_t bytes = sinew_model_pack_workspace_size(&model_);
+    if (bytes == 0 || model_.packed != nullptr) return SINEW_OK;
+    if (!packed_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
+    return sinew_model_pack(&model_, packed_.data(), packed_.size());
+  }
+  // For bind() and the C functions, valid until the next open() and where the Model is; null without a model.
+  const sinew_model* get() const { return model_.bytes == nullptr ? nullptr : &model_; }
+
+ private:
+  using Open = decltype(&sinew_model_open);
+
+  sinew_status open_with(Open open_call, const void* bytes, size_t size) {
+    model_ = {};
+    if (bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+    if (size == 0) return SINEW_ERROR_MODEL_TRUNCATED;
+    if (!bytes_.reserve(size)) return SINEW_ERROR_WORKSPACE;
+    std::memcpy(bytes_.data(), bytes, size);
+    return finish(open_call, size);
+  }
+  sinew_status open_file_with(Open open_call, const char* path) {
+    model_ = {};
+    std::FILE* const file = std::fopen(path, "rb");
+    if (file == nullptr) return SINEW_ERROR_ARGUMENT;
+    sinew_status status = SINEW_ERROR_ARGUMENT;
+    if (std::fseek(file, 0, SEEK_END) == 0) {
+      const long size = std::ftell(file);
+      if (size > 0 && std::fseek(file, 0, SEEK_SET) == 0) {
+        status = SINEW_ERROR_WORKSPACE;
+        if (bytes_.reserve(static_cast<size_t>(size))) {
+          const size_t read = std::fread(bytes_.data(), 1, static_cast<size_t>(size), file);
+          status = read == static_cast<size_t>(size) ? finish(open_call, read) : SINEW_ERROR_ARGUMENT;
+        }
+      }
+    }
+    std::fclose(file);
+    return status;
+  }
+  sinew_status finish(Open open_call, size_t size) {
+    packed_ = Workspace();
+    const sinew_status status = open_call(bytes_.data(), size, &model_);
+    if (status != SINEW_OK) model_ = {};
+    return status;
+  }
+
+  Workspace bytes_, packed_;
+  sinew_model model_ = {};
+};
+
 // The weight format that belongs to a type: uint16_t, uint8_t or float.
 template <class Weight>
 struct WeightFormat;
@@ -96,10 +173,10 @@ struct Options : sinew_options {
 // Rows of a bound mesh, see sinew_bind_outputs.
 template <class Weight>
 struct Skin {
-  uint32_t influence_count = 0;     // N
-  std::vector<uint16_t> joints;     // [vertex_count x N]
-  std::vector<Weight> weights;      // [vertex_count x N]
-  uint32_t symmetric_vertices = 0;  // with options.symmetric
+  uint32_t influence_count = 0;         // N
+  std::vector<uint16_t> joint_indices;  // [vertex_count x N]
+  std::vector<Weight> weights;          // [vertex_count x N]
+  uint32_t symmetric_vertices = 0;      // with options.symmetric
 };
 
 // What a bind asks, see sinew_bind_outputs.
@@ -113,7 +190,8 @@ struct Asked {
 template <class Weight, class Run>
 sinew_status fill_skin(uint32_t vertex_count, uint32_t influence_count, bool is_input, Skin<Weight>* skin, Run run) {
   const size_t values = static_cast<size_t>(vertex_count) * influence_count;
-  if (skin->influence_count == influence_count && skin->joints.size() == values && skin->weights.size() == values)
+  if (skin->influence_count == influence_count && skin->joint_indices.size() == values &&
+      skin->weights.size() == values)
     return run(*skin);
   if (is_input) return SINEW_ERROR_ARGUMENT;
   Skin<Weight> fresh{influence_count, std::vector<uint16_t>(values), std::vector<Weight>(values), 0};
@@ -140,7 +218,7 @@ sinew_status bind(const sinew_model* model, const sinew_mesh& mesh, const sinew_
   const uint32_t influences = options.influence_count == 0 ? 4 : options.influence_count;
   if (confidence != nullptr) confidence->resize(mesh.vertex_count);
   const auto run = [&](Skin<Weight>& rows) {
-    sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joints.data(), rows.weights.data());
+    sinew_bind_outputs outputs = sinew_bind_outputs_init(rows.joint_indices.data(), rows.weights.data());
     if (confidence != nullptr) outputs.confidence = confidence->data();
     if (asked != nullptr && options.question_count > 0) {
       asked->questions.resize(options.question_count);
@@ -177,17 +255,14 @@ struct RiggedSkeleton {
   std::vector<uint16_t> confidence, parent_confidence;  // [J]
   std::vector<JointName> names;                         // [J]
   bool mirrored = false;
-  uint32_t quarter_turns = 0;
+  uint32_t facing = 0;
   float plane = 0, spread = 0;
 
   uint32_t joint_count() const { return static_cast<uint32_t>(parents.size()); }
   // For bind(); valid as long as the arrays are.
   sinew_skeleton view() const {
-    sinew_skeleton skeleton = {};
-    skeleton.positions = positions.data();
-    skeleton.parents = parents.data();
+    sinew_skeleton skeleton = sinew_skeleton_init(positions.data(), parents.data(), joint_count());
     skeleton.flags = flags.data();
-    skeleton.joint_count = joint_count();
     return skeleton;
   }
 };
@@ -224,7 +299,7 @@ inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const 
   if (rigged != SINEW_OK) return rigged;
   resize(outputs.joint_count);
   made.mirrored = outputs.mirrored != 0;
-  made.quarter_turns = outputs.quarter_turns;
+  made.facing = outputs.facing;
   made.plane = outputs.plane;
   made.spread = outputs.spread;
   *skeleton = std::move(made);
@@ -239,16 +314,15 @@ struct SimplifySettings : sinew_simplify_options {
 
 // sinew_simplify() with the size query, the workspace and the output taken care of. Returns what sinew_simplify() does;
 // SINEW_ERROR_WORKSPACE where memory is short. *into is untouched on failure.
-inline sinew_status simplify(const float* positions, const int32_t* parents, uint32_t joint_count, const float* areas,
-                             const uint8_t* keep, const SimplifySettings& settings, Workspace* workspace,
-                             std::vector<uint32_t>* into) {
+inline sinew_status simplify(const sinew_skeleton& skeleton, const float* areas, const uint8_t* keep,
+                             const SimplifySettings& settings, Workspace* workspace, std::vector<uint32_t>* into) {
   size_t bytes = 0;
-  const sinew_status status = sinew_simplify_workspace_size(joint_count, &bytes);
+  const sinew_status status = sinew_simplify_workspace_size(skeleton.joint_count, &bytes);
   if (status != SINEW_OK) return status;
   if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
-  std::vector<uint32_t> made(joint_count);
-  const sinew_status simplified = sinew_simplify(positions, parents, joint_count, areas, keep, &settings,
-                                                 workspace->data(), workspace->size(), made.data());
+  std::vector<uint32_t> made(skeleton.joint_count);
+  const sinew_status simplified =
+      sinew_simplify(&skeleton, areas, keep, &settings, workspace->data(), workspace->size(), made.data());
   if (simplified == SINEW_OK) *into = std::move(made);
   return simplified;
 }
@@ -269,7 +343,7 @@ struct JointMap {
 
 // sinew_map() with the size query, the workspace and the outputs taken care of. Returns what sinew_map() does;
 // SINEW_ERROR_WORKSPACE where memory is short. *map is untouched on failure.
-inline sinew_status map_joints(const sinew_map_rig& target, const sinew_map_rig& source, const MapSettings& settings,
+inline sinew_status map_joints(const sinew_skeleton& target, const sinew_skeleton& source, const MapSettings& settings,
                                Workspace* workspace, JointMap* map) {
   size_t bytes = 0;
   const sinew_status status = sinew_map_workspace_size(target.joint_count, source.joint_count, &bytes);
@@ -320,7 +394,7 @@ sinew_status transfer(const sinew_model* model, const sinew_bound_character& sou
   if (status != SINEW_OK) return status;
   if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
   const auto run = [&](Skin<Weight>& rows) {
-    sinew_transfer_outputs outputs = sinew_transfer_outputs_init(rows.joints.data(), rows.weights.data());
+    sinew_transfer_outputs outputs = sinew_transfer_outputs_init(rows.joint_indices.data(), rows.weights.data());
     TransferReport made;
     if (report != nullptr) {
       made.confidence.resize(target.vertex_count);
@@ -362,12 +436,6 @@ struct ContactSettings : sinew_contact_options {
   ContactSettings(const sinew_contact_options& options) : sinew_contact_options(options) {}
 };
 
-// sinew_reference_options that ask for every default; {} where a function takes settings.
-struct ReferenceSettings : sinew_reference_options {
-  ReferenceSettings() : sinew_reference_options(sinew_reference_options_init()) {}
-  ReferenceSettings(const sinew_reference_options& options) : sinew_reference_options(options) {}
-};
-
 // A sinew_retarget and its memory:
 //
 //   sinew::RetargetPlan plan;
@@ -377,11 +445,11 @@ class RetargetPlan {
  public:
   // Size query, memory and sinew_retarget_create(). Returns what they do; SINEW_ERROR_WORKSPACE where memory is short. On
   // failure there is no plan, and the functions below return SINEW_ERROR_ARGUMENT.
-  sinew_status make(const sinew_motion_rig& source, const sinew_motion_rig& target, const int32_t* map,
+  sinew_status make(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
                     const uint8_t* target_classes, const RetargetSettings& settings = {}) {
     plan_ = nullptr;
     size_t bytes = 0;
-    const sinew_status status = sinew_retarget_size(source.joint_count, target.joint_count, &bytes);
+    const sinew_status status = sinew_retarget_create_workspace_size(source.joint_count, target.joint_count, &bytes);
     if (status != SINEW_OK) return status;
     if (!memory_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
     return sinew_retarget_create(&source, &target, map, target_classes, &settings, memory_.data(), memory_.size(),
@@ -421,23 +489,13 @@ class RetargetPlan {
     if (status == SINEW_OK) limbs->assign(measured, measured + count);
     return status;
   }
-  sinew_status reference_points(const sinew_motion_body& source, const sinew_motion_body& target,
-                                const sinew_motion_clip& clip, const ReferenceSettings& settings,
-                                Workspace* workspace) {
-    size_t bytes = 0;
-    const sinew_status status = sinew_retarget_reference_points_size(plan_, &target, &bytes);
-    if (status != SINEW_OK) return status;
-    if (!workspace->reserve(bytes)) return SINEW_ERROR_WORKSPACE;
-    return sinew_retarget_reference_points(plan_, &source, &target, &clip, &settings, workspace->data(),
-                                           workspace->size());
-  }
   // For the C functions; null without a plan.
   sinew_retarget* get() const { return plan_; }
 
  private:
   sinew_status reserve_contacts(const sinew_motion_body& target, const sinew_motion_clip& clip, Workspace* workspace) {
     size_t bytes = 0;
-    const sinew_status status = sinew_retarget_contacts_size(plan_, &target, clip.frame_count, &bytes);
+    const sinew_status status = sinew_retarget_contacts_workspace_size(plan_, &target, clip.frame_count, &bytes);
     if (status != SINEW_OK) return status;
     return workspace->reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
   }
@@ -461,7 +519,8 @@ class Deformer {
                       const DeformOptions& options) {
     deformer_ = {};
     size_t bytes = 0;
-    sinew_status status = sinew_deform_memory_size(&mesh, skeleton.joint_count, skin.influence_count, &options, &bytes);
+    sinew_status status =
+        sinew_deform_create_workspace_size(&mesh, skeleton.joint_count, skin.influence_count, &options, &bytes);
     if (status != SINEW_OK) return status;
     if (!memory_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
     status = sinew_deform_create(&mesh, &skeleton, &skin, &options, memory_.data(), memory_.size(), &deformer_);

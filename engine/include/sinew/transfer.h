@@ -11,10 +11,8 @@
 extern "C" {
 #endif
 
-/* Most reference points that SINEW_TRANSFER_BIHARMONIC uses, and most pairs of vertices that a caller may give. */
+/* Most pairs of vertices that a caller may give. */
 #define SINEW_MAX_TRANSFER_PAIRS 128u
-/* Vertices of the larger mesh that SINEW_TRANSFER_BIHARMONIC takes. */
-#define SINEW_MAX_BIHARMONIC_VERTICES 65536u
 
 typedef enum sinew_transfer_method {
   /* A balance of NEAREST and REBIND, vertex by vertex: the more the source's weights differ from what a bind gives the
@@ -23,26 +21,21 @@ typedef enum sinew_transfer_method {
   /* The nearest point of the source's surface after its bones were laid over the target's, smoothly filled in where
    * nothing is near */
   SINEW_TRANSFER_NEAREST = 1,
-  /* Vertices that have like biharmonic distances to reference points; needs no alike shape, and less fits */
-  SINEW_TRANSFER_BIHARMONIC = 2,
   /* sinew_bind() of the target, by model or heat: whichever is nearer to the source's weights on the source */
   SINEW_TRANSFER_REBIND = 3
-} sinew_transfer_method;
+} sinew_transfer_method; /* 2: sinew/published.h */
 
 /* The bound character that weights come from, borrowed for the time of a call. This struct never changes. */
 typedef struct sinew_bound_character {
   const sinew_mesh* mesh;
   const sinew_skeleton* skeleton;
-  const uint16_t* joint_indices; /* [vertex_count x influence_count] */
-  const void* weights;      /* [vertex_count x influence_count] in weight_format; a row without weight is not known */
-  uint32_t influence_count; /* 1 .. SINEW_MAX_INFLUENCES */
-  uint32_t weight_format;   /* sinew_weight_format */
+  sinew_skin skin; /* of the mesh for the skeleton, in any weight_format */
   /* [joint_count of skeleton] the target's joint that stands for it, or -1. Its weight then goes to the nearest ancestor
    * that has one, else to the nearest descendant. Several joints may have the same */
   const int32_t* joint_map;
 } sinew_bound_character;
 
-/* A vertex of the source and the vertex of the target that is the same place of the body. */
+/* A vertex of the source and the vertex of the target that is the same point of the body. */
 typedef struct sinew_vertex_pair {
   uint32_t source, target;
 } sinew_vertex_pair;
@@ -54,8 +47,6 @@ typedef struct sinew_transfer_options {
   uint32_t method;           /* sinew_transfer_method */
   uint32_t influence_count;  /* 1..12 influences a vertex keeps; 0 = 4 */
   uint32_t weight_format;    /* sinew_weight_format of the outputs */
-  uint32_t up_axis;          /* of the target: 0 = Y is up, 1 = Z is up */
-  uint32_t source_up_axis;   /* of the source */
   uint32_t garment;          /* 1: the target is worn by the source: both lie in one space, have one skeleton and one up
                               * axis. Near the body its weights are carried over, far from it the dressed whole is bound.
                               * Not for SINEW_TRANSFER_BIHARMONIC */
@@ -81,7 +72,7 @@ static inline sinew_transfer_options sinew_transfer_options_init(void) {
   return options;
 }
 
-/* Which way a part of the target took, and why. Numbers are never reused. */
+/* Which path a part of the target took, and why. Numbers are never reused. */
 typedef enum sinew_transfer_reason {
   SINEW_TRANSFER_ASKED = 0, /* the method says so */
   SINEW_TRANSFER_STYLE = 1, /* carried over: the source's weights differ from a bind's by more than the match is off */
@@ -163,8 +154,9 @@ SINEW_API sinew_status sinew_transfer_workspace_size(const sinew_model* model, c
  * Overlap and threads: as for sinew_bind(); source and target may be the same mesh and skeleton.
  *
  * Returns SINEW_OK, or with outputs untouched what sinew_bind() does for either character, and
- *   SINEW_ERROR_ARGUMENT  a pointer that must be set is null, an option is out of its range, garment with BIHARMONIC or with two
- *                         up axes, or this build is without it (SINEW_SMALL_CODE)
+ *   SINEW_ERROR_ARGUMENT  a pointer that must be set is null, an option or the source's skin is out of its range, garment with
+ *                         SINEW_TRANSFER_BIHARMONIC or with two up axes
+ *   SINEW_ERROR_NOT_BUILT the library was built without what is asked for
  *   SINEW_ERROR_COUNT     for SINEW_TRANSFER_BIHARMONIC a mesh of more than SINEW_MAX_BIHARMONIC_VERTICES; for a garment more of
  *                         anything than the limits in sinew/types.h in both meshes together
  *   SINEW_ERROR_RANGE     joint_map names a joint that the target lacks, a row of the source a joint that the source lacks, a

@@ -1,13 +1,18 @@
 /* SPDX-License-Identifier: MIT
- * What all calls share: version, limits, status, kernels, the caller's callbacks, mesh and skeleton.
+ * What all calls share: version, limits, status, kernels, the caller's callbacks, and the mesh.
  *
- * Structs that grow (sinew_options, sinew_bind_outputs) begin with `struct_size`, the caller's sizeof; the struct's
- * ..._init() sets it and leaves the rest 0. New members come at the end, and 0 always means what it meant before them:
+ * Structs that grow (options, outputs, sinew_skeleton) begin with `struct_size`, the caller's sizeof; the struct's
+ * ..._init() sets it and leaves 0 in all that it does not take. New members come at the end, and 0 always means what it
+ * meant before them:
  *   a caller with an older header has a shorter struct: members that it lacks count as 0, and are not written
  *   a caller with a newer header has a longer struct: what this library does not know must be 0, else the call returns
  *   SINEW_ERROR_VERSION
- * sinew_model, which the library fills, keeps its size. sinew_mesh and sinew_skeleton never change: new inputs become
- * options. */
+ * Structs without a struct_size never change; sinew_model and sinew_deformer, which the library fills, have members in
+ * reserve. New inputs become options.
+ *
+ * sinew_X_workspace_size() says how many bytes sinew_X() needs, and is a pure function of its arguments. The caller gives
+ * sinew_X() at least as many, aligned to SINEW_WORKSPACE_ALIGNMENT: a `workspace`, which is scratch until the call returns,
+ * or a `memory`, in which the call leaves what it makes. */
 #ifndef SINEW_TYPES_H
 #define SINEW_TYPES_H
 
@@ -67,7 +72,9 @@ typedef enum sinew_status {
                                       * processor cannot run: ask sinew_kernel_select(), or leave it 0 */
   SINEW_ERROR_VERSION = -18,         /* an option is set that this library does not know: update the library, or leave
                                       * it 0 */
-  SINEW_ERROR_MODEL_TASK = -19       /* the model is made for another task than this call: see sinew_model::task */
+  SINEW_ERROR_MODEL_TASK = -19,      /* the model is made for another task than this call: see sinew_model::task */
+  SINEW_ERROR_NOT_BUILT = -20        /* this library was built without what is asked for: with SINEW_SMALL_CODE, or with
+                                      * SINEW_PUBLISHED_METHODS off (sinew/published.h) */
 } sinew_status;
 
 /* One line of English for a status; never null. */
@@ -94,7 +101,8 @@ SINEW_API const char* sinew_kernel_name(uint32_t kernel);
  * library was built without it or this processor lacks it. */
 SINEW_API uint32_t sinew_kernel_select(uint32_t kernel);
 
-/* Called now and then with a share of work done, 0..1000. Return non-zero to cancel. */
+/* Called now and then with a share of work done, 0..1000. Its result means the same in every call: 0 goes on, all else stops
+ * the call, which returns SINEW_ERROR_CANCELLED. */
 typedef int (*sinew_progress)(void* user, uint32_t done_permille);
 
 /* The caller's threads. Calls body(body_data, i) exactly once for each i in 0 .. count-1, in any order and on any
@@ -114,17 +122,6 @@ typedef struct sinew_mesh {
   uint32_t face_count;
   uint32_t corner_count; /* length of face_vertices */
 } sinew_mesh;
-
-#define SINEW_JOINT_NEVER 1u   /* flag: this joint must get no weight */
-#define SINEW_JOINT_DEFORMS 2u /* flag: this joint is known to deform. If any joint has it, all others are NEVER */
-
-/* A skeleton, borrowed for the time of a call. */
-typedef struct sinew_skeleton {
-  const float* positions; /* [joint_count x 3] same space as the mesh */
-  const int32_t* parents; /* [joint_count] parent index or -1; any order */
-  const uint8_t* flags;   /* [joint_count] SINEW_JOINT_* bits, or null */
-  uint32_t joint_count;   /* 1 .. SINEW_MAX_JOINTS */
-} sinew_skeleton;
 
 #ifdef __cplusplus
 }

@@ -4,15 +4,12 @@
 #define SINEW_API_ARGUMENTS_HPP
 
 #include "core/arena.hpp"
-#include "sinew/types.h"
+#include "core/read_skeleton.hpp"
 
 namespace sinew {
 
 inline bool is_mesh(const sinew_mesh* mesh) {
   return mesh != nullptr && mesh->positions != nullptr && (mesh->face_count == 0 || mesh->face_vertices != nullptr);
-}
-inline bool is_skeleton(const sinew_skeleton* skeleton) {
-  return skeleton != nullptr && skeleton->positions != nullptr && skeleton->parents != nullptr;
 }
 inline bool is_aligned(const void* memory) {
   return reinterpret_cast<uintptr_t>(memory) % SINEW_WORKSPACE_ALIGNMENT == 0;

@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "api/arguments.hpp"
+#include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
 #include "sinew/bind.h"
 
@@ -30,19 +31,23 @@ sinew_status sinew_bind_workspace_size(const sinew_model* model, uint32_t vertex
 sinew_status sinew_bind(const sinew_model* model, const sinew_mesh* mesh, const sinew_skeleton* skeleton,
                         const sinew_options* options, void* workspace, size_t workspace_bytes,
                         sinew_bind_outputs* outputs) {
-  if (!sinew::is_mesh(mesh) || !sinew::is_skeleton(skeleton) || workspace == nullptr || outputs == nullptr)
+  if (!sinew::is_mesh(mesh) || skeleton == nullptr || workspace == nullptr || outputs == nullptr)
     return SINEW_ERROR_ARGUMENT;
   sinew_bind_outputs own;
   sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.joint_indices == nullptr || own.weights == nullptr) return SINEW_ERROR_ARGUMENT;
+  sinew_skeleton joints;
+  status = sinew::read_skeleton(skeleton, &joints);
+  if (status != SINEW_OK) return status;
   sinew::BindPlan plan;
-  status = sinew::plan_bind(model, mesh->vertex_count, mesh->face_count, mesh->corner_count, skeleton->joint_count,
+  status = sinew::plan_bind(model, mesh->vertex_count, mesh->face_count, mesh->corner_count, joints.joint_count,
                             options, &plan);
+  if (status == SINEW_OK) status = sinew::read_up_axis(joints.up, &plan.up_axis);
   if (status != SINEW_OK) return status;
   if (plan.rows.question_count > 0 && own.questions == nullptr) return SINEW_ERROR_ARGUMENT;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
-  status = sinew::run_bind(plan, *mesh, *skeleton, workspace, workspace_bytes, &own);
+  status = sinew::run_bind(plan, *mesh, joints, workspace, workspace_bytes, &own);
   if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
   return status;
 }

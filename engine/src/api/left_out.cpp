@@ -1,63 +1,54 @@
 // SPDX-License-Identifier: MIT
 // The C API: what a library for microcontrollers leaves out (SINEW_SMALL_CODE).
-#include "sinew/motion_clips.h"
+#include "sinew/published.h"
 #include "sinew/sinew.h"
 
 namespace {
 sinew_status no_size(size_t* size_bytes) {
   if (size_bytes != nullptr) *size_bytes = 0;
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
 }  // namespace
 
 extern "C" {
 
-sinew_status sinew_rig_model_open(const void*, size_t, sinew_model*) { return SINEW_ERROR_ARGUMENT; }
+sinew_status sinew_rig_model_open(const void*, size_t, sinew_model*) { return SINEW_ERROR_NOT_BUILT; }
 sinew_status sinew_rig_workspace_size(const sinew_model*, uint32_t, uint32_t, uint32_t, const sinew_rig_options*,
                                       size_t* size_bytes) {
   return no_size(size_bytes);
 }
 sinew_status sinew_rig(const sinew_model*, const sinew_mesh*, const sinew_rig_options*, void*, size_t,
                        sinew_rig_outputs*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
-sinew_status sinew_rig_hands_workspace_size(const sinew_model*, uint32_t, uint32_t, uint32_t, const sinew_rig_options*,
-                                            size_t* size_bytes) {
+sinew_status sinew_rig_details_workspace_size(const sinew_model*, uint32_t, uint32_t, uint32_t, uint32_t,
+                                              const sinew_rig_options*, size_t* size_bytes) {
   return no_size(size_bytes);
 }
-sinew_status sinew_rig_hands(const sinew_model*, const sinew_mesh*, const sinew_rig_options*, void*, size_t,
-                             sinew_rig_outputs*) {
-  return SINEW_ERROR_ARGUMENT;
-}
-sinew_status sinew_rig_face_workspace_size(uint32_t, uint32_t, uint32_t, const sinew_rig_options*, size_t* size_bytes) {
-  return no_size(size_bytes);
-}
-sinew_status sinew_rig_face(const sinew_mesh*, const sinew_rig_options*, void*, size_t, sinew_rig_outputs*) {
-  return SINEW_ERROR_ARGUMENT;
-}
-sinew_status sinew_rig_props(const sinew_mesh*, const sinew_rig_options*, void*, size_t, sinew_rig_outputs*) {
-  return SINEW_ERROR_ARGUMENT;
+sinew_status sinew_rig_details(const sinew_model*, const sinew_mesh*, uint32_t, const sinew_rig_options*, void*, size_t,
+                               sinew_rig_outputs*) {
+  return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_map_workspace_size(uint32_t, uint32_t, size_t* size_bytes) { return no_size(size_bytes); }
-sinew_status sinew_map(const sinew_map_rig*, const sinew_map_rig*, const sinew_map_options*, void*, size_t,
+sinew_status sinew_map(const sinew_skeleton*, const sinew_skeleton*, const sinew_map_options*, void*, size_t,
                        sinew_map_outputs*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
-sinew_status sinew_deform_memory_size(const sinew_mesh*, uint32_t, uint32_t, const sinew_deform_options*,
-                                      size_t* size_bytes) {
+sinew_status sinew_deform_create_workspace_size(const sinew_mesh*, uint32_t, uint32_t, const sinew_deform_options*,
+                                                size_t* size_bytes) {
   return no_size(size_bytes);
 }
 sinew_status sinew_deform_create(const sinew_mesh*, const sinew_skeleton*, const sinew_skin*,
                                  const sinew_deform_options*, void*, size_t, sinew_deformer*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_deform_pose(const sinew_deformer*, const float*, void*, size_t, sinew_deform_outputs*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_simplify_workspace_size(uint32_t, size_t* size_bytes) { return no_size(size_bytes); }
-sinew_status sinew_simplify(const float*, const int32_t*, uint32_t, const float*, const uint8_t*,
-                            const sinew_simplify_options*, void*, size_t, uint32_t*) {
-  return SINEW_ERROR_ARGUMENT;
+sinew_status sinew_simplify(const sinew_skeleton*, const float*, const uint8_t*, const sinew_simplify_options*, void*,
+                            size_t, uint32_t*) {
+  return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_transfer_workspace_size(const sinew_model*, const sinew_bound_character*, const sinew_mesh*,
                                            const sinew_skeleton*, const sinew_transfer_options*, size_t* size_bytes) {
@@ -65,46 +56,51 @@ sinew_status sinew_transfer_workspace_size(const sinew_model*, const sinew_bound
 }
 sinew_status sinew_transfer(const sinew_model*, const sinew_bound_character*, const sinew_mesh*, const sinew_skeleton*,
                             const sinew_transfer_options*, void*, size_t, sinew_transfer_outputs*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
-sinew_status sinew_retarget_size(uint32_t, uint32_t, size_t* size_bytes) { return no_size(size_bytes); }
-sinew_status sinew_retarget_create(const sinew_motion_rig*, const sinew_motion_rig*, const int32_t*, const uint8_t*,
+sinew_status sinew_retarget_create_workspace_size(uint32_t, uint32_t, size_t* size_bytes) {
+  return no_size(size_bytes);
+}
+sinew_status sinew_retarget_create(const sinew_skeleton*, const sinew_skeleton*, const int32_t*, const uint8_t*,
                                    const sinew_retarget_options*, void*, size_t, sinew_retarget**) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
-sinew_status sinew_retarget_height(sinew_retarget*, const float*, const float*, float*) { return SINEW_ERROR_ARGUMENT; }
-sinew_status sinew_retarget_ground(const sinew_retarget*, float*, size_t, float*) { return SINEW_ERROR_ARGUMENT; }
+sinew_status sinew_retarget_height(sinew_retarget*, const float*, const float*, float*) {
+  return SINEW_ERROR_NOT_BUILT;
+}
+sinew_status sinew_retarget_ground(const sinew_retarget*, float*, size_t, float*) { return SINEW_ERROR_NOT_BUILT; }
 sinew_status sinew_retarget_frame(sinew_retarget*, const float*, const float*, float, float*, float*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_retarget_keep_range(sinew_retarget*, const sinew_motion_body*, const sinew_motion_clip*, void*,
                                        size_t) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_retarget_measure(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
                                     const sinew_motion_clip*, const sinew_contact_options*, void*, size_t,
                                     sinew_limb_measure*, uint32_t*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
 sinew_status sinew_retarget_spots(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
                                   const sinew_motion_clip*, const sinew_contact_options*, void*, size_t,
                                   sinew_limb_measure*, uint32_t*, sinew_contact_spot*) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
-sinew_status sinew_retarget_reference_points_size(const sinew_retarget*, const sinew_motion_body*, size_t*) {
-  return SINEW_ERROR_ARGUMENT;
+sinew_status sinew_retarget_reference_points_workspace_size(const sinew_retarget*, const sinew_motion_body*,
+                                                            size_t* size_bytes) {
+  return no_size(size_bytes);
 }
 sinew_status sinew_retarget_reference_points(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
                                              const sinew_motion_clip*, const sinew_reference_options*, void*, size_t) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
-sinew_status sinew_retarget_contacts_size(const sinew_retarget*, const sinew_motion_body*, uint32_t,
-                                          size_t* size_bytes) {
+sinew_status sinew_retarget_contacts_workspace_size(const sinew_retarget*, const sinew_motion_body*, uint32_t,
+                                                    size_t* size_bytes) {
   return no_size(size_bytes);
 }
 sinew_status sinew_retarget_contacts(sinew_retarget*, const sinew_motion_body*, const sinew_motion_body*,
                                      const sinew_motion_clip*, const sinew_contact_options*, void*, size_t) {
-  return SINEW_ERROR_ARGUMENT;
+  return SINEW_ERROR_NOT_BUILT;
 }
 
 }  // extern "C"

@@ -50,6 +50,8 @@ const char* sinew_status_text(sinew_status status) {
       return "a joint index or weight is out of its range";
     case SINEW_ERROR_MODEL_TASK:
       return "the model is made for another task than this call";
+    case SINEW_ERROR_NOT_BUILT:
+      return "this library was built without what is asked for";
     case SINEW_ERROR_KERNEL:
       return "this library or this processor lacks the kernels asked for";
     case SINEW_ERROR_VERSION:

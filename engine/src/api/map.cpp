@@ -6,7 +6,6 @@
 #include "core/struct_size.hpp"
 #include "sinew/map.h"
 
-static_assert(sizeof(sinew_map_rig) == 6 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_rig");
 static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
 static_assert(sizeof(sinew_map_outputs) == 4 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_outputs");
 
@@ -23,7 +22,7 @@ sinew_status sinew_map_workspace_size(uint32_t target_count, uint32_t source_cou
   return sinew::measure(size_bytes, [&](sinew::Arena& arena) { return sinew::mapping::run_map(plan, arena, nullptr); });
 }
 
-sinew_status sinew_map(const sinew_map_rig* target, const sinew_map_rig* source, const sinew_map_options* options,
+sinew_status sinew_map(const sinew_skeleton* target, const sinew_skeleton* source, const sinew_map_options* options,
                        void* workspace, size_t workspace_bytes, sinew_map_outputs* outputs) {
   if (target == nullptr || source == nullptr || workspace == nullptr || outputs == nullptr) return SINEW_ERROR_ARGUMENT;
   sinew_map_outputs own;

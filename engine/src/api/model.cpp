@@ -18,11 +18,12 @@ sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model*
   const sinew_status status = sinew::read_header(bytes, size_bytes, &header);
   if (status != SINEW_OK) return status;
   sinew::ModelTask task;
-  if (header.task != sinew::kTaskBind || !sinew::bind_task(header.feature_set, &task)) return SINEW_ERROR_MODEL_VERSION;
+  if (header.task != sinew::kTaskBind) return SINEW_ERROR_MODEL_TASK;
+  if (!sinew::bind_task(header.feature_set, &task)) return SINEW_ERROR_MODEL_VERSION;
   return sinew::open_model(bytes, size_bytes, task, model);
 }
 
-size_t sinew_model_packed_size(const sinew_model* model) {
+size_t sinew_model_pack_workspace_size(const sinew_model* model) {
   return model == nullptr || model->bytes == nullptr ? 0 : sinew::packed_bytes(*model);
 }
 

@@ -3,13 +3,15 @@
 #include "sinew/motion.h"
 
 #include "api/arguments.hpp"
+#include "core/build.hpp"
 #include "core/struct_size.hpp"
 #include "motion/contacts.hpp"
 #include "motion/reference_points.hpp"
 #include "motion/retarget.hpp"
 #include "sinew/motion_clips.h"
+#include "sinew/published.h"
 
-static_assert(sizeof(sinew_retarget_options) == 6 * sizeof(uint32_t), "a hole in sinew_retarget_options");
+static_assert(sizeof(sinew_retarget_options) == 4 * sizeof(uint32_t), "a hole in sinew_retarget_options");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
 static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
 static_assert(sizeof(sinew_reference_options) == 6 * sizeof(uint32_t) + 2 * sizeof(void*),
@@ -28,19 +30,19 @@ sinew_status check_clip(const sinew_retarget* plan, const sinew_motion_body* sou
                                 clip->rotations == nullptr || clip->translations == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  sinew_status status = sinew::check_body(*target, plan->target.count);
+  sinew_status status = sinew::motion::check_body(*target, plan->target.count);
   if (status == SINEW_OK && source != nullptr) {
     sinew_motion_body same = *source;
     same.triangle_count = 0;
-    status = sinew::check_body(same, plan->source.count);
+    status = sinew::motion::check_body(same, plan->source.count);
   }
   if (status != SINEW_OK) return status;
-  if (!sinew::is_finite(static_cast<double>(clip->ground))) return SINEW_ERROR_NOT_FINITE;
+  if (!sinew::motion::is_finite(static_cast<double>(clip->ground))) return SINEW_ERROR_NOT_FINITE;
   return sinew::is_aligned(workspace) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
 }
 
-sinew::ClipInputs clip_inputs(const sinew_motion_clip& clip, double fps, sinew::Progress progress) {
-  sinew::ClipInputs inputs;
+sinew::motion::ClipInputs clip_inputs(const sinew_motion_clip& clip, double fps, sinew::Progress progress) {
+  sinew::motion::ClipInputs inputs;
   inputs.frames = clip.frame_count;
   inputs.source_rotations = clip.source_rotations;
   inputs.source_translations = clip.source_translations;
@@ -54,7 +56,7 @@ sinew::ClipInputs clip_inputs(const sinew_motion_clip& clip, double fps, sinew::
 
 sinew_status read_contacts(const sinew_retarget* plan, const sinew_motion_body* source, const sinew_motion_body* target,
                            const sinew_motion_clip* clip, const sinew_contact_options* options, const void* workspace,
-                           sinew::ClipInputs* inputs) {
+                           sinew::motion::ClipInputs* inputs) {
   sinew_contact_options own = sinew_contact_options_init();
   sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, sizeof own, sizeof own, &own);
   if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
@@ -71,53 +73,54 @@ sinew_status measure(sinew_retarget* plan, const sinew_motion_body* source, cons
                      size_t workspace_bytes, sinew_limb_measure* limbs, uint32_t* limb_count,
                      sinew_contact_spot* spots) {
   if (limbs == nullptr || limb_count == nullptr) return SINEW_ERROR_ARGUMENT;
-  sinew::ClipInputs inputs;
+  sinew::motion::ClipInputs inputs;
   const sinew_status status = read_contacts(plan, source, target, clip, options, workspace, &inputs);
   if (status != SINEW_OK) return status;
   sinew::Arena arena(workspace, workspace_bytes);
-  return sinew::measure_clip(plan, source, *target, inputs, arena, limbs, limb_count, spots);
+  return sinew::motion::measure_clip(plan, source, *target, inputs, arena, limbs, limb_count, spots);
 }
 
 }  // namespace
 
 extern "C" {
 
-sinew_status sinew_retarget_size(uint32_t source_joints, uint32_t target_joints, size_t* size_bytes) {
+sinew_status sinew_retarget_create_workspace_size(uint32_t source_joints, uint32_t target_joints, size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
   if (source_joints == 0 || target_joints == 0 || source_joints > SINEW_MAX_JOINTS || target_joints > SINEW_MAX_JOINTS)
     return SINEW_ERROR_COUNT;
-  *size_bytes = sinew::measure_plan(source_joints, target_joints);
+  *size_bytes = sinew::motion::measure_plan(source_joints, target_joints);
   return SINEW_OK;
 }
 
-sinew_status sinew_retarget_create(const sinew_motion_rig* source, const sinew_motion_rig* target, const int32_t* map,
+sinew_status sinew_retarget_create(const sinew_skeleton* source, const sinew_skeleton* target, const int32_t* map,
                                    const uint8_t* target_classes, const sinew_retarget_options* options, void* memory,
                                    size_t memory_bytes, sinew_retarget** plan) {
-  if (source == nullptr || target == nullptr || map == nullptr || memory == nullptr || plan == nullptr ||
-      source->positions == nullptr || source->parents == nullptr || target->positions == nullptr ||
-      target->parents == nullptr) {
+  if (source == nullptr || target == nullptr || map == nullptr || memory == nullptr || plan == nullptr) {
     return SINEW_ERROR_ARGUMENT;
   }
-  sinew::RetargetOptions own;
-  sinew_status status = sinew::read_retarget_options(options, &own);
+  sinew_skeleton from, to;
+  sinew::motion::RetargetOptions own;
+  sinew_status status = sinew::read_skeleton(source, &from);
+  if (status == SINEW_OK) status = sinew::read_skeleton(target, &to);
+  if (status == SINEW_OK) status = sinew::motion::read_retarget_options(options, &own);
   size_t bytes = 0;
-  if (status == SINEW_OK) status = sinew_retarget_size(source->joint_count, target->joint_count, &bytes);
+  if (status == SINEW_OK) status = sinew_retarget_create_workspace_size(from.joint_count, to.joint_count, &bytes);
   if (status != SINEW_OK) return status;
   if (memory_bytes < bytes || !sinew::is_aligned(memory)) return SINEW_ERROR_WORKSPACE;
-  return sinew::create_plan(*source, *target, map, target_classes, own, memory, memory_bytes, plan);
+  return sinew::motion::create_plan(from, to, map, target_classes, own, memory, memory_bytes, plan);
 }
 
 sinew_status sinew_retarget_height(sinew_retarget* plan, const float* rotations, const float* translations,
                                    float* height) {
   if (plan == nullptr || rotations == nullptr || translations == nullptr || height == nullptr)
     return SINEW_ERROR_ARGUMENT;
-  return sinew::source_height(plan, rotations, translations, height);
+  return sinew::motion::source_height(plan, rotations, translations, height);
 }
 
 sinew_status sinew_retarget_ground(const sinew_retarget* plan, float* heights, size_t count, float* ground) {
   if (plan == nullptr || ground == nullptr || (heights == nullptr && count > 0)) return SINEW_ERROR_ARGUMENT;
-  return sinew::standing_height(*plan, heights, count, ground);
+  return sinew::motion::standing_height(*plan, heights, count, ground);
 }
 
 sinew_status sinew_retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations, float ground,
@@ -126,36 +129,36 @@ sinew_status sinew_retarget_frame(sinew_retarget* plan, const float* rotations, 
       out_translations == nullptr) {
     return SINEW_ERROR_ARGUMENT;
   }
-  return sinew::retarget_frame(plan, rotations, translations, ground, out_rotations, out_translations);
+  return sinew::motion::retarget_frame(plan, rotations, translations, ground, out_rotations, out_translations);
 }
 
-sinew_status sinew_retarget_contacts_size(const sinew_retarget* plan, const sinew_motion_body* target,
-                                          uint32_t frame_count, size_t* size_bytes) {
+sinew_status sinew_retarget_contacts_workspace_size(const sinew_retarget* plan, const sinew_motion_body* target,
+                                                    uint32_t frame_count, size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
   if (plan == nullptr || target == nullptr) return SINEW_ERROR_ARGUMENT;
-  *size_bytes = sinew::measure_contacts(plan->source.count, plan->target.count, target->vertex_count,
-                                        target->triangle_count, frame_count);
+  *size_bytes = sinew::motion::measure_contacts(plan->source.count, plan->target.count, target->vertex_count,
+                                                target->triangle_count, frame_count);
   return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
 }
 
 sinew_status sinew_retarget_contacts(sinew_retarget* plan, const sinew_motion_body* source,
                                      const sinew_motion_body* target, const sinew_motion_clip* clip,
                                      const sinew_contact_options* options, void* workspace, size_t workspace_bytes) {
-  sinew::ClipInputs inputs;
+  sinew::motion::ClipInputs inputs;
   const sinew_status status = read_contacts(plan, source, target, clip, options, workspace, &inputs);
   if (status != SINEW_OK) return status;
   sinew::Arena arena(workspace, workspace_bytes);
-  return sinew::run_contacts(plan, source, *target, inputs, arena);
+  return sinew::motion::run_contacts(plan, source, *target, inputs, arena);
 }
 
 sinew_status sinew_retarget_keep_range(sinew_retarget* plan, const sinew_motion_body* target,
                                        const sinew_motion_clip* clip, void* workspace, size_t workspace_bytes) {
   const sinew_status status = check_clip(plan, nullptr, target, clip, workspace);
   if (status != SINEW_OK) return status;
-  const sinew::ClipInputs inputs = clip_inputs(*clip, 30, {});
+  const sinew::motion::ClipInputs inputs = clip_inputs(*clip, 30, {});
   sinew::Arena arena(workspace, workspace_bytes);
-  return sinew::keep_range(plan, *target, inputs, arena);
+  return sinew::motion::keep_range(plan, *target, inputs, arena);
 }
 
 sinew_status sinew_retarget_measure(sinew_retarget* plan, const sinew_motion_body* source,
@@ -173,14 +176,18 @@ sinew_status sinew_retarget_spots(sinew_retarget* plan, const sinew_motion_body*
   return measure(plan, source, target, clip, options, workspace, workspace_bytes, limbs, limb_count, spots);
 }
 
-sinew_status sinew_retarget_reference_points_size(const sinew_retarget* plan, const sinew_motion_body* target,
-                                                  size_t* size_bytes) {
+sinew_status sinew_retarget_reference_points_workspace_size(const sinew_retarget* plan, const sinew_motion_body* target,
+                                                            size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
   if (plan == nullptr || target == nullptr) return SINEW_ERROR_ARGUMENT;
-  *size_bytes = sinew::measure_reference_points(plan->source.count, plan->target.count, target->vertex_count,
-                                                target->triangle_count);
-  return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
+  if constexpr (sinew::kHasPublished) {
+    *size_bytes = sinew::motion::measure_reference_points(plan->source.count, plan->target.count, target->vertex_count,
+                                                          target->triangle_count);
+    return *size_bytes == 0 ? SINEW_ERROR_COUNT : SINEW_OK;
+  } else {
+    return SINEW_ERROR_NOT_BUILT;
+  }
 }
 
 sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_motion_body* source,
@@ -188,14 +195,18 @@ sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_m
                                              const sinew_reference_options* options, void* workspace,
                                              size_t workspace_bytes) {
   if (source == nullptr) return SINEW_ERROR_ARGUMENT;
-  sinew::ReferenceOptions own;
-  sinew::Progress progress = {};
-  sinew_status status = sinew::read_reference_options(options, &own, &progress);
-  if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
-  if (status != SINEW_OK) return status;
-  const sinew::ClipInputs inputs = clip_inputs(*clip, 30, progress);
-  sinew::Arena arena(workspace, workspace_bytes);
-  return sinew::run_reference_points(plan, *source, *target, inputs, own, arena);
+  if constexpr (sinew::kHasPublished) {
+    sinew::motion::ReferenceOptions own;
+    sinew::Progress progress = {};
+    sinew_status status = sinew::motion::read_reference_options(options, &own, &progress);
+    if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
+    if (status != SINEW_OK) return status;
+    const sinew::motion::ClipInputs inputs = clip_inputs(*clip, 30, progress);
+    sinew::Arena arena(workspace, workspace_bytes);
+    return sinew::motion::run_reference_points(plan, *source, *target, inputs, own, arena);
+  } else {
+    return SINEW_ERROR_NOT_BUILT;
+  }
 }
 
 }  // extern "C"

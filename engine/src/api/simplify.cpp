@@ -18,17 +18,19 @@ sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_t* size_by
   return sinew::measure(size_bytes, [&](sinew::Arena& arena) { return sinew::run_simplify(plan, arena, nullptr); });
 }
 
-sinew_status sinew_simplify(const float* positions, const int32_t* parents, uint32_t joint_count, const float* areas,
-                            const uint8_t* keep, const sinew_simplify_options* options, void* workspace,
-                            size_t workspace_bytes, uint32_t* into) {
-  if (positions == nullptr || parents == nullptr || workspace == nullptr || into == nullptr)
-    return SINEW_ERROR_ARGUMENT;
+sinew_status sinew_simplify(const sinew_skeleton* skeleton, const float* areas, const uint8_t* keep,
+                            const sinew_simplify_options* options, void* workspace, size_t workspace_bytes,
+                            uint32_t* into) {
+  if (workspace == nullptr || into == nullptr) return SINEW_ERROR_ARGUMENT;
+  sinew_skeleton joints;
+  sinew_status status = sinew::read_skeleton(skeleton, &joints);
+  if (status != SINEW_OK) return status;
   sinew::SimplifyPlan plan;
-  const sinew_status status = sinew::plan_simplify(joint_count, options, &plan);
+  status = sinew::plan_simplify(joints.joint_count, options, &plan);
   if (status != SINEW_OK) return status;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
-  plan.positions = positions;
-  plan.parents = parents;
+  plan.positions = joints.positions;
+  plan.parents = joints.parents;
   plan.areas = areas;
   plan.keep = keep;
   sinew::Arena arena(workspace, workspace_bytes);

@@ -140,11 +140,13 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   const Counts surface = counts.surface();
   const Mesh& mesh_of_stages = out->surface();
 
-  if (kHasExtras && purpose == PrepareFor::kDistance) {
-    if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-    status = weigh_by_distance(mesh_of_stages, out->skeleton, out->source_joints, surface, arena, &out->heat);
-    if (status != SINEW_OK) return status;
-    return progress.report(ends_at::kHeatAlone) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+  if constexpr (kHasPublished) {
+    if (purpose == PrepareFor::kDistance) {
+      if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
+      status = weigh_by_distance(mesh_of_stages, out->skeleton, out->source_joints, surface, arena, &out->heat);
+      if (status != SINEW_OK) return status;
+      return progress.report(ends_at::kHeatAlone) ? SINEW_OK : SINEW_ERROR_CANCELLED;
+    }
   }
   const bool network = purpose != PrepareFor::kHeat;
   const size_t mark = arena.mark();

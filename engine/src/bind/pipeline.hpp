@@ -46,7 +46,7 @@ sinew_status build_mesh_and_skeleton(const sinew_mesh& mesh_input, const sinew_s
 // Runs the stages that the purpose needs. They run on the reduced mesh from the candidates on if the mesh exceeds what
 // counts.surface() bounds. Features include the spectral ones if counts.feature_flags ask for them.
 //   mesh, skeleton  the caller's; not read with a measuring arena
-//   up_axis         as in sinew_options
+//   up_axis         0 = Y is up, 1 = Z
 //   progress        reported up to ends_at::kSpectral, for kHeat up to ends_at::kHeatAlone
 //   arena           holds what `out` points to; scratch is released
 // Returns SINEW_OK, SINEW_ERROR_WORKSPACE, SINEW_ERROR_CANCELLED, or what build_mesh_and_skeleton() refuses.

@@ -8,6 +8,7 @@
 #include "core/struct_size.hpp"
 #include "kernels/select.hpp"
 #include "model/task.hpp"
+#include "sinew/published.h"
 
 namespace sinew {
 namespace {
@@ -25,17 +26,18 @@ bool is_default_or_in(uint32_t value, uint32_t least, uint32_t most) {
 // What can be said of the options without the model and the counts.
 sinew_status check_options(const sinew_options& o) {
   if (o.symmetric > 1 || o.method > SINEW_METHOD_DISTANCE || o.influence_count > SINEW_MAX_INFLUENCES ||
-      o.up_axis > 1 || o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS ||
-      kernel_name(o.kernel) == nullptr || o.weight_format > SINEW_WEIGHT_FLOAT ||
-      o.rigid_parts > SINEW_RIGID_PARTS_NEVER || !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) ||
-      !is_default_or_in(o.softness_percent, 25, 400) || o.answer_count > SINEW_MAX_QUESTIONS ||
-      o.question_count > SINEW_MAX_QUESTIONS || (o.answer_count > 0 && o.answers == nullptr)) {
+      o.weights_in_place > 1 || o.thread_count > SINEW_MAX_THREADS || kernel_name(o.kernel) == nullptr ||
+      o.weight_format > SINEW_WEIGHT_FLOAT || o.rigid_parts > SINEW_RIGID_PARTS_NEVER ||
+      !is_default_or_in(o.surface_vertices, 16, SINEW_MAX_VERTICES) || !is_default_or_in(o.softness_percent, 25, 400) ||
+      o.answer_count > SINEW_MAX_QUESTIONS || o.question_count > SINEW_MAX_QUESTIONS ||
+      (o.answer_count > 0 && o.answers == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (!kHasExtras && (o.hints != nullptr || o.method == SINEW_METHOD_DISTANCE || o.symmetric != 0 ||
-                      o.rigid_parts != SINEW_RIGID_PARTS_AUTO || o.surface_vertices != 0 || o.answer_count != 0 ||
-                      o.question_count != 0)) {
-    return SINEW_ERROR_ARGUMENT;
+  if (o.reserved != 0) return SINEW_ERROR_VERSION;
+  if (!kHasPublished && o.method == SINEW_METHOD_DISTANCE) return SINEW_ERROR_NOT_BUILT;
+  if (!kHasExtras && (o.hints != nullptr || o.symmetric != 0 || o.rigid_parts != SINEW_RIGID_PARTS_AUTO ||
+                      o.surface_vertices != 0 || o.answer_count != 0 || o.question_count != 0)) {
+    return SINEW_ERROR_NOT_BUILT;
   }
   return SINEW_OK;
 }
@@ -83,7 +85,7 @@ sinew_status plan_bind(const sinew_model* model, uint32_t vertices, uint32_t fac
   // The size query does not ask the processor: packed weights have room wherever the caller does not rule them out.
   plan->network.weights_in_place = o.weights_in_place != 0 || o.kernel == SINEW_KERNEL_REF;
   plan->kernel = o.kernel;
-  plan->up_axis = o.up_axis;
+  plan->up_axis = 0;
   plan->rows = row_options(o);
   plan->progress = Progress{o.progress, o.progress_user};
   return status;

@@ -19,8 +19,8 @@ struct BindPlan {
   bool by_distance;   // or from distances
   sinew_model model;  // valid with_network
   NetworkOptions network;
-  uint32_t kernel;  // sinew_kernel that the caller wants
-  uint32_t up_axis;
+  uint32_t kernel;   // sinew_kernel that the caller wants
+  uint32_t up_axis;  // of the skeleton, set by the caller of plan_bind(): 0 = Y, 1 = Z
   RowOptions rows;
   Progress progress;
 

@@ -3,7 +3,7 @@
 #include "deform/contacts.hpp"
 #include "deform/pins.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr int kRounds = 10;
@@ -104,4 +104,4 @@ Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t v
   return rest.unit * sum;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

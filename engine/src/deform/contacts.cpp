@@ -5,7 +5,7 @@
 #include "core/vector_math.hpp"
 #include "deform/solver.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr double kCell = kCellUnits;
@@ -204,11 +204,7 @@ class ContactFinder {
     const size_t n = rest_.influence_count, row = rest_.first[u] * n;
     double nearest = 2;
     for (uint32_t k = 0; k < 4; ++k) {
-      uint32_t common = 0;
-      for (size_t i = row; i < row + n; ++i) {
-        const uint32_t other = lattice_.rows[t.nodes[k]].of(rest_.joints[i]);
-        common += other < rest_.weights[i] ? other : rest_.weights[i];
-      }
+      const uint32_t common = common_weight(lattice_.rows[t.nodes[k]], rest_.joints + row, rest_.weights + row, n);
       nearest = lesser(nearest, 2 - common / 32767.5);
     }
     return greater(by_place, ramp(nearest, kOtherRow, kFarRow));
@@ -344,4 +340,4 @@ bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count
 
 bool find_contacts(const ContactInput& input, ContactState* state) { return ContactFinder(input, state).run(); }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -5,7 +5,7 @@
 
 #include "deform/half_spaces.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 // Passes of find_contacts() and press_contacts() over one pose: what one pass leaves inside, the next one finds nearer to the surface.
 constexpr int kContactPasses = 3;
@@ -60,5 +60,5 @@ void press_contacts(const DeformRest& rest, ContactState* state);
 // How far a caller's vertex goes with them, the caller's units.
 Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t vertex);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -7,7 +7,7 @@
 #include "core/vector_math.hpp"
 #include "voxels/triangle_cells.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFFu;
@@ -359,4 +359,4 @@ void join_corners(const VoxelGrid& grid, uint32_t most_nodes, Copies* copies) {
   copies->node_count = count;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -5,7 +5,7 @@
 
 #include "deform/lattice.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 // Rows that differ by less are one part of the body: 0.75 of 2. From 0.4 to 1.5 bends come out the same.
 constexpr uint32_t kSameRows = 49151;
@@ -47,5 +47,5 @@ sinew_status find_copies(const LatticeInput& input, const LatticeBounds& bounds,
 // Joins corners of copies that hang together and numbers the nodes by first appearance.
 void join_corners(const VoxelGrid& grid, uint32_t most_nodes, Copies* copies);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -5,7 +5,7 @@
 
 #include "deform/posed_joints.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 struct PoseCounts {
   uint32_t active_tetrahedra = 0, inverted_tetrahedra = 0;
@@ -17,5 +17,5 @@ sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* places, 
 sinew_status pose_published(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts);
 sinew_status pose_delta_mush(const PosedJoints& posed, Arena& arena, Vec3d* places);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

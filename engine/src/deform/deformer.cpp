@@ -4,10 +4,12 @@
 
 #include <string.h>
 
+#include "core/build.hpp"
 #include "deform/correction.hpp"
 #include "kernels/cpu.hpp"
+#include "sinew/published.h"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 // With a measuring arena only takes memory.
@@ -23,7 +25,9 @@ sinew_status run_pose(const DeformRest& rest, const float* palette, Arena& arena
   const uint32_t n = rest.influence_count;
   if (arena.measuring() || posed.rigid) {
     if (rest.options.method == SINEW_DEFORM_VOLUME) status = pose_volume(posed, arena, places, &counts);
-    if (rest.options.method == SINEW_DEFORM_XPBD) status = pose_published(posed, arena, places, &counts);
+    if constexpr (kHasPublished) {
+      if (rest.options.method == SINEW_DEFORM_XPBD) status = pose_published(posed, arena, places, &counts);
+    }
     if (rest.options.method == SINEW_DEFORM_DELTA_MUSH) status = pose_delta_mush(posed, arena, places);
     if (status != SINEW_OK || arena.measuring()) return status;
   } else {
@@ -73,4 +77,4 @@ sinew_status pose_deformer(const DeformRest& rest, const float* palette, Arena& 
   return run_pose(rest, palette, arena, outputs);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

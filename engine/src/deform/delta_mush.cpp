@@ -4,7 +4,7 @@
 #include "deform/correction.hpp"
 #include "deform/smoothing.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr int kTurnSteps = 12;
@@ -85,4 +85,4 @@ sinew_status pose_delta_mush(const PosedJoints& posed, Arena& arena, Vec3d* plac
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

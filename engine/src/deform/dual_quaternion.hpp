@@ -7,7 +7,7 @@
 #include "core/vec3d.hpp"
 #include "deform/rotation_quaternion.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 using Quaternion = QuaternionOf<double>;
 inline Quaternion operator*(double s, const Quaternion& q) { return {s * q.w, s * q.x, s * q.y, s * q.z}; }
@@ -54,5 +54,5 @@ inline Vec3d move(const DualQuaternion& sum, Vec3d p) {
   return rotate(real, p) + 2.0 * Vec3d{t.x, t.y, t.z};
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -2,7 +2,7 @@
 // One plane a folding joint, and the vertices near it that belong to one of its sides.
 #include "deform/half_spaces.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr double kLeastFold = 0.1;        // growth of the cosine between the bones, below which nothing touches
@@ -73,4 +73,4 @@ void find_half_spaces(const PosedJoints& posed, const Threads& threads, BendPlan
   });
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

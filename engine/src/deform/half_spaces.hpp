@@ -6,7 +6,7 @@
 #include "core/threads.hpp"
 #include "deform/posed_joints.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 // A vertex stays where normal . x >= offset. Without one the normal is 0.
 struct HalfSpace {
@@ -31,5 +31,5 @@ struct BendPlane {
 };
 void find_half_spaces(const PosedJoints& posed, const Threads& threads, BendPlane* planes, HalfSpace* spaces);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

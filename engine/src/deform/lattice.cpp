@@ -9,7 +9,7 @@
 #include "mesh/topology.hpp"
 #include "voxels/triangle_cells.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 // Triangles and cells that touch: more would need gigabytes.
@@ -270,7 +270,7 @@ class LatticeMaker {
 
   // In the tetrahedron whose smallest share is the largest. The vertex lies in its cell, so no share is below 0 there, but
   // for rounding.
-  void embed_in(uint32_t copy, uint32_t cell, Vec3i position, Embedding* place) const {
+  void embed_in(uint32_t copy, uint32_t cell, Vec3i position, Embedding* embedding) const {
     const Vec3i at = cell_coordinates(grid_, cell);
     const double size = grid_.cell_size;
     const Vec3d p = {(position.x - grid_.low.x - at.x * grid_.cell_size) / size,
@@ -292,16 +292,16 @@ class LatticeMaker {
       for (int k = 1; k < 4; ++k) least = shares[k] < least ? shares[k] : least;
       if (least <= best) continue;
       best = least;
-      place->tetrahedron = 5 * copy + t;
+      embedding->tetrahedron = 5 * copy + t;
       int32_t rest = 1 << kShareBits;
       uint32_t largest = 0;
       for (uint32_t k = 0; k < 4; ++k) {
         const double scaled = shares[k] * (1 << kShareBits) + 0.5;
-        place->shares[k] = static_cast<int16_t>(scaled < 0 ? 0 : static_cast<int32_t>(scaled));
-        rest -= place->shares[k];
-        if (place->shares[k] > place->shares[largest]) largest = k;
+        embedding->shares[k] = static_cast<int16_t>(scaled < 0 ? 0 : static_cast<int32_t>(scaled));
+        rest -= embedding->shares[k];
+        if (embedding->shares[k] > embedding->shares[largest]) largest = k;
       }
-      place->shares[largest] = static_cast<int16_t>(place->shares[largest] + rest);
+      embedding->shares[largest] = static_cast<int16_t>(embedding->shares[largest] + rest);
     }
   }
 
@@ -387,4 +387,4 @@ sinew_status build_lattice(const LatticeInput& input, const LatticeBounds& bound
   return LatticeMaker(input, bounds, grid, lattice).run(arena);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -9,7 +9,7 @@
 #include "mesh/mesh.hpp"
 #include "voxels/voxels.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 constexpr uint32_t kNoTetrahedron = 0xFFFFFFFFu;
 constexpr int kShareBits = 14;  // barycentric coordinates are Q14
@@ -76,5 +76,5 @@ struct LatticeInput {
 sinew_status build_lattice(const LatticeInput& input, const LatticeBounds& bounds, const VoxelGrid& grid, Arena& arena,
                            Lattice* lattice);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

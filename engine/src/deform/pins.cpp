@@ -4,7 +4,7 @@
 
 #include "deform/dual_quaternion.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint16_t kRigidWeight = 64225;  // 0.98
@@ -96,4 +96,4 @@ void find_pins(DeformRest* rest) {
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

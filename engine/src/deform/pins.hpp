@@ -5,7 +5,7 @@
 
 #include "deform/rest.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 // Grows a set of nodes over tetrahedra: one with a member makes members of all four. Bits `mask` of flags [n].
 void grow_nodes(const Lattice& lattice, uint8_t mask, uint32_t rounds, uint8_t* flags);
@@ -17,5 +17,5 @@ void find_rigid_parts(const Mesh& mesh, uint8_t* soft, DeformRest* rest);
 // Fills rest->node_flags: free are nodes whose largest weight is below 0.98, grown twice, but those at bones.
 void find_pins(DeformRest* rest);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

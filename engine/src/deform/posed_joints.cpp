@@ -2,7 +2,7 @@
 // Scale, quaternions along the hierarchy, rigid groups and twists of a palette.
 #include "deform/posed_joints.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr double kLargest = 1e15;         // of an element of a matrix
@@ -223,4 +223,4 @@ Vec3d blend_dual(const PosedJoints& posed, const uint16_t* joints, const uint16_
   return most > 0 ? dual + most * (blend_linear(posed, joints, weights, n, p) - dual) : dual;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

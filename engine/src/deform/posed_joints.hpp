@@ -6,7 +6,7 @@
 #include "deform/dual_quaternion.hpp"
 #include "deform/rest.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 struct PosedJoint {
   double matrix[12];       // row-major 3x4, the common scale divided out
@@ -62,5 +62,5 @@ double row_overturn(const PosedJoints& posed, const uint16_t* joints, const uint
 // and more linearly, so that nothing jumps where the quaternions change sides.
 Vec3d blend_dual(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n, Vec3d p);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -7,7 +7,7 @@
 #include "deform/pins.hpp"
 #include "deform/smoothing.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr double kEnergy = 0.2;           // stiffness of the springs from the centroid to the corners
@@ -221,4 +221,4 @@ sinew_status pose_published(const PosedJoints& posed, Arena& arena, Vec3d* place
   return PublishedPose(posed, places, counts).run(arena);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -6,14 +6,16 @@
 #include <string.h>
 
 #include "bind/pipeline.hpp"
+#include "core/build.hpp"
 #include "core/struct_size.hpp"
 #include "deform/dual_quaternion.hpp"
 #include "deform/pins.hpp"
 #include "deform/smoothing.hpp"
 #include "deform/solver.hpp"
 #include "grid/caller_units.hpp"
+#include "sinew/published.h"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kFirstOptionsSize = offsetof(sinew_deform_options, no_smoothing) + sizeof(uint32_t);
@@ -172,6 +174,7 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     return SINEW_ERROR_ARGUMENT;
   }
   if (o.cell_count == 0) o.cell_count = 32;
+  if (!kHasPublished && o.method == SINEW_DEFORM_XPBD) return SINEW_ERROR_NOT_BUILT;
   if (o.round_count == 0) o.round_count = o.method == SINEW_DEFORM_DELTA_MUSH ? 5 : 20;
   if (o.softness == 0) o.softness = 5 * 256;
   return SINEW_OK;
@@ -252,4 +255,4 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

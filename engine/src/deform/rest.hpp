@@ -9,7 +9,7 @@
 #include "deform/skin_surface.hpp"
 #include "sinew/sinew.h"
 
-namespace sinew {
+namespace sinew::deform {
 
 constexpr uint8_t kNodeFree = 1;    // may move: near a blend of weights, and not at a bone
 constexpr uint8_t kNodeAtBone = 2;  // never moves
@@ -69,7 +69,7 @@ struct DeformRest {
 
 struct RestInput {
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = {};
+  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
   sinew_skin skin = {};
   sinew_deform_options options = {};  // defaults filled in
 };
@@ -81,5 +81,5 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
 // counts. Errors are those of sinew_deform_create().
 sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -3,7 +3,7 @@
 #ifndef SINEW_DEFORM_ROTATION_QUATERNION_HPP
 #define SINEW_DEFORM_ROTATION_QUATERNION_HPP
 
-namespace sinew {
+namespace sinew::deform {
 
 template <class Real>
 struct QuaternionOf {
@@ -22,5 +22,5 @@ QuaternionOf<Real> long_rotation_quaternion(const Real* m) {
   return {m[4] - m[1], m[2] + m[8], m[9] + m[6], z2};
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

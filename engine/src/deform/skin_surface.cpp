@@ -6,7 +6,7 @@
 
 #include "core/triangle_point.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kMostSteps = 64;   // from vertex to vertex
@@ -132,4 +132,4 @@ void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t pinn
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -6,7 +6,7 @@
 #include "core/vec3d.hpp"
 #include "deform/lattice.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 constexpr uint32_t kMostCorners = 256;
 
@@ -45,5 +45,5 @@ void fill_surface(const Mesh& mesh, const Lattice& lattice, SkinSurface* surface
 void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t pinned, const uint8_t* rigid,
                  uint32_t welded_count, SkinSurface* surface);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -6,7 +6,7 @@
 
 #include "deform/rotation_quaternion.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr float kUnorm16 = 1.0f / 65535.0f;
@@ -107,4 +107,4 @@ sinew_status skin_dual_quaternion(const float* positions, uint32_t vertex_count,
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

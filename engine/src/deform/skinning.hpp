@@ -5,7 +5,7 @@
 
 #include "sinew/sinew.h"
 
-namespace sinew {
+namespace sinew::deform {
 
 // As in sinew.h; the caller has checked for null pointers and influence_count >= 1. Every joint index is checked before
 // anything is written, those of zero weights too. No scratch, no library call.
@@ -19,5 +19,5 @@ sinew_status skin_dual_quaternion(const float* positions, uint32_t vertex_count,
                                   const uint16_t* weights, uint32_t influence_count, const float* palette,
                                   uint32_t joint_count, float* out);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

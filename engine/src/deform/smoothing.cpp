@@ -2,7 +2,7 @@
 // Rounds of Jacobi over the one-ring.
 #include "deform/smoothing.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 void find_borders(uint8_t* edge_triangles, DeformRest* rest) {
   const uint32_t* const offsets = rest->row_offsets;
@@ -48,4 +48,4 @@ void smooth_rest(DeformRest* rest) {
   smooth(*rest, rest->options.round_count, nullptr, rest->smooth + rest->vertex_count, rest->smooth);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -5,7 +5,7 @@
 
 #include "deform/rest.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 // Fills rest->border: vertices of edges with one triangle. edge_triangles [6 T] is scratch.
 void find_borders(uint8_t* edge_triangles, DeformRest* rest);
@@ -15,5 +15,5 @@ void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d*
 // Fills rest->smooth from the rest pose; its second half is scratch.
 void smooth_rest(DeformRest* rest);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -4,7 +4,7 @@
 
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kWorthThreads = 2048;
@@ -221,4 +221,4 @@ uint32_t count_inverted(const SolverState& state) {
   return count;
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

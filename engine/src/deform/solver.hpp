@@ -8,7 +8,7 @@
 #include "core/vec3d.hpp"
 #include "deform/lattice.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 // Places beyond are clamped to it, in lattice units: 16,384 cells.
 constexpr int32_t kFarthest = 1 << 28;
@@ -62,5 +62,5 @@ void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const Con
 // Tetrahedra of the list that are inside out.
 uint32_t count_inverted(const SolverState& state);
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -7,7 +7,7 @@
 #include "deform/pins.hpp"
 #include "deform/solver.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 constexpr uint32_t kRingsAroundStrain = 3;
@@ -243,4 +243,4 @@ sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* places, 
   return VolumePose(posed, places, counts).run(arena);
 }
 
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -6,7 +6,7 @@
 #include "core/arena.hpp"
 #include "core/fixed.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 
 constexpr uint32_t kNodeSlots = 8;
 
@@ -24,16 +24,22 @@ struct WeightRow {
   bool empty() const { return weights[0] == 0; }
 };
 
+// Weight that a row shares with `count` influences, which may have any order: the lesser of both, summed over joints.
+inline uint32_t common_weight(const WeightRow& row, const uint16_t* joints, const uint16_t* weights, size_t count) {
+  uint32_t common = 0;
+  for (size_t i = 0; i < count; ++i) {
+    if (weights[i] == 0) continue;
+    const uint32_t other = row.of(joints[i]);
+    common += other < weights[i] ? other : weights[i];
+  }
+  return common;
+}
+
 // Sum over all joints of how far two rows are apart, 0..131070.
 inline uint32_t row_distance(const WeightRow& a, const WeightRow& b) {
-  uint32_t common = 0, whole = 0;
-  for (uint32_t s = 0; s < kNodeSlots; ++s) {
-    whole += static_cast<uint32_t>(a.weights[s]) + b.weights[s];
-    if (a.weights[s] == 0) continue;
-    const uint32_t other = b.of(a.joints[s]);
-    common += other < a.weights[s] ? other : a.weights[s];
-  }
-  return whole - 2 * common;
+  uint32_t whole = 0;
+  for (uint32_t s = 0; s < kNodeSlots; ++s) whole += static_cast<uint32_t>(a.weights[s]) + b.weights[s];
+  return whole - 2 * common_weight(b, a.joints, a.weights, kNodeSlots);
 }
 
 // Adds up weights of many rows, then gives the largest as a row and is empty again.
@@ -100,5 +106,5 @@ class RowSum {
   uint32_t count_ = 0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::deform
 #endif

@@ -6,85 +6,14 @@
 
 #include <string.h>
 
-#include "core/sort.hpp"
-#include "features/channels.hpp"
-#include "features/parts.hpp"
+#include "features/part_tables.hpp"
 #include "skeleton/bones.hpp"
 
 namespace sinew {
+namespace features {
 namespace {
 
-constexpr int32_t kOne = 1 << kFeatureBits;
-constexpr int32_t kWeightOne = 1 << 15;  // heat weights are Q15
-constexpr uint32_t kLogFloor = 4;        // Q15: logs of heat weights start at 2^-13
-constexpr int64_t kLogFloorLog = -13 * (1 << 16);
-constexpr int32_t kSoftLength =
-    kSide / 256;                        // added to lengths before a logarithm, so that noise at contact does not count
 constexpr uint32_t kListedHeat = 1638;  // Q15, 5 %: a heat joint above it is always a candidate
-
-enum VertexFeature : uint32_t {
-#define SINEW_CHANNEL(name) kV_##name,
-  SINEW_VERTEX_CHANNELS(SINEW_CHANNEL)
-#undef SINEW_CHANNEL
-      kVertexFeatureCount
-};
-enum PairFeature : uint32_t {
-#define SINEW_CHANNEL(name) kP_##name,
-  SINEW_PAIR_CHANNELS(SINEW_CHANNEL)
-#undef SINEW_CHANNEL
-      kPairFeatureCount
-};
-
-// From here on a pair's channels depend on the joint and the part alone.
-constexpr uint32_t kFirstPartChannel = kP_host_share;
-constexpr uint32_t kPartChannels = kPairFeatureCount - kFirstPartChannel;
-
-SINEW_ONCE int16_t q13(int64_t value) { return clamp16(value, -2 * kOne, 2 * kOne - 1); }
-// value / whole in Q13, rounded half up; whole > 0.
-int16_t ratio_q13(int64_t value, int64_t whole) {
-  const int64_t twice = 2 * value * kOne + whole;
-  const int64_t q = twice / (2 * whole);
-  return q13(q * 2 * whole > twice ? q - 1 : q);
-}
-// The same of the mesh's longest side.
-int16_t side_ratio_q13(int64_t value) { return q13(round_shift(value * kOne, kGridBits)); }
-// log2(value) / 2^shift in Q13, for value >= 1; `minus` is subtracted first, both Q16.
-int16_t log_q13(uint64_t value, int32_t minus_q16, int shift) {
-  return q13(round_shift(static_cast<int64_t>(log2_q16(value)) - minus_q16, 3 + shift));
-}
-// Natural log of a Q15 weight divided by kLogFeatureDivisor = 8, in Q13. 45426 = ln 2 in Q16.
-int16_t weight_log_q13(uint32_t weight) {
-  const int64_t l = weight <= kLogFloor ? kLogFloorLog : static_cast<int64_t>(log2_q16(weight)) - (15 << 16);
-  return q13(round_shift(l * 45426, 16 + 3 + 3));
-}
-// sqrt of a Q15 weight in Q13.
-int16_t weight_root_q13(uint32_t weight) { return q13(isqrt64(static_cast<uint64_t>(weight) << 11)); }
-int16_t weight_q13(uint32_t weight) { return q13((weight + 2) >> 2); }
-
-// Channels of a Q15 weight; `relative` to the largest of its row unless that is 0. Most candidates have none.
-struct WeightChannels {
-  int16_t weight, root, log, relative;
-};
-WeightChannels weight_channels(uint32_t weight, uint32_t largest) {
-  if (weight == 0) return {0, 0, weight_log_q13(0), 0};
-  return {weight_q13(weight), weight_root_q13(weight), weight_log_q13(weight),
-          largest == 0 ? int16_t{0} : ratio_q13(weight, largest)};
-}
-
-struct Row {  // a finished heat row
-  uint16_t joints[kHeatSlots];
-  uint16_t weights[kHeatSlots];
-  uint32_t count = 0;
-
-  void load(const HeatField& field, uint32_t vertex) { count = finish_heat_row(field, vertex, joints, weights); }
-  uint32_t top() const {  // slot of the largest weight, ties to the lower joint
-    uint32_t best = 0;
-    for (uint32_t i = 1; i < count; ++i) {
-      if (weights[i] > weights[best] || (weights[i] == weights[best] && joints[i] < joints[best])) best = i;
-    }
-    return best;
-  }
-};
 
 // What the vertex at work knows of a joint.
 struct JointEntry {
@@ -94,46 +23,6 @@ struct JointEntry {
   uint16_t rule, parts, soft, rule_raw;  // Q15
   uint16_t chosen;
 };
-
-// What one part thinks of each joint, refilled part by part. One per lane lies in the workspace, whose size must not
-// depend on the host's pointers: aligned to a multiple that both kinds fill.
-struct alignas(64) PartTables {
-  int64_t* own = nullptr;      // [J] sum of rule weights over the part's vertices, Q15
-  int64_t* subtree = nullptr;  // [J] the same summed over the joint's subtree
-  int64_t* host = nullptr;     // [J] sum of rule weights over the host vertices
-  int64_t* host_subtree = nullptr;
-  uint8_t* in_box = nullptr;   // [J]
-  uint8_t* topmost = nullptr;  // [J] in the box, and no ancestor is
-  uint8_t* covered = nullptr;  // [J] in the box or below one that is
-  uint8_t* deepest = nullptr;  // [J] subtree holds 90 % of the part, no child's does
-  int16_t* pair = nullptr;     // [J x kPartChannels] channels of a pair that all vertices of the part share
-  uint8_t* paired = nullptr;   // [J] whether it was written
-  int16_t* vertex = nullptr;   // [kVertexFeatureCount] channels of a vertex that all of the part share, the others 0
-  int64_t host_total = 0;
-  uint16_t own_top = kNoJoint, host_top = kNoJoint, box_top = kNoJoint;
-  Vec3i centre = {0, 0, 0};
-  int32_t extent = 1, thickness = 1;
-  uint32_t contact = 0;  // mean distance of the closest quarter to the host
-
-  bool allocate(Arena& arena, uint32_t joints) {
-    own = arena.alloc<int64_t>(joints);
-    subtree = arena.alloc<int64_t>(joints);
-    host = arena.alloc<int64_t>(joints);
-    host_subtree = arena.alloc<int64_t>(joints);
-    in_box = arena.alloc<uint8_t>(joints);
-    topmost = arena.alloc<uint8_t>(joints);
-    covered = arena.alloc<uint8_t>(joints);
-    deepest = arena.alloc<uint8_t>(joints);
-    pair = arena.alloc<int16_t>(static_cast<size_t>(joints) * kPartChannels);
-    paired = arena.alloc<uint8_t>(joints);
-    vertex = arena.alloc<int16_t>(kVertexFeatureCount);
-    return arena.ok();
-  }
-};
-
-static_assert(sizeof(PartTables) == 128, "the workspace would have another size on this host");
-
-constexpr uint32_t kSmallPart = 256;  // vertices: parts below it are a lane's work each, larger ones all lanes'
 
 // A segment from a joint. The same size on every host.
 struct alignas(8) Bone {
@@ -205,10 +94,10 @@ struct Inputs {
 };
 
 // One lane's work.
-class Builder {
+class RowBuilder {
  public:
-  // `tables` are filled by fill_tables() or were, by another lane's.
-  Builder(const Inputs& inputs, PartTables& tables, uint64_t* keys, JointEntry* entries)
+  // `tables` are filled by fill() or were, by another lane's.
+  RowBuilder(const Inputs& inputs, PartTables& tables, uint64_t* keys, JointEntry* entries)
       : mesh_(inputs.mesh),
         skeleton_(inputs.skeleton),
         candidates_(inputs.candidates),
@@ -217,8 +106,10 @@ class Builder {
         out_(inputs.out),
         k_(inputs.candidates.k),
         tables_(tables),
-        keys_(keys),
+        part_(mesh_, skeleton_, candidates_, heat_, s_.parts, tables, keys),
         entries_(entries) {}
+
+  void fill_tables(uint32_t c) { part_.fill(c); }
 
   // Vertices [first, end) of the list of parts, all of part c.
   void write(uint32_t c, uint32_t first, uint32_t end) {
@@ -231,94 +122,7 @@ class Builder {
     }
   }
 
-  void fill_tables(uint32_t c) {
-    PartTables& t = tables_;
-    const uint32_t joints = skeleton_.joint_count;
-    const uint32_t first = mesh_.part_offsets[c], size = mesh_.part_sizes[c];
-    memset(t.own, 0, joints * sizeof(int64_t));
-    memset(t.host, 0, joints * sizeof(int64_t));
-    for (uint32_t i = 0; i < size; ++i) add_rule_row(mesh_.part_vertices[first + i], t.own);
-
-    t.host_total = 0;
-    t.contact = 0;
-    if (s_.parts.host_vertex[mesh_.part_vertices[first]] != kNoVertex) {
-      for (uint32_t i = 0; i < size; ++i) {
-        const uint32_t v = mesh_.part_vertices[first + i];
-        keys_[i] = static_cast<uint64_t>(s_.parts.host_distance[v]) << 32 | v;
-      }
-      sort_ascending(keys_, size);
-      const uint32_t closest = (size + 3) / 4;
-      uint64_t distance = 0;
-      for (uint32_t i = 0; i < closest; ++i) {
-        add_rule_row(s_.parts.host_vertex[static_cast<uint32_t>(keys_[i])], t.host);
-        distance += keys_[i] >> 32;
-      }
-      t.contact = static_cast<uint32_t>(distance / closest);
-      for (uint32_t j = 0; j < joints; ++j) t.host_total += t.host[j];
-    }
-    sum_subtrees(t.own, t.subtree);
-    sum_subtrees(t.host, t.host_subtree);
-
-    const Vec3i lo = s_.parts.box_min[c], hi = s_.parts.box_max[c];
-    t.centre = {(lo.x + hi.x) / 2, (lo.y + hi.y) / 2, (lo.z + hi.z) / 2};
-    const Vec3i side = hi - lo;
-    t.extent = side.x > side.y ? side.x : side.y;
-    t.extent = side.z > t.extent ? side.z : t.extent;
-    t.extent = t.extent < 1 ? 1 : t.extent;
-    t.thickness = side.x < side.y ? side.x : side.y;
-    t.thickness = side.z < t.thickness ? side.z : t.thickness;
-    const int32_t slack = t.extent / 64;
-    memset(t.deepest, 0, joints);
-    for (uint32_t i = 0; i < joints; ++i) {  // parents first
-      const uint32_t j = skeleton_.order[i];
-      const Vec3i p = skeleton_.positions[j];
-      const int32_t parent = skeleton_.parents[j];
-      t.in_box[j] = p.x >= lo.x - slack && p.x <= hi.x + slack && p.y >= lo.y - slack && p.y <= hi.y + slack &&
-                    p.z >= lo.z - slack && p.z <= hi.z + slack;
-      const bool above = parent >= 0 && t.covered[parent] != 0;
-      t.topmost[j] = t.in_box[j] != 0 && !above;
-      t.covered[j] = t.in_box[j] != 0 || above;
-      const int64_t enough = static_cast<int64_t>(size) * (kWeightOne / 10 * 9);
-      if (t.subtree[j] >= enough) {
-        t.deepest[j] = 1;
-        if (parent >= 0) t.deepest[parent] = 0;
-      }
-    }
-    t.own_top = argmax(t.own);
-    t.host_top = argmax(t.host);
-    t.box_top = kNoJoint;
-    for (uint32_t j = 0; j < joints; ++j) {
-      if (t.topmost[j] == 0 || skeleton_.usable[j] == 0) continue;
-      if (t.box_top == kNoJoint || t.subtree[j] > t.subtree[t.box_top]) t.box_top = static_cast<uint16_t>(j);
-    }
-    write_part_row(c);
-    memset(t.paired, 0, joints);
-    for (uint32_t j = 0; j < joints && size >= kSmallPart; ++j) (void)part_channels(j, c);
-  }
-
  private:
-  uint16_t argmax(const int64_t* table) const {
-    uint16_t best = kNoJoint;
-    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) {
-      if (table[j] > 0 && (best == kNoJoint || table[j] > table[best])) best = static_cast<uint16_t>(j);
-    }
-    return best;
-  }
-
-  void add_rule_row(uint32_t vertex, int64_t* table) {
-    Row row;
-    row.load(heat_.field[kFieldRule], vertex);
-    for (uint32_t i = 0; i < row.count; ++i) table[row.joints[i]] += row.weights[i];
-  }
-
-  void sum_subtrees(const int64_t* own, int64_t* subtree) const {
-    for (uint32_t j = 0; j < skeleton_.joint_count; ++j) subtree[j] = own[j];
-    for (uint32_t i = skeleton_.joint_count; i-- > 0;) {
-      const uint32_t j = skeleton_.order[i];
-      if (skeleton_.parents[j] >= 0) subtree[skeleton_.parents[j]] += subtree[j];
-    }
-  }
-
   JointEntry& entry(uint32_t joint) {
     JointEntry& e = entries_[joint];
     if (e.vertex != stamp_) {
@@ -409,29 +213,6 @@ class Builder {
     joints_[count_++] = joint;
   }
 
-  // The channels that all vertices of a part share; the others 0.
-  void write_part_row(uint32_t c) {
-    PartTables& t = tables_;
-    const uint32_t size = mesh_.part_sizes[c];
-    int16_t* const f = t.vertex;
-    memset(f, 0, kVertexFeatureCount * sizeof(int16_t));
-    f[kV_part_share_log] = q13((log2_q16(size) - log2_q16(mesh_.welded_count)) >> 6);
-    f[kV_part_source_share] = ratio_q13(s_.parts.source_count[c], size);
-    f[kV_part_count_log] = log_q13(mesh_.part_count, 0, 3);
-    f[kV_joint_count_log] = log_q13(skeleton_.joint_count, 0, 3);
-    f[kV_vertex_count_log] = log_q13(mesh_.welded_count, 8 << 16, 3);
-    f[kV_part_boundary_share] = ratio_q13(s_.parts.boundary_count[c], size);
-    f[kV_is_largest_part] = c == 0 ? kOne : 0;
-    f[kV_part_extent] = side_ratio_q13(t.extent);
-    f[kV_part_flatness] = ratio_q13(t.thickness, t.extent);
-    f[kV_part_purity] = t.own_top == kNoJoint ? int16_t{0} : share_q13(t.own[t.own_top], size);
-    f[kV_rule_is_parts] = heat_.part_rule[c] == 1 ? kOne : 0;
-    f[kV_rule_is_open] = heat_.part_rule[c] == 2 ? kOne : 0;
-    f[kV_host_purity] = t.host_top == kNoJoint ? int16_t{0} : ratio_q13(t.host[t.host_top], t.host_total);
-    f[kV_loose_share] = ratio_q13(mesh_.welded_count - mesh_.part_sizes[0], mesh_.welded_count);
-    f[kV_part_contact] = c == 0 ? int16_t{0} : log_q13(t.contact + uint64_t{kSoftLength}, 12 << 16, 2);
-  }
-
   void write_vertex(uint32_t v, uint32_t c) {
     int16_t* f = out_->vertex + static_cast<size_t>(v) * out_->vertex_channels;
     memcpy(f, tables_.vertex, kVertexFeatureCount * sizeof(int16_t));
@@ -443,9 +224,6 @@ class Builder {
     f[kV_has_source_parts] = heat_.field[kFieldParts].has_source[v] != 0 ? kOne : 0;
     f[kV_normal_up] = q13(mesh_.normals[v].y >> (kNormalBits - kFeatureBits));
   }
-
-  // A sum of Q15 weights over `size` vertices as their mean, Q13.
-  static int16_t share_q13(int64_t sum, uint32_t size) { return q13(sum / (static_cast<int64_t>(size) * 4)); }
 
   struct BoneFit {
     uint32_t distance;
@@ -489,39 +267,6 @@ class Builder {
       ++steps;
     }
     return steps;
-  }
-
-  // Written when the part's first vertex with this candidate asks; before its vertices where many lanes ask.
-  const int16_t* part_channels(uint32_t j, uint32_t c) {
-    const PartTables& t = tables_;
-    int16_t* const row = t.pair + static_cast<size_t>(j) * kPartChannels;
-    if (t.paired[j] != 0) return row;
-    t.paired[j] = 1;
-    const uint32_t size = mesh_.part_sizes[c];
-    const int32_t parent = skeleton_.parents[j];
-    int16_t f[kPairFeatureCount] = {};
-    if (t.host_total > 0) {
-      f[kP_host_share] = ratio_q13(t.host[j], t.host_total);
-      f[kP_host_subtree] = ratio_q13(t.host_subtree[j], t.host_total);
-      f[kP_is_host_top] = t.host_top == j ? kOne : 0;
-    }
-    f[kP_part_share] = share_q13(t.own[j], size);
-    f[kP_part_subtree] = share_q13(t.subtree[j], size);
-    f[kP_part_parent_subtree] = parent < 0 ? kOne : share_q13(t.subtree[parent], size);
-    f[kP_is_part_top] = t.own_top == j ? kOne : 0;
-    f[kP_joint_in_box] = t.in_box[j] != 0 ? kOne : 0;
-    f[kP_topmost_in_box] = t.topmost[j] != 0 ? kOne : 0;
-    f[kP_deepest_of_part] = t.deepest[j] != 0 ? kOne : 0;
-    const Vec3i to_centre = t.centre - skeleton_.positions[j];
-    const uint32_t centre_distance = isqrt64(static_cast<uint64_t>(dot(to_centre, to_centre)));
-    f[kP_centre_distance] = side_ratio_q13(2 * static_cast<int64_t>(centre_distance));
-    f[kP_centre_ratio] = log_q13(static_cast<uint64_t>(centre_distance) + kSoftLength,
-                                 log2_q16(static_cast<uint64_t>(t.extent) + kSoftLength), 2);
-    f[kP_territory] = log_q13(candidates_.territory[j] + uint64_t{16}, 16 << 16, 3);
-    f[kP_is_source] = heat_.source_joints[j] != 0 ? kOne : 0;
-    f[kP_is_root] = parent < 0 ? kOne : 0;
-    memcpy(row, f + kFirstPartChannel, kPartChannels * sizeof(int16_t));
-    return row;
   }
 
   void write_pairs(uint32_t v, uint32_t c) {
@@ -579,7 +324,7 @@ class Builder {
       f[kP_soft_nearest] = heat_.field[kFieldSoft].nearest[v] == j ? kOne : 0;
       f[kP_parent_rule] = parent < 0 ? int16_t{0} : weight_q13(entry(static_cast<uint32_t>(parent)).rule);
       f[kP_children_rule] = weight_q13(e.children_rule);
-      memcpy(f + kFirstPartChannel, part_channels(j, c), kPartChannels * sizeof(int16_t));
+      memcpy(f + kFirstPartChannel, part_.channels(j, c), kPartChannels * sizeof(int16_t));
     }
   }
 
@@ -596,10 +341,10 @@ class Builder {
   Features* out_;
   const uint32_t k_;
   PartTables& tables_;
-  uint64_t* keys_;
+  PartTableBuilder part_;
   JointEntry* entries_;
   // Of the vertex at work:
-  Row rule_, parts_, soft_;
+  HeatRow rule_, parts_, soft_;
   uint32_t stamp_ = 0;
   uint16_t joints_[SINEW_MAX_CANDIDATES] = {};
   uint32_t distances_[SINEW_MAX_CANDIDATES] = {};
@@ -621,16 +366,16 @@ void build(const Inputs& inputs, const Threads& threads) {
     while (end < mesh.part_count && mesh.part_sizes[end] < kSmallPart) ++end;
     if (end == c) {
       PartTables& tables = scratch.tables[0];
-      Builder(inputs, tables, keys_of(0), entries_of(0)).fill_tables(c);
+      RowBuilder(inputs, tables, keys_of(0), entries_of(0)).fill_tables(c);
       const uint32_t first = mesh.part_offsets[c];
       threads.ranges(mesh.part_sizes[c], kSmallPart / 4, [&](uint32_t from, uint32_t to, uint32_t lane) {
-        Builder(inputs, tables, keys_of(lane), entries_of(lane)).write(c, first + from, first + to);
+        RowBuilder(inputs, tables, keys_of(lane), entries_of(lane)).write(c, first + from, first + to);
       });
       ++c;
       continue;
     }
     threads.each(end - c, [&](uint32_t index, uint32_t lane) {
-      Builder builder(inputs, scratch.tables[lane], keys_of(lane), entries_of(lane));
+      RowBuilder builder(inputs, scratch.tables[lane], keys_of(lane), entries_of(lane));
       builder.fill_tables(c + index);
       builder.write(c + index, mesh.part_offsets[c + index], mesh.part_offsets[c + index + 1]);
     });
@@ -639,34 +384,35 @@ void build(const Inputs& inputs, const Threads& threads) {
 }
 
 }  // namespace
+}  // namespace features
 
-const uint32_t kVertexFeatures = kVertexFeatureCount;
-const uint32_t kPairFeatures = kPairFeatureCount;
-const uint32_t kPairLogRule = kP_rule_log;
-const uint32_t kPairLogParts = kP_parts_log;
+const uint32_t kVertexFeatures = features::kVertexFeatureCount;
+const uint32_t kPairFeatures = features::kPairFeatureCount;
+const uint32_t kPairLogRule = features::kP_rule_log;
+const uint32_t kPairLogParts = features::kP_parts_log;
 
 uint32_t vertex_channels(uint32_t feature_flags) {
-  return kVertexFeatureCount + ((feature_flags & kSpectralFlag) != 0 ? kSpectralChannels : 0);
+  return features::kVertexFeatureCount + ((feature_flags & kSpectralFlag) != 0 ? kSpectralChannels : 0);
 }
 
 bool Features::allocate(Arena& arena, const Counts& counts) {
   const size_t pairs = static_cast<size_t>(counts.vertices) * counts.candidates;
   vertex_channels = sinew::vertex_channels(counts.feature_flags);
   vertex = arena.alloc<int16_t>(static_cast<size_t>(counts.vertices) * vertex_channels);
-  pair = arena.alloc<int16_t>(pairs * kPairFeatureCount);
+  pair = arena.alloc<int16_t>(pairs * features::kPairFeatureCount);
   joints = arena.alloc<uint16_t>(pairs);
   return arena.ok();
 }
 
 sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates,
-                            const HeatFields& heat, const Counts& counts, Arena& arena, Features* features) {
+                            const HeatFields& heat, const Counts& counts, Arena& arena, Features* out) {
   const ArenaScope scope(arena);
-  Scratch scratch;
+  features::Scratch scratch;
   if (!scratch.allocate(arena, counts)) return SINEW_ERROR_WORKSPACE;
   const sinew_status status = find_parts(mesh, heat, counts, arena, &scratch.parts);
   if (status != SINEW_OK || arena.measuring()) return status;
-  list_bones(skeleton, candidates.tips, scratch.bone_offsets, scratch.bones);
-  build({mesh, skeleton, candidates, heat, scratch, features}, counts.threads);
+  features::list_bones(skeleton, candidates.tips, scratch.bone_offsets, scratch.bones);
+  features::build({mesh, skeleton, candidates, heat, scratch, out}, counts.threads);
   return SINEW_OK;
 }
 

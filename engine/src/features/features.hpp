@@ -41,7 +41,7 @@ struct Features {
 
 // Fills everything but the channels of flags, which their own stages write.
 sinew_status build_features(const Mesh& mesh, const Skeleton& skeleton, const Candidates& candidates,
-                            const HeatFields& heat, const Counts& counts, Arena& arena, Features* features);
+                            const HeatFields& heat, const Counts& counts, Arena& arena, Features* out);
 
 }  // namespace sinew
 #endif

@@ -25,7 +25,7 @@ bool Hierarchy::allocate(Arena& arena, uint32_t joints) {
   return arena.ok();
 }
 
-sinew_status Hierarchy::build(const sinew_map_rig& rig, bool with_names) {
+sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
   n = static_cast<int32_t>(rig.joint_count);
   has_names = with_names;
   has_ends = rig.ends != nullptr;  // or names tell of some, see below

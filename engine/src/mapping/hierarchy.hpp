@@ -29,7 +29,7 @@ struct Hierarchy {
 
   bool allocate(Arena& arena, uint32_t joints);
   // From the caller's rig. SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
-  sinew_status build(const sinew_map_rig& rig, bool with_names);
+  sinew_status build(const sinew_skeleton& rig, bool with_names);
 
   // Where nobody told which joints are ends: all leaves, or none.
   void take_leaves_as_ends(bool yes);

@@ -4,10 +4,13 @@
 
 #include <stddef.h>
 
+#include "core/build.hpp"
+#include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
 #include "mapping/branches.hpp"
 #include "mapping/matcher.hpp"
 #include "mapping/same_rig.hpp"
+#include "sinew/published.h"
 
 namespace sinew::mapping {
 namespace {
@@ -29,10 +32,9 @@ struct Side {
     (void)anatomy.allocate(arena, joints);
     return arena.ok();
   }
-  void read_up(const sinew_map_rig& given) {
-    up = direction(
-        {static_cast<double>(given.up[0]), static_cast<double>(given.up[1]), static_cast<double>(given.up[2])});
-    has_up = dot(up, up) > 0.5;
+  void read_up(const sinew_skeleton& given) {
+    has_up = given.up != SINEW_UP_AUTO;
+    up = {given.up == SINEW_UP_X ? 1.0 : 0.0, given.up == SINEW_UP_Y ? 1.0 : 0.0, given.up == SINEW_UP_Z ? 1.0 : 0.0};
   }
   bool build(bool flip, Arena& arena) { return anatomy.build(rig, has_up ? &up : nullptr, flip, arena); }
 };
@@ -189,28 +191,156 @@ double certainty(const Anatomy& rig) {
   return rig.sure / (rig.sure + 0.3);
 }
 
+// One map: reads both rigs, matches them by limbs or as branches, cleans up and explains.
+class MapRun {
+ public:
+  MapRun(const MapPlan& plan, Arena& arena)
+      : plan_(plan), arena_(arena), n_(plan.target.joint_count), m_(plan.source.joint_count) {}
+
+  bool allocate() {
+    (void)target_.allocate(arena_, n_);
+    (void)source_.allocate(arena_, m_);
+    (void)own_.allocate(arena_, n_);
+    (void)published_.allocate(arena_, n_);
+    pins_.source_of = arena_.alloc<int32_t>(n_);
+    pins_.target_of = arena_.alloc<int32_t>(m_);
+    owner_ = arena_.alloc<int32_t>(m_);
+    reasons_ = arena_.alloc<uint8_t>(n_);
+    return arena_.ok();
+  }
+
+  sinew_status read() {
+    const bool names = plan_.target.names != nullptr && plan_.source.names != nullptr;
+    sinew_status status = target_.rig.build(plan_.target, names);
+    if (status == SINEW_OK) status = source_.rig.build(plan_.source, names);
+    if (status != SINEW_OK) return status;
+    target_.read_up(plan_.target);
+    source_.read_up(plan_.source);
+    read_pins(plan_, &pins_);
+    for (uint32_t k = 0; k < plan_.options.pin_count; ++k) {  // one of two that say different things was overwritten
+      const sinew_map_pin& pin = plan_.options.pins[k];
+      if (pins_.source_of[pin.target] != pin.source ||
+          (pin.source >= 0 && pins_.target_of[pin.source] != static_cast<int32_t>(pin.target))) {
+        return SINEW_ERROR_RANGE;
+      }
+    }
+    return SINEW_OK;
+  }
+
+  // By limbs. Where nothing tells end markers, leaves are some in all of a rig or in none: what makes the two rigs most
+  // alike. False when the workspace is full.
+  bool match_limbs() {
+    const ArenaScope scope(arena_);
+    Matcher matcher;
+    if (!matcher.allocate(arena_, n_, m_)) return false;
+    bool best_target = false, best_source = false;
+    double least = 1e30;
+    for (int guess = 0; guess < 4 && !arena_.measuring() && !target_.rig.has_names; ++guess) {
+      const bool target_ends = (guess & 1) != 0, source_ends = (guess & 2) != 0;
+      if ((target_ends && target_.rig.has_ends) || (source_ends && source_.rig.has_ends)) continue;
+      if (target_.rig.has_ends && source_.rig.has_ends) break;
+      if (!match(target_ends, source_ends, &matcher)) return false;
+      const double doubt =
+          unlikeness(target_.rig, source_.rig, own_.sources, owner_) + kGuess * (target_ends + source_ends);
+      if (!(doubt < least)) continue;
+      least = doubt;
+      best_target = target_ends;
+      best_source = source_ends;
+    }
+    return match(best_target, best_source, &matcher);
+  }
+
+  // As branches, where that is asked for or limbs say too little; nearly the same rigs as what they are.
+  sinew_status match_branches() {
+    const bool automatic = plan_.options.method == SINEW_MAP_AUTO, asked = plan_.options.method == SINEW_MAP_BRANCHES;
+    same_ = automatic && !arena_.measuring() &&
+            is_same_rig(plan_.target, plan_.source, target_.rig, source_.rig, published_.sources, owner_);
+    method_ = SINEW_MAP_SINEW;
+    if constexpr (kHasPublished) {
+      const ArenaScope scope(arena_);
+      Branches branches;
+      if (!branches.allocate(arena_, n_, m_)) return SINEW_ERROR_WORKSPACE;
+      if (arena_.measuring()) return SINEW_OK;
+      // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
+      const bool odd =
+          automatic && !pins_.any && !same_ && 10 * mapped_count(own_.sources, n_) < 6 * (n_ < m_ ? n_ : m_);
+      const uint64_t cells =
+          asked || odd ? branches.prepare(target_.rig, target_.anatomy.frame, source_.rig, source_.anatomy.frame)
+                       : UINT64_MAX;
+      if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
+      if (asked || cells < kMostAutoCells) {
+        const double cost = branches.run(published_.sources, published_.costs);
+        if (asked || cost < kNearlyEqual) method_ = SINEW_MAP_BRANCHES;
+      }
+    }
+    return SINEW_OK;
+  }
+
+  void write(sinew_map_outputs* outputs) {
+    const Result& result = same_ || method_ == SINEW_MAP_BRANCHES ? published_ : own_;
+    for (uint32_t i = 0; i < n_ && same_; ++i) published_.costs[i] = 0;
+    Cleaner(target_.rig, source_.rig, pins_, result.sources, reasons_, owner_).run(method_ == SINEW_MAP_SINEW);
+    explain(target_.anatomy, result.sources, reasons_);
+
+    const double sure = same_ ? 1 : lesser(certainty(target_.anatomy), certainty(source_.anatomy));
+    outputs->method = method_;
+    outputs->mapped = mapped_count(result.sources, n_);
+    outputs->certainty = static_cast<uint32_t>(kWhole * sure);
+    for (uint32_t i = 0; i < n_; ++i) {
+      outputs->sources[i] = result.sources[i];
+      if (outputs->reasons != nullptr) outputs->reasons[i] = reasons_[i];
+      if (outputs->confidence == nullptr) continue;
+      const double side = target_.anatomy.side[i] != 0 ? sure : 1;
+      double own_share = reasons_[i] == SINEW_MAP_PINNED ? 1 : side / (1 + greater(0, result.costs[i]));
+      if (result.sources[i] < 0) own_share = 0;
+      outputs->confidence[i] = static_cast<uint16_t>(kWhole * own_share);
+    }
+    outputs->used_bytes = arena_.high_water();
+  }
+
+ private:
+  bool match(bool target_ends, bool source_ends, Matcher* matcher) {
+    if (!arena_.measuring()) {
+      target_.rig.take_leaves_as_ends(target_ends);
+      source_.rig.take_leaves_as_ends(source_ends);
+    }
+    if (!target_.build(false, arena_) || !source_.build(false, arena_)) return false;
+    if (arena_.measuring()) return true;
+    if (pins_turn(target_.anatomy, source_.anatomy, plan_) && !target_.build(true, arena_)) return false;
+    matcher->run(target_.anatomy, source_.anatomy, target_.rig.has_names, pins_, own_.sources, own_.costs);
+    return true;
+  }
+
+  const MapPlan& plan_;
+  Arena& arena_;
+  const uint32_t n_, m_;  // joints of target and source
+  Side target_, source_;
+  Result own_, published_;  // by limbs; as branches, or of the same rig
+  Pins pins_;
+  int32_t* owner_ = nullptr;    // [m] scratch
+  uint8_t* reasons_ = nullptr;  // [n]
+  bool same_ = false;
+  uint32_t method_ = SINEW_MAP_SINEW;
+};
+
 }  // namespace
 
-sinew_status plan_map(const sinew_map_rig* target, const sinew_map_rig* source, const sinew_map_options* options,
+sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source, const sinew_map_options* options,
                       MapPlan* plan) {
-  constexpr uint32_t kFirstRig = sizeof(sinew_map_rig), kFirstOptions = sizeof(sinew_map_options);
-  sinew_status status = read_struct(target, kFirstRig, sizeof plan->target, &plan->target);
-  if (status == SINEW_OK) status = read_struct(source, kFirstRig, sizeof plan->source, &plan->source);
+  constexpr uint32_t kFirstOptions = sizeof(sinew_map_options);
+  sinew_status status = read_skeleton(target, &plan->target);
+  if (status == SINEW_OK) status = read_skeleton(source, &plan->source);
   plan->options = sinew_map_options_init();
   if (status == SINEW_OK && options != nullptr)
     status = read_struct(options, kFirstOptions, sizeof plan->options, &plan->options);
   if (status != SINEW_OK) return status;
   const sinew_map_options& o = plan->options;
   if (o.method > SINEW_MAP_BRANCHES || (o.pin_count > 0 && o.pins == nullptr)) return SINEW_ERROR_ARGUMENT;
+  if (!kHasPublished && o.method == SINEW_MAP_BRANCHES) return SINEW_ERROR_NOT_BUILT;
   if (o.reserved != 0) return SINEW_ERROR_VERSION;
-  const sinew_map_rig* const rigs[2] = {&plan->target, &plan->source};
-  for (const sinew_map_rig* rig : rigs) {
-    if (rig->positions == nullptr || rig->parents == nullptr) return SINEW_ERROR_ARGUMENT;
-    if (rig->reserved != 0) return SINEW_ERROR_VERSION;
+  const sinew_skeleton* const rigs[2] = {&plan->target, &plan->source};
+  for (const sinew_skeleton* rig : rigs) {
     if (rig->joint_count == 0 || rig->joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
-    for (const float u : rig->up) {
-      if (u - u != 0) return SINEW_ERROR_ARGUMENT;
-    }
   }
   for (uint32_t k = 0; k < o.pin_count; ++k) {
     if (o.pins[k].target >= plan->target.joint_count || o.pins[k].source < -1 ||
@@ -222,110 +352,16 @@ sinew_status plan_map(const sinew_map_rig* target, const sinew_map_rig* source, 
 }
 
 sinew_status run_map(const MapPlan& plan, Arena& arena, sinew_map_outputs* outputs) {
-  const uint32_t n = plan.target.joint_count, m = plan.source.joint_count;
-  Side target, source;
-  Result own, published;
-  Pins pins;
-  (void)target.allocate(arena, n);
-  (void)source.allocate(arena, m);
-  (void)own.allocate(arena, n);
-  (void)published.allocate(arena, n);
-  pins.source_of = arena.alloc<int32_t>(n);
-  pins.target_of = arena.alloc<int32_t>(m);
-  int32_t* const owner = arena.alloc<int32_t>(m);
-  uint8_t* const reasons = arena.alloc<uint8_t>(n);
-  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  MapRun run(plan, arena);
+  if (!run.allocate()) return SINEW_ERROR_WORKSPACE;
   if (!arena.measuring()) {
-    const bool names = plan.target.names != nullptr && plan.source.names != nullptr;
-    sinew_status status = target.rig.build(plan.target, names);
-    if (status == SINEW_OK) status = source.rig.build(plan.source, names);
+    const sinew_status status = run.read();
     if (status != SINEW_OK) return status;
-    target.read_up(plan.target);
-    source.read_up(plan.source);
-    read_pins(plan, &pins);
-    for (uint32_t k = 0; k < plan.options.pin_count; ++k) {  // one of two that say different things was overwritten
-      const sinew_map_pin& pin = plan.options.pins[k];
-      if (pins.source_of[pin.target] != pin.source ||
-          (pin.source >= 0 && pins.target_of[pin.source] != static_cast<int32_t>(pin.target))) {
-        return SINEW_ERROR_RANGE;
-      }
-    }
   }
-  uint32_t method = plan.options.method;
-  {
-    const ArenaScope scope(arena);
-    Matcher matcher;
-    if (!matcher.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
-    const auto match = [&](bool target_ends, bool source_ends) {
-      if (!arena.measuring()) {
-        target.rig.take_leaves_as_ends(target_ends);
-        source.rig.take_leaves_as_ends(source_ends);
-      }
-      if (!target.build(false, arena) || !source.build(false, arena)) return false;
-      if (arena.measuring()) return true;
-      if (pins_turn(target.anatomy, source.anatomy, plan) && !target.build(true, arena)) return false;
-      matcher.run(target.anatomy, source.anatomy, target.rig.has_names, pins, own.sources, own.costs);
-      return true;
-    };
-    // Where nothing tells end markers, leaves are some in all of a rig or in none: what makes the two rigs most alike.
-    bool best_target = false, best_source = false;
-    double least = 1e30;
-    for (int guess = 0; guess < 4 && !arena.measuring() && !target.rig.has_names; ++guess) {
-      const bool target_ends = (guess & 1) != 0, source_ends = (guess & 2) != 0;
-      if ((target_ends && target.rig.has_ends) || (source_ends && source.rig.has_ends)) continue;
-      if (target.rig.has_ends && source.rig.has_ends) break;
-      if (!match(target_ends, source_ends)) return SINEW_ERROR_WORKSPACE;
-      const double doubt =
-          unlikeness(target.rig, source.rig, own.sources, owner) + kGuess * (target_ends + source_ends);
-      if (!(doubt < least)) continue;
-      least = doubt;
-      best_target = target_ends;
-      best_source = source_ends;
-    }
-    if (!match(best_target, best_source)) return SINEW_ERROR_WORKSPACE;
-  }
-  bool same = false;
-  {
-    const ArenaScope scope(arena);
-    Branches branches;
-    if (!branches.allocate(arena, n, m)) return SINEW_ERROR_WORKSPACE;
-    if (arena.measuring()) return SINEW_OK;
-    same = method == SINEW_MAP_AUTO &&
-           is_same_rig(plan.target, plan.source, target.rig, source.rig, published.sources, owner);
-    // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
-    const bool odd =
-        method == SINEW_MAP_AUTO && !pins.any && !same && 10 * mapped_count(own.sources, n) < 6 * (n < m ? n : m);
-    const bool asked = method == SINEW_MAP_BRANCHES;
-    const uint64_t cells = asked || odd
-                               ? branches.prepare(target.rig, target.anatomy.frame, source.rig, source.anatomy.frame)
-                               : UINT64_MAX;
-    if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
-    method = SINEW_MAP_SINEW;
-    if (asked || cells < kMostAutoCells) {
-      const double cost = branches.run(published.sources, published.costs);
-      if (asked || cost < kNearlyEqual) method = SINEW_MAP_BRANCHES;
-    }
-  }
-  const Result& result = same || method == SINEW_MAP_BRANCHES ? published : own;
-  for (uint32_t i = 0; i < n && same; ++i) published.costs[i] = 0;
-  Cleaner(target.rig, source.rig, pins, result.sources, reasons, owner).run(method == SINEW_MAP_SINEW);
-  explain(target.anatomy, result.sources, reasons);
-
-  const double sure = same ? 1 : lesser(certainty(target.anatomy), certainty(source.anatomy));
-  outputs->method = method;
-  outputs->mapped = mapped_count(result.sources, n);
-  outputs->certainty = static_cast<uint32_t>(kWhole * sure);
-  for (uint32_t i = 0; i < n; ++i) {
-    outputs->sources[i] = result.sources[i];
-    if (outputs->reasons != nullptr) outputs->reasons[i] = reasons[i];
-    if (outputs->confidence == nullptr) continue;
-    const double side = target.anatomy.side[i] != 0 ? sure : 1;
-    double own_share = reasons[i] == SINEW_MAP_PINNED ? 1 : side / (1 + greater(0, result.costs[i]));
-    if (result.sources[i] < 0) own_share = 0;
-    outputs->confidence[i] = static_cast<uint16_t>(kWhole * own_share);
-  }
-  outputs->used_bytes = arena.high_water();
-  return SINEW_OK;
+  if (!run.match_limbs()) return SINEW_ERROR_WORKSPACE;
+  const sinew_status status = run.match_branches();
+  if (status == SINEW_OK && !arena.measuring()) run.write(outputs);
+  return status;
 }
 
 }  // namespace sinew::mapping

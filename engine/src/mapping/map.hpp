@@ -10,12 +10,12 @@ namespace sinew::mapping {
 
 // Structs as this library knows them, checked.
 struct MapPlan {
-  sinew_map_rig target, source;
+  sinew_skeleton target, source;
   sinew_map_options options;
 };
 
 // Reads the caller's structs and checks counts, pointers, options and pins. Errors are those of sinew_map().
-sinew_status plan_map(const sinew_map_rig* target, const sinew_map_rig* source, const sinew_map_options* options,
+sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source, const sinew_map_options* options,
                       MapPlan* plan);
 
 // Runs everything; the caller's arrays in `outputs` are written at the end. With a measuring arena only the plan's counts

@@ -8,7 +8,7 @@ namespace sinew::mapping {
 namespace {
 
 // The source's joint of that name, looked for from `first` on: rigs often have one order.
-int32_t find_name(const sinew_map_rig& rig, const char* name, uint32_t first) {
+int32_t find_name(const sinew_skeleton& rig, const char* name, uint32_t first) {
   for (uint32_t k = 0; k < rig.joint_count; ++k) {
     const uint32_t j = (first + k) % rig.joint_count;
     if (rig.names[j] != nullptr && same_text(rig.names[j], name)) return static_cast<int32_t>(j);
@@ -18,8 +18,8 @@ int32_t find_name(const sinew_map_rig& rig, const char* name, uint32_t first) {
 
 }  // namespace
 
-bool is_same_rig(const sinew_map_rig& target, const sinew_map_rig& source, const Hierarchy& own, const Hierarchy& other,
-                 int32_t* sources, int32_t* targets) {
+bool is_same_rig(const sinew_skeleton& target, const sinew_skeleton& source, const Hierarchy& own,
+                 const Hierarchy& other, int32_t* sources, int32_t* targets) {
   if (target.names == nullptr || source.names == nullptr) return false;
   for (int32_t j = 0; j < other.n; ++j) targets[j] = -1;
   int32_t same = 0, alone = 0, next = 0;

@@ -11,8 +11,8 @@ namespace sinew::mapping {
 // Whether joints have joints of their names in the other rig, below the one of their parent's name: all but leaves and what holds the
 // whole rig, and at least half of either rig. Then sources [target n] are those joints, -1 for what has none. targets [source n] is
 // scratch.
-bool is_same_rig(const sinew_map_rig& target, const sinew_map_rig& source, const Hierarchy& own, const Hierarchy& other,
-                 int32_t* sources, int32_t* targets);
+bool is_same_rig(const sinew_skeleton& target, const sinew_skeleton& source, const Hierarchy& own,
+                 const Hierarchy& other, int32_t* sources, int32_t* targets);
 
 }  // namespace sinew::mapping
 #endif

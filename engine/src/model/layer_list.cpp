@@ -11,23 +11,18 @@ namespace {
 // Whether a layer of this kind may read `in_channels` of an `in` buffer and write `out_channels` of an `out` buffer.
 bool shape_fits(LayerKind kind, Domain in, Domain out, uint32_t in_channels, uint32_t out_channels,
                 uint32_t candidates) {
-  switch (kind) {
-    case LayerKind::kLinear:
+  switch (traits_of(kind).shape) {
+    case LayerShape::kWeights:
       return in == out;
-    case LayerKind::kRingMean:
-    case LayerKind::kRingMax:
-    case LayerKind::kPartMean:
-    case LayerKind::kGlobalMean:
-    case LayerKind::kGlobalMax:
-    case LayerKind::kCopy:
+    case LayerShape::kSame:
       return in == out && in_channels == out_channels;
-    case LayerKind::kCandidateMax:
+    case LayerShape::kSameSlots:
       return has_slots(in) && in == out && in_channels == out_channels;
-    case LayerKind::kVertexToPair:
+    case LayerShape::kToSlots:
       return !has_slots(in) && out == with_slots(in) && in_channels == out_channels;
-    case LayerKind::kPairToVertex:
+    case LayerShape::kJoinSlots:
       return has_slots(in) && out == without_slots(in) && in_channels * candidates == out_channels;
-    case LayerKind::kVertexToSlots:
+    case LayerShape::kSplitSlots:
       return !has_slots(in) && out == with_slots(in) && in_channels == out_channels * candidates;
   }
   return false;
@@ -54,12 +49,11 @@ LayerFault find_layer_fault(const LayerList& list, uint32_t index) {
   const Layer& layer = list.layers[index];
   if (!inside(list, layer.in) || !inside(list, layer.out)) return LayerFault::kRegion;
   const Domain in = list.buffers[layer.in.buffer].domain, out = list.buffers[layer.out.buffer].domain;
-  if (!shape_fits(layer.kind, in, out, layer.in.channels, layer.out.channels, list.candidates))
+  if (!is_layer_kind(layer.kind) ||
+      !shape_fits(layer.kind, in, out, layer.in.channels, layer.out.channels, list.candidates))
     return LayerFault::kShape;
-  const bool ring = layer.kind == LayerKind::kRingMean || layer.kind == LayerKind::kRingMax;
-  uint32_t known = 0;
-  if (layer.kind == LayerKind::kLinear) known = kLayerRelu | kLayerResidual;
-  if (!kSmallCode && ring && list.far_neighbours && !has_slots(in)) known = kLayerFar;
+  uint32_t known = traits_of(layer.kind).flags;
+  if (kSmallCode || !list.far_neighbours || has_slots(in)) known &= ~static_cast<uint32_t>(kLayerFar);
   if ((layer.flags & ~known) != 0) return LayerFault::kFlags;
   if (layer.out.buffer < list.input_count) return LayerFault::kOverwrite;
   for (uint32_t i = 0; i < index; ++i) {

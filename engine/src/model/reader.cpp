@@ -148,9 +148,9 @@ sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_
                          uint32_t* linear_index, uint64_t* offset) {
   const uint8_t* row = tables.layer_row(index);
   const Layer& layer = decoded->layers[index] = tables.layer(index);
-  const bool linear = layer.kind == LayerKind::kLinear;
   if (load_u16(row + 2) != 0 || load_u16(row + 22) != 0 || load_u32(row + 28) != 0) return SINEW_ERROR_MODEL_LAYOUT;
   if (find_layer_fault(decoded->list, index) != LayerFault::kNone) return SINEW_ERROR_MODEL_LAYOUT;
+  const bool linear = has_weights(layer.kind);
   if (layer.parameters != (linear ? *linear_index : 0)) return SINEW_ERROR_MODEL_LAYOUT;
   if ((layer.flags & kLayerResidual) == 0 && !is_zero(layer.residual)) return SINEW_ERROR_MODEL_LAYOUT;
 
@@ -223,9 +223,8 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
   if (has_confidence && !legal_confidence(bytes, offset, size_bytes)) return SINEW_ERROR_MODEL_LAYOUT;
 
   const uint32_t last = tables.layer_count() - 1;
-  const LayerKind last_kind = decoded.layers[last].kind;
-  if ((last_kind != LayerKind::kLinear && last_kind != LayerKind::kVertexToSlots) ||
-      !writes_output(list, last, task.output) || decoded.ranges[last] != ValueRange::kLogits) {
+  if (!traits_of(decoded.layers[last].kind).ends_network || !writes_output(list, last, task.output) ||
+      decoded.ranges[last] != ValueRange::kLogits) {
     return SINEW_ERROR_MODEL_LAYOUT;
   }
 
@@ -241,8 +240,7 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
   model->grid_size = load_u32(bytes + kHeaderGrid);
   model->feature_set = load_u32(bytes + kHeaderFeatureSet);
   for (uint32_t i = 0; i < tables.layer_count(); ++i) {
-    const LayerKind kind = decoded.layers[i].kind;
-    if (kind == LayerKind::kPairToVertex || kind == LayerKind::kVertexToSlots) model->fixed_candidates = 1;
+    if (fixes_candidates(decoded.layers[i].kind)) model->fixed_candidates = 1;
   }
   model->layer_count = tables.layer_count();
   model->parameter_count = parameter_count;

@@ -47,12 +47,6 @@ inline Segment segment_at(const Layer* layers, uint32_t inputs, uint32_t before,
   return segment;
 }
 
-// Layers that read rows of other vertices than their own.
-constexpr bool reads_other_rows(LayerKind kind) {
-  return kind == LayerKind::kRingMean || kind == LayerKind::kRingMax || kind == LayerKind::kPartMean ||
-         kind == LayerKind::kGlobalMean || kind == LayerKind::kGlobalMax;
-}
-
 // Widest range of a region's writers; ranges holds one entry per layer before `before`. Inputs are signed.
 inline ValueRange region_range(const Layer* layers, uint32_t inputs, uint32_t before, const ValueRange* ranges,
                                const Region& region) {

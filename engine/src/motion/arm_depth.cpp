@@ -3,7 +3,7 @@
 // all of them. It does so where no surface can be in it, and where no triangle that may be the nearest to one of its points lies over it.
 #include "motion/arm_search.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 struct ArmSearch::DepthSearch {
   const ArmSearch& search;
@@ -194,4 +194,4 @@ ArmDepth ArmSearch::deepest(TriangleTree* tree, uint32_t arm, Vec3d moved, doubl
   return own.most;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -2,7 +2,7 @@
 // Nearest middles of triangles, by the tree.
 #include "motion/arm_search.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 // The smallest box along the axes around points.
 struct ArmSearch::Box {
   Vec3d low = {0, 0, 0}, high = {0, 0, 0};
@@ -157,4 +157,4 @@ uint32_t ArmSearch::neighbours(const TriangleTree& tree, uint32_t arm, uint32_t 
   return count;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -6,7 +6,7 @@
 #include "motion/clip_scene.hpp"
 #include "motion/triangle_tree.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 constexpr uint32_t kMostArms = 4;  // that are kept in touch and out of the body
 
@@ -114,5 +114,5 @@ class ArmSearch {
   uint32_t deepest_[kMostArms] = {}, nearest_[kMostArms] = {};
 };
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

@@ -5,7 +5,7 @@
 #include "motion/retarget.hpp"
 #include "sinew/rig.h"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 bool all_finite(const float* values, size_t count) {
@@ -36,13 +36,13 @@ void find_parts(ClipScene* scene) {
     }
   }
   const sinew_motion_body& body = *scene->body;
-  const uint32_t slots = body.influence_count;
+  const uint32_t slots = body.skin.influence_count;
   for (uint32_t v = 0; v < body.vertex_count; ++v) {
     uint32_t best = 0;
     for (uint32_t i = 1; i < slots; ++i) {
-      if (body.weights[size_t{slots} * v + i] > body.weights[size_t{slots} * v + best]) best = i;
+      if (weights_of(body)[size_t{slots} * v + i] > weights_of(body)[size_t{slots} * v + best]) best = i;
     }
-    const uint32_t joint = body.joints[size_t{slots} * v + best];
+    const uint32_t joint = body.skin.joint_indices[size_t{slots} * v + best];
     scene->parts[v] = scene->joint_parts[joint];
     scene->limb_of[v] = scene->joint_limbs[joint];
   }
@@ -121,4 +121,4 @@ void ClipScene::pose_target_at_rest() {
   for (uint32_t v = 0; v < body->vertex_count; ++v) target.vertices[v] = target.rest(v);
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

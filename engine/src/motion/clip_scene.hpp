@@ -7,7 +7,7 @@
 #include "motion/limbs.hpp"
 #include "motion/posed_body.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 // What a vertex of the target belongs to.
 enum class BodyPart : uint8_t { kOther, kUpperArm, kForearm, kHand, kLeg, kFoot };
@@ -53,5 +53,5 @@ struct ClipScene {
   void pose_target_at_rest();
 };
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

@@ -4,7 +4,7 @@
 
 #include "motion/natural_range.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr uint32_t kFeetEnd = 250;  // permille
@@ -61,13 +61,12 @@ sinew_status run_contacts(sinew_retarget* plan, const sinew_motion_body* source,
                           inputs.frames)) {
     return SINEW_ERROR_WORKSPACE;
   }
-  sinew_status status = scene.open(plan, source, target, inputs);
+  const sinew_status status = scene.open(plan, source, target, inputs);
   if (status != SINEW_OK || scene.is_same_body()) return status;
   for (uint32_t l = 0; l < scene.limbs.count; ++l) scene.limbs.limbs[l].natural = true;
-  status = hold_feet(&scene);
-  if (status == SINEW_OK && !inputs.progress.report(kFeetEnd)) return SINEW_ERROR_CANCELLED;
-  if (status == SINEW_OK) status = place_hands(&scene);
-  return status;
+  hold_feet(&scene);
+  if (!inputs.progress.report(kFeetEnd)) return SINEW_ERROR_CANCELLED;
+  return place_hands(&scene);
 }
 
 sinew_status keep_range(sinew_retarget* plan, const sinew_motion_body& target, const ClipInputs& inputs, Arena& arena) {
@@ -90,4 +89,4 @@ sinew_status keep_range(sinew_retarget* plan, const sinew_motion_body& target, c
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

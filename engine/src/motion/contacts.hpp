@@ -6,7 +6,7 @@
 
 #include "motion/arm_search.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 constexpr uint32_t kNearTriangles = 24;
 
@@ -44,7 +44,7 @@ struct ContactScene : ClipScene {
 void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch);
 
 // SINEW_OK, SINEW_ERROR_NOT_FINITE or SINEW_ERROR_CANCELLED.
-sinew_status hold_feet(ContactScene* scene);
+void hold_feet(ContactScene* scene);
 sinew_status place_hands(ContactScene* scene);
 
 // Behind sinew_retarget_contacts(); the caller has checked pointers and the source's body against the target's.
@@ -60,5 +60,5 @@ sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source,
                           const ClipInputs& inputs, Arena& arena, sinew_limb_measure* limbs, uint32_t* limb_count,
                           sinew_contact_spot* spots);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

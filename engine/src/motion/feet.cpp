@@ -3,7 +3,7 @@
 #include "motion/contacts.hpp"
 #include "motion/foot_search.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr double kFloorReach = 0.1;  // share of the source's height up to which the floor is felt
@@ -27,7 +27,7 @@ class Feet {
  public:
   explicit Feet(ContactScene* scene) : s_(*scene), plan_(*scene->plan), search_(scene) {}
 
-  sinew_status hold(uint32_t number) {
+  void hold(uint32_t number) {
     const Limb& limb = s_.limbs.limbs[number];
     search_.find_standing(limb, s_.stands);
     lock(limb, number);
@@ -40,7 +40,6 @@ class Feet {
       move_limb(limb, plan_.target_places[limb.last] + move, plan_.target_places[limb.middle], &plan_);
       s_.store(f);
     }
-    return SINEW_OK;
   }
 
  private:
@@ -117,14 +116,11 @@ class Feet {
 
 }  // namespace
 
-sinew_status hold_feet(ContactScene* scene) {
+void hold_feet(ContactScene* scene) {
   Feet feet(scene);
   for (uint32_t l = 0; l < scene->limbs.count; ++l) {
-    if (!scene->limbs.limbs[l].leg) continue;
-    const sinew_status status = feet.hold(l);
-    if (status != SINEW_OK) return status;
+    if (scene->limbs.limbs[l].leg) feet.hold(l);
   }
-  return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -2,7 +2,7 @@
 // Feet by the places of ankles and toes, and by the lowest vertices.
 #include "motion/foot_search.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 // Shares of the source's height: a foot stands below the one, and moves less than the other in a thirtieth of a second.
@@ -58,4 +58,4 @@ FootHeights FootSearch::lowest(const Limb& limb, uint32_t number) const {
   return low;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

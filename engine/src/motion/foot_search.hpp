@@ -5,12 +5,14 @@
 
 #include "motion/clip_scene.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
-constexpr double kContactFps = 30;  // to which ways a frame are related
+// Frames a second for which the limits of a foot's speed are given: a distance from one frame to the next is multiplied by
+// the clip's rate over this one.
+constexpr double kContactFps = 30;
 
 struct FootHeights {
-  double source = 0, target = 0;  // of the lowest point over the floor, each in its own units
+  double source = 0, target = 0;  // of the lowest point above the floor, each in its own units
 };
 
 class FootSearch {
@@ -22,7 +24,8 @@ class FootSearch {
   uint32_t sole_joint(const Limb& limb) const { return limb.toe >= 0 ? static_cast<uint32_t>(limb.toe) : limb.last; }
   // stands [frames]: 1 where ankle or toe is low and the toe is slow. Poses the source.
   void find_standing(const Limb& limb, uint8_t* stands);
-  // Of vertices of the bodies in the poses that they have now; of the joints as far as they are lifted where there is no source's body.
+  // Of the bodies' vertices, in the poses that the bodies have now. Without a source's body: how far the joints are above where
+  // they are at rest.
   FootHeights lowest(const Limb& limb, uint32_t number) const;
 
  private:
@@ -33,5 +36,5 @@ class FootSearch {
   double source_floor_ = 0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

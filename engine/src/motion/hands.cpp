@@ -3,7 +3,7 @@
 // and what would be deeper inside of it than the source's is comes out. Without a source's body what is deeper than at rest.
 #include "motion/contacts.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr double kSpread = 0.02;  // of the weights of near triangles
@@ -187,4 +187,4 @@ sinew_status place_hands(ContactScene* scene) {
   return Hands(scene).run();
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

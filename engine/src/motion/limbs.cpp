@@ -4,7 +4,7 @@
 
 #include "sinew/rig.h"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 // The part of v across u, of length 1; (0, 0, 0) where they are in line.
@@ -100,4 +100,4 @@ void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget
   if (limb.natural) turn_end(limb, end.w < 0 ? -end.w : end.w, plan);
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -6,7 +6,7 @@
 #include "motion/retarget_plan.hpp"
 #include "sinew/motion_clips.h"
 
-namespace sinew {
+namespace sinew::motion {
 
 constexpr uint32_t kMostLimbs = SINEW_MAX_MOTION_LIMBS;
 
@@ -31,5 +31,5 @@ LimbList find_limbs(const sinew_retarget& plan);
 // limb that is hardly bent comes, or as straight as it is.
 void move_limb(const Limb& limb, Vec3d goal, Vec3d middle, sinew_retarget* plan);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

@@ -4,7 +4,7 @@
 #include "motion/foot_search.hpp"
 #include "motion/natural_range.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr double kDeep = 0.006;  // share of the height
@@ -118,9 +118,9 @@ class Measure {
     if (spots_ == nullptr) return;
     sinew_contact_spot* const spot = &spots_[size_t{f} * kMostLimbs + limb];
     spot->kind = static_cast<uint32_t>(kind);
-    spot->place[0] = static_cast<float>(place.x);
-    spot->place[1] = static_cast<float>(place.y);
-    spot->place[2] = static_cast<float>(place.z);
+    spot->position[0] = static_cast<float>(place.x);
+    spot->position[1] = static_cast<float>(place.y);
+    spot->position[2] = static_cast<float>(place.z);
     spot->error = static_cast<float>(error);
   }
 
@@ -160,4 +160,4 @@ sinew_status measure_clip(sinew_retarget* plan, const sinew_motion_body* source,
   return status == SINEW_OK ? Measure(&scene, spots).run(limbs, limb_count) : status;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -2,7 +2,7 @@
 // Checks a skeleton and sorts its joints by depth.
 #include "motion/motion_rig.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 bool MotionRig::allocate(Arena& arena, uint32_t joint_count) {
   count = joint_count;
@@ -13,7 +13,7 @@ bool MotionRig::allocate(Arena& arena, uint32_t joint_count) {
   return arena.ok();
 }
 
-sinew_status MotionRig::fill(const sinew_motion_rig& input, uint32_t* scratch) {
+sinew_status MotionRig::fill(const sinew_skeleton& input, uint32_t* scratch) {
   const int32_t joints = static_cast<int32_t>(count);
   for (uint32_t j = 0; j < count; ++j) {
     const float* const p = input.positions + size_t{3} * j;
@@ -47,4 +47,4 @@ sinew_status MotionRig::fill(const sinew_motion_rig& input, uint32_t* scratch) {
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

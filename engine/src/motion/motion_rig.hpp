@@ -7,7 +7,7 @@
 #include "motion/quaternion.hpp"
 #include "sinew/motion.h"
 
-namespace sinew {
+namespace sinew::motion {
 
 struct MotionRig {
   uint32_t count = 0;          // J
@@ -20,7 +20,7 @@ struct MotionRig {
   bool allocate(Arena& arena, uint32_t joint_count);
   // Fills what was allocated. `scratch` [2 count + 1].
   // Returns SINEW_OK, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX or SINEW_ERROR_HIERARCHY.
-  sinew_status fill(const sinew_motion_rig& input, uint32_t* scratch);
+  sinew_status fill(const sinew_skeleton& input, uint32_t* scratch);
 
   // The joint itself, or what is below it.
   bool is_below(uint32_t joint, uint32_t ancestor) const {
@@ -33,5 +33,5 @@ struct MotionRig {
 
 inline bool is_finite(double x) { return x - x == 0; }
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

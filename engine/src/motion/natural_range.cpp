@@ -2,7 +2,7 @@
 // Directions against cosines and sines that are written down: no angle is needed.
 #include "motion/natural_range.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr double kSine5 = 0.0871557427476582;      // to the wrong side
@@ -108,4 +108,4 @@ bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan)
   return true;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

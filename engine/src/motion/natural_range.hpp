@@ -5,7 +5,7 @@
 
 #include "motion/clip_scene.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 // A middle joint's range: the direction of the second bone in the axes of the first one's joint, which are the world's at rest.
 struct Hinge {
@@ -25,5 +25,5 @@ bool is_out_of_range(const sinew_retarget& plan, const Limb& limb, const Hinge& 
 // False: it is there.
 bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

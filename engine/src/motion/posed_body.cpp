@@ -2,7 +2,7 @@
 // Linear blend skinning in doubles, because contacts decide by it.
 #include "motion/posed_body.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 bool PosedBody::allocate(Arena& arena, uint32_t vertex_count, uint32_t triangle_count, uint32_t joint_count) {
   vertices = arena.alloc<Vec3d>(vertex_count);
@@ -40,9 +40,9 @@ void PosedBody::take_pose(const Quat* turns, const Vec3d* places) {
 }
 
 Vec3d PosedBody::skinned(uint32_t v) const {
-  const uint32_t slots = body->influence_count;
-  const uint16_t* const row = body->weights + size_t{slots} * v;
-  const uint16_t* const joints = body->joints + size_t{slots} * v;
+  const uint32_t slots = body->skin.influence_count;
+  const uint16_t* const row = weights_of(*body) + size_t{slots} * v;
+  const uint16_t* const joints = body->skin.joint_indices + size_t{slots} * v;
   const Vec3d p = rest(v);
   double sum[12] = {};
   const double* m = sum;
@@ -73,19 +73,19 @@ void PosedBody::find_middles(const uint32_t* triangles, uint32_t count) {
 }
 
 sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count) {
-  if (body.positions == nullptr || body.joints == nullptr || body.weights == nullptr ||
-      (body.triangle_count > 0 && body.triangles == nullptr)) {
+  if (body.positions == nullptr || body.skin.joint_indices == nullptr || body.skin.weights == nullptr ||
+      body.skin.weight_format != SINEW_WEIGHT_UNORM16 || (body.triangle_count > 0 && body.triangles == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (body.vertex_count == 0 || body.vertex_count > SINEW_MAX_VERTICES || body.influence_count == 0 ||
-      body.influence_count > SINEW_MAX_INFLUENCES || body.triangle_count > 8u * SINEW_MAX_VERTICES) {
+  if (body.vertex_count == 0 || body.vertex_count > SINEW_MAX_VERTICES || body.skin.influence_count == 0 ||
+      body.skin.influence_count > SINEW_MAX_INFLUENCES || body.triangle_count > 8u * SINEW_MAX_VERTICES) {
     return SINEW_ERROR_COUNT;
   }
   for (size_t i = 0; i < size_t{3} * body.vertex_count; ++i) {
     if (!is_finite(static_cast<double>(body.positions[i]))) return SINEW_ERROR_NOT_FINITE;
   }
-  for (size_t i = 0; i < size_t{body.influence_count} * body.vertex_count; ++i) {
-    if (body.joints[i] >= joint_count) return SINEW_ERROR_RANGE;
+  for (size_t i = 0; i < size_t{body.skin.influence_count} * body.vertex_count; ++i) {
+    if (body.skin.joint_indices[i] >= joint_count) return SINEW_ERROR_RANGE;
   }
   for (size_t i = 0; i < size_t{3} * body.triangle_count; ++i) {
     if (body.triangles[i] >= body.vertex_count) return SINEW_ERROR_INDEX;
@@ -93,4 +93,4 @@ sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count) {
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

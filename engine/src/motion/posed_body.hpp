@@ -6,7 +6,7 @@
 #include "core/arena.hpp"
 #include "motion/motion_rig.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 struct PosedBody {
   const sinew_motion_body* body = nullptr;
@@ -40,9 +40,12 @@ struct PosedBody {
   }
 };
 
+inline const uint16_t* weights_of(const sinew_motion_body& body) {
+  return static_cast<const uint16_t*>(body.skin.weights);
+}
 // Counts, indices and numbers of a body. SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_COUNT, SINEW_ERROR_RANGE for a joint
 // that does not exist, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX for a triangle's vertex.
 sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

@@ -6,7 +6,7 @@
 #include "motion/retarget.hpp"
 #include "sinew/rig.h"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
@@ -267,4 +267,4 @@ sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body&
   return ReferencePoints(options, &scene).run();
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -5,8 +5,9 @@
 #define SINEW_MOTION_REFERENCE_POINTS_HPP
 
 #include "motion/clip_scene.hpp"
+#include "sinew/published.h"
 
-namespace sinew {
+namespace sinew::motion {
 
 // The options of the interface, checked.
 struct ReferenceOptions {
@@ -24,5 +25,5 @@ sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body&
                                   const sinew_motion_body& target, const ClipInputs& inputs,
                                   const ReferenceOptions& options, Arena& arena);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

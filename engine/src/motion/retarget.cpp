@@ -4,7 +4,7 @@
 
 #include "core/sort.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 double lowest_floor_joint(const sinew_retarget& plan) {
@@ -178,4 +178,4 @@ sinew_status retarget_frame(sinew_retarget* plan, const float* rotations, const 
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

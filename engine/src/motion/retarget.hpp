@@ -5,7 +5,7 @@
 
 #include "motion/retarget_plan.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 // A source's frame into the plan's source_turns and source_places, in the target's world. SINEW_OK or
 // SINEW_ERROR_NOT_FINITE.
@@ -20,5 +20,5 @@ sinew_status standing_height(const sinew_retarget& plan, float* heights, size_t 
 sinew_status retarget_frame(sinew_retarget* plan, const float* rotations, const float* translations, float ground,
                             float* out_rotations, float* out_translations);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

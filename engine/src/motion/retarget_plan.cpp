@@ -5,7 +5,7 @@
 #include "core/struct_size.hpp"
 #include "sinew/rig.h"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 // The struct of the first release.
@@ -304,11 +304,12 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const double scale = static_cast<double>(o.scale);
-  if (o.method > SINEW_RETARGET_COPY || o.source_up > SINEW_UP_Z || o.target_up > SINEW_UP_Z || o.in_place > 1 ||
-      !is_finite(scale) || scale < 0) {
+  if (o.method > SINEW_RETARGET_COPY || o.in_place > 1 || !is_finite(scale) || scale < 0) {
     return SINEW_ERROR_ARGUMENT;
   }
-  *out = {o.source_up, o.target_up, o.in_place != 0, scale};
+  *out = RetargetOptions();
+  out->in_place = o.in_place != 0;
+  out->scale = scale;
   return SINEW_OK;
 }
 
@@ -350,7 +351,7 @@ size_t measure_plan(uint32_t source_joints, uint32_t target_joints) {
   return arena.high_water();
 }
 
-sinew_status create_plan(const sinew_motion_rig& source, const sinew_motion_rig& target, const int32_t* map,
+sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan) {
   Arena arena(memory, memory_bytes);
@@ -369,10 +370,13 @@ sinew_status create_plan(const sinew_motion_rig& source, const sinew_motion_rig&
   }
   if (!any) return SINEW_ERROR_NO_JOINT;
   made.in_place = options.in_place;
-  Planner(options, &made).run(reinterpret_cast<uint8_t*>(room.scratch));
+  RetargetOptions with_up = options;
+  with_up.source_up = source.up;
+  with_up.target_up = target.up;
+  Planner(with_up, &made).run(reinterpret_cast<uint8_t*>(room.scratch));
   *room.plan = made;
   *plan = room.plan;
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -8,7 +8,7 @@
 
 // The type of the interface: the plan is one block of memory, this is its beginning.
 struct sinew_retarget {
-  sinew::MotionRig source, target;
+  sinew::motion::MotionRig source, target;
   int32_t* map = nullptr;        // [target joints] source joint or -1
   uint8_t* classes = nullptr;    // [target joints] sinew_joint_class
   int32_t* long_ends = nullptr;  // [target joints] where a limb's long bone that begins here ends, else -1
@@ -35,13 +35,13 @@ struct sinew_retarget {
   sinew::Vec3d* target_places = nullptr;
 };
 
-namespace sinew {
+namespace sinew::motion {
 
 // The options of the interface, checked.
 struct RetargetOptions {
-  uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;
   bool in_place = false;
   double scale = 0;
+  uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;  // create_plan() takes them from the skeletons
 };
 // Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.
 sinew_status read_retarget_options(const sinew_retarget_options* options, RetargetOptions* out);
@@ -50,9 +50,9 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
 size_t measure_plan(uint32_t source_joints, uint32_t target_joints);
 
 // As sinew_retarget_create() after its checks of pointers, counts and memory.
-sinew_status create_plan(const sinew_motion_rig& source, const sinew_motion_rig& target, const int32_t* map,
+sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& target, const int32_t* map,
                          const uint8_t* classes, const RetargetOptions& options, void* memory, size_t memory_bytes,
                          sinew_retarget** plan);
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

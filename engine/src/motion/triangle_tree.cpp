@@ -2,7 +2,7 @@
 // The order of triangles at rest, and boxes around their middles in a pose.
 #include "motion/triangle_tree.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 constexpr double kFarAway = 1e300;  // of the box of nothing: its square is infinite, and no bound is
@@ -167,4 +167,4 @@ const TriangleTree::Leaf& TriangleTree::normals(uint32_t leaf) {
   return own;
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion

@@ -6,7 +6,7 @@
 #include "mesh/morton.hpp"
 #include "motion/posed_body.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 constexpr uint32_t kTreeFan = 8;  // triangles of a leaf, and boxes of a box
 
@@ -149,5 +149,5 @@ void TriangleTree::walk(Vec3d p, uint8_t without, const double* bound, Look look
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

@@ -8,17 +8,11 @@
 namespace sinew {
 namespace {
 
-// True when every present slot of a vertex has the same values there.
-bool same_in_all_slots(LayerKind kind) {
-  return kind == LayerKind::kCandidateMax || kind == LayerKind::kVertexToPair || kind == LayerKind::kGlobalMean ||
-         kind == LayerKind::kGlobalMax;
-}
-
 // True for rows of the stage's own table of part means: of one writer, the whole table's width.
 bool same_in_joint(const NetworkPlan& plan, uint32_t reader, const Segment& segment) {
   if (segment.producer < 0) return false;
   const Layer& layer = plan.layers[segment.producer];
-  return layer.kind == LayerKind::kPartMean && plan.stage[segment.producer] == plan.stage[reader] &&
+  return by_part(layer.kind) && plan.stage[segment.producer] == plan.stage[reader] &&
          segment.count == layer.out.channels &&
          segment_at(plan.layers, plan.input_count, static_cast<uint32_t>(segment.producer), layer.in, layer.in.offset)
                  .count == segment.count;
@@ -45,7 +39,7 @@ uint64_t packed_offsets(const NetworkPlan& plan, const ModelTables& tables, size
   uint64_t bytes = 0;
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
     offsets[i] = checked(bytes);
-    if (plan.layers[i].kind != LayerKind::kLinear) continue;
+    if (!has_weights(plan.layers[i].kind)) continue;
     const LinearRecord record = tables.linear(plan.layers[i].parameters);
     bytes += packed_linear_bytes(record.in, record.out, record.block);
   }
@@ -54,8 +48,7 @@ uint64_t packed_offsets(const NetworkPlan& plan, const ModelTables& tables, size
 
 void pack_layers(const NetworkPlan& plan, const ModelTables& tables, const size_t* offsets, uint8_t* memory) {
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
-    if (plan.layers[i].kind == LayerKind::kLinear)
-      pack_linear(make_linear_view(tables, plan.layers[i]), memory + offsets[i]);
+    if (has_weights(plan.layers[i].kind)) pack_linear(make_linear_view(tables, plan.layers[i]), memory + offsets[i]);
   }
 }
 
@@ -68,9 +61,9 @@ RowsRead find_rows_read(const NetworkPlan& plan, const SharedColumns* columns, u
     const Layer& reader = plan.layers[i];
     if ((reader.flags & kLayerResidual) != 0 && regions_overlap(reader.residual, layer.out)) return RowsRead::kAll;
     if (!regions_overlap(reader.in, layer.out) || table_of_maximum(plan, i) == static_cast<int>(index)) continue;
-    if (reader.kind != LayerKind::kLinear || columns == nullptr || !columns[i].any()) return RowsRead::kAll;
+    if (!has_weights(reader.kind) || columns == nullptr || !columns[i].any()) return RowsRead::kAll;
     if (columns[i].by_joint.count > 0 && columns[i].part_mean == index) continue;
-    if (!same_in_all_slots(layer.kind)) return RowsRead::kAll;
+    if (!traits_of(layer.kind).same_in_all_slots) return RowsRead::kAll;
     rows = RowsRead::kFirstOfVertex;
   }
   return index + 1 == plan.layer_count ? RowsRead::kAll : rows;
@@ -105,7 +98,7 @@ SharedColumns find_shared_columns(const NetworkPlan& plan, uint32_t index, const
   for (uint32_t channel = layer.in.offset; channel < region_end(layer.in);) {
     const Segment segment = segment_at(plan.layers, plan.input_count, index, layer.in, channel);
     const uint32_t first = channel - layer.in.offset;
-    const bool shared = segment.producer >= 0 && same_in_all_slots(plan.layers[segment.producer].kind);
+    const bool shared = segment.producer >= 0 && traits_of(plan.layers[segment.producer].kind).same_in_all_slots;
     // Ranges start at whole pairs of columns, and so must what follows them.
     if (first % 2 != 0) return SharedColumns();
     if (columns.by_joint.count == 0 && same_in_joint(plan, index, segment)) {
@@ -134,7 +127,7 @@ bool PackedLayers::allocate(const sinew_model& model, const NetworkPlan& plan, c
   memory = static_cast<const uint8_t*>(model.packed);
   if (memory == nullptr) memory = own = arena.alloc<uint8_t>(checked(bytes));
   for (uint32_t i = 0; i < plan.layer_count; ++i) {
-    if (plan.layers[i].kind != LayerKind::kLinear) continue;
+    if (!has_weights(plan.layers[i].kind)) continue;
     const LinearRecord record = tables.linear(plan.layers[i].parameters);
     const SharedColumns shared = find_shared_columns(plan, i, record);
     has_shared = has_shared || shared.any();
@@ -151,7 +144,7 @@ void PackedLayers::fill(const NetworkPlan& plan, const ModelTables& tables, bool
   if (memory == nullptr) return;
   if (own != nullptr) pack_layers(plan, tables, offsets, own);
   for (uint32_t i = 0; i < plan.layer_count && has_shared; ++i) {
-    if (plan.layers[i].kind == LayerKind::kLinear)
+    if (has_weights(plan.layers[i].kind))
       columns[i] = find_shared_columns(plan, i, tables.linear(plan.layers[i].parameters));
   }
   for (uint32_t i = 0; i < plan.layer_count; ++i)

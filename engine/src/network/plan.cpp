@@ -23,7 +23,7 @@ void for_each_producer(const NetworkPlan& plan, uint32_t reader, Visit visit) {
   }
 }
 
-// First each layer as early as its inputs allow. Then every layer but the linear ones as late as its readers allow:
+// First each layer as early as its inputs allow. Then every layer without weights as late as its readers allow:
 // they are cheap and mostly hand on or widen values, so it is better to store what they read (often stored anyway).
 void assign_stages(NetworkPlan* plan) {
   for (uint32_t i = 0; i < plan->layer_count; ++i) {
@@ -39,7 +39,7 @@ void assign_stages(NetworkPlan* plan) {
   uint16_t latest[kMaxLayers];
   for (uint32_t i = 0; i < plan->layer_count; ++i) latest[i] = UINT16_MAX;
   for (uint32_t i = plan->layer_count; i-- > 0;) {
-    if (plan->layers[i].kind != LayerKind::kLinear && latest[i] != UINT16_MAX) plan->stage[i] = latest[i];
+    if (!has_weights(plan->layers[i].kind) && latest[i] != UINT16_MAX) plan->stage[i] = latest[i];
     const uint16_t wait = reads_other_rows(plan->layers[i].kind) ? 1 : 0;
     const uint16_t needed = static_cast<uint16_t>(plan->stage[i] - wait);
     for_each_producer(*plan, i, [&](uint32_t producer) {

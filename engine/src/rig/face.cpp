@@ -32,7 +32,7 @@ struct Ball {
 
 Vec3i halfway(Vec3i a, Vec3i b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2, a.z + (b.z - a.z) / 2}; }
 
-uint32_t quarters_of(const GivenSkeleton& skeleton) { return skeleton.joints.quarter_turns % 4; }
+uint32_t quarters_of(const GivenSkeleton& skeleton) { return skeleton.joints.facing % 4; }
 
 Ball box_of(const Mesh& mesh, uint32_t part, uint32_t quarters) {
   Ball ball = {};
@@ -234,7 +234,7 @@ SINEW_RARE void add_face(const Face& face, const Units& units, uint32_t up_axis,
     NewJoint joint = {};
     joint.name = name;
     joint.named_after = -1;
-    joint.at = MirrorFrame::turn(turned, 4 - out->quarter_turns % 4);
+    joint.at = MirrorFrame::turn(turned, 4 - out->facing % 4);
     joint.side = side;
     joint.parent = parent;
     joint.partner = mirrored ? partner : -1;

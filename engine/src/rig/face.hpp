@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Eyes and a jaw for the heads of a skeleton: the stages of sinew_rig_face().
+// Eyes and a jaw for the heads of a skeleton: the stages of sinew_rig_details().
 #ifndef SINEW_RIG_FACE_HPP
 #define SINEW_RIG_FACE_HPP
 
@@ -9,7 +9,7 @@
 namespace sinew {
 
 // Runs everything; `outputs` is a skeleton that becomes one with a face, at the end. With a measuring arena neither mesh nor
-// skeleton is read. Errors are those of sinew_rig_face().
+// skeleton is read. Errors are those of sinew_rig_details().
 sinew_status run_face(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena, sinew_rig_outputs* outputs);
 
 }  // namespace sinew

@@ -77,7 +77,7 @@ void place_point(const Units& units, uint32_t up_axis, const sinew_rig_outputs& 
                  float* to) {
   double at[3] = {units.zero(0) + units.length(p.x), units.zero(1) + units.length(p.y),
                   units.zero(2) + units.length(p.z)};
-  double& across = at[(skeleton.quarter_turns & 1) != 0 ? 2 : 0];
+  double& across = at[(skeleton.facing & 1) != 0 ? 2 : 0];
   const double plane = static_cast<double>(skeleton.plane);
   if (side == PointSide::kMirrored) across = 2 * plane - across;
   if (side == PointSide::kPlane) across = plane;

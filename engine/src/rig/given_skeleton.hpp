@@ -52,7 +52,7 @@ struct NewJoint {
 void append_joint(const Units& units, uint32_t up_axis, const NewJoint& joint, sinew_rig_outputs* skeleton);
 
 // Grows the skeleton in `outputs`. `stage` has room() for what it finds, find() looks, add() appends. With a measuring arena
-// neither mesh nor skeleton is read. Errors are those of sinew_rig_face() and sinew_rig_props().
+// neither mesh nor skeleton is read. Errors are those of sinew_rig_details().
 template <class Stage>
 sinew_status grow_given(const RigPlan& plan, const sinew_mesh& input, Arena& arena, Stage stage,
                         sinew_rig_outputs* outputs) {

@@ -38,7 +38,7 @@ struct Body : GivenSkeleton {
     HandPlace place;
     place.wrist = at[j];
     place.elbow = at[joints.parents[j]];
-    place.quarters = joints.quarter_turns % 4;
+    place.quarters = joints.facing % 4;
     place.right = is_right(j, place.quarters);
     const int64_t forearm = static_cast<int64_t>(length(place.wrist - place.elbow));
     const int32_t e = end_of(j);
@@ -193,7 +193,7 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
     if (!body.is_hand(j)) return false;
     const int32_t other = body.partner(j);
     if (other < 0 || other == static_cast<int32_t>(j)) return true;
-    return !body.is_right(j, outputs->quarter_turns % 4) || !body.is_hand(static_cast<uint32_t>(other)) ||
+    return !body.is_right(j, outputs->facing % 4) || !body.is_hand(static_cast<uint32_t>(other)) ||
            body.partner(static_cast<uint32_t>(other)) != static_cast<int32_t>(j);
   };
   for (uint32_t j = 0; j < joints; ++j) hands += is_asked(j) ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fingers for the hands of a skeleton: the stages of sinew_rig_hands().
+// Fingers for the hands of a skeleton: the stages of sinew_rig_details().
 #ifndef SINEW_RIG_HANDS_HPP
 #define SINEW_RIG_HANDS_HPP
 
@@ -11,7 +11,7 @@ namespace sinew {
 constexpr uint32_t kHandSets = 4;
 
 // Runs everything; `outputs` is a skeleton that becomes one with fingers, at the end. plan_rig() has made the plan. With a
-// measuring arena neither mesh nor skeleton is read. Errors are those of sinew_rig_hands().
+// measuring arena neither mesh nor skeleton is read. Errors are those of sinew_rig_details().
 sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
                        sinew_rig_outputs* outputs);
 

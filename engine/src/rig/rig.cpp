@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#include "core/build.hpp"
+#include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
 #include "grid/caller_units.hpp"
 #include "kernels/select.hpp"
@@ -14,6 +16,7 @@
 #include "rig/regions.hpp"
 #include "rig/rig_task.hpp"
 #include "rig/wishes.hpp"
+#include "sinew/published.h"
 
 namespace sinew {
 namespace {
@@ -118,12 +121,14 @@ sinew_status follow_shape(const RigPlan& plan, const MirrorFrame& frame, const M
   const ArenaScope scope(arena);
   Interior interior;
   FoldedTree* const tree = arena.alloc<FoldedTree>(1);
-  if (plan.method == SINEW_RIG_REGIONS) {
-    if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-    if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
-    const sinew_status status = grow_regions(mesh, plan.counts, arena, tree);
-    if (status == SINEW_OK && !arena.measuring()) unfold_tree(plan.tree, tree, rig);
-    return status;
+  if constexpr (kHasPublished) {
+    if (plan.method == SINEW_RIG_REGIONS) {
+      if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+      if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
+      const sinew_status status = grow_regions(mesh, plan.counts, arena, tree);
+      if (status == SINEW_OK && !arena.measuring()) unfold_tree(plan.tree, tree, rig);
+      return status;
+    }
   }
   if (!interior.allocate(arena) || !build_interior(mesh, arena, &interior)) return SINEW_ERROR_WORKSPACE;
   if (!arena.measuring() && !plan.progress.report(kVotesEnd)) return SINEW_ERROR_CANCELLED;
@@ -149,7 +154,7 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
   }
   if (out->names != nullptr) name_joints(rig.joints, rig.count, out->names);
   out->mirrored = frame.folded ? 1 : 0;
-  out->quarter_turns = frame.quarters;
+  out->facing = frame.quarters;
   out->plane = to_float(placer.plane);
   out->spread = static_cast<float>(rig.spread) / 65536.0f;
 }
@@ -161,10 +166,13 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   sinew_rig_options o = sinew_rig_options_init();
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstRigOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
-  if (o.up_axis > 1 || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
-      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_REGIONS) {
+  uint32_t up_axis = 0;
+  if (read_up_axis(o.up, &up_axis) != SINEW_OK || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine ||
+      o.no_toes > 1 || o.no_ends > 1 || o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr ||
+      o.method > SINEW_RIG_REGIONS) {
     return SINEW_ERROR_ARGUMENT;
   }
+  if (!kHasPublished && o.method == SINEW_RIG_REGIONS) return SINEW_ERROR_NOT_BUILT;
   if (o.method == SINEW_RIG_VOTES) {
     if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
     if (model->task != kTaskRig || model->feature_set != feature_set) return SINEW_ERROR_MODEL_TASK;
@@ -184,7 +192,7 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->tree.ends = o.no_ends == 0;
   plan->mirroring = o.method == SINEW_RIG_REGIONS ? Mirroring::kNever : static_cast<Mirroring>(o.mirror);
   plan->method = o.method;
-  plan->up_axis = o.up_axis;
+  plan->up_axis = up_axis;
   plan->kernel = o.kernel;
   plan->progress = Progress{o.progress, o.progress_user};
   plan->other = OtherNetwork();

@@ -168,7 +168,7 @@ sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into
   if (!tree.allocate(arena, plan.joint_count)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   sinew_status status =
-      rig.build(sinew_map_rig_init(plan.positions, plan.parents, plan.joint_count), /*with_names=*/false);
+      rig.build(sinew_skeleton_init(plan.positions, plan.parents, plan.joint_count), /*with_names=*/false);
   if (status == SINEW_OK) status = tree.start(plan, rig);
   if (status != SINEW_OK) return status;
   tree.run(plan);

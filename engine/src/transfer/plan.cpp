@@ -4,8 +4,11 @@
 
 #include <stddef.h>
 
+#include "core/build.hpp"
+#include "core/read_skeleton.hpp"
 #include "core/struct_size.hpp"
 #include "kernels/select.hpp"
+#include "sinew/published.h"
 
 namespace sinew {
 namespace {
@@ -15,15 +18,13 @@ constexpr uint32_t kFirstOptionsSize = offsetof(sinew_transfer_options, progress
 
 sinew_status check_options(const sinew_transfer_options& o) {
   if (o.method > SINEW_TRANSFER_REBIND || o.influence_count > SINEW_MAX_INFLUENCES ||
-      o.weight_format > SINEW_WEIGHT_FLOAT || o.up_axis > 1 || o.source_up_axis > 1 || o.garment > 1 ||
-      o.as_drawn > 1 || o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr ||
-      o.thread_count > SINEW_MAX_THREADS || o.pair_count > SINEW_MAX_TRANSFER_PAIRS ||
-      (o.pair_count > 0 && o.pairs == nullptr)) {
+      o.weight_format > SINEW_WEIGHT_FLOAT || o.garment > 1 || o.as_drawn > 1 || o.weights_in_place > 1 ||
+      kernel_name(o.kernel) == nullptr || o.thread_count > SINEW_MAX_THREADS ||
+      o.pair_count > SINEW_MAX_TRANSFER_PAIRS || (o.pair_count > 0 && o.pairs == nullptr)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (o.garment != 0 && (o.method == SINEW_TRANSFER_BIHARMONIC || o.up_axis != o.source_up_axis))
-    return SINEW_ERROR_ARGUMENT;
-  return SINEW_OK;
+  if (!kHasPublished && o.method == SINEW_TRANSFER_BIHARMONIC) return SINEW_ERROR_NOT_BUILT;
+  return o.garment != 0 && o.method == SINEW_TRANSFER_BIHARMONIC ? SINEW_ERROR_ARGUMENT : SINEW_OK;
 }
 
 }  // namespace
@@ -33,11 +34,14 @@ sinew_status plan_transfer(const sinew_model* model, const TransferInput& input,
   sinew_transfer_options o = sinew_transfer_options_init();
   sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status == SINEW_OK) status = check_options(o);
+  if (status == SINEW_OK) status = read_up_axis(input.skeleton.up, &plan->up_axis);
+  if (status == SINEW_OK) status = read_up_axis(input.source.skeleton->up, &plan->source_up_axis);
   if (status != SINEW_OK) return status;
   const sinew_mesh& source = *input.source.mesh;
   const sinew_mesh& target = input.target;
-  if (input.source.influence_count == 0 || input.source.influence_count > SINEW_MAX_INFLUENCES ||
-      input.source.weight_format > SINEW_WEIGHT_FLOAT)
+  const sinew_skin& skin = input.source.skin;
+  if (skin.influence_count == 0 || skin.influence_count > SINEW_MAX_INFLUENCES ||
+      skin.weight_format > SINEW_WEIGHT_FLOAT || (o.garment != 0 && plan->up_axis != plan->source_up_axis))
     return SINEW_ERROR_ARGUMENT;
   status = make_counts(source.vertex_count, source.face_count, source.corner_count, input.source.skeleton->joint_count,
                        1, 0, &plan->source);
@@ -55,8 +59,6 @@ sinew_status plan_transfer(const sinew_model* model, const TransferInput& input,
   plan->method = o.method;
   plan->influence_count = o.influence_count != 0 ? o.influence_count : 4;
   plan->weight_format = o.weight_format;
-  plan->up_axis = o.up_axis;
-  plan->source_up_axis = o.source_up_axis;
   plan->as_drawn = o.as_drawn != 0;
   plan->locked = o.locked;
   plan->pairs = o.pairs;
@@ -80,14 +82,16 @@ sinew_status plan_transfer(const sinew_model* model, const TransferInput& input,
     bind.parallel_for = o.parallel_for;
     bind.parallel_user = o.parallel_user;
     const auto make = [&](const Counts& counts, uint32_t up_axis, BindPlan* out) {
-      bind.up_axis = up_axis;
-      return plan_bind(model, counts.vertices, counts.faces, counts.corners, counts.joints, &bind, out);
+      const sinew_status made =
+          plan_bind(model, counts.vertices, counts.faces, counts.corners, counts.joints, &bind, out);
+      out->up_axis = up_axis;
+      return made;
     };
     if (plan->garment) {
-      status = make(plan->dressed, o.up_axis, &plan->target_binds[method]);
+      status = make(plan->dressed, plan->up_axis, &plan->target_binds[method]);
     } else {
-      status = make(plan->target, o.up_axis, &plan->target_binds[method]);
-      if (status == SINEW_OK) status = make(plan->source, o.source_up_axis, &plan->source_binds[method]);
+      status = make(plan->target, plan->up_axis, &plan->target_binds[method]);
+      if (status == SINEW_OK) status = make(plan->source, plan->source_up_axis, &plan->source_binds[method]);
     }
     if (status != SINEW_OK) return status;
   }

@@ -2,6 +2,8 @@
 // Meshes, map, match, binds, rows: strings the stages of a transfer together.
 #include "transfer/transfer.hpp"
 
+#include "core/build.hpp"
+#include "sinew/published.h"
 #include "transfer/balance.hpp"
 #include "transfer/biharmonic.hpp"
 #include "transfer/inpaint.hpp"
@@ -24,10 +26,10 @@ sinew_status check_source(const TransferInput& input) {
     const int32_t to = source.joint_map[j];
     if (to < -1 || to >= static_cast<int32_t>(input.skeleton.joint_count)) return SINEW_ERROR_RANGE;
   }
-  const size_t n = source.influence_count;
+  const size_t n = source.skin.influence_count;
   for (size_t v = 0; v < source.mesh->vertex_count; ++v) {
     for (size_t i = v * n; i < (v + 1) * n; ++i)
-      if (source.joint_indices[i] >= source.skeleton->joint_count) return SINEW_ERROR_RANGE;
+      if (source.skin.joint_indices[i] >= source.skeleton->joint_count) return SINEW_ERROR_RANGE;
   }
   return SINEW_OK;
 }
@@ -45,8 +47,9 @@ class Transfer {
       status = find_match(plan_, input_, pair_, source_rows_.rows(), arena_, &match_);
       if (status != SINEW_OK) return status;
     }
-    if (plan_.method == SINEW_TRANSFER_BIHARMONIC) {
-      status = match_by_distances(plan_, pair_, source_rows_.rows(), arena_, &distance_match_);
+    if constexpr (kHasPublished) {
+      if (plan_.method == SINEW_TRANSFER_BIHARMONIC)
+        status = match_by_distances(plan_, pair_, source_rows_.rows(), arena_, &distance_match_);
       if (status != SINEW_OK) return status;
     }
     if (!arena_.measuring()) {
@@ -104,8 +107,8 @@ class Transfer {
     status = check_source(input_);
     if (status != SINEW_OK) return status;
     pair_.map.complete(source.joint_map, pair_.source_joints, pair_.target_joints, map_scratch_);
-    source_rows_.gather(pair_.source, source.joint_indices, source.weights, source.weight_format,
-                        source.influence_count);
+    source_rows_.gather(pair_.source, source.skin.joint_indices, source.skin.weights, source.skin.weight_format,
+                        source.skin.influence_count);
     set_flags();
     bool any = false;
     for (uint32_t v = 0; v < pair_.source.welded_count && !any; ++v) any = has_weight(source_rows_.rows(), v);
@@ -254,9 +257,11 @@ class Transfer {
       for (uint32_t v = 0; v < count; ++v) rows_.copy(v, bound_.rows(), v);
       return SINEW_OK;
     }
-    if (plan_.method == SINEW_TRANSFER_BIHARMONIC) {
-      for (uint32_t v = 0; v < count; ++v) distance_match_.carry(source_rows_.rows(), v, rows_);
-      return SINEW_OK;
+    if constexpr (kHasPublished) {
+      if (plan_.method == SINEW_TRANSFER_BIHARMONIC) {
+        for (uint32_t v = 0; v < count; ++v) distance_match_.carry(source_rows_.rows(), v, rows_);
+        return SINEW_OK;
+      }
     }
     for (uint32_t v = 0; v < count; ++v) {
       match_.carry(source_rows_.rows(), v, rows_, v);

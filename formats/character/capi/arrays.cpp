@@ -146,12 +146,11 @@ const char* sinew_character_notes(sinew_character* character) {
   return status == SINEW_OK ? character->notes.c_str() : "";
 }
 
-sinew_status sinew_character_set_skeleton(sinew_character* character, const sinew_skeleton* skeleton,
-                                          const char* const* joint_names) {
+sinew_status sinew_character_set_skeleton(sinew_character* character, const sinew_skeleton* skeleton) {
   return guarded(character, [&] {
     need(character != nullptr, "character");
     need(skeleton != nullptr, "skeleton");
-    replace_skeleton(joints_of(*skeleton, joint_names), character);
+    replace_skeleton(joints_of(skeleton), character);
   });
 }
 

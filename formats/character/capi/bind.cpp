@@ -35,7 +35,6 @@ BindJobOptions job_of(const sinew_character_bind_options& options, const sinew_c
   check_at_most("joints", options.joints, SINEW_JOINTS_ALL);
   check_at_most("influence_count", options.influence_count, SINEW_MAX_INFLUENCES);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
-  check_at_most("up_axis", options.up_axis, 1);
   check_at_most("method", options.method, SINEW_METHOD_DISTANCE);
   check_at_most("question_count", options.question_count, SINEW_MAX_QUESTIONS);
   check_at_most("answer_count", options.answer_count, SINEW_MAX_QUESTIONS);
@@ -46,7 +45,7 @@ BindJobOptions job_of(const sinew_character_bind_options& options, const sinew_c
   job.joints = joints_from(options.joints, from);
   if (options.influence_count != 0) job.influence_count = options.influence_count;
   if (options.thread_count != 0) job.thread_count = options.thread_count;
-  job.up_axis = options.up_axis;
+  job.up_axis = up_axis_of("up", options.up);
   job.rigid_parts = options.rigid_parts;
   if (options.softness_percent != 0) job.softness_percent = options.softness_percent;
   if (options.surface_vertices != 0) job.surface_vertices = options.surface_vertices;
@@ -121,7 +120,7 @@ void bind(const sinew_character_bind_options& options, ProgressOfCaller* progres
     model = model_of(options.models, ModelUse::kBind);
     binder = {&model->model, "model"};
   } else {
-    binder.method = static_cast<sinew_method>(options.method);
+    binder.method = options.method;
     if (job_options.softness_percent != 100)
       throw Error("softness_percent is for the model's weights: leave it out with heat or distance");
   }

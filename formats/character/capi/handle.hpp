@@ -191,6 +191,13 @@ ProgressOfCaller progress_of(const Options* given) {
   return has ? ProgressOfCaller(given->progress, given->progress_user) : ProgressOfCaller(nullptr, nullptr);
 }
 
+// 1 = Z, 0 = Y, as jobs have it. Throws Failure for X, which no mesh has.
+inline uint32_t up_axis_of(const char* what, uint32_t up) {
+  check_at_most(what, up, SINEW_UP_Z);
+  if (up == SINEW_UP_X) throw Failure(SINEW_ERROR_ARGUMENT, std::string(what) + ": expected Y or Z");
+  return up == SINEW_UP_Z ? 1 : 0;
+}
+
 inline uint32_t count32(size_t count) { return static_cast<uint32_t>(count); }
 
 // Files of a character in memory are seen while this lives.

@@ -5,13 +5,13 @@
 
 #include <vector>
 
-#include "sinew/types.h"
+#include "sinew/skeleton.h"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
 
 // Throws Failure, and Error for names.
-std::vector<Joint> joints_of(const sinew_skeleton& skeleton, const char* const* names);
+std::vector<Joint> joints_of(const sinew_skeleton* given);
 
 }  // namespace sinew
 #endif

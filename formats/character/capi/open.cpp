@@ -58,7 +58,9 @@ Character mesh_of(const sinew_mesh& mesh) {
 
 }  // namespace
 
-std::vector<Joint> joints_of(const sinew_skeleton& skeleton, const char* const* names) {
+std::vector<Joint> joints_of(const sinew_skeleton* given) {
+  const sinew_skeleton skeleton = options_of(given);
+  const char* const* names = skeleton.names;
   need(skeleton.positions != nullptr && skeleton.parents != nullptr, "skeleton.positions, skeleton.parents");
   const uint32_t count = skeleton.joint_count;
   if (count == 0 || count > SINEW_MAX_JOINTS)
@@ -171,13 +173,13 @@ sinew_status sinew_character_open_files(const sinew_file* files, uint32_t file_c
 }
 
 sinew_status sinew_character_create(const sinew_mesh* mesh, const sinew_skeleton* skeleton,
-                                    const char* const* joint_names, sinew_character** character) {
+                                    sinew_character** character) {
   return guarded(nullptr, [&] {
     need(mesh != nullptr || skeleton != nullptr, "mesh, skeleton");
     need(character != nullptr, "character");
     auto made = std::make_unique<sinew_character>();
     if (mesh != nullptr) made->character = mesh_of(*mesh);
-    if (skeleton != nullptr) made->character.joints = joints_of(*skeleton, joint_names);
+    if (skeleton != nullptr) made->character.joints = joints_of(skeleton);
     made->character.name = "character";
     made->same_skin = false;
     *character = made.release();

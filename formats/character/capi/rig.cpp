@@ -12,7 +12,6 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("method", options.method, SINEW_CHARACTER_RIG_REGIONS);
   check_at_most("detail", options.detail, SINEW_DETAIL_FULL);
   check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
-  check_at_most("up_axis", options.up_axis, 1);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
   check_at_most("influence_count", options.influence_count, SINEW_MAX_INFLUENCES);
   need(options.edits != nullptr || options.edit_count == 0, "edits");
@@ -20,7 +19,7 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   job.method = static_cast<RigMethod>(options.method);
   job.detail = static_cast<SkeletonDetail>(options.detail);
   job.mirror = options.mirror;
-  job.up_axis = options.up_axis;
+  job.up_axis = up_axis_of("up", options.up);
   job.spine_count = options.spine_count;
   job.toes = options.no_toes == 0;
   job.ends = options.no_ends == 0;

@@ -12,8 +12,6 @@ void check(const sinew_character_transfer_options& options) {
   check_at_most("method", options.method, SINEW_TRANSFER_REBIND);
   check_at_most("influence_count", options.influence_count, SINEW_MAX_INFLUENCES);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
-  check_at_most("target_up_axis", options.target_up_axis, 1);
-  check_at_most("source_up_axis", options.source_up_axis, 1);
   check_at_most("pair_count", options.pair_count, SINEW_MAX_TRANSFER_PAIRS);
   need(options.pairs != nullptr || options.pair_count == 0, "pairs");
   const bool biharmonic = options.method == SINEW_TRANSFER_BIHARMONIC;
@@ -28,11 +26,11 @@ void check(const sinew_character_transfer_options& options) {
 TransferOptions job_of(const sinew_character_transfer_options& options, const Character& source,
                        const Character& target) {
   TransferOptions job;
-  job.method = static_cast<sinew_transfer_method>(options.method);
+  job.method = options.method;
   if (options.influence_count != 0) job.influence_count = options.influence_count;
   if (options.thread_count != 0) job.thread_count = options.thread_count;
-  job.up_axis = options.target_up_axis;
-  job.source_up_axis = options.source_up_axis;
+  job.up_axis = up_axis_of("target_up", options.target_up);
+  job.source_up_axis = up_axis_of("source_up", options.source_up);
   job.garment = options.garment != 0;
   job.as_drawn = options.as_drawn != 0;
   for (uint32_t p = 0; p < options.pair_count; ++p) {
@@ -84,7 +82,7 @@ void carry(const sinew_character_transfer_options& options, ProgressOfCaller* pr
   target_options.skeleton = "its own";
   target_options.map = text_or_empty(options.map);
   target_options.garment = options.garment != 0;
-  target_options.z_up = options.target_up_axis == 1;
+  target_options.z_up = up_axis_of("target_up", options.target_up) == 1;
   target_options.rig_model = [&] {
     rig = model_of(options.models, ModelUse::kRig);
     return &rig->model;

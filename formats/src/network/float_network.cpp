@@ -82,11 +82,13 @@ void check_network(const FloatNetwork& network, const std::string& source) {
   list.far_neighbours = network.task != kTaskBind;
   for (uint32_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
-    const std::string name =
-        "layer " + std::to_string(i) + " (kind " + std::to_string(static_cast<int>(layer.kind)) + ") ";
+    const std::string name = "layer " + std::to_string(i) + " (" +
+                             (is_layer_kind(layer.kind) ? traits_of(layer.kind).name
+                                                        : "kind " + std::to_string(static_cast<int>(layer.kind))) +
+                             ") ";
     const LayerFault fault = find_layer_fault(list, i);
     if (fault != LayerFault::kNone) fail(name + fault_text(fault));
-    if (layer.kind != LayerKind::kLinear) continue;
+    if (!has_weights(layer.kind)) continue;
     if (layer.parameters >= network.parameters.size()) fail(name + "has no weights");
     const LinearParameters& block = network.parameters[layer.parameters];
     if (block.in != layer.in.channels || block.out != layer.out.channels)

@@ -50,7 +50,7 @@ class WeightReader {
     mark_outputs();
     for (size_t i = 0; i < network_.layers.size(); ++i) {
       const Layer& layer = network_.layers[i];
-      if (layer.kind == LayerKind::kLinear) {
+      if (has_weights(layer.kind)) {
         linear(i);
         continue;
       }
@@ -64,9 +64,9 @@ class WeightReader {
   // Linear layers whose channels the network's last layer is or hands on.
   void mark_outputs() {
     const Layer& last = network_.layers.back();
-    const Region& out = last.kind == LayerKind::kLinear ? last.out : last.in;
+    const Region& out = has_weights(last.kind) ? last.out : last.in;
     for (const Layer& layer : network_.layers)
-      outputs_.push_back(layer.kind == LayerKind::kLinear && layer.out.buffer == out.buffer);
+      outputs_.push_back(has_weights(layer.kind) && layer.out.buffer == out.buffer);
   }
 
   void linear(size_t index) {

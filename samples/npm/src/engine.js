@@ -8,7 +8,9 @@ const FLAG_NEVER = 1;
 const FLAG_DEFORMS = 2;
 const CLASS_OTHER = 17;
 const NO_QUESTION = 0xffffffff;
-const UP = ["auto", "x", "y", "z"];
+const UP = ["auto", "x", "y", "z"]; // in the order of sinew_up
+const UP_AXES = [2, 3]; // sinew_up of "y" and "z"
+const [DETAIL_HANDS, DETAIL_FACE, DETAIL_PROPS] = [1, 2, 4]; // sinew_rig_detail
 const ANSWERS = ["as-proposed", "rigid", "soft", "hard", "softer", "host"];
 const MAP_REASONS = ["found", "pinned", "no counterpart", "fewer joints", "end", "outside", "taken", "beside limits"];
 const TRANSFER_REASONS = ["asked", "style", "mismatch", "plain", "near", "far", "no match", "kept"];
@@ -36,7 +38,7 @@ export class Model {
     this.parameters = words[9];
     /** "weights", "skeletons" or "hands" */
     this.task = words[13] === 0 ? "weights" : words[6] === 2 ? "hands" : "skeletons";
-    const packed = wasm.sinew_model_packed_size(this.address) >>> 0;
+    const packed = wasm.sinew_model_pack_workspace_size(this.address) >>> 0;
     if (packed > 0) wasm.sinew_model_pack(this.address, blocks.bytes(packed, 64), packed);
   }
   free() {
@@ -109,8 +111,9 @@ export class Skin {
     });
   }
 
-  #skeleton(blocks, skeleton, flags) {
+  #skeleton(blocks, skeleton, flags, up = 0) {
     return blocks.struct("skeleton", {
+      up,
       positions: blocks.copy(skeleton.positions),
       parents: blocks.copy(skeleton.parents),
       flags: blocks.copy(flags),
@@ -204,11 +207,10 @@ export class Skin {
       answers.forEach((answer, i) => answerWords.set([answer.vertex, answer.kind | (answer.joint << 16), answer.alone], 3 * i));
       const at = {
         mesh: this.#mesh(blocks, m),
-        skeleton: this.#skeleton(blocks, s, chosen.flags),
+        skeleton: this.#skeleton(blocks, s, chosen.flags, UP_AXES[upAxis]),
         options: blocks.struct("options", {
           method,
           influence_count: n,
-          up_axis: upAxis,
           surface_vertices: options.surfaceVertices,
           symmetric: options.symmetric ? 1 : 0,
           rigid_parts: rigid,
@@ -296,7 +298,7 @@ export class Skin {
     return this.#with(options.onProgress, (blocks) => {
       const meshAt = this.#mesh(blocks, m);
       const settings = blocks.struct("rigOptions", {
-        up_axis: choice(options.upAxis, ["y", "z"], "rig: options.upAxis"),
+        up: UP_AXES[choice(options.upAxis, ["y", "z"], "rig: options.upAxis")],
         mirror: choice(options.mirror, ["auto", "always", "never"], "rig: options.mirror"),
         spine_count: options.spine,
         no_toes: options.toes === false ? 1 : 0,
@@ -315,15 +317,14 @@ export class Skin {
         names: blocks.room(Uint8Array, most * JOINT_NAME_BYTES),
       };
       const outputs = blocks.struct("rigOutputs", arrays);
-      const counts = [m.vertexCount, m.faceCount, m.cornerCount, settings];
-      const run = (call, query, ...networks) => {
-        const size = this.#size("rig", blocks, (at) => this.#wasm[query](...networks, ...counts, at));
-        this.#check("rig", this.#wasm[call](...networks, meshAt, settings, blocks.bytes(size, 64), size, outputs));
+      const counts = [m.vertexCount, m.faceCount, m.cornerCount];
+      const run = (call, network, ...wanted) => {
+        const size = this.#size("rig", blocks, (at) => this.#wasm[`${call}_workspace_size`](network, ...counts, ...wanted, settings, at));
+        this.#check("rig", this.#wasm[call](network, meshAt, ...wanted, settings, blocks.bytes(size, 64), size, outputs));
       };
-      run("sinew_rig", "sinew_rig_workspace_size", model);
-      if (hands !== 0) run("sinew_rig_hands", "sinew_rig_hands_workspace_size", hands);
-      if (options.face === true) run("sinew_rig_face", "sinew_rig_face_workspace_size");
-      if (options.props === true) run("sinew_rig_props", "sinew_rig_face_workspace_size");
+      run("sinew_rig", model);
+      const details = (hands !== 0 ? DETAIL_HANDS : 0) | (options.face === true ? DETAIL_FACE : 0) | (options.props === true ? DETAIL_PROPS : 0);
+      if (details !== 0) run("sinew_rig_details", hands, details);
       const told = blocks.read("rigOutputs", outputs);
       const count = told.joint_count;
       return {
@@ -335,7 +336,7 @@ export class Skin {
         partners: blocks.take(Int32Array, arrays.partners, count),
         confidence: Float32Array.from(blocks.take(Uint16Array, arrays.confidence, count), (c) => c / 32768),
         mirrored: told.mirrored === 1,
-        quarterTurns: told.quarter_turns,
+        facing: told.facing,
         plane: told.plane,
         spread: told.spread,
       };
@@ -345,15 +346,13 @@ export class Skin {
   #mapRig(blocks, s, rig, name) {
     const up = choice(rig.up, UP, `${name}.up`);
     const ends = rig.ends == null ? null : typed(Uint8Array, rig.ends, `${name}.ends`, s.jointCount);
-    return blocks.struct("mapRig", {
+    return blocks.struct("skeleton", {
       joint_count: s.jointCount,
       positions: blocks.copy(s.positions),
       parents: blocks.copy(s.parents),
       names: s.names == null ? 0 : blocks.copy(blocks.texts(s.names).each),
       ends: blocks.copy(ends),
-      up_x: up === 1 ? 1 : 0,
-      up_y: up === 2 ? 1 : 0,
-      up_z: up === 3 ? 1 : 0,
+      up,
     });
   }
 
@@ -422,20 +421,19 @@ export class Skin {
     }
     return this.#with(null, (blocks) => {
       const settings = blocks.struct("retargetOptions", {
-        source_up: choice(options.sourceUp, UP, "retarget: options.sourceUp"),
-        target_up: choice(options.targetUp, UP, "retarget: options.targetUp"),
         in_place: options.inPlace ? 1 : 0,
         scale: options.scale,
       });
       const rigs = [[from, source, "source"], [to, target, "target"]].map(([s, rig, name]) =>
-        blocks.struct("motionRig", {
+        blocks.struct("skeleton", {
+          up: choice(options[`${name}Up`], UP, `retarget: options.${name}Up`),
           positions: blocks.copy(s.positions),
           parents: blocks.copy(s.parents),
           rotations: rig.rotations == null ? 0 : blocks.copy(typed(Float32Array, rig.rotations, `${name}.rotations`, 4 * s.jointCount)),
           joint_count: s.jointCount,
         }),
       );
-      const size = this.#size("retarget", blocks, (at) => this.#wasm.sinew_retarget_size(from.jointCount, to.jointCount, at));
+      const size = this.#size("retarget", blocks, (at) => this.#wasm.sinew_retarget_create_workspace_size(from.jointCount, to.jointCount, at));
       const kept = new Blocks(this.#wasm);
       const memory = kept.bytes(size, 64);
       const plan = blocks.room(Uint32Array, 1);
@@ -454,8 +452,8 @@ export class Skin {
     return this.#with(null, (blocks) => {
       const out = blocks.room(Float32Array, p.length);
       const call = options.dualQuaternion ? this.#wasm.sinew_skin_dual_quaternion : this.#wasm.sinew_skin_linear;
-      const arrays = [blocks.copy(p), p.length / 3, blocks.copy(joints), blocks.copy(weights), influenceCount, blocks.copy(matrices)];
-      this.#check("pose", call(...arrays, matrices.length / 12, out));
+      const rows = blocks.struct("skin", { joint_indices: blocks.copy(joints), weights: blocks.copy(weights), influence_count: influenceCount });
+      this.#check("pose", call(blocks.copy(p), p.length / 3, rows, blocks.copy(matrices), matrices.length / 12, out));
       return blocks.take(Float32Array, out, p.length);
     });
   }
@@ -477,7 +475,7 @@ export class Skin {
       });
       const meshAt = this.#mesh(blocks, m);
       const size = this.#size("deformer", blocks, (at) =>
-        this.#wasm.sinew_deform_memory_size(meshAt, s.jointCount, influenceCount, settings, at),
+        this.#wasm.sinew_deform_create_workspace_size(meshAt, s.jointCount, influenceCount, settings, at),
       );
       const kept = new Blocks(this.#wasm);
       const memory = kept.bytes(size, 64);
@@ -507,7 +505,7 @@ export class Skin {
     return this.#with(options.onProgress, (blocks) => {
       const character = blocks.struct("boundCharacter", {
         mesh: this.#mesh(blocks, fromMesh),
-        skeleton: this.#skeleton(blocks, fromSkeleton, fromSkeleton.flags),
+        skeleton: this.#skeleton(blocks, fromSkeleton, fromSkeleton.flags, UP_AXES[choice(options.sourceUpAxis, ["y", "z"], "transfer: options.sourceUpAxis")]),
         joint_indices: blocks.copy(skin.joints),
         weights: blocks.copy(skin.weights),
         influence_count: skin.influenceCount,
@@ -516,12 +514,11 @@ export class Skin {
       const settings = blocks.struct("transferOptions", {
         method: choice(options.method, ["auto", "nearest", "biharmonic", "rebind"], "transfer: options.method"),
         influence_count: n,
-        up_axis: choice(options.upAxis, ["y", "z"], "transfer: options.upAxis"),
-        source_up_axis: choice(options.sourceUpAxis, ["y", "z"], "transfer: options.sourceUpAxis"),
         garment: options.garment ? 1 : 0,
         progress: options.onProgress ? this.#wasm.skin_progress() : 0,
       });
-      const meshAt = this.#mesh(blocks, m), skeletonAt = this.#skeleton(blocks, s, s.flags);
+      const up = UP_AXES[choice(options.upAxis, ["y", "z"], "transfer: options.upAxis")];
+      const meshAt = this.#mesh(blocks, m), skeletonAt = this.#skeleton(blocks, s, s.flags, up);
       const capacity = 64;
       const arrays = {
         joint_indices: blocks.room(Uint16Array, m.vertexCount * n),
@@ -565,7 +562,7 @@ export class Skin {
       });
       const size = this.#size("simplify", blocks, (at) => this.#wasm.sinew_simplify_workspace_size(s.jointCount, at));
       const into = blocks.room(Uint32Array, s.jointCount);
-      const arrays = [blocks.copy(s.positions), blocks.copy(s.parents), s.jointCount, blocks.copy(areas), blocks.copy(keep)];
+      const arrays = [this.#skeleton(blocks, s, null), blocks.copy(areas), blocks.copy(keep)];
       this.#check("simplify", this.#wasm.sinew_simplify(...arrays, settings, blocks.bytes(size, 64), size, into));
       return blocks.take(Uint32Array, into, s.jointCount);
     });
@@ -629,11 +626,11 @@ export class Retarget {
     const skin = skinOf(options.body.skin, mesh.vertexCount, this.#targetCount, "options.body.skin");
     const body = blocks.struct("motionBody", {
       positions: blocks.copy(mesh.positions),
-      joints: blocks.copy(skin.joints),
-      weights: blocks.copy(skin.weights),
       triangles: blocks.copy(mesh.faceVertices),
-      vertex_count: mesh.vertexCount,
+      joint_indices: blocks.copy(skin.joints),
+      weights: blocks.copy(skin.weights),
       influence_count: skin.influenceCount,
+      vertex_count: mesh.vertexCount,
       triangle_count: mesh.faceCount,
     });
     const clip = blocks.struct("motionClip", {
@@ -646,7 +643,7 @@ export class Retarget {
     });
     const settings = blocks.struct("contactOptions", { fps: options.fps });
     const sizeAt = blocks.room(Uint32Array, 1);
-    this.#check("retarget", this.#wasm.sinew_retarget_contacts_size(this.#plan, body, made.frames, sizeAt));
+    this.#check("retarget", this.#wasm.sinew_retarget_contacts_workspace_size(this.#plan, body, made.frames, sizeAt));
     const size = blocks.view(Uint32Array, sizeAt, 1)[0];
     this.#check("retarget", this.#wasm.sinew_retarget_contacts(this.#plan, 0, body, clip, settings, blocks.bytes(size, 64), size));
   }

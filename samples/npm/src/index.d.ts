@@ -146,7 +146,7 @@ export interface Rig extends Skeleton {
   /** [J] 0..1 how sure the joint's place is */
   confidence: Float32Array;
   mirrored: boolean;
-  quarterTurns: number;
+  facing: number;
   plane: number;
   /** below about 0.03 is good, above 0.09 the mesh resembles nothing that the model knows */
   spread: number;

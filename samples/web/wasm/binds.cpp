@@ -42,7 +42,7 @@ void switch_joints(const Character& character, const Wish& wish, JointChoice* ch
 
 Bound bind_with(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, uint32_t questions) {
   CharacterBindOptions options;
-  options.bind.method = static_cast<sinew_method>(wish.method);
+  options.bind.method = wish.method;
   if (options.bind.method == SINEW_METHOD_MODEL) {
     if (s.bind_model.bytes.empty()) throw Error("no model is loaded");
     options.bind.model = &s.bind_model.model;

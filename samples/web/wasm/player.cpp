@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sinew/published.h"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 
@@ -43,8 +44,8 @@ void Player::make(MotionMethod method, Opened* opened) {
   }
   RetargetSettings settings;
   settings.method = method == MotionMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
-  settings.target_up = opened->up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO;
-  Retargeter retargeter(opened->source, opened->character.joints, opened->map.sources, opened->classes, settings);
+  Retargeter retargeter(opened->source, opened->character.joints, opened->map.sources, opened->classes, settings,
+                        {SINEW_UP_AUTO, opened->up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO});
   opened->has_body = retargeter.take_bodies(opened->character, opened->body ? &*opened->body : nullptr) > 0;
   if (method == MotionMethod::kReferencePoints) {
     retargeter.follow_reference_points(sinew_reference_options_init());
@@ -145,7 +146,7 @@ Json Player::spots(uint32_t clip, double seconds) const {
     if (spot.kind == SINEW_SPOT_NONE) continue;
     list.push_back({{"joint", report.after[l].joint},
                     {"kind", spot.kind},
-                    {"place", {spot.place[0], spot.place[1], spot.place[2]}},
+                    {"place", {spot.position[0], spot.position[1], spot.position[2]}},
                     {"error", spot.error}});
   }
   return list;

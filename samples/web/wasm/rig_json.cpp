@@ -54,7 +54,7 @@ Json rig_json(const Rigs& rigs) {
       joint["confidence"] = skeleton.confidence[k];
     }
     reply["mirrored"] = skeleton.mirrored;
-    reply["axis"] = skeleton.quarter_turns % 2 != 0 ? 2 : 0;
+    reply["axis"] = skeleton.facing % 2 != 0 ? 2 : 0;
     reply["plane"] = skeleton.plane;
     reply["spread"] = skeleton.spread;
     reply["doubtful"] = rig.predicted && skeleton.spread > kDoubtfulSpread;

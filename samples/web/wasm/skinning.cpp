@@ -49,10 +49,10 @@ void Skinning::pose(const SkinnedMesh& mesh, const std::vector<Affine>& palette,
   std::vector<float> matrices;
   for (const Affine& m : palette)
     for (const double x : m) matrices.push_back(static_cast<float>(x));
-  const auto skin = method == SkinMethod::kDualQuaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
-  const sinew_status status =
-      skin(mesh.rest.data(), static_cast<uint32_t>(mesh.rest.size() / 3), mesh.joints.data(), mesh.weights.data(),
-           mesh.slots, matrices.data(), static_cast<uint32_t>(palette.size()), posed->data());
+  const sinew_skin skin = {mesh.joints.data(), mesh.weights.data(), mesh.slots, SINEW_WEIGHT_UNORM16};
+  const auto pose_skin = method == SkinMethod::kDualQuaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
+  const sinew_status status = pose_skin(mesh.rest.data(), static_cast<uint32_t>(mesh.rest.size() / 3), &skin,
+                                        matrices.data(), static_cast<uint32_t>(palette.size()), posed->data());
   if (status != SINEW_OK) throw Error(mesh.character.name + ": " + sinew_status_text(status));
 }
 

@@ -3,7 +3,7 @@
 #include <sinew/sinew.h>
 #include <stdio.h>
 
-#if defined(SINEW_DEFAULT_MODEL) && defined(SINEW_RIG_MODEL)
+#if defined(SINEW_DEFAULT_MODEL) && defined(SINEW_RIG_MODEL) && defined(SINEW_HANDS_MODEL)
 static double model_bytes[1 << 17]; /* aligned as sinew_model_open() wants it */
 
 static int open_model(const char* path, sinew_status (*open)(const void*, size_t, sinew_model*)) {
@@ -18,7 +18,8 @@ static int open_model(const char* path, sinew_status (*open)(const void*, size_t
   return 1;
 }
 static int open_models(void) {
-  return open_model(SINEW_DEFAULT_MODEL, sinew_model_open) && open_model(SINEW_RIG_MODEL, sinew_rig_model_open);
+  return open_model(SINEW_DEFAULT_MODEL, sinew_model_open) && open_model(SINEW_RIG_MODEL, sinew_rig_model_open) &&
+         open_model(SINEW_HANDS_MODEL, sinew_rig_model_open);
 }
 #else
 static int open_models(void) { return 1; }

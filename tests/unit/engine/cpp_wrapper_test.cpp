@@ -10,6 +10,7 @@
 #include "mesh_scene.hpp"
 #include "motion_clip.hpp"
 #include "rig_scene.hpp"
+#include "sinew/published.h"
 #include "sinew/sinew.hpp"
 #include "transfer_scene.hpp"
 
@@ -50,14 +51,14 @@ void expect_the_same_bytes(uint32_t influences) {
   ASSERT_EQ(sinew::bind(nullptr, mesh, skeleton, options, &workspace, &skin), SINEW_OK);
   const uint32_t n = influences == 0 ? 4 : influences;
   ASSERT_EQ(skin.influence_count, n);
-  ASSERT_EQ(skin.joints.size(), size_t{n} * mesh.vertex_count);
+  ASSERT_EQ(skin.joint_indices.size(), size_t{n} * mesh.vertex_count);
 
   options.weight_format = sinew::WeightFormat<Weight>::value;
-  std::vector<uint16_t> joints(skin.joints.size(), 99);
+  std::vector<uint16_t> joints(skin.joint_indices.size(), 99);
   std::vector<Weight> weights(skin.weights.size(), static_cast<Weight>(99));
   sinew_bind_outputs outputs = sinew_bind_outputs_init(joints.data(), weights.data());
   ASSERT_EQ(sinew_bind(nullptr, &mesh, &skeleton, &options, workspace.data(), workspace.size(), &outputs), SINEW_OK);
-  EXPECT_EQ(skin.joints, joints);
+  EXPECT_EQ(skin.joint_indices, joints);
   EXPECT_EQ(std::memcmp(skin.weights.data(), weights.data(), weights.size() * sizeof(Weight)), 0);
 }
 
@@ -79,7 +80,7 @@ TEST(CppWrapper, LeavesTheSkinAloneOnFailure) {
   EXPECT_NE(sinew::bind(nullptr, mesh, skeleton, options, &workspace, &skin), SINEW_OK);
   options.influence_count = 13;
   EXPECT_EQ(sinew::bind(nullptr, scene.mesh_view(), skeleton, options, &workspace, &skin), SINEW_ERROR_ARGUMENT);
-  EXPECT_EQ(skin.joints, std::vector<uint16_t>{7});
+  EXPECT_EQ(skin.joint_indices, std::vector<uint16_t>{7});
   EXPECT_EQ(skin.weights, std::vector<uint16_t>{65535});
 }
 
@@ -97,8 +98,8 @@ TEST(CppWrapper, KeepsLockedRowsAndWantsThem) {
             SINEW_ERROR_ARGUMENT);
   skin = {1, std::vector<uint16_t>(scene.vertex_count(), 0), std::vector<uint16_t>(scene.vertex_count(), 65535), 0};
   ASSERT_EQ(sinew::bind(nullptr, scene.mesh_view(), scene.skeleton_view(), options, &workspace, &skin), SINEW_OK);
-  EXPECT_EQ(skin.joints[19], 0);
-  EXPECT_EQ(skin.joints[18], 1);
+  EXPECT_EQ(skin.joint_indices[19], 0);
+  EXPECT_EQ(skin.joint_indices[18], 1);
 }
 
 TEST(CppWrapper, AsksAndWantsAPlaceForIt) {
@@ -142,7 +143,7 @@ TEST(CppWrapper, RigsAsTheCFunctionDoesAndBindsWhatItGives) {
   ASSERT_EQ(skeleton.names.size(), expected.count);
   for (uint32_t j = 0; j < expected.count; ++j) EXPECT_EQ(skeleton.names[j].text, expected.names[j]);
   EXPECT_EQ(skeleton.mirrored, expected.outputs.mirrored != 0);
-  EXPECT_EQ(skeleton.quarter_turns, expected.outputs.quarter_turns);
+  EXPECT_EQ(skeleton.facing, expected.outputs.facing);
   EXPECT_EQ(skeleton.plane, expected.outputs.plane);
   EXPECT_EQ(skeleton.spread, expected.outputs.spread);
 
@@ -177,7 +178,7 @@ TEST(CppWrapper, WorkspaceGrowsAndMoves) {
 TEST(CppWrapper, ARetargetPlanThatWasNotMadeRefuses) {
   const float positions[6] = {0, 0, 0, 0, 1, 0};
   const int32_t parents[2] = {-1, 0}, map[2] = {0, 1}, none[2] = {-1, -1};
-  const sinew_motion_rig rig = {positions, parents, nullptr, 2};
+  const sinew_skeleton rig = sinew_skeleton_init(positions, parents, 2);
   const float rotations[8] = {0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, places[6] = {1, 2, 3, 0, 1, 0};
   float turned[8], moved[6], ground = 0;
   sinew::RetargetPlan plan;
@@ -196,7 +197,7 @@ TEST(CppWrapper, ARetargetPlanMendsAndMeasuresClips) {
   const sinew_test::MotionScene scene = sinew_test::body(20), other = sinew_test::body(35, 0.9);
   const sinew_test::BoxBody source_boxes(scene, 0.1), target_boxes(other, 0.16, 0.9);
   const sinew_motion_body source = source_boxes.view(), target = target_boxes.view();
-  const sinew_motion_rig from = scene.view(), to = other.view();
+  const sinew_skeleton from = scene.view(), to = other.view();
   sinew_test::Pose pose = sinew_test::rest_pose(scene), out(other.count());
   sinew::RetargetPlan plan;
   sinew::Workspace workspace;
@@ -213,14 +214,10 @@ TEST(CppWrapper, ARetargetPlanMendsAndMeasuresClips) {
                        out.translations.data()),
             SINEW_OK);
   EXPECT_EQ(plan.keep_range(target, clip, &workspace), SINEW_OK);
-  EXPECT_EQ(plan.reference_points(source, target, clip, {}, &workspace), SINEW_OK);
   EXPECT_EQ(plan.contacts(&source, target, clip, {}, &workspace), SINEW_OK);
   EXPECT_EQ(plan.measure(&source, target, clip, {}, &workspace, &limbs), SINEW_OK);
   ASSERT_EQ(limbs.size(), 4u);
   EXPECT_EQ(limbs[0].frames, 1u);
-  sinew::ReferenceSettings wrong;
-  wrong.area_power = 9;
-  EXPECT_EQ(plan.reference_points(source, target, clip, wrong, &workspace), SINEW_ERROR_ARGUMENT);
 }
 
 TEST(CppWrapper, TransfersAsTheCFunctionDoes) {
@@ -233,8 +230,8 @@ TEST(CppWrapper, TransfersAsTheCFunctionDoes) {
   const sinew_mesh source_mesh = source.mesh_view();
   const sinew_skeleton skeleton = source.skeleton_view();
   const int32_t map[] = {0, 1, 2}, none[] = {-1, -1, -1};
-  sinew_bound_character bound = {&source_mesh,         &skeleton, rows.joints.data(), rows.weights.data(), 2,
-                                 SINEW_WEIGHT_UNORM16, map};
+  sinew_bound_character bound = {
+      &source_mesh, &skeleton, {rows.joints.data(), rows.weights.data(), 2, SINEW_WEIGHT_UNORM16}, map};
   sinew::Workspace workspace;
   sinew::Skin<uint16_t> skin;
   sinew::TransferReport report;
@@ -245,7 +242,7 @@ TEST(CppWrapper, TransfersAsTheCFunctionDoes) {
   const sinew_test::TransferRun expected = sinew_test::run_transfer(source, rows, target, settings);
   ASSERT_EQ(expected.status, SINEW_OK);
   EXPECT_EQ(skin.influence_count, 2u);
-  EXPECT_EQ(skin.joints, expected.joints);
+  EXPECT_EQ(skin.joint_indices, expected.joints);
   EXPECT_EQ(skin.weights, expected.weights);
   EXPECT_EQ(report.confidence, expected.confidence);
   EXPECT_EQ(report.vertex_parts, expected.vertex_parts);
@@ -269,8 +266,8 @@ TEST(CppWrapper, TransfersAsTheCFunctionDoes) {
   sinew::Skin<uint16_t> empty;
   EXPECT_EQ(sinew::transfer(nullptr, bound, target.mesh_view(), target.skeleton_view(), settings, &workspace, &empty),
             SINEW_ERROR_ARGUMENT);
-  sinew::Skin<uint16_t> kept{2, skin.joints, skin.weights, 0};
-  kept.joints.assign(kept.joints.size(), 0);
+  sinew::Skin<uint16_t> kept{2, skin.joint_indices, skin.weights, 0};
+  kept.joint_indices.assign(kept.joint_indices.size(), 0);
   kept.weights.assign(kept.weights.size(), 0);
   for (size_t v = 0; v < kept.weights.size(); v += 2) kept.weights[v] = 65535;
   const std::vector<uint16_t> painted = kept.weights;
@@ -284,7 +281,7 @@ TEST(CppWrapper, MapsAsTheCFunctionDoes) {
   sinew_test::MapCall expected;
   expected.run(target, source);
   std::vector<const char*> texts;
-  const sinew_map_rig to = expected.view(target, &texts), from = expected.view(source, &texts);
+  const sinew_skeleton to = expected.view(target, &texts), from = expected.view(source, &texts);
   sinew::Workspace workspace;
   sinew::JointMap map;
   ASSERT_EQ(sinew::map_joints(to, from, {}, &workspace, &map), SINEW_OK);
@@ -298,6 +295,40 @@ TEST(CppWrapper, MapsAsTheCFunctionDoes) {
   wrong.method = 9;
   EXPECT_EQ(sinew::map_joints(to, from, wrong, &workspace, &map), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(map.sources, expected.sources);
+}
+
+TEST(CppWrapper, AModelKeepsItsBytesAndMoves) {
+  const char* const path = SINEW_SOURCE_DIR "/samples/data/sinew_default.sinew";
+  sinew::Model model;
+  EXPECT_EQ(model.get(), nullptr);
+  EXPECT_EQ(model.pack(), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(model.open_file("no such file"), SINEW_ERROR_ARGUMENT);
+  ASSERT_EQ(model.open_file(path), SINEW_OK);
+  ASSERT_NE(model.get(), nullptr);
+  ASSERT_EQ(model.pack(), SINEW_OK);
+  EXPECT_EQ(model.pack(), SINEW_OK) << "once is enough";
+
+  // Bytes from anywhere, at an address that the engine does not take.
+  std::vector<uint8_t> bytes(model.get()->size_bytes + 1);
+  std::memcpy(bytes.data() + 1, model.get()->bytes, model.get()->size_bytes);
+  sinew::Model copied;
+  ASSERT_EQ(copied.open(bytes.data() + 1, bytes.size() - 1), SINEW_OK);
+  const sinew::Model moved = std::move(copied);
+  EXPECT_EQ(copied.get(), nullptr);  // NOLINT: what it is after a move is a promise
+  std::fill(bytes.begin(), bytes.end(), uint8_t{0});
+
+  const MeshScene scene = bar();
+  sinew::Workspace workspace;
+  sinew::Skin<uint16_t> packed, plain;
+  ASSERT_EQ(sinew::bind(model.get(), scene.mesh_view(), scene.skeleton_view(), {}, &workspace, &packed), SINEW_OK);
+  ASSERT_EQ(sinew::bind(moved.get(), scene.mesh_view(), scene.skeleton_view(), {}, &workspace, &plain), SINEW_OK);
+  EXPECT_EQ(packed.weights, plain.weights);
+  EXPECT_EQ(packed.joint_indices, plain.joint_indices);
+
+  EXPECT_EQ(model.open_rig_file(path), SINEW_ERROR_MODEL_TASK);
+  EXPECT_EQ(model.get(), nullptr) << "a failure leaves no model";
+  EXPECT_EQ(model.open(path, 0), SINEW_ERROR_MODEL_TRUNCATED);
+  EXPECT_EQ(model.open_rig_file(SINEW_SOURCE_DIR "/samples/data/sinew_hands.sinew"), SINEW_OK);
 }
 
 }  // namespace

@@ -228,6 +228,91 @@ HandSource::Posed HandSource::pose(uint64_t seed, double strength) const {
   return posed;
 }
 
+// What points of the crop are to vote for.
+class HandSource::Labels {
+ public:
+  // in_crop: from the hand's axes to the crop's.
+  template <class InCrop>
+  Labels(const HandSource& hand, const Posed& posed, const InCrop& in_crop, RigSample* out)
+      : hand_(hand), posed_(posed), out_(*out), palm_end_(in_crop(posed.palm_end)) {
+    for (const Point& p : posed.joints) joints_.push_back(in_crop(p));
+    for (const std::optional<Point>& end : posed.ends)
+      ends_.push_back(end ? std::optional<Vector3d>(in_crop(*end)) : std::nullopt);
+  }
+
+  // A point that belongs to joint `own`, 0 = none of the hand's, by a share of `trust`.
+  void add(const Vector3d& p, const Vector3d& medial, size_t own, double trust) {
+    if (posed_.classes[own] == kHandPalm) own = kWrist;
+    const float sure = static_cast<float>(trust * trust);
+    out_.class_weight.push_back(sure);
+    if (own == 0) {  // no bone of the hand
+      put(medial, &out_.start);
+      put(medial, &out_.end);
+      out_.weight.push_back(0);
+      out_.start_class.push_back(kHandRest);
+      out_.end_class.push_back(kHandRest);
+      return;
+    }
+    const BoneEnd end = nearest_end(p, own);
+    put(joints_[own], &out_.start);
+    put(end.at, &out_.end);
+    out_.weight.push_back(end.known ? sure : 0);
+    out_.start_class.push_back(posed_.classes[own]);
+    out_.end_class.push_back(end.hand_class);
+  }
+
+  static void put(const Vector3d& at, std::vector<float>* out) {
+    for (int i = 0; i < 3; ++i) out->push_back(static_cast<float>(at[i]));
+  }
+
+ private:
+  struct BoneEnd {
+    Vector3d at;
+    uint8_t hand_class = kClassTip;
+    bool known = true;
+  };
+
+  // Of the bones that begin at joint `own`, the end of the one that is nearest to p.
+  BoneEnd nearest_end(const Vector3d& p, size_t own) const {
+    BoneEnd end = {palm_end_, kClassTip, own != kWrist || hand_.fingers_.empty()};
+    double least = 1e9;
+    const auto offer = [&](const Vector3d& at, uint8_t at_class) {
+      const double d = segment_distance(p, joints_[own], at);
+      if (d >= least) return;
+      least = d;
+      end.at = at;
+      end.hand_class = at_class;
+    };
+    for (size_t f = 0; f < hand_.fingers_.size(); ++f) {
+      const HandFinger& finger = hand_.fingers_[f];
+      for (size_t k = 0; k < finger.joints.size(); ++k) {
+        const uint32_t j = finger.joints[k];
+        if (posed_.classes[j] == kHandPalm) continue;
+        if (own == kWrist && k == 0) {
+          offer(joints_[j], posed_.classes[j]);
+          end.known = true;
+        }
+        if (own != j) continue;
+        if (k + 1 < finger.joints.size()) {
+          offer(joints_[finger.joints[k + 1]], posed_.classes[finger.joints[k + 1]]);
+        } else if (ends_[f]) {
+          offer(*ends_[f], kClassTip);
+        } else {
+          end.known = false;
+        }
+      }
+    }
+    return end;
+  }
+
+  const HandSource& hand_;
+  const Posed& posed_;
+  RigSample& out_;
+  const Vector3d palm_end_;
+  std::vector<Vector3d> joints_;
+  std::vector<std::optional<Vector3d>> ends_;
+};
+
 std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const {
   const Posed posed = pose(mix_seeds(seed, 1), strength);
   Random random(mix_seeds(seed, 4));
@@ -269,8 +354,6 @@ std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const 
     const Vec3i at = crop.frame.to(quantized(vec(p)));
     return share(at);
   };
-  std::vector<Vector3d> joints;
-  for (const Point& p : posed.joints) joints.push_back(hand_place(p));
   std::vector<uint32_t> caller(engine.mesh.welded_count, UINT32_MAX);
   for (uint32_t v = 0; v < vertices_.size(); ++v) {
     uint32_t& first = caller[engine.mesh.vertex_to_welded[v]];
@@ -279,69 +362,22 @@ std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const 
   RigSample s = point_sample(set);
   s.name = name_;
   s.family = family_;
-  const auto put = [](const Vector3d& at, std::vector<float>* out) {
-    for (int i = 0; i < 3; ++i) out->push_back(static_cast<float>(at[i]));
-  };
+  Labels labels(*this, posed, hand_place, &s);
   std::vector<double> sums(joints_.size());
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     const SurfacePoint& point = set.points[i];
     const Vector3d p = share(point.position);
     const Vector3d m = share(set.medial[i]);
-    put(m, &s.medial);
+    Labels::put(m, &s.medial);
     std::fill(sums.begin(), sums.end(), 0.0);
     const bool is_cap = point.triangle != kNoTriangle && point.triangle >= crop.surface_triangles;
     for (int corner = 0; corner < 3 && !is_cap; ++corner) {
       for (const Influence& influence : influences_[caller[crop.source[point.corner[corner]]]])
         sums[influence.joint] += static_cast<double>(influence.weight) * point.share[corner] / 32768.0;
     }
-    size_t own = is_cap ? 0 : static_cast<size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+    const size_t own = is_cap ? 0 : static_cast<size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
     const double trust = is_cap ? 1 : std::min(sums[own], 1.0);
-    if (posed.classes[own] == kHandPalm) own = kWrist;
-    if (own == 0) {  // no bone of the hand
-      put(m, &s.start);
-      put(m, &s.end);
-      s.weight.push_back(0);
-      s.class_weight.push_back(static_cast<float>(trust * trust));
-      s.start_class.push_back(kHandRest);
-      s.end_class.push_back(kHandRest);
-      continue;
-    }
-    Vector3d end = hand_place(posed.palm_end);
-    uint8_t end_class = kClassTip;
-    double least = 1e9;
-    const auto offer = [&](const Vector3d& at, uint8_t at_class) {
-      const double d = segment_distance(p, joints[own], at);
-      if (d >= least) return;
-      least = d;
-      end = at;
-      end_class = at_class;
-    };
-    bool has_end = own != kWrist || fingers_.empty();
-    for (size_t f = 0; f < fingers_.size(); ++f) {
-      const HandFinger& finger = fingers_[f];
-      for (size_t k = 0; k < finger.joints.size(); ++k) {
-        const uint32_t j = finger.joints[k];
-        if (posed.classes[j] == kHandPalm) continue;
-        if (own == kWrist && k == 0) {
-          offer(joints[j], posed.classes[j]);
-          has_end = true;
-        }
-        if (own != j) continue;
-        if (k + 1 < finger.joints.size()) {
-          offer(joints[finger.joints[k + 1]], posed.classes[finger.joints[k + 1]]);
-        } else if (posed.ends[f]) {
-          offer(hand_place(*posed.ends[f]), kClassTip);
-        } else {
-          has_end = false;
-        }
-      }
-    }
-    put(joints[own], &s.start);
-    put(end, &s.end);
-    s.weight.push_back(static_cast<float>(has_end ? trust * trust : 0));
-    s.class_weight.push_back(static_cast<float>(trust * trust));
-    s.start_class.push_back(posed.classes[own]);
-    s.end_class.push_back(end_class);
+    labels.add(p, m, own, trust);
   }
   return s;
 }

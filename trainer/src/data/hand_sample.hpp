@@ -20,7 +20,6 @@ class HandSource {
   // and grow, one may be missing, the hand turns. The same seed gives the same sample; nullopt where nothing was left of
   // the hand.
   std::optional<RigSample> make(uint64_t seed, double strength) const;
-  bool has_fingers() const { return !fingers_.empty(); }
 
  private:
   using Point = std::array<double, 3>;
@@ -41,6 +40,7 @@ class HandSource {
     Point palm_end{};
     std::vector<uint8_t> classes;  // [joints_] HandClass; those of a missing finger are kHandPalm
   };
+  class Labels;
   Posed pose(uint64_t seed, double strength) const;
 
   std::string name_, family_;

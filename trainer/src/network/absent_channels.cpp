@@ -56,8 +56,7 @@ AbsentChannels absent_channels(const std::vector<std::string>& names, const std:
 
 void clear_weights(const AbsentChannels& absent, FloatNetwork* network) {
   for (const Layer& layer : network->layers) {
-    if (layer.kind != LayerKind::kLinear || (layer.in.buffer != kVertexInput && layer.in.buffer != kPairInput))
-      continue;
+    if (!has_weights(layer.kind) || (layer.in.buffer != kVertexInput && layer.in.buffer != kPairInput)) continue;
     LinearParameters& linear = network->parameters[layer.parameters];
     for (const uint32_t channel : layer.in.buffer == kVertexInput ? absent.vertex : absent.pair) {
       for (uint32_t out = 0; out < linear.out; ++out)

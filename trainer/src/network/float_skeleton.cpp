@@ -38,7 +38,7 @@ int side_of(const PredictedSkeleton& s, size_t j) {
   if (partner < 0 || partner == static_cast<int>(j)) return 0;
   const auto across = [&](size_t i) {
     const auto& p = s.joints[i].position;
-    return s.quarter_turns % 2 == 0 ? p.x : p.z;
+    return s.facing % 2 == 0 ? p.x : p.z;
   };
   return across(j) > across(static_cast<size_t>(partner)) ? 1 : -1;
 }
@@ -49,7 +49,7 @@ PredictedSkeleton predict_float_skeleton(const Character& character, const Float
                                          const SkeletonOptions& options) {
   const EngineViews views(character, {});
   sinew_rig_options engine_options = sinew_rig_options_init();
-  engine_options.up_axis = options.up_axis;
+  engine_options.up = options.up_axis == 0 ? SINEW_UP_Y : SINEW_UP_Z;
   engine_options.mirror = options.mirror;
   RigPlan plan;
   throw_status(character, plan_rig(options.model, views.mesh.vertex_count, views.mesh.face_count,
@@ -91,7 +91,7 @@ PredictedSkeleton predict_float_skeleton(const Character& character, const Float
   result.confidence.assign(count, 0);
   result.parent_confidence.assign(count, 0);
   result.mirrored = outputs.mirrored != 0;
-  result.quarter_turns = outputs.quarter_turns;
+  result.facing = outputs.facing;
   result.plane = outputs.plane;
   result.spread = outputs.spread;
   return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layer list of engine/src/model/layers.hpp, forward and backward, in float (training) or double (gradient tests).
+// The layer list of engine/src/model/layers.hpp, run forward and backward, in float (training) or double (gradient tests).
 #ifndef SINEW_TRAINER_NETWORK_LAYER_RUNNER_HPP
 #define SINEW_TRAINER_NETWORK_LAYER_RUNNER_HPP
 
@@ -13,6 +13,8 @@
 namespace sinew {
 
 class Team;
+template <class Scalar>
+struct FloatLayers;
 
 template <class Scalar>
 struct LinearBlock {
@@ -73,8 +75,7 @@ class LayerRunner : public SampleRunner<Scalar> {
   void copy_buffer(const FloatNetwork& shape, uint16_t index, std::vector<Scalar>* out) const;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<FloatLayers<Scalar>> state_;
 };
 
 extern template class LayerRunner<float>;

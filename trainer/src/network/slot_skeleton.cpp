@@ -193,7 +193,7 @@ PredictedSkeleton predict_slots(const Character& character, const FloatNetwork& 
     result.confidence.push_back(static_cast<float>(found.confidence[j]));
     result.parent_confidence.push_back(static_cast<float>(found.parent_confidence[j]));
   }
-  result.quarter_turns = frame.quarters;
+  result.facing = frame.quarters;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

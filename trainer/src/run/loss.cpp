@@ -96,131 +96,186 @@ class Lever {
   std::vector<uint32_t> mark_, touched_;
 };
 
+// One row of a sample: what its fold groups have, want and had from heat. Entries of a group are at its first slot.
+template <class S>
+struct LossRow {
+  uint32_t vertex = 0;
+  size_t first = 0;  // of its slots in logits
+  S largest = -INFINITY, sum = 0, target_sum = 0, heat_left = 1;
+  std::array<S, kMaxCandidates> group{}, target{}, heat{}, sway{};
+};
+
+// The loss of a sample part by part, and d loss / d logits where it is asked for.
+template <class S>
+class WeightLoss {
+ public:
+  WeightLoss(const Sample& sample, const LossWeights& weights, const std::vector<S>& logits, std::vector<S>* d_logits)
+      : sample_(sample),
+        weights_(weights),
+        logits_(logits),
+        d_logits_(d_logits),
+        slots_(sample.candidates),
+        total_(total_importance(sample)),
+        probability_(logits.size(), S(0)),
+        slope_(d_logits ? logits.size() : 0, S(0)),
+        kl_pull_(d_logits ? logits.size() : 0, S(0)),
+        mark_(sample.joints, UINT32_MAX),
+        part_error_(sample.joints, S(0)),
+        lever_(sample) {
+    if (d_logits != nullptr) d_logits->assign(logits.size(), S(0));
+  }
+
+  LossTerms run() {
+    for (uint32_t part = 0; part < sample_.part_count; ++part) {
+      part_joints_.clear();
+      const uint32_t begin = sample_.part_offsets[part], end = sample_.part_offsets[part + 1];
+      for (uint32_t i = begin; i < end; ++i) add_row(sample_.part_vertices[i], part);
+      for (uint32_t joint : part_joints_) terms_.part += static_cast<double>(std::abs(part_error_[joint]));
+      if (d_logits_ == nullptr) continue;
+      for (uint32_t i = begin; i < end; ++i) write_gradient(sample_.part_vertices[i]);
+    }
+    terms_.l1 /= total_;
+    terms_.kl /= total_;
+    terms_.regret /= total_;
+    terms_.part /= total_;
+    terms_.deformation /= total_;
+    terms_.total = weights_.kl * terms_.kl + weights_.l1 * terms_.l1 + weights_.regret * terms_.regret +
+                   weights_.part * terms_.part + weights_.deformation * terms_.deformation;
+    return terms_;
+  }
+
+ private:
+  bool present(size_t k) const { return sample_.candidate[k] != kAbsent; }
+
+  void add_row(uint32_t v, uint32_t part) {
+    const S importance = static_cast<S>(sample_.importance[v]);
+    LossRow<S> row;
+    row.vertex = v;
+    row.first = size_t{v} * slots_;
+    for (size_t k = row.first; k < row.first + slots_; ++k) {
+      if (present(k)) row.largest = std::max(row.largest, logits_[k]);
+    }
+    if (!(importance > S(0)) || row.largest == -INFINITY) return;
+    const FoldGroups groups(sample_, row.first);
+    sum_groups(groups, &row);
+    const S missing = static_cast<S>(sample_.missing[v]);
+    S l1 = missing, heat_l1 = std::abs(row.heat_left - missing), kl = 0;
+    const S log_sum = std::log(row.sum);
+    for (uint32_t k = 0; k < slots_; ++k) {
+      if (!present(row.first + k) || groups.first[k] != k) continue;
+      l1 += std::abs(row.group[k] - row.target[k]);
+      heat_l1 += std::abs(row.heat[k] - row.target[k]);
+      if (row.target[k] > S(0)) kl += divergence(groups, row, k, log_sum);
+      add_part_error(sample_.fold[sample_.candidate[row.first + k]], part, importance * (row.group[k] - row.target[k]));
+    }
+    if (weights_.deformation > 0) add_deformation(groups, importance, &row);
+    const bool worse = l1 > heat_l1;
+    terms_.l1 += static_cast<double>(importance * l1);
+    terms_.kl += static_cast<double>(importance * kl);
+    if (worse) terms_.regret += static_cast<double>(importance * (l1 - heat_l1));
+    if (d_logits_ != nullptr) add_slopes(groups, row, worse);
+  }
+
+  void sum_groups(const FoldGroups& groups, LossRow<S>* row) {
+    for (size_t k = row->first; k < row->first + slots_; ++k) {
+      if (!present(k)) continue;
+      probability_[k] = std::exp(logits_[k] - row->largest);
+      row->sum += probability_[k];
+    }
+    for (uint32_t k = 0; k < slots_; ++k) {
+      const uint32_t g = groups.first[k];
+      const size_t at = row->first + k;
+      probability_[at] /= row->sum;
+      row->group[g] += probability_[at];
+      row->target[g] += static_cast<S>(sample_.target[at]);
+      row->target_sum += static_cast<S>(sample_.target[at]);
+      row->heat[g] += static_cast<S>(sample_.heat[at]);
+      row->heat_left -= static_cast<S>(sample_.heat[at]);
+    }
+  }
+
+  // Of the group that begins at slot k, which has a target. Notes its pull as well.
+  S divergence(const FoldGroups& groups, const LossRow<S>& row, uint32_t k, S log_sum) {
+    S largest = -INFINITY, sum = 0;
+    for (uint32_t i = k; i < slots_; ++i) {
+      if (groups.first[i] == k) largest = std::max(largest, logits_[row.first + i]);
+    }
+    for (uint32_t i = k; i < slots_; ++i) {
+      if (groups.first[i] == k) sum += std::exp(logits_[row.first + i] - largest);
+    }
+    for (uint32_t i = k; i < slots_ && d_logits_ != nullptr; ++i) {
+      if (groups.first[i] == k)
+        kl_pull_[row.first + i] = row.target[k] * std::exp(logits_[row.first + i] - largest) / sum;
+    }
+    return row.target[k] * (std::log(row.target[k]) - (largest - row.largest + std::log(sum) - log_sum));
+  }
+
+  void add_part_error(uint32_t joint, uint32_t part, S error) {
+    if (mark_[joint] != part) {
+      mark_[joint] = part;
+      part_error_[joint] = 0;
+      part_joints_.push_back(joint);
+    }
+    part_error_[joint] += error;
+  }
+
+  void add_deformation(const FoldGroups& groups, S importance, LossRow<S>* row) {
+    std::array<S, kMaxCandidates> off{};
+    for (uint32_t k = 0; k < slots_; ++k) {
+      if (present(row->first + k) && groups.first[k] == k) off[k] = row->group[k] - row->target[k];
+    }
+    terms_.deformation += static_cast<double>(importance * lever_.sway(row->vertex, off, &row->sway));
+  }
+
+  void add_slopes(const FoldGroups& groups, const LossRow<S>& row, bool worse) {
+    const S pull = static_cast<S>(weights_.l1) + (worse ? static_cast<S>(weights_.regret) : S(0));
+    for (uint32_t k = 0; k < slots_; ++k) {
+      const uint32_t g = groups.first[k];
+      const size_t at = row.first + k;
+      slope_[at] = pull * sign(row.group[g] - row.target[g]) + static_cast<S>(weights_.deformation) * row.sway[g];
+      kl_pull_[at] = static_cast<S>(weights_.kl) * (probability_[at] * row.target_sum - kl_pull_[at]);
+    }
+  }
+
+  // After all rows of the part.
+  void write_gradient(uint32_t v) {
+    if (!(sample_.importance[v] > 0)) return;
+    const size_t first = size_t{v} * slots_;
+    const S scale = static_cast<S>(static_cast<double>(sample_.importance[v]) / total_);
+    S mean = 0;
+    for (size_t k = first; k < first + slots_; ++k) {
+      if (!present(k)) continue;
+      slope_[k] += static_cast<S>(weights_.part) * sign(part_error_[sample_.fold[sample_.candidate[k]]]);
+      mean += slope_[k] * probability_[k];
+    }
+    for (size_t k = first; k < first + slots_; ++k) {
+      if (present(k)) (*d_logits_)[k] = scale * (probability_[k] * (slope_[k] - mean) + kl_pull_[k]);
+    }
+  }
+
+  const Sample& sample_;
+  const LossWeights& weights_;
+  const std::vector<S>& logits_;
+  std::vector<S>* d_logits_;
+  const uint32_t slots_;
+  const double total_;
+  LossTerms terms_;
+  std::vector<S> probability_;
+  // d loss / d (weight of the slot's fold group), without the part term; and target / group sum * p, kept apart because
+  // it stays finite when the group's probability underflows.
+  std::vector<S> slope_, kl_pull_;
+  std::vector<uint32_t> mark_;
+  std::vector<S> part_error_;  // importance-weighted sum of p - t of the part, by folded joint
+  std::vector<uint32_t> part_joints_;
+  Lever<S> lever_;
+};
+
 }  // namespace
 
 template <class S>
 LossTerms weight_loss(const Sample& sample, const LossWeights& weights, const std::vector<S>& logits,
                       std::vector<S>* d_logits) {
-  const uint32_t slots = sample.candidates;
-  const double total = total_importance(sample);
-  LossTerms terms;
-  std::vector<S> probability(logits.size(), S(0));
-  // d loss / d (weight of the slot's fold group), without the part term; and target / group sum * p, kept apart because
-  // it stays finite when the group's probability underflows.
-  std::vector<S> slope(d_logits ? logits.size() : 0, S(0)), kl_pull(d_logits ? logits.size() : 0, S(0));
-  if (d_logits != nullptr) d_logits->assign(logits.size(), S(0));
-  std::vector<uint32_t> mark(sample.joints, UINT32_MAX);
-  std::vector<S> part_error(sample.joints, S(0));  // importance-weighted sum of p - t of the part, by folded joint
-  std::vector<uint32_t> part_joints;
-  Lever<S> lever(sample);
-
-  for (uint32_t part = 0; part < sample.part_count; ++part) {
-    part_joints.clear();
-    const uint32_t begin = sample.part_offsets[part], end = sample.part_offsets[part + 1];
-    for (uint32_t i = begin; i < end; ++i) {
-      const uint32_t v = sample.part_vertices[i];
-      const S importance = static_cast<S>(sample.importance[v]);
-      const size_t row = size_t{v} * slots;
-      S largest = -INFINITY;
-      for (size_t k = row; k < row + slots; ++k) {
-        if (sample.candidate[k] != kAbsent) largest = std::max(largest, logits[k]);
-      }
-      if (!(importance > S(0)) || largest == -INFINITY) continue;
-      const FoldGroups groups(sample, row);
-      std::array<S, kMaxCandidates> group{}, target{}, heat{};
-      S sum = 0, heat_left = 1, target_sum = 0;
-      for (uint32_t k = 0; k < slots; ++k) {
-        if (sample.candidate[row + k] == kAbsent) continue;
-        probability[row + k] = std::exp(logits[row + k] - largest);
-        sum += probability[row + k];
-      }
-      for (uint32_t k = 0; k < slots; ++k) {
-        const uint32_t g = groups.first[k];
-        probability[row + k] /= sum;
-        group[g] += probability[row + k];
-        target[g] += static_cast<S>(sample.target[row + k]);
-        target_sum += static_cast<S>(sample.target[row + k]);
-        heat[g] += static_cast<S>(sample.heat[row + k]);
-        heat_left -= static_cast<S>(sample.heat[row + k]);
-      }
-      const S missing = static_cast<S>(sample.missing[v]);
-      S l1 = missing, heat_l1 = std::abs(heat_left - missing), kl = 0;
-      const S log_sum = std::log(sum);
-      for (uint32_t k = 0; k < slots; ++k) {
-        if (sample.candidate[row + k] == kAbsent || groups.first[k] != k) continue;
-        l1 += std::abs(group[k] - target[k]);
-        heat_l1 += std::abs(heat[k] - target[k]);
-        if (target[k] > S(0)) {
-          S group_largest = -INFINITY, group_sum = 0;
-          for (uint32_t i2 = k; i2 < slots; ++i2) {
-            if (groups.first[i2] == k) group_largest = std::max(group_largest, logits[row + i2]);
-          }
-          for (uint32_t i2 = k; i2 < slots; ++i2) {
-            if (groups.first[i2] == k) group_sum += std::exp(logits[row + i2] - group_largest);
-          }
-          kl += target[k] * (std::log(target[k]) - (group_largest - largest + std::log(group_sum) - log_sum));
-          if (d_logits != nullptr) {
-            for (uint32_t i2 = k; i2 < slots; ++i2) {
-              if (groups.first[i2] == k)
-                kl_pull[row + i2] = target[k] * std::exp(logits[row + i2] - group_largest) / group_sum;
-            }
-          }
-        }
-        const uint32_t joint = sample.fold[sample.candidate[row + k]];
-        if (mark[joint] != part) {
-          mark[joint] = part;
-          part_error[joint] = 0;
-          part_joints.push_back(joint);
-        }
-        part_error[joint] += importance * (group[k] - target[k]);
-      }
-      const bool worse = l1 > heat_l1;
-      std::array<S, kMaxCandidates> sway{};
-      if (weights.deformation > 0) {
-        std::array<S, kMaxCandidates> off{};
-        for (uint32_t k = 0; k < slots; ++k) {
-          if (sample.candidate[row + k] != kAbsent && groups.first[k] == k) off[k] = group[k] - target[k];
-        }
-        terms.deformation += static_cast<double>(importance * lever.sway(v, off, &sway));
-      }
-      terms.l1 += static_cast<double>(importance * l1);
-      terms.kl += static_cast<double>(importance * kl);
-      if (worse) terms.regret += static_cast<double>(importance * (l1 - heat_l1));
-      if (d_logits != nullptr) {
-        const S pull = static_cast<S>(weights.l1) + (worse ? static_cast<S>(weights.regret) : S(0));
-        for (uint32_t k = 0; k < slots; ++k) {
-          const uint32_t g = groups.first[k];
-          slope[row + k] = pull * sign(group[g] - target[g]) + static_cast<S>(weights.deformation) * sway[g];
-          kl_pull[row + k] = static_cast<S>(weights.kl) * (probability[row + k] * target_sum - kl_pull[row + k]);
-        }
-      }
-    }
-    for (uint32_t joint : part_joints) terms.part += static_cast<double>(std::abs(part_error[joint]));
-    if (d_logits == nullptr) continue;
-    for (uint32_t i = begin; i < end; ++i) {
-      const uint32_t v = sample.part_vertices[i];
-      const size_t row = size_t{v} * slots;
-      if (!(sample.importance[v] > 0)) continue;
-      const S scale = static_cast<S>(static_cast<double>(sample.importance[v]) / total);
-      S mean = 0;
-      for (size_t k = row; k < row + slots; ++k) {
-        if (sample.candidate[k] == kAbsent) continue;
-        slope[k] += static_cast<S>(weights.part) * sign(part_error[sample.fold[sample.candidate[k]]]);
-        mean += slope[k] * probability[k];
-      }
-      for (size_t k = row; k < row + slots; ++k) {
-        if (sample.candidate[k] != kAbsent) (*d_logits)[k] = scale * (probability[k] * (slope[k] - mean) + kl_pull[k]);
-      }
-    }
-  }
-  terms.l1 /= total;
-  terms.kl /= total;
-  terms.regret /= total;
-  terms.part /= total;
-  terms.deformation /= total;
-  terms.total = weights.kl * terms.kl + weights.l1 * terms.l1 + weights.regret * terms.regret +
-                weights.part * terms.part + weights.deformation * terms.deformation;
-  return terms;
+  return WeightLoss<S>(sample, weights, logits, d_logits).run();
 }
 template LossTerms weight_loss<float>(const Sample&, const LossWeights&, const std::vector<float>&,
                                       std::vector<float>*);

@@ -50,7 +50,7 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
   if (!dressed) return picture;
   struct Way {
     const char* what;
-    sinew_transfer_method method;
+    uint32_t method;
     bool garment;
   };
   constexpr Way kWays[] = {{"bound alone", SINEW_TRANSFER_REBIND, false},

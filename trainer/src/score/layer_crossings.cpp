@@ -6,7 +6,7 @@
 #include <array>
 #include <iterator>
 
-#include "core/vec3d.hpp"
+#include "core/segment_triangle.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {
@@ -46,20 +46,14 @@ bool apart(const Box& a, const Box& b) {
          b.high.z < a.low.z;
 }
 
-bool goes_through(Vec3d from, Vec3d to, const Triangle& wall) {
+bool goes_through(const Triangle& edges, size_t edge, const Triangle& wall) {
   const auto& [a, b, c] = wall.corners;
-  const Vec3d normal = cross(b - a, c - a);
-  const double start = dot(normal, from - a), end = dot(normal, to - a);
-  if ((start < 0) == (end < 0)) return false;
-  const Vec3d at = from + (start / (start - end)) * (to - from);
-  return dot(cross(b - a, at - a), normal) >= 0 && dot(cross(c - b, at - b), normal) >= 0 &&
-         dot(cross(a - c, at - c), normal) >= 0;
+  return goes_through(edges.corners[edge], edges.corners[(edge + 1) % 3], a, b, c);
 }
 
 bool cross_each_other(const Triangle& a, const Triangle& b) {
   for (size_t k = 0; k < 3; ++k)
-    if (goes_through(a.corners[k], a.corners[(k + 1) % 3], b) || goes_through(b.corners[k], b.corners[(k + 1) % 3], a))
-      return true;
+    if (goes_through(a, k, b) || goes_through(b, k, a)) return true;
   return false;
 }
 

@@ -19,6 +19,7 @@
 
 #include <string.h>
 
+#include "sinew/published.h"
 #include "sinew/sinew.h"
 
 #ifdef __cplusplus
@@ -72,12 +73,12 @@ SINEW_API sinew_status sinew_character_open_files(const sinew_file* files, uint3
 
 /* From arrays, which are copied.
  *   mesh         null: a skeleton alone
- *   skeleton     null: a mesh alone. flags of joints: those with SINEW_JOINT_NEVER do not deform, those with SINEW_JOINT_DEFORMS do
- *   joint_names  [skeleton->joint_count], no name twice; null: joint0, joint1, ...
+ *   skeleton     null: a mesh alone. names: no name twice; null: joint0, joint1, ... flags: joints with SINEW_JOINT_NEVER do not
+ *                deform, those with SINEW_JOINT_DEFORMS do. ends, rotations and up are not looked at
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_COUNT, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY,
  * SINEW_ERROR_INPUT (a name), SINEW_ERROR_MEMORY. */
 SINEW_API sinew_status sinew_character_create(const sinew_mesh* mesh, const sinew_skeleton* skeleton,
-                                              const char* const* joint_names, sinew_character** character);
+                                              sinew_character** character);
 
 SINEW_API sinew_status sinew_character_copy(const sinew_character* from, sinew_character** character);
 /* Null is allowed. */
@@ -146,8 +147,7 @@ SINEW_API sinew_status sinew_character_joint_classes(const sinew_character* char
 SINEW_API const char* sinew_character_notes(sinew_character* character);
 
 /* Another skeleton for the mesh; weights go. As in sinew_character_create(). */
-SINEW_API sinew_status sinew_character_set_skeleton(sinew_character* character, const sinew_skeleton* skeleton,
-                                                    const char* const* joint_names);
+SINEW_API sinew_status sinew_character_set_skeleton(sinew_character* character, const sinew_skeleton* skeleton);
 /* The skeleton of another character, as `sinew bind --skeleton FILE` takes the one of a file.
  *   with_weights  1: its weights too; it has as many vertices then */
 SINEW_API sinew_status sinew_character_take_skeleton(sinew_character* character, const sinew_character* other,
@@ -227,7 +227,7 @@ typedef struct sinew_character_bind_options {
   const sinew_character_models* models; /* null: bundled */
   uint32_t method;                      /* sinew_method */
   uint32_t influence_count;             /* 1..12; 0 = 4 */
-  uint32_t up_axis;                     /* 0 = Y, 1 = Z */
+  uint32_t up;                          /* sinew_up; 0 = Y */
   uint32_t joints;                      /* sinew_joints_from */
   uint32_t rigid_parts;                 /* sinew_rigid_parts */
   uint32_t softness_percent;            /* 25..400; 0 = 100 */
@@ -327,7 +327,7 @@ typedef struct sinew_character_rig_options {
   uint32_t method;                      /* sinew_character_rig_method */
   uint32_t detail;                      /* sinew_skeleton_detail */
   uint32_t mirror;                      /* sinew_mirror */
-  uint32_t up_axis;                     /* 0 = Y, 1 = Z */
+  uint32_t up;                          /* sinew_up; 0 = Y */
   uint32_t spine_count;                 /* 1..16; 0 = as the model says */
   uint32_t no_toes, no_ends;            /* 1: without */
   uint32_t no_bind;                     /* 1: the skeleton alone */
@@ -535,13 +535,13 @@ typedef struct sinew_character_transfer_options {
   uint32_t thread_count;
   sinew_progress progress;
   void* progress_user;
-  const sinew_character_models* models;    /* null: bundled */
-  uint32_t method;                         /* sinew_transfer_method */
-  uint32_t influence_count;                /* 1..12; 0 = 4 */
-  uint32_t target_up_axis, source_up_axis; /* 0 = Y, 1 = Z */
-  uint32_t garment;                        /* 1: the target is worn by the source */
-  uint32_t as_drawn;                       /* of SINEW_TRANSFER_BIHARMONIC */
-  uint32_t heat;                           /* 1: binds by heat alone, without a model */
+  const sinew_character_models* models; /* null: bundled */
+  uint32_t method;                      /* sinew_transfer_method */
+  uint32_t influence_count;             /* 1..12; 0 = 4 */
+  uint32_t target_up, source_up;        /* sinew_up; 0 = Y */
+  uint32_t garment;                     /* 1: the target is worn by the source */
+  uint32_t as_drawn;                    /* of SINEW_TRANSFER_BIHARMONIC */
+  uint32_t heat;                        /* 1: binds by heat alone, without a model */
   uint32_t pair_count;
   const sinew_vertex_pair* pairs; /* [pair_count] of SINEW_TRANSFER_BIHARMONIC; or null */
   const uint8_t* locked;          /* [V of the target]; or null */

@@ -15,9 +15,9 @@ namespace sinew {
 
 // What sinew_options says, for a Character of V vertices and J joints.
 struct BindOptions {
-  sinew_method method = SINEW_METHOD_HEAT;
-  const sinew_model* model = nullptr;  // needed for SINEW_METHOD_MODEL
-  uint32_t influence_count = 4;        // N, 1..12
+  uint32_t method = SINEW_METHOD_HEAT;  // sinew_method
+  const sinew_model* model = nullptr;   // needed for SINEW_METHOD_MODEL
+  uint32_t influence_count = 4;         // N, 1..12
   uint32_t up_axis = 0;
   std::vector<uint8_t> joint_flags;     // [J] SINEW_JOINT_* or empty
   std::vector<uint8_t> locked;          // [V] or empty; locked rows come from character.influences

@@ -18,7 +18,7 @@ namespace sinew {
 struct Binder {
   const sinew_model* model = nullptr;
   std::string name = "heat";
-  sinew_method method = SINEW_METHOD_HEAT;  // without a model
+  uint32_t method = SINEW_METHOD_HEAT;  // sinew_method without a model
 };
 
 // Vertices' weights that steer a bind, of a character with the same vertices; joints are matched by name.

@@ -13,7 +13,8 @@ namespace sinew {
 
 // Holds pointers into `character` and into itself: neither may move while the views are used.
 struct EngineViews {
-  EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags);
+  // up_axis: 0 = Y is up, 1 = Z.
+  EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags, uint32_t up_axis = 0);
   EngineViews(const EngineViews&) = delete;
   EngineViews& operator=(const EngineViews&) = delete;
 
@@ -21,9 +22,11 @@ struct EngineViews {
   std::vector<int32_t> parents;
   std::vector<uint8_t> flags;
   sinew_mesh mesh = {};
-  sinew_skeleton skeleton = {};
+  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
 };
 
+// 0 = Y, 1 = Z, as the engine says it.
+inline uint32_t engine_up(uint32_t up_axis) { return up_axis == 0 ? SINEW_UP_Y : SINEW_UP_Z; }
 // Throws Error when there is nothing to bind or a limit of the engine is exceeded.
 void check_bindable(const Character& character);
 // Throws Error with the character's name when the status is not SINEW_OK.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sinew/published.h"
 #include "sinew/sinew.h"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fingers for the hands of a skeleton, through sinew_rig_hands() of sinew/rig.h.
+// Fingers for the hands of a skeleton, through sinew_rig_details() of sinew/rig.h.
 #ifndef SINEW_CHARACTER_PREDICT_HANDS_HPP
 #define SINEW_CHARACTER_PREDICT_HANDS_HPP
 
@@ -11,7 +11,7 @@ inline bool is_finger_class(uint8_t joint_class) {
   return joint_class >= SINEW_CLASS_THUMB && joint_class <= SINEW_CLASS_PINKY;
 }
 
-// Adds finger joints to a skeleton in the mesh of `character`, predicted or read: as sinew_rig_hands() says, named after
+// Adds finger joints to a skeleton in the mesh of `character`, predicted or read: as sinew_rig_details() says, named after
 // the hand. Its seconds grow.
 //   hands    model of sinew_rig_model_open(), made for hands
 //   options  up_axis and kernel count

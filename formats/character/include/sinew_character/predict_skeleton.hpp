@@ -28,7 +28,7 @@ struct PredictedSkeleton {
   std::vector<int32_t> partners;                     // [J] mirror image or -1
   std::vector<float> confidence, parent_confidence;  // [J] 0..1
   bool mirrored = false;
-  uint32_t quarter_turns = 0;   // where it faces, see sinew_rig_outputs
+  uint32_t facing = 0;          // where it faces, see sinew_rig_outputs
   float plane = 0, spread = 0;  // see sinew_rig_outputs
   size_t workspace_bytes = 0;
   double seconds = 0;  // in sinew_rig()

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sinew/motion_clips.h"
+#include "sinew/published.h"
 #include "sinew/sinew.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
@@ -22,8 +23,13 @@ std::optional<Character> body_of_motion(const std::string& path);
 // Limbs as they were copied, and as the method left them; as many of both, in one order.
 struct ClipReport {
   std::vector<sinew_limb_measure> before, after;
-  std::vector<sinew_contact_spot>
-      spots;  // [frames x SINEW_MAX_MOTION_LIMBS] of what the method left; empty without a body
+  // [frames x SINEW_MAX_MOTION_LIMBS] of what the method left; empty without a body
+  std::vector<sinew_contact_spot> spots;
+};
+
+// sinew_up of the source's and the target's world.
+struct UpAxes {
+  uint32_t source = SINEW_UP_AUTO, target = SINEW_UP_AUTO;
 };
 
 class Retargeter {
@@ -33,7 +39,7 @@ class Retargeter {
   //   classes  [target] sinew_joint_class
   // Throws Error naming `source.name` for what the engine refuses.
   Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
-             const std::vector<uint8_t>& classes, const RetargetSettings& settings = {});
+             const std::vector<uint8_t>& classes, const RetargetSettings& settings = {}, UpAxes up = {});
 
   // Bodies for what follows. `target` has the target's joints, `source` the motion's first ones and weights; null: the motion has
   // no body. Returns how many triangles of skin the two share as one mesh in two shapes; 0: the target's own body is looked at

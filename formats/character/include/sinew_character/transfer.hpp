@@ -15,8 +15,8 @@ namespace sinew {
 
 // What sinew_transfer_options says, for a target of V vertices and J joints.
 struct TransferOptions {
-  sinew_transfer_method method = SINEW_TRANSFER_AUTO;
-  const sinew_model* model = nullptr;  // null: binds are by heat alone
+  uint32_t method = SINEW_TRANSFER_AUTO;  // sinew_transfer_method
+  const sinew_model* model = nullptr;     // null: binds are by heat alone
   uint32_t influence_count = 4;
   uint32_t up_axis = 0, source_up_axis = 0;
   bool garment = false, as_drawn = false;

@@ -52,11 +52,10 @@ uint32_t kernel_from_environment() {
 
 BindResult bind(const Character& character, const BindOptions& options) {
   check_bindable(character);
-  const EngineViews views(character, options.joint_flags);
+  const EngineViews views(character, options.joint_flags, options.up_axis);
   sinew_options engine_options = sinew_options_init();
   engine_options.method = options.method;
   engine_options.influence_count = options.influence_count;
-  engine_options.up_axis = options.up_axis;
   engine_options.weight_format = SINEW_WEIGHT_UNORM16;
   engine_options.locked = options.locked.empty() ? nullptr : options.locked.data();
   engine_options.hints = options.hints.empty() ? nullptr : options.hints.data();

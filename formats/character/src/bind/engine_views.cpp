@@ -8,7 +8,9 @@
 
 namespace sinew {
 
-EngineViews::EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags) : flags(joint_flags) {
+EngineViews::EngineViews(const Character& character, const std::vector<uint8_t>& joint_flags, uint32_t up_axis)
+    : flags(joint_flags) {
+  skeleton.up = engine_up(up_axis);
   positions.reserve(character.vertices.size() * 3);
   for (const Vec3& p : character.vertices) positions.insert(positions.end(), {p.x, p.y, p.z});
   for (const Joint& joint : character.joints) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "sinew/published.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/bind_character.hpp"
@@ -104,17 +105,17 @@ TransferResult transfer(const Character& source, const Character& target, const 
                         const TransferOptions& options) {
   check_bindable(source);
   check_bindable(target);
-  const EngineViews from(source, {});
+  const EngineViews from(source, {}, options.source_up_axis);
   const TransferJoints joints = choose_transfer_joints(source, target, mapping);
-  const EngineViews to(target, joints.flags);
+  const EngineViews to(target, joints.flags, options.up_axis);
   const EngineRows rows(source.influences, source.vertices.size(), longest_row(source.influences));
-  const sinew_bound_character bound = {&from.mesh, &from.skeleton,       rows.joints.data(), rows.weights.data(),
-                                       rows.count, SINEW_WEIGHT_UNORM16, mapping.data()};
+  const sinew_bound_character bound = {&from.mesh,
+                                       &from.skeleton,
+                                       {rows.joints.data(), rows.weights.data(), rows.count, SINEW_WEIGHT_UNORM16},
+                                       mapping.data()};
   TransferSettings engine_options;
   engine_options.method = options.method;
   engine_options.influence_count = options.influence_count;
-  engine_options.up_axis = options.up_axis;
-  engine_options.source_up_axis = options.source_up_axis;
   engine_options.garment = options.garment ? 1 : 0;
   engine_options.as_drawn = options.as_drawn ? 1 : 0;
   engine_options.locked = options.locked.empty() ? nullptr : options.locked.data();
@@ -160,7 +161,7 @@ TransferResult transfer(const Character& source, const Character& target, const 
   for (size_t v = 0; v < vertices; ++v) {
     for (size_t i = v * n; i < (v + 1) * n; ++i)
       if (out.weights[i] != 0)
-        result.influences[v].push_back({out.joints[i], static_cast<float>(out.weights[i]) / 65535.0f});
+        result.influences[v].push_back({out.joint_indices[i], static_cast<float>(out.weights[i]) / 65535.0f});
     if (options.locked.empty() || options.locked[v] == 0) fold_row(joints.takes, &result.influences[v]);
   }
   return result;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "sinew/published.h"
 #include "sinew_character/models.hpp"
 #include "sinew_character/own_skeleton.hpp"
 #include "sinew_character/predict_face.hpp"

@@ -36,19 +36,17 @@ size_t skin_vertices(const std::string& path) {
   return count;
 }
 
-sinew_map_rig view_of(const MapRig& rig, char up, std::vector<float>* places, std::vector<int32_t>* parents,
-                      std::vector<const char*>* names, const MapSkeletonOptions& options) {
+sinew_skeleton view_of(const MapRig& rig, char up, std::vector<float>* places, std::vector<int32_t>* parents,
+                       std::vector<const char*>* names, const MapSkeletonOptions& options) {
   for (const Joint& joint : rig.joints) {
     places->insert(places->end(), {joint.position.x, joint.position.y, joint.position.z});
     parents->push_back(joint.parent);
     names->push_back(joint.name.c_str());
   }
-  sinew_map_rig view = sinew_map_rig_init(places->data(), parents->data(), static_cast<uint32_t>(rig.joints.size()));
+  sinew_skeleton view = sinew_skeleton_init(places->data(), parents->data(), static_cast<uint32_t>(rig.joints.size()));
   if (options.names) view.names = names->data();
   if (options.ends && !rig.ends.empty()) view.ends = rig.ends.data();
-  view.up[0] = up == 'x' ? 1 : 0;
-  view.up[1] = up == 'y' ? 1 : 0;
-  view.up[2] = up == 'z' ? 1 : 0;
+  view.up = up == 'x' ? SINEW_UP_X : up == 'y' ? SINEW_UP_Y : up == 'z' ? SINEW_UP_Z : SINEW_UP_AUTO;
   return view;
 }
 
@@ -120,8 +118,8 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   std::vector<float> places[2];
   std::vector<int32_t> parents[2];
   std::vector<const char*> names[2];
-  const sinew_map_rig to = view_of(target, options.target_up, &places[0], &parents[0], &names[0], options);
-  const sinew_map_rig from = view_of(source, options.source_up, &places[1], &parents[1], &names[1], options);
+  const sinew_skeleton to = view_of(target, options.target_up, &places[0], &parents[0], &names[0], options);
+  const sinew_skeleton from = view_of(source, options.source_up, &places[1], &parents[1], &names[1], options);
   MapSettings settings;
   settings.method = options.method;
   settings.pins = options.pins.data();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sinew/published.h"
 #include "sinew_character/label_skeleton.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_formats/error.hpp"

@@ -23,8 +23,11 @@ struct RigArrays {
       parents.push_back(joint.parent);
     }
   }
-  sinew_motion_rig view() const {
-    return {positions.data(), parents.data(), nullptr, static_cast<uint32_t>(parents.size())};
+  sinew_skeleton view(uint32_t up) const {
+    sinew_skeleton skeleton =
+        sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    skeleton.up = up;
+    return skeleton;
   }
 };
 
@@ -73,12 +76,12 @@ void Retargeter::check(sinew_status status) const {
 }
 
 Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
-                       const std::vector<uint8_t>& classes, const RetargetSettings& settings)
+                       const std::vector<uint8_t>& classes, const RetargetSettings& settings, UpAxes up)
     : name_(source.name), source_count_(source.joints.size()), target_count_(target.size()), classes_(classes) {
   const RigArrays from(rest_joints(source)), to(target);
-  const sinew_motion_rig source_rig = from.view(), target_rig = to.view();
+  const sinew_skeleton source_rig = from.view(up.source), target_rig = to.view(up.target);
   size_t bytes = 0;
-  check(sinew_retarget_size(source_rig.joint_count, target_rig.joint_count, &bytes));
+  check(sinew_retarget_create_workspace_size(source_rig.joint_count, target_rig.joint_count, &bytes));
   check(memory_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
   check(sinew_retarget_create(&source_rig, &target_rig, map.data(), classes.data(), &settings, memory_.data(),
                               memory_.size(), &plan_));
@@ -103,11 +106,9 @@ Retargeter::Body Retargeter::body_of(const Character& character, const std::vect
 
 sinew_motion_body Retargeter::view(const Body& body) const {
   return {body.positions.data(),
-          body.joints.data(),
-          body.weights.data(),
           triangles_.data(),
+          {body.joints.data(), body.weights.data(), body.slots, SINEW_WEIGHT_UNORM16},
           static_cast<uint32_t>(body.positions.size() / 3),
-          body.slots,
           static_cast<uint32_t>(triangles_.size() / 3)};
 }
 
@@ -173,7 +174,7 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
   settings.fps = static_cast<float>(1 / clip.frame_time);
   size_t bytes = 0;
   if (has_body) {
-    check(sinew_retarget_contacts_size(plan_, &target, whole.frame_count, &bytes));
+    check(sinew_retarget_contacts_workspace_size(plan_, &target, whole.frame_count, &bytes));
     check(workspace_.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
   }
   const auto measure = [&](std::vector<sinew_limb_measure>* limbs) {
@@ -193,7 +194,7 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
     check(sinew_retarget_contacts(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size()));
   if (reference_) {
     Workspace room;
-    check(sinew_retarget_reference_points_size(plan_, &target, &bytes));
+    check(sinew_retarget_reference_points_workspace_size(plan_, &target, &bytes));
     check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
     check(sinew_retarget_reference_points(plan_, &source, &target, &whole, &*reference_, room.data(), room.size()));
   }

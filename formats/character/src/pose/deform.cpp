@@ -12,7 +12,7 @@ CharacterDeformer::CharacterDeformer(const Character& character, const sinew_def
     : name_(character.name) {
   const SkinArrays arrays = skin_arrays(character);
   const EngineViews views(character, {});
-  const sinew_skin skin = {arrays.joints.data(), arrays.weights.data(), arrays.influences};
+  const sinew_skin skin = {arrays.joints.data(), arrays.weights.data(), arrays.influences, SINEW_WEIGHT_UNORM16};
   const sinew_status status = deformer_.create(views.mesh, views.skeleton, skin, options);
   if (status != SINEW_OK) throw Error(name_ + ": cannot be deformed: " + sinew_status_text(status));
   positions_.resize(arrays.positions.size());

@@ -166,10 +166,10 @@ Character apply_pose(const Character& character, const std::vector<Affine>& pale
     if (strongest == 0) strongest = 65535;  // the API wants a full row; the vertex is put back below
   }
   std::vector<float> moved(arrays.positions.size());
-  const auto skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
-  const sinew_status status =
-      skin(arrays.positions.data(), vertex_count, arrays.joints.data(), arrays.weights.data(), arrays.influences,
-           matrices.data(), static_cast<uint32_t>(character.joints.size()), moved.data());
+  const sinew_skin skin = {arrays.joints.data(), arrays.weights.data(), arrays.influences, SINEW_WEIGHT_UNORM16};
+  const auto pose_skin = dual_quaternion ? sinew_skin_dual_quaternion : sinew_skin_linear;
+  const sinew_status status = pose_skin(arrays.positions.data(), vertex_count, &skin, matrices.data(),
+                                        static_cast<uint32_t>(character.joints.size()), moved.data());
   if (status != SINEW_OK) throw Error(character.name + ": posing failed: " + sinew_status_text(status));
   for (size_t v = 0; v < vertex_count; ++v)
     if (!bound[v])

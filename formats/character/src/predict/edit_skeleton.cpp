@@ -74,7 +74,7 @@ size_t letters_apart(const std::string& a, const std::string& b) {
 class Editor {
  public:
   Editor(const PredictedSkeleton& skeleton, bool mirror)
-      : s_(skeleton), mirror_(mirror && skeleton.mirrored), axis_(skeleton.quarter_turns % 2 != 0 ? 2 : 0) {}
+      : s_(skeleton), mirror_(mirror && skeleton.mirrored), axis_(skeleton.facing % 2 != 0 ? 2 : 0) {}
 
   void apply(const SkeletonEdit& edit) {
     switch (edit.kind) {

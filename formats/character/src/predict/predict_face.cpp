@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A skeleton's arrays go through sinew_rig_face() or sinew_rig_props(); longer ones come back.
+// A skeleton's arrays go through sinew_rig_details(); longer ones come back.
 #include "sinew_character/predict_face.hpp"
 
 #include "skeleton_arrays.hpp"
@@ -8,20 +8,12 @@ namespace sinew {
 
 namespace {
 
-using EngineCall = decltype(&sinew_rig_face);
-
-// Lets the skeleton grow by one call and returns how many joints there are more that are no bone ends.
-size_t add_joints(const Character& character, const SkeletonOptions& options, const char* what, EngineCall engine_call,
+// Lets the skeleton grow by one detail and returns how many joints there are more that are no bone ends.
+size_t add_joints(const Character& character, const SkeletonOptions& options, const char* what, sinew_rig_detail detail,
                   PredictedSkeleton* skeleton) {
   const size_t before = skeleton->joints.size();
   SkeletonArrays arrays(character, *skeleton, what, true);
-  GrowingCall call;
-  call.workspace_size = [](const sinew_mesh& mesh, const sinew_rig_options& engine_options, size_t* bytes) {
-    return sinew_rig_face_workspace_size(mesh.vertex_count, mesh.face_count, mesh.corner_count, &engine_options, bytes);
-  };
-  call.run = [&](const sinew_mesh& mesh, const sinew_rig_options& engine_options, void* block, size_t bytes,
-                 sinew_rig_outputs* outputs) { return engine_call(&mesh, &engine_options, block, bytes, outputs); };
-  arrays.run(character, options, call, skeleton);
+  arrays.grow(character, options, detail, nullptr, skeleton);
   size_t more = 0;
   arrays.resize(skeleton);
   for (size_t j = before; j < arrays.joint_count(); ++j) {
@@ -34,11 +26,11 @@ size_t add_joints(const Character& character, const SkeletonOptions& options, co
 }  // namespace
 
 size_t predict_face(const Character& character, const SkeletonOptions& options, PredictedSkeleton* skeleton) {
-  return add_joints(character, options, "faces", sinew_rig_face, skeleton);
+  return add_joints(character, options, "faces", SINEW_DETAIL_FACE, skeleton);
 }
 
 size_t predict_props(const Character& character, const SkeletonOptions& options, PredictedSkeleton* skeleton) {
-  return add_joints(character, options, "props", sinew_rig_props, skeleton);
+  return add_joints(character, options, "props", SINEW_DETAIL_PROPS, skeleton);
 }
 
 }  // namespace sinew

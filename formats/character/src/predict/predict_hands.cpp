@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A skeleton's arrays go through sinew_rig_hands(); longer ones come back.
+// A skeleton's arrays go through sinew_rig_details(); longer ones come back.
 #include "sinew_character/predict_hands.hpp"
 
 #include <set>
@@ -12,16 +12,7 @@ size_t predict_hands(const Character& character, const sinew_model& hands, const
                      PredictedSkeleton* skeleton) {
   // Names here are longer than there, so only what is put behind them is taken: the hand's own name is left empty.
   SkeletonArrays arrays(character, *skeleton, "fingers", false);
-  GrowingCall call;
-  call.workspace_size = [&](const sinew_mesh& mesh, const sinew_rig_options& engine_options, size_t* bytes) {
-    return sinew_rig_hands_workspace_size(&hands, mesh.vertex_count, mesh.face_count, mesh.corner_count,
-                                          &engine_options, bytes);
-  };
-  call.run = [&](const sinew_mesh& mesh, const sinew_rig_options& engine_options, void* block, size_t bytes,
-                 sinew_rig_outputs* outputs) {
-    return sinew_rig_hands(&hands, &mesh, &engine_options, block, bytes, outputs);
-  };
-  arrays.run(character, options, call, skeleton);
+  arrays.grow(character, options, SINEW_DETAIL_HANDS, &hands, skeleton);
 
   std::set<int> fingered;
   arrays.resize(skeleton);

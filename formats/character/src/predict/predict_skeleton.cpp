@@ -18,7 +18,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   const EngineViews views(character, {});
   RigSettings engine_options;
   engine_options.method = options.method;
-  engine_options.up_axis = options.up_axis;
+  engine_options.up = engine_up(options.up_axis);
   engine_options.mirror = options.mirror;
   engine_options.spine_count = options.spine_count;
   engine_options.no_toes = options.toes ? 0 : 1;
@@ -49,7 +49,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   result.classes = std::move(rigged.joint_classes);
   result.partners = std::move(rigged.partners);
   result.mirrored = rigged.mirrored;
-  result.quarter_turns = rigged.quarter_turns;
+  result.facing = rigged.facing;
   result.plane = rigged.plane;
   result.spread = rigged.spread;
   return result;

@@ -56,24 +56,27 @@ SkeletonArrays::SkeletonArrays(const Character& character, const PredictedSkelet
   outputs_.parent_confidence = parent_confidence_.data();
   outputs_.names = reinterpret_cast<char(*)[SINEW_JOINT_NAME_BYTES]>(names_.data());
   outputs_.mirrored = skeleton.mirrored ? 1 : 0;
-  outputs_.quarter_turns = skeleton.quarter_turns;
+  outputs_.facing = skeleton.facing;
   outputs_.plane = skeleton.plane;
 }
 
-void SkeletonArrays::run(const Character& character, const SkeletonOptions& options, const GrowingCall& call,
-                         PredictedSkeleton* skeleton) {
+void SkeletonArrays::grow(const Character& character, const SkeletonOptions& options, sinew_rig_detail detail,
+                          const sinew_model* hands_model, PredictedSkeleton* skeleton) {
   const EngineViews views(character, {});
   sinew_rig_options engine_options = sinew_rig_options_init();
-  engine_options.up_axis = options.up_axis;
+  engine_options.up = engine_up(options.up_axis);
   engine_options.kernel = options.kernel != SINEW_KERNEL_AUTO ? options.kernel : kernel_from_environment();
   size_t bytes = 0;
-  throw_status(character, call.workspace_size(views.mesh, engine_options, &bytes));
+  const sinew_mesh& mesh = views.mesh;
+  throw_status(character, sinew_rig_details_workspace_size(hands_model, mesh.vertex_count, mesh.face_count,
+                                                           mesh.corner_count, detail, &engine_options, &bytes));
   const Workspace workspace(bytes);
   if (workspace.size() < bytes)
     throw OutOfMemory(character.name + ": no memory for a workspace of " + std::to_string(bytes / 1000000) +
                       " MB in one piece");
   const auto begin = std::chrono::steady_clock::now();
-  throw_status(character, call.run(views.mesh, engine_options, workspace.data(), workspace.size(), &outputs_));
+  throw_status(character, sinew_rig_details(hands_model, &mesh, detail, &engine_options, workspace.data(),
+                                            workspace.size(), &outputs_));
   skeleton->seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   skeleton->workspace_bytes = std::max(skeleton->workspace_bytes, bytes);
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A predicted skeleton as the arrays that sinew_rig_hands() and sinew_rig_face() take and let grow.
+// A predicted skeleton as the arrays that sinew_rig_details() takes and lets grow.
 #ifndef SINEW_CHARACTER_PREDICT_SKELETON_ARRAYS_HPP
 #define SINEW_CHARACTER_PREDICT_SKELETON_ARRAYS_HPP
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,12 +10,6 @@
 #include "sinew_character/predict_skeleton.hpp"
 
 namespace sinew {
-
-// One call that adds joints: its query of the workspace, and itself.
-struct GrowingCall {
-  std::function<sinew_status(const sinew_mesh&, const sinew_rig_options&, size_t*)> workspace_size;
-  std::function<sinew_status(const sinew_mesh&, const sinew_rig_options&, void*, size_t, sinew_rig_outputs*)> run;
-};
 
 class SkeletonArrays {
  public:
@@ -26,10 +19,10 @@ class SkeletonArrays {
   SkeletonArrays(const SkeletonArrays&) = delete;
   SkeletonArrays& operator=(const SkeletonArrays&) = delete;
 
-  // Throws Error and OutOfMemory with the character's name. The skeleton's seconds and workspace grow; its joints are as
-  // they were.
-  void run(const Character& character, const SkeletonOptions& options, const GrowingCall& call,
-           PredictedSkeleton* skeleton);
+  // Adds one sinew_rig_detail; hands_model is for hands alone. Throws Error and OutOfMemory with the character's name. The
+  // skeleton's seconds and workspace grow; its joints are as they were.
+  void grow(const Character& character, const SkeletonOptions& options, sinew_rig_detail detail,
+            const sinew_model* hands_model, PredictedSkeleton* skeleton);
 
   size_t joint_count() const { return outputs_.joint_count; }
   int parent(size_t j) const { return parents_[j]; }

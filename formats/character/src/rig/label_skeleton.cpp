@@ -181,7 +181,7 @@ PredictedSkeleton skeleton_from_joints(const std::vector<Joint>& joints) {
   for (size_t j = 0; j < joints.size(); ++j) skeleton.joints[j].deforms = skeleton.ends[j] == 0;
   JointMirror mirror = find_joint_mirror(skeleton.joints);
   skeleton.mirrored = mirror.exact && mirror.axis != 1;
-  skeleton.quarter_turns = mirror.axis == 2 ? 1 : 0;
+  skeleton.facing = mirror.axis == 2 ? 1 : 0;
   skeleton.plane = mirror.plane;
   skeleton.partners = std::move(mirror.partners);
   if (!skeleton.mirrored) skeleton.partners.assign(joints.size(), -1);

@@ -91,8 +91,9 @@ Simplified simplify_skeleton(const SimplifyOptions& options, Character* characte
   const uint32_t count = static_cast<uint32_t>(joints.size());
   Workspace workspace;
   Simplified simplified;
-  const sinew_status status = simplify(positions.data(), parents.data(), count, areas.empty() ? nullptr : areas.data(),
-                                       keep.data(), settings, &workspace, &simplified.into);
+  const sinew_status status =
+      simplify(sinew_skeleton_init(positions.data(), parents.data(), count), areas.empty() ? nullptr : areas.data(),
+               keep.data(), settings, &workspace, &simplified.into);
   if (status != SINEW_OK)
     throw Error(character->name + ": the skeleton cannot be simplified: " + sinew_status_text(status));
 

@@ -308,126 +308,197 @@ Surface eyes(const Blueprint& plan, Random* random) {
   return out;
 }
 
-Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random* random) {
-  Surface out;
-  const std::vector<Point> normals = vertex_normals(body);
-  const auto set_of = [&](const std::vector<int>& joints) {
-    std::vector<bool> set(plan.joints.size(), false);
+namespace {
+
+// Clothes and gear for one body. What is drawn of `random`, and in which order, is part of what a seed gives.
+class Wardrobe {
+ public:
+  Wardrobe(const Blueprint& plan, const Surface& body, Random* random)
+      : plan_(plan), body_(body), random_(random), normals_(vertex_normals(body)) {}
+
+  Surface run(BodyPlan kind) {
+    if (kind == BodyPlan::kBiped) {
+      dress_biped();
+    } else if (kind == BodyPlan::kQuadruped && random_->chance(0.6)) {
+      saddle();
+    } else if (kind == BodyPlan::kManyLegged && random_->chance(0.6)) {
+      plates();
+    } else if (kind == BodyPlan::kBird) {
+      beak();
+    }
+    const double on_head = random_->range(0, 1);
+    if (on_head < 0.35) {
+      hat(plan_, random_, &out_);
+    } else if (on_head < 0.6) {
+      horns(plan_, random_, &out_);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  std::vector<bool> set_of(const std::vector<int>& joints) const {
+    std::vector<bool> set(plan_.joints.size(), false);
     for (int j : joints) set[static_cast<size_t>(j)] = true;
     return set;
-  };
-  const uint32_t hips = static_cast<uint32_t>(plan.trunk.front()), chest = static_cast<uint32_t>(plan.trunk.back());
-  if (kind == BodyPlan::kBiped) {
-    const Point hip = plan.at(plan.trunk[0]), neck = plan.at(plan.neck);
-    const double waist = hip.y + random->range(0.06, 0.12), knee = plan.at(plan.legs[0].joints[1]).y;
-    const int bottom = random->integer(0, 3);  // trousers, skirt, robe, nothing
-    std::vector<int> legs = {plan.trunk[0]};
-    for (const Limb& limb : plan.legs) legs.insert(legs.end(), limb.joints.begin(), limb.joints.begin() + 2);
+  }
+
+  void dress_biped() {
+    neck_ = plan_.at(plan_.neck);
+    waist_ = plan_.at(plan_.trunk[0]).y + random_->range(0.06, 0.12);
+    knee_ = plan_.at(plan_.legs[0].joints[1]).y;
+    below_the_waist();
+    shirt();
+    boots();
+    if (random_->chance(0.35))
+      out_.append(cape(plan_, body_, random_->chance(0.5) ? knee_ : 0.2, random_->chance(0.3)));
+    on_chest_and_shoulders();
+    belt();
+    hand_and_halo();
+  }
+
+  void below_the_waist() {
+    const int bottom = random_->integer(0, 3);  // trousers, skirt, robe, nothing
+    std::vector<int> legs = {plan_.trunk[0]};
+    for (const Limb& limb : plan_.legs) legs.insert(legs.end(), limb.joints.begin(), limb.joints.begin() + 2);
     if (bottom == 0) {
       const std::vector<bool> set = set_of(legs);
-      const double cut = random->chance(0.5) ? 0.14 : knee + 0.05;
-      out.append(shell(
-          body, normals,
+      const double cut = random_->chance(0.5) ? 0.14 : knee_ + 0.05;
+      out_.append(shell(
+          body_, normals_,
           [&](uint32_t v) {
-            return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > cut && body.positions[v].y < waist;
+            return share_of(body_.influences[v], set) > 0.6 && body_.positions[v].y > cut &&
+                   body_.positions[v].y < waist_;
           },
           0.008));
     } else if (bottom < 3) {
-      const double hem = bottom == 1 ? knee + random->range(-0.05, 0.08) : random->range(0.05, 0.12);
-      out.append(skirt(plan, body, waist, hem, random->range(0.0, 0.35)));
+      const double hem = bottom == 1 ? knee_ + random_->range(-0.05, 0.08) : random_->range(0.05, 0.12);
+      out_.append(skirt(plan_, body_, waist_, hem, random_->range(0.0, 0.35)));
     }
-    if (random->chance(0.75)) {
-      std::vector<int> covered = plan.trunk;
-      const bool long_sleeves = random->chance(0.5);
-      for (const Limb& limb : plan.arms) {
+  }
+
+  void shirt() {
+    if (random_->chance(0.75)) {
+      std::vector<int> covered = plan_.trunk;
+      const bool long_sleeves = random_->chance(0.5);
+      for (const Limb& limb : plan_.arms) {
         covered.push_back(limb.joints[0]);
         if (long_sleeves) covered.push_back(limb.joints[1]);
-        const int up = plan.joints[static_cast<size_t>(limb.joints[0])].parent;
-        if (up != plan.trunk.back()) covered.push_back(up);
+        const int up = plan_.joints[static_cast<size_t>(limb.joints[0])].parent;
+        if (up != plan_.trunk.back()) covered.push_back(up);
       }
       const std::vector<bool> set = set_of(covered);
-      out.append(shell(
-          body, normals,
+      out_.append(shell(
+          body_, normals_,
           [&](uint32_t v) {
-            return share_of(body.influences[v], set) > 0.6 && body.positions[v].y > waist - 0.06 &&
-                   body.positions[v].y < neck.y + 0.02;
+            return share_of(body_.influences[v], set) > 0.6 && body_.positions[v].y > waist_ - 0.06 &&
+                   body_.positions[v].y < neck_.y + 0.02;
           },
           0.014));
     }
-    if (random->chance(0.4)) {
+  }
+
+  void boots() {
+    if (random_->chance(0.4)) {
       std::vector<int> feet;
-      for (const Limb& limb : plan.legs) feet.insert(feet.end(), limb.joints.begin() + 2, limb.joints.end());
+      for (const Limb& limb : plan_.legs) feet.insert(feet.end(), limb.joints.begin() + 2, limb.joints.end());
       const std::vector<bool> set = set_of(feet);
-      out.append(shell(
-          body, normals, [&](uint32_t v) { return share_of(body.influences[v], set) > 0.45; }, 0.012));
+      out_.append(shell(
+          body_, normals_, [&](uint32_t v) { return share_of(body_.influences[v], set) > 0.45; }, 0.012));
     }
-    if (random->chance(0.35)) out.append(cape(plan, body, random->chance(0.5) ? knee : 0.2, random->chance(0.3)));
-    if (random->chance(0.4)) {
+  }
+
+  void on_chest_and_shoulders() {
+    if (random_->chance(0.4)) {
       for (size_t side = 0; side < 2; ++side) {
-        const Point at = plan.at(plan.arms[side].joints[0]) + Point{side == 0 ? 0.02 : -0.02, 0.07, 0};
-        out.append(lump(static_cast<uint32_t>(plan.arms[side].joints[0]), at, box_frame(0.09, 0.045, 0.09), 3, 0.85));
+        const Point at = plan_.at(plan_.arms[side].joints[0]) + Point{side == 0 ? 0.02 : -0.02, 0.07, 0};
+        out_.append(lump(static_cast<uint32_t>(plan_.arms[side].joints[0]), at, box_frame(0.09, 0.045, 0.09), 3, 0.85));
       }
     }
-    if (random->chance(0.3)) {
-      out.append(lump(chest, mix(plan.at(plan.trunk.back()), neck, 0.4) - Point{0, 0, 0.26},
-                      box_frame(0.13, 0.16, 0.08), 3, 0.3));
+    if (random_->chance(0.3)) {
+      out_.append(lump(static_cast<uint32_t>(plan_.trunk.back()),
+                       mix(plan_.at(plan_.trunk.back()), neck_, 0.4) - Point{0, 0, 0.26}, box_frame(0.13, 0.16, 0.08),
+                       3, 0.3));
     }
-    if (random->chance(0.3)) {
+  }
+
+  void belt() {
+    if (random_->chance(0.3)) {
       double rx = 0, rz = 0;
-      const std::vector<bool> trunk = set_of(plan.trunk);
-      for (size_t v = 0; v < body.positions.size(); ++v) {
-        const Point p = body.positions[v];
-        if (p.y < waist - plan.cell || p.y > waist + plan.cell || share_of(body.influences[v], trunk) < 0.7) continue;
+      const std::vector<bool> trunk = set_of(plan_.trunk);
+      for (size_t v = 0; v < body_.positions.size(); ++v) {
+        const Point p = body_.positions[v];
+        if (p.y < waist_ - plan_.cell || p.y > waist_ + plan_.cell || share_of(body_.influences[v], trunk) < 0.7)
+          continue;
         rx = std::max(rx, p.x);
         rz = std::max(rz, p.z);
       }
-      if (rx > 0) out.append(torus(hips, {0, waist, 0}, rx + 0.03, rz + 0.03, 0.025, 18));
+      if (rx > 0)
+        out_.append(torus(static_cast<uint32_t>(plan_.trunk.front()), {0, waist_, 0}, rx + 0.03, rz + 0.03, 0.025, 18));
     }
-    if (random->chance(0.25)) {  // something long in the left hand
-      const Limb& arm = plan.arms[0];
-      const Point hand = plan.at(arm.joints[2]), out_by = unit(hand - plan.at(arm.joints[1]));
+  }
+
+  // Something long in the left hand, and a ring above the head.
+  void hand_and_halo() {
+    if (random_->chance(0.25)) {  // something long in the left hand
+      const Limb& arm = plan_.arms[0];
+      const Point hand = plan_.at(arm.joints[2]), out_by = unit(hand - plan_.at(arm.joints[1]));
       const Point grip = hand + out_by * 0.07;
-      out.append(lump(static_cast<uint32_t>(arm.joints[2]), grip + Point{0, 0, 0.28},
-                      bone_frame(grip - Point{0, 0, 0.1}, grip + Point{0, 0, 0.66}, 0.03, 0.015), 3, 0.2, 0.5));
+      out_.append(lump(static_cast<uint32_t>(arm.joints[2]), grip + Point{0, 0, 0.28},
+                       bone_frame(grip - Point{0, 0, 0.1}, grip + Point{0, 0, 0.66}, 0.03, 0.015), 3, 0.2, 0.5));
     }
-    if (random->chance(0.15))
-      out.append(torus(static_cast<uint32_t>(plan.head), plan.head_centre + Point{0, plan.head_radius * 1.6, 0}, 0.12,
-                       0.12, 0.015, 16));
-  } else if (kind == BodyPlan::kQuadruped && random->chance(0.6)) {
-    const std::vector<bool> trunk = set_of(plan.trunk);
-    const double back = plan.at(plan.trunk[1]).y - 0.02;
-    out.append(shell(
-        body, normals,
+    if (random_->chance(0.15))
+      out_.append(torus(static_cast<uint32_t>(plan_.head), plan_.head_centre + Point{0, plan_.head_radius * 1.6, 0},
+                        0.12, 0.12, 0.015, 16));
+  }
+
+  void saddle() {
+    const std::vector<bool> trunk = set_of(plan_.trunk);
+    const double back = plan_.at(plan_.trunk[1]).y - 0.02;
+    out_.append(shell(
+        body_, normals_,
         [&](uint32_t v) {
-          return share_of(body.influences[v], trunk) > 0.6 && body.positions[v].y > back &&
-                 body.positions[v].z > plan.at(plan.trunk[1]).z - 0.1 &&
-                 body.positions[v].z < plan.at(plan.trunk.back()).z + 0.08;
+          return share_of(body_.influences[v], trunk) > 0.6 && body_.positions[v].y > back &&
+                 body_.positions[v].z > plan_.at(plan_.trunk[1]).z - 0.1 &&
+                 body_.positions[v].z < plan_.at(plan_.trunk.back()).z + 0.08;
         },
         0.016));
-    if (random->chance(0.5)) {
+    if (random_->chance(0.5)) {
       for (double side : {1.0, -1.0}) {
-        out.append(lump(static_cast<uint32_t>(plan.trunk[1]), plan.at(plan.trunk[1]) + Point{side * 0.24, 0.02, 0.06},
-                        box_frame(0.05, 0.1, 0.12), 3, 0.3));
+        out_.append(lump(static_cast<uint32_t>(plan_.trunk[1]),
+                         plan_.at(plan_.trunk[1]) + Point{side * 0.24, 0.02, 0.06}, box_frame(0.05, 0.1, 0.12), 3,
+                         0.3));
       }
     }
-  } else if (kind == BodyPlan::kManyLegged && random->chance(0.6)) {
-    for (int joint : plan.trunk) {  // plates on the back
-      const PlanJoint& segment = plan.joints[static_cast<size_t>(joint)];
-      out.append(lump(static_cast<uint32_t>(joint), mix(segment.position, segment.tip, 0.5) + Point{0, 0.16, 0},
-                      box_frame(0.12, 0.03, 0.1), 3, 0.6));
+  }
+
+  // On the back.
+  void plates() {
+    for (int joint : plan_.trunk) {  // plates on the back
+      const PlanJoint& segment = plan_.joints[static_cast<size_t>(joint)];
+      out_.append(lump(static_cast<uint32_t>(joint), mix(segment.position, segment.tip, 0.5) + Point{0, 0.16, 0},
+                       box_frame(0.12, 0.03, 0.1), 3, 0.6));
     }
-  } else if (kind == BodyPlan::kBird) {
-    const Point front = plan.head_centre + Point{0, -0.01, plan.head_radius * 0.8};
-    out.append(lump(static_cast<uint32_t>(plan.head), front + Point{0, 0, 0.08},
-                    bone_frame(front, front + Point{0, -0.02, 0.17}, 0.035, 0.03), 3, 0.6, 0.2));
   }
-  const double on_head = random->range(0, 1);
-  if (on_head < 0.35) {
-    hat(plan, random, &out);
-  } else if (on_head < 0.6) {
-    horns(plan, random, &out);
+
+  void beak() {
+    const Point front = plan_.head_centre + Point{0, -0.01, plan_.head_radius * 0.8};
+    out_.append(lump(static_cast<uint32_t>(plan_.head), front + Point{0, 0, 0.08},
+                     bone_frame(front, front + Point{0, -0.02, 0.17}, 0.035, 0.03), 3, 0.6, 0.2));
   }
-  return out;
+
+  const Blueprint& plan_;
+  const Surface& body_;
+  Random* random_;
+  const std::vector<Point> normals_;
+  Surface out_;
+  Point neck_{};
+  double waist_ = 0, knee_ = 0;  // heights
+};
+
+}  // namespace
+
+Surface dress(const Blueprint& plan, const Surface& body, BodyPlan kind, Random* random) {
+  return Wardrobe(plan, body, random).run(kind);
 }
 
 Surface capsule_body(const Blueprint& plan, int sides) {

@@ -17,17 +17,17 @@ func expect(condition: bool, what: String) -> void:
 		print("FAILED: " + what)
 
 
-func wait(seconds: float):
-	return get_tree().create_timer(seconds)
-
-
 func press():
-	yield(wait(3), "timeout")
-	while get_editor_interface().get_resource_filesystem().is_scanning():
-		yield(wait(0.5), "timeout")
+	var files = get_editor_interface().get_resource_filesystem()
+	for scan in 2:  # the first may have begun before the plug-in was there (../import/import.gd)
+		files.call_deferred("scan")
+		yield(files, "filesystem_changed")
+	yield(get_tree(), "idle_frame")
 	get_editor_interface().open_scene_from_path("res://stage.tscn")
 	get_editor_interface().set_main_screen_editor("3D")
-	yield(wait(2), "timeout")
+	while get_editor_interface().get_edited_scene_root() == null:
+		yield(get_tree(), "idle_frame")
+	yield(get_tree(), "idle_frame")
 	var dock = get_editor_interface().get_base_control().find_node("Sinew", true, false)
 	expect(dock != null, "the dock is there")
 	dock.get_parent().current_tab = dock.get_index()
@@ -59,7 +59,8 @@ func press():
 	get_editor_interface().get_selection().add_node(skeleton)
 	get_editor_interface().inspect_object(skeleton)
 	dock.get_parent().current_tab = dock.get_index()
-	yield(wait(2), "timeout")
+	for frame in 10:  # layout, then the viewport, are drawn again
+		yield(VisualServer, "frame_post_draw")
 	var picture = get_tree().get_root().get_texture().get_data()
 	picture.flip_y()
 	expect(picture.save_png(OS.get_environment("WINDOW_PICTURE")) == OK, "a picture")

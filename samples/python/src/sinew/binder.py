@@ -16,6 +16,7 @@ METHODS = ("model", "heat", "distance")
 FORMATS = ("unorm16", "unorm8", "float")
 DTYPES = (np.uint16, np.uint8, np.float32)
 UP = ("y", "z")
+UP_AXES = (2, 3)  # sinew_up of each
 RIGID_PARTS = ("auto", "always", "never")
 ANSWERS = ("proposed", "rigid", "soft", "hard", "softer", "host")
 
@@ -60,7 +61,6 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
     options.method = chosen(method, METHODS, "method")
     options.influence_count = _within(influences, 1, binding.MAX_INFLUENCES, "influences")
     options.weight_format = chosen(weight_format, FORMATS, "weight_format")
-    options.up_axis = chosen(up, UP, "up")
     options.symmetric = int(bool(symmetric))
     options.rigid_parts = chosen(rigid_parts, RIGID_PARTS, "rigid_parts")
     options.softness_percent = _within(round(100 * softness), 25, 400, "softness (in percent)")
@@ -85,7 +85,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
         outputs.questions = asked
         outputs.vertex_questions, outputs.vertex_parts = (binding.address(p) for p in parts)
     flags = joint_flags(skeleton, deform, never)
-    view = skeleton_view(skeleton, flags)
+    view = skeleton_view(skeleton, flags, UP_AXES[chosen(up, UP, "up")])
     report = binding.Progress(progress)
     options.progress = report.callback
     with binding.Threads(threads) as pool:
@@ -110,10 +110,13 @@ def joint_flags(skeleton: Skeleton, deform: Joints, never: Joints) -> np.ndarray
     return flags
 
 
-def skeleton_view(skeleton: Skeleton, flags: Optional[np.ndarray]) -> binding.sinew_skeleton:
-    """The engine's view; it borrows the arrays."""
-    return binding.sinew_skeleton(positions=binding.address(skeleton.positions), parents=binding.address(skeleton.parents),
-                                  flags=binding.address(flags), joint_count=len(skeleton))
+def skeleton_view(skeleton: Skeleton, flags: Optional[np.ndarray], up: int = 0) -> binding.sinew_skeleton:
+    """The engine's view; it borrows the arrays. up: sinew_up."""
+    view = binding.init(binding.sinew_skeleton)
+    view.joint_count, view.up = len(skeleton), up
+    view.positions, view.parents = binding.address(skeleton.positions), binding.address(skeleton.parents)
+    view.flags = binding.address(flags)
+    return view
 
 
 def _within(value: Any, low: int, high: int, name: str) -> int:

@@ -25,6 +25,7 @@ WORKSPACE_ALIGNMENT = 64
 JOINT_NAME_BYTES = 32
 JOINT_NEVER = 1
 JOINT_DEFORMS = 2
+DETAIL_HANDS, DETAIL_FACE, DETAIL_PROPS = 1, 2, 4
 NO_QUESTION = 0xFFFFFFFF
 
 _CANCELLED = -8
@@ -53,7 +54,13 @@ class sinew_mesh(Structure):
 
 
 class sinew_skeleton(Structure):
-    _fields_ = [("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p), ("joint_count", c_uint32)]
+    _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p),
+                ("flags", c_void_p), ("ends", c_void_p), ("names", POINTER(c_char_p)), ("rotations", c_void_p),
+                ("up", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_skin(Structure):
+    _fields_ = [("joint_indices", c_void_p), ("weights", c_void_p), ("influence_count", c_uint32), ("weight_format", c_uint32)]
 
 
 class sinew_model(Structure):
@@ -80,9 +87,9 @@ class sinew_question(Structure):
 
 class sinew_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
-                ("up_axis", c_uint32), ("candidate_count", c_uint32), ("grid_size", c_uint32), ("surface_vertices", c_uint32),
+                ("candidate_count", c_uint32), ("grid_size", c_uint32), ("surface_vertices", c_uint32),
                 ("symmetric", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32),
-                ("weights_in_place", c_uint32), ("kernel", c_uint32), ("thread_count", c_uint32), ("locked", c_void_p),
+                ("weights_in_place", c_uint32), ("kernel", c_uint32), ("thread_count", c_uint32), ("reserved", c_uint32), ("locked", c_void_p),
                 ("hints", c_void_p), ("parallel_for", PARALLEL_FOR), ("parallel_user", c_void_p), ("progress", PROGRESS),
                 ("progress_user", c_void_p), ("answers", POINTER(sinew_answer)), ("answer_count", c_uint32),
                 ("question_count", c_uint32)]
@@ -96,7 +103,7 @@ class sinew_bind_outputs(Structure):
 
 
 class sinew_rig_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("up_axis", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32),
+    _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32),
                 ("no_toes", c_uint32), ("no_ends", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32),
                 ("progress", PROGRESS), ("progress_user", c_void_p), ("method", c_uint32), ("reserved", c_uint32)]
 
@@ -104,13 +111,8 @@ class sinew_rig_options(Structure):
 class sinew_rig_outputs(Structure):
     _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p),
                 ("flags", c_void_p), ("joint_classes", c_void_p), ("partners", c_void_p), ("confidence", c_void_p),
-                ("parent_confidence", c_void_p), ("names", c_void_p), ("mirrored", c_uint32), ("quarter_turns", c_uint32),
+                ("parent_confidence", c_void_p), ("names", c_void_p), ("mirrored", c_uint32), ("facing", c_uint32),
                 ("plane", c_float), ("spread", c_float), ("used_bytes", c_size_t)]
-
-
-class sinew_map_rig(Structure):
-    _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p),
-                ("names", POINTER(c_char_p)), ("ends", c_void_p), ("up", c_float * 3), ("reserved", c_uint32)]
 
 
 class sinew_map_pin(Structure):
@@ -127,18 +129,13 @@ class sinew_map_outputs(Structure):
                 ("reasons", c_void_p), ("mapped", c_uint32), ("certainty", c_uint32), ("used_bytes", c_size_t)]
 
 
-class sinew_motion_rig(Structure):
-    _fields_ = [("positions", c_void_p), ("parents", c_void_p), ("rotations", c_void_p), ("joint_count", c_uint32)]
-
-
 class sinew_retarget_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("source_up", c_uint32), ("target_up", c_uint32),
-                ("in_place", c_uint32), ("scale", c_float)]
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("in_place", c_uint32), ("scale", c_float)]
 
 
 class sinew_motion_body(Structure):
-    _fields_ = [("positions", c_void_p), ("joints", c_void_p), ("weights", c_void_p), ("triangles", c_void_p),
-                ("vertex_count", c_uint32), ("influence_count", c_uint32), ("triangle_count", c_uint32)]
+    _fields_ = [("positions", c_void_p), ("triangles", c_void_p), ("skin", sinew_skin), ("vertex_count", c_uint32),
+                ("triangle_count", c_uint32)]
 
 
 class sinew_contact_options(Structure):
@@ -151,8 +148,8 @@ class sinew_motion_clip(Structure):
 
 
 class sinew_bound_character(Structure):
-    _fields_ = [("mesh", POINTER(sinew_mesh)), ("skeleton", POINTER(sinew_skeleton)), ("joint_indices", c_void_p),
-                ("weights", c_void_p), ("influence_count", c_uint32), ("weight_format", c_uint32), ("joint_map", c_void_p)]
+    _fields_ = [("mesh", POINTER(sinew_mesh)), ("skeleton", POINTER(sinew_skeleton)), ("skin", sinew_skin),
+                ("joint_map", c_void_p)]
 
 
 class sinew_vertex_pair(Structure):
@@ -161,7 +158,7 @@ class sinew_vertex_pair(Structure):
 
 class sinew_transfer_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
-                ("up_axis", c_uint32), ("source_up_axis", c_uint32), ("garment", c_uint32), ("as_drawn", c_uint32),
+                ("garment", c_uint32), ("as_drawn", c_uint32),
                 ("weights_in_place", c_uint32), ("kernel", c_uint32), ("thread_count", c_uint32), ("pair_count", c_uint32),
                 ("locked", c_void_p), ("pairs", POINTER(sinew_vertex_pair)), ("parallel_for", PARALLEL_FOR),
                 ("parallel_user", c_void_p), ("progress", PROGRESS), ("progress_user", c_void_p)]
@@ -177,10 +174,6 @@ class sinew_transfer_outputs(Structure):
                 ("confidence", c_void_p), ("parts", POINTER(sinew_transfer_part)), ("vertex_parts", c_void_p),
                 ("part_count", c_uint32), ("bound_by", c_uint32), ("carried_q16", c_uint32), ("style_q16", c_uint32),
                 ("mismatch_q16", c_uint32), ("reference_count", c_uint32), ("used_bytes", c_size_t)]
-
-
-class sinew_skin(Structure):
-    _fields_ = [("joint_indices", c_void_p), ("weights", c_void_p), ("influence_count", c_uint32)]
 
 
 class sinew_deform_options(Structure):
@@ -205,7 +198,7 @@ _SIZE = POINTER(c_size_t)
 _COUNTS = [c_uint32, c_uint32, c_uint32]
 _MODEL, _MESH, _SKELETON = POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_skeleton)
 _BLOCK = [c_void_p, c_size_t]
-_SKINNED = [c_void_p, c_uint32, c_void_p, c_void_p, c_uint32, c_void_p, c_uint32, c_void_p]
+_SKINNED = [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]
 
 _STATUS_FUNCTIONS = {
     "sinew_model_open": [c_void_p, c_size_t, _MODEL],
@@ -215,21 +208,18 @@ _STATUS_FUNCTIONS = {
     "sinew_bind": [_MODEL, _MESH, _SKELETON, POINTER(sinew_options), *_BLOCK, POINTER(sinew_bind_outputs)],
     "sinew_rig_workspace_size": [_MODEL, *_COUNTS, POINTER(sinew_rig_options), _SIZE],
     "sinew_rig": [_MODEL, _MESH, POINTER(sinew_rig_options), *_BLOCK, POINTER(sinew_rig_outputs)],
-    "sinew_rig_hands_workspace_size": [_MODEL, *_COUNTS, POINTER(sinew_rig_options), _SIZE],
-    "sinew_rig_hands": [_MODEL, _MESH, POINTER(sinew_rig_options), *_BLOCK, POINTER(sinew_rig_outputs)],
-    "sinew_rig_face_workspace_size": [*_COUNTS, POINTER(sinew_rig_options), _SIZE],
-    "sinew_rig_face": [_MESH, POINTER(sinew_rig_options), *_BLOCK, POINTER(sinew_rig_outputs)],
-    "sinew_rig_props": [_MESH, POINTER(sinew_rig_options), *_BLOCK, POINTER(sinew_rig_outputs)],
+    "sinew_rig_details_workspace_size": [_MODEL, *_COUNTS, c_uint32, POINTER(sinew_rig_options), _SIZE],
+    "sinew_rig_details": [_MODEL, _MESH, c_uint32, POINTER(sinew_rig_options), *_BLOCK, POINTER(sinew_rig_outputs)],
     "sinew_map_workspace_size": [c_uint32, c_uint32, _SIZE],
-    "sinew_map": [POINTER(sinew_map_rig), POINTER(sinew_map_rig), POINTER(sinew_map_options), *_BLOCK,
+    "sinew_map": [_SKELETON, _SKELETON, POINTER(sinew_map_options), *_BLOCK,
                   POINTER(sinew_map_outputs)],
-    "sinew_retarget_size": [c_uint32, c_uint32, _SIZE],
-    "sinew_retarget_create": [POINTER(sinew_motion_rig), POINTER(sinew_motion_rig), c_void_p, c_void_p,
+    "sinew_retarget_create_workspace_size": [c_uint32, c_uint32, _SIZE],
+    "sinew_retarget_create": [_SKELETON, _SKELETON, c_void_p, c_void_p,
                               POINTER(sinew_retarget_options), *_BLOCK, POINTER(c_void_p)],
     "sinew_retarget_height": [c_void_p, c_void_p, c_void_p, POINTER(c_float)],
     "sinew_retarget_ground": [c_void_p, c_void_p, c_size_t, POINTER(c_float)],
     "sinew_retarget_frame": [c_void_p, c_void_p, c_void_p, c_float, c_void_p, c_void_p],
-    "sinew_retarget_contacts_size": [c_void_p, POINTER(sinew_motion_body), c_uint32, _SIZE],
+    "sinew_retarget_contacts_workspace_size": [c_void_p, POINTER(sinew_motion_body), c_uint32, _SIZE],
     "sinew_retarget_contacts": [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
                                 POINTER(sinew_contact_options), *_BLOCK],
     "sinew_transfer_workspace_size": [_MODEL, POINTER(sinew_bound_character), _MESH, _SKELETON,
@@ -238,7 +228,7 @@ _STATUS_FUNCTIONS = {
                        POINTER(sinew_transfer_outputs)],
     "sinew_skin_linear": _SKINNED,
     "sinew_skin_dual_quaternion": _SKINNED,
-    "sinew_deform_memory_size": [_MESH, c_uint32, c_uint32, POINTER(sinew_deform_options), _SIZE],
+    "sinew_deform_create_workspace_size": [_MESH, c_uint32, c_uint32, POINTER(sinew_deform_options), _SIZE],
     "sinew_deform_create": [_MESH, _SKELETON, POINTER(sinew_skin), POINTER(sinew_deform_options), *_BLOCK,
                             POINTER(sinew_deformer)],
     "sinew_deform_pose": [POINTER(sinew_deformer), c_void_p, *_BLOCK, POINTER(sinew_deform_outputs)],

@@ -46,7 +46,7 @@ class Deformer:
         options.body_contact = int(body_contact)
         view = binding.sinew_skin(binding.address(rows.joints), binding.address(rows.weights), rows.joints.shape[1])
         joints = skeleton_view(skeleton, None)
-        self._memory = binding.block("sinew_deform_memory_size", "deformer", mesh.pointer(), self.joint_count,
+        self._memory = binding.block("sinew_deform_create_workspace_size", "deformer", mesh.pointer(), self.joint_count,
                                      rows.joints.shape[1], ctypes.byref(options))
         self._deformer = binding.sinew_deformer()
         status = binding.library().sinew_deform_create(mesh.pointer(), ctypes.byref(joints), ctypes.byref(view),
@@ -71,9 +71,10 @@ class Deformer:
         library = binding.library()
         if self._plain:
             rest, skin = self._rest
+            rows = binding.sinew_skin(binding.address(skin.joints), binding.address(skin.weights), skin.joints.shape[1])
             binding.check(getattr(library, self._plain)(
-                binding.address(rest), self.vertex_count, binding.address(skin.joints), binding.address(skin.weights),
-                skin.joints.shape[1], binding.address(palette), self.joint_count, binding.address(out)), "pose")
+                binding.address(rest), self.vertex_count, ctypes.byref(rows), binding.address(palette), self.joint_count,
+                binding.address(out)), "pose")
             return out
         block = binding.Block(self._deformer.pose_bytes)
         outputs = binding.init(binding.sinew_deform_outputs)

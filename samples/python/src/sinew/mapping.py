@@ -14,7 +14,7 @@ from .character import Skeleton
 
 MAP_METHODS = ("auto", "anatomy", "branches")
 REASONS = ("found", "pinned", "no counterpart", "fewer joints", "end", "outside", "taken", "beside the limits")
-_UP = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1), "auto": (0, 0, 0)}
+_UP = ("auto", "x", "y", "z")  # in the order of sinew_up
 
 
 @dataclass
@@ -63,8 +63,8 @@ def map(target: Skeleton, source: Skeleton, *, method: str = "auto",
 
 
 def _view(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
-    chosen(up, list(_UP), argument)
-    view = binding.init(binding.sinew_map_rig)
+    view = binding.init(binding.sinew_skeleton)
+    view.up = chosen(up, _UP, argument)
     view.joint_count = len(skeleton)
     view.positions, view.parents = binding.address(skeleton.positions), binding.address(skeleton.parents)
     if names:
@@ -72,5 +72,4 @@ def _view(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
     if skeleton.ends is not None:
         view.kept_ends = skeleton.ends.astype(np.uint8)  # the view borrows it
         view.ends = binding.address(view.kept_ends)
-    view.up = (ctypes.c_float * 3)(*_UP[up])
     return view

@@ -40,9 +40,9 @@ class Model:
         binding.check(open_model(self._bytes.ctypes.data, len(content), self.pointer()), self.name)
         if task != "weights":
             return
-        library.sinew_model_packed_size.restype = ctypes.c_size_t
-        library.sinew_model_packed_size.argtypes = [ctypes.POINTER(binding.sinew_model)]
-        self._packed = binding.Block(library.sinew_model_packed_size(self.pointer()))
+        library.sinew_model_pack_workspace_size.restype = ctypes.c_size_t
+        library.sinew_model_pack_workspace_size.argtypes = [ctypes.POINTER(binding.sinew_model)]
+        self._packed = binding.Block(library.sinew_model_pack_workspace_size(self.pointer()))
         binding.check(library.sinew_model_pack(self.pointer(), self._packed.address, self._packed.size_bytes), self.name)
 
     def pointer(self):

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import binding
 from .arrays import Mesh, chosen, whole
-from .binder import ProgressFunction
+from .binder import ProgressFunction, skeleton_view
 from .character import CLASSES, Character, Clip, Skeleton
 from .mapping import JointMap, map as map_joints
 
@@ -75,14 +75,14 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     sources = whole(sources, (len(target),), "joint_map", np.int32, -1, len(source))
     options = binding.init(binding.sinew_retarget_options)
     options.in_place, options.scale = int(bool(in_place)), scale
-    options.source_up = chosen(source_up, RETARGET_UP, "source_up")
-    options.target_up = chosen(target_up, RETARGET_UP, "target_up")
     classes = joint_classes(target, target_up)
     library = binding.library()
-    memory = binding.block("sinew_retarget_size", "retarget", len(source), len(target))
+    memory = binding.block("sinew_retarget_create_workspace_size", "retarget", len(source), len(target))
     plan = ctypes.c_void_p()
-    views = [binding.sinew_motion_rig(binding.address(s.positions), binding.address(s.parents), binding.address(s.rotations), len(s))
-             for s in (source, target)]
+    views = [skeleton_view(source, None, chosen(source_up, RETARGET_UP, "source_up")),
+             skeleton_view(target, None, chosen(target_up, RETARGET_UP, "target_up"))]
+    for view, of in zip(views, (source, target)):
+        view.rotations = binding.address(of.rotations)
     binding.check(library.sinew_retarget_create(ctypes.byref(views[0]), ctypes.byref(views[1]), binding.address(sources),
                                                 binding.address(classes), ctypes.byref(options), memory.address,
                                                 memory.size_bytes, ctypes.byref(plan)), "retarget")
@@ -113,8 +113,9 @@ def _body_view(body: Character, name: str) -> Any:
     skin = body.skin.rounded(body.skin.joints.shape[1])
     mesh = Mesh(body.positions, body.faces, name + ".")
     triangles = mesh.triangles()
-    view = binding.sinew_motion_body(binding.address(mesh.positions), binding.address(skin.joints), binding.address(skin.weights),
-                                     binding.address(triangles), len(mesh.positions), skin.joints.shape[1], len(triangles))
+    rows = binding.sinew_skin(binding.address(skin.joints), binding.address(skin.weights), skin.joints.shape[1])
+    view = binding.sinew_motion_body(binding.address(mesh.positions), binding.address(triangles), rows, len(mesh.positions),
+                                     len(triangles))
     view.kept = (mesh, skin, triangles)  # the view borrows them
     return view
 
@@ -133,7 +134,7 @@ def _keep_contacts(plan: ctypes.c_void_p, clip: Clip, out: Clip, ground: float, 
     whole_clip = binding.sinew_motion_clip(binding.address(clip.rotations), binding.address(clip.translations),
                                            binding.address(out.rotations), binding.address(out.translations),
                                            len(clip.rotations), ground)
-    block = binding.block("sinew_retarget_contacts_size", "retarget", plan, ctypes.byref(target), len(clip.rotations))
+    block = binding.block("sinew_retarget_contacts_workspace_size", "retarget", plan, ctypes.byref(target), len(clip.rotations))
     status = library.sinew_retarget_contacts(plan, None if source is None else ctypes.byref(source), ctypes.byref(target),
                                              ctypes.byref(whole_clip), ctypes.byref(options), block.address, block.size_bytes)
     report.finish(status, "retarget")

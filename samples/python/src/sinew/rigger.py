@@ -10,7 +10,7 @@ import numpy as np
 
 from . import binding
 from .arrays import Mesh, chosen
-from .binder import UP, ProgressFunction
+from .binder import UP, UP_AXES, ProgressFunction
 from .character import Skeleton
 from .models import Model, model_for
 
@@ -25,7 +25,7 @@ class Rig:
     confidence, parent_confidence  [j] float32, 0 to 1: of the joint's place, of its parent
     partners       [j] int32, the joint's mirror image, itself on the plane, -1 where nothing is mirrored
     mirrored       whether the skeleton is its own mirror image
-    quarter_turns  where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
+    facing  where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
     plane          where the mirror plane is, across x for 0 and 2, else across z
     spread         how far off the votes think they are: below 0.03 is good, above 0.09 method="shape" is no worse
     """
@@ -35,7 +35,7 @@ class Rig:
     parent_confidence: np.ndarray
     partners: np.ndarray
     mirrored: bool
-    quarter_turns: int
+    facing: int
     plane: float
     spread: float
 
@@ -61,7 +61,7 @@ def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None,
     mesh = Mesh(positions, faces)
     options = binding.init(binding.sinew_rig_options)
     options.method = chosen(method, RIG_METHODS, "method")
-    options.up_axis = chosen(up, UP, "up")
+    options.up = UP_AXES[chosen(up, UP, "up")]
     options.mirror = chosen(mirror, MIRRORS, "mirror")
     if not 0 <= spine <= 16:
         raise ValueError(f"spine: expected 0 to 16, found {spine}")
@@ -77,21 +77,18 @@ def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None,
     for name, array in arrays.items():
         setattr(outputs, name, binding.address(array))
 
-    def run(call: str, query: str, *pointer: Any) -> None:
-        block = binding.block(query, "rig", *pointer, *mesh.counts, ctypes.byref(options))
-        status = getattr(binding.library(), call)(*pointer, mesh.pointer(), ctypes.byref(options), block.address,
+    def run(call: str, pointer: Any, *wanted: int) -> None:
+        block = binding.block(call + "_workspace_size", "rig", pointer, *mesh.counts, *wanted, ctypes.byref(options))
+        status = getattr(binding.library(), call)(pointer, mesh.pointer(), *wanted, ctypes.byref(options), block.address,
                                                   block.size_bytes, ctypes.byref(outputs))
         report.finish(status, "rig")
 
-    run("sinew_rig", "sinew_rig_workspace_size", model_for(model, "skeletons").pointer() if method == "votes" else None)
-    if fingers:
-        run("sinew_rig_hands", "sinew_rig_hands_workspace_size", model_for(hands_model, "hands").pointer())
-    if face:
-        run("sinew_rig_face", "sinew_rig_face_workspace_size")
-    if props:
-        run("sinew_rig_props", "sinew_rig_face_workspace_size")
+    run("sinew_rig", model_for(model, "skeletons").pointer() if method == "votes" else None)
+    wanted = (binding.DETAIL_HANDS if fingers else 0) | (binding.DETAIL_FACE if face else 0) | (binding.DETAIL_PROPS if props else 0)
+    if wanted:
+        run("sinew_rig_details", model_for(hands_model, "hands").pointer() if fingers else None, wanted)
     found = {name: array[:outputs.joint_count] for name, array in arrays.items()}
     skeleton = Skeleton(found["positions"].copy(), found["parents"], [n.decode() for n in found["names"]],
                         classes=found["joint_classes"], ends=found["flags"] & binding.JOINT_NEVER != 0)
     sure = [found[name].astype(np.float32) / np.float32(32768) for name in ("confidence", "parent_confidence")]
-    return Rig(skeleton, *sure, found["partners"], bool(outputs.mirrored), outputs.quarter_turns, outputs.plane, outputs.spread)
+    return Rig(skeleton, *sure, found["partners"], bool(outputs.mirrored), outputs.facing, outputs.plane, outputs.spread)

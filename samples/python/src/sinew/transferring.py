@@ -10,7 +10,7 @@ import numpy as np
 
 from . import binding
 from .arrays import Mesh, chosen, mask, whole
-from .binder import UP, Joints, ProgressFunction, joint_flags, skeleton_view
+from .binder import UP, UP_AXES, Joints, ProgressFunction, joint_flags, skeleton_view
 from .character import Character, Skeleton, Skin, skin_of
 from .mapping import map as map_joints
 from .models import Model, model_for
@@ -71,7 +71,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     if not 1 <= influences <= binding.MAX_INFLUENCES:
         raise ValueError(f"influences: expected 1 to {binding.MAX_INFLUENCES}, found {influences}")
     options.influence_count = influences
-    options.up_axis, options.source_up_axis = chosen(up, UP, "up"), chosen(source_up or up, UP, "source_up")
+    ups = UP_AXES[chosen(source_up or up, UP, "source_up")], UP_AXES[chosen(up, UP, "up")]
     if garment and method == "biharmonic":
         raise ValueError("garment: it lies on its body; give method 'auto', 'nearest' or 'rebind'")
     options.garment = int(bool(garment))
@@ -91,12 +91,12 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     outputs.joint_indices, outputs.weights = binding.address(joints), binding.address(weights)
     outputs.confidence, outputs.vertex_parts = binding.address(confidence), binding.address(vertex_parts)
     outputs.parts, outputs.part_capacity = parts, len(parts)
-    views = [skeleton_view(source.skeleton, joint_flags(source.skeleton, None, None)),
-             skeleton_view(skeleton, joint_flags(skeleton, None, never))]
+    views = [skeleton_view(source.skeleton, joint_flags(source.skeleton, None, None), ups[0]),
+             skeleton_view(skeleton, joint_flags(skeleton, None, never), ups[1])]
     bound = binding.sinew_bound_character(
-        mesh=ctypes.pointer(of_mesh.struct), skeleton=ctypes.pointer(views[0]), joint_indices=binding.address(of_skin.joints),
-        weights=binding.address(of_skin.weights), influence_count=of_skin.joints.shape[1],
-        weight_format={1: 1, 2: 0}.get(of_skin.weights.dtype.itemsize, 2), joint_map=binding.address(mapped))
+        mesh=ctypes.pointer(of_mesh.struct), skeleton=ctypes.pointer(views[0]),
+        skin=binding.sinew_skin(binding.address(of_skin.joints), binding.address(of_skin.weights), of_skin.joints.shape[1],
+                                {1: 1, 2: 0}.get(of_skin.weights.dtype.itemsize, 2)), joint_map=binding.address(mapped))
     used = None if heat else model_for(model, "weights")
     pointer = None if used is None else used.pointer()
     report = binding.Progress(progress)

@@ -97,7 +97,7 @@ TEST(LabelSkeleton, AFileInThePlaceOfAPrediction) {
   ASSERT_EQ(s.joints.size(), 5u);
   for (size_t j = 0; j < 5; ++j) EXPECT_LT(s.joints[j].parent, static_cast<int>(j));
   EXPECT_TRUE(s.mirrored);
-  EXPECT_EQ(s.quarter_turns, 0u);
+  EXPECT_EQ(s.facing, 0u);
   EXPECT_EQ(std::count(s.ends.begin(), s.ends.end(), 1), 1);
   joints[2].position.y = 1;
   EXPECT_FALSE(skeleton_from_joints(joints).mirrored);

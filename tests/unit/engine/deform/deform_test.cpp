@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "bent_tube.hpp"
+#include "sinew/published.h"
 
 namespace {
 
@@ -41,8 +42,9 @@ Posed pose(const BentTube& tube, const sinew_deform_options& options, const std:
 }
 std::vector<float> skinned(const BentTube& tube, const std::vector<float>& palette, bool dual) {
   std::vector<float> out(tube.positions.size());
+  const sinew_skin skin = tube.skin();
   EXPECT_EQ((dual ? sinew_skin_dual_quaternion : sinew_skin_linear)(
-                tube.positions.data(), tube.vertex_count(), tube.joints.data(), tube.weights.data(), 2, palette.data(),
+                tube.positions.data(), tube.vertex_count(), &skin, palette.data(),
                 static_cast<uint32_t>(tube.parents.size()), out.data()),
             SINEW_OK);
   return out;
@@ -536,7 +538,7 @@ TEST_F(DeformRefusals, MemoryThatIsShort) {
     const sinew_skeleton skeleton = tube.skeleton();
     const sinew_skin skin = tube.skin();
     size_t bytes = 0;
-    ASSERT_EQ(sinew_deform_memory_size(&mesh, 2, 2, &options, &bytes), SINEW_OK);
+    ASSERT_EQ(sinew_deform_create_workspace_size(&mesh, 2, 2, &options, &bytes), SINEW_OK);
     sinew::Workspace memory(bytes + 64);
     uint8_t* const base = static_cast<uint8_t*>(memory.data());
     std::fill_n(base + bytes, 64, uint8_t{0x5A});

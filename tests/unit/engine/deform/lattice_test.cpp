@@ -11,7 +11,7 @@
 #include "bent_tube.hpp"
 #include "deform/rest.hpp"
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 struct Built {
@@ -165,4 +165,4 @@ TEST(WeightRow, KeepsTheLargestAndAnExactSum) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::deform

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace sinew {
+namespace sinew::deform {
 namespace {
 
 using Palette = std::vector<float>;
@@ -139,4 +139,4 @@ TEST(Skinning, UnknownJointIsRefusedBeforeWriting) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::deform

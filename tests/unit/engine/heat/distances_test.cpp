@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "heat_scene.hpp"
+#include "sinew/published.h"
 #include "sinew/sinew.hpp"
 
 namespace {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "map_rig.hpp"
+#include "sinew/published.h"
 
 namespace {
 
@@ -285,7 +286,7 @@ TEST(Map, OneJointAndBonesWithoutLength) {
   TestRig one, same;
   one.add("a", -1, 1, 2, 3);
   for (int i = 0; i < 5; ++i) same.add("b" + std::to_string(i), i - 1, 1, 1, 1);
-  for (const uint32_t method : {SINEW_MAP_AUTO, SINEW_MAP_SINEW, SINEW_MAP_BRANCHES}) {
+  for (const uint32_t method : {uint32_t{SINEW_MAP_AUTO}, uint32_t{SINEW_MAP_SINEW}, uint32_t{SINEW_MAP_BRANCHES}}) {
     MapCall call;
     call.method = method;
     EXPECT_EQ(call.run(one, same).status, SINEW_OK);
@@ -313,7 +314,7 @@ class MapRefusals : public ::testing::Test {
   TestRig a_;
   MapCall call_;
   std::vector<const char*> names_;
-  sinew_map_rig rig_;
+  sinew_skeleton rig_;
   sinew_map_options options_ = sinew_map_options_init();
   size_t bytes_ = 0;
   sinew::test::AlignedBytes block_{0};
@@ -331,9 +332,9 @@ TEST_F(MapRefusals, Arguments) {
   options_.pin_count = 1;
   expect(SINEW_ERROR_ARGUMENT, "no pins");
   options_.pin_count = 0;
-  rig_.up[1] = std::numeric_limits<float>::quiet_NaN();
+  rig_.up = SINEW_UP_Z + 1;
   expect(SINEW_ERROR_ARGUMENT, "up");
-  rig_.up[1] = 1;
+  rig_.up = SINEW_UP_Y;
   rig_.positions = nullptr;
   expect(SINEW_ERROR_ARGUMENT, "positions");
   EXPECT_EQ(sinew_map(nullptr, &rig_, nullptr, block_.data(), bytes_, &outputs_), SINEW_ERROR_ARGUMENT);

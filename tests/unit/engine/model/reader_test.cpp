@@ -205,7 +205,7 @@ TEST(ModelReader, ContradictionsAreRefused) {
          m.linears.clear();
        }},
       {"inputs swapped", [](IntegerModel& m) { std::swap(m.buffers[0].domain, m.buffers[1].domain); }},
-      {"unknown kind", [](IntegerModel& m) { m.layers[1].kind = static_cast<LayerKind>(12); }},
+      {"unknown kind", [](IntegerModel& m) { m.layers[1].kind = static_cast<LayerKind>(kLayerKindCount + 1); }},
       {"kind 0", [](IntegerModel& m) { m.layers[1].kind = static_cast<LayerKind>(0); }},
       {"unknown flag", [](IntegerModel& m) { m.layers[0].flags |= 4; }},
       {"flag on a mean", [](IntegerModel& m) { m.layers[1].flags = kLayerRelu; }},

@@ -12,7 +12,7 @@
 namespace {
 
 using namespace sinew_test;
-using sinew::BodyPart;
+using sinew::motion::BodyPart;
 
 // A scene that is open and searched, over a clip that plays on boxes.
 class Searched {
@@ -60,7 +60,8 @@ class Searched {
   std::vector<std::pair<double, uint32_t>> by_distance(Vec3d p, LeftOut is_left_out) const {
     std::vector<std::pair<double, uint32_t>> all;
     for (uint32_t t = 0; t < body_.triangle_count; ++t) {
-      if (std::none_of(corners(t), corners(t) + 3, is_left_out)) all.emplace_back(sinew::squared(p - middle(t)), t);
+      if (std::none_of(corners(t), corners(t) + 3, is_left_out))
+        all.emplace_back(sinew::motion::squared(p - middle(t)), t);
     }
     std::sort(all.begin(), all.end());
     return all;
@@ -75,19 +76,19 @@ class Searched {
     return all;
   }
 
-  sinew::ContactScene scene;
+  sinew::motion::ContactScene scene;
 
  private:
   PlayedClip clip_;
   BoxBody boxes_;
   sinew_motion_body body_;
   sinew::Workspace memory_;
-  sinew::ClipInputs inputs_;
+  sinew::motion::ClipInputs inputs_;
 };
 
 TEST(ArmSearch, TheDeepestPointIsThatOfAllVerticesAndTriangles) {
   Searched own(60);
-  const double reach = sinew::kFar * own.scene.target.height;
+  const double reach = sinew::motion::kFar * own.scene.target.height;
   int deep = 0, shallow = 0, left_out = 0;
   for (uint32_t f = 0; f < 60; ++f) {
     own.scene.search_target(f, true);
@@ -100,7 +101,7 @@ TEST(ArmSearch, TheDeepestPointIsThatOfAllVerticesAndTriangles) {
           const double depth = dot(own.middle(near.second) - p, own.scene.target.normal(own.corners(near.second)));
           if (near.first <= reach * reach) wanted = std::max(wanted, depth);
         }
-        const sinew::ArmDepth found = own.scene.search.deepest(&own.scene.target_tree, arm, moved, 0);
+        const sinew::motion::ArmDepth found = own.scene.search.deepest(&own.scene.target_tree, arm, moved, 0);
         EXPECT_LE(found.depth, wanted);
         left_out += found.depth < wanted ? 1 : 0;
         ++(wanted > 0 ? deep : shallow);
@@ -118,7 +119,7 @@ TEST(ArmSearch, TheDeepestPointIsThatOfAllVerticesAndTriangles) {
 
 TEST(ArmSearch, TheNearestPointAndItsNeighboursAreThoseOfAll) {
   Searched own(60);
-  const double reach = sinew::kFar * own.scene.target.height;
+  const double reach = sinew::motion::kFar * own.scene.target.height;
   int near_ones = 0;
   for (uint32_t f = 0; f < 60; ++f) {
     own.scene.search_target(f, false);
@@ -137,7 +138,7 @@ TEST(ArmSearch, TheNearestPointAndItsNeighboursAreThoseOfAll) {
           vertex = v;
         }
       }
-      const sinew::HandReach found = own.scene.search.nearest(own.scene.target_tree, arm);
+      const sinew::motion::HandReach found = own.scene.search.nearest(own.scene.target_tree, arm);
       ASSERT_EQ(found.near, vertex != UINT32_MAX);
       if (!found.near) continue;
       ++near_ones;

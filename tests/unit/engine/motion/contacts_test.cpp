@@ -16,46 +16,6 @@ namespace {
 
 using namespace sinew_test;
 using sinew::ContactSettings;
-using sinew::Limb;
-
-TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
-  const MotionScene scene = body(20);
-  size_t bytes = 0;
-  ASSERT_EQ(sinew_retarget_size(17, 17, &bytes), SINEW_OK);
-  const sinew::Workspace block(bytes);
-  sinew_retarget* plan = nullptr;
-  const sinew_motion_rig rig = scene.view();
-  ASSERT_EQ(sinew_retarget_create(&rig, &rig, one_to_one(17).data(), scene.classes.data(), nullptr, block.data(), bytes,
-                                  &plan),
-            SINEW_OK);
-  const sinew::LimbList limbs = sinew::find_limbs(*plan);
-  ASSERT_EQ(limbs.count, 4u);
-  EXPECT_FALSE(limbs.limbs[0].leg);
-  EXPECT_TRUE(limbs.limbs[3].leg);
-  const Limb arm = limbs.limbs[0];
-  EXPECT_EQ(arm.first, kLeftUpperArm);
-  EXPECT_EQ(arm.last, kLeftHand);
-  const Pose rest = rest_pose(scene);
-  for (const Vec3d way :
-       {Vec3d{-0.1, 0.1, 0.2}, {0.05, -0.2, 0.1}, {-0.3, 0, 0.05}, {0, 0, 0}, {9, 9, 9}, {-0.5, 0.15, 0}}) {
-    sinew::load_target(plan, rest.rotations.data(), rest.translations.data());
-    const Vec3d shoulder = plan->target_places[arm.first], goal = plan->target_places[arm.last] + way;
-    const sinew::Quat hand = plan->target_turns[arm.last];
-    const double upper = distance(scene.at(arm.first), scene.at(arm.middle)),
-                 lower = distance(scene.at(arm.middle), scene.at(arm.last));
-    sinew::move_limb(arm, goal, plan->target_places[arm.middle], plan);
-    const Vec3d elbow = plan->target_places[arm.middle], wrist = plan->target_places[arm.last];
-    EXPECT_NEAR(distance(elbow, shoulder), upper, 1e-9);
-    EXPECT_NEAR(distance(wrist, elbow), lower, 1e-9);
-    const double reach = distance(goal, shoulder), most = 0.9995 * (upper + lower), least = 1.001 * (upper - lower);
-    const double wanted = reach > most ? most : reach < least ? least : reach;
-    EXPECT_NEAR(distance(wrist, shoulder), wanted, 1e-6) << "as near as it comes";
-    EXPECT_LT(distance(wrist, shoulder + wanted * sinew::unit(goal - shoulder)), 1e-6);
-    EXPECT_EQ(plan->target_turns[arm.last].x, hand.x) << "the hand keeps its turn";
-    EXPECT_LT(distance(plan->target_places[kLeftFinger] - wrist, scene.at(kLeftFinger) - scene.at(kLeftHand)), 1e-9);
-    EXPECT_LT(distance(plan->target_places[kRightHand], scene.at(kRightHand)), 1e-7);
-  }
-}
 
 // The source stands still while its hips sway; the longer legs of the target would slide.
 TEST(Contacts, FeetThatStandStayWhereTheyStand) {
@@ -287,7 +247,7 @@ TEST(Spots, AreTheMeasureFrameByFrame) {
       EXPECT_EQ(row[0].kind, uint32_t{SINEW_SPOT_INSIDE}) << f;
       EXPECT_NEAR(row[0].error, limbs[0].depth, 1e-4);
       const Placed posed = clip.frame(f);
-      const Vec3d place = {row[0].place[0], row[0].place[1], row[0].place[2]};
+      const Vec3d place = {row[0].position[0], row[0].position[1], row[0].position[2]};
       EXPECT_LT(std::min(distance(place, posed.places[kLeftHand]), distance(place, posed.places[kLeftForearm])), 0.07)
           << "a corner of the hand's box or the elbow's";
       EXPECT_EQ(row[1].kind, uint32_t{SINEW_SPOT_NONE});
@@ -362,7 +322,7 @@ TEST(Contacts, WhatIsWrongIsRefused) {
   const sinew_motion_body own = target.view();
   size_t bytes = 0;
   sinew_retarget* const none = nullptr;
-  EXPECT_EQ(sinew_retarget_contacts_size(none, &own, 4, &bytes), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_retarget_contacts_workspace_size(none, &own, 4, &bytes), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(clip.rotations, before);
 
   // A callback stops it.

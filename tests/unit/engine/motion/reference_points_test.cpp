@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "motion_clip.hpp"
+#include "sinew/published.h"
 
 namespace {
 

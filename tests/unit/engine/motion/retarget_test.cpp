@@ -262,18 +262,18 @@ TEST(Retarget, WhatIsWrongIsRefusedAndNothingIsWritten) {
   const MotionScene scene = body(0);
   const std::vector<int32_t> map = one_to_one(17);
   size_t bytes = 0;
-  ASSERT_EQ(sinew_retarget_size(17, 17, &bytes), SINEW_OK);
-  EXPECT_EQ(sinew_retarget_size(0, 17, &bytes), SINEW_ERROR_COUNT);
+  ASSERT_EQ(sinew_retarget_create_workspace_size(17, 17, &bytes), SINEW_OK);
+  EXPECT_EQ(sinew_retarget_create_workspace_size(0, 17, &bytes), SINEW_ERROR_COUNT);
   EXPECT_EQ(bytes, 0u);
-  EXPECT_EQ(sinew_retarget_size(17, SINEW_MAX_JOINTS + 1, &bytes), SINEW_ERROR_COUNT);
-  EXPECT_EQ(sinew_retarget_size(17, 17, nullptr), SINEW_ERROR_ARGUMENT);
-  ASSERT_EQ(sinew_retarget_size(17, 17, &bytes), SINEW_OK);
+  EXPECT_EQ(sinew_retarget_create_workspace_size(17, SINEW_MAX_JOINTS + 1, &bytes), SINEW_ERROR_COUNT);
+  EXPECT_EQ(sinew_retarget_create_workspace_size(17, 17, nullptr), SINEW_ERROR_ARGUMENT);
+  ASSERT_EQ(sinew_retarget_create_workspace_size(17, 17, &bytes), SINEW_OK);
   const sinew::Workspace block(bytes);
   sinew_retarget* plan = nullptr;
   const auto create = [&](const MotionScene& source, const MotionScene& target, const std::vector<int32_t>& m,
                           const sinew_retarget_options* options, size_t missing = 0) {
     plan = nullptr;
-    const sinew_motion_rig a = source.view(), b = target.view();
+    const sinew_skeleton a = source.view(), b = target.view();
     const sinew_status status =
         sinew_retarget_create(&a, &b, m.data(), target.classes.data(), options, block.data(), bytes - missing, &plan);
     EXPECT_EQ(plan != nullptr, status == SINEW_OK);
@@ -299,7 +299,7 @@ TEST(Retarget, WhatIsWrongIsRefusedAndNothingIsWritten) {
   broken.rotations.assign(68, std::numeric_limits<float>::infinity());
   EXPECT_EQ(create(broken, scene, map, nullptr), SINEW_ERROR_NOT_FINITE);
   sinew_retarget_options options = sinew_retarget_options_init();
-  for (uint32_t* const member : {&options.method, &options.source_up, &options.target_up, &options.in_place}) {
+  for (uint32_t* const member : {&options.method, &options.in_place}) {
     *member = 9;
     EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
     *member = 0;
@@ -309,7 +309,15 @@ TEST(Retarget, WhatIsWrongIsRefusedAndNothingIsWritten) {
   options.scale = 0;
   options.struct_size = 4;
   EXPECT_EQ(create(scene, scene, map, &options), SINEW_ERROR_ARGUMENT);
-  const sinew_motion_rig view = scene.view();
+  const sinew_skeleton view = scene.view();
+  for (uint32_t sinew_skeleton::*const member : {&sinew_skeleton::up, &sinew_skeleton::struct_size}) {
+    sinew_skeleton other = view;
+    other.*member = 9;
+    EXPECT_EQ(sinew_retarget_create(&other, &view, map.data(), nullptr, nullptr, block.data(), bytes, &plan),
+              SINEW_ERROR_ARGUMENT);
+    EXPECT_EQ(sinew_retarget_create(&view, &other, map.data(), nullptr, nullptr, block.data(), bytes, &plan),
+              SINEW_ERROR_ARGUMENT);
+  }
   EXPECT_EQ(sinew_retarget_create(nullptr, &view, map.data(), nullptr, nullptr, block.data(), bytes, &plan),
             SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(sinew_retarget_create(&view, &view, map.data(), nullptr, nullptr, static_cast<char*>(block.data()) + 8,

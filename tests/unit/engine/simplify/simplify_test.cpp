@@ -25,7 +25,7 @@ struct Tree {
   sinew_status run(const sinew_simplify_options& options, std::vector<uint32_t>* into) const {
     into->assign(parents.size(), 77777);
     sinew::Workspace workspace;
-    return sinew::simplify(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()),
+    return sinew::simplify(sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size())),
                            areas.empty() ? nullptr : areas.data(), keep.empty() ? nullptr : keep.data(), options,
                            &workspace, into);
   }
@@ -188,8 +188,8 @@ TEST(Simplify, WrongCallsAreRefused) {
   ASSERT_EQ(sinew_simplify_workspace_size(11, &bytes), SINEW_OK);
   const sinew::Workspace workspace(bytes);
   into.assign(11, 0);
-  EXPECT_EQ(sinew_simplify(t.positions.data(), t.parents.data(), 11, nullptr, nullptr, nullptr, workspace.data(),
-                           bytes - 1, into.data()),
+  const sinew_skeleton skeleton = sinew_skeleton_init(t.positions.data(), t.parents.data(), 11);
+  EXPECT_EQ(sinew_simplify(&skeleton, nullptr, nullptr, nullptr, workspace.data(), bytes - 1, into.data()),
             SINEW_ERROR_WORKSPACE);
 }
 

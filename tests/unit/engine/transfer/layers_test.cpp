@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/vec3d.hpp"
+#include "core/segment_triangle.hpp"
 #include "transfer_scene.hpp"
 
 namespace {
@@ -63,19 +63,10 @@ std::vector<float> posed(const MeshScene& scene, const std::vector<uint16_t>& jo
   }
   std::vector<float> out(scene.positions.size());
   const uint32_t n = static_cast<uint32_t>(joints.size() / scene.vertex_count());
-  EXPECT_EQ(sinew_skin_linear(scene.positions.data(), scene.vertex_count(), joints.data(), weights.data(), n,
-                              palette.data(), 3, out.data()),
+  const sinew_skin skin = {joints.data(), weights.data(), n, SINEW_WEIGHT_UNORM16};
+  EXPECT_EQ(sinew_skin_linear(scene.positions.data(), scene.vertex_count(), &skin, palette.data(), 3, out.data()),
             SINEW_OK);
   return out;
-}
-
-bool crosses(Vec3d from, Vec3d to, Vec3d a, Vec3d b, Vec3d c) {
-  const Vec3d normal = cross(b - a, c - a);
-  const double start = dot(normal, from - a), end = dot(normal, to - a);
-  if ((start < 0) == (end < 0)) return false;
-  const Vec3d at = from + (start / (start - end)) * (to - from);
-  return dot(cross(b - a, at - a), normal) >= 0 && dot(cross(c - b, at - b), normal) >= 0 &&
-         dot(cross(a - c, at - c), normal) >= 0;
 }
 
 // Edges of each layer through triangles of the other.
@@ -88,8 +79,8 @@ size_t crossings(const MeshScene& body, const std::vector<float>& skin, const Me
     for (const Triangle& line : triangles_of(lines))
       for (size_t k = 0; k < 3; ++k)
         for (const Triangle& wall : walls)
-          if (crosses(place(p, line[k]), place(p, line[(k + 1) % 3]), place(q, wall[0]), place(q, wall[1]),
-                      place(q, wall[2])))
+          if (goes_through(place(p, line[k]), place(p, line[(k + 1) % 3]), place(q, wall[0]), place(q, wall[1]),
+                           place(q, wall[2])))
             ++count;
   };
   through(garment, cloth, body, skin);

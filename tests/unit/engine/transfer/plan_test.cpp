@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sinew/published.h"
 #include "transfer_scene.hpp"
 
 namespace sinew {
@@ -72,9 +73,9 @@ TEST(TransferPlan, RefusesWhatItCannotDo) {
   Planned p;
   EXPECT_EQ(p.make(SINEW_TRANSFER_BIHARMONIC, 1), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(p.make(SINEW_TRANSFER_REBIND + 1), SINEW_ERROR_ARGUMENT);
-  p.bound().influence_count = 0;
+  p.bound().skin.influence_count = 0;
   EXPECT_EQ(p.make(nullptr), SINEW_ERROR_ARGUMENT);
-  p.bound().influence_count = SINEW_MAX_INFLUENCES + 1;
+  p.bound().skin.influence_count = SINEW_MAX_INFLUENCES + 1;
   EXPECT_EQ(p.make(nullptr), SINEW_ERROR_ARGUMENT);
 }
 

@@ -248,11 +248,11 @@ TEST(Answers, LockedVerticesHaveTheLastWord) {
   sinew::Workspace workspace;
   sinew::Skin<uint16_t> skin{4, std::vector<uint16_t>(locked.size() * 4, 0),
                              std::vector<uint16_t>(locked.size() * 4, 0), 0};
-  skin.joints[size_t{kRight} * 4] = kRoot;
+  skin.joint_indices[size_t{kRight} * 4] = kRoot;
   skin.weights[size_t{kRight} * 4] = 65535;
   ASSERT_EQ(sinew::bind(nullptr, mesh, skeleton, options, &workspace, &skin), SINEW_OK);
-  EXPECT_EQ(skin.joints[size_t{kRight} * 4], kRoot);
-  EXPECT_EQ(skin.joints[size_t{kRight} * 4 + 4], kRightHand);
+  EXPECT_EQ(skin.joint_indices[size_t{kRight} * 4], kRoot);
+  EXPECT_EQ(skin.joint_indices[size_t{kRight} * 4 + 4], kRightHand);
 }
 
 TEST(Answers, WhatIsWrongIsAStatusAndTouchesNothing) {

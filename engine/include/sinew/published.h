@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT
+ * Methods as others published them, for comparison. sinew/sinew.h does not include this header, and a library built with
+ * -DSINEW_PUBLISHED_METHODS=OFF holds none of them: calls that ask for one return SINEW_ERROR_NOT_BUILT. */
+#ifndef SINEW_PUBLISHED_H
+#define SINEW_PUBLISHED_H
+
+#include "sinew/bind.h"
+#include "sinew/deform.h"
+#include "sinew/map.h"
+#include "sinew/motion_clips.h"
+#include "sinew/rig.h"
+#include "sinew/transfer.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Vertices of the larger mesh that SINEW_TRANSFER_BIHARMONIC takes. It uses at most SINEW_MAX_TRANSFER_PAIRS reference
+ * points. */
+#define SINEW_MAX_BIHARMONIC_VERTICES 65536u
+
+/* Values of the `method` of options beside those of the call's own enum, which skips them. Numbers are never reused. */
+enum {
+  /* sinew_options: by distance to bones; model may be null. Vertices nearest to a bone are a sub-mesh, on which that bone
+   * and those beside it in the hierarchy have weights by the inverse square of their distance */
+  SINEW_METHOD_DISTANCE = 2,
+  /* sinew_rig_options: as SINEW_RIG_SHAPE, but from regions of the surface, their boxes and contacts, as published for
+   * mapping skeletons. Nothing is mirrored */
+  SINEW_RIG_REGIONS = 2,
+  /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints; several joints may get one
+   * source. SINEW_MAP_AUTO takes it too where it is built and fits better */
+  SINEW_MAP_BRANCHES = 2,
+  /* sinew_deform_options: linear blending, stretch, volume and energy (k = 0.2) constraints, contact, two rounds of
+   * smoothing over the bends. Keeps less volume than SINEW_DEFORM_VOLUME */
+  SINEW_DEFORM_XPBD = 1,
+  /* sinew_transfer_options: vertices that have like biharmonic distances to reference points; needs no alike shape, and
+   * less fits */
+  SINEW_TRANSFER_BIHARMONIC = 2
+};
+
+#define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
+
+/* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. Legs are
+ * left as they are copied unless asked for, because feet leave the floor by it. */
+typedef struct sinew_reference_options {
+  uint32_t struct_size;    /* sizeof(sinew_reference_options) */
+  uint32_t area_power;     /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
+  uint32_t no_own_limb;    /* 1: triangles of the limb itself have no influence */
+  uint32_t legs;           /* 1: legs as well */
+  float falloff;           /* 0 = none; else d: influence also falls by exp(-(distance / (d * source's height))^2) */
+  float least_cosine;      /* eps, up to 1; 0 = 1e-5 */
+  sinew_progress progress; /* or null */
+  void* progress_user;
+} sinew_reference_options;
+
+static inline sinew_reference_options sinew_reference_options_init(void) {
+  sinew_reference_options options;
+  memset(&options, 0, sizeof options);
+  options.struct_size = sizeof options;
+  return options;
+}
+
+/* Bytes sinew_retarget_reference_points() needs.
+ *   size_bytes  out, 0 on failure
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT, or SINEW_ERROR_COUNT where that is more than memory can hold. */
+SINEW_API sinew_status sinew_retarget_reference_points_workspace_size(const sinew_retarget* plan,
+                                                                      const sinew_motion_body* target,
+                                                                      size_t* size_bytes);
+
+/* Retargeting by reference points on the mesh; sinew_retarget_contacts() is better. Changes arms of frames that
+ * sinew_retarget_frame() made. Frames do not know of each other, so that a clip may be one live frame.
+ *   Reference points are the middles c of the triangles. For elbows and wrists of the source v = joint - c. A triangle's
+ * influence is (area / mean area)^n max(|cos(v, normal)|, eps), divided by the sum over all triangles. In the target the
+ * joint's position is the sum of influence (c' + v t' / t). Here t and t' are lengths of the source's and the target's bones
+ * as seen along v, summed over the path through the skeleton from the joint nearest to c at rest. Where t is 0, t' / t is the
+ * ratio of heights. Arms bend so that elbow and wrist come there, with bones of their length; all else stays as it was copied.
+ *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at)
+ *   clip    `ground` is not looked at
+ * Returns what sinew_retarget_contacts() does; SINEW_ERROR_ARGUMENT also for options out of their
+ * range, and SINEW_ERROR_NOT_BUILT. */
+SINEW_API sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_motion_body* source,
+                                                       const sinew_motion_body* target, const sinew_motion_clip* clip,
+                                                       const sinew_reference_options* options, void* workspace,
+                                                       size_t workspace_bytes);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

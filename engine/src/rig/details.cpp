@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Hands, faces and props in this order, and the caller's skeleton back if one of them fails.
+#include "rig/details.hpp"
+
+#include <string.h>
+
+#include "core/struct_size.hpp"
+#include "rig/face.hpp"
+#include "rig/hands.hpp"
+#include "rig/props.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kAllDetails = SINEW_DETAIL_HANDS | SINEW_DETAIL_FACE | SINEW_DETAIL_PROPS;
+
+// The caller's arrays as they came, with their room for more joints.
+class KeptSkeleton {
+ public:
+  bool allocate(Arena& arena) {
+    for (int i = 0; i < kArrays; ++i) kept_[i] = arena.alloc<uint8_t>(size_t{SINEW_MAX_RIG_JOINTS} * kBytes[i]);
+    return arena.ok();
+  }
+  void keep(const sinew_rig_outputs& outputs) { copy(outputs, true); }
+  void restore(const sinew_rig_outputs& outputs) { copy(outputs, false); }
+
+ private:
+  static constexpr int kArrays = 8;
+  static constexpr size_t kBytes[kArrays] = {
+      3 * sizeof(float), sizeof(int32_t),       1, 1, sizeof(int32_t), sizeof(uint16_t),
+      sizeof(uint16_t),  SINEW_JOINT_NAME_BYTES};
+
+  void copy(const sinew_rig_outputs& o, bool keep) {
+    void* const theirs[kArrays] = {o.positions,  o.parents,           o.flags, o.joint_classes, o.partners,
+                                   o.confidence, o.parent_confidence, o.names};
+    for (int i = 0; i < kArrays; ++i) {
+      if (theirs[i] == nullptr) continue;
+      if (keep) memcpy(kept_[i], theirs[i], SINEW_MAX_RIG_JOINTS * kBytes[i]);
+      if (!keep) memcpy(theirs[i], kept_[i], SINEW_MAX_RIG_JOINTS * kBytes[i]);
+    }
+  }
+
+  uint8_t* kept_[kArrays] = {};
+};
+
+}  // namespace
+
+sinew_status plan_details(const sinew_model* hands_model, uint32_t vertices, uint32_t faces, uint32_t corners,
+                          uint32_t wanted, const sinew_rig_options* options, DetailsPlan* plan) {
+  sinew_rig_options own = sinew_rig_options_init();
+  sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstRigOptionsSize, sizeof own, &own);
+  if (status != SINEW_OK) return status;
+  if (wanted == 0 || (wanted & ~kAllDetails) != 0) return SINEW_ERROR_ARGUMENT;
+  own.struct_size = sizeof own;
+  plan->wanted = wanted;
+  own.method = SINEW_RIG_VOTES;
+  if ((wanted & SINEW_DETAIL_HANDS) != 0)
+    status = plan_rig(hands_model, vertices, faces, corners, &own, &plan->hands, kHandsFeatureSet);
+  own.method = SINEW_RIG_SHAPE;
+  if (status == SINEW_OK) status = plan_rig(nullptr, vertices, faces, corners, &own, &plan->shape);
+  return status;
+}
+
+sinew_status run_details(const DetailsPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
+                         sinew_rig_outputs* outputs) {
+  uint32_t stages = 0, done = 0;
+  for (uint32_t bits = plan.wanted; bits != 0; bits &= bits - 1) ++stages;
+  // A stage by itself leaves the skeleton as it was where it fails.
+  KeptSkeleton kept;
+  if (stages > 1 && !kept.allocate(arena)) return SINEW_ERROR_WORKSPACE;
+  const uint32_t joint_count = arena.measuring() ? 0 : outputs->joint_count;
+  if (stages > 1 && !arena.measuring()) {
+    if (joint_count == 0 || joint_count > SINEW_MAX_RIG_JOINTS) return SINEW_ERROR_COUNT;
+    kept.keep(*outputs);
+  }
+  // A stage's plan, with its share of the progress.
+  const auto next = [&](const RigPlan& from) {
+    RigPlan stage = from;
+    stage.progress = from.progress.part(done * Progress::kWhole / stages, (done + 1) * Progress::kWhole / stages);
+    ++done;
+    return stage;
+  };
+  sinew_status status = SINEW_OK;
+  if ((plan.wanted & SINEW_DETAIL_HANDS) != 0) {
+    const ArenaScope scope(arena);
+    status = run_hands(next(plan.hands), mesh, kernels, arena, outputs);
+  }
+  if (status == SINEW_OK && (plan.wanted & SINEW_DETAIL_FACE) != 0) {
+    const ArenaScope scope(arena);
+    status = run_face(next(plan.shape), mesh, arena, outputs);
+  }
+  if (status == SINEW_OK && (plan.wanted & SINEW_DETAIL_PROPS) != 0) {
+    const ArenaScope scope(arena);
+    status = run_props(next(plan.shape), mesh, arena, outputs);
+  }
+  if (status != SINEW_OK && stages > 1 && !arena.measuring()) {
+    outputs->joint_count = joint_count;
+    kept.restore(*outputs);
+  }
+  return status;
+}
+
+}  // namespace sinew

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Who includes whom: rooms of engine/src by the order that engine/README.md states, and the houses above the engine.
+
+  rooms.py SOURCE_DIR     prints each include that goes the wrong way; exits with 1 when there is one
+"""
+import pathlib
+import re
+import sys
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
+SENTENCE = re.compile(r"A room includes only rooms that stand before it in this list:\s*([^.]+)\.")
+# Above the rooms; no room includes it, so the sentence does not name it.
+DOOR = "api"
+# A house with its folders, and what it must not include. A folder belongs to the house with the longest name that fits.
+HOUSES = {
+    "engine": (["engine/include", "engine/src"], ["formats", "character", "datasets", "trainer", "quant"]),
+    "formats": (["formats/include", "formats/src"], ["character", "datasets", "trainer", "quant"]),
+    "character": (["formats/character/include", "formats/character/src"], ["datasets", "trainer", "quant"]),
+    "datasets": (["formats/datasets/include", "formats/datasets/src"], ["trainer", "quant"]),
+    "trainer": (["trainer/include", "trainer/src"], ["quant"]),
+    "quant": (["quant/include", "quant/src"], ["trainer"]),
+}
+
+
+def sources(folder):
+    return sorted(p for p in folder.rglob("*") if p.suffix in (".hpp", ".cpp", ".h", ".c"))
+
+
+def includes(path):
+    """(line, name) of every include."""
+    text = path.read_text(encoding="utf-8")
+    return [(text.count("\n", 0, m.start(1)) + 1, m.group(1)) for m in INCLUDE.finditer(text)]
+
+
+def allowed_rooms(readme):
+    """room -> the rooms that it may include, as the sentence of the README says."""
+    found = SENTENCE.search(readme)
+    if not found:
+        raise SystemExit('rooms: engine/README.md has no sentence "A room includes only rooms that stand before it in this list: ..."')
+    allowed, before = {}, []
+    for entry in re.split(r",\s*(?![^(]*\))", " ".join(found.group(1).split())):
+        names, _, note = entry.partition(" (")
+        group = names.split(" and ")
+        note = note.rstrip(")")
+        if note.endswith(" alone"):
+            may = re.split(r", | and ", note[: -len(" alone")])
+            unknown = [room for room in may if room not in before]
+            if unknown:
+                raise SystemExit(f"rooms: engine/README.md lets {names} include {unknown[0]}, which does not stand before it")
+        elif note in ("", "neither knows the other"):
+            may = list(before)
+        else:
+            raise SystemExit(f'rooms: engine/README.md says "({note})" of {names}; this test knows "(neither knows the other)" and "(... alone)"')
+        for room in group:
+            allowed[room] = set(may)
+        before += group
+    return allowed
+
+
+def check_rooms(source):
+    faults = []
+    allowed = allowed_rooms((source / "engine/README.md").read_text(encoding="utf-8"))
+    src = source / "engine/src"
+    rooms = {p.name for p in src.iterdir() if p.is_dir() and sources(p)}
+    faults += [f"engine/README.md's list of rooms lacks engine/src/{room}" for room in sorted(rooms - set(allowed) - {DOOR})]
+    faults += [f"engine/README.md's list names a room {room} that engine/src has not" for room in sorted(set(allowed) - rooms)]
+    count = 0
+    for room in sorted(rooms):
+        for path in sources(src / room):
+            for line, name in includes(path):
+                other = name.split("/")[0]
+                if "/" not in name or other == room or other not in rooms:
+                    continue
+                count += 1
+                if room == DOOR or room not in allowed or other in allowed[room]:
+                    continue
+                faults.append(f"{path.relative_to(source)}:{line}: {room} includes {name}, and {other} does not stand before it in engine/README.md")
+    return faults, f"{len(rooms)} rooms, {count} includes between them"
+
+
+def check_houses(source):
+    faults, count = [], 0
+    folders = {house: [source / f for f in given if (source / f).is_dir()] for house, (given, _) in HOUSES.items()}
+    faults += [f"the house {house} has no folder {' or '.join(HOUSES[house][0])}" for house in folders if not folders[house]]
+    for house, (_, forbidden) in HOUSES.items():
+        lower = [other for other in HOUSES if other not in forbidden]
+        for folder in folders[house]:
+            for path in sources(folder):
+                for line, name in includes(path):
+                    if (path.parent / name).is_file() or any((f / name).is_file() for other in lower for f in folders[other]):
+                        continue
+                    count += 1
+                    for other in forbidden:
+                        if name.startswith(f"sinew_{other}/") or any((f / name).is_file() for f in folders[other]):
+                            faults.append(f"{path.relative_to(source)}:{line}: {house} includes {name} of {other}")
+    return faults, f"{len(HOUSES)} houses, {count} includes of what lies outside their own and lower ones"
+
+
+def main():
+    source = pathlib.Path(sys.argv[1])
+    faults = []
+    for check in (check_rooms, check_houses):
+        found, said = check(source)
+        faults += found
+        print(f"rooms: {said}, {len(found)} of the wrong way")
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

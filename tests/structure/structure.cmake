@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: MIT
+# Who includes whom, by the READMEs' order, and no two types of one name in a namespace. Reads sources, builds nothing.
+find_package(Python3 COMPONENTS Interpreter)
+if(NOT Python3_FOUND)
+  message(STATUS "sinew: no test of the structure: it needs python3; scripts/test.sh installs it")
+  return()
+endif()
+foreach(check rooms type_names)
+  add_test(NAME structure_${check} COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/structure/${check}.py ${CMAKE_SOURCE_DIR})
+endforeach()
+add_test(NAME structure_checks COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/structure/structure_test.py)
+set_tests_properties(structure_rooms structure_type_names structure_checks PROPERTIES LABELS unit)

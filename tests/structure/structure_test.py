@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""rooms.py and type_names.py find what they are for: on small trees that break each rule once."""
+import contextlib
+import io
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+import rooms
+import type_names
+
+README = "A room includes only rooms that stand before it in this list: core, mesh and\nskeleton (neither knows the other), solve, mapping (core alone), bind. More.\n"
+
+
+class Structure(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name)
+        self.write("engine/README.md", README)
+        for room in ("core", "mesh", "skeleton", "solve", "mapping", "bind", "api"):
+            self.write(f"engine/src/{room}/{room}.hpp", "")
+        for house, (folders, _) in rooms.HOUSES.items():
+            if house != "engine":
+                self.write(f"{folders[0]}/sinew_{house}/{house}.hpp", "")
+                self.write(f"{folders[1]}/{house}_part.hpp", "")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def faults(self, name, text, check=rooms.check_rooms):
+        self.write(name, text)
+        return check(self.root)[0]
+
+    def test_rooms(self):
+        self.assertEqual(self.faults("engine/src/bind/a.cpp", '#include <vector>\n#include "core/core.hpp"\n#include "mesh/mesh.hpp"\n'), [])
+        self.assertEqual(self.faults("engine/src/api/a.cpp", '#include "bind/bind.hpp"\n'), [])
+        self.assertRegex(self.faults("engine/src/mesh/a.cpp", '\n#include "bind/bind.hpp"\n')[0], r"^engine/src/mesh/a.cpp:2: mesh includes bind/bind.hpp")
+        self.assertEqual(len(self.faults("engine/src/mesh/a.cpp", '#include "skeleton/skeleton.hpp"\n')), 1)
+        self.assertEqual(len(self.faults("engine/src/mesh/a.cpp", '#include "api/api.hpp"\n')), 1)
+        self.assertEqual(len(self.faults("engine/src/mesh/a.cpp", "")), 0)
+        self.assertEqual(len(self.faults("engine/src/mapping/a.cpp", '#include "mesh/mesh.hpp"\n')), 1)
+        self.assertEqual(len(self.faults("engine/src/mapping/a.cpp", '#include "core/core.hpp"\n')), 0)
+
+    def test_list(self):
+        self.assertRegex(self.faults("engine/src/attic/a.cpp", "")[0], "lacks engine/src/attic")
+        self.assertRegex(self.faults("engine/README.md", README.replace("solve", "solve, attic, cellar"))[0], "cellar")
+        for readme in ("No list.", README.replace("(core alone)", "(nobody)"), README.replace("(core alone)", "(bind alone)")):
+            with self.assertRaises(SystemExit):
+                self.faults("engine/README.md", readme)
+
+    def test_houses(self):
+        def houses(name, include):
+            return self.faults(name, f"#include {include}\n", rooms.check_houses)
+        for include in ('"sinew_formats/formats.hpp"', '"formats_part.hpp"', "<sinew_character/character.hpp>"):
+            self.assertEqual(houses("formats/datasets/src/a.cpp", include), [])
+        for name, include in (("formats/src/a.cpp", '"sinew_character/character.hpp"'), ("formats/src/a.cpp", "<sinew_datasets/new.hpp>"),
+                              ("formats/src/a.cpp", '"character_part.hpp"'), ("formats/character/src/a.cpp", '"sinew_datasets/datasets.hpp"'),
+                              ("engine/src/core/a.hpp", '"sinew_formats/formats.hpp"'), ("trainer/src/a.cpp", '"sinew_quant/quant.hpp"'),
+                              ("quant/src/a.cpp", '"sinew_trainer/trainer.hpp"')):
+            self.assertEqual(len(houses(name, include)), 1, f"{name}: {include}")
+            (self.root / name).unlink()
+
+    def test_type_names(self):
+        def names(text):
+            return [name for name, _ in type_names.definitions(text)]
+        self.assertEqual(names("namespace sinew {\nstruct Limb {\n  struct Inner {};\n};\nclass Other final : public Limb { };\n}"), ["sinew::Limb", "sinew::Other"])
+        self.assertEqual(names("namespace a::b { template <class T, typename U = int> struct alignas(16) X { }; enum class E : int { kA }; }"), ["a::b::X", "a::b::E"])
+        self.assertEqual(names("namespace a { namespace { struct Hidden {}; } struct [[nodiscard]] Seen { }; }"), ["a::Seen"])
+        self.assertEqual(names('extern "C" {\ntypedef struct thing { int a; } thing;\n}'), ["thing"])
+        self.assertEqual(names("struct A;\nstruct A f() { struct Local { }; }\nstruct S s = { 1 };\ntemplate <> struct X<int> { };\nstruct A::Part { };"), ["A::Part"])
+        self.assertEqual(names('// struct A {\n/* struct B { */ const char* t = "struct C {"; const char c = \'{\'; auto r = R"x(struct D {)x"; int n = 1\'000;\n#define E struct E {\nstruct F { };'), ["F"])
+        self.assertEqual(list(type_names.definitions('"\\""\n/*\n*/\nstruct F {'))[0][1], 4)
+
+    def test_two_types(self):
+        many = "".join(f"struct T{i} {{}};" for i in range(300))
+        self.write("engine/src/core/core.hpp", "namespace sinew { " + many + " struct Limb { int a; }; }")
+        self.assertEqual(self.two_types()[0], 0)
+        self.write("trainer/src/a.cpp", "\nnamespace sinew { struct Limb { double a; }; }")
+        status, said = self.two_types()
+        self.assertEqual(status, 1)
+        self.assertIn("trainer/src/a.cpp:2: sinew::Limb is a type of engine/src/core/core.hpp:1 already", said)
+
+    def two_types(self):
+        with contextlib.redirect_stdout(io.StringIO()) as said:
+            sys.argv = ["type_names.py", str(self.root)]
+            status = type_names.main()
+        return status, said.getvalue()
+
+
+if __name__ == "__main__":
+    unittest.main()
