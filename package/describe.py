@@ -52,8 +52,8 @@ class Command:
             for head, says in rows:
                 if head.startswith("-"):
                     names, _, value = head.partition(" ")
-                    choices = re.search(r"\bOne of ([^ ]*)", " ".join(says))
-                    yield names.split(","), value, choices.group(1).split("|") if choices else []
+                    choices = re.search(r"\bOne of ((?:[^ |]+\| ?)*[^ |]+)", " ".join(says))
+                    yield names.split(","), value, re.split(r"\| ?", choices.group(1)) if choices else []
 
 
 def ask(program, path):

@@ -100,7 +100,7 @@ BindJobOptions job_options(const BindSettings& settings, const Binder& binder, c
   job.thread_count = settings.threads;
   set_flags(settings, character, &job.said);
   BindOptions style;
-  style.method = binder.model == nullptr ? binder.method : SINEW_METHOD_MODEL;
+  style.method = binder.model == nullptr ? binder.method : uint32_t{SINEW_METHOD_MODEL};
   apply_style(settings.style, &style);
   job.rigid_parts = style.rigid_parts;
   job.softness_percent = style.softness_percent;

@@ -2,7 +2,6 @@
 // Lays the help texts out in columns.
 #include "help.hpp"
 
-#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -78,7 +77,9 @@ Value value_of(const CLI::Option& option) {
   const size_t colon = whole.find(":{");
   Value value = {whole.substr(0, whole.find(':')), ""};
   if (colon != std::string::npos) value.choices = whole.substr(colon + 2, whole.rfind('}') - colon - 2);
-  std::replace(value.choices.begin(), value.choices.end(), ',', '|');
+  const char* const between = value.choices.size() < kWidth / 2 ? "|" : "| ";  // long lists may be broken
+  for (size_t at = value.choices.find(','); at != std::string::npos; at = value.choices.find(','))
+    value.choices.replace(at, 1, between);
   return value;
 }
 

@@ -6,7 +6,7 @@ namespace sinew::cli {
 namespace {
 
 struct Retired {
-  const char *command, *word;  // no word: the command itself
+  const char *command, *word;  // a command or one with its subcommand; no word: the command itself
   const char* value;           // nullptr: any; else one word that stands behind it
   const char* now;
 };
@@ -26,18 +26,18 @@ constexpr Retired kRetired[] = {
     {"map", "--no-ends", nullptr, "--ends none"},
     {"quantize", "--confidence", nullptr, "--calibrate-confidence DIR"},
     {"crossval", "--from", nullptr, "--reuse RUN"},
-    {"eval", "--task", "rig", "sinew eval rig DIR"},
-    {"eval", "--task", "hands", "sinew eval hands DIR"},
-    {"eval", "--task", nullptr, "sinew eval DIR, sinew eval rig DIR or sinew eval hands DIR"},
-    {"eval", "--confidence", nullptr, "sinew eval confidence DIR"},
-    {"eval", "--robustness", nullptr, "sinew eval robustness DIR"},
-    {"eval", "--hints", nullptr, "sinew eval hints DIR --give KIND:PERCENT"},
-    {"eval", "--style", nullptr, "sinew eval style DIR --questions N"},
-    {"eval", "--questions", nullptr, "sinew eval questions DIR --questions N"},
-    {"eval", "--bind", nullptr, "sinew eval rig DIR --bind"},
-    {"eval", "--predictions", nullptr, "--save-predictions DIR"},
-    {"eval", "--json", "-", "--json without a value, which prints; a file is written by -o FILE.json"},
-    {"eval", "--json", nullptr, "-o FILE.json; --json without a value prints"},
+    {"eval weights", "--task", "rig", "sinew eval rig DIR"},
+    {"eval weights", "--task", "hands", "sinew eval hands DIR"},
+    {"eval weights", "--task", nullptr, "sinew eval DIR, sinew eval rig DIR or sinew eval hands DIR"},
+    {"eval weights", "--confidence", nullptr, "sinew eval confidence DIR"},
+    {"eval weights", "--robustness", nullptr, "sinew eval robustness DIR"},
+    {"eval weights", "--hints", nullptr, "sinew eval hints DIR --give KIND:PERCENT"},
+    {"eval weights", "--style", nullptr, "sinew eval style DIR --questions N"},
+    {"eval weights", "--questions", nullptr, "sinew eval questions DIR --questions N"},
+    {"eval weights", "--bind", nullptr, "sinew eval rig DIR --bind"},
+    {"eval weights", "--predictions", nullptr, "--save-predictions DIR"},
+    {"eval weights", "--json", "-", "--json without a value, which prints; a file is written by -o FILE.json"},
+    {"eval weights", "--json", nullptr, "-o FILE.json; --json without a value prints"},
     {"dataset", "--png", nullptr, "--pictures DIR"},
     {"dataset", "--picture", nullptr, "--picture-size N"},
     {"dataset", "--val", nullptr, "--val-share X"},
@@ -50,7 +50,9 @@ std::optional<std::string> retired_word(const std::vector<std::string>& words, c
     return !word.empty() && error.find(word) != std::string::npos;
   };
   for (const Retired& one : kRetired) {
-    if (words.empty() || words[0] != one.command) continue;
+    if (words.empty() ||
+        (words[0] != one.command && words[0] + " " + (words.size() > 1 ? words[1] : "") != one.command))
+      continue;
     if (one.word == nullptr) return std::string(one.command) + " is now " + one.now;
     const std::string option = one.word;
     for (size_t i = 1; i < words.size(); ++i) {
