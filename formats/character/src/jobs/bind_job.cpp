@@ -139,7 +139,7 @@ BindJob::BindJob(const BindJobOptions& job, const Binder& binder, Character* cha
   options_.keep_tips = job.keep_tips;
   options_.bind_props = job.bind_props;
   BindOptions& options = options_.bind;
-  options.method = binder.model == nullptr ? binder.method : SINEW_METHOD_MODEL;
+  options.method = binder.model == nullptr ? binder.method : uint32_t{SINEW_METHOD_MODEL};
   options.model = binder.model;
   options.influence_count = job.influence_count;
   options.up_axis = job.up_axis;
