@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 # shellcheck disable=SC2046  # several packages
 scripts/setup.sh $(scripts/conformance.sh --packages ci) $(samples/web/build.sh --packages) $(samples/python/build.sh --packages) \
   $(tests/integration/csharp_test.sh --packages)
+scripts/setup.sh "libclang-rt-$(clang -dumpversion | cut -d . -f 1)-dev"  # clang's sanitizers
 jobs=$(nproc)
 
 # phase NAME COMMAND...: the end lists the seconds of each, also where one fails.
@@ -37,10 +38,11 @@ phase "release tests" ctest --test-dir build/release --output-on-failure -j "$jo
 if [ "${1:-}" != quick ]; then
   # Native targets were tests above.
   phase conformance scripts/conformance.sh ci
+  phase "conformance, linked only" scripts/conformance.sh --link ci-links
   phase "conformance of kernels" scripts/conformance.sh --kernels aarch64 cortex-m7
   # Engine, formats and quant: what reads files from strangers. The trainer under sanitizers is `cmake --preset dev` by hand.
-  phase "sanitizer build" build dev -DSINEW_BUILD_TRAINER=OFF -DSINEW_BUILD_SAMPLES=OFF
+  phase "sanitizer build" build sanitize
   # Without the data folder, which is large: those cases ran above.
-  phase "sanitizer tests" env SINEW_SHARED_DIR=none ctest --test-dir build/dev --output-on-failure -j "$jobs" -LE 'slow|tools'
+  phase "sanitizer tests" env SINEW_SHARED_DIR=none ctest --test-dir build/sanitize --output-on-failure -j "$jobs" -LE 'slow|tools'
 fi
 echo "all tests passed"
