@@ -36,6 +36,10 @@ typedef struct sinew_character sinew_character;
  * character. "" before one did. Never null. Good until the next call that fails. */
 SINEW_API const char* sinew_character_error(const sinew_character* character);
 
+/* sizeof of a struct of this header, as this library has it, for bindings: see sinew_struct_size() in sinew/abi.h.
+ *   name  "sinew_character_clip"; null is allowed.  Returns 0 for a name that no struct has. */
+SINEW_API size_t sinew_character_struct_size(const char* name);
+
 /* ---- files ---- */
 
 /* Bytes under a name. */
