@@ -72,6 +72,7 @@ set(sinew_job_sources
   capi/rig
   capi/save
   capi/simplify
+  capi/struct_sizes
   capi/transfer)
 list(TRANSFORM sinew_job_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 list(TRANSFORM sinew_job_sources APPEND .cpp)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The engine of sinew for C#: skin weights and skeletons over the shared library (libsinew.so, sinew.dll, libsinew.dylib),
-// by P/Invoke. One file without dependencies, C# 7, for Mono, .NET and Unity. The C headers in engine/include/sinew are
-// the reference of every struct and status.
+// by P/Invoke. Without dependencies, C# 7, for Mono, .NET and Unity. Native.cs has the C interface as it is; the C headers in
+// engine/include/sinew are the reference of every struct and status.
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -20,108 +20,7 @@ namespace Sinew
     /// <summary>The progress function asked to stop. Nothing was changed.</summary>
     public sealed class CancelledException : SinewException
     {
-        public CancelledException(string message) : base(message, Native.Cancelled) { }
-    }
-
-    /// <summary>The C interface as it is. Structs have the names and the layout of C.</summary>
-    public static class Native
-    {
-        public const string Library = "sinew";
-        public const int Cancelled = -8;
-        public const uint MaxRigJoints = 192, JointNameBytes = 32, WorkspaceAlignment = 64;
-        public const byte JointNever = 1, JointDeforms = 2;
-
-        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
-        public delegate int Progress(IntPtr user, uint donePermille);
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_mesh
-        {
-            public IntPtr positions;
-            public uint vertex_count;
-            public IntPtr face_offsets, face_vertices;
-            public uint face_count, corner_count;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_skeleton
-        {
-            public uint struct_size, joint_count;
-            public IntPtr positions, parents, flags, ends, names, rotations;
-            public uint up, reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_model
-        {
-            public IntPtr bytes;
-            public UIntPtr size_bytes;
-            public IntPtr packed;
-            public uint format_version, candidate_count, grid_size, feature_set, fixed_candidates, layer_count,
-                parameter_count, checksum, confidence_offset, confidence_count, task, input_count;
-            [MarshalAs(UnmanagedType.ByValArray, SizeConst = 14)] public uint[] reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_options
-        {
-            public uint struct_size, method, influence_count, weight_format, candidate_count, grid_size,
-                surface_vertices, symmetric, rigid_parts, softness_percent, weights_in_place, kernel, thread_count, reserved;
-            public IntPtr locked, hints, parallel_for, parallel_user;
-            public Progress progress;
-            public IntPtr progress_user, answers;
-            public uint answer_count, question_count;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_bind_outputs
-        {
-            public uint struct_size, symmetric_vertices;
-            public IntPtr joint_indices, weights, confidence;
-            public UIntPtr used_bytes;
-            public IntPtr questions, vertex_questions, vertex_parts;
-            public uint questions_written, reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_rig_options
-        {
-            public uint struct_size, up, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
-            public Progress progress;
-            public IntPtr progress_user;
-            public uint method, reserved;
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
-        public struct sinew_rig_outputs
-        {
-            public uint struct_size, joint_count;
-            public IntPtr positions, parents, flags, joint_classes, partners, confidence, parent_confidence, names;
-            public uint mirrored, facing;
-            public float plane, spread;
-            public UIntPtr used_bytes;
-        }
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern IntPtr sinew_status_text(int status);
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern IntPtr sinew_version();
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_model_open(IntPtr bytes, UIntPtr size, out sinew_model model);
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig_model_open(IntPtr bytes, UIntPtr size, out sinew_model model);
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_bind_workspace_size(IntPtr model, uint vertices, uint faces, uint corners,
-            uint joints, ref sinew_options options, out UIntPtr size);
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_bind(IntPtr model, ref sinew_mesh mesh, ref sinew_skeleton skeleton,
-            ref sinew_options options, IntPtr workspace, UIntPtr bytes, ref sinew_bind_outputs outputs);
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig_workspace_size(IntPtr model, uint vertices, uint faces, uint corners,
-            ref sinew_rig_options options, out UIntPtr size);
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern int sinew_rig(IntPtr model, ref sinew_mesh mesh, ref sinew_rig_options options,
-            IntPtr workspace, UIntPtr bytes, ref sinew_rig_outputs outputs);
+        public CancelledException(string message) : base(message, Native.ERROR_CANCELLED) { }
     }
 
     /// <summary>A model file (.sinew) in memory. Any number of calls may use it at once.</summary>
@@ -138,31 +37,24 @@ namespace Sinew
             return new Model(file, Native.sinew_rig_model_open, "skeletons");
         }
 
-        delegate int Open(IntPtr bytes, UIntPtr size, out Native.sinew_model model);
+        delegate int Open(IntPtr bytes, UIntPtr size, IntPtr model);
 
         Model(byte[] file, Open open, string what)
         {
             if (file == null) throw new ArgumentNullException(nameof(file));
+            Engine.CheckLibrary();
             bytes_ = new Block(file.Length);
             Marshal.Copy(file, 0, bytes_.Address, file.Length);
-            Native.sinew_model model;
-            int status;
+            model_ = new Block(Marshal.SizeOf(typeof(Native.sinew_model)));
             try
             {
-                status = open(bytes_.Address, (UIntPtr)file.Length, out model);
+                Engine.Throw(open(bytes_.Address, (UIntPtr)file.Length, model_.Address), "model for " + what);
             }
             catch
             {
-                bytes_.Dispose();
+                Dispose();
                 throw;
             }
-            if (status != 0)
-            {
-                bytes_.Dispose();
-                Engine.Throw(status, "model for " + what);
-            }
-            model_ = new Block(Marshal.SizeOf(typeof(Native.sinew_model)));
-            Marshal.StructureToPtr(model, model_.Address, false);
         }
 
         internal IntPtr Address
@@ -212,7 +104,7 @@ namespace Sinew
         public float[] Positions;
         /// <summary>[joints] index of the parent, or -1.</summary>
         public int[] Parents;
-        /// <summary>[joints] Native.JointNever and others, or null.</summary>
+        /// <summary>[joints] Native.JOINT_NEVER and others, or null.</summary>
         public byte[] Flags;
         /// <summary>[joints] or null; the engine does not need them.</summary>
         public string[] Names;
@@ -229,8 +121,6 @@ namespace Sinew
         }
     }
 
-    public enum RigidParts { Auto = 0, Always = 1, Never = 2 }
-
     /// <summary>What a bind is asked to do. What is not set is the engine's default.</summary>
     public sealed class BindSettings
     {
@@ -246,7 +136,7 @@ namespace Sinew
         public byte[] Hints;
         /// <summary>Rows of locked and hinted vertices, of as many influences.</summary>
         public Skin Keep;
-        /// <summary>Gets a share of work done, 0 to 1, on the calling thread. Returns false to stop.</summary>
+        /// <summary>Gets a share of work done, 0 to 1, on the calling thread. Returns true to stop, as in C.</summary>
         public Func<float, bool> Progress;
     }
 
@@ -259,8 +149,6 @@ namespace Sinew
         /// <summary>[vertices] how sure the strongest joint is, 0 to 255 = 0 to 100 %.</summary>
         public byte[] Confidence;
     }
-
-    public enum Mirror { Auto = 0, Always = 1, Never = 2 }
 
     public sealed class RigSettings
     {
@@ -290,10 +178,38 @@ namespace Sinew
     {
         public static string Version { get { return Marshal.PtrToStringAnsi(Native.sinew_version()); } }
 
+        static bool checked_;
+
+        /// <summary>Compares the library that was loaded with Native.cs, once; models and characters do so by themselves.</summary>
+        /// <exception cref="SinewException">It is of another version, or has other structs.</exception>
+        /// <exception cref="DllNotFoundException">It is not there.</exception>
+        public static void CheckLibrary()
+        {
+            if (checked_) return;
+            string expected = Native.VERSION_MAJOR + "." + Native.VERSION_MINOR + ".";
+            if (!Version.StartsWith(expected, StringComparison.Ordinal))
+                throw new SinewException("library " + Native.Library + ": expected version " + expected + "x, found " + Version);
+            CompareSizes(Native.Library, Native.Structs, name => (long)Native.sinew_struct_size(name));
+            checked_ = true;
+        }
+
+        internal static void CompareSizes(string library, StructSize[] here, Func<IntPtr, long> sizeOf)
+        {
+            foreach (StructSize one in here)
+            {
+                long there;
+                using (var pins = new Pins()) there = sizeOf(pins.Of(one.Name));
+                // One that begins with struct_size may have grown.
+                if (there != one.Bytes && !(one.Grows && there > one.Bytes))
+                    throw new SinewException("library " + library + ": " + one.Name + " has " + there +
+                        " bytes, Native.cs was made for " + one.Bytes + "; take both of one build");
+            }
+        }
+
         /// <summary>Predicts skin weights: the bytes that the command gives for the same character and settings.</summary>
         /// <exception cref="ArgumentException">An array has another length than it says.</exception>
         /// <exception cref="SinewException">The engine refuses the call.</exception>
-        /// <exception cref="CancelledException">Progress returned false.</exception>
+        /// <exception cref="CancelledException">Progress returned true.</exception>
         public static Skin Bind(Model model, Mesh mesh, Skeleton skeleton, BindSettings settings = null)
         {
             if (model == null) throw new ArgumentNullException(nameof(model));
@@ -319,25 +235,21 @@ namespace Sinew
                     hints = pins.Of(settings.Hints), progress = watch.Callback
                 };
                 Native.sinew_mesh view = View(mesh, pins);
-                var bones = new Native.sinew_skeleton
-                {
-                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_skeleton)), up = settings.ZUp ? 3u : 2u,
-                    positions = pins.Of(skeleton.Positions), parents = pins.Of(skeleton.Parents),
-                    flags = pins.Of(skeleton.Flags), joint_count = (uint)skeleton.JointCount
-                };
+                Native.sinew_skeleton bones = View(skeleton, pins, settings.ZUp ? Up.Z : Up.Y);
                 var outputs = new Native.sinew_bind_outputs
                 {
                     struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_bind_outputs)),
                     joint_indices = pins.Of(skin.Joints), weights = pins.Of(skin.Weights),
                     confidence = pins.Of(skin.Confidence)
                 };
+                IntPtr asked = pins.Of(options);
                 UIntPtr size;
                 Throw(Native.sinew_bind_workspace_size(model.Address, view.vertex_count, view.face_count,
-                    view.corner_count, bones.joint_count, ref options, out size), "bind");
+                    view.corner_count, bones.joint_count, asked, out size), "bind");
                 using (var workspace = new Block((long)size))
                 {
-                    int status = Native.sinew_bind(model.Address, ref view, ref bones, ref options, workspace.Address,
-                        size, ref outputs);
+                    int status = Native.sinew_bind(model.Address, pins.Of(view), pins.Of(bones), asked, workspace.Address,
+                        size, pins.Of(outputs));
                     watch.End();
                     Throw(status, "bind");
                 }
@@ -353,7 +265,7 @@ namespace Sinew
             if (model == null) throw new ArgumentNullException(nameof(model));
             settings = settings ?? new RigSettings();
             mesh.Check();
-            const int most = (int)Native.MaxRigJoints, room = (int)Native.JointNameBytes;
+            const int most = (int)Native.MAX_RIG_JOINTS, room = (int)Native.JOINT_NAME_BYTES;
             var positions = new float[3 * most];
             int[] parents = new int[most], partners = new int[most];
             byte[] flags = new byte[most], classes = new byte[most], names = new byte[most * room];
@@ -364,7 +276,7 @@ namespace Sinew
                 var watch = new Watch(settings.Progress);
                 var options = new Native.sinew_rig_options
                 {
-                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_options)), up = settings.ZUp ? 3u : 2u,
+                    struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_rig_options)), up = (uint)(settings.ZUp ? Up.Z : Up.Y),
                     mirror = (uint)settings.Mirror, spine_count = (uint)settings.SpineCount,
                     no_toes = settings.NoToes ? 1u : 0, no_ends = settings.NoEnds ? 1u : 0, progress = watch.Callback
                 };
@@ -377,16 +289,17 @@ namespace Sinew
                 outputs.partners = pins.Of(partners);
                 outputs.confidence = pins.Of(confidence);
                 outputs.names = pins.Of(names);
+                IntPtr asked = pins.Of(options), written = pins.Of(outputs);
                 UIntPtr size;
                 Throw(Native.sinew_rig_workspace_size(model.Address, view.vertex_count, view.face_count,
-                    view.corner_count, ref options, out size), "rig");
+                    view.corner_count, asked, out size), "rig");
                 using (var workspace = new Block((long)size))
                 {
-                    int status = Native.sinew_rig(model.Address, ref view, ref options, workspace.Address, size,
-                        ref outputs);
+                    int status = Native.sinew_rig(model.Address, pins.Of(view), asked, workspace.Address, size, written);
                     watch.End();
                     Throw(status, "rig");
                 }
+                outputs = (Native.sinew_rig_outputs)Marshal.PtrToStructure(written, typeof(Native.sinew_rig_outputs));
                 GC.KeepAlive(watch);
             }
             GC.KeepAlive(model);
@@ -416,7 +329,7 @@ namespace Sinew
         {
             if (status == 0) return;
             string text = what + ": " + Marshal.PtrToStringAnsi(Native.sinew_status_text(status));
-            if (status == Native.Cancelled) throw new CancelledException(text);
+            if (status == Native.ERROR_CANCELLED) throw new CancelledException(text);
             throw new SinewException(text, status);
         }
 
@@ -437,7 +350,17 @@ namespace Sinew
             Array.Copy(keep.Weights, skin.Weights, skin.Weights.Length);
         }
 
-        static Native.sinew_mesh View(Mesh mesh, Pins pins)
+        internal static Native.sinew_skeleton View(Skeleton skeleton, Pins pins, Up up = Up.Auto)
+        {
+            return new Native.sinew_skeleton
+            {
+                struct_size = (uint)Marshal.SizeOf(typeof(Native.sinew_skeleton)), joint_count = (uint)skeleton.JointCount,
+                positions = pins.Of(skeleton.Positions), parents = pins.Of(skeleton.Parents), flags = pins.Of(skeleton.Flags),
+                names = pins.Of(skeleton.Names), up = (uint)up
+            };
+        }
+
+        internal static Native.sinew_mesh View(Mesh mesh, Pins pins)
         {
             return new Native.sinew_mesh
             {
@@ -454,12 +377,17 @@ namespace Sinew
     {
         readonly Func<float, bool> progress_;
         Exception thrown_;
-        public readonly Native.Progress Callback;
+        readonly Native.sinew_progress report_;  // kept for as long as C may call it
 
         public Watch(Func<float, bool> progress)
         {
             progress_ = progress;
-            if (progress != null) Callback = Report;
+            if (progress != null) report_ = Report;
+        }
+
+        public IntPtr Callback
+        {
+            get { return report_ == null ? IntPtr.Zero : Marshal.GetFunctionPointerForDelegate(report_); }
         }
 
         // Unity's IL2CPP wants a static method with MonoPInvokeCallback here; see README.md.
@@ -467,7 +395,7 @@ namespace Sinew
         {
             try
             {
-                return progress_(permille / 1000f) ? 0 : 1;
+                return progress_(permille / 1000f) ? 1 : 0;
             }
             catch (Exception e)
             {
@@ -487,12 +415,28 @@ namespace Sinew
     {
         readonly List<GCHandle> handles_ = new List<GCHandle>();
 
-        public IntPtr Of(Array array)
+        /// <summary>Where an array's elements are, or a boxed struct of Native; null stays null.</summary>
+        public IntPtr Of(object array)
         {
             if (array == null) return IntPtr.Zero;
             GCHandle handle = GCHandle.Alloc(array, GCHandleType.Pinned);
             handles_.Add(handle);
             return handle.AddrOfPinnedObject();
+        }
+
+        /// <summary>Where a text is, UTF-8 with a 0 behind it; null stays null.</summary>
+        public IntPtr Of(string text)
+        {
+            return text == null ? IntPtr.Zero : Of((object)Encoding.UTF8.GetBytes(text + "\0"));
+        }
+
+        /// <summary>Where the addresses of texts are; null stays null.</summary>
+        public IntPtr Of(string[] texts)
+        {
+            if (texts == null) return IntPtr.Zero;
+            var addresses = new IntPtr[texts.Length];
+            for (int i = 0; i < texts.Length; ++i) addresses[i] = Of(texts[i] ?? "");
+            return Of((object)addresses);
         }
 
         public void Dispose()
@@ -510,7 +454,7 @@ namespace Sinew
 
         public Block(long bytes)
         {
-            const long alignment = Native.WorkspaceAlignment;
+            const long alignment = Native.WORKSPACE_ALIGNMENT;
             memory_ = Marshal.AllocHGlobal(new IntPtr(bytes + alignment));
             Address = new IntPtr((memory_.ToInt64() + alignment - 1) / alignment * alignment);
         }

@@ -4,11 +4,13 @@
 //   Test.exe bind MODEL NAME.obj       the hash of the weights, as sinew bind --json prints it
 //   Test.exe rig MODEL NAME.obj        joints as lines: name, x, y, z, parent
 //   Test.exe errors MODEL NAME.obj     checks what is refused, and progress
+//   Test.exe character JOB IN OUT [MOTION]   a job of Character with its defaults, saved; 1 and the library's line where it fails
 using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Runtime.InteropServices;
+using System.Text.RegularExpressions;
 using Sinew;
 
 static class Test
@@ -22,10 +24,10 @@ static class Test
     {
         foreach (Type type in typeof(Native).GetNestedTypes())
         {
-            if (!type.Name.StartsWith("sinew_")) continue;
+            if (!type.IsValueType || !type.Name.StartsWith("sinew_")) continue;
             Console.WriteLine("{0} {1}", type.Name, Marshal.SizeOf(type));
             foreach (var field in type.GetFields())
-                Console.WriteLine("{0}.{1} {2}", type.Name, field.Name, Marshal.OffsetOf(type, field.Name));
+                Console.WriteLine("{0}.{1} {2}", type.Name, Regex.Replace(field.Name, "_([0-9]+)$", "[$1]"), Marshal.OffsetOf(type, field.Name));
         }
     }
 
@@ -110,7 +112,7 @@ static class Test
                     Require(done >= last && done <= 1, "progress rises to 1");
                     last = done;
                     ++reports;
-                    return true;
+                    return false;
                 }
             });
             Require(reports > 3 && Hash(plain) == Hash(told), "progress changes nothing");
@@ -120,7 +122,7 @@ static class Test
                 for (int i = 0; i < 4; ++i) sum += plain.Weights[4 * v + i];
                 Require(sum == 65535, "rows sum to 65535");
             }
-            Expect<CancelledException>("bind", () => Engine.Bind(model, mesh, skeleton, new BindSettings { Progress = d => d < 0.5f }));
+            Expect<CancelledException>("bind", () => Engine.Bind(model, mesh, skeleton, new BindSettings { Progress = d => d >= 0.5f }));
             Expect<InvalidOperationException>("mine", () => Engine.Bind(model, mesh, skeleton, new BindSettings
             {
                 Progress = d => { throw new InvalidOperationException("mine"); }
@@ -148,6 +150,39 @@ static class Test
         }
     }
 
+    static int Job(string job, string input, string output, string other)
+    {
+        using (Character one = Character.Open(input))
+        using (Character two = other == null ? null : Character.Open(other))
+        {
+            if (job == "bind") Console.WriteLine(one.Bind());
+            if (job == "rig") one.Rig();
+            if (job == "simplify") one.Simplify();
+            if (job == "transfer") one.Transfer(two);
+            if (job == "bake") one.Bake(new BakeSettings { Poses = 60, Shapes = 2 });
+            if (job == "animate")
+            {
+                File.WriteAllText(output + ".map", one.Map(two).Text);
+                Require(one.Animate(two) == one.ClipCount && one.Clip(0).Rotations.Length > 0, "clips");
+            }
+            one.Save(output);
+            Require(one.Write(Path.GetFileName(output))[0].Bytes.Length == new FileInfo(output).Length, "Write() is Save() in memory");
+            if (job != "bind" || one.Skin == null) return 0;
+            // Arrays out and in: the same weights again.
+            using (Character again = Character.Create(one.Mesh, one.Skeleton))
+            {
+                again.SetSkin(one.Skin);
+                Require(Hash(again.Skin) == Hash(one.Skin), "arrays make the same character");
+                Require(again.JointClasses.Length == again.Skeleton.JointCount, "classes");
+                using (Character posed = one.Pose(new PoseSettings { Angles = new double[3 * one.Skeleton.JointCount] }))
+                    Require(posed.Mesh.VertexCount == one.Mesh.VertexCount, "a pose");
+            }
+            Expect<CancelledException>("bind", () => one.Bind(new CharacterBindSettings { Progress = d => true }));
+            Expect<ArgumentException>("Locked", () => one.Bind(new CharacterBindSettings { Locked = new byte[1] }));
+            return 0;
+        }
+    }
+
     static int Main(string[] args)
     {
         try
@@ -157,6 +192,7 @@ static class Test
                 Sizes();
                 return 0;
             }
+            if (args[0] == "character") return Job(args[1], args[2], args[3], args.Length > 4 ? args[4] : null);
             byte[] file = File.ReadAllBytes(args[1]);
             Mesh mesh = ReadMesh(args[2]);
             if (args[0] == "rig")

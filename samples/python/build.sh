@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds the wheel from a clean clone: the engine alone as a shared library, models, package. Offline.
+# Builds the wheel from a clean clone: shared library, models, package. Offline.
 #   samples/python/build.sh [OUT]      OUT/sinew-0.1.0-py3-none-PLATFORM.whl, OUT is build/python by default
 #   samples/python/build.sh --packages Debian packages that building and testing need and that are not there
 #   SINEW_LIBRARY=FILE                 takes this library instead of compiling one
@@ -32,5 +32,9 @@ cp "$root"/samples/python/{pyproject.toml,setup.py,README.md} "$root/LICENSE" "$
 "$root/samples/python/stage.sh" "$out" "$stage/src/sinew"
 cd "$stage"
 rm -f "$out"/sinew-*.whl
+if [ -z "${SINEW_PLATFORM:-}" ] && [ "$(uname -s)" = Linux ]; then
+  SINEW_PLATFORM=$("$python" "$root/samples/python/wheel_tag.py" src/sinew/data/*.so*)
+  export SINEW_PLATFORM
+fi
 "$python" -m build --wheel --no-isolation --outdir "$out" . >"$out/wheel.log" 2>&1 || { tail -20 "$out/wheel.log" >&2; exit 1; }
 ls "$out"/sinew-*.whl

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The wheel holds a library for one platform, and no code for one Python: py3-none-PLATFORM. SINEW_PLATFORM names another
-platform than this machine's, for a library that was cross-compiled."""
+"""The wheel holds a library for one platform, and no code for one Python: py3-none-PLATFORM. SINEW_PLATFORM names the platform, which
+build.sh takes from what the library needs (wheel_tag.py), or that of a library that was cross-compiled."""
 import os
 
 from setuptools import Distribution, setup

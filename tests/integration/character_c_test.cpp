@@ -196,7 +196,7 @@ TEST_F(CharacterC, RigsAsTheCommand) {
   good("rig " + kCaped + " --detail full --no-toes --skeleton template:mixamo --influences 2 -o command.rig.txt");
   const Handle caped = open(kCaped);
   sinew_character_rig_options options = sinew_character_rig_options_init();
-  options.detail = SINEW_DETAIL_FULL;
+  options.detail = SINEW_CHARACTER_DETAIL_FULL;
   options.no_toes = 1;
   options.skeleton = "template:mixamo";
   options.influence_count = 2;

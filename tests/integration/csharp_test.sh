@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The C# binding of samples/csharp with Mono: structs against the C compiler's, weights and skeletons against the command's.
-#   csharp_test.sh SOURCE LIBRARY COMMAND WORK      exits 77 where Mono is missing
+#   csharp_test.sh SOURCE LIBRARY COMMAND WORK [CHARACTER_LIBRARY]      exits 77 where Mono is missing
 #   csharp_test.sh --packages                       what it needs on Debian
 set -euo pipefail
 packages="mono-mcs mono-runtime libmono-system-core4.0-cil"
@@ -9,15 +9,15 @@ if [ "${1:-}" = --packages ]; then
   echo "$packages"
   exit 0
 fi
-source=$1 library=$2 command=$3 work=$4
+source=$1 library=$2 command=$3 work=$4 character=${5:-}
 if ! command -v mcs >/dev/null || ! command -v mono >/dev/null; then
   echo "csharp_test: SKIPPED, no mcs and mono (Debian: $packages)"
   exit 77
 fi
 rm -rf "$work" && mkdir -p "$work"
 fail() { echo "csharp_test: $*" >&2; exit 1; }
-mcs -langversion:7 -warnaserror -out:"$work/Test.exe" "$source/samples/csharp/Sinew.cs" "$source/samples/csharp/Test.cs"
-export LD_LIBRARY_PATH=$(dirname "$library")
+mcs -langversion:7 -warnaserror -out:"$work/Test.exe" "$source"/samples/csharp/*.cs
+export LD_LIBRARY_PATH=$(dirname "$library")${character:+:$(dirname "$character")}
 run() { mono "$work/Test.exe" "$@"; }
 
 # Sizes and offsets of C, of every struct and member that the binding has.
@@ -25,7 +25,7 @@ run sizes > "$work/csharp.txt"
 {
   echo '#include <stddef.h>'
   echo '#include <stdio.h>'
-  echo '#include "sinew/sinew.h"'
+  for header in "$source"/engine/include/sinew/*.h "$source"/formats/character/include/sinew/*.h; do echo "#include \"sinew/$(basename "$header")\""; done
   echo 'int main(void) {'
   while read -r what _; do
     case $what in
@@ -35,7 +35,7 @@ run sizes > "$work/csharp.txt"
   done < "$work/csharp.txt"
   echo 'return 0; }'
 } > "$work/sizes.c"
-"${CC:-cc}" -I "$source/engine/include" "$work/sizes.c" -o "$work/sizes"
+"${CC:-cc}" -I "$source/engine/include" -I "$source/formats/character/include" "$work/sizes.c" -o "$work/sizes"
 "$work/sizes" > "$work/c.txt"
 [ "$(grep -c '\.' "$work/c.txt")" -gt 60 ] || fail "the binding has too few members: $(wc -l < "$work/c.txt") lines"
 diff "$work/c.txt" "$work/csharp.txt" || fail "structs differ from those of C (< C, > C#)"
@@ -53,6 +53,38 @@ grep '^joints' "$work/robed.rig.txt" | awk '{ printf "%s %.4f %.4f %.4f\n", $2, 
 run rig "$data/sinew_rig.sinew" "$data/biped__robed.obj" | awk '{ printf "%s %.4f %.4f %.4f\n", $2, $3, $4, $5 }' > "$work/found.txt"
 diff "$work/expected.txt" "$work/found.txt" || fail "the skeleton is not the command's"
 run errors "$data/sinew_default.sinew" "$data/biped__robed.obj"
+
+# Characters: the command's bytes with the command's defaults, for strange files.
+if [ -n "$character" ]; then
+  "${PYTHON:-python3}" "$source/tests/support/strange_characters.py" "$work/strange" > "$work/files.txt"
+  bound=0
+  while read -r file; do
+    if hash=$(run character bind "$file" "$work/ours.glb" 2> "$work/error.txt"); then
+      "$command" bind "$file" -o "$work/theirs.glb" > /dev/null
+      cmp "$work/ours.glb" "$work/theirs.glb" || fail "$file: a bind gives other bytes than the command"
+      [ "${#hash}" = 16 ] || fail "$file: no hash: $hash"
+      bound=$((bound + 1))
+    else
+      if "$command" bind "$file" -o "$work/theirs.glb" > /dev/null 2> "$work/theirs.txt"; then fail "$file: $(cat "$work/error.txt")"; fi
+      grep -qF "$(sed 's/^SinewException: //' "$work/error.txt")" "$work/theirs.txt" || fail "$file: another error: $(cat "$work/error.txt" "$work/theirs.txt")"
+    fi
+  done < "$work/files.txt"
+  [ "$bound" -gt 16 ] || fail "only $bound strange files were bound"
+  cp "$data/biped__robed.obj" "$work/bare.obj"
+  run character rig "$work/bare.obj" "$work/ours.glb"
+  "$command" rig "$work/bare.obj" -o "$work/theirs.glb" > /dev/null
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "a rig gives other bytes than the command"
+  run character simplify "$work/strange/plain.glb" "$work/ours.glb"
+  "$command" simplify "$work/strange/plain.glb" -o "$work/theirs.glb" > /dev/null
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "a simplified character has other bytes than the command's"
+  run character transfer "$work/bare.obj" "$work/ours.glb" "$data/biped__robed.obj"
+  "$command" transfer "$data/biped__robed.obj" "$work/bare.obj" -o "$work/theirs.glb" > /dev/null
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "a transfer gives other bytes than the command"
+  run character bake "$work/strange/plain.glb" "$work/ours.glb"
+  "$command" bake "$work/strange/plain.glb" --poses 60 --shapes 2 -o "$work/theirs.glb" > /dev/null
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "baked shapes have other bytes than the command's"
+  echo "csharp_test: $bound strange files, a rig, a transfer and others have the command's bytes"
+fi
 
 # Without the library: one line that names it.
 if LD_LIBRARY_PATH=/nowhere run bind "$data/sinew_default.sinew" "$data/biped__robed.obj" 2> "$work/missing.txt"; then

@@ -15,6 +15,7 @@
  *   sinew/deform.h        poses a mesh so that bends keep their volume
  *   sinew/motion.h        plays motion of another skeleton, and keeps contacts
  *   sinew/motion_clips.h  whole clips of it: natural ranges, what is left to be mended
+ *   sinew/abi.h           sizes of structs, for bindings
  *   sinew/published.h     methods as others published them, for comparison; this header does not include it
  *
  * Steps of a bind:
@@ -29,6 +30,7 @@
 #ifndef SINEW_SINEW_H
 #define SINEW_SINEW_H
 
+#include "sinew/abi.h"
 #include "sinew/bind.h"
 #include "sinew/deform.h"
 #include "sinew/map.h"

@@ -10,7 +10,7 @@ namespace {
 
 RigJobOptions job_of(const sinew_character_rig_options& options) {
   check_at_most("method", options.method, SINEW_CHARACTER_RIG_REGIONS);
-  check_at_most("detail", options.detail, SINEW_DETAIL_FULL);
+  check_at_most("detail", options.detail, SINEW_CHARACTER_DETAIL_FULL);
   check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
   check_at_most("influence_count", options.influence_count, SINEW_MAX_INFLUENCES);

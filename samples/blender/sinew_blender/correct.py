@@ -11,7 +11,7 @@ from .work import EngineOperator, Problem
 
 PREFIX = "sinew bend "
 # Limbs, whose joints bend far; classes of sinew.CLASSES.
-_LIMBS = ("upper_arm", "forearm", "thigh", "calf")
+_LIMBS = ("upper-arm", "forearm", "thigh", "calf")
 _AXES = {"X": (1, 0, 0), "Z": (0, 0, 1)}  # of the bone; it lies along its Y
 
 
@@ -49,31 +49,44 @@ class SINEW_OT_correct(EngineOperator, bpy.types.Operator):
 
     def gather(self, context):
         meshes, armature = scene.chosen(context)
-        if len(meshes) != 1:
-            raise Problem("select one mesh; keys belong to one")
-        item = meshes[0]
-        if item.mode == "EDIT":
-            raise Problem("leave edit mode first")
-        if any(m.type == "ARMATURE" and m.object == armature and m.use_deform_preserve_volume for m in item.modifiers):
-            raise Problem(f"{item.name}: turn Preserve Volume of its armature modifier off; keys correct linear blending")
         rig = retarget.rig_of(armature)
-        weights = scene.weights_of(item, list(rig.names))
-        if not weights.any():
-            raise Problem(f"{item.name} has no weights of {armature.name}'s bones; bind it first")
-        chosen = [j for j, bone in enumerate(armature.data.bones) if scene.is_selected(armature, bone)]
+        bones = [j for j, bone in enumerate(armature.data.bones) if scene.is_selected(armature, bone)]
         if not self.only_selected_bones:
-            classes = sinew.joint_classes(rig, "z")
-            chosen = [j for j in range(len(rig)) if sinew.CLASSES[classes[j]] in _LIMBS and weights[:, j].any()]
-        if not chosen:
+            classes = sinew.joint_classes(rig, retarget.up_of(armature))
+            bones = [j for j in range(len(rig)) if sinew.CLASSES[classes[j]] in _LIMBS]
+        if not bones:
             raise Problem("Selected Bones Only, and no bone is selected" if self.only_selected_bones else
                           "no bone is known as one of an arm or leg; select bones in pose mode and tick Selected Bones Only")
-        joined = scene.join([item])
-        self.vertex_count = joined.own
-        bends = [Bend(j, rig.names[j], axis, sign) for j in chosen for axis in self.axes for sign in (1, -1)]
-        return item, armature, rig, joined, weights, bends
+        tasks, shared = [], {}
+        for item in meshes:
+            if item.mode == "EDIT":
+                raise Problem("leave edit mode first")
+            if any(m.type == "ARMATURE" and m.object == armature and m.use_deform_preserve_volume for m in item.modifiers):
+                raise Problem(f"{item.name}: turn Preserve Volume of its armature modifier off; keys correct linear blending")
+            if item.data in shared:
+                raise Problem(f"{item.name} and {shared[item.data]} share one mesh, whose keys would be of both; make it a single user")
+            shared[item.data] = item.name
+            weights = scene.weights_of(item, list(rig.names))
+            if not weights.any():
+                raise Problem(f"{item.name} has no weights of {armature.name}'s bones; bind it first, or do not select it")
+            moving = [j for j in bones if self.only_selected_bones or weights[:, j].any()]
+            bends = [Bend(j, rig.names[j], axis, sign) for j in moving for axis in self.axes for sign in (1, -1)]
+            tasks.append((item, scene.join([item]), weights, bends))
+        if not any(bends for *_, bends in tasks):
+            raise Problem("no bone of an arm or leg has weight here; select bones in pose mode and tick Selected Bones Only")
+        self.vertex_count = sum(joined.own for _, joined, _, _ in tasks)
+        return armature, rig, tasks
 
     def compute(self, gathered, progress):
-        item, _, rig, joined, weights, bends = gathered
+        _, rig, tasks = gathered
+
+        def step(i):
+            return lambda share: progress((i + share) / len(tasks))
+
+        return [self._deltas(rig, *task, step(i)) for i, task in enumerate(tasks)]
+
+    def _deltas(self, rig, item, joined, weights, bends, progress):
+        """What the key of each bend adds to the mesh, [n, 3] in the object's space."""
         positions = joined.positions[:joined.own]
         faces = [b[(b < joined.own).all(1)] for b in joined.faces]
         order = np.argsort(-weights, axis=1, kind="stable")[:, :sinew.binding.MAX_INFLUENCES]
@@ -105,8 +118,15 @@ class SINEW_OT_correct(EngineOperator, bpy.types.Operator):
             out.append(delta @ inside.T)
         return out
 
-    def apply(self, context, gathered, deltas):
-        item, armature, _, _, _, bends = gathered
+    def apply(self, context, gathered, results):
+        armature, _, tasks = gathered
+        made = sum(self._write(item, armature, bends, deltas) for (item, _, _, bends), deltas in zip(tasks, results))
+        bones = {b.bone for _, _, _, bends in tasks for b in bends}
+        where = "" if len(tasks) == 1 else f" in {len(tasks)} meshes"
+        self.report({"INFO"}, f"Correct bends: {made} keys for {len(bones)} bones{where}, full at {math.degrees(self.angle):.0f} degrees")
+
+    def _write(self, item, armature, bends, deltas):
+        """Keys with their drivers; how many."""
         basis = scene.rest_positions(item)
         if item.data.shape_keys is None:
             item.shape_key_add(name="Basis", from_mix=False)
@@ -132,7 +152,7 @@ class SINEW_OT_correct(EngineOperator, bpy.types.Operator):
             made += 1
         item.active_shape_key_index = active
         item.data.update()
-        self.report({"INFO"}, f"Correct bends: {made} keys for {len({b.bone for b in bends})} bones, full at {math.degrees(self.angle):.0f} degrees")
+        return made
 
 
 def register():

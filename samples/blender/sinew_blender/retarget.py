@@ -35,8 +35,22 @@ def rig_of(armature):
     return skeleton
 
 
+def up_of(armature):
+    """"z" for an armature that stands in the scene; "auto", which is found from its legs, for one that lies or hangs in it: a z-up BVH
+    that was imported as the y-up that most are."""
+    skeleton = scene.skeleton_of(armature)
+    names = [sinew.CLASSES[c] for c in sinew.joint_classes(skeleton, "auto")]
+    places = skeleton.positions.astype(np.float64)
+    upper = [j for j, n in enumerate(names) if n in ("neck", "head")]
+    lower = [j for j, n in enumerate(names) if n in ("calf", "foot", "toe")]
+    if not upper or not lower:
+        return "z"
+    up = places[upper].mean(0) - places[lower].mean(0)
+    return "z" if up[2] > 0.3 * np.linalg.norm(up) else "auto"
+
+
 def find_map(target, source):
-    return sinew.map(scene.skeleton_of(target), scene.skeleton_of(source), target_up="z", source_up="z")
+    return sinew.map(scene.skeleton_of(target), scene.skeleton_of(source), target_up=up_of(target), source_up=up_of(source))
 
 
 class SINEW_OT_map(bpy.types.Operator):
@@ -93,7 +107,7 @@ class SINEW_OT_retarget(EngineOperator, bpy.types.Operator):
         clip = self._clip(context, source, rigs[0], first, last)
         body = self._body(context, target, rigs[1]) if self.hold_feet else None
         self.vertex_count = 0 if body is None else len(body.positions)
-        return target, rigs, clip, joints, body, action, first
+        return target, rigs, clip, joints, body, action, first, (up_of(source), up_of(target))
 
     @staticmethod
     def _joints(context, target, source):
@@ -148,12 +162,12 @@ class SINEW_OT_retarget(EngineOperator, bpy.types.Operator):
         return sinew.Character(joined.positions[:joined.own], own, rig, sinew.Skin(order.astype(np.uint16), rows))
 
     def compute(self, gathered, progress):
-        _, (source, target), clip, joints, body, _, _ = gathered
-        return sinew.retarget(clip, source, target, joint_map=joints, in_place=self.in_place, source_up="z", target_up="z",
+        _, (source, target), clip, joints, body, _, _, (source_up, target_up) = gathered
+        return sinew.retarget(clip, source, target, joint_map=joints, in_place=self.in_place, source_up=source_up, target_up=target_up,
                               target_body=body, progress=progress)
 
     def apply(self, context, gathered, clip):
-        target, (_, rig), _, joints, _, action, first = gathered
+        target, (_, rig), _, joints, _, action, first, _ = gathered
         basis = _basis(target, rig, clip)
         made = bpy.data.actions.new(f"{action.name} on {target.name}")
         data = target.animation_data_create()

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 from mathutils import Quaternion
 
-from blender_common import character, clear, run, scene, sinew_blender, state
+from blender_common import add_mesh, character, clear, run, scene, select, sinew_blender, state
 
 sinew = sinew_blender.sinew
 
@@ -66,6 +66,23 @@ class Correct(unittest.TestCase):
         count = len(keys)
         bpy.ops.sinew.correct()
         self.assertEqual(len(self.item.data.shape_keys.key_blocks), count)
+
+    def test_all_selected_meshes(self):
+        """Each gets the keys that it would get alone."""
+        other = self.item.copy()
+        other.data = self.item.data.copy()
+        other.name = "Half"
+        bpy.context.scene.collection.objects.link(other)
+        select([self.item, other, self.armature], self.armature)
+        self.assertEqual(bpy.ops.sinew.correct(), {"FINISHED"})
+        names = [[k.name for k in i.data.shape_keys.key_blocks] for i in (self.item, other)]
+        self.assertIn("sinew bend forearm.L +X", names[0])
+        self.assertEqual(names[0], names[1])
+        self.assertEqual(len(other.data.shape_keys.animation_data.drivers), len(names[1]) - 1)
+        bare = add_mesh("Bare", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+        select([self.item, bare, self.armature], self.armature)
+        with self.assertRaisesRegex(RuntimeError, "Bare has no weights"):
+            bpy.ops.sinew.correct()
 
     def test_selected_bones_and_errors(self):
         for bone in self.armature.data.bones:

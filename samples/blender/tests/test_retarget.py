@@ -7,7 +7,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import bpy
 import numpy as np
-from mathutils import Quaternion
+from mathutils import Quaternion, Vector
 
 from blender_common import add_armature, character, clear, common, run, select, sinew_blender
 
@@ -73,6 +73,23 @@ class Retarget(unittest.TestCase):
         found = operator.SINEW_OT_retarget._clip(bpy.context, self.target, rigs[1], 1, 20)
         np.testing.assert_allclose(np.abs((found.rotations * expected.rotations).sum(2)), 1, atol=1e-4)
         np.testing.assert_allclose(found.translations, expected.translations, atol=2e-3)
+
+    def test_a_source_that_lies_in_the_scene(self):
+        """A z-up BVH that was imported as y-up lies on its back; its motion stands on a character that stands."""
+        self.source.rotation_euler = (-np.pi / 2, 0, 0)
+        self.source.rotation_mode = "XYZ"
+        self.source.rotation_euler = (-np.pi / 2, 0, 0)
+        update()
+        self.assertEqual(sinew_blender.retarget.up_of(self.source), "auto")
+        self.assertEqual(sinew_blender.retarget.up_of(self.target), "z")
+        self.assertEqual(bpy.ops.sinew.retarget(hold_feet=False), {"FINISHED"})
+        raised = Quaternion((1, 0, 0), np.pi / 2)
+        for frame in (1, 12, 20):
+            bpy.context.scene.frame_set(frame)
+            self.assertGreater(direction(self.target, "hips", "head")[2], 0.9)
+            for name, child in (("upper_arm.L", "forearm.L"), ("thigh.L", "shin.L")):
+                wanted = np.array(raised @ Vector(direction(self.source, name, child).tolist()))
+                self.assertGreater(direction(self.target, name, child) @ wanted, 0.99, name)
 
     def test_the_map_is_shown_and_edited(self):
         self.assertEqual(bpy.ops.sinew.map_bones(), {"FINISHED"})

@@ -1,41 +1,217 @@
 // SPDX-License-Identifier: MIT
-// The engine's structs (sinew.h), member by member: each is 4 bytes long on wasm32, "name:f" is a float, the others are
-// integers and addresses. wasm/skin.cpp checks the sizes; those that begin with struct_size may grow in the engine without
-// harm (sinew/types.h).
-const layout = (text) => text.trim().split(/\s+/).map((word) => ({ name: word.split(":")[0], isFloat: word.endsWith(":f") }));
+// The engine's structs on wasm32, constants and words of enumerations. Generated from the C headers by scripts/declarations.py; a test compares.
+// A member is name@offset:type, or name@offset:typexCOUNT for an array in a struct; a struct in a struct has its members here,
+// those of an array of them as name_0_member. Addresses are u32.
+const layout = (size, text) => ({
+  size,
+  members: text.split(" ").map((word) => {
+    const [, name, offset, type, count] = /^(\w+)@(\d+):([uif]\d+)(?:x(\d+))?$/.exec(word);
+    return { name, offset: Number(offset), type, count: Number(count ?? 0) };
+  }),
+});
 
 export const LAYOUTS = {
-  mesh: layout("positions vertex_count face_offsets face_vertices face_count corner_count"),
-  skeleton: layout("struct_size joint_count positions parents flags ends names rotations up reserved"),
-  options: layout(`struct_size method influence_count weight_format candidate_count grid_size surface_vertices symmetric
-    rigid_parts softness_percent weights_in_place kernel thread_count reserved locked hints parallel_for parallel_user progress
-    progress_user answers answer_count question_count`),
-  bindOutputs: layout(`struct_size symmetric_vertices joint_indices weights confidence used_bytes questions vertex_questions
-    vertex_parts questions_written reserved`),
-  rigOptions: layout(`struct_size up mirror spine_count no_toes no_ends weights_in_place kernel progress progress_user method
-    reserved`),
-  rigOutputs: layout(`struct_size joint_count positions parents flags joint_classes partners confidence parent_confidence names
-    mirrored facing plane:f spread:f used_bytes`),
-  mapOptions: layout("struct_size method pin_count reserved pins"),
-  mapOutputs: layout("struct_size method sources confidence reasons mapped certainty used_bytes"),
-  retargetOptions: layout("struct_size method in_place scale:f"),
-  motionBody: layout("positions triangles joint_indices weights influence_count weight_format vertex_count triangle_count"),
-  contactOptions: layout("struct_size fps:f progress progress_user"),
-  motionClip: layout("source_rotations source_translations rotations translations frame_count ground:f"),
-  skin: layout("joint_indices weights influence_count weight_format"),
-  deformOptions: layout("struct_size method cell_count round_count softness no_twist_spread no_contact no_smoothing parallel_for parallel_user thread_count body_contact"),
-  deformer: layout("memory pose_bytes vertex_count joint_count tetrahedron_count node_count split_cell_count r0 r1 r2 r3 r4 r5 r6"),
-  deformOutputs: layout("struct_size corrected positions active_tetrahedra inverted_tetrahedra"),
-  boundCharacter: layout("mesh skeleton joint_indices weights influence_count weight_format joint_map"),
-  transferOptions: layout(`struct_size method influence_count weight_format garment as_drawn weights_in_place
-    kernel thread_count pair_count locked pairs parallel_for parallel_user progress progress_user`),
-  transferOutputs: layout(`struct_size part_capacity joint_indices weights confidence parts vertex_parts part_count bound_by
-    carried_q16 style_q16 mismatch_q16 reference_count used_bytes`),
-  transferPart: layout("vertex vertex_count reason carried_q16 style_q16 mismatch_q16 distance_q16 reserved"),
-  simplifyOptions: layout("struct_size level joint_count reserved"),
+  mesh: layout(24,
+    "positions@0:u32 vertex_count@4:u32 face_offsets@8:u32 face_vertices@12:u32 face_count@16:u32 corner_count@20:u32"),
+  model: layout(116,
+    "bytes@0:u32 size_bytes@4:u32 packed@8:u32 format_version@12:u32 candidate_count@16:u32 grid_size@20:u32 " +
+    "feature_set@24:u32 fixed_candidates@28:u32 layer_count@32:u32 parameter_count@36:u32 checksum@40:u32 " +
+    "confidence_offset@44:u32 confidence_count@48:u32 task@52:u32 input_count@56:u32 reserved@60:u32x14"),
+  answer: layout(12, "vertex@0:u32 kind@4:u16 joint@6:u16 alone@8:u32"),
+  alternative: layout(8, "kind@0:u16 joint@2:u16 change@4:u32"),
+  question: layout(96,
+    "vertex@0:u32 part_count@4:u32 vertex_count@8:u32 joint@12:u16 share@14:u16 doubt@16:u32 gain@20:u32 " +
+    "alternative_count@24:u32 reserved@28:u32 alternatives_0_kind@32:u16 alternatives_0_joint@34:u16 " +
+    "alternatives_0_change@36:u32 alternatives_1_kind@40:u16 alternatives_1_joint@42:u16 alternatives_1_change@44:u32 " +
+    "alternatives_2_kind@48:u16 alternatives_2_joint@50:u16 alternatives_2_change@52:u32 alternatives_3_kind@56:u16 " +
+    "alternatives_3_joint@58:u16 alternatives_3_change@60:u32 alternatives_4_kind@64:u16 alternatives_4_joint@66:u16 " +
+    "alternatives_4_change@68:u32 alternatives_5_kind@72:u16 alternatives_5_joint@74:u16 alternatives_5_change@76:u32 " +
+    "alternatives_6_kind@80:u16 alternatives_6_joint@82:u16 alternatives_6_change@84:u32 alternatives_7_kind@88:u16 " +
+    "alternatives_7_joint@90:u16 alternatives_7_change@92:u32"),
+  skeleton: layout(40,
+    "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 ends@20:u32 names@24:u32 " +
+    "rotations@28:u32 up@32:u32 reserved@36:u32"),
+  skin: layout(16, "joint_indices@0:u32 weights@4:u32 influence_count@8:u32 weight_format@12:u32"),
+  options: layout(92,
+    "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 candidate_count@16:u32 grid_size@20:u32 " +
+    "surface_vertices@24:u32 symmetric@28:u32 rigid_parts@32:u32 softness_percent@36:u32 weights_in_place@40:u32 kernel@44:u32 " +
+    "thread_count@48:u32 reserved@52:u32 locked@56:u32 hints@60:u32 parallel_for@64:u32 parallel_user@68:u32 progress@72:u32 " +
+    "progress_user@76:u32 answers@80:u32 answer_count@84:u32 question_count@88:u32"),
+  bindOutputs: layout(44,
+    "struct_size@0:u32 symmetric_vertices@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 used_bytes@20:u32 " +
+    "questions@24:u32 vertex_questions@28:u32 vertex_parts@32:u32 questions_written@36:u32 reserved@40:u32"),
+  deformOptions: layout(48,
+    "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 no_twist_spread@20:u32 " +
+    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32"),
+  deformer: layout(56,
+    "memory@0:u32 pose_bytes@4:u32 vertex_count@8:u32 joint_count@12:u32 tetrahedron_count@16:u32 node_count@20:u32 " +
+    "split_cell_count@24:u32 reserved@28:u32x7"),
+  deformOutputs: layout(20,
+    "struct_size@0:u32 corrected@4:u32 positions@8:u32 active_tetrahedra@12:u32 inverted_tetrahedra@16:u32"),
+  mapPin: layout(8, "target@0:u32 source@4:i32"),
+  mapOptions: layout(20, "struct_size@0:u32 method@4:u32 pin_count@8:u32 reserved@12:u32 pins@16:u32"),
+  mapOutputs: layout(32,
+    "struct_size@0:u32 method@4:u32 sources@8:u32 confidence@12:u32 reasons@16:u32 mapped@20:u32 certainty@24:u32 " +
+    "used_bytes@28:u32"),
+  retargetOptions: layout(16, "struct_size@0:u32 method@4:u32 in_place@8:u32 scale@12:f32"),
+  motionBody: layout(32,
+    "positions@0:u32 triangles@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 " +
+    "vertex_count@24:u32 triangle_count@28:u32"),
+  contactOptions: layout(16, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32"),
+  motionClip: layout(24,
+    "source_rotations@0:u32 source_translations@4:u32 rotations@8:u32 translations@12:u32 frame_count@16:u32 ground@20:f32"),
+  limbMeasure: layout(48,
+    "joint@0:u32 leg@4:u32 frames@8:u32 deep_frames@12:u32 contact_frames@16:u32 range_frames@20:u32 depth@24:f32 " +
+    "greatest_depth@28:f32 error@32:f32 greatest_error@36:f32 reserved@40:u32x2"),
+  contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
+  rigOptions: layout(48,
+    "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
+    "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 reserved@44:u32"),
+  rigOutputs: layout(60,
+    "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 joint_classes@20:u32 partners@24:u32 " +
+    "confidence@28:u32 parent_confidence@32:u32 names@36:u32 mirrored@40:u32 facing@44:u32 plane@48:f32 spread@52:f32 " +
+    "used_bytes@56:u32"),
+  boundCharacter: layout(28,
+    "mesh@0:u32 skeleton@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 joint_map@24:u32"),
+  vertexPair: layout(8, "source@0:u32 target@4:u32"),
+  transferOptions: layout(64,
+    "struct_size@0:u32 method@4:u32 influence_count@8:u32 weight_format@12:u32 garment@16:u32 as_drawn@20:u32 " +
+    "weights_in_place@24:u32 kernel@28:u32 thread_count@32:u32 pair_count@36:u32 locked@40:u32 pairs@44:u32 " +
+    "parallel_for@48:u32 parallel_user@52:u32 progress@56:u32 progress_user@60:u32"),
+  transferPart: layout(32,
+    "vertex@0:u32 vertex_count@4:u32 reason@8:u32 carried_q16@12:u32 style_q16@16:u32 mismatch_q16@20:u32 distance_q16@24:u32 " +
+    "reserved@28:u32"),
+  transferOutputs: layout(56,
+    "struct_size@0:u32 part_capacity@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 parts@20:u32 " +
+    "vertex_parts@24:u32 part_count@28:u32 bound_by@32:u32 carried_q16@36:u32 style_q16@40:u32 mismatch_q16@44:u32 " +
+    "reference_count@48:u32 used_bytes@52:u32"),
+  referenceOptions: layout(32,
+    "struct_size@0:u32 area_power@4:u32 no_own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
+    "progress_user@28:u32"),
+  simplifyOptions: layout(16, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32"),
+  file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
+  characterArrays: layout(92,
+    "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
+    "influence_count@24:u32 reserved@28:u32 name@32:u32 positions@36:u32 face_offsets@40:u32 face_vertices@44:u32 " +
+    "joint_positions@48:u32 parents@52:u32 joint_names@56:u32 row_offsets@60:u32 joint_indices@64:u32 weights@68:u32 " +
+    "confidence@72:u32 vertex_meshes@76:u32 mesh_names@80:u32 mesh_joints@84:u32 mesh_skinned@88:u32"),
+  characterClip: layout(48,
+    "struct_size@0:u32 frame_count@4:u32 joint_count@8:u32 reserved@12:u32 frame_time@16:f64 name@24:u32 rotations@28:u32 " +
+    "translations@32:u32 joint_names@36:u32 parents@40:u32"),
+  characterModels: layout(32,
+    "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32"),
+  characterBindOptions: layout(104,
+    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
+    "influence_count@24:u32 up@28:u32 joints@32:u32 rigid_parts@36:u32 softness_percent@40:u32 surface_vertices@44:u32 " +
+    "keep_tips@48:u32 bind_props@52:u32 fit@56:u32 symmetric@60:u32 keep_confidence@64:u32 question_count@68:u32 " +
+    "answer_count@72:u32 answers@76:u32 joint_flags@80:u32 locked@84:u32 hinted@88:u32 hints@92:u32 like@96:u32 style@100:u32"),
+  characterBindResult: layout(64,
+    "struct_size@0:u32 symmetric_vertices@4:u32 kept_meshes@8:u32 folded_tips@12:u32 left_out_count@16:u32 " +
+    "question_count@20:u32 answers_by_style@24:u32 reserved@28:u32 seconds@32:f64 workspace_bytes@40:u32 left_out@44:u32 " +
+    "left_out_why@48:u32 questions@52:u32 vertex_questions@56:u32 hash@60:u32"),
+  skeletonEdit: layout(12, "kind@0:u32 reserved@4:u32 text@8:u32"),
+  characterRigOptions: layout(88,
+    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +
+    "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
+    "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
+    "skeleton@80:u32 skeleton_character@84:u32"),
+  characterRigResult: layout(64,
+    "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
+    "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32"),
+  characterMapOptions: layout(40,
+    "struct_size@0:u32 method@4:u32 no_names@8:u32 no_ends@12:u32 target_up@16:u32 source_up@20:u32 guess_up@24:u32 " +
+    "pin_count@28:u32 pins@32:u32 pins_file@36:u32"),
+  characterMapResult: layout(48,
+    "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 reserved@20:f32 seconds@24:f64 " +
+    "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
+  characterAnimateOptions: layout(128,
+    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 in_place@24:u32 " +
+    "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
+    "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
+    "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64"),
+  characterAnimateResult: layout(48,
+    "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
+    "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),
+  characterPoseOptions: layout(48,
+    "struct_size@0:u32 thread_count@4:u32 deform@8:u32 cells@12:u32 rounds@16:u32 body_contact@20:u32 angles@24:u32 " +
+    "rotations@28:u32 matrices@32:u32 clip@36:u32 time@40:f64"),
+  characterTransferOptions: layout(64,
+    "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
+    "influence_count@24:u32 target_up@28:u32 source_up@32:u32 garment@36:u32 as_drawn@40:u32 heat@44:u32 pair_count@48:u32 " +
+    "pairs@52:u32 locked@56:u32 map@60:u32"),
+  characterTransferResult: layout(64,
+    "struct_size@0:u32 mapped_joints@4:u32 fitted@8:u32 bound@12:u32 bound_by@16:u32 part_count@20:u32 carried@24:f64 " +
+    "style@32:f64 mismatch@40:f64 seconds@48:f64 mapped_by@56:u32 parts@60:u32"),
+  characterSimplifyOptions: layout(20, "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32"),
+  characterBakeOptions: layout(64,
+    "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 cells@20:u32 rounds@24:u32 " +
+    "body_contact@28:u32 poses@32:u32 shapes@36:u32 seed@40:u64 limit@48:f64 clip@56:u32"),
+  characterBakeResult: layout(56,
+    "struct_size@0:u32 shape_count@4:u32 bend_count@8:u32 moved_vertices@12:u32 learnt_poses@16:u32 held_out_poses@20:u32 " +
+    "linear_error@24:f64 baked_error@32:f64 held_out_linear_error@40:f64 held_out_baked_error@48:f64"),
 };
 
-export const MODEL_BYTES = 4 * 29; // sizeof(sinew_model)
-export const QUESTION_BYTES = 96; // sizeof(sinew_question)
+// Constants, without SINEW_.
+export const VERSION_MAJOR = 0;
+export const VERSION_MINOR = 1;
+export const VERSION_PATCH = 0;
+export const MAX_INFLUENCES = 12;
+export const MAX_CANDIDATES = 16;
+export const MAX_JOINTS = 4096;
+export const MAX_VERTICES = 4000000;
+export const WORKSPACE_ALIGNMENT = 64;
+export const MAX_THREADS = 64;
+export const MAX_ALTERNATIVES = 8;
+export const MAX_QUESTIONS = 1024;
+export const NO_QUESTION = 4294967295;
+export const JOINT_NEVER = 1;
+export const JOINT_DEFORMS = 2;
+export const MAX_DEFORM_CELLS = 64;
+export const MAX_DEFORM_ROUNDS = 200;
+export const MAX_MAP_LIMBS = 1024;
+export const MAX_MOTION_LIMBS = 16;
 export const MAX_RIG_JOINTS = 192;
 export const JOINT_NAME_BYTES = 32;
+export const MAX_TRANSFER_PAIRS = 128;
+export const MAX_BIHARMONIC_VERTICES = 65536;
+export const NO_AREA = 4294967295;
+export const ERROR_INPUT = -30;
+export const ERROR_MEMORY = -31;
+export const DETAIL_HANDS = 1;
+export const DETAIL_FACE = 2;
+export const DETAIL_PROPS = 4;
+export const READ_MESH = 1;
+export const READ_SKELETON = 2;
+export const READ_MOTION = 4;
+export const READ_WHOLE = 8;
+export const WRITE_CHARACTER = 16;
+export const WRITE_MOTION = 32;
+export const WRITE_MESH = 64;
+
+// Words of enumerations, by number.
+export const WORDS = {
+  kernel: ["auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp"],
+  answerKind: ["proposed", "rigid", "soft", "hard", "softer", "host"],
+  up: ["auto", "x", "y", "z"],
+  weightFormat: ["unorm16", "unorm8", "float"],
+  method: ["model", "heat", "distance"],
+  rigidParts: ["auto", "always", "never"],
+  deformMethod: ["volume", "xpbd", "delta-mush"],
+  mapMethod: ["auto", "sinew", "branches"],
+  mapReason: ["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"],
+  retargetMethod: ["auto", "copy"],
+  spotKind: ["none", "stands", "touches", "inside"],
+  jointClass: ["pelvis", "spine", "neck", "head", "clavicle", "upper-arm", "forearm", "hand", "hip", "thigh", "calf", "foot",
+    "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop"],
+  mirror: ["auto", "always", "never"],
+  rigMethod: ["votes", "shape", "regions"],
+  transferMethod: ["auto", "nearest", "biharmonic", "rebind"],
+  transferReason: ["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"],
+  simplifyLevel: ["high", "low"],
+  jointsFrom: ["auto", "own", "names", "all"],
+  characterRigMethod: ["auto", "votes", "shape", "regions"],
+  characterDetail: ["body", "hands", "full"],
+  editKind: ["move", "add", "remove", "parent", "rename"],
+  animateMethod: ["auto", "copy", "contacts", "reference-points"],
+  poseDeform: ["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"],
+};

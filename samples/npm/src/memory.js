@@ -2,6 +2,13 @@
 // The module's memory as the calls of engine.js use it: blocks that are freed together, arrays and structs in them.
 import { LAYOUTS } from "./layouts.js";
 
+// How a DataView reads and writes the types of LAYOUTS, and their bytes.
+const MEMBER_TYPES = {
+  i8: ["getInt8", "setInt8", 1], u8: ["getUint8", "setUint8", 1], i16: ["getInt16", "setInt16", 2], u16: ["getUint16", "setUint16", 2],
+  i32: ["getInt32", "setInt32", 4], u32: ["getUint32", "setUint32", 4], i64: ["getBigInt64", "setBigInt64", 8],
+  u64: ["getBigUint64", "setBigUint64", 8], f32: ["getFloat32", "setFloat32", 4], f64: ["getFloat64", "setFloat64", 8],
+};
+
 /** What the engine refuses, or an argument of the wrong shape. `status` is the engine's number, 0 for the latter. */
 export class SinewError extends Error {
   constructor(message, status = 0) {
@@ -65,26 +72,27 @@ export class Blocks {
     return { address, each };
   }
 
-  /** Address of a struct of LAYOUTS; members that are not given are 0, struct_size is its size. */
+  /** Address of a struct of LAYOUTS; members that are not given are 0, struct_size is its size. An array in a struct takes an array. */
   struct(name, members = {}) {
-    const layout = LAYOUTS[name];
-    const address = this.room(Uint32Array, layout.length);
-    const words = this.view(Uint32Array, address, layout.length);
-    const floats = this.view(Float32Array, address, layout.length);
-    layout.forEach((member, i) => {
-      const value = member.name === "struct_size" ? 4 * layout.length : (members[member.name] ?? 0);
-      if (member.isFloat) floats[i] = value;
-      else words[i] = value;
-    });
+    const { size, members: layout } = LAYOUTS[name];
+    const address = this.room(Uint8Array, size);
+    const view = new DataView(this.#wasm.memory.buffer, address, size);
+    for (const member of layout) {
+      const value = member.name === "struct_size" ? size : (members[member.name] ?? 0);
+      const [, set, bytes] = MEMBER_TYPES[member.type];
+      if (member.count === 0) view[set](member.offset, member.type.endsWith("64") && member.type[0] !== "f" ? BigInt(value) : value, true);
+      else if (value !== 0) value.slice(0, member.count).forEach((one, i) => view[set](member.offset + i * bytes, one, true));
+    }
     return address;
   }
 
   /** A struct's members now. */
   read(name, address) {
-    const layout = LAYOUTS[name];
-    const words = this.view(Uint32Array, address, layout.length);
-    const floats = this.view(Float32Array, address, layout.length);
-    return Object.fromEntries(layout.map((member, i) => [member.name, member.isFloat ? floats[i] : words[i]]));
+    const { size, members: layout } = LAYOUTS[name];
+    const view = new DataView(this.#wasm.memory.buffer, address, size);
+    const one = (member, i) => view[MEMBER_TYPES[member.type][0]](member.offset + i * MEMBER_TYPES[member.type][2], true);
+    const all = (member) => (member.count === 0 ? one(member, 0) : Array.from({ length: member.count }, (_, i) => one(member, i)));
+    return Object.fromEntries(layout.map((member) => [member.name, all(member)]));
   }
 
   /** A copy of an array out of the memory. */

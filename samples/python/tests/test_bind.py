@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """bind(): the command's bytes, every option, wrong arguments."""
+import signal
 import threading
+import time
 import unittest
 from types import SimpleNamespace
 
@@ -167,6 +169,33 @@ class Options(unittest.TestCase):
 
         with self.assertRaises(KeyboardInterrupt):
             sinew.bind(self.positions, self.faces, self.skeleton, progress=interrupt)
+
+    def test_masks_of_uint8_are_masks(self):
+        before = sinew.bind(self.positions, self.faces, self.skeleton, method="heat")
+        for some in (np.arange(len(self.positions)) % 3 == 0, np.ones(len(self.positions), bool)):
+            one, two, three = (sinew.bind(self.positions, self.faces, self.skeleton, locked=mask, given=before)
+                               for mask in (some, some.astype(np.uint8), 255 * some.astype(np.uint8)))
+            for other in (two, three):
+                np.testing.assert_array_equal(one.joints, other.joints)
+                np.testing.assert_array_equal(one.weights, other.weights)
+        with self.assertRaisesRegex(ValueError, "locked: a mask of uint8, expected shape"):
+            sinew.bind(self.positions, self.faces, self.skeleton, locked=np.array([0, 3], np.uint8), given=before)
+
+    def test_ctrl_c_is_a_keyboard_interrupt(self):
+        """Wherever it arrives: 40 times, later and later, at loops that go on after errors of the library."""
+        for i in range(40):
+            once = threading.Timer(0.0007 * i, signal.raise_signal, (signal.SIGINT,))
+            end = time.monotonic() + 5
+            with self.assertRaises(KeyboardInterrupt, msg=f"time {i}"):
+                once.start()
+                while time.monotonic() < end:
+                    try:
+                        sinew.bind(self.positions, self.faces, self.skeleton, method="heat", threads=1 + i % 2,
+                                   progress=(lambda share: None) if i % 3 else None)
+                    except sinew.Error as error:
+                        raise AssertionError(f"swallowed: {type(error).__name__}: {error}") from None
+            once.join()
+            self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
     def test_calls_run_beside_each_other(self):
         expected, found = sinew.bind(self.positions, self.faces, self.skeleton), [None] * 4

@@ -145,7 +145,7 @@ class TransferAndPoses(unittest.TestCase):
         expected = np.einsum("nab,nb->na", blended[:, :, :3], one.positions) + blended[:, :, 3]
         linear = sinew.Deformer(one.positions, one.faces, one.skeleton, one.skin, method="linear").pose(matrices)
         np.testing.assert_allclose(linear, expected, atol=1e-5)
-        for method in ("volume", "xpbd", "delta mush", "dual quaternion"):
+        for method in ("volume", "xpbd", "delta-mush", "dual-quaternion"):
             deformer = sinew.Deformer(one.positions, one.faces, one.skeleton, one.skin, method=method)
             np.testing.assert_allclose(deformer.pose(one.skeleton.matrices()), one.positions, atol=1e-4)
             out = np.empty((len(one.positions), 3), np.float32)
@@ -153,6 +153,22 @@ class TransferAndPoses(unittest.TestCase):
             self.assertGreater(np.abs(out - one.positions).max(), 0.05)
         with self.assertRaisesRegex(ValueError, "matrices: expected shape"):
             deformer.pose(matrices[:3])
+
+    def test_poses_are_not_written_where_nothing_may_be(self):
+        one, _ = character("snake__long")
+        matrices = one.skeleton.matrices()
+        for method in ("volume", "linear"):
+            deformer = sinew.Deformer(one.positions, one.faces, one.skeleton, one.skin, method=method)
+            with folder() as where:
+                np.save(f"{where}/rest.npy", one.positions.astype(np.float32))
+                on_disk = np.load(f"{where}/rest.npy", mmap_mode="r")
+                frozen = np.zeros(on_disk.shape, np.float32)
+                frozen.flags.writeable = False
+                for out in (frozen, on_disk, frozen[:, ::-1], frozen.tolist()):
+                    with self.assertRaisesRegex(ValueError, "out: expected"):
+                        deformer.pose(matrices, out)
+                self.assertFalse(frozen.any())
+                del on_disk
 
     def test_body_contact(self):
         one, _ = character("biped__robed")

@@ -36,6 +36,10 @@ typedef struct sinew_character sinew_character;
  * character. "" before one did. Never null. Good until the next call that fails. */
 SINEW_API const char* sinew_character_error(const sinew_character* character);
 
+/* sizeof of a struct of this header, as this library has it, for bindings: see sinew_struct_size() in sinew/abi.h.
+ *   name  "sinew_character_clip"; null is allowed.  Returns 0 for a name that no struct has. */
+SINEW_API size_t sinew_character_struct_size(const char* name);
+
 /* ---- files ---- */
 
 /* Bytes under a name. */
@@ -296,11 +300,11 @@ typedef enum sinew_character_rig_method {
   SINEW_CHARACTER_RIG_REGIONS = 3 /* as published, for comparison */
 } sinew_character_rig_method;
 
-typedef enum sinew_skeleton_detail {
-  SINEW_DETAIL_BODY = 0,  /* down to the hands */
-  SINEW_DETAIL_HANDS = 1, /* with fingers, where the mesh shows some */
-  SINEW_DETAIL_FULL = 2   /* with eyes, a jaw and props, too */
-} sinew_skeleton_detail;
+typedef enum sinew_character_detail {
+  SINEW_CHARACTER_DETAIL_BODY = 0,  /* down to the hands */
+  SINEW_CHARACTER_DETAIL_HANDS = 1, /* with fingers, where the mesh shows some */
+  SINEW_CHARACTER_DETAIL_FULL = 2   /* with eyes, a jaw and props, too */
+} sinew_character_detail;
 
 typedef enum sinew_edit_kind {
   SINEW_EDIT_MOVE = 0,   /* "JOINT=X,Y,Z" */
@@ -325,7 +329,7 @@ typedef struct sinew_character_rig_options {
   void* progress_user;
   const sinew_character_models* models; /* null: bundled */
   uint32_t method;                      /* sinew_character_rig_method */
-  uint32_t detail;                      /* sinew_skeleton_detail */
+  uint32_t detail;                      /* sinew_character_detail */
   uint32_t mirror;                      /* sinew_mirror */
   uint32_t up;                          /* sinew_up; 0 = Y */
   uint32_t spine_count;                 /* 1..16; 0 = as the model says */

@@ -16,9 +16,8 @@ namespace sinew {
 namespace {
 
 uint32_t engine_method(RigMethod method) {
-  return method == RigMethod::kShape     ? SINEW_RIG_SHAPE
-         : method == RigMethod::kRegions ? SINEW_RIG_REGIONS
-                                         : SINEW_RIG_VOTES;
+  if (method == RigMethod::kRegions) return SINEW_RIG_REGIONS;
+  return method == RigMethod::kShape ? SINEW_RIG_SHAPE : SINEW_RIG_VOTES;
 }
 
 PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Character* character) {

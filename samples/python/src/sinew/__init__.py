@@ -10,9 +10,10 @@ from .binder import ANSWERS, bind
 from .binding import Cancelled, Error
 from .character import CLASSES, Alternative, Character, Clip, Question, Skeleton, Skin, multiply
 from .deforming import Deformer
-from .gltf import load, save
+from .files import load, save
 from .mapping import REASONS, JointMap, map
 from .models import Model
+from .opened import OpenCharacter, create, extensions, open, templates  # noqa: A004
 from .retargeting import joint_classes, retarget
 from .rigger import Rig, rig
 from .style import answers_by_style
@@ -20,5 +21,5 @@ from .transferring import Transferred, TransferredPart, transfer
 
 __version__ = "0.1.0"
 __all__ = ["ANSWERS", "CLASSES", "REASONS", "Alternative", "Cancelled", "Character", "Clip", "Deformer", "Error", "JointMap",
-           "Model", "Question", "Rig", "Skeleton", "Skin", "Transferred", "TransferredPart", "answers_by_style", "bind", "joint_classes", "load",
-           "map", "multiply", "retarget", "rig", "save", "transfer"]
+           "Model", "OpenCharacter", "Question", "Rig", "Skeleton", "Skin", "Transferred", "TransferredPart", "answers_by_style", "bind", "create", "extensions", "joint_classes", "load",
+           "map", "multiply", "open", "retarget", "rig", "save", "templates", "transfer"]

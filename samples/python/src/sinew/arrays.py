@@ -44,14 +44,15 @@ def whole(value: Any, shape: Tuple[Optional[int], ...], name: str, dtype: Any, l
 
 
 def mask(value: Any, count: int, name: str) -> Optional[np.ndarray]:
-    """uint8 [count] of a mask of booleans or numbers, or of a list of indices; None stays None."""
+    """uint8 [count] of a mask, which has booleans or uint8 (0: not in it, as in C), or of indices, which have wider integers; None stays
+    None."""
     if value is None:
         return None
     array = np.asarray(value)
-    if array.dtype == bool:
+    if array.dtype in (np.bool_, np.uint8):
         if array.shape != (count,):
-            raise ValueError(f"{name}: expected shape ({count},), found {_text(array.shape)}")
-        return np.ascontiguousarray(array, np.uint8)
+            raise ValueError(f"{name}: a mask of {array.dtype}, expected shape ({count},), found {_text(array.shape)}")
+        return np.ascontiguousarray(array != 0, np.uint8)
     out = np.zeros(count, np.uint8)
     out[whole(array, (None,), name, np.int64, 0, count)] = 1
     return out

@@ -3,30 +3,28 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, List, Literal, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen, mask
 from .character import Alternative, Question, Skeleton, Skin, skin_of
 from .models import Model, model_for
 
-METHODS = ("model", "heat", "distance")
-FORMATS = ("unorm16", "unorm8", "float")
-DTYPES = (np.uint16, np.uint8, np.float32)
-UP = ("y", "z")
-UP_AXES = (2, 3)  # sinew_up of each
-RIGID_PARTS = ("auto", "always", "never")
-ANSWERS = ("proposed", "rigid", "soft", "hard", "softer", "host")
+METHODS, ANSWERS = declarations.METHOD, declarations.ANSWER_KIND
+DTYPES = (np.uint16, np.uint8, np.float32)  # of declarations.WEIGHT_FORMAT
+UpAxis = Literal["y", "z"]
+UP = get_args(UpAxis)
+UP_AXES = tuple(declarations.UP.index(u) for u in UP)  # sinew_up of each
 
 Joints = Optional[Iterable[Union[str, int]]]
 ProgressFunction = Optional[Callable[[float], Any]]
 
 
-def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model",
-         model: Union[None, str, Model] = None, influences: int = 4, weight_format: str = "unorm16", up: str = "y",
-         deform: Joints = None, never: Joints = None, symmetric: bool = False, rigid_parts: str = "auto",
+def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: declarations.Method = "model",
+         model: Union[None, str, Model] = None, influences: int = 4, weight_format: declarations.WeightFormat = "unorm16", up: UpAxis = "y",
+         deform: Joints = None, never: Joints = None, symmetric: bool = False, rigid_parts: declarations.RigidParts = "auto",
          softness: float = 1.0, surface_vertices: int = 0, locked: Any = None, hints: Any = None, given: Any = None,
          questions: int = 0, answers: Sequence[Tuple] = (), threads: int = 1, progress: ProgressFunction = None) -> Skin:
     """Predicts the skin weights of a mesh. The same bytes on every machine and for any number of threads.
@@ -45,7 +43,7 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
     rigid_parts   whether connected pieces move as a whole: "auto", "always", "never"
     softness      0.25 to 4: how softly weights blend, 2 twice as softly
     surface_vertices  a finer mesh is bound on a surface of so many; 0: 32768
-    locked        mask [n] or indices of vertices that keep their rows of `given`
+    locked        mask [n] of bool or uint8, or indices (wider integers) of vertices that keep their rows of `given`
     hints         the same, and their rows steer the vertices around them
     given         Skin, (joints, weights) or dense [n, j]: rows of locked and hinted vertices; others are not read
     questions     list at most so many parts whose weights an artist should decide about
@@ -60,13 +58,13 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
     options = binding.init(binding.sinew_options)
     options.method = chosen(method, METHODS, "method")
     options.influence_count = _within(influences, 1, binding.MAX_INFLUENCES, "influences")
-    options.weight_format = chosen(weight_format, FORMATS, "weight_format")
+    options.weight_format = chosen(weight_format, declarations.WEIGHT_FORMAT, "weight_format")
     options.symmetric = int(bool(symmetric))
-    options.rigid_parts = chosen(rigid_parts, RIGID_PARTS, "rigid_parts")
+    options.rigid_parts = chosen(rigid_parts, declarations.RIGID_PARTS, "rigid_parts")
     options.softness_percent = _within(round(100 * softness), 25, 400, "softness (in percent)")
     options.surface_vertices = surface_vertices
     options.question_count = _within(questions, 0, binding.MAX_QUESTIONS, "questions")
-    said = _answers(answers, count, skeleton)
+    said = answers_of(answers, count, skeleton)
     options.answers, options.answer_count = said, len(said)
     joints = np.zeros((count, influences), np.uint16)
     weights = np.zeros((count, influences), DTYPES[options.weight_format])
@@ -86,16 +84,15 @@ def bind(positions: Any, faces: Any, skeleton: Skeleton, *, method: str = "model
         outputs.vertex_questions, outputs.vertex_parts = (binding.address(p) for p in parts)
     flags = joint_flags(skeleton, deform, never)
     view = skeleton_view(skeleton, flags, UP_AXES[chosen(up, UP, "up")])
-    report = binding.Progress(progress)
-    options.progress = report.callback
-    with binding.Threads(threads) as pool:
+    with binding.Progress(progress) as report, binding.Threads(threads) as pool:
+        options.progress = report.callback
         options.thread_count, options.parallel_for = pool.count, pool.callback
         pointer = used.pointer() if used is not None else None
         block = binding.block("sinew_bind_workspace_size", "bind", pointer, *mesh.counts, len(skeleton), ctypes.byref(options))
         status = binding.library().sinew_bind(pointer, mesh.pointer(), ctypes.byref(view), ctypes.byref(options), block.address,
                                               block.size_bytes, ctypes.byref(outputs))
     report.finish(status, "bind")
-    listed = [_question(q) for q in asked[:outputs.questions_written]]
+    listed = [question_of(q) for q in asked[:outputs.questions_written]]
     return Skin(joints, weights, confidence, outputs.symmetric_vertices, listed, *parts)
 
 
@@ -146,7 +143,8 @@ def _fill_given(given: Any, locked: Optional[np.ndarray], hints: Optional[np.nda
     weights[kept] = rows.astype(np.float32) / np.float32(65535) if weights.dtype == np.float32 else rows
 
 
-def _answers(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) -> Any:
+def answers_of(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) -> Any:
+    """sinew_answer of what callers write. Raises ValueError."""
     out = (binding.sinew_answer * len(answers))()
     for i, answer in enumerate(answers):
         name = f"answers[{i}]"
@@ -161,6 +159,7 @@ def _answers(answers: Sequence[Tuple], vertex_count: int, skeleton: Skeleton) ->
     return out
 
 
-def _question(q: binding.sinew_question) -> Question:
+def question_of(q: binding.sinew_question) -> Question:
+    """A sinew_question as callers see it."""
     alternatives = [Alternative(ANSWERS[a.kind], a.joint, a.change / 65536) for a in q.alternatives[:q.alternative_count]]
     return Question(q.vertex, q.part_count, q.vertex_count, q.joint, q.share / 65535, q.doubt / 65536, q.gain / 65536, alternatives)

@@ -8,13 +8,11 @@ from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import real, whole
 
 # sinew_joint_class: what a joint is for.
-CLASSES = ("pelvis", "spine", "neck", "head", "clavicle", "upper_arm", "forearm", "hand", "hip", "thigh", "calf", "foot", "toe",
-           "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye",
-           "jaw", "prop")
+CLASSES = declarations.JOINT_CLASS
 
 
 @dataclass
@@ -262,7 +260,8 @@ class Character:
     skin: Optional[Skin] = None
     clips: List[Clip] = field(default_factory=list)
     name: str = "character"
-    document: Any = None  # the glTF that it came from: save() keeps what it does not know of
+    document: Any = None  # the OpenCharacter that it came from: save() keeps what is not here
+    loaded: Any = field(default=(None, None, ()), repr=False, compare=False)  # skeleton, skin and clips that document has
 
 
 def multiply(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -3,33 +3,34 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Optional
+from typing import Any, Literal, Optional, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen, real
 from .binder import skeleton_view
 from .character import Skeleton, Skin, skin_of
 
-DEFORM_METHODS = ("volume", "xpbd", "delta mush", "linear", "dual quaternion")
-_PLAIN = {"linear": "sinew_skin_linear", "dual quaternion": "sinew_skin_dual_quaternion"}
+DeformMethod = Union[declarations.DeformMethod, Literal["linear", "dual-quaternion"]]
+DEFORM_METHODS = (*declarations.DEFORM_METHOD, "linear", "dual-quaternion")
+_PLAIN = {"linear": "sinew_skin_linear", "dual-quaternion": "sinew_skin_dual_quaternion"}
 
 
 class Deformer:
     """Poses a bound mesh, any number of times and from any number of threads.
 
     positions, faces, skeleton, skin   as bind() takes and gives them; copied
-    method     "volume": bends keep their volume; "xpbd", "delta mush": published methods; "linear", "dual quaternion"
+    method     "volume": bends keep their volume; "xpbd", "delta-mush": published methods; "linear", "dual-quaternion"
     cells      lattice cells along the longest side, 8 to 64; 0: 32
-    rounds     1 to 200, more are slower and keep more volume; 0: 20, delta mush 5
+    rounds     1 to 200, more are slower and keep more volume; 0: 20, delta-mush 5
     softness   1 to 65535; 0: 1280
     contact    whether the two sides of a bend keep out of each other
     body_contact  whether other parts do, too: an arm and the torso, a thigh and the belly, two thighs. "volume" alone
     Raises ValueError and Error as bind() does.
     """
 
-    def __init__(self, positions: Any, faces: Any, skeleton: Skeleton, skin: Skin, *, method: str = "volume", cells: int = 0,
+    def __init__(self, positions: Any, faces: Any, skeleton: Skeleton, skin: Skin, *, method: DeformMethod = "volume", cells: int = 0,
                  rounds: int = 0, softness: int = 0, contact: bool = True, body_contact: bool = False) -> None:
         mesh = Mesh(positions, faces)
         chosen(method, DEFORM_METHODS, "method")
@@ -58,7 +59,7 @@ class Deformer:
         """Positions in a pose.
 
         matrices  [j, 3, 4] or [j, 4, 4], pose times inverse bind per joint, see Skeleton.matrices(); rows first
-        out       [n, 3] float32, C-contiguous, to write to; None: a new array
+        out       [n, 3] float32, C-contiguous and writable, to write to; None: a new array
         Returns [n, 3] float32. Raises ValueError and Error.
         """
         if np.shape(matrices)[1:] == (4, 4):
@@ -66,8 +67,8 @@ class Deformer:
         palette = real(matrices, (self.joint_count, 3, 4), "matrices")
         if out is None:
             out = np.empty((self.vertex_count, 3), np.float32)
-        elif out.shape != (self.vertex_count, 3) or out.dtype != np.float32 or not out.flags.c_contiguous:
-            raise ValueError(f"out: expected float32 of shape ({self.vertex_count}, 3), C-contiguous")
+        elif not isinstance(out, np.ndarray) or out.shape != (self.vertex_count, 3) or out.dtype != np.float32 or not out.flags.carray:
+            raise ValueError(f"out: expected float32 of shape ({self.vertex_count}, 3), C-contiguous, in memory that may be written to")
         library = binding.library()
         if self._plain:
             rest, skin = self._rest

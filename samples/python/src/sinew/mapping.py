@@ -8,13 +8,11 @@ from typing import Any, Mapping, Optional, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import chosen
 from .character import Skeleton
 
-MAP_METHODS = ("auto", "anatomy", "branches")
-REASONS = ("found", "pinned", "no counterpart", "fewer joints", "end", "outside", "taken", "beside the limits")
-_UP = ("auto", "x", "y", "z")  # in the order of sinew_up
+MAP_METHODS, REASONS = declarations.MAP_METHOD, declarations.MAP_REASON
 
 
 @dataclass
@@ -23,7 +21,7 @@ class JointMap:
     confidence  [target j] float32, 0 to 1, 0 without a source
     reasons     [target j] uint8, indices of REASONS
     certainty   0 to 1, how sure front and sides of both are; below 0.5 left and right may be exchanged
-    method      "anatomy" or "branches"
+    method      "sinew", which is by anatomy, or "branches"
     """
 
     sources: np.ndarray
@@ -33,9 +31,9 @@ class JointMap:
     method: str
 
 
-def map(target: Skeleton, source: Skeleton, *, method: str = "auto",
+def map(target: Skeleton, source: Skeleton, *, method: declarations.MapMethod = "auto",
         pins: Optional[Mapping[Union[str, int], Union[str, int, None]]] = None, names: bool = True,
-        target_up: str = "y", source_up: str = "y") -> JointMap:
+        target_up: declarations.Up = "y", source_up: declarations.Up = "y") -> JointMap:
     """Finds a source for every joint of the target that has a counterpart. The same bytes on every machine.
 
     pins       {target joint: source joint or None}, by names or numbers: kept as they are, and the rest follows them
@@ -64,7 +62,7 @@ def map(target: Skeleton, source: Skeleton, *, method: str = "auto",
 
 def _view(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
     view = binding.init(binding.sinew_skeleton)
-    view.up = chosen(up, _UP, argument)
+    view.up = chosen(up, declarations.UP, argument)
     view.joint_count = len(skeleton)
     view.positions, view.parents = binding.address(skeleton.positions), binding.address(skeleton.parents)
     if names:

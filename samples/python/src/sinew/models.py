@@ -6,13 +6,14 @@ import ctypes
 import os
 import threading
 from pathlib import Path
-from typing import Dict, Optional, Tuple, Union
+from typing import Dict, Literal, Optional, Tuple, Union
 
 import numpy as np
 
 from . import binding
 
-BUNDLED = {"weights": "sinew_default.sinew", "skeletons": "sinew_rig.sinew", "hands": "sinew_hands.sinew"}
+Task = Literal["weights", "skeletons", "hands"]
+BUNDLED: Dict[Task, str] = {"weights": "sinew_default.sinew", "skeletons": "sinew_rig.sinew", "hands": "sinew_hands.sinew"}
 
 
 class Model:
@@ -23,7 +24,7 @@ class Model:
     Raises binding.Error, which names the file, where it is missing or damaged.
     """
 
-    def __init__(self, source: Union[str, os.PathLike, bytes], task: str = "weights") -> None:
+    def __init__(self, source: Union[str, os.PathLike, bytes], task: Task = "weights") -> None:
         if isinstance(source, bytes):
             content, self.name = source, f"model of {len(source)} bytes"
         else:
@@ -40,8 +41,6 @@ class Model:
         binding.check(open_model(self._bytes.ctypes.data, len(content), self.pointer()), self.name)
         if task != "weights":
             return
-        library.sinew_model_pack_workspace_size.restype = ctypes.c_size_t
-        library.sinew_model_pack_workspace_size.argtypes = [ctypes.POINTER(binding.sinew_model)]
         self._packed = binding.Block(library.sinew_model_pack_workspace_size(self.pointer()))
         binding.check(library.sinew_model_pack(self.pointer(), self._packed.address, self._packed.size_bytes), self.name)
 
@@ -49,11 +48,11 @@ class Model:
         return ctypes.byref(self.struct)
 
 
-_kept: Dict[Tuple[str, str], Model] = {}
+_kept: Dict[Tuple[str, Task], Model] = {}
 _lock = threading.Lock()
 
 
-def model_for(model: Optional[Union[str, os.PathLike, Model]], task: str) -> Model:
+def model_for(model: Optional[Union[str, os.PathLike, Model]], task: Task) -> Model:
     """A Model as it is; a file's, kept for the next call; the bundled one for None."""
     if isinstance(model, Model):
         return model

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Optional, Union
+from typing import Any, Literal, Optional, Union, get_args
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen, whole
 from .binder import ProgressFunction, skeleton_view
 from .character import CLASSES, Character, Clip, Skeleton
 from .mapping import JointMap, map as map_joints
 
-RETARGET_METHODS = ("auto", "copy", "contacts")
-RETARGET_UP = ("auto", "x", "y", "z")
+RetargetMethod = Literal["auto", "copy", "contacts"]
+RETARGET_METHODS = get_args(RetargetMethod)
 
 # Joints of a human body, metres, y up, facing +z: what tells arms and legs of a skeleton whose classes are not known.
 # Class, parent, place; those of the left side have partners on the right.
 _BODY = (("pelvis", -1, (0, 0.98, 0)), ("spine", 0, (0, 1.12, -0.01)), ("spine", 1, (0, 1.27, -0.02)), ("neck", 2, (0, 1.48, -0.015)),
          ("head", 3, (0, 1.58, 0.01)))
-_LEFT = (("clavicle", 2, (0.04, 1.43, -0.02)), ("upper_arm", 5, (0.17, 1.42, -0.03)), ("forearm", 6, (0.45, 1.42, -0.035)),
+_LEFT = (("clavicle", 2, (0.04, 1.43, -0.02)), ("upper-arm", 5, (0.17, 1.42, -0.03)), ("forearm", 6, (0.45, 1.42, -0.035)),
          ("hand", 7, (0.71, 1.42, -0.03)), ("thigh", 0, (0.095, 0.93, 0)), ("calf", 9, (0.1, 0.51, 0.01)),
          ("foot", 10, (0.105, 0.09, -0.03)), ("toe", 11, (0.11, 0.02, 0.1)))
 
@@ -34,21 +34,21 @@ def _body() -> Skeleton:
     return Skeleton([p for _, _, p in joints], [p for _, p, _ in joints], classes=classes)
 
 
-def joint_classes(skeleton: Skeleton, up: str = "y") -> np.ndarray:
+def joint_classes(skeleton: Skeleton, up: declarations.Up = "y") -> np.ndarray:
     """[j] uint8 of CLASSES: the skeleton's own, else by laying a human body over it; "other" where that says nothing."""
     if skeleton.classes is not None:
         return skeleton.classes
     body = _body()
     found = map_joints(skeleton, body, names=False, target_up=up)
     classes = np.full(len(skeleton), CLASSES.index("other"), np.uint8)
-    if found.method == "anatomy":
+    if found.method == "sinew":
         mapped = found.sources >= 0
         classes[mapped] = body.classes[found.sources[mapped]]
     return classes
 
 
 def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None,
-             method: str = "auto", in_place: bool = False, scale: float = 0.0, source_up: str = "auto", target_up: str = "auto",
+             method: RetargetMethod = "auto", in_place: bool = False, scale: float = 0.0, source_up: declarations.Up = "auto", target_up: declarations.Up = "auto",
              source_body: Optional[Character] = None, target_body: Optional[Character] = None,
              progress: ProgressFunction = None) -> Clip:
     """Plays a clip of the source on the target. The same bytes on every machine.
@@ -79,10 +79,10 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     library = binding.library()
     memory = binding.block("sinew_retarget_create_workspace_size", "retarget", len(source), len(target))
     plan = ctypes.c_void_p()
-    views = [skeleton_view(source, None, chosen(source_up, RETARGET_UP, "source_up")),
-             skeleton_view(target, None, chosen(target_up, RETARGET_UP, "target_up"))]
-    for view, of in zip(views, (source, target)):
-        view.rotations = binding.address(of.rotations)
+    views = [skeleton_view(source, None, chosen(source_up, declarations.UP, "source_up")),
+             skeleton_view(target, None, chosen(target_up, declarations.UP, "target_up"))]
+    for one, of in zip(views, (source, target)):
+        one.rotations = binding.address(of.rotations)
     binding.check(library.sinew_retarget_create(ctypes.byref(views[0]), ctypes.byref(views[1]), binding.address(sources),
                                                 binding.address(classes), ctypes.byref(options), memory.address,
                                                 memory.size_bytes, ctypes.byref(plan)), "retarget")
@@ -114,8 +114,7 @@ def _body_view(body: Character, name: str) -> Any:
     mesh = Mesh(body.positions, body.faces, name + ".")
     triangles = mesh.triangles()
     rows = binding.sinew_skin(binding.address(skin.joints), binding.address(skin.weights), skin.joints.shape[1])
-    view = binding.sinew_motion_body(binding.address(mesh.positions), binding.address(triangles), rows, len(mesh.positions),
-                                     len(triangles))
+    view = binding.sinew_motion_body(binding.address(mesh.positions), binding.address(triangles), rows, len(mesh.positions), len(triangles))
     view.kept = (mesh, skin, triangles)  # the view borrows them
     return view
 
@@ -129,12 +128,12 @@ def _keep_contacts(plan: ctypes.c_void_p, clip: Clip, out: Clip, ground: float, 
         raise ValueError(f"source_body: expected {target.vertex_count} vertices as target_body has, found {source.vertex_count}")
     options = binding.init(binding.sinew_contact_options)
     options.fps = clip.fps
-    report = binding.Progress(progress)
-    options.progress = report.callback
     whole_clip = binding.sinew_motion_clip(binding.address(clip.rotations), binding.address(clip.translations),
                                            binding.address(out.rotations), binding.address(out.translations),
                                            len(clip.rotations), ground)
     block = binding.block("sinew_retarget_contacts_workspace_size", "retarget", plan, ctypes.byref(target), len(clip.rotations))
-    status = library.sinew_retarget_contacts(plan, None if source is None else ctypes.byref(source), ctypes.byref(target),
-                                             ctypes.byref(whole_clip), ctypes.byref(options), block.address, block.size_bytes)
+    with binding.Progress(progress) as report:
+        options.progress = report.callback
+        status = library.sinew_retarget_contacts(plan, None if source is None else ctypes.byref(source), ctypes.byref(target),
+                                                 ctypes.byref(whole_clip), ctypes.byref(options), block.address, block.size_bytes)
     report.finish(status, "retarget")

@@ -8,14 +8,13 @@ from typing import Any, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen
-from .binder import UP, UP_AXES, ProgressFunction
+from .binder import UP, UP_AXES, ProgressFunction, UpAxis
 from .character import Skeleton
 from .models import Model, model_for
 
-RIG_METHODS = ("votes", "shape", "regions")
-MIRRORS = ("auto", "always", "never")
+RIG_METHODS, MIRRORS = declarations.RIG_METHOD, declarations.MIRROR
 
 
 @dataclass
@@ -25,7 +24,7 @@ class Rig:
     confidence, parent_confidence  [j] float32, 0 to 1: of the joint's place, of its parent
     partners       [j] int32, the joint's mirror image, itself on the plane, -1 where nothing is mirrored
     mirrored       whether the skeleton is its own mirror image
-    facing  where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
+    facing         where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
     plane          where the mirror plane is, across x for 0 and 2, else across z
     spread         how far off the votes think they are: below 0.03 is good, above 0.09 method="shape" is no worse
     """
@@ -40,8 +39,8 @@ class Rig:
     spread: float
 
 
-def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None, str, Model] = None, up: str = "y",
-        mirror: str = "auto", spine: int = 0, toes: bool = True, ends: bool = True, fingers: bool = False,
+def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes", model: Union[None, str, Model] = None, up: UpAxis = "y",
+        mirror: declarations.Mirror = "auto", spine: int = 0, toes: bool = True, ends: bool = True, fingers: bool = False,
         face: bool = False, props: bool = False, hands_model: Union[None, str, Model] = None, progress: ProgressFunction = None) -> Rig:
     """Predicts a skeleton for a mesh. The same bytes on every machine; bind() takes its `skeleton` as it is.
 
@@ -66,8 +65,6 @@ def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None,
     if not 0 <= spine <= 16:
         raise ValueError(f"spine: expected 0 to 16, found {spine}")
     options.spine_count, options.no_toes, options.no_ends = spine, int(not toes), int(not ends)
-    report = binding.Progress(progress)
-    options.progress = report.callback
     room = binding.MAX_RIG_JOINTS
     arrays = {"positions": np.zeros((room, 3), np.float32), "parents": np.zeros(room, np.int32), "flags": np.zeros(room, np.uint8),
               "joint_classes": np.zeros(room, np.uint8), "partners": np.zeros(room, np.int32),
@@ -77,16 +74,18 @@ def rig(positions: Any, faces: Any, *, method: str = "votes", model: Union[None,
     for name, array in arrays.items():
         setattr(outputs, name, binding.address(array))
 
-    def run(call: str, pointer: Any, *wanted: int) -> None:
+    def run(report: binding.Progress, call: str, pointer: Any, *wanted: int) -> None:
         block = binding.block(call + "_workspace_size", "rig", pointer, *mesh.counts, *wanted, ctypes.byref(options))
         status = getattr(binding.library(), call)(pointer, mesh.pointer(), *wanted, ctypes.byref(options), block.address,
                                                   block.size_bytes, ctypes.byref(outputs))
         report.finish(status, "rig")
 
-    run("sinew_rig", model_for(model, "skeletons").pointer() if method == "votes" else None)
-    wanted = (binding.DETAIL_HANDS if fingers else 0) | (binding.DETAIL_FACE if face else 0) | (binding.DETAIL_PROPS if props else 0)
-    if wanted:
-        run("sinew_rig_details", model_for(hands_model, "hands").pointer() if fingers else None, wanted)
+    with binding.Progress(progress) as report:
+        options.progress = report.callback
+        run(report, "sinew_rig", model_for(model, "skeletons").pointer() if method == "votes" else None)
+        wanted = (fingers and binding.DETAIL_HANDS) | (face and binding.DETAIL_FACE) | (props and binding.DETAIL_PROPS)
+        if wanted:
+            run(report, "sinew_rig_details", model_for(hands_model, "hands").pointer() if fingers else None, wanted)
     found = {name: array[:outputs.joint_count] for name, array in arrays.items()}
     skeleton = Skeleton(found["positions"].copy(), found["parents"], [n.decode() for n in found["names"]],
                         classes=found["joint_classes"], ends=found["flags"] & binding.JOINT_NEVER != 0)

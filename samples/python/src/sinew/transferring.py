@@ -8,15 +8,14 @@ from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import binding
+from . import binding, declarations
 from .arrays import Mesh, chosen, mask, whole
-from .binder import UP, UP_AXES, Joints, ProgressFunction, joint_flags, skeleton_view
+from .binder import UP, UP_AXES, Joints, ProgressFunction, UpAxis, joint_flags, skeleton_view
 from .character import Character, Skeleton, Skin, skin_of
 from .mapping import map as map_joints
 from .models import Model, model_for
 
-TRANSFER_METHODS = ("auto", "nearest", "biharmonic", "rebind")
-TRANSFER_REASONS = ("asked", "style", "mismatch", "plain", "near", "far", "no match", "kept")
+TRANSFER_METHODS, TRANSFER_REASONS = declarations.TRANSFER_METHOD, declarations.TRANSFER_REASON
 
 
 @dataclass
@@ -38,9 +37,9 @@ class Transferred:
     parts: List[TransferredPart]
 
 
-def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[Skeleton] = None, *, method: str = "auto",
+def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[Skeleton] = None, *, method: declarations.TransferMethod = "auto",
              joint_map: Any = None, garment: bool = False, heat: bool = False, model: Union[None, str, Model] = None,
-             influences: int = 4, up: str = "y", source_up: Optional[str] = None, never: Joints = None, locked: Any = None,
+             influences: int = 4, up: UpAxis = "y", source_up: Optional[UpAxis] = None, never: Joints = None, locked: Any = None,
              given: Any = None, pairs: Sequence[Tuple[int, int]] = (), threads: int = 1,
              progress: ProgressFunction = None) -> Transferred:
     """Carries weights to another mesh. The same bytes on every machine and for any number of threads.
@@ -55,7 +54,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     influences  most joints a vertex, 1 to 12
     up, source_up  axes that point up, "y" or "z"; source_up None: as up
     never       joints of the target that must get no weight
-    locked      mask [n] or indices of vertices that keep their rows of `given`
+    locked      mask [n] of bool or uint8, or indices (wider integers) of vertices that keep their rows of `given`
     pairs       (source vertex, target vertex) of the same place, for "biharmonic"
     Raises ValueError, Error and Cancelled as bind() does.
     """
@@ -99,9 +98,8 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
                                 {1: 1, 2: 0}.get(of_skin.weights.dtype.itemsize, 2)), joint_map=binding.address(mapped))
     used = None if heat else model_for(model, "weights")
     pointer = None if used is None else used.pointer()
-    report = binding.Progress(progress)
-    options.progress = report.callback
-    with binding.Threads(threads) as pool:
+    with binding.Progress(progress) as report, binding.Threads(threads) as pool:
+        options.progress = report.callback
         options.thread_count, options.parallel_for = pool.count, pool.callback
         common = (pointer, ctypes.byref(bound), mesh.pointer(), ctypes.byref(views[1]), ctypes.byref(options))
         block = binding.block("sinew_transfer_workspace_size", "transfer", *common)
@@ -113,7 +111,7 @@ def transfer(source: Character, positions: Any, faces: Any, skeleton: Optional[S
     return Transferred(skin, outputs.carried_q16 / 65536, told)
 
 
-def _joint_map(joint_map: Any, source: Skeleton, target: Skeleton, up: str, source_up: str) -> np.ndarray:
+def _joint_map(joint_map: Any, source: Skeleton, target: Skeleton, up: UpAxis, source_up: UpAxis) -> np.ndarray:
     """[source j] int32."""
     if joint_map is not None:
         return whole(joint_map, (len(source),), "joint_map", np.int32, -1, len(target))

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Generated from the C headers by scripts/declarations.py; a test compares.
+#include <cstring>
+
+#include "sinew/character.h"
+
+namespace {
+
+struct StructSize {
+  const char* name;
+  size_t size_bytes;
+};
+
+constexpr StructSize kStructSizes[] = {
+    {"sinew_file", sizeof(sinew_file)},
+    {"sinew_character_arrays", sizeof(sinew_character_arrays)},
+    {"sinew_character_clip", sizeof(sinew_character_clip)},
+    {"sinew_character_models", sizeof(sinew_character_models)},
+    {"sinew_character_bind_options", sizeof(sinew_character_bind_options)},
+    {"sinew_character_bind_result", sizeof(sinew_character_bind_result)},
+    {"sinew_skeleton_edit", sizeof(sinew_skeleton_edit)},
+    {"sinew_character_rig_options", sizeof(sinew_character_rig_options)},
+    {"sinew_character_rig_result", sizeof(sinew_character_rig_result)},
+    {"sinew_character_map_options", sizeof(sinew_character_map_options)},
+    {"sinew_character_map_result", sizeof(sinew_character_map_result)},
+    {"sinew_character_animate_options", sizeof(sinew_character_animate_options)},
+    {"sinew_character_animate_result", sizeof(sinew_character_animate_result)},
+    {"sinew_character_pose_options", sizeof(sinew_character_pose_options)},
+    {"sinew_character_transfer_options", sizeof(sinew_character_transfer_options)},
+    {"sinew_character_transfer_result", sizeof(sinew_character_transfer_result)},
+    {"sinew_character_simplify_options", sizeof(sinew_character_simplify_options)},
+    {"sinew_character_bake_options", sizeof(sinew_character_bake_options)},
+    {"sinew_character_bake_result", sizeof(sinew_character_bake_result)},
+};
+
+}  // namespace
+
+size_t sinew_character_struct_size(const char* name) {
+  if (name == nullptr) return 0;
+  for (const StructSize& one : kStructSizes)
+    if (std::strcmp(one.name, name) == 0) return one.size_bytes;
+  return 0;
+}

@@ -1,0 +1,817 @@
+// SPDX-License-Identifier: MIT
+// The C interface by P/Invoke, as it is. Generated from the C headers by scripts/declarations.py; a test compares.
+// Every pointer is an IntPtr; structs have no managed members, so that a pinned box of one is what C reads. Arrays in structs have
+// their elements as members, name_0 and so on.
+#pragma warning disable 1591
+using System;
+using System.Runtime.InteropServices;
+
+namespace Sinew
+{
+    public enum Kernel { Auto = 0, Ref = 1, Avx2 = 2, Avxvnni = 3, Vnni = 4, Simd128 = 5, Neon = 6, Dsp = 7 }
+    public enum AnswerKind { Proposed = 0, Rigid = 1, Soft = 2, Hard = 3, Softer = 4, Host = 5 }
+    public enum Up { Auto = 0, X = 1, Y = 2, Z = 3 }
+    public enum WeightFormat { Unorm16 = 0, Unorm8 = 1, Float = 2 }
+    public enum Method { Model = 0, Heat = 1, Distance = 2 }
+    public enum RigidParts { Auto = 0, Always = 1, Never = 2 }
+    public enum DeformMethod { Volume = 0, Xpbd = 1, DeltaMush = 2 }
+    public enum MapMethod { Auto = 0, Sinew = 1, Branches = 2 }
+    public enum MapReason { Found = 0, Pinned = 1, NoCounterpart = 2, FewerJoints = 3, End = 4, Outside = 5, Taken = 6, BesideLimits = 7 }
+    public enum RetargetMethod { Auto = 0, Copy = 1 }
+    public enum SpotKind { None = 0, Stands = 1, Touches = 2, Inside = 3 }
+    public enum JointClass { Pelvis = 0, Spine = 1, Neck = 2, Head = 3, Clavicle = 4, UpperArm = 5, Forearm = 6, Hand = 7, Hip = 8,
+        Thigh = 9, Calf = 10, Foot = 11, Toe = 12, Tail = 13, Wing = 14, Ear = 15, Hair = 16, Other = 17, Thumb = 19, Index = 20,
+        Middle = 21, Ring = 22, Pinky = 23, Eye = 24, Jaw = 25, Prop = 26 }
+    public enum Mirror { Auto = 0, Always = 1, Never = 2 }
+    public enum RigMethod { Votes = 0, Shape = 1, Regions = 2 }
+    public enum TransferMethod { Auto = 0, Nearest = 1, Biharmonic = 2, Rebind = 3 }
+    public enum TransferReason { Asked = 0, Style = 1, Mismatch = 2, Plain = 3, Near = 4, Far = 5, NoMatch = 6, Kept = 7 }
+    public enum SimplifyLevel { High = 0, Low = 1 }
+    public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
+    public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3 }
+    public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
+    public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4 }
+    public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3 }
+    public enum PoseDeform { Linear = 0, DualQuaternion = 1, Volume = 2, Xpbd = 3, DeltaMush = 4 }
+
+    /// <summary>The C interface as it is. Structs have the names and the layout of C.</summary>
+    public static class Native
+    {
+        public const string Library = "sinew", CharacterLibrary = "sinew_character";
+        public const uint VERSION_MAJOR = 0;
+        public const uint VERSION_MINOR = 1;
+        public const uint VERSION_PATCH = 0;
+        public const uint MAX_INFLUENCES = 12;
+        public const uint MAX_CANDIDATES = 16;
+        public const uint MAX_JOINTS = 4096;
+        public const uint MAX_VERTICES = 4000000;
+        public const uint WORKSPACE_ALIGNMENT = 64;
+        public const uint MAX_THREADS = 64;
+        public const uint MAX_ALTERNATIVES = 8;
+        public const uint MAX_QUESTIONS = 1024;
+        public const uint NO_QUESTION = 4294967295;
+        public const uint JOINT_NEVER = 1;
+        public const uint JOINT_DEFORMS = 2;
+        public const uint MAX_DEFORM_CELLS = 64;
+        public const uint MAX_DEFORM_ROUNDS = 200;
+        public const uint MAX_MAP_LIMBS = 1024;
+        public const uint MAX_MOTION_LIMBS = 16;
+        public const uint MAX_RIG_JOINTS = 192;
+        public const uint JOINT_NAME_BYTES = 32;
+        public const uint MAX_TRANSFER_PAIRS = 128;
+        public const uint MAX_BIHARMONIC_VERTICES = 65536;
+        public const uint NO_AREA = 4294967295;
+        public const int ERROR_INPUT = -30;
+        public const int ERROR_MEMORY = -31;
+        public const uint DETAIL_HANDS = 1;
+        public const uint DETAIL_FACE = 2;
+        public const uint DETAIL_PROPS = 4;
+        public const uint READ_MESH = 1;
+        public const uint READ_SKELETON = 2;
+        public const uint READ_MOTION = 4;
+        public const uint READ_WHOLE = 8;
+        public const uint WRITE_CHARACTER = 16;
+        public const uint WRITE_MOTION = 32;
+        public const uint WRITE_MESH = 64;
+        public const int OK = 0;
+        public const int ERROR_ARGUMENT = -1;
+        public const int ERROR_WORKSPACE = -2;
+        public const int ERROR_COUNT = -3;
+        public const int ERROR_NOT_FINITE = -4;
+        public const int ERROR_INDEX = -5;
+        public const int ERROR_HIERARCHY = -6;
+        public const int ERROR_NO_JOINT = -7;
+        public const int ERROR_CANCELLED = -8;
+        public const int ERROR_MODEL_MAGIC = -9;
+        public const int ERROR_MODEL_VERSION = -10;
+        public const int ERROR_MODEL_TRUNCATED = -11;
+        public const int ERROR_MODEL_CHECKSUM = -12;
+        public const int ERROR_MODEL_LAYOUT = -13;
+        public const int ERROR_MODEL_OVERFLOW = -14;
+        public const int ERROR_MODEL_ALIGNMENT = -15;
+        public const int ERROR_RANGE = -16;
+        public const int ERROR_KERNEL = -17;
+        public const int ERROR_VERSION = -18;
+        public const int ERROR_MODEL_TASK = -19;
+        public const int ERROR_NOT_BUILT = -20;
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        public delegate int sinew_progress(IntPtr a, uint b);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        public delegate void sinew_parallel_for_body(IntPtr a, uint b);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        public delegate void sinew_parallel_for(IntPtr a, uint b, IntPtr c, IntPtr d);
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_mesh
+        {
+            public IntPtr positions;
+            public uint vertex_count;
+            public IntPtr face_offsets, face_vertices;
+            public uint face_count, corner_count;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_model
+        {
+            public IntPtr bytes;
+            public UIntPtr size_bytes;
+            public IntPtr packed;
+            public uint format_version, candidate_count, grid_size, feature_set, fixed_candidates, layer_count, parameter_count, checksum,
+                confidence_offset, confidence_count, task, input_count, reserved_0, reserved_1, reserved_2, reserved_3, reserved_4,
+                reserved_5, reserved_6, reserved_7, reserved_8, reserved_9, reserved_10, reserved_11, reserved_12, reserved_13;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_answer
+        {
+            public uint vertex;
+            public ushort kind, joint;
+            public uint alone;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_alternative
+        {
+            public ushort kind, joint;
+            public uint change;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_question
+        {
+            public uint vertex, part_count, vertex_count;
+            public ushort joint, share;
+            public uint doubt, gain, alternative_count, reserved;
+            public sinew_alternative alternatives_0, alternatives_1, alternatives_2, alternatives_3, alternatives_4, alternatives_5,
+                alternatives_6, alternatives_7;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_skeleton
+        {
+            public uint struct_size, joint_count;
+            public IntPtr positions, parents, flags, ends, names, rotations;
+            public uint up, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_skin
+        {
+            public IntPtr joint_indices, weights;
+            public uint influence_count, weight_format;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_options
+        {
+            public uint struct_size, method, influence_count, weight_format, candidate_count, grid_size, surface_vertices, symmetric,
+                rigid_parts, softness_percent, weights_in_place, kernel, thread_count, reserved;
+            public IntPtr locked, hints, parallel_for, parallel_user, progress, progress_user, answers;
+            public uint answer_count, question_count;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_bind_outputs
+        {
+            public uint struct_size, symmetric_vertices;
+            public IntPtr joint_indices, weights, confidence;
+            public UIntPtr used_bytes;
+            public IntPtr questions, vertex_questions, vertex_parts;
+            public uint questions_written, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_deform_options
+        {
+            public uint struct_size, method, cell_count, round_count, softness, no_twist_spread, no_contact, no_smoothing;
+            public IntPtr parallel_for, parallel_user;
+            public uint thread_count, body_contact;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_deformer
+        {
+            public IntPtr memory;
+            public UIntPtr pose_bytes;
+            public uint vertex_count, joint_count, tetrahedron_count, node_count, split_cell_count, reserved_0, reserved_1, reserved_2,
+                reserved_3, reserved_4, reserved_5, reserved_6;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_deform_outputs
+        {
+            public uint struct_size, corrected;
+            public IntPtr positions;
+            public uint active_tetrahedra, inverted_tetrahedra;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_map_pin
+        {
+            public uint target;
+            public int source;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_map_options
+        {
+            public uint struct_size, method, pin_count, reserved;
+            public IntPtr pins;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_map_outputs
+        {
+            public uint struct_size, method;
+            public IntPtr sources, confidence, reasons;
+            public uint mapped, certainty;
+            public UIntPtr used_bytes;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_retarget_options
+        {
+            public uint struct_size, method, in_place;
+            public float scale;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_motion_body
+        {
+            public IntPtr positions, triangles;
+            public sinew_skin skin;
+            public uint vertex_count, triangle_count;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_contact_options
+        {
+            public uint struct_size;
+            public float fps;
+            public IntPtr progress, progress_user;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_motion_clip
+        {
+            public IntPtr source_rotations, source_translations, rotations, translations;
+            public uint frame_count;
+            public float ground;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_limb_measure
+        {
+            public uint joint, leg, frames, deep_frames, contact_frames, range_frames;
+            public float depth, greatest_depth, error, greatest_error;
+            public uint reserved_0, reserved_1;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_contact_spot
+        {
+            public uint kind;
+            public float position_0, position_1, position_2, error;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_rig_options
+        {
+            public uint struct_size, up, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
+            public IntPtr progress, progress_user;
+            public uint method, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_rig_outputs
+        {
+            public uint struct_size, joint_count;
+            public IntPtr positions, parents, flags, joint_classes, partners, confidence, parent_confidence, names;
+            public uint mirrored, facing;
+            public float plane, spread;
+            public UIntPtr used_bytes;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_bound_character
+        {
+            public IntPtr mesh, skeleton;
+            public sinew_skin skin;
+            public IntPtr joint_map;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_vertex_pair
+        {
+            public uint source, target;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_transfer_options
+        {
+            public uint struct_size, method, influence_count, weight_format, garment, as_drawn, weights_in_place, kernel, thread_count,
+                pair_count;
+            public IntPtr locked, pairs, parallel_for, parallel_user, progress, progress_user;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_transfer_part
+        {
+            public uint vertex, vertex_count, reason, carried_q16, style_q16, mismatch_q16, distance_q16, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_transfer_outputs
+        {
+            public uint struct_size, part_capacity;
+            public IntPtr joint_indices, weights, confidence, parts, vertex_parts;
+            public uint part_count, bound_by, carried_q16, style_q16, mismatch_q16, reference_count;
+            public UIntPtr used_bytes;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_reference_options
+        {
+            public uint struct_size, area_power, no_own_limb, legs;
+            public float falloff, least_cosine;
+            public IntPtr progress, progress_user;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_simplify_options
+        {
+            public uint struct_size, level, joint_count, reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_file
+        {
+            public IntPtr name, bytes;
+            public UIntPtr size_bytes;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_arrays
+        {
+            public uint struct_size, vertex_count, face_count, corner_count, joint_count, mesh_count, influence_count, reserved;
+            public IntPtr name, positions, face_offsets, face_vertices, joint_positions, parents, joint_names, row_offsets, joint_indices,
+                weights, confidence, vertex_meshes, mesh_names, mesh_joints, mesh_skinned;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_clip
+        {
+            public uint struct_size, frame_count, joint_count, reserved;
+            public double frame_time;
+            public IntPtr name, rotations, translations, joint_names, parents;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_models
+        {
+            public uint struct_size, reserved;
+            public IntPtr bind;
+            public UIntPtr bind_size;
+            public IntPtr rig;
+            public UIntPtr rig_size;
+            public IntPtr hands;
+            public UIntPtr hands_size;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_bind_options
+        {
+            public uint struct_size, thread_count;
+            public IntPtr progress, progress_user, models;
+            public uint method, influence_count, up, joints, rigid_parts, softness_percent, surface_vertices, keep_tips, bind_props, fit,
+                symmetric, keep_confidence, question_count, answer_count;
+            public IntPtr answers, joint_flags, locked, hinted, hints, like, style;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_bind_result
+        {
+            public uint struct_size, symmetric_vertices, kept_meshes, folded_tips, left_out_count, question_count, answers_by_style,
+                reserved;
+            public double seconds;
+            public UIntPtr workspace_bytes;
+            public IntPtr left_out, left_out_why, questions, vertex_questions, hash;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_skeleton_edit
+        {
+            public uint kind, reserved;
+            public IntPtr text;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_rig_options
+        {
+            public uint struct_size, thread_count;
+            public IntPtr progress, progress_user, models;
+            public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
+                softness_percent, surface_vertices, edit_count;
+            public IntPtr edits, skeleton, skeleton_character;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_rig_result
+        {
+            public uint struct_size, mirrored, matched, joint_count;
+            public float spread, reserved;
+            public double scale, seconds, bind_seconds;
+            public IntPtr ends, confidence, parent_confidence;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_map_options
+        {
+            public uint struct_size, method, no_names, no_ends, target_up, source_up, guess_up, pin_count;
+            public IntPtr pins, pins_file;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_map_result
+        {
+            public uint struct_size, method, joint_count, mapped;
+            public float certainty, reserved;
+            public double seconds;
+            public IntPtr sources, confidence, reasons, text;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_animate_options
+        {
+            public uint struct_size, thread_count;
+            public IntPtr progress, progress_user, models;
+            public uint method, in_place, no_range, target_up, motion_up, deform, cells, rounds, body_contact, shapes;
+            public double fps, from, to;
+            public IntPtr clip, map, sources;
+            public uint area_power, no_own_limb, legs, report;
+            public double falloff;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_animate_result
+        {
+            public uint struct_size, clip_count, first_clip, mapped, rigged, shape_count;
+            public float certainty;
+            public uint limb_count;
+            public IntPtr limbs_before, limbs_after, mapped_by, sources;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_pose_options
+        {
+            public uint struct_size, thread_count, deform, cells, rounds, body_contact;
+            public IntPtr angles, rotations, matrices, clip;
+            public double time;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_transfer_options
+        {
+            public uint struct_size, thread_count;
+            public IntPtr progress, progress_user, models;
+            public uint method, influence_count, target_up, source_up, garment, as_drawn, heat, pair_count;
+            public IntPtr pairs, locked, map;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_transfer_result
+        {
+            public uint struct_size, mapped_joints, fitted, bound, bound_by, part_count;
+            public double carried, style, mismatch, seconds;
+            public IntPtr mapped_by, parts;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_simplify_options
+        {
+            public uint struct_size, low, joint_count, keep_count;
+            public IntPtr keep;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_bake_options
+        {
+            public uint struct_size, reserved;
+            public IntPtr progress, progress_user;
+            public uint deform, cells, rounds, body_contact, poses, shapes;
+            public ulong seed;
+            public double limit;
+            public IntPtr clip;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_character_bake_result
+        {
+            public uint struct_size, shape_count, bend_count, moved_vertices, learnt_poses, held_out_poses;
+            public double linear_error, baked_error, held_out_linear_error, held_out_baked_error;
+        }
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_status_text(int status);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_version();
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_kernel_name(uint kernel);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern uint sinew_kernel_select(uint kernel);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr sinew_struct_size(IntPtr name);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_model_open(IntPtr bytes, UIntPtr size_bytes, IntPtr model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr sinew_model_pack_workspace_size(IntPtr model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_model_pack(IntPtr model, IntPtr memory, UIntPtr memory_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_skin_linear(IntPtr positions, uint vertex_count, IntPtr skin, IntPtr palette, uint joint_count,
+            IntPtr @out);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_skin_dual_quaternion(IntPtr positions, uint vertex_count, IntPtr skin, IntPtr palette,
+            uint joint_count, IntPtr @out);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_bind_workspace_size(IntPtr model, uint vertex_count, uint face_count, uint corner_count,
+            uint joint_count, IntPtr options, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_bind(IntPtr model, IntPtr mesh, IntPtr skeleton, IntPtr options, IntPtr workspace,
+            UIntPtr workspace_bytes, IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_deform_create_workspace_size(IntPtr mesh, uint joint_count, uint influence_count, IntPtr options,
+            out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_deform_create(IntPtr mesh, IntPtr skeleton, IntPtr skin, IntPtr options, IntPtr memory,
+            UIntPtr memory_bytes, IntPtr deformer);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_deform_pose(IntPtr deformer, IntPtr palette, IntPtr workspace, UIntPtr workspace_bytes,
+            IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_map_workspace_size(uint target_count, uint source_count, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_map(IntPtr target, IntPtr source, IntPtr options, IntPtr workspace, UIntPtr workspace_bytes,
+            IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_create_workspace_size(uint source_joints, uint target_joints, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_create(IntPtr source, IntPtr target, IntPtr map, IntPtr target_classes, IntPtr options,
+            IntPtr memory, UIntPtr memory_bytes, out IntPtr plan);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_height(IntPtr plan, IntPtr rotations, IntPtr translations, IntPtr height);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_ground(IntPtr plan, IntPtr heights, UIntPtr count, IntPtr ground);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_frame(IntPtr plan, IntPtr rotations, IntPtr translations, float ground,
+            IntPtr out_rotations, IntPtr out_translations);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_contacts_workspace_size(IntPtr plan, IntPtr target, uint frame_count,
+            out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_contacts(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
+            IntPtr workspace, UIntPtr workspace_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_keep_range(IntPtr plan, IntPtr target, IntPtr clip, IntPtr workspace,
+            UIntPtr workspace_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_measure(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
+            IntPtr workspace, UIntPtr workspace_bytes, IntPtr limbs, IntPtr limb_count);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_spots(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
+            IntPtr workspace, UIntPtr workspace_bytes, IntPtr limbs, IntPtr limb_count, IntPtr spots);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_rig_model_open(IntPtr bytes, UIntPtr size_bytes, IntPtr model);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_rig_workspace_size(IntPtr model, uint vertex_count, uint face_count, uint corner_count,
+            IntPtr options, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_rig(IntPtr model, IntPtr mesh, IntPtr options, IntPtr workspace, UIntPtr workspace_bytes,
+            IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_rig_details_workspace_size(IntPtr hands_model, uint vertex_count, uint face_count, uint corner_count,
+            uint wanted, IntPtr options, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_rig_details(IntPtr hands_model, IntPtr mesh, uint wanted, IntPtr options, IntPtr workspace,
+            UIntPtr workspace_bytes, IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_transfer_workspace_size(IntPtr model, IntPtr source, IntPtr target, IntPtr skeleton, IntPtr options,
+            out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_transfer(IntPtr model, IntPtr source, IntPtr target, IntPtr skeleton, IntPtr options,
+            IntPtr workspace, UIntPtr workspace_bytes, IntPtr outputs);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_reference_points_workspace_size(IntPtr plan, IntPtr target, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_reference_points(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
+            IntPtr workspace, UIntPtr workspace_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_simplify_workspace_size(uint joint_count, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_simplify(IntPtr skeleton, IntPtr areas, IntPtr keep, IntPtr options, IntPtr workspace,
+            UIntPtr workspace_bytes, IntPtr into);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_character_error(IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr sinew_character_struct_size(IntPtr name);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_character_extensions(uint uses);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_open(IntPtr path, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_open_files(IntPtr files, uint file_count, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_create(IntPtr mesh, IntPtr skeleton, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_copy(IntPtr from, out IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern void sinew_character_close(IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_save(IntPtr character, IntPtr path);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_write(IntPtr character, IntPtr name, IntPtr files, IntPtr file_count);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_view(IntPtr character, IntPtr arrays);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_skin(IntPtr character, uint influence_count, IntPtr joint_indices, IntPtr weights);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_joint_classes(IntPtr character, IntPtr classes);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_character_notes(IntPtr character);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_set_skeleton(IntPtr character, IntPtr skeleton);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_take_skeleton(IntPtr character, IntPtr other, uint with_weights);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_set_weights(IntPtr character, IntPtr row_offsets, IntPtr joint_indices, IntPtr weights);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_clip_count(IntPtr character, IntPtr count);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_get_clip(IntPtr character, uint index, IntPtr clip);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_add_clip(IntPtr character, IntPtr clip);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_bind(IntPtr character, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_rig(IntPtr character, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_character_templates();
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_map(IntPtr target, IntPtr source, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_map_file(IntPtr target, IntPtr source, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_animate(IntPtr character, IntPtr motion, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_pose(IntPtr character, IntPtr options, out IntPtr posed);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_transfer(IntPtr source, IntPtr target, IntPtr options, IntPtr result);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_simplify(IntPtr character, IntPtr options, IntPtr into);
+
+        [DllImport(CharacterLibrary, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_character_bake(IntPtr character, IntPtr options, IntPtr result);
+
+        internal static readonly StructSize[] Structs =
+        {
+            new StructSize("sinew_mesh", Marshal.SizeOf(typeof(sinew_mesh)), false),
+            new StructSize("sinew_model", Marshal.SizeOf(typeof(sinew_model)), false),
+            new StructSize("sinew_answer", Marshal.SizeOf(typeof(sinew_answer)), false),
+            new StructSize("sinew_alternative", Marshal.SizeOf(typeof(sinew_alternative)), false),
+            new StructSize("sinew_question", Marshal.SizeOf(typeof(sinew_question)), false),
+            new StructSize("sinew_skeleton", Marshal.SizeOf(typeof(sinew_skeleton)), true),
+            new StructSize("sinew_skin", Marshal.SizeOf(typeof(sinew_skin)), false),
+            new StructSize("sinew_options", Marshal.SizeOf(typeof(sinew_options)), true),
+            new StructSize("sinew_bind_outputs", Marshal.SizeOf(typeof(sinew_bind_outputs)), true),
+            new StructSize("sinew_deform_options", Marshal.SizeOf(typeof(sinew_deform_options)), true),
+            new StructSize("sinew_deformer", Marshal.SizeOf(typeof(sinew_deformer)), false),
+            new StructSize("sinew_deform_outputs", Marshal.SizeOf(typeof(sinew_deform_outputs)), true),
+            new StructSize("sinew_map_pin", Marshal.SizeOf(typeof(sinew_map_pin)), false),
+            new StructSize("sinew_map_options", Marshal.SizeOf(typeof(sinew_map_options)), true),
+            new StructSize("sinew_map_outputs", Marshal.SizeOf(typeof(sinew_map_outputs)), true),
+            new StructSize("sinew_retarget_options", Marshal.SizeOf(typeof(sinew_retarget_options)), true),
+            new StructSize("sinew_motion_body", Marshal.SizeOf(typeof(sinew_motion_body)), false),
+            new StructSize("sinew_contact_options", Marshal.SizeOf(typeof(sinew_contact_options)), true),
+            new StructSize("sinew_motion_clip", Marshal.SizeOf(typeof(sinew_motion_clip)), false),
+            new StructSize("sinew_limb_measure", Marshal.SizeOf(typeof(sinew_limb_measure)), false),
+            new StructSize("sinew_contact_spot", Marshal.SizeOf(typeof(sinew_contact_spot)), false),
+            new StructSize("sinew_rig_options", Marshal.SizeOf(typeof(sinew_rig_options)), true),
+            new StructSize("sinew_rig_outputs", Marshal.SizeOf(typeof(sinew_rig_outputs)), true),
+            new StructSize("sinew_bound_character", Marshal.SizeOf(typeof(sinew_bound_character)), false),
+            new StructSize("sinew_vertex_pair", Marshal.SizeOf(typeof(sinew_vertex_pair)), false),
+            new StructSize("sinew_transfer_options", Marshal.SizeOf(typeof(sinew_transfer_options)), true),
+            new StructSize("sinew_transfer_part", Marshal.SizeOf(typeof(sinew_transfer_part)), false),
+            new StructSize("sinew_transfer_outputs", Marshal.SizeOf(typeof(sinew_transfer_outputs)), true),
+            new StructSize("sinew_reference_options", Marshal.SizeOf(typeof(sinew_reference_options)), true),
+            new StructSize("sinew_simplify_options", Marshal.SizeOf(typeof(sinew_simplify_options)), true),
+        };
+
+        internal static readonly StructSize[] CharacterStructs =
+        {
+            new StructSize("sinew_file", Marshal.SizeOf(typeof(sinew_file)), false),
+            new StructSize("sinew_character_arrays", Marshal.SizeOf(typeof(sinew_character_arrays)), true),
+            new StructSize("sinew_character_clip", Marshal.SizeOf(typeof(sinew_character_clip)), true),
+            new StructSize("sinew_character_models", Marshal.SizeOf(typeof(sinew_character_models)), true),
+            new StructSize("sinew_character_bind_options", Marshal.SizeOf(typeof(sinew_character_bind_options)), true),
+            new StructSize("sinew_character_bind_result", Marshal.SizeOf(typeof(sinew_character_bind_result)), true),
+            new StructSize("sinew_skeleton_edit", Marshal.SizeOf(typeof(sinew_skeleton_edit)), false),
+            new StructSize("sinew_character_rig_options", Marshal.SizeOf(typeof(sinew_character_rig_options)), true),
+            new StructSize("sinew_character_rig_result", Marshal.SizeOf(typeof(sinew_character_rig_result)), true),
+            new StructSize("sinew_character_map_options", Marshal.SizeOf(typeof(sinew_character_map_options)), true),
+            new StructSize("sinew_character_map_result", Marshal.SizeOf(typeof(sinew_character_map_result)), true),
+            new StructSize("sinew_character_animate_options", Marshal.SizeOf(typeof(sinew_character_animate_options)), true),
+            new StructSize("sinew_character_animate_result", Marshal.SizeOf(typeof(sinew_character_animate_result)), true),
+            new StructSize("sinew_character_pose_options", Marshal.SizeOf(typeof(sinew_character_pose_options)), true),
+            new StructSize("sinew_character_transfer_options", Marshal.SizeOf(typeof(sinew_character_transfer_options)), true),
+            new StructSize("sinew_character_transfer_result", Marshal.SizeOf(typeof(sinew_character_transfer_result)), true),
+            new StructSize("sinew_character_simplify_options", Marshal.SizeOf(typeof(sinew_character_simplify_options)), true),
+            new StructSize("sinew_character_bake_options", Marshal.SizeOf(typeof(sinew_character_bake_options)), true),
+            new StructSize("sinew_character_bake_result", Marshal.SizeOf(typeof(sinew_character_bake_result)), true),
+        };
+    }
+
+    /// <summary>What is compared with the library when it is loaded.</summary>
+    struct StructSize
+    {
+        public readonly string Name;
+        public readonly int Bytes;
+        public readonly bool Grows;
+
+        public StructSize(string name, int bytes, bool grows)
+        {
+            Name = name;
+            Bytes = bytes;
+            Grows = grows;
+        }
+    }
+}

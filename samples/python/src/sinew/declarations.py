@@ -1,0 +1,492 @@
+# SPDX-License-Identifier: MIT
+"""The C interface by ctypes: constants, words of enumerations, structs, functions. Generated from the C headers by scripts/declarations.py; a test compares."""
+from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_float, c_int, c_int32, c_size_t, c_uint16, c_uint32, c_uint64,
+                    c_void_p)
+from typing import Any, Dict, List, Literal, Tuple
+
+# Constants, without SINEW_.
+VERSION_MAJOR = 0
+VERSION_MINOR = 1
+VERSION_PATCH = 0
+MAX_INFLUENCES = 12
+MAX_CANDIDATES = 16
+MAX_JOINTS = 4096
+MAX_VERTICES = 4000000
+WORKSPACE_ALIGNMENT = 64
+MAX_THREADS = 64
+MAX_ALTERNATIVES = 8
+MAX_QUESTIONS = 1024
+NO_QUESTION = 4294967295
+JOINT_NEVER = 1
+JOINT_DEFORMS = 2
+MAX_DEFORM_CELLS = 64
+MAX_DEFORM_ROUNDS = 200
+MAX_MAP_LIMBS = 1024
+MAX_MOTION_LIMBS = 16
+MAX_RIG_JOINTS = 192
+JOINT_NAME_BYTES = 32
+MAX_TRANSFER_PAIRS = 128
+MAX_BIHARMONIC_VERTICES = 65536
+NO_AREA = 4294967295
+ERROR_INPUT = -30
+ERROR_MEMORY = -31
+DETAIL_HANDS = 1
+DETAIL_FACE = 2
+DETAIL_PROPS = 4
+READ_MESH = 1
+READ_SKELETON = 2
+READ_MOTION = 4
+READ_WHOLE = 8
+WRITE_CHARACTER = 16
+WRITE_MOTION = 32
+WRITE_MESH = 64
+
+# Words of enumerations, by number.
+STATUS: Dict[str, int] = {"OK": 0, "ERROR_ARGUMENT": -1, "ERROR_WORKSPACE": -2, "ERROR_COUNT": -3, "ERROR_NOT_FINITE": -4,
+    "ERROR_INDEX": -5, "ERROR_HIERARCHY": -6, "ERROR_NO_JOINT": -7, "ERROR_CANCELLED": -8, "ERROR_MODEL_MAGIC": -9,
+    "ERROR_MODEL_VERSION": -10, "ERROR_MODEL_TRUNCATED": -11, "ERROR_MODEL_CHECKSUM": -12, "ERROR_MODEL_LAYOUT": -13,
+    "ERROR_MODEL_OVERFLOW": -14, "ERROR_MODEL_ALIGNMENT": -15, "ERROR_RANGE": -16, "ERROR_KERNEL": -17, "ERROR_VERSION": -18,
+    "ERROR_MODEL_TASK": -19, "ERROR_NOT_BUILT": -20}
+Kernel = Literal["auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp"]
+KERNEL: Tuple[str, ...] = ("auto", "ref", "avx2", "avxvnni", "vnni", "simd128", "neon", "dsp")
+AnswerKind = Literal["proposed", "rigid", "soft", "hard", "softer", "host"]
+ANSWER_KIND: Tuple[str, ...] = ("proposed", "rigid", "soft", "hard", "softer", "host")
+Up = Literal["auto", "x", "y", "z"]
+UP: Tuple[str, ...] = ("auto", "x", "y", "z")
+WeightFormat = Literal["unorm16", "unorm8", "float"]
+WEIGHT_FORMAT: Tuple[str, ...] = ("unorm16", "unorm8", "float")
+Method = Literal["model", "heat", "distance"]
+METHOD: Tuple[str, ...] = ("model", "heat", "distance")
+RigidParts = Literal["auto", "always", "never"]
+RIGID_PARTS: Tuple[str, ...] = ("auto", "always", "never")
+DeformMethod = Literal["volume", "xpbd", "delta-mush"]
+DEFORM_METHOD: Tuple[str, ...] = ("volume", "xpbd", "delta-mush")
+MapMethod = Literal["auto", "sinew", "branches"]
+MAP_METHOD: Tuple[str, ...] = ("auto", "sinew", "branches")
+MapReason = Literal["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"]
+MAP_REASON: Tuple[str, ...] = ("found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits")
+RetargetMethod = Literal["auto", "copy"]
+RETARGET_METHOD: Tuple[str, ...] = ("auto", "copy")
+SpotKind = Literal["none", "stands", "touches", "inside"]
+SPOT_KIND: Tuple[str, ...] = ("none", "stands", "touches", "inside")
+JointClass = Literal["pelvis", "spine", "neck", "head", "clavicle", "upper-arm", "forearm", "hand", "hip", "thigh", "calf", "foot", "toe",
+    "tail", "wing", "ear", "hair", "other", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop"]
+JOINT_CLASS: Tuple[str, ...] = ("pelvis", "spine", "neck", "head", "clavicle", "upper-arm", "forearm", "hand", "hip", "thigh", "calf",
+    "foot", "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop")
+Mirror = Literal["auto", "always", "never"]
+MIRROR: Tuple[str, ...] = ("auto", "always", "never")
+RigMethod = Literal["votes", "shape", "regions"]
+RIG_METHOD: Tuple[str, ...] = ("votes", "shape", "regions")
+RIG_DETAIL: Dict[str, int] = {"DETAIL_HANDS": 1, "DETAIL_FACE": 2, "DETAIL_PROPS": 4}
+TransferMethod = Literal["auto", "nearest", "biharmonic", "rebind"]
+TRANSFER_METHOD: Tuple[str, ...] = ("auto", "nearest", "biharmonic", "rebind")
+TransferReason = Literal["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"]
+TRANSFER_REASON: Tuple[str, ...] = ("asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept")
+SimplifyLevel = Literal["high", "low"]
+SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
+FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
+    "WRITE_MOTION": 32, "WRITE_MESH": 64}
+JointsFrom = Literal["auto", "own", "names", "all"]
+JOINTS_FROM: Tuple[str, ...] = ("auto", "own", "names", "all")
+CharacterRigMethod = Literal["auto", "votes", "shape", "regions"]
+CHARACTER_RIG_METHOD: Tuple[str, ...] = ("auto", "votes", "shape", "regions")
+CharacterDetail = Literal["body", "hands", "full"]
+CHARACTER_DETAIL: Tuple[str, ...] = ("body", "hands", "full")
+EditKind = Literal["move", "add", "remove", "parent", "rename"]
+EDIT_KIND: Tuple[str, ...] = ("move", "add", "remove", "parent", "rename")
+AnimateMethod = Literal["auto", "copy", "contacts", "reference-points"]
+ANIMATE_METHOD: Tuple[str, ...] = ("auto", "copy", "contacts", "reference-points")
+PoseDeform = Literal["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"]
+POSE_DEFORM: Tuple[str, ...] = ("linear", "dual-quaternion", "volume", "xpbd", "delta-mush")
+
+# Callbacks.
+sinew_progress = CFUNCTYPE(c_int, c_void_p, c_uint32)
+sinew_parallel_for_body = CFUNCTYPE(None, c_void_p, c_uint32)
+sinew_parallel_for = CFUNCTYPE(None, c_void_p, c_uint32, sinew_parallel_for_body, c_void_p)
+
+
+class sinew_mesh(Structure):
+    _fields_ = [("positions", c_void_p), ("vertex_count", c_uint32), ("face_offsets", c_void_p), ("face_vertices", c_void_p),
+        ("face_count", c_uint32), ("corner_count", c_uint32)]
+
+
+class sinew_model(Structure):
+    _fields_ = [("bytes", c_void_p), ("size_bytes", c_size_t), ("packed", c_void_p), ("format_version", c_uint32),
+        ("candidate_count", c_uint32), ("grid_size", c_uint32), ("feature_set", c_uint32), ("fixed_candidates", c_uint32),
+        ("layer_count", c_uint32), ("parameter_count", c_uint32), ("checksum", c_uint32), ("confidence_offset", c_uint32),
+        ("confidence_count", c_uint32), ("task", c_uint32), ("input_count", c_uint32), ("reserved", c_uint32 * 14)]
+
+
+class sinew_answer(Structure):
+    _fields_ = [("vertex", c_uint32), ("kind", c_uint16), ("joint", c_uint16), ("alone", c_uint32)]
+
+
+class sinew_alternative(Structure):
+    _fields_ = [("kind", c_uint16), ("joint", c_uint16), ("change", c_uint32)]
+
+
+class sinew_question(Structure):
+    _fields_ = [("vertex", c_uint32), ("part_count", c_uint32), ("vertex_count", c_uint32), ("joint", c_uint16), ("share", c_uint16),
+        ("doubt", c_uint32), ("gain", c_uint32), ("alternative_count", c_uint32), ("reserved", c_uint32),
+        ("alternatives", sinew_alternative * 8)]
+
+
+class sinew_skeleton(Structure):
+    _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p),
+        ("ends", c_void_p), ("names", POINTER(c_char_p)), ("rotations", c_void_p), ("up", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_skin(Structure):
+    _fields_ = [("joint_indices", c_void_p), ("weights", c_void_p), ("influence_count", c_uint32), ("weight_format", c_uint32)]
+
+
+class sinew_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
+        ("candidate_count", c_uint32), ("grid_size", c_uint32), ("surface_vertices", c_uint32), ("symmetric", c_uint32),
+        ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32),
+        ("thread_count", c_uint32), ("reserved", c_uint32), ("locked", c_void_p), ("hints", c_void_p), ("parallel_for", sinew_parallel_for),
+        ("parallel_user", c_void_p), ("progress", sinew_progress), ("progress_user", c_void_p), ("answers", POINTER(sinew_answer)),
+        ("answer_count", c_uint32), ("question_count", c_uint32)]
+
+
+class sinew_bind_outputs(Structure):
+    _fields_ = [("struct_size", c_uint32), ("symmetric_vertices", c_uint32), ("joint_indices", c_void_p), ("weights", c_void_p),
+        ("confidence", c_void_p), ("used_bytes", c_size_t), ("questions", POINTER(sinew_question)), ("vertex_questions", c_void_p),
+        ("vertex_parts", c_void_p), ("questions_written", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_deform_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("cell_count", c_uint32), ("round_count", c_uint32),
+        ("softness", c_uint32), ("no_twist_spread", c_uint32), ("no_contact", c_uint32), ("no_smoothing", c_uint32),
+        ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p), ("thread_count", c_uint32), ("body_contact", c_uint32)]
+
+
+class sinew_deformer(Structure):
+    _fields_ = [("memory", c_void_p), ("pose_bytes", c_size_t), ("vertex_count", c_uint32), ("joint_count", c_uint32),
+        ("tetrahedron_count", c_uint32), ("node_count", c_uint32), ("split_cell_count", c_uint32), ("reserved", c_uint32 * 7)]
+
+
+class sinew_deform_outputs(Structure):
+    _fields_ = [("struct_size", c_uint32), ("corrected", c_uint32), ("positions", c_void_p), ("active_tetrahedra", c_uint32),
+        ("inverted_tetrahedra", c_uint32)]
+
+
+class sinew_map_pin(Structure):
+    _fields_ = [("target", c_uint32), ("source", c_int32)]
+
+
+class sinew_map_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("pin_count", c_uint32), ("reserved", c_uint32),
+        ("pins", POINTER(sinew_map_pin))]
+
+
+class sinew_map_outputs(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("sources", c_void_p), ("confidence", c_void_p), ("reasons", c_void_p),
+        ("mapped", c_uint32), ("certainty", c_uint32), ("used_bytes", c_size_t)]
+
+
+class sinew_retarget_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("in_place", c_uint32), ("scale", c_float)]
+
+
+class sinew_motion_body(Structure):
+    _fields_ = [("positions", c_void_p), ("triangles", c_void_p), ("skin", sinew_skin), ("vertex_count", c_uint32),
+        ("triangle_count", c_uint32)]
+
+
+class sinew_contact_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("progress", sinew_progress), ("progress_user", c_void_p)]
+
+
+class sinew_motion_clip(Structure):
+    _fields_ = [("source_rotations", c_void_p), ("source_translations", c_void_p), ("rotations", c_void_p), ("translations", c_void_p),
+        ("frame_count", c_uint32), ("ground", c_float)]
+
+
+class sinew_limb_measure(Structure):
+    _fields_ = [("joint", c_uint32), ("leg", c_uint32), ("frames", c_uint32), ("deep_frames", c_uint32), ("contact_frames", c_uint32),
+        ("range_frames", c_uint32), ("depth", c_float), ("greatest_depth", c_float), ("error", c_float), ("greatest_error", c_float),
+        ("reserved", c_uint32 * 2)]
+
+
+class sinew_contact_spot(Structure):
+    _fields_ = [("kind", c_uint32), ("position", c_float * 3), ("error", c_float), ("reserved", c_uint32)]
+
+
+class sinew_rig_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32), ("no_toes", c_uint32),
+        ("no_ends", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("progress", sinew_progress),
+        ("progress_user", c_void_p), ("method", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_rig_outputs(Structure):
+    _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p),
+        ("joint_classes", c_void_p), ("partners", c_void_p), ("confidence", c_void_p), ("parent_confidence", c_void_p), ("names", c_void_p),
+        ("mirrored", c_uint32), ("facing", c_uint32), ("plane", c_float), ("spread", c_float), ("used_bytes", c_size_t)]
+
+
+class sinew_bound_character(Structure):
+    _fields_ = [("mesh", POINTER(sinew_mesh)), ("skeleton", POINTER(sinew_skeleton)), ("skin", sinew_skin), ("joint_map", c_void_p)]
+
+
+class sinew_vertex_pair(Structure):
+    _fields_ = [("source", c_uint32), ("target", c_uint32)]
+
+
+class sinew_transfer_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("influence_count", c_uint32), ("weight_format", c_uint32),
+        ("garment", c_uint32), ("as_drawn", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("thread_count", c_uint32),
+        ("pair_count", c_uint32), ("locked", c_void_p), ("pairs", POINTER(sinew_vertex_pair)), ("parallel_for", sinew_parallel_for),
+        ("parallel_user", c_void_p), ("progress", sinew_progress), ("progress_user", c_void_p)]
+
+
+class sinew_transfer_part(Structure):
+    _fields_ = [("vertex", c_uint32), ("vertex_count", c_uint32), ("reason", c_uint32), ("carried_q16", c_uint32), ("style_q16", c_uint32),
+        ("mismatch_q16", c_uint32), ("distance_q16", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_transfer_outputs(Structure):
+    _fields_ = [("struct_size", c_uint32), ("part_capacity", c_uint32), ("joint_indices", c_void_p), ("weights", c_void_p),
+        ("confidence", c_void_p), ("parts", POINTER(sinew_transfer_part)), ("vertex_parts", c_void_p), ("part_count", c_uint32),
+        ("bound_by", c_uint32), ("carried_q16", c_uint32), ("style_q16", c_uint32), ("mismatch_q16", c_uint32),
+        ("reference_count", c_uint32), ("used_bytes", c_size_t)]
+
+
+class sinew_reference_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32), ("falloff", c_float),
+        ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p)]
+
+
+class sinew_simplify_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32)]
+
+
+class sinew_file(Structure):
+    _fields_ = [("name", c_char_p), ("bytes", c_void_p), ("size_bytes", c_size_t)]
+
+
+class sinew_character_arrays(Structure):
+    _fields_ = [("struct_size", c_uint32), ("vertex_count", c_uint32), ("face_count", c_uint32), ("corner_count", c_uint32),
+        ("joint_count", c_uint32), ("mesh_count", c_uint32), ("influence_count", c_uint32), ("reserved", c_uint32), ("name", c_char_p),
+        ("positions", c_void_p), ("face_offsets", c_void_p), ("face_vertices", c_void_p), ("joint_positions", c_void_p),
+        ("parents", c_void_p), ("joint_names", POINTER(c_char_p)), ("row_offsets", c_void_p), ("joint_indices", c_void_p),
+        ("weights", c_void_p), ("confidence", c_void_p), ("vertex_meshes", c_void_p), ("mesh_names", POINTER(c_char_p)),
+        ("mesh_joints", c_void_p), ("mesh_skinned", c_void_p)]
+
+
+class sinew_character_clip(Structure):
+    _fields_ = [("struct_size", c_uint32), ("frame_count", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32),
+        ("frame_time", c_double), ("name", c_char_p), ("rotations", c_void_p), ("translations", c_void_p),
+        ("joint_names", POINTER(c_char_p)), ("parents", c_void_p)]
+
+
+class sinew_character_models(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("bind", c_void_p), ("bind_size", c_size_t), ("rig", c_void_p),
+        ("rig_size", c_size_t), ("hands", c_void_p), ("hands_size", c_size_t)]
+
+
+class sinew_character_bind_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
+        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("influence_count", c_uint32), ("up", c_uint32),
+        ("joints", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
+        ("keep_tips", c_uint32), ("bind_props", c_uint32), ("fit", c_uint32), ("symmetric", c_uint32), ("keep_confidence", c_uint32),
+        ("question_count", c_uint32), ("answer_count", c_uint32), ("answers", POINTER(sinew_answer)), ("joint_flags", c_void_p),
+        ("locked", c_void_p), ("hinted", c_void_p), ("hints", c_void_p), ("like", c_void_p), ("style", c_char_p)]
+
+
+class sinew_character_bind_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("symmetric_vertices", c_uint32), ("kept_meshes", c_uint32), ("folded_tips", c_uint32),
+        ("left_out_count", c_uint32), ("question_count", c_uint32), ("answers_by_style", c_uint32), ("reserved", c_uint32),
+        ("seconds", c_double), ("workspace_bytes", c_size_t), ("left_out", c_void_p), ("left_out_why", POINTER(c_char_p)),
+        ("questions", POINTER(sinew_question)), ("vertex_questions", c_void_p), ("hash", c_char_p)]
+
+
+class sinew_skeleton_edit(Structure):
+    _fields_ = [("kind", c_uint32), ("reserved", c_uint32), ("text", c_char_p)]
+
+
+class sinew_character_rig_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
+        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("detail", c_uint32), ("mirror", c_uint32), ("up", c_uint32),
+        ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
+        ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
+        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p)]
+
+
+class sinew_character_rig_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("mirrored", c_uint32), ("matched", c_uint32), ("joint_count", c_uint32), ("spread", c_float),
+        ("reserved", c_float), ("scale", c_double), ("seconds", c_double), ("bind_seconds", c_double), ("ends", c_void_p),
+        ("confidence", c_void_p), ("parent_confidence", c_void_p)]
+
+
+class sinew_character_map_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("no_names", c_uint32), ("no_ends", c_uint32), ("target_up", c_uint32),
+        ("source_up", c_uint32), ("guess_up", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)), ("pins_file", c_char_p)]
+
+
+class sinew_character_map_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("joint_count", c_uint32), ("mapped", c_uint32), ("certainty", c_float),
+        ("reserved", c_float), ("seconds", c_double), ("sources", c_void_p), ("confidence", c_void_p), ("reasons", c_void_p),
+        ("text", c_char_p)]
+
+
+class sinew_character_animate_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
+        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("in_place", c_uint32), ("no_range", c_uint32),
+        ("target_up", c_uint32), ("motion_up", c_uint32), ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32),
+        ("body_contact", c_uint32), ("shapes", c_uint32), ("fps", c_double), ("from", c_double), ("to", c_double), ("clip", c_char_p),
+        ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
+        ("report", c_uint32), ("falloff", c_double)]
+
+
+class sinew_character_animate_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("clip_count", c_uint32), ("first_clip", c_uint32), ("mapped", c_uint32), ("rigged", c_uint32),
+        ("shape_count", c_uint32), ("certainty", c_float), ("limb_count", c_uint32), ("limbs_before", POINTER(sinew_limb_measure)),
+        ("limbs_after", POINTER(sinew_limb_measure)), ("mapped_by", c_char_p), ("sources", c_void_p)]
+
+
+class sinew_character_pose_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32),
+        ("body_contact", c_uint32), ("angles", c_void_p), ("rotations", c_void_p), ("matrices", c_void_p), ("clip", c_char_p),
+        ("time", c_double)]
+
+
+class sinew_character_transfer_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
+        ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("influence_count", c_uint32), ("target_up", c_uint32),
+        ("source_up", c_uint32), ("garment", c_uint32), ("as_drawn", c_uint32), ("heat", c_uint32), ("pair_count", c_uint32),
+        ("pairs", POINTER(sinew_vertex_pair)), ("locked", c_void_p), ("map", c_char_p)]
+
+
+class sinew_character_transfer_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("mapped_joints", c_uint32), ("fitted", c_uint32), ("bound", c_uint32), ("bound_by", c_uint32),
+        ("part_count", c_uint32), ("carried", c_double), ("style", c_double), ("mismatch", c_double), ("seconds", c_double),
+        ("mapped_by", c_char_p), ("parts", POINTER(sinew_transfer_part))]
+
+
+class sinew_character_simplify_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("low", c_uint32), ("joint_count", c_uint32), ("keep_count", c_uint32),
+        ("keep", POINTER(c_char_p))]
+
+
+class sinew_character_bake_options(Structure):
+    _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
+        ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32), ("body_contact", c_uint32), ("poses", c_uint32),
+        ("shapes", c_uint32), ("seed", c_uint64), ("limit", c_double), ("clip", c_char_p)]
+
+
+class sinew_character_bake_result(Structure):
+    _fields_ = [("struct_size", c_uint32), ("shape_count", c_uint32), ("bend_count", c_uint32), ("moved_vertices", c_uint32),
+        ("learnt_poses", c_uint32), ("held_out_poses", c_uint32), ("linear_error", c_double), ("baked_error", c_double),
+        ("held_out_linear_error", c_double), ("held_out_baked_error", c_double)]
+
+
+
+STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
+    sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_map_pin, sinew_map_options,
+    sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
+    sinew_contact_spot, sinew_rig_options, sinew_rig_outputs, sinew_bound_character, sinew_vertex_pair, sinew_transfer_options,
+    sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
+
+
+CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
+    sinew_character_bind_options, sinew_character_bind_result, sinew_skeleton_edit, sinew_character_rig_options, sinew_character_rig_result,
+    sinew_character_map_options, sinew_character_map_result, sinew_character_animate_options, sinew_character_animate_result,
+    sinew_character_pose_options, sinew_character_transfer_options, sinew_character_transfer_result, sinew_character_simplify_options,
+    sinew_character_bake_options, sinew_character_bake_result)
+
+
+# Result and arguments.
+FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
+    "sinew_status_text": (c_char_p, [c_int]),
+    "sinew_version": (c_char_p, []),
+    "sinew_kernel_name": (c_char_p, [c_uint32]),
+    "sinew_kernel_select": (c_uint32, [c_uint32]),
+    "sinew_struct_size": (c_size_t, [c_char_p]),
+    "sinew_model_open": (c_int, [c_void_p, c_size_t, POINTER(sinew_model)]),
+    "sinew_model_pack_workspace_size": (c_size_t, [POINTER(sinew_model)]),
+    "sinew_model_pack": (c_int, [POINTER(sinew_model), c_void_p, c_size_t]),
+    "sinew_skin_linear": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
+    "sinew_skin_dual_quaternion": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
+    "sinew_bind_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_options),
+        POINTER(c_size_t)]),
+    "sinew_bind": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_options), c_void_p, c_size_t,
+        POINTER(sinew_bind_outputs)]),
+    "sinew_deform_create_workspace_size": (c_int, [POINTER(sinew_mesh), c_uint32, c_uint32, POINTER(sinew_deform_options),
+        POINTER(c_size_t)]),
+    "sinew_deform_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(sinew_skin), POINTER(sinew_deform_options),
+        c_void_p, c_size_t, POINTER(sinew_deformer)]),
+    "sinew_deform_pose": (c_int, [POINTER(sinew_deformer), c_void_p, c_void_p, c_size_t, POINTER(sinew_deform_outputs)]),
+    "sinew_map_workspace_size": (c_int, [c_uint32, c_uint32, POINTER(c_size_t)]),
+    "sinew_map": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), POINTER(sinew_map_options), c_void_p, c_size_t,
+        POINTER(sinew_map_outputs)]),
+    "sinew_retarget_create_workspace_size": (c_int, [c_uint32, c_uint32, POINTER(c_size_t)]),
+    "sinew_retarget_create": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), c_void_p, c_void_p, POINTER(sinew_retarget_options),
+        c_void_p, c_size_t, POINTER(c_void_p)]),
+    "sinew_retarget_height": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p]),
+    "sinew_retarget_ground": (c_int, [c_void_p, c_void_p, c_size_t, c_void_p]),
+    "sinew_retarget_frame": (c_int, [c_void_p, c_void_p, c_void_p, c_float, c_void_p, c_void_p]),
+    "sinew_retarget_contacts_workspace_size": (c_int, [c_void_p, POINTER(sinew_motion_body), c_uint32, POINTER(c_size_t)]),
+    "sinew_retarget_contacts": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
+        POINTER(sinew_contact_options), c_void_p, c_size_t]),
+    "sinew_retarget_keep_range": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_clip), c_void_p, c_size_t]),
+    "sinew_retarget_measure": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
+        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p]),
+    "sinew_retarget_spots": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body), POINTER(sinew_motion_clip),
+        POINTER(sinew_contact_options), c_void_p, c_size_t, POINTER(sinew_limb_measure), c_void_p, POINTER(sinew_contact_spot)]),
+    "sinew_rig_model_open": (c_int, [c_void_p, c_size_t, POINTER(sinew_model)]),
+    "sinew_rig_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, POINTER(sinew_rig_options),
+        POINTER(c_size_t)]),
+    "sinew_rig": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), POINTER(sinew_rig_options), c_void_p, c_size_t,
+        POINTER(sinew_rig_outputs)]),
+    "sinew_rig_details_workspace_size": (c_int, [POINTER(sinew_model), c_uint32, c_uint32, c_uint32, c_uint32, POINTER(sinew_rig_options),
+        POINTER(c_size_t)]),
+    "sinew_rig_details": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), c_uint32, POINTER(sinew_rig_options), c_void_p, c_size_t,
+        POINTER(sinew_rig_outputs)]),
+    "sinew_transfer_workspace_size": (c_int, [POINTER(sinew_model), POINTER(sinew_bound_character), POINTER(sinew_mesh),
+        POINTER(sinew_skeleton), POINTER(sinew_transfer_options), POINTER(c_size_t)]),
+    "sinew_transfer": (c_int, [POINTER(sinew_model), POINTER(sinew_bound_character), POINTER(sinew_mesh), POINTER(sinew_skeleton),
+        POINTER(sinew_transfer_options), c_void_p, c_size_t, POINTER(sinew_transfer_outputs)]),
+    "sinew_retarget_reference_points_workspace_size": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(c_size_t)]),
+    "sinew_retarget_reference_points": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body),
+        POINTER(sinew_motion_clip), POINTER(sinew_reference_options), c_void_p, c_size_t]),
+    "sinew_simplify_workspace_size": (c_int, [c_uint32, POINTER(c_size_t)]),
+    "sinew_simplify": (c_int, [POINTER(sinew_skeleton), c_void_p, c_void_p, POINTER(sinew_simplify_options), c_void_p, c_size_t, c_void_p]),
+}
+
+
+# Result and arguments of sinew/character.h.
+CHARACTER_FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
+    "sinew_character_error": (c_char_p, [c_void_p]),
+    "sinew_character_struct_size": (c_size_t, [c_char_p]),
+    "sinew_character_extensions": (c_char_p, [c_uint32]),
+    "sinew_character_open": (c_int, [c_char_p, POINTER(c_void_p)]),
+    "sinew_character_open_files": (c_int, [POINTER(sinew_file), c_uint32, POINTER(c_void_p)]),
+    "sinew_character_create": (c_int, [POINTER(sinew_mesh), POINTER(sinew_skeleton), POINTER(c_void_p)]),
+    "sinew_character_copy": (c_int, [c_void_p, POINTER(c_void_p)]),
+    "sinew_character_close": (None, [c_void_p]),
+    "sinew_character_save": (c_int, [c_void_p, c_char_p]),
+    "sinew_character_write": (c_int, [c_void_p, c_char_p, POINTER(POINTER(sinew_file)), c_void_p]),
+    "sinew_character_view": (c_int, [c_void_p, POINTER(sinew_character_arrays)]),
+    "sinew_character_skin": (c_int, [c_void_p, c_uint32, c_void_p, c_void_p]),
+    "sinew_character_joint_classes": (c_int, [c_void_p, c_void_p]),
+    "sinew_character_notes": (c_char_p, [c_void_p]),
+    "sinew_character_set_skeleton": (c_int, [c_void_p, POINTER(sinew_skeleton)]),
+    "sinew_character_take_skeleton": (c_int, [c_void_p, c_void_p, c_uint32]),
+    "sinew_character_set_weights": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p]),
+    "sinew_character_clip_count": (c_int, [c_void_p, c_void_p]),
+    "sinew_character_get_clip": (c_int, [c_void_p, c_uint32, POINTER(sinew_character_clip)]),
+    "sinew_character_add_clip": (c_int, [c_void_p, POINTER(sinew_character_clip)]),
+    "sinew_character_bind": (c_int, [c_void_p, POINTER(sinew_character_bind_options), POINTER(sinew_character_bind_result)]),
+    "sinew_character_rig": (c_int, [c_void_p, POINTER(sinew_character_rig_options), POINTER(sinew_character_rig_result)]),
+    "sinew_character_templates": (c_char_p, []),
+    "sinew_character_map": (c_int, [c_void_p, c_void_p, POINTER(sinew_character_map_options), POINTER(sinew_character_map_result)]),
+    "sinew_character_map_file": (c_int, [c_void_p, c_char_p, POINTER(sinew_character_map_options), POINTER(sinew_character_map_result)]),
+    "sinew_character_animate": (c_int, [c_void_p, c_void_p, POINTER(sinew_character_animate_options),
+        POINTER(sinew_character_animate_result)]),
+    "sinew_character_pose": (c_int, [c_void_p, POINTER(sinew_character_pose_options), POINTER(c_void_p)]),
+    "sinew_character_transfer": (c_int, [c_void_p, c_void_p, POINTER(sinew_character_transfer_options),
+        POINTER(sinew_character_transfer_result)]),
+    "sinew_character_simplify": (c_int, [c_void_p, POINTER(sinew_character_simplify_options), c_void_p]),
+    "sinew_character_bake": (c_int, [c_void_p, POINTER(sinew_character_bake_options), POINTER(sinew_character_bake_result)]),
+}

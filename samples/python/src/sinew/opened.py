@@ -1,0 +1,657 @@
+# SPDX-License-Identifier: MIT
+"""open(): characters of files, and what the command does with them: the same defaults, the same bytes in what is saved.
+
+    hero = sinew.open("hero.fbx")
+    hero.bind()
+    hero.retarget(sinew.open("walk.bvh"))
+    hero.save("hero.glb")
+"""
+from __future__ import annotations
+
+import ctypes
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import binding, declarations
+from .arrays import Mesh, chosen, mask, real, whole
+from .binder import UP, UP_AXES, ProgressFunction, UpAxis, answers_of, question_of, skeleton_view
+from .character import Character, Clip, Question, Skeleton, Skin, multiply, skin_of, turn
+
+Source = Union[str, os.PathLike, bytes]
+ModelFile = Union[None, str, os.PathLike, bytes]
+JointsFrom = declarations.JointsFrom
+PoseDeform = declarations.PoseDeform
+Correction = Literal["none", "volume", "xpbd", "delta-mush"]
+MotionUp = declarations.Up
+
+
+@dataclass
+class Bound:
+    """What bind() did. left_out: {joint: why it gets no weight}; hash: of the weights, as `sinew bind --json` has it."""
+
+    hash: str
+    left_out: Dict[str, str]
+    kept_meshes: int
+    folded_tips: int
+    symmetric_vertices: int
+    answers_by_style: int
+    questions: List[Question] = field(default_factory=list)
+    vertex_questions: Optional[np.ndarray] = None
+
+
+@dataclass
+class Rigged:
+    """What rig() made. ends, confidence, parent_confidence: a value a joint; spread: how far off the votes think they are."""
+
+    mirrored: bool
+    matched: int
+    spread: float
+    scale: float
+    ends: np.ndarray
+    confidence: np.ndarray
+    parent_confidence: np.ndarray
+
+
+@dataclass
+class FileMap:
+    """sources: joint of the source for each of the target, -1 for none; text: the map as `sinew map -o` writes it."""
+
+    sources: np.ndarray
+    confidence: np.ndarray
+    reasons: np.ndarray
+    certainty: float
+    method: str
+    text: str
+
+
+@dataclass
+class Retargeted:
+    """clips: numbers of those that were added, see OpenCharacter.clips(); sources: the map that was used."""
+
+    clips: range
+    mapped: int
+    rigged: bool
+    certainty: float
+    mapped_by: str
+    sources: np.ndarray
+
+
+@dataclass
+class Carried:
+    """What transfer() did: shares of the weights that were carried over, and how far off the match was."""
+
+    carried: float
+    mismatch: float
+    fitted: bool
+    mapped_joints: int
+    mapped_by: str
+
+
+def open(source: Source, *, name: str = "", beside: Optional[Mapping[str, bytes]] = None) -> "OpenCharacter":  # noqa: A001
+    """Opens a character: a mesh, a skeleton, motion, or all of them, of every format that the command reads.
+
+    source  path of a file, or its bytes
+    name    of the file, where bytes are given: its extension says what they are
+    beside  {name: bytes} of what lies beside it (a .bin, textures, a .rig.txt), where bytes are given
+    Returns an OpenCharacter. Raises Error, which names the file and says what is wrong with it.
+    """
+    library = binding.character_library()
+    handle = ctypes.c_void_p()
+    if isinstance(source, (bytes, bytearray, memoryview)):
+        if not name:
+            raise ValueError("name: bytes need a file name, whose extension says what they are")
+        listed = [(name, bytes(source)), *((n, bytes(b)) for n, b in (beside or {}).items())]
+        files = (declarations.sinew_file * len(listed))()
+        kept = [ctypes.create_string_buffer(content, max(len(content), 1)) for _, content in listed]
+        for file, (one, content), buffer in zip(files, listed, kept):
+            file.name, file.bytes, file.size_bytes = one.encode(), ctypes.addressof(buffer), len(content)
+        _check(library.sinew_character_open_files(files, len(files), ctypes.byref(handle)), None)
+    else:
+        _check(library.sinew_character_open(os.fsencode(source), ctypes.byref(handle)), None)
+    return OpenCharacter(handle)
+
+
+def create(character: Character) -> "OpenCharacter":
+    """An OpenCharacter of arrays, which are copied: mesh, skeleton, skin, clips. Raises ValueError and Error."""
+    library = binding.character_library()
+    mesh = Mesh(character.positions, character.faces, "character.")
+    handle = ctypes.c_void_p()
+    with_mesh = None if len(mesh.positions) == 0 else mesh.pointer()
+    view = None if character.skeleton is None else ctypes.byref(_skeleton_view(character.skeleton))
+    _check(library.sinew_character_create(with_mesh, view, ctypes.byref(handle)), None)
+    out = OpenCharacter(handle)
+    if character.skin is not None:
+        if character.skeleton is None:
+            raise ValueError("character.skeleton: a skin needs one")
+        out.set_skin(character.skin)
+    for clip in character.clips:
+        out.add_clip(clip, character.skeleton)
+    return out
+
+
+def extensions(*uses: str) -> List[str]:
+    """Extensions of files that have all of these uses: "read-mesh", "read-motion", "write-character", ... For file dialogs."""
+    known = {name.lower().replace("_", "-"): bit for name, bit in declarations.FILE_USE.items()}
+    for use in uses:
+        chosen(use, list(known), "uses")
+    return binding.character_library().sinew_character_extensions(sum(known[u] for u in uses)).decode().split()
+
+
+class OpenCharacter:
+    """A character in the library. Any number may be worked on at the same time, each by one thread at a time.
+
+    bind(), rig(), map(), retarget(), pose(), transfer(), simplify() and bake() are the commands of these names (retarget: animate), with
+    their defaults. All of them raise ValueError for arguments, Error for what cannot be done and Cancelled, and what failed changed
+    nothing. `progress` is called with the share that is done and returns True to stop; `threads` work, and the bytes are the same for
+    any number.
+    """
+
+    def __init__(self, handle: ctypes.c_void_p) -> None:
+        self._handle: Optional[ctypes.c_void_p] = handle
+        self._close = binding.character_library().sinew_character_close
+
+    def __enter__(self) -> "OpenCharacter":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def __del__(self) -> None:
+        if getattr(self, "_handle", None):
+            self.close()
+
+    def close(self) -> None:
+        """Gives its memory back. The garbage collector does so, too."""
+        handle, self._handle = self._handle, None
+        if handle:
+            self._close(handle)
+
+    @property
+    def pointer(self) -> ctypes.c_void_p:
+        if not self._handle:
+            raise ValueError("this character is closed")
+        return self._handle
+
+    def copy(self) -> "OpenCharacter":
+        handle = ctypes.c_void_p()
+        _check(binding.character_library().sinew_character_copy(self.pointer, ctypes.byref(handle)), self)
+        return OpenCharacter(handle)
+
+    # ---- files
+
+    def save(self, path: Union[str, os.PathLike]) -> None:
+        """Writes a file by its extension: .glb, .gltf, .vrm, .obj, .rig.txt, .bvh. A glTF keeps all of its input that was not changed.
+        A file that was there stays as it was, where this fails."""
+        _check(binding.character_library().sinew_character_save(self.pointer, os.fsencode(path)), self)
+
+    def write(self, name: str) -> Dict[str, bytes]:
+        """{file name: bytes} of what save(name) would write, the file itself first."""
+        files, count = ctypes.POINTER(declarations.sinew_file)(), ctypes.c_uint32()
+        _check(binding.character_library().sinew_character_write(self.pointer, name.encode(), ctypes.byref(files), ctypes.byref(count)), self)
+        return {files[i].name.decode(): ctypes.string_at(files[i].bytes, files[i].size_bytes) for i in range(count.value)}
+
+    @property
+    def notes(self) -> List[str]:
+        """Remarks of the reader and of the jobs."""
+        return binding.character_library().sinew_character_notes(self.pointer).decode(errors="replace").splitlines()
+
+    # ---- arrays
+
+    def _view(self) -> Any:
+        arrays = binding.init(declarations.sinew_character_arrays)
+        _check(binding.character_library().sinew_character_view(self.pointer, ctypes.byref(arrays)), self)
+        return arrays
+
+    @property
+    def name(self) -> str:
+        return self._view().name.decode(errors="replace")
+
+    @property
+    def positions(self) -> np.ndarray:
+        """[n, 3] float32 in the pose that the weights are meant for; a copy, as all arrays are."""
+        view = self._view()
+        return _array(view.positions, np.float32, (view.vertex_count, 3))
+
+    @property
+    def faces(self) -> Any:
+        """[f, 3] uint32 where all are triangles, else a list of arrays [f, k], one for each number of corners."""
+        view = self._view()
+        offsets = _array(view.face_offsets, np.uint32, (view.face_count + 1,)) if view.face_offsets else np.zeros(1, np.uint32)
+        corners = _array(view.face_vertices, np.uint32, (view.corner_count,))
+        sizes = np.diff(offsets.astype(np.int64))
+        kinds = np.unique(sizes)
+        blocks = [corners[offsets[:-1][sizes == k][:, None].astype(np.int64) + np.arange(k)] for k in kinds]
+        return np.zeros((0, 3), np.uint32) if not blocks else blocks[0] if len(blocks) == 1 and kinds[0] == 3 else blocks
+
+    @property
+    def skeleton(self) -> Optional[Skeleton]:
+        view = self._view()
+        if not view.joint_count:
+            return None
+        return Skeleton(_array(view.joint_positions, np.float32, (view.joint_count, 3)), _array(view.parents, np.int32, (view.joint_count,)),
+                        [view.joint_names[j].decode(errors="replace") for j in range(view.joint_count)])
+
+    @property
+    def skin(self) -> Optional[Skin]:
+        """As bind() gives it, 4 joints a vertex or as many as the longest row has, at most 12; None without weights."""
+        view = self._view()
+        if not view.influence_count:
+            return None
+        width = min(max(view.influence_count, 4), declarations.MAX_INFLUENCES)
+        joints, weights = (np.zeros((view.vertex_count, width), np.uint16) for _ in range(2))
+        _check(binding.character_library().sinew_character_skin(self.pointer, width, joints.ctypes.data, weights.ctypes.data), self)
+        confidence = _array(view.confidence, np.uint8, (view.vertex_count,)) if view.confidence else None
+        return Skin(joints, weights, confidence)
+
+    @property
+    def meshes(self) -> List[str]:
+        """Names of the file's meshes; empty where it has none that are known."""
+        view = self._view()
+        return [view.mesh_names[m].decode(errors="replace") for m in range(view.mesh_count)]
+
+    def joint_classes(self) -> np.ndarray:
+        """[j] uint8 of CLASSES: what each joint is for."""
+        out = np.zeros(self._view().joint_count, np.uint8)
+        _check(binding.character_library().sinew_character_joint_classes(self.pointer, out.ctypes.data), self)
+        return out
+
+    def clips(self) -> List[Clip]:
+        """Motion of the file and what was added, as poses of the skeleton."""
+        library, count = binding.character_library(), ctypes.c_uint32()
+        _check(library.sinew_character_clip_count(self.pointer, ctypes.byref(count)), self)
+        skeleton = self.skeleton
+        return [] if skeleton is None else [self._clip(i, skeleton) for i in range(count.value)]
+
+    def _clip(self, index: int, skeleton: Skeleton) -> Clip:
+        one = binding.init(declarations.sinew_character_clip)
+        _check(binding.character_library().sinew_character_get_clip(self.pointer, index, ctypes.byref(one)), self)
+        frames, count = one.frame_count, one.joint_count
+        q = _array(one.rotations, np.float64, (frames, count, 4))
+        p = _array(one.translations, np.float64, (frames, count, 3))
+        parents = _array(one.parents, np.int32, (count,))
+        name, fps = (one.name or b"").decode(errors="replace"), 1 / one.frame_time if one.frame_time > 0 else 30.0
+        joints = len(skeleton)
+        if not (count == joints and (parents == skeleton.parents).all()):  # nodes around the skeleton move as well
+            q, p = _local(*_world(q, p, parents), skeleton.parents)
+        return Clip(q[:, :joints], p[:, :joints], fps, name)
+
+    def set_skeleton(self, skeleton: Skeleton) -> None:
+        """Another skeleton for the mesh; weights go."""
+        _check(binding.character_library().sinew_character_set_skeleton(self.pointer, ctypes.byref(_skeleton_view(skeleton))), self)
+
+    def take_skeleton(self, other: "OpenCharacter", *, weights: bool = False) -> None:
+        """The skeleton of another character, as `sinew bind --skeleton FILE` takes it; with its weights, where the mesh is the same."""
+        _check(binding.character_library().sinew_character_take_skeleton(self.pointer, other.pointer, int(weights)), self)
+
+    def set_skin(self, skin: Any) -> None:
+        """Weights: a Skin, (joints, weights), or an array [n, j]."""
+        view = self._view()
+        rows = skin_of(skin, view.vertex_count, view.joint_count, "skin")
+        some = rows.weights > 0
+        offsets = np.zeros(view.vertex_count + 1, np.uint32)
+        np.cumsum(some.sum(1), out=offsets[1:])
+        joints = np.ascontiguousarray(rows.joints[some], np.uint32)
+        weights = np.ascontiguousarray(rows.weights[some] / np.float32(rows.unit()), np.float32)
+        _check(binding.character_library().sinew_character_set_weights(self.pointer, offsets.ctypes.data, joints.ctypes.data,
+                                                                      weights.ctypes.data), self)
+
+    def add_clip(self, clip: Clip, skeleton: Optional[Skeleton] = None) -> None:
+        """Motion that is saved with the character. skeleton: whose axes at rest the clip is in; None: the world's, as clips() gives it."""
+        own = self.skeleton
+        if own is None or clip.rotations.shape[1] != len(own):
+            raise ValueError(f"clip.rotations: expected {0 if own is None else len(own)} joints as the character has, found {clip.rotations.shape[1]}")
+        q, p = clip.rotations.astype(np.float64), clip.translations.astype(np.float64)
+        q = q / np.maximum(np.linalg.norm(q, axis=2, keepdims=True), 1e-30)
+        if skeleton is not None and skeleton.rotations is not None:
+            world, places = _world(q, p, skeleton.parents)
+            back = skeleton.world_rotations() * [-1, -1, -1, 1]
+            q, p = _local(multiply(world, np.broadcast_to(back, world.shape)), places, own.parents)
+        one = binding.init(declarations.sinew_character_clip)
+        q, p = np.ascontiguousarray(q), np.ascontiguousarray(p)
+        one.frame_count, one.joint_count, one.frame_time, one.name = len(q), len(own), 1 / clip.fps, clip.name.encode()
+        one.rotations, one.translations = q.ctypes.data, p.ctypes.data
+        _check(binding.character_library().sinew_character_add_clip(self.pointer, ctypes.byref(one)), self)
+
+    def character(self) -> Character:
+        """All of it as arrays; changes of them change nothing here."""
+        return Character(self.positions, self.faces, self.skeleton, self.skin, self.clips(), self.name, self)
+
+    # ---- jobs
+
+    def bind(self, *, method: declarations.Method = "model", joints: JointsFrom = "auto", influences: int = 4, up: UpAxis = "y",
+             deform: Optional[Iterable[Union[str, int]]] = None, never: Optional[Iterable[Union[str, int]]] = None,
+             rigid_parts: declarations.RigidParts = "auto", softness: float = 1.0, surface_vertices: int = 0, keep_tips: bool = False,
+             bind_props: bool = False, fit: bool = False, symmetric: bool = False, keep_confidence: bool = False, locked: Any = None,
+             hints: Any = None, like: Optional["OpenCharacter"] = None, style: Union[None, str, os.PathLike] = None, questions: int = 0,
+             answers: Sequence[Tuple] = (), model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> Bound:
+        """Skin weights for the mesh.
+
+        joints     where it is known from which joints may get weight: "own": those that have some, mesh by mesh; "names"; "all";
+                   "auto": own where the file has weights, else names
+        deform, never  joints, by name or number, that alone get weight, or none
+        keep_tips  joints that only end a chain keep the weight they get
+        bind_props meshes without a skin are bound too; else they stay attached to their joint
+        fit        a skeleton in other units or beside the mesh is brought into it
+        locked     mask [n] of bool or uint8, or indices: vertices that keep the weights they have
+        hints      the same, and their weights steer the vertices around them; or an OpenCharacter with weights of some vertices
+        like       a bound character whose weights are carried over where they fit
+        style      a file of `sinew bind --save-style`
+        Other arguments are those of sinew.bind().
+        """
+        options = binding.init(declarations.sinew_character_bind_options)
+        options.method, options.joints = chosen(method, declarations.METHOD, "method"), chosen(joints, declarations.JOINTS_FROM, "joints")
+        options.influence_count, options.up = influences, UP_AXES[chosen(up, UP, "up")]
+        options.rigid_parts = chosen(rigid_parts, declarations.RIGID_PARTS, "rigid_parts")
+        options.softness_percent, options.surface_vertices = round(100 * softness), surface_vertices
+        options.keep_tips, options.bind_props, options.fit, options.symmetric = int(keep_tips), int(bind_props), int(fit), int(symmetric)
+        options.keep_confidence, options.question_count = int(keep_confidence), questions
+        view, skeleton = self._view(), self.skeleton
+        if skeleton is not None and (deform is not None or never is not None):
+            flags = np.zeros(len(skeleton), np.uint8)
+            for listed, flag, name in ((deform, declarations.JOINT_DEFORMS, "deform"), (never, declarations.JOINT_NEVER, "never")):
+                for joint in listed if listed is not None else ():
+                    flags[skeleton.index(joint, name)] |= flag
+            options.joint_flags = flags.ctypes.data
+        said = answers_of(answers, view.vertex_count, skeleton) if answers else None
+        if said is not None:
+            options.answers, options.answer_count = said, len(said)
+        kept = mask(locked, view.vertex_count, "locked")
+        steering = None if isinstance(hints, OpenCharacter) else mask(hints, view.vertex_count, "hints")
+        options.locked, options.hinted = binding.address(kept), binding.address(steering)
+        options.hints = hints.pointer if isinstance(hints, OpenCharacter) else None
+        options.like = None if like is None else like.pointer
+        options.style = None if style is None else os.fsencode(style)
+        models = _Models(bind=model)
+        result = binding.init(declarations.sinew_character_bind_result)
+        self._job("bind", "sinew_character_bind", [], options, result, threads, progress, models)
+        names = [] if skeleton is None else list(skeleton.names)
+        left_out = _array(result.left_out, np.uint32, (result.left_out_count,))
+        return Bound(result.hash.decode(), {names[j]: result.left_out_why[i].decode() for i, j in enumerate(left_out)}, result.kept_meshes,
+                     result.folded_tips, result.symmetric_vertices, result.answers_by_style,
+                     [question_of(result.questions[i]) for i in range(result.question_count)],
+                     _array(result.vertex_questions, np.uint32, (view.vertex_count,)) if result.vertex_questions else None)
+
+    def rig(self, *, method: declarations.CharacterRigMethod = "auto", detail: declarations.CharacterDetail = "body",
+            mirror: declarations.Mirror = "auto", up: UpAxis = "y", spine: int = 0, toes: bool = True, ends: bool = True, bind: bool = True,
+            skeleton: Union[None, str, os.PathLike, "OpenCharacter"] = None, keep_lengths: bool = False,
+            edits: Sequence[Tuple[declarations.EditKind, str]] = (), influences: int = 0, model: ModelFile = None,
+            hands_model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> Rigged:
+        """A skeleton for the mesh, and weights for it. A skeleton that the character has is left out.
+
+        detail    "body": down to the hands; "hands": with fingers; "full": with eyes, a jaw and props
+        skeleton  a file, "template:NAME" (see templates()) or an OpenCharacter whose skeleton is put into the mesh
+        edits     ("move", "JOINT=X,Y,Z"), ("add", "NAME=PARENT:X,Y,Z"), ("remove", "JOINT"), ("parent", "JOINT=OTHER"),
+                  ("rename", "JOINT=NAME")
+        Other arguments are those of sinew.rig().
+        """
+        options = binding.init(declarations.sinew_character_rig_options)
+        options.method = chosen(method, declarations.CHARACTER_RIG_METHOD, "method")
+        options.detail, options.mirror = chosen(detail, declarations.CHARACTER_DETAIL, "detail"), chosen(mirror, declarations.MIRROR, "mirror")
+        options.up, options.spine_count = UP_AXES[chosen(up, UP, "up")], spine
+        options.no_toes, options.no_ends, options.no_bind = int(not toes), int(not ends), int(not bind)
+        options.keep_lengths, options.influence_count = int(keep_lengths), influences
+        listed = (declarations.sinew_skeleton_edit * len(edits))()
+        for one, (kind, text) in zip(listed, edits):
+            one.kind, one.text = chosen(kind, declarations.EDIT_KIND, "edits"), text.encode()
+        options.edits, options.edit_count = listed, len(edits)
+        if isinstance(skeleton, OpenCharacter):
+            options.skeleton_character = skeleton.pointer
+        elif skeleton is not None:
+            options.skeleton = os.fsencode(skeleton)
+        result = binding.init(declarations.sinew_character_rig_result)
+        self._job("rig", "sinew_character_rig", [], options, result, threads, progress, _Models(rig=model, hands=hands_model))
+        count = (result.joint_count,)
+        return Rigged(bool(result.mirrored), result.matched, result.spread, result.scale,
+                      _array(result.ends, np.uint8, count).astype(bool) if result.ends else np.zeros(count, bool),
+                      *(_array(a, np.float32, count) if a else np.zeros(count, np.float32) for a in (result.confidence, result.parent_confidence)))
+
+    def map(self, source: Union[str, os.PathLike, "OpenCharacter"], *, method: declarations.MapMethod = "auto", names: bool = True,
+            ends: bool = True, target_up: MotionUp = "auto", source_up: MotionUp = "auto", guess_up: bool = False,
+            pins: Union[None, str, os.PathLike, Mapping[Union[str, int], Union[str, int, None]]] = None) -> FileMap:
+        """Which joint of the source (a file, "template:NAME", an OpenCharacter) stands for which of this character. Changes neither.
+
+        pins  {target joint: source joint or None}, by name or number, or a map file whose lines are kept
+        target_up, source_up  "auto": y, and as the target's
+        """
+        options = binding.init(declarations.sinew_character_map_options)
+        options.method, options.no_names, options.no_ends = chosen(method, declarations.MAP_METHOD, "method"), int(not names), int(not ends)
+        options.target_up, options.source_up = chosen(target_up, declarations.UP, "target_up"), chosen(source_up, declarations.UP, "source_up")
+        options.guess_up = int(guess_up)
+        if isinstance(pins, Mapping):
+            target, of = self.skeleton, source.skeleton if isinstance(source, OpenCharacter) else None
+            if target is None:
+                raise ValueError("pins: this character has no joints")
+            listed = (declarations.sinew_map_pin * len(pins))()
+            for one, (to, joint) in zip(listed, pins.items()):
+                if isinstance(joint, str) and of is None:
+                    raise ValueError("pins: joints of a file's skeleton are given by number; open() the file to give names")
+                one.target = target.index(to, "pins")
+                one.source = -1 if joint is None else of.index(joint, "pins") if of is not None else int(joint)  # type: ignore[arg-type]
+            options.pins, options.pin_count = listed, len(listed)
+        elif pins is not None:
+            options.pins_file = os.fsencode(pins)
+        result = binding.init(declarations.sinew_character_map_result)
+        library = binding.character_library()
+        if isinstance(source, OpenCharacter):
+            status = library.sinew_character_map(self.pointer, source.pointer, ctypes.byref(options), ctypes.byref(result))
+        else:
+            status = library.sinew_character_map_file(self.pointer, os.fsencode(source), ctypes.byref(options), ctypes.byref(result))
+        _check(status, self)
+        count = (result.joint_count,)
+        return FileMap(_array(result.sources, np.int32, count), _array(result.confidence, np.float32, count),
+                       _array(result.reasons, np.uint8, count), result.certainty, declarations.MAP_METHOD[result.method], result.text.decode())
+
+    def retarget(self, motion: "OpenCharacter", *, method: declarations.AnimateMethod = "auto", in_place: bool = False,
+                 natural_range: bool = True, target_up: MotionUp = "auto", motion_up: MotionUp = "auto", correct: Correction = "none",
+                 cells: int = 0, rounds: int = 0, body_contact: bool = False, shapes: int = 0, fps: float = 0, start: float = 0, end: float = 0,
+                 clip: Union[None, str, int] = None, map_file: Union[None, str, os.PathLike] = None, joint_map: Any = None,
+                 threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
+        """Adds clips of another skeleton. A bare mesh is rigged first.
+
+        natural_range  knees and elbows stay in theirs
+        correct        every frame is corrected by morph targets, at most `shapes` a clip
+        start, end     seconds of the motion; end 0: to its end
+        clip           by name or number; None: all
+        map_file, joint_map  a file of `sinew map`, or [j] integers of the motion's joints, -1 for none; else the map is found
+        """
+        options = binding.init(declarations.sinew_character_animate_options)
+        options.method, options.in_place, options.no_range = chosen(method, declarations.ANIMATE_METHOD, "method"), int(in_place), int(not natural_range)
+        options.target_up, options.motion_up = chosen(target_up, declarations.UP, "target_up"), chosen(motion_up, declarations.UP, "motion_up")
+        options.deform = _correction(correct, "correct")
+        options.cells, options.rounds, options.body_contact, options.shapes = cells, rounds, int(body_contact), shapes
+        options.fps, options.to = fps, end
+        setattr(options, "from", start)  # a word of Python
+        options.clip = None if clip is None else str(clip).encode()
+        options.map = None if map_file is None else os.fsencode(map_file)
+        given = None if joint_map is None else whole(joint_map, (self._view().joint_count,), "joint_map", np.int32, -1, motion._view().joint_count)
+        options.sources = binding.address(given)
+        result = binding.init(declarations.sinew_character_animate_result)
+        self._job("retarget", "sinew_character_animate", [motion.pointer], options, result, threads, progress, _Models())
+        count = self._view().joint_count
+        return Retargeted(range(result.first_clip, result.first_clip + result.clip_count), result.mapped, bool(result.rigged), result.certainty,
+                          (result.mapped_by or b"").decode(), _array(result.sources, np.int32, (count,)) if result.sources else np.zeros(0, np.int32))
+
+    def pose(self, *, angles: Any = None, rotations: Any = None, matrices: Any = None, clip: Union[None, str, int] = None, time: float = 0,
+             method: PoseDeform = "linear", cells: int = 0, rounds: int = 0, body_contact: bool = False, threads: int = 1) -> "OpenCharacter":
+        """A copy in a pose, to save as .obj or to take positions of. One of four says it:
+
+        angles     [j, 3] joints turned about x, then y, then z, degrees
+        rotations  [j, 4] x y z w, local, against the rest pose
+        matrices   [j, 3, 4] or [j, 4, 4], rest to posed space
+        clip       of the character's own, by name or number, at `time` seconds
+        """
+        options = binding.init(declarations.sinew_character_pose_options)
+        options.thread_count, options.deform = threads, chosen(method, declarations.POSE_DEFORM, "method")
+        options.cells, options.rounds, options.body_contact, options.time = cells, rounds, int(body_contact), time
+        count, kept = self._view().joint_count, []
+        if matrices is not None and np.shape(matrices)[1:] == (4, 4):
+            matrices = np.asarray(matrices)[:, :3]
+        for name, value, shape in (("angles", angles, (count, 3)), ("rotations", rotations, (count, 4)), ("matrices", matrices, (count, 3, 4))):
+            if value is not None:
+                real(value, shape, name)
+                kept.append(np.ascontiguousarray(value, np.float64))
+                setattr(options, name, kept[-1].ctypes.data)
+        options.clip = None if clip is None else str(clip).encode()
+        if len(kept) + (clip is not None) != 1:
+            raise ValueError("pose: expected one of angles, rotations, matrices and clip")
+        handle = ctypes.c_void_p()
+        _check(binding.character_library().sinew_character_pose(self.pointer, ctypes.byref(options), ctypes.byref(handle)), self)
+        return OpenCharacter(handle)
+
+    def transfer(self, source: "OpenCharacter", *, method: declarations.TransferMethod = "auto", influences: int = 4, up: UpAxis = "y",
+                 source_up: UpAxis = "y", garment: bool = False, heat: bool = False, locked: Any = None, pairs: Sequence[Tuple[int, int]] = (),
+                 map_file: Union[None, str, os.PathLike] = None, model: ModelFile = None, threads: int = 1,
+                 progress: ProgressFunction = None) -> Carried:
+        """Weights of a bound character for this mesh, which keeps its skeleton or gets the source's, fitted. Arguments as sinew.transfer()."""
+        options = binding.init(declarations.sinew_character_transfer_options)
+        options.method, options.influence_count = chosen(method, declarations.TRANSFER_METHOD, "method"), influences
+        options.target_up, options.source_up = UP_AXES[chosen(up, UP, "up")], UP_AXES[chosen(source_up, UP, "source_up")]
+        options.garment, options.heat, options.pair_count = int(garment), int(heat), len(pairs)
+        options.pairs = (declarations.sinew_vertex_pair * len(pairs))(*[declarations.sinew_vertex_pair(int(s), int(t)) for s, t in pairs])
+        kept = mask(locked, self._view().vertex_count, "locked")
+        options.locked, options.map = binding.address(kept), None if map_file is None else os.fsencode(map_file)
+        result = binding.init(declarations.sinew_character_transfer_result)
+        self._job("transfer", "sinew_character_transfer", [source.pointer, self.pointer], options, result, threads, progress, _Models(bind=model), own=False)
+        return Carried(result.carried, result.mismatch, bool(result.fitted), result.mapped_joints, (result.mapped_by or b"").decode())
+
+    def simplify(self, *, low: bool = False, joint_count: int = 0, keep: Sequence[str] = ()) -> np.ndarray:
+        """Leaves joints out: helpers; with `low` fingers, faces and twists too; or all but so many. Weights and motion follow.
+
+        Returns [j before] the joint, of those before, that each is part of now.
+        """
+        options = binding.init(declarations.sinew_character_simplify_options)
+        options.low, options.joint_count, options.keep_count = int(low), joint_count, len(keep)
+        options.keep = (ctypes.c_char_p * len(keep))(*[k.encode() for k in keep])
+        into = np.zeros(max(self._view().joint_count, 1), np.uint32)
+        _check(binding.character_library().sinew_character_simplify(self.pointer, ctypes.byref(options), into.ctypes.data), self)
+        return into
+
+    def bake(self, *, method: Literal["volume", "xpbd", "delta-mush"] = "volume", cells: int = 0, rounds: int = 0, body_contact: bool = False,
+             poses: int = 0, shapes: int = 0, seed: int = 0, limit: float = 0, clip: Union[None, str, int] = None,
+             progress: ProgressFunction = None) -> Tuple[float, float]:
+        """Morph targets that correct bends, with what drives them; they are saved with the character.
+
+        Returns the errors of linear blending and of the baked shapes in poses that were not learnt, shares of the size.
+        """
+        options = binding.init(declarations.sinew_character_bake_options)
+        options.deform = _correction(method, "method")
+        options.cells, options.rounds, options.body_contact = cells, rounds, int(body_contact)
+        options.poses, options.shapes, options.seed, options.limit = poses, shapes, seed, limit
+        options.clip = None if clip is None else str(clip).encode()
+        result = binding.init(declarations.sinew_character_bake_result)
+        self._job("bake", "sinew_character_bake", [], options, result, None, progress, None)
+        return result.held_out_linear_error, result.held_out_baked_error
+
+    def _job(self, what: str, call: str, between: List[Any], options: Any, result: Any, threads: Optional[int], progress: ProgressFunction,
+             models: Optional["_Models"], own: bool = True) -> None:
+        """A call with progress, threads and models."""
+        if threads is not None:
+            if not 1 <= threads <= declarations.MAX_THREADS:
+                raise ValueError(f"threads: expected 1 to {declarations.MAX_THREADS}, found {threads}")
+            options.thread_count = threads
+        if models is not None and models.any:
+            options.models = ctypes.pointer(models.struct)
+        function = getattr(binding.character_library(), call)
+        with binding.Progress(progress) as report:
+            options.progress = report.callback
+            status = function(*([self.pointer] if own else []), *between, ctypes.byref(options), ctypes.byref(result))
+            line = _line(self) if status else ""
+        report.finish(status, what, line)
+
+
+class _Models:
+    """Models in place of the bundled ones."""
+
+    def __init__(self, **files: ModelFile) -> None:
+        self.struct = binding.init(declarations.sinew_character_models)
+        self._kept = []
+        for name, file in files.items():
+            if file is None:
+                continue
+            try:
+                content = file if isinstance(file, bytes) else Path(file).read_bytes()
+            except OSError as error:
+                raise binding.Error(f"{os.fspath(file)!s}: cannot read the model, {error.strerror}") from None
+            aligned = np.zeros(-(-max(len(content), 1) // 8), np.uint64)
+            aligned.view(np.uint8)[:len(content)] = np.frombuffer(content, np.uint8)
+            self._kept.append(aligned)
+            setattr(self.struct, name, aligned.ctypes.data)
+            setattr(self.struct, name + "_size", len(content))
+        self.any = bool(self._kept)
+
+
+def templates() -> List[str]:
+    """Names of the skeletons that "template:NAME" knows."""
+    return binding.character_library().sinew_character_templates().decode().split()
+
+
+def _line(character: Optional[OpenCharacter]) -> str:
+    pointer = None if character is None else character.pointer
+    return binding.character_library().sinew_character_error(pointer).decode(errors="replace")
+
+
+def _check(status: int, character: Optional[OpenCharacter]) -> None:
+    if status != 0:
+        raise binding.Error(_line(character), status)
+
+
+def _array(address: Any, dtype: Any, shape: Tuple[int, ...]) -> np.ndarray:
+    """A copy of an array of the library."""
+    size = int(np.prod(shape)) * np.dtype(dtype).itemsize
+    if not size or not address:
+        return np.zeros(shape, dtype)
+    return np.frombuffer(ctypes.string_at(address, size), dtype).reshape(shape).copy()
+
+
+def _skeleton_view(skeleton: Skeleton) -> Any:
+    """The library's view with names; it borrows the arrays."""
+    flags = None if skeleton.ends is None else np.where(skeleton.ends, declarations.JOINT_NEVER, 0).astype(np.uint8)
+    view = skeleton_view(skeleton, flags)
+    view.kept = flags
+    view.names = (ctypes.c_char_p * len(skeleton))(*[str(n).encode() for n in skeleton.names])
+    return view
+
+
+def _correction(word: str, name: str) -> int:
+    words = [w if w not in ("linear", "dual-quaternion") else "" for w in declarations.POSE_DEFORM]
+    words[0] = "none"
+    return chosen(word, words, name)
+
+
+def _order(parents: np.ndarray) -> List[int]:
+    order, left = [], list(range(len(parents)))
+    done = {-1}
+    while left:
+        now = [j for j in left if int(parents[j]) in done]
+        if not now:
+            raise binding.Error("the clip's joints form a cycle")
+        order += now
+        done.update(now)
+        left = [j for j in left if j not in done]
+    return order
+
+
+def _world(q: np.ndarray, p: np.ndarray, parents: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Local poses [t, j, ...] in the world."""
+    q, p = q.copy(), p.copy()
+    for j in _order(parents):
+        if parents[j] >= 0:
+            p[:, j] = p[:, parents[j]] + turn(q[:, parents[j]], p[:, j])
+            q[:, j] = multiply(q[:, parents[j]], q[:, j])
+    return q, p
+
+
+def _local(q: np.ndarray, p: np.ndarray, parents: np.ndarray) -> Tuple[np.ndarray, np.ndarray]:
+    """Poses of the world against parents; joints behind those of `parents` are left out."""
+    count = len(parents)
+    out_q, out_p = q[:, :count].copy(), p[:, :count].copy()
+    for j, parent in enumerate(parents):
+        if parent >= 0:
+            back = q[:, parent] * [-1, -1, -1, 1]
+            out_q[:, j] = multiply(back, q[:, j])
+            out_p[:, j] = turn(back, p[:, j] - p[:, parent])
+    return out_q, out_p

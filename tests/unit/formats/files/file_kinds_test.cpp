@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "sinew_formats/file_kinds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <set>
+
+namespace sinew {
+namespace {
+
+TEST(FileKinds, AreFoundByTheLongestExtensionInAnyCase) {
+  ASSERT_NE(file_kind("a/hero.RIG.TXT"), nullptr);
+  EXPECT_STREQ(file_kind("a/hero.RIG.TXT")->extension, ".rig.txt");
+  EXPECT_STREQ(file_kind("hero.txt")->extension, ".txt");
+  EXPECT_EQ(file_kind("hero.blend"), nullptr);
+  EXPECT_EQ(file_kind(".glb"), nullptr) << "a name is longer than its extension";
+  EXPECT_TRUE(has_use("x.vrm", kReadsMesh | kWritesMotion));
+  EXPECT_FALSE(has_use("x.fbx", kWritesCharacter));
+}
+
+TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
+  const std::vector<FileKind>& kinds = file_kinds();
+  std::set<std::string> seen;
+  for (size_t i = 0; i < kinds.size(); ++i) {
+    EXPECT_TRUE(seen.insert(kinds[i].extension).second) << kinds[i].extension;
+    EXPECT_EQ(file_kind(std::string("x") + kinds[i].extension), &kinds[i]) << kinds[i].extension;
+    EXPECT_NE(kinds[i].uses, 0u);
+  }
+  EXPECT_EQ(extensions_text(kReadsMesh), ".obj, .gltf, .glb, .vrm, .fbx, .dae");
+  EXPECT_EQ(extensions_text(kWritesMesh, " "), ".obj");
+}
+
+}  // namespace
+}  // namespace sinew
