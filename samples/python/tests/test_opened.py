@@ -151,7 +151,9 @@ class SameBytesAsTheCommand(unittest.TestCase):
 
 class Calls(unittest.TestCase):
     def test_classes_are_the_librarys(self):
-        """By names and source as the command has them, where the arrays' joint_classes() has a body to lay over alone."""
+        """By names as the command has them; the package once laid a body of its own over the joints and read no names."""
+        tail = sinew.Skeleton([[0, 1, 0], [0.2, 1, 0], [0.4, 1, 0]], [-1, 0, 1], ["LeftUpLeg", "LeftLeg", "LeftFoot"])
+        self.assertEqual([sinew.CLASSES[c] for c in sinew.joint_classes(tail)], ["thigh", "calf", "foot"])
         with sinew.open(DATA / "biped__robed.obj") as one:
             classes = [sinew.CLASSES[c] for c in one.joint_classes()]
             names = one.skeleton.names
