@@ -83,6 +83,12 @@ if [ -n "$character" ]; then
   run character bake "$work/strange/plain.glb" "$work/ours.glb"
   "$command" bake "$work/strange/plain.glb" --poses 60 --shapes 2 -o "$work/theirs.glb" > /dev/null
   cmp "$work/ours.glb" "$work/theirs.glb" || fail "baked shapes have other bytes than the command's"
+  # The package's demo finds its libraries beside it.
+  SINEW_LIBRARY=$character SINEW_ENGINE_LIBRARY=$library "$source/samples/csharp/build.sh" "$work/package" > /dev/null
+  (unset LD_LIBRARY_PATH; cd "$work/package/sinew-csharp" && mono Demo.exe "$work/strange/plain.glb" "$work/ours.glb") > "$work/demo.txt"
+  "$command" bind "$work/strange/plain.glb" -o "$work/theirs.glb" > /dev/null
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "Demo.exe gives other bytes than the command"
+  grep -q '^weights: ' "$work/demo.txt" || fail "Demo.exe says no hash: $(cat "$work/demo.txt")"
   echo "csharp_test: $bound strange files, a rig, a transfer and others have the command's bytes"
 fi
 
