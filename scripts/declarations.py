@@ -406,7 +406,7 @@ def javascript_text(h: Headers) -> str:
         text = " \" +\n    \"".join(line.strip() for line in lines)
         gap = "\n    " if len(lines) > 1 or len(text) > 100 else " "
         out.append(f'  {camel(short(s.name), False)}: layout({s.size},{gap}"{text}"),')
-    out += ["};", "", "// Constants, without SINEW_."]
+    out += ["};", "", "export const MODEL_BYTES = LAYOUTS.model.size, QUESTION_BYTES = LAYOUTS.question.size;", "", "// Constants, without SINEW_."]
     out += [f"export const {name} = {value};" for name, value in h.constants.items()]
     out += ["", "// Words of enumerations, by number.", "export const WORDS = {"]
     for name, enumerators in h.enums:
