@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The engine's calls: arguments to the module's memory, results out of it. One thread, one call at a time.
-import { JOINT_NAME_BYTES, LAYOUTS, MAX_RIG_JOINTS, WORDS } from "./layouts.js";
+import { JOINT_NAME_BYTES, MAX_RIG_JOINTS, MODEL_BYTES, QUESTION_BYTES } from "./layouts.js";
 import { Blocks, SinewError } from "./memory.js";
 import { choice, meshOf, skeletonOf, skinOf, typed } from "./shapes.js";
 
-const MODEL_BYTES = LAYOUTS.model.size, QUESTION_BYTES = LAYOUTS.question.size;
 const FLAG_NEVER = 1;
 const FLAG_DEFORMS = 2;
 const CLASS_OTHER = 17;

@@ -151,6 +151,8 @@ export const LAYOUTS = {
     "linear_error@24:f64 baked_error@32:f64 held_out_linear_error@40:f64 held_out_baked_error@48:f64"),
 };
 
+export const MODEL_BYTES = LAYOUTS.model.size, QUESTION_BYTES = LAYOUTS.question.size;
+
 // Constants, without SINEW_.
 export const VERSION_MAJOR = 0;
 export const VERSION_MINOR = 1;

@@ -231,7 +231,7 @@ class Wrong(unittest.TestCase):
         self.says("method: expected one of model, heat", positions, faces, method="magic")
         self.says("influences: expected 1 to 12", positions, faces, influences=13)
         self.says("never: the skeleton has no joint 'tail'", positions, faces, never=["tail"])
-        self.says(r"locked: expected shape \(3,\)", positions, faces, locked=[True])
+        self.says(r"locked: a mask of bool, expected shape \(3,\)", positions, faces, locked=[True])
         self.says("given: locked and hinted vertices", positions, faces, locked=[0])
         self.says(r"given: expected shape \(3, 2\)", positions, faces, locked=[0], given=np.zeros((3, 5)))
         self.says(r"answers\[0\]", positions, faces, answers=[(0, "rigid")])

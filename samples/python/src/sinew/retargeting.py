@@ -10,41 +10,28 @@ import numpy as np
 from . import binding, declarations
 from .arrays import Mesh, chosen, whole
 from .binder import ProgressFunction, skeleton_view
-from .character import CLASSES, Character, Clip, Skeleton
+from .character import Character, Clip, Skeleton
 from .mapping import JointMap, map as map_joints
+from .opened import create
 
 RetargetMethod = Literal["auto", "copy", "contacts"]
 RETARGET_METHODS = get_args(RetargetMethod)
 
-# Joints of a human body, metres, y up, facing +z: what tells arms and legs of a skeleton whose classes are not known.
-# Class, parent, place; those of the left side have partners on the right.
-_BODY = (("pelvis", -1, (0, 0.98, 0)), ("spine", 0, (0, 1.12, -0.01)), ("spine", 1, (0, 1.27, -0.02)), ("neck", 2, (0, 1.48, -0.015)),
-         ("head", 3, (0, 1.58, 0.01)))
-_LEFT = (("clavicle", 2, (0.04, 1.43, -0.02)), ("upper-arm", 5, (0.17, 1.42, -0.03)), ("forearm", 6, (0.45, 1.42, -0.035)),
-         ("hand", 7, (0.71, 1.42, -0.03)), ("thigh", 0, (0.095, 0.93, 0)), ("calf", 9, (0.1, 0.51, 0.01)),
-         ("foot", 10, (0.105, 0.09, -0.03)), ("toe", 11, (0.11, 0.02, 0.1)))
-
-
-def _body() -> Skeleton:
-    joints = list(_BODY)
-    for side in (1, -1):
-        shift = len(joints) - len(_BODY)
-        joints += [(c, p + shift if p >= len(_BODY) else p, (side * x, y, z)) for c, p, (x, y, z) in _LEFT]
-    classes = [CLASSES.index(c) for c, _, _ in joints]
-    return Skeleton([p for _, _, p in joints], [p for _, p, _ in joints], classes=classes)
-
 
 def joint_classes(skeleton: Skeleton, up: declarations.Up = "y") -> np.ndarray:
-    """[j] uint8 of CLASSES: the skeleton's own, else by laying a human body over it; "other" where that says nothing."""
+    """[j] uint8 of CLASSES: the skeleton's own, else what the library says of its names and its shape, as the command has it; "other" where
+    neither says anything."""
+    chosen(up, declarations.UP, "up")
     if skeleton.classes is not None:
         return skeleton.classes
-    body = _body()
-    found = map_joints(skeleton, body, names=False, target_up=up)
-    classes = np.full(len(skeleton), CLASSES.index("other"), np.uint8)
-    if found.method == "sinew":
-        mapped = found.sources >= 0
-        classes[mapped] = body.classes[found.sources[mapped]]
-    return classes
+    positions = skeleton.positions
+    if up == "z":
+        positions = positions[:, [0, 2, 1]] * np.array([1, 1, -1], np.float32)
+    elif up == "x":
+        positions = positions[:, [1, 0, 2]] * np.array([-1, 1, 1], np.float32)
+    alone = Skeleton(positions, skeleton.parents, skeleton.names, ends=skeleton.ends)
+    with create(Character(np.zeros((0, 3), np.float32), None, alone)) as held:
+        return held.joint_classes()
 
 
 def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None,
