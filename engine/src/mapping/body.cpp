@@ -58,7 +58,7 @@ int32_t Anatomy::pick_spine() {
   const double size = rig->size;
   int32_t best = -1;
   double most = 0;
-  for (int32_t k = rig->place[hip]; k < rig->place[hip] + rig->count[hip]; ++k) {
+  for (int32_t k = rig->position[hip]; k < rig->position[hip] + rig->count[hip]; ++k) {
     const int32_t leaf = rig->order[k];
     if (!is_path_end(leaf)) continue;
     double carried = 0, top = height[leaf];
@@ -69,11 +69,11 @@ int32_t Anatomy::pick_spine() {
       top = greater(top, height[i]);
       inner += is_inner(ahead(at(i)), first, last) ? 1 : 0;
     }
-    const double way = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
+    const double path = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
     double score = 2 * carried;
-    score += quad ? (0.4 * way + 0.8 * rise + 1.5 * forward) / size : (0.6 * way + 1.5 * rise + 0.3 * forward) / size;
-    if (lying) score = forward / size + 0.01 * way / size;  // what leads to the head
-    if (leg_count == 0 && !lying) score += 1.5 * way / size;
+    score += quad ? (0.4 * path + 0.8 * rise + 1.5 * forward) / size : (0.6 * path + 1.5 * rise + 0.3 * forward) / size;
+    if (lying) score = forward / size + 0.01 * path / size;  // what leads to the head
+    if (leg_count == 0 && !lying) score += 1.5 * path / size;
     if (quad) {
       score += 0.5 * inner;
       if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
@@ -266,8 +266,8 @@ double Anatomy::head_ratio(int32_t spine_index) const {
   return distance(at(spine[spine_index]), shoulders) / greater(distance(shoulders, at(hip)), 1e-9);
 }
 
-double Anatomy::trunk_place(const Point& p) const {
-  double nearest = 0, place = 0;
+double Anatomy::trunk_position(const Point& p) const {
+  double nearest = 0, position = 0;
   for (int32_t k = 0; k + 1 < line_count; ++k) {
     const Point d = line[k + 1] - line[k];
     const double t =
@@ -275,9 +275,9 @@ double Anatomy::trunk_place(const Point& p) const {
     const double e = distance(p, line[k] + t * d);
     if (k > 0 && !(e < nearest - 1e-9)) continue;
     nearest = e;
-    place = k + t;
+    position = k + t;
   }
-  return place;
+  return position;
 }
 
 int32_t Anatomy::thumb(const Limb& hand, const int32_t* fingers, int32_t count) const {

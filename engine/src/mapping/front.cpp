@@ -7,7 +7,7 @@ namespace sinew::mapping {
 void Anatomy::open_paths() {
   for (int32_t i = 0; i < rig->n; ++i) path_open[i] = 0;
   path_open[hip] = 1;
-  for (int32_t k = rig->place[hip] + 1; k < rig->place[hip] + rig->count[hip]; ++k) {
+  for (int32_t k = rig->position[hip] + 1; k < rig->position[hip] + rig->count[hip]; ++k) {
     const int32_t i = rig->order[k];
     path_open[i] = path_open[rig->parent[i]] != 0 && side[i] == 0 && rig->end[i] == 0 ? 1 : 0;
   }
@@ -120,7 +120,7 @@ class FrontVotes {
 
   template <class Body>
   void each_path(const Body& body) const {
-    const int32_t from = rig_.place[a_.hip];
+    const int32_t from = rig_.position[a_.hip];
     for (int32_t k = from; k < from + rig_.count[a_.hip]; ++k) {
       if (a_.is_path_end(rig_.order[k])) body(rig_.order[k]);
     }
@@ -210,8 +210,8 @@ class FrontVotes {
     for (int32_t k = 0; k < a_.limbs.pair_count; ++k) {
       for (int s = 0; s < 2; ++s) {
         const Limb& limb = a_.limb(a_.limbs.pairs[k].of(s));
-        const Point way = a_.limbs.last_point(limb) - a_.limbs.point(limb, 0);
-        if (limb.point_count > 1 && limb.length > 0.05 * size_) add(-a_.ahead(way) / size_ / 0.05, 0.5);
+        const Point direction = a_.limbs.last_point(limb) - a_.limbs.point(limb, 0);
+        if (limb.point_count > 1 && limb.length > 0.05 * size_) add(-a_.ahead(direction) / size_ / 0.05, 0.5);
       }
     }
   }
@@ -322,7 +322,7 @@ class FrontVotes {
 void Anatomy::find_front(bool flip_it) {
   const double sum = FrontVotes(*this).sum();
   sure = absolute(sum);
-  bool turn = sum < 0;
+  bool reverse = sum < 0;
   if (rig->has_names) {
     double left = 0, right = 0;
     int32_t lefts = 0, rights = 0;
@@ -333,11 +333,11 @@ void Anatomy::find_front(bool flip_it) {
       ++(said > 0 ? lefts : rights);
     }
     if (lefts > 0 && rights > 0 && absolute(left / lefts - right / rights) > 0.02 * rig->size) {
-      turn = left / lefts < right / rights;
+      reverse = left / lefts < right / rights;
       sure = 9;
     }
   }
-  if (turn != flip_it) flip();
+  if (reverse != flip_it) flip();
 }
 
 void Anatomy::flip() {

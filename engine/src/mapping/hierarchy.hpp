@@ -20,7 +20,7 @@ struct Hierarchy {
   int32_t* kid_offsets = nullptr;  // [n + 2] into kids; row n holds the roots
   int32_t* kids = nullptr;         // [n] in the order of their numbers
   int32_t* order = nullptr;        // [n] parents first, a subtree in one run
-  int32_t* place = nullptr;        // [n] index in order
+  int32_t* position = nullptr;     // [n] index in order
   int32_t* depth = nullptr;        // [n] 0 for roots
   int32_t* count = nullptr;        // [n] joints of the subtree
   double* reach = nullptr;         // [n] longest way down
@@ -48,7 +48,7 @@ struct Hierarchy {
   int32_t first_root() const { return kids[kid_offsets[n]]; }
   // Whether `above` is `joint` or one of its ancestors.
   bool holds(int32_t above, int32_t joint) const {
-    return place[above] <= place[joint] && place[joint] < place[above] + count[above];
+    return position[above] <= position[joint] && position[joint] < position[above] + count[above];
   }
   // The deepest joint that holds both, -1 = none.
   int32_t common(int32_t a, int32_t b) const {

@@ -12,12 +12,12 @@ void Anatomy::find_features() {
     LimbFeatures& f = features[k];
     f = LimbFeatures();
     const Point& start = limbs.point(l, 0);
-    f.attach = trunk_place(start - (dot(start, frame.across) - frame.plane) * frame.across);
+    f.attach = trunk_position(start - (dot(start, frame.across) - frame.plane) * frame.across);
     f.log_length = logarithm(greater(l.length, 0.02 * r.size) / trunk);
     f.log_tree = logarithm(l.tree);
-    const Point way =
+    const Point axis =
         direction(l.point_count > 1 ? limbs.last_point(l) - start : (l.attach >= 0 ? start - at(l.attach) : Point()));
-    f.way = {dot(way, frame.across) * (l.side != 0 ? l.side : 1), dot(way, frame.up), ahead(way)};
+    f.axis = {dot(axis, frame.across) * (l.side != 0 ? l.side : 1), dot(axis, frame.up), ahead(axis)};
     const double low = limbs.lowest(l, frame.up);
     f.point = l.point_count == 1;
     f.grounded = (f.point && is_leg(k)) || (low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);

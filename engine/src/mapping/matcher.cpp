@@ -105,7 +105,7 @@ double Matcher::limb_cost(int32_t la, int32_t lb) const {
   double cost = lesser(absolute(a.attach - b.attach), 1.5) + (a.grounded != b.grounded ? 1 : 0) +
                 0.2 * absolute(a.log_tree - b.log_tree);
   if (!a.point && !b.point)  // a limb of one joint has no length and points nowhere
-    cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.way, b.way));
+    cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.axis, b.axis));
   else
     cost += kPointLimb;
   if (a.hip != b.hip) cost += 0.8;
@@ -129,7 +129,7 @@ double Matcher::limb_cost(int32_t la, int32_t lb) const {
 // Chains that mean the same: every joint of the shorter gets one of the longer.
 void Matcher::match_in_order(const int32_t* a, int32_t n, const int32_t* b, int32_t m, int32_t base_a, int32_t base_b) {
   if (n <= 0 || m <= 0) return;
-  const auto places = [](const Anatomy& rig, const int32_t* joints, int32_t count, int32_t base, double* out) {
+  const auto positions = [](const Anatomy& rig, const int32_t* joints, int32_t count, int32_t base, double* out) {
     double sum = 0;
     for (int32_t k = 0; k < count; ++k) {
       sum += rig.rig->bone(k > 0 ? joints[k - 1] : base, joints[k]);
@@ -137,8 +137,8 @@ void Matcher::match_in_order(const int32_t* a, int32_t n, const int32_t* b, int3
     }
     for (int32_t k = 0; k < count; ++k) out[k] /= sum > 0 ? sum : 1;
   };
-  places(*a_, a, n, base_a, ua_);
-  places(*b_, b, m, base_b, ub_);
+  positions(*a_, a, n, base_a, ua_);
+  positions(*b_, b, m, base_b, ub_);
   const auto own_cost = [&](int32_t i, int32_t j) {
     const double x = n == 1 ? 0.5 : static_cast<double>(i) / (n - 1),
                  y = m == 1 ? 0.5 : static_cast<double>(j) / (m - 1);

@@ -6,8 +6,8 @@
 namespace sinew::names {
 namespace {
 
-constexpr int32_t kMostChildren = 16;  // of a root; what has more is a body
-constexpr double kSamePlace = 0.005;   // of the longest side of the skeleton's box
+constexpr int32_t kMostChildren = 16;    // of a root; what has more is a body
+constexpr double kSamePosition = 0.005;  // of the longest side of the skeleton's box
 
 class RoleFinder {
  public:
@@ -142,7 +142,7 @@ class RoleFinder {
   template <class Named>
   bool has_twin(int32_t j, const Named& named) const {
     if (s_.positions == nullptr) return false;
-    const double limit = kSamePlace * side_;
+    const double limit = kSamePosition * side_;
     for (int32_t k = 0; k < s_.n; ++k) {
       if (k == j || !s_.deforms(k) || says(k, kFk) || named(k)) continue;
       const double x = at(k, 0) - at(j, 0), y = at(k, 1) - at(j, 1), z = at(k, 2) - at(j, 2);

@@ -26,7 +26,7 @@ Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 std::array<double, 3> arr(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 // How far joints of a class turn, standard deviation in radians.
-double turn_sigma(JointClass c) {
+double rotation_sigma(JointClass c) {
   switch (c) {
     case kClassUpperArm:
       return 0.45;
@@ -164,7 +164,7 @@ RigSource::Posed RigSource::pose(uint64_t seed, double strength) const {
       continue;
     }
     constexpr double kStrengths[3] = {0.5, 1, 1.5};
-    const double sigma = turn_sigma(c) * strength * kStrengths[random.below(3)];
+    const double sigma = rotation_sigma(c) * strength * kStrengths[random.below(3)];
     for (int axis = 0; axis < 3; ++axis) turn[i][axis] = sigma * random.normal();
     if (random.uniform() < 0.3) turn[i].setZero();
     if (posed.symmetric && partner == static_cast<int>(i)) turn[i].y() = turn[i].z() = 0;
@@ -179,8 +179,8 @@ RigSource::Posed RigSource::pose(uint64_t seed, double strength) const {
     if (!kids_[i].empty()) {
       Vector3d mean = Vector3d::Zero();
       for (const uint32_t k : kids_[i]) mean += vec(target_joints_[k]);
-      const Vector3d way = mean / static_cast<double>(kids_[i].size()) - vec(target_joints_[i]);
-      if (way.norm() > 1e-9) along = way.normalized();
+      const Vector3d offset = mean / static_cast<double>(kids_[i].size()) - vec(target_joints_[i]);
+      if (offset.norm() > 1e-9) along = offset.normalized();
     }
     const double s = std::exp(stretch[i][0]), r = std::exp(stretch[i][1]);
     scale[i] = r * Matrix3d::Identity() + (s - r) * along * along.transpose();

@@ -29,7 +29,7 @@ constexpr double kAgree = 0.6;             // L1 up to which neighbours agree wi
 constexpr double kDisagree = 1.7;          // L1 from which a vertex has nothing in common with them
 constexpr size_t kTwinVertices = 8;        // vertices of the twin that make an idle joint suspicious
 constexpr double kClearlyOtherSide = 0.3;  // of the distance between two twins
-constexpr double kSamePlace = 1e-3;        // joints nearer to each other cannot be told apart
+constexpr double kSamePosition = 1e-3;     // joints nearer to each other cannot be told apart
 constexpr double kSharedVertices = 0.4;    // of the vertices on such joints: the rig, not a detail
 constexpr double kMoreThanTwin = 0.3;      // weight beyond the twin's; less is a skirt that follows both legs
 
@@ -79,7 +79,7 @@ class Labels {
     far_weights();
     odd_vertices();
     idle_twins();
-    shared_places();
+    shared_positions();
     std::vector<LabelFinding> findings;
     for (auto& [key, vertices] : found_) {
       LabelFinding f;
@@ -289,7 +289,7 @@ class Labels {
 
   // Joints with vertices that stand where another child of their parent with vertices does: position and hierarchy do not
   // say which of them holds what, so a character that has many of them teaches nothing.
-  void shared_places() {
+  void shared_positions() {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
     for (const Vec3& p : c_.vertices) {
       const float at[3] = {p.x, p.y, p.z};
@@ -308,7 +308,7 @@ class Labels {
         if (other == j || strong_vertices_[other] == 0 || c_.joints[j].parent != c_.joints[other].parent) continue;
         const Vec3 &a = c_.joints[j].position, &b = c_.joints[other].position;
         if (std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y), static_cast<double>(a.z - b.z)) >
-            kSamePlace * side)
+            kSamePosition * side)
           continue;
         shared += strong_vertices_[j];
         if (most.first == most.second || strong_vertices_[j] > strong_vertices_[most.first]) most = {j, other};

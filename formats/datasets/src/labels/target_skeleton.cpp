@@ -101,7 +101,7 @@ class TargetMaker {
     total_area_ = std::accumulate(areas_.begin(), areas_.end(), 0.0);
     for (const Joint& joint : c.joints) {
       file_parents_.push_back(joint.parent < 0 ? -1 : joint.parent);
-      places_.push_back(point(joint.position));
+      positions_.push_back(point(joint.position));
     }
     if (!(side_ > 0)) throw Error(c.name + ": its vertices are all at one place");
     sort_joints();
@@ -241,7 +241,7 @@ class TargetMaker {
       });
       const std::vector<int> body = with_all_below(root);
       for (const int top : tops)
-        if (top != root) parents_[at(top)] = nearest(body, places_[at(top)]);
+        if (top != root) parents_[at(top)] = nearest(body, positions_[at(top)]);
       if (bound_[at(root)]) return;
     }
   }
@@ -258,11 +258,11 @@ class TargetMaker {
     return {inside.begin(), inside.end()};
   }
 
-  int nearest(const std::vector<int>& joints, const Point& place) const {
+  int nearest(const std::vector<int>& joints, const Point& position) const {
     int best = joints[0];
     double least = INFINITY;
     for (const int j : joints) {
-      const double distance = length(places_[at(j)] - place);
+      const double distance = length(positions_[at(j)] - position);
       if (distance < least) {
         least = distance;
         best = j;
@@ -282,7 +282,7 @@ class TargetMaker {
     for (const int j : order_) {
       const int parent = parents_[at(j)];
       if (!alive_[at(j)] || parent < 0) continue;
-      const double distance = length(places_[at(sources_[at(j)])] - places_[at(sources_[at(parent)])]);
+      const double distance = length(positions_[at(sources_[at(j)])] - positions_[at(sources_[at(parent)])]);
       const bool pelvises = classes_[at(j)] == kClassPelvis && classes_[at(parent)] == kClassPelvis;
       if (distance >= kMergeDistance * side_ && !(pelvises && distance < kPelvisDistance * side_)) continue;
       merge(j, parent);
@@ -319,13 +319,13 @@ class TargetMaker {
         owner = file_parents_[at(owner)];
         if (owner >= 0) owner = survivor(hosts_[at(owner)]);
       }
-      out_.owners[at(j)] = index.at(owner >= 0 ? owner : nearest(left, places_[at(j)]));
+      out_.owners[at(j)] = index.at(owner >= 0 ? owner : nearest(left, positions_[at(j)]));
     }
     for (const int j : left) {
       TargetJoint joint;
       joint.name = c_.joints[at(j)].name;
       joint.source = static_cast<uint32_t>(sources_[at(j)]);
-      joint.position = places_[at(sources_[at(j)])];
+      joint.position = positions_[at(sources_[at(j)])];
       joint.parent = parents_[at(j)] < 0 ? -1 : static_cast<int>(index.at(parents_[at(j)]));
       joint.joint_class = classes_[at(j)];
       out_.joints.push_back(std::move(joint));
@@ -381,9 +381,9 @@ class TargetMaker {
       const names::JointName name = names::read_joint_name(c_.joints[at(child)].name.c_str());
       const bool same_host = name.words > 0 && hosts_[at(child)] == hosts_[at(joint)];
       if (!same_host && !name.has(names::kEnd | names::kNub | names::kTip)) continue;
-      if (length(places_[at(child)] - places_[at(joint)]) <= kShortestEnd * side_) continue;
+      if (length(positions_[at(child)] - positions_[at(joint)]) <= kShortestEnd * side_) continue;
       if (end) return std::nullopt;
-      end = places_[at(child)];
+      end = positions_[at(child)];
     }
     return end;
   }
@@ -419,7 +419,7 @@ class TargetMaker {
   std::vector<double> areas_;               // [V]
   std::vector<std::vector<int>> children_;  // of the file, like these three
   std::vector<int> file_parents_, order_;
-  std::vector<Point> places_;
+  std::vector<Point> positions_;
   std::vector<double> own_vertices_, own_surface_;  // shares by weight
   std::vector<JointClass> classes_;
   std::vector<int> hosts_;                  // the joint that has a detail's weight; itself for all others
