@@ -20,6 +20,8 @@ class Command:
         for line in text.splitlines():
             heading = re.fullmatch(r"(\S[^:]*):", line)
             entry = re.fullmatch(r"  (\S.*)", line)
+            if line.startswith("-----"):
+                break  # its subcommands follow
             if line.startswith("Usage:"):
                 self.usage = line[len("Usage:"):].strip()
             elif not self.usage:
@@ -45,12 +47,13 @@ class Command:
         self.sections = [(title, rows) for title, rows in self.sections if title != "Subcommands"]
 
     def options(self):
-        """(names, value) of every option; a value is empty for a flag."""
+        """(names, value, choices) of every option; a value is empty for a flag."""
         for title, rows in self.sections:
-            for head, _ in rows:
+            for head, says in rows:
                 if head.startswith("-"):
                     names, _, value = head.partition(" ")
-                    yield re.sub(r"\{[^}]*\}", "", names).split(","), value
+                    choices = re.search(r"\bOne of ((?:[^ |]+\| ?)*[^ |]+)", " ".join(says))
+                    yield names.split(","), value, re.split(r"\| ?", choices.group(1)) if choices else []
 
 
 def ask(program, path):
@@ -84,7 +87,7 @@ def manual(commands):
             if title not in ("Options", "Positionals"):
                 lines += [".PP", roff(title) + ":"]
             for head, says in rows:
-                if head == "-h,--help":
+                if head in ("-h,--help", "--help-all"):
                     continue
                 names, _, value = head.partition(" ")
                 lines += [".TP", f"\\fB{roff(names)}\\fR {roff(value)}".rstrip()] + [roff(line) for line in says]
@@ -133,13 +136,12 @@ def completion(commands):
         if path:
             paths.append(f"      {path}")
         options, takes = [], []
-        for names, value in command.options():
+        for names, value, choices in command.options():
             options += names
             if value:
                 takes += names
-            choice = re.search(r":\{([^{}]*)\}", value)
-            if choice:
-                values.append("    " + " | ".join(f"{path}:{name}" for name in names) + f') values="{" ".join(choice.group(1).split(","))}" ;;')
+            if choices:
+                values.append("    " + " | ".join(f"{path}:{name}" for name in names) + f') values="{" ".join(choices)}" ;;')
         words.append(f'    "{path}") options="{" ".join(options)}" takes="{" ".join(takes)}" commands="{" ".join(command.subcommands)}" ;;')
     for word in " ".join(words + values + paths).split('"'):
         if re.search(r"[$`\\]", word):

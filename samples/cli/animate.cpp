@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "deform_options.hpp"
 #include "motion_sheet.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/animate_job.hpp"
 #include "sinew_datasets/image.hpp"
@@ -170,7 +171,7 @@ void tell(const Settings& s, const Animated& animated) {
 void run(const Settings& s) {
   check_output(s.output, {".glb", ".gltf", ".vrm", ".bvh"});
   if (!s.sheet.empty()) check_output(s.sheet, {".png"});
-  if (!(s.from <= s.to)) throw UsageError(print("--from %g is behind --to %g", s.from, s.to));
+  if (!(s.from <= s.to)) throw UsageError(print("--start %g is behind --end %g", s.from, s.to));
   const bool as_bvh = has_extension(s.output, ".bvh");
   const std::optional<sinew_deform_options> deform = deform_options(s.deform);
   if (deform && as_bvh && s.sheet.empty())
@@ -202,82 +203,93 @@ void run(const Settings& s) {
   tell(s, animated);
 }
 
+void add_inputs(CLI::App* sub, Settings* s) {
+  sub->add_option("character", s->character,
+                  "Skinned file, NAME.obj with NAME.rig.txt beside it, or a bare mesh. It gets a skeleton first; " +
+                      mesh_files())
+      ->required()
+      ->type_name("CHARACTER");
+  sub->add_option("--motion", s->motions,
+                  "Motion: all animations of a file or the one behind #; may be repeated. " + motion_files())
+      ->required()
+      ->type_name("FILE[#CLIP]")
+      ->allow_extra_args(false);
+  shared_option(sub, "-o,--output", s->output,
+                "The character with its new animations as .glb, .gltf or .vrm, or one clip as .bvh")
+      ->required();
+  shared_option(sub, "--map", s->map, "By anatomy and names unless given");
+  shared_option(
+      sub, "--method", s->method,
+      "copy: every joint rotates as its source does, rest poses aligned; contacts: then feet stay where they "
+      "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
+      "with it; reference-points: the published method for such a body, for comparison; auto: contacts")
+      ->check(CLI::IsMember({"auto", "copy", "contacts", "reference-points"}))
+      ->capture_default_str();
+  sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
+  shared_option(sub, "--up", s->up, "For the character")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}))
+      ->capture_default_str();
+  shared_option(sub, "--from-up", s->motion_up, "For the motions")
+      ->check(CLI::IsMember({"auto", "x", "y", "z"}))
+      ->capture_default_str();
+  sub->add_flag("--measure", s->report,
+                "Say for every limb what the method changed. Copied and then: frames in the body or under the floor, "
+                "contacts, sliding, frames out of the natural range");
+  shared_flag(sub, "--json", s->json);
+}
+
+void add_clip_options(CLI::App* sub, Settings* s) {
+  section(sub, "The clip");
+  sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
+  sub->add_option("--fps", s->fps, "Frames a second. As many as the motion has unless given")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->type_name("N");
+  sub->add_option("--start", s->from, "First second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
+  sub->add_option("--end", s->to, "Last second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
+  sub->add_flag("--range,!--no-range", s->range,
+                "Contacts keep knees and elbows in their natural range, or not. They do unless told");
+}
+
+// --area-power, --falloff, --own-limb and --legs.
+std::vector<CLI::Option*> add_reference_options(CLI::App* sub, Settings* s) {
+  section(sub, "Reference points");
+  return {
+      sub->add_option("--area-power", s->area_power, "A triangle's influence grows with its area to this power")
+          ->check(CLI::Range(0, 4))
+          ->type_name("N")
+          ->capture_default_str(),
+      sub->add_option("--falloff", s->falloff,
+                      "Influence falls by exp(-(distance / so many heights of the body)^2). Not at all unless given")
+          ->check(CLI::Range(0.001, 100.0))
+          ->type_name("X"),
+      sub->add_flag("--own-limb,!--no-own-limb", s->own_limb,
+                    "Triangles of the limb itself count, or not. They do unless told"),
+      sub->add_flag("--legs", s->legs, "Legs as well. Feet leave the floor by it")};
+}
+
+void add_corrections(CLI::App* sub, Settings* s) {
+  section(sub, "Corrections");
+  add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "The file gets morph targets and their weights over time. ",
+                     &s->deform);
+  shared_option(sub, "--shapes", s->shapes, "A clip")->check(CLI::Range(1u, 256u))->capture_default_str();
+  add_solver_options(sub, &s->deform);
+}
+
 }  // namespace
 
 void add_animate(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("animate", "Play motion of another skeleton on a character");
   auto s = std::make_shared<Settings>();
-  sub->add_option("character", s->character,
-                  "Skinned .glb, .gltf or .vrm, NAME.obj with NAME.rig.txt beside it, or a bare mesh, which gets a "
-                  "skeleton first")
-      ->required()
-      ->type_name("CHARACTER");
-  sub->add_option(
-         "--motion", s->motions,
-         "Motion: .bvh, or a .glb, .gltf, .vrm, .fbx or .dae with animations, all of them or the one behind #; may "
-         "be repeated")
-      ->required()
-      ->type_name("FILE[#CLIP]")
-      ->allow_extra_args(false);
-  sub->add_option("-o,--output", s->output,
-                  "Output: the character with its new animations as .glb, .gltf or .vrm, or one clip as .bvh")
-      ->required()
-      ->type_name("OUT");
-  sub->add_option("--map", s->map, "Which joint moves as which: lines TARGET_JOINT SOURCE_JOINT, - for none")
-      ->type_name("FILE");
-  sub->add_option(
-         "--method", s->method,
-         "copy: every joint turns as its source does, rest poses aligned; contacts: then feet stay where they "
-         "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
-         "with it; reference-points: the published method for such a body, for comparison; auto: contacts")
-      ->check(CLI::IsMember({"auto", "copy", "contacts", "reference-points"}))
-      ->capture_default_str();
-  CLI::Option* const area =
-      sub->add_option("--area-power", s->area_power,
-                      "Reference points: a triangle's influence grows with its area to this power")
-          ->check(CLI::Range(0, 4))
-          ->capture_default_str();
-  CLI::Option* const falloff =
-      sub->add_option(
-             "--falloff", s->falloff,
-             "Reference points: influence falls by exp(-(distance / so many heights of the body)^2) [not at all]")
-          ->check(CLI::Range(0.001, 100.0));
-  CLI::Option* const own_limb = sub->add_flag("--own-limb,!--no-own-limb", s->own_limb,
-                                              "Reference points: triangles of the limb itself count, or not [they do]");
-  CLI::Option* const legs =
-      sub->add_flag("--legs", s->legs, "Reference points: legs as well; feet leave the floor by it");
-  sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
-  sub->add_option("--fps", s->fps, "Frames a second [as the motion has]")->check(CLI::Range(0.1, 1000.0));
-  sub->add_option("--from", s->from, "First second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
-  sub->add_option("--to", s->to, "Last second of the motion")->check(CLI::NonNegativeNumber)->type_name("T");
-  sub->add_option("--up", s->up, "Axis that points up for the character")
-      ->check(CLI::IsMember({"auto", "x", "y", "z"}))
-      ->capture_default_str();
-  sub->add_option("--motion-up", s->motion_up, "Axis that points up for the motions")
-      ->check(CLI::IsMember({"auto", "x", "y", "z"}))
-      ->capture_default_str();
-  sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
-  sub->add_flag("--range,!--no-range", s->range,
-                "Contacts keep knees and elbows in their natural range, or not [they do]");
-  sub->add_flag("--report", s->report,
-                "Say for every limb, copied and then by the method: frames in the body or under the floor, contacts, "
-                "sliding, frames out of the natural range");
-  add_deform_options(
-      sub,
-      "Also correct every frame: volume: bends keep their volume and do not pass through themselves; xpbd: "
-      "the published correction; delta-mush. The file gets morph targets and their weights over time",
-      &s->deform);
-  sub->add_option("--shapes", s->shapes, "Most morph targets a clip, for --deform")
-      ->check(CLI::Range(1u, 256u))
-      ->capture_default_str();
-  sub->add_flag("--json", s->json, "Print what was done as JSON");
+  add_inputs(sub, s.get());
+  add_clip_options(sub, s.get());
+  add_corrections(sub, s.get());
+  const std::vector<CLI::Option*> of_reference = add_reference_options(sub, s.get());
   sub->footer(
       "Examples:\n  sinew animate hero.glb --motion walk.bvh -o walking.glb --sheet walking.png\n"
-      "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o hero.moves.glb\n"
-      "  sinew animate mesh.obj --motion walk.bvh -o walking.glb\n"
+      "  sinew animate hero.glb --motion walk.bvh --motion moves.glb#jump --map map.txt -o moves.glb\n"
+      "  sinew animate mesh.obj --motion walk.bvh -o walking.glb\n\n"
       "  sinew animate broad.glb --motion walking.glb --method reference-points -o other.glb\n"
       "  sinew animate hero.glb --motion walk.bvh --deform volume -o walking.glb");
-  const std::vector<CLI::Option*> of_reference = {area, falloff, own_limb, legs};
   sub->callback([s, of_reference] {
     for (const CLI::Option* option : of_reference)
       if (option->count() > 0 && s->method != "reference-points")

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "deform_options.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew_character/bake_job.hpp"
 #include "sinew_formats/error.hpp"
@@ -91,31 +92,25 @@ void run(const Settings& s) {
 void add_bake(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("bake", "Corrected bends as morph targets, for programs without sinew");
   auto s = std::make_shared<Settings>();
-  sub->add_option("character", s->character, "Skinned .glb, .gltf or .vrm, or NAME.obj with NAME.rig.txt beside it")
+  sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
-  sub->add_option("-o,--output", s->output,
-                  "Output: the character with its shapes, what drives them, and their weights in its animations; .glb, "
-                  ".gltf or .vrm")
-      ->required()
-      ->type_name("OUT");
+  shared_option(sub, "-o,--output", s->output,
+                "The character with its shapes, what drives them, and their weights in its animations: .glb, .gltf or "
+                ".vrm")
+      ->required();
   sub->add_option("--poses", s->poses, "Poses to learn from: random ones, or frames of --animation")
       ->check(CLI::Range(1u, 10000u))
+      ->type_name("N")
       ->capture_default_str();
-  sub->add_option("--limit", s->limit, "Largest angle by which a random pose turns a joint, degrees")
-      ->check(CLI::Range(1.0, 180.0))
-      ->capture_default_str();
-  sub->add_option("--seed", s->seed, "Of the random poses")->capture_default_str();
-  auto* animation =
-      sub->add_option("--animation", s->animation, "Learn from one of the file's own animations, by name or number")
-          ->type_name("NAME");
-  sub->add_option("--shapes", s->shapes, "Shapes a bend")->check(CLI::Range(1u, 64u))->capture_default_str();
-  add_deform_options(
-      sub,
-      "What the shapes learn: volume: bends keep their volume and do not pass through themselves; xpbd: the "
-      "published correction; delta-mush [volume]",
-      &s->deform);
-  sub->add_flag("--json", s->json, "Print what was done as JSON");
+  shared_option(sub, "--limit", s->limit)->check(CLI::Range(1.0, 180.0))->capture_default_str();
+  shared_option(sub, "--seed", s->seed)->capture_default_str();
+  auto* animation = shared_option(sub, "--animation", s->animation, "It is learnt from");
+  shared_option(sub, "--shapes", s->shapes, "A bend")->check(CLI::Range(1u, 64u))->capture_default_str();
+  add_deform_options(sub, {"volume", "xpbd", "delta-mush"}, "That is what the shapes learn. ", &s->deform);
+  sub->get_option("--deform")->default_str("volume");
+  shared_flag(sub, "--json", s->json);
+  add_solver_options(sub, &s->deform);
   sub->footer(
       "Examples:\n  sinew bake hero.glb -o hero.baked.glb\n"
       "  sinew bake walking.glb --animation walk --shapes 4 -o walking.baked.glb");

@@ -11,6 +11,7 @@
 #include "bind_folder.hpp"
 #include "bind_one.hpp"
 #include "commands.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew/published.h"
 #include "sinew_formats/file_names.hpp"
@@ -26,7 +27,7 @@ struct Settings {
   BindSettings one;
   std::string model, method, report, format;
   unsigned jobs = 0;  // 0: not said
-  bool json = false, all_joints = false;
+  bool json = false;
 };
 
 // The options that no bind can be done with.
@@ -42,17 +43,10 @@ void check(const Settings& s) {
     throw UsageError("-o - and --json both want standard output: give the weights a file name");
 }
 
-// A file of joints is what --deform takes.
-void settle_joints(Settings* s) {
-  BindSettings& one = s->one;
-  if (s->all_joints) {
-    if (!one.joints.empty() && one.joints != "all")
-      throw UsageError("--all-joints and --joints " + one.joints + ": give one of the two");
-    one.joints = "all";
-  }
-  if (one.joints.empty() || one.joints == "own" || one.joints == "names" || one.joints == "all") return;
-  if (!one.deform.empty()) throw UsageError("--joints " + one.joints + " and --deform: give one list of joints");
-  one.deform = std::exchange(one.joints, "");
+// --joints takes a word or a file.
+void settle_joints(BindSettings* one) {
+  if (one->joints.empty() || one->joints == "own" || one->joints == "names" || one->joints == "all") return;
+  one->deform = std::exchange(one->joints, "");
 }
 
 // A binder and what it stands on.
@@ -88,7 +82,7 @@ void check_folder(const Settings& s) {
                                                   {"--answer", !s.one.answers.empty()},
                                                   {"--ask", s.one.ask},
                                                   {"--save-style", !s.one.save_style.empty()},
-                                                  {"--compare without --json", s.one.compare && !s.json}};
+                                                  {"--changes without --json", s.one.compare && !s.json}};
   for (const auto& [name, given] : options) {
     if (given) throw UsageError(std::string(name) + " is for one mesh, and " + s.one.mesh + " is a folder");
   }
@@ -116,7 +110,7 @@ void run_folder(const Settings& s) {
 }
 
 void run(Settings s) {
-  settle_joints(&s);
+  settle_joints(&s.one);
   constexpr unsigned kQuestions = 3;
   if (s.one.ask && s.one.questions == 0) s.one.questions = kQuestions;
   if (needs_no_model(s) && !s.model.empty())
@@ -136,118 +130,124 @@ void run(Settings s) {
   for (const std::string& line : summary_lines(summary)) std::fprintf(out, "%s\n", line.c_str());
 }
 
+// What most binds need.
+void add_inputs(CLI::App* sub, Settings* s) {
+  sub->add_option(
+         "mesh", s->one.mesh,
+         "Mesh, or a folder: every mesh in it and below it. " + mesh_files() + ", or - for an OBJ on standard input")
+      ->required()
+      ->type_name("MESH|DIR");
+  shared_option(sub, "--skeleton", s->one.skeleton,
+                skeleton_files() +
+                    ". Not needed when the mesh has its own; in a folder, NAME.rig.txt beside NAME.obj is "
+                    "found");
+  shared_option(sub, "-o,--output", s->one.output,
+                ".glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output; for a folder another "
+                "folder, which gets NAME.glb for every mesh, below the same sub-folders")
+      ->default_str("MESH.bound.glb");
+  shared_option(sub, "--model", s->model)->default_str("bundled");
+  shared_option(sub, "--method", s->method,
+                "heat: heat fields alone, no model; model: the network; distance: by distance to bones, the published "
+                "way, for comparison")
+      ->check(CLI::IsMember({"heat", "model", "distance"}));
+  shared_option(sub, "--joints", s->one.joints,
+                "own: mesh by mesh those that have weight in the file already; names: not controls, slots, roots and "
+                "what stands beside the mesh; all; or a file with the joints that deform, one name per line; own for a "
+                "skinned file, else names");
+  add_influences(sub, s->one.influences);
+  sub->add_flag("--fit", s->one.fit, "Scale, rotate and move a skeleton in other units or beside the mesh");
+  sub->add_flag("--symmetric", s->one.symmetric,
+                "Mirror images get mirrored weights, to the last bit. Says so when the character has no mirror plane "
+                "x = c");
+  sub->add_option("--like", s->one.like,
+                  "A bound character as an example of style. Its weights are carried over where they fit and steer the "
+                  "rest")
+      ->type_name("SOURCE");
+}
+
+void add_outputs(CLI::App* sub, Settings* s) {
+  sub->add_flag(
+      "--ask", s->one.ask,
+      "Ask about parts in doubt on the terminal. With a picture of each beside the output; 3 questions unless "
+      "--questions says otherwise");
+  shared_option(sub, "--png", s->one.png, "The mesh with its joints, coloured by weight");
+  shared_flag(sub, "--json", s->json, "With a folder one line of JSON for every mesh");
+  add_style_options(sub, &s->one.style);
+}
+
+void add_artists_words(CLI::App* sub, Settings* s) {
+  section(sub, "Joints and weights that are given");
+  sub->add_option("--never", s->one.never, "Joints that must get no weight, one name per line")->type_name("FILE");
+  sub->add_flag("--keep-tips", s->one.keep_tips,
+                "Joints that only end a chain keep the weight they get. By default their parents have it");
+  sub->add_flag("--bind-props", s->one.bind_props,
+                "Bind meshes without a skin too, also where they hang on joints or others have skins");
+  shared_option(sub, "--lock", s->one.lock);
+  sub->add_option(
+         "--hints", s->one.hints,
+         "Weights of some vertices, which are kept and steer those around them. A .rig.txt with skin lines for "
+         "these alone, or a glTF of the same mesh whose other vertices have none")
+      ->type_name("FILE");
+  section(sub, "Parts to ask about");
+  shared_option(sub, "--questions", s->one.questions, "Lists them with alternatives for --answer")
+      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_QUESTIONS)));
+  sub->add_option(
+         "--answer", s->one.answers,
+         "What a part moves with. rigid:JOINT, soft (as heat flows), hard (each vertex with its strongest "
+         "joint), softer, host (as what it lies on) or proposed. PART is the number that --questions prints, or "
+         "any vertex of the part; equal and mirrored parts get the same")
+      ->type_name("PART=ANSWER");
+  sub->add_option("--style", s->one.studio_style,
+                  "Style file: parts like those that it has answers for are answered without asking. For folders too")
+      ->type_name("FILE.style");
+  sub->add_option(
+         "--save-style", s->one.save_style,
+         "Keep the answers for other characters of the same kind. Those of --ask and --answer, behind those of "
+         "--style")
+      ->type_name("FILE.style");
+}
+
+void add_rest(CLI::App* sub, Settings* s) {
+  section(sub, "What is told");
+  sub->add_flag(
+      "--changes", s->one.compare,
+      "List the ten joints whose vertices changed most from the weights that the file (or the skeleton's) has");
+  sub->add_flag("--confidence", s->one.confidence,
+                "Also write how sure each vertex is, 0 to 1, as the attribute _CONFIDENCE of a .glb");
+  shared_option(sub, "--png-confidence", s->one.png_confidence, "Scaled to this character");
+  section(sub, "A folder of meshes");
+  add_jobs(sub, s->jobs)->default_str("1");
+  shared_option(sub, "--report", s->report, "A picture and a row of every mesh");
+  shared_option(sub, "--format", s->format)
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kFormats), std::end(kFormats))))
+      ->default_str("glb");
+  section(sub, "The rest");
+  shared_option(sub, "--up", s->one.up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  shared_option(sub, "--threads", s->one.threads,
+                "On one mesh, each with some memory of its own; the same bytes for any N")
+      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_bind(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("bind", "Predict the skin weights of a mesh for a skeleton");
   auto s = std::make_shared<Settings>();
-  sub->add_option("mesh", s->one.mesh,
-                  "Mesh: .obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input; or a folder: every "
-                  "mesh in it and below it")
-      ->required()
-      ->type_name("MESH|DIR");
-  sub->add_option(
-         "--skeleton", s->one.skeleton,
-         "Skeleton: .rig.txt, .gltf, .glb, .vrm, .fbx, .dae or .bvh. Not needed when the mesh has its own; in a "
-         "folder, NAME.rig.txt "
-         "beside NAME.obj is found")
-      ->type_name("FILE");
-  sub->add_option("-o,--output", s->one.output,
-                  "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output [MESH.bound.glb]; "
-                  "for a folder another folder, "
-                  "which gets NAME.glb for every mesh, below the same sub-folders")
-      ->type_name("OUT");
-  sub->add_option("--jobs", s->jobs, "With a folder: meshes at the same time; the same bytes for any N [1]")
-      ->check(CLI::Range(1, 256))
-      ->type_name("N");
-  sub->add_option("--report", s->report, "With a folder: a page with a picture and a row of every mesh")
-      ->type_name("PAGE.html");
-  sub->add_option("--format", s->format, "With a folder: what to write [glb]")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(kFormats), std::end(kFormats))));
-  sub->add_option("--model", s->model, "Model file, or bundled = the one in the program [bundled]")->type_name("FILE");
-  sub->add_option(
-         "--method", s->method,
-         "heat: heat fields alone, no model; model: the network; distance: by distance to bones, the published way, "
-         "for comparison")
-      ->check(CLI::IsMember({"heat", "model", "distance"}));
-  sub->add_option("--influences", s->one.influences, "Most joints per vertex")
-      ->check(CLI::Range(1, 12))
-      ->capture_default_str()
-      ->type_name("N");
-  sub->add_option("--deform", s->one.deform, "Joints that deform, one name per line; all others get no weight")
-      ->type_name("FILE");
-  sub->add_option("--never", s->one.never, "Joints that must get no weight, one name per line")->type_name("FILE");
-  sub->add_option("--joints", s->one.joints,
-                  "Which joints may get weight: own (mesh by mesh those that have weight in the file already), names "
-                  "(not controls, slots, roots and what stands beside the mesh), all, or a file like --deform's "
-                  "[own for a skinned file, else names]")
-      ->type_name("own|names|all|FILE");
-  sub->add_flag("--all-joints", s->all_joints, "Same as --joints all");
-  sub->add_flag("--keep-tips", s->one.keep_tips,
-                "Joints that only end a chain keep the weight they get; by default their parents have it");
-  sub->add_flag("--bind-props", s->one.bind_props,
-                "Bind meshes without a skin too, also where they hang on joints or others have skins");
-  sub->add_flag("--fit", s->one.fit, "Scale, turn and move a skeleton that is in other units or beside the mesh");
-  sub->add_option("--lock", s->one.lock, "Vertices that keep the weights they have, one 0-based index per line")
-      ->type_name("FILE");
-  sub->add_option(
-         "--like", s->one.like,
-         "A bound character whose weights are carried over where they fit and steer the rest: style by example")
-      ->type_name("SOURCE");
-  sub->add_option(
-         "--hints", s->one.hints,
-         "Weights of some vertices, a .rig.txt with skin lines for these alone (or a glTF of the same mesh whose "
-         "other vertices have none): they are kept and steer the vertices around them")
-      ->type_name("FILE");
-  sub->add_option("--up", s->one.up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-  sub->add_option("--threads", s->one.threads,
-                  "Threads that work on the mesh, each with some memory of its own; the same bytes for any N")
-      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
-      ->capture_default_str()
-      ->type_name("N");
-  sub->add_option("--png", s->one.png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
-  add_style_options(sub, &s->one.style);
-  sub->add_flag("--symmetric", s->one.symmetric,
-                "Vertices and joints that are mirror images get mirrored weights, to the last bit; says so when the "
-                "character has no mirror plane x = c");
-  sub->add_option("--questions", s->one.questions,
-                  "List the N parts whose weights an artist should decide about first, with alternatives for --answer")
-      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_QUESTIONS)))
-      ->type_name("N");
-  sub->add_flag("--ask", s->one.ask,
-                "Ask about these parts on the terminal, with a picture of each beside the output, and bind with the "
-                "answers [3 questions]");
-  sub->add_option(
-         "--answer", s->one.answers,
-         "What a part moves with: rigid:JOINT, soft (as heat flows), hard (each vertex with its strongest "
-         "joint), softer, host (as what it lies on) or proposed. PART is the number that --questions prints, or "
-         "any vertex of the part; equal and mirrored parts get the same")
-      ->type_name("PART=ANSWER");
-  sub->add_option("--style", s->one.studio_style,
-                  "Style file: parts like those that it has answers for are answered without asking; for folders too")
-      ->type_name("FILE.style");
-  sub->add_option(
-         "--save-style", s->one.save_style,
-         "Keep the answers of --ask and --answer for other characters of the same kind, behind those of --style")
-      ->type_name("FILE.style");
-  sub->add_flag(
-      "--compare", s->one.compare,
-      "List the ten joints whose vertices changed most from the weights that the file (or the skeleton's) has");
-  sub->add_flag("--confidence", s->one.confidence,
-                "Also write how sure each vertex is, 0 to 1, as the attribute _CONFIDENCE of a .glb");
-  sub->add_option("--png-confidence", s->one.png_confidence,
-                  "Also draw where to look: dark blue = sure, red = the least sure of this character")
-      ->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print the summary as JSON; with a folder one line of JSON for every mesh");
+  add_inputs(sub, s.get());
+  add_outputs(sub, s.get());
+  add_artists_words(sub, s.get());
+  add_rest(sub, s.get());
   sub->footer(
       "Examples:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
+      "  sinew bind hero.glb --ask -o hero.bound.glb\n"
+      "  sinew bind characters -o bound --jobs 4 --report bound.html\n\n"
       "  sinew bind hero.glb --method heat --influences 8 -o hero.rig.txt\n"
       "  sinew bind villain.obj --skeleton villain.rig.txt --like hero.glb -o villain.glb\n"
       "  sinew bind hero.obj --skeleton hero.rig.txt --hints painted.rig.txt -o hero.glb\n"
       "  sinew bind hero.glb --questions 3 -o hero.bound.glb\n"
       "  sinew bind hero.glb --answer 812=rigid:Head --answer 40=soft -o hero.bound.glb\n"
-      "  sinew bind hero.glb --ask --save-style studio.style && sinew bind others -o bound --style studio.style\n"
-      "  sinew bind characters -o bound --jobs 4 --report bound.html\n"
+      "  sinew bind hero.glb --ask --save-style my.style && sinew bind others -o bound --style my.style\n"
       "  cat hero.obj | sinew bind - --skeleton hero.rig.txt -o - > weights.rig.txt");
   sub->callback([s] { run(*s); });
 }

@@ -18,7 +18,6 @@ void add_dataset(CLI::App& app);
 void add_inspect(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_rig(CLI::App& app);
-void add_extract(CLI::App& app);
 void add_simplify(CLI::App& app);
 void add_map(CLI::App& app);
 void add_animate(CLI::App& app);

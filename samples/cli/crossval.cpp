@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "options.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
@@ -78,55 +79,51 @@ void add_crossval(CLI::App& app) {
   CrossvalOptions& o = s->options;
   o.threads = std::max(1u, std::thread::hardware_concurrency());
   sub->add_option("dir", o.data_dir, "Folder of FAMILY__NAME.obj + .rig.txt pairs and .glb files")->type_name("DIR");
-  sub->add_option("-o,--output", o.folder, "Folder for checkpoints and figures [crossval-CONFIG]")->type_name("FOLDER");
-  sub->add_option("--config", s->config, "Settings that differ from the defaults, as JSON")->type_name("FILE");
+  shared_option(sub, "-o,--output", o.folder, "A folder for checkpoints and figures")->default_str("crossval-CONFIG");
+  shared_option(sub, "--config", s->config);
   sub->add_option("--folds", o.fold_count, "Parts that the family groups are dealt to")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str()
       ->type_name("N");
-  sub->add_option("--groups", s->groups,
-                  "Families that look alike, as JSON [mh_* together; others by name without digits at its end]")
-      ->type_name("FILE");
-  sub->add_option("--leave-out", o.leave_out,
-                  "Deal only the groups of this mean of --groups to folds, train on all others always [all groups]")
+  shared_option(sub, "--groups", s->groups, "Unless given: mh_* together, others by name without digits at its end");
+  shared_option(sub, "--val", o.val_dir, "One more run per seed, which leaves nothing out, is measured on them");
+  shared_flag(sub, "--resume", o.resume, "In FOLDER: finished folds stay, stopped ones continue");
+  shared_option(sub, "--steps", s->steps, "Of each fold; the configuration's unless given")->check(CLI::PositiveNumber);
+  shared_option(sub, "--minutes", o.minutes, "Of each fold; by steps unless given")->check(CLI::PositiveNumber);
+  sub->add_option("--compare", s->compare, "Print one table of finished runs: FOLDERs or their crossval.json")
+      ->type_name("RUN");
+  section(sub, "What is run");
+  sub->add_option(
+         "--leave-out", o.leave_out,
+         "Deal only the groups of this mean of --groups to folds, train on all others always. All groups unless "
+         "given")
       ->type_name("MEAN");
-  sub->add_option("--from", o.from,
+  sub->add_option("--reuse", o.from,
                   "Take the networks of this finished run with the configuration's correction, train nothing")
       ->type_name("RUN");
   sub->add_option("--seeds", o.seed_count, "Runs of every fold: the configuration's seed and those after it")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str()
       ->type_name("N");
-  sub->add_option("--fold", o.only_fold, "Only this fold, from 1 [all]")->check(CLI::PositiveNumber)->type_name("N");
-  sub->add_option("--val", o.val_dir, "Measure one more run per seed, which leaves nothing out, on this folder")
-      ->type_name("DIR");
-  sub->add_flag("--resume", o.resume, "Go on in FOLDER: finished folds stay, stopped ones continue");
-  sub->add_option("--steps", s->steps, "Steps of each fold [the configuration's]")
+  sub->add_option("--fold", o.only_fold, "Only this fold, from 1. All unless given")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
-  sub->add_option("--minutes", o.minutes, "Minutes of each fold [by steps]")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
-  sub->add_flag("--int16", s->int16, "Measure the quantised network in the engine's arithmetic [float]");
-  sub->add_option("--cache", o.cache_dir, "Folder for computed features [FOLDER/cache]")->type_name("DIR");
-  sub->add_option("--threads", o.threads, "Threads of all folds together")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str()
-      ->type_name("N");
-  sub->add_option("--at-once", o.at_once, "Folds side by side [one per thread]")
+  sub->add_flag("--int16", s->int16, "Measure the quantised network in the engine's arithmetic, not float");
+  section(sub, "The rest");
+  shared_option(sub, "--cache", o.cache_dir)->default_str("FOLDER/cache");
+  shared_option(sub, "--threads", o.threads, "Of all folds together")->check(CLI::Range(1, 256))->capture_default_str();
+  sub->add_option("--at-once", o.at_once, "Folds side by side. One per thread unless given")
       ->check(CLI::Range(1, 256))
       ->type_name("N");
-  sub->add_option("--label", o.label, "Name in tables [name of the configuration]")->type_name("TEXT");
-  sub->add_option("--compare", s->compare, "Print one table of finished runs: FOLDERs or their crossval.json")
-      ->type_name("RUN");
-  sub->add_flag("--quiet", o.quiet, "No progress lines");
+  shared_option(sub, "--label", o.label, "The configuration's unless given");
+  shared_flag(sub, "--quiet", o.quiet);
   sub->footer(
       "FOLDER gets crossval.md, crossval.csv and crossval.json; the table goes to standard output.\n"
       "Examples:\n"
-      "  sinew crossval characters/train --val characters/val --groups trainer/configs/groups.json -o base\n"
-      "  sinew crossval characters/train --groups trainer/configs/groups.json --leave-out old --folds 2 -o quick\n"
-      "  sinew crossval characters/train --config wide.json --groups trainer/configs/groups.json -o wide --seeds 2\n"
-      "  sinew crossval --compare base wide");
+      "  sinew crossval characters/train --groups trainer/configs/groups.json -o base\n"
+      "  sinew crossval --compare base wide\n\n"
+      "  sinew crossval characters/train --groups groups.json --leave-out old --folds 2 -o quick\n"
+      "  sinew crossval characters/train --config wide.json --groups groups.json -o wide --seeds 2");
   sub->callback([s] { run(*s); });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew dataset: the subcommands together; convert, decimate and synthesize characters.
+// sinew dataset: the subcommands together; characters made from a seed.
 #include "sinew_datasets/dataset.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "dataset.hpp"
+#include "options.hpp"
 #include "sinew_datasets/synthesize.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -19,30 +20,6 @@ namespace fs = std::filesystem;
 
 namespace sinew::cli {
 namespace {
-
-struct ConvertSettings {
-  std::string input, skeleton, output;
-  double ratio = 0;
-};
-
-void convert(const ConvertSettings& s) {
-  check_output(s.output, character_outputs(), true);
-  if (has_extension(s.input, ".obj") && has_extension(s.skeleton, ".obj"))
-    throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton");
-  Character character = read_any(s.input);
-  if (!s.skeleton.empty()) read_skeleton(s.skeleton, true, &character);
-  if (s.ratio > 0) character = decimate(character, s.ratio);
-  if (!has_extension(s.output, ".obj") && character.joints.empty()) {
-    throw Error(s.input + ": has no skeleton, but " + (s.output == "-" ? std::string("a rig") : s.output) +
-                " needs one; give --skeleton FILE");
-  }
-  write_character(s.output, character);
-  if (s.output != "-") {
-    std::printf("%s: %zu vertices, %zu faces, %zu joints, wrote %s\n", character.name.c_str(),
-                character.vertices.size(), character.face_count(), character.joints.size(), s.output.c_str());
-    for (const std::string& note : character.notes) std::printf("%s\n", note.c_str());
-  }
-}
 
 struct SynthesizeSettings {
   std::string output, plan = "characters";
@@ -85,45 +62,18 @@ void synthesize_all(const SynthesizeSettings& s) {
   }
 }
 
-void add_convert(CLI::App* parent, bool decimates) {
-  CLI::App* sub =
-      decimates ? parent->add_subcommand("decimate", "Write a character with fewer vertices, weights carried along")
-                : parent->add_subcommand("convert", "Write a character in another format");
-  auto s = std::make_shared<ConvertSettings>();
-  sub->add_option("input", s->input, "Character: .glb, .gltf, .vrm, or NAME.obj (NAME.rig.txt beside it is read too)")
-      ->required()
-      ->type_name("IN");
-  sub->add_option(
-         "output,-o,--output", s->output,
-         "Output: .glb, .gltf, .vrm, .rig.txt, or .obj (a .rig.txt goes beside it); - for rig.txt on standard output")
-      ->required()
-      ->type_name("OUT");
-  sub->add_option("--skeleton", s->skeleton, "Skeleton and weights of another file")->type_name("FILE");
-  if (decimates) {
-    sub->add_option("--ratio", s->ratio, "Share of the vertices to keep")
-        ->required()
-        ->check(CLI::Range(0.01, 1.0))
-        ->type_name("X");
-    sub->footer("Example:\n  sinew dataset decimate hero.obj hero_small.obj --ratio 0.5");
-  } else {
-    sub->footer("Example:\n  sinew dataset convert hero.obj hero.glb");
-  }
-  sub->callback([s] { convert(*s); });
-}
-
 void add_synthesize(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("synthesize", "Make characters with exact weights from a seed");
   auto s = std::make_shared<SynthesizeSettings>();
-  sub->add_option("-o,--output", s->output, "Folder, or one .obj or .glb file")->required()->type_name("OUT");
+  shared_option(sub, "-o,--output", s->output, "A folder, or one .obj or .glb file")->required();
   std::vector<std::string> plans = {"characters", "creatures", "all"};
   for (BodyPlan plan : kBodyPlans) plans.push_back(body_plan_name(plan));
   for (BodyPlan plan : kCreaturePlans) plans.push_back(body_plan_name(plan));
   sub->add_option("--plan", s->plan, "Body plan; \"characters\" are the five that wear clothes, \"creatures\" the rest")
+      ->type_name("PLAN")
       ->check(CLI::IsMember(plans))
       ->capture_default_str();
-  sub->add_option("--seed", s->seed, "First seed; the same seed gives the same character everywhere")
-      ->capture_default_str()
-      ->type_name("N");
+  shared_option(sub, "--seed", s->seed, "Of the first one")->capture_default_str();
   sub->add_option("--count", s->count, "Characters per plan, from seed on")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str()
@@ -176,8 +126,8 @@ void add_dataset(CLI::App& app) {
   add_dataset_dedup(sub);
   add_dataset_split(sub);
   add_dataset_target(sub);
-  add_convert(sub, false);
-  add_convert(sub, true);
+  add_dataset_convert(sub);
+  add_dataset_decimate(sub);
   add_synthesize(sub);
 }
 

@@ -25,6 +25,8 @@ void add_dataset_stats(CLI::App* parent);
 void add_dataset_dedup(CLI::App* parent);
 void add_dataset_split(CLI::App* parent);
 void add_dataset_target(CLI::App* parent);
+void add_dataset_convert(CLI::App* parent);
+void add_dataset_decimate(CLI::App* parent);
 
 }  // namespace sinew::cli
 #endif

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "dataset.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew_datasets/dataset.hpp"
 #include "sinew_datasets/image.hpp"
@@ -178,12 +179,11 @@ void add_dataset_check(CLI::App* parent) {
   sub->add_option("inputs", s->inputs, "Meshes, characters and folders of them, sub-folders too")
       ->required()
       ->type_name("FILE|DIR");
-  sub->add_flag("--json", s->json,
-                "Print a line of JSON for every character, with all vertices of findings about weights");
-  sub->add_option("--png", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
-      ->type_name("FOLDER");
+  shared_flag(sub, "--json", s->json, "A line for every character, with all vertices of findings about weights");
+  sub->add_option("--pictures", s->pictures, "Folder for a picture of every character with suspicious vertices, ringed")
+      ->type_name("DIR");
   sub->footer(
-      "Example:\n  sinew dataset check characters/train hero.glb --png suspicious\n"
+      "Example:\n  sinew dataset check characters/train hero.glb --pictures suspicious\n\n"
       "Suspicious weights are warnings: far-weight (a joint across the body while another is near), island (a patch\n"
       "bound across the body), odd-vertex (its neighbours agree on something else), left-right (the place of the\n"
       "joint's mirror twin), idle-twin (no weight, but the twin has some), shared-place (joints at one place\n"

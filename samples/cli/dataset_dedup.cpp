@@ -10,6 +10,7 @@
 #include <string>
 
 #include "dataset.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew_datasets/dedup.hpp"
 #include "sinew_datasets/split.hpp"
@@ -142,13 +143,12 @@ void add_dataset_dedup(CLI::App* parent) {
                   "Characters and folders of them, sub-folders too; the first of several copies is kept")
       ->required()
       ->type_name("FILE|DIR");
-  sub->add_option("-o,--output", s->output, "Folder for one of each, as hard links where possible")
-      ->type_name("OUTDIR");
+  shared_option(sub, "-o,--output", s->output, "A folder for one of each, as hard links where possible");
   sub->add_flag("--one-per-mesh", s->one_per_mesh, "Keep one of characters whose mesh alone is the same, too");
-  sub->add_flag("--json", s->json, "Print a line of JSON for every group with one mesh");
+  shared_flag(sub, "--json", s->json, "A line for every group with one mesh");
   sub->footer(
       "Examples:\n  sinew dataset dedup characters/train -o characters/unique\n"
-      "  sinew dataset dedup characters/train characters/val      # does val hold a copy of train?\n"
+      "  sinew dataset dedup characters/train characters/val      # does val hold a copy of train?\n\n"
       "Meshes are compared after moving and scaling, weights by joints at the same place. Near: positions within 1 %\n"
       "of the size and weights within an L1 of 0.05 on average. Nothing is ever deleted.");
   sub->callback([s] { dedup(*s); });
@@ -158,27 +158,23 @@ void add_dataset_split(CLI::App* parent) {
   CLI::App* sub = parent->add_subcommand("split", "Divide a folder into train and val, families together");
   auto s = std::make_shared<SplitSettings>();
   sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, sub-folders too")->required()->type_name("DIR");
-  sub->add_option("--val", s->share, "Share of the characters for validation; whole units come as close as they can")
+  sub->add_option("--val-share", s->share,
+                  "Share of the characters for validation. Whole units come as close as they can")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str()
-      ->type_name("SHARE");
+      ->type_name("X");
   sub->add_option("--by", s->by, "What stays together")
+      ->type_name("UNIT")
       ->check(CLI::IsMember({"family", "character"}))
       ->capture_default_str();
-  sub->add_option(
-         "--groups", s->groups,
-         "Families that stay together, as for crossval: JSON {\"groups\": {\"group\": [\"family\", ...], ...}}")
-      ->type_name("FILE");
-  sub->add_option("--seed", s->seed, "Another draw; the same seed gives the same sides everywhere")
-      ->capture_default_str()
-      ->type_name("N");
+  shared_option(sub, "--groups", s->groups, "As for crossval: {\"groups\": {\"group\": [\"family\", ...], ...}}");
+  shared_option(sub, "--seed", s->seed)->capture_default_str();
   sub->add_flag("--lists", s->lists, "Write OUT/train.txt and OUT/val.txt with paths instead of folders");
-  sub->add_option("-o,--output", s->output, "Folder for train and val: hard links, copies where links are not possible")
-      ->required()
-      ->type_name("OUT");
+  shared_option(sub, "-o,--output", s->output,
+                "A folder for train and val: hard links, copies where links are not possible")
+      ->required();
   sub->footer(
-      "Example:\n  sinew dataset split characters --val 0.1 --by family --groups trainer/configs/groups.json -o "
-      "divided\n"
+      "Example:\n  sinew dataset split characters --val-share 0.1 --groups trainer/configs/groups.json -o divided\n\n"
       "Look for copies first (sinew dataset dedup): they would sit on both sides.");
   sub->callback([s] { split(*s); });
 }

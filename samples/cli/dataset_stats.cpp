@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "dataset.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew_datasets/dataset_page.hpp"
 #include "sinew_datasets/image.hpp"
@@ -86,20 +87,17 @@ void add_dataset_stats(CLI::App* parent) {
   auto s = std::make_shared<Settings>();
   s->jobs = std::max(1u, std::thread::hardware_concurrency());
   sub->add_option("dir", s->folder, "Folder of FAMILY__NAME characters, sub-folders too")->required()->type_name("DIR");
-  sub->add_option("-o,--output", s->page, "One page with plots and a picture of every character, with its warnings")
-      ->type_name("PAGE.html");
-  sub->add_option("--picture", s->picture, "Side of the pictures in pixels")
+  shared_option(sub, "-o,--output", s->page,
+                "One page (PAGE.html) with plots and a picture of every character, with its warnings");
+  sub->add_option("--picture-size", s->picture, "Side of the pictures in pixels")
       ->check(CLI::Range(64, 1024))
       ->capture_default_str()
       ->type_name("N");
   sub->add_flag("--no-recall", s->no_recall, "Leave out how much weight lies on 6, 8, 12 and 16 candidates (quicker)");
-  sub->add_option("--jobs", s->jobs, "Characters at the same time")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str()
-      ->type_name("N");
-  sub->add_flag("--json", s->json, "Print JSON; each size is [smallest, median, largest]");
+  add_jobs(sub, s->jobs)->capture_default_str();
+  shared_flag(sub, "--json", s->json, "Each size is [smallest, median, largest]");
   sub->footer(
-      "Example:\n  sinew dataset stats characters/train -o train.html\n"
+      "Example:\n  sinew dataset stats characters/train -o train.html\n\n"
       "Recall: the share of the reference weight on the K joints that the network may choose from, grid 64.");
   sub->callback([s] { stats(*s); });
 }

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "dataset.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sinew_datasets/target_hands.hpp"
 #include "sinew_formats/io.hpp"
@@ -83,21 +84,20 @@ void make_targets(const Settings& s) {
 }  // namespace
 
 void add_dataset_target(CLI::App* parent) {
-  CLI::App* sub = parent->add_subcommand("target", "Write the target skeletons that eval --task rig compares with");
+  CLI::App* sub = parent->add_subcommand("target", "Write the target skeletons that eval rig compares with");
   auto s = std::make_shared<Settings>();
   sub->add_option("inputs", s->inputs, "Rigged characters and folders of them, sub-folders too")
       ->required()
       ->type_name("FILE|DIR");
-  sub->add_option("-o,--output", s->output, "Folder for NAME.rig.txt of each: joints and their hierarchy, no weights")
-      ->required()
-      ->type_name("OUTDIR");
-  sub->add_option(
-         "--detail", s->detail,
-         "body: what eval --task rig compares with; hands: with the fingers that eval --task hands compares with")
+  shared_option(sub, "-o,--output", s->output,
+                "A folder for NAME.rig.txt of each: joints and their hierarchy, no weights")
+      ->required();
+  shared_option(sub, "--detail", s->detail,
+                "body: what eval rig compares with; hands: with the fingers that eval hands compares with")
       ->check(CLI::IsMember({"body", "hands"}))
       ->capture_default_str();
   sub->footer(
-      "Example:\n  sinew dataset target characters/val -o targets\n"
+      "Example:\n  sinew dataset target characters/val -o targets\n\n"
       "The target skeleton has the joints that move the body: fingers, faces and twist bones belong to their parents,\n"
       "joints without a 0.2 % share of the mesh are left out, joints at one place are one. Every leaf has a bone end,\n"
       "a joint NAME_end below it.");

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "options.hpp"
 #include "sinew/published.h"
 #include "support.hpp"
 
@@ -23,19 +24,23 @@ std::optional<sinew_deform_options> deform_options(const DeformSettings& setting
   return std::nullopt;
 }
 
-void add_deform_options(CLI::App* sub, const std::string& what, DeformSettings* settings) {
-  sub->add_option("--deform", settings->method, what)->check(CLI::IsMember({"volume", "xpbd", "delta-mush"}));
-  add_solver_options(sub, settings);
+void add_deform_options(CLI::App* sub, const std::vector<std::string>& methods, const std::string& what,
+                        DeformSettings* settings) {
+  shared_option(sub, "--deform", settings->method,
+                what +
+                    "volume: bends keep their volume and do not pass through themselves; xpbd: the published "
+                    "correction; delta-mush: smoothed, with the details of the rest shape")
+      ->check(CLI::IsMember(methods));
 }
 
 void add_solver_options(CLI::App* sub, DeformSettings* settings) {
-  sub->add_option("--cells", settings->cells, "Cells of the lattice along the longest side, for volume and xpbd [32]")
-      ->check(CLI::Range(8u, SINEW_MAX_DEFORM_CELLS));
-  sub->add_option("--rounds", settings->rounds,
-                  "Rounds of the solver or, for delta-mush, of smoothing [20, delta-mush 5]")
-      ->check(CLI::Range(1u, SINEW_MAX_DEFORM_ROUNDS));
-  sub->add_flag("--body-contact", settings->body_contact,
-                "Keep an arm out of the torso, a thigh out of the belly and the other thigh too, for volume");
+  section(sub, "Corrections");
+  shared_option(sub, "--cells", settings->cells)->check(CLI::Range(8u, SINEW_MAX_DEFORM_CELLS))->default_str("32");
+  shared_option(sub, "--rounds", settings->rounds)
+      ->check(CLI::Range(1u, SINEW_MAX_DEFORM_ROUNDS))
+      ->default_str("20, delta-mush 5");
+  shared_flag(sub, "--body-contact", settings->body_contact,
+              "An arm keeps out of the torso, a thigh out of the belly and the other thigh");
 }
 
 }  // namespace sinew::cli

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sinew/deform.h"
 
@@ -24,9 +25,10 @@ struct DeformSettings {
 // of these.
 std::optional<sinew_deform_options> deform_options(const DeformSettings& settings);
 
-// Adds --deform with the three corrections and the others. `what` is said about --deform.
-void add_deform_options(CLI::App* sub, const std::string& what, DeformSettings* settings);
-// Adds --cells, --rounds and --body-contact alone.
+// Adds --deform with these methods. `what` comes before what they mean.
+void add_deform_options(CLI::App* sub, const std::vector<std::string>& methods, const std::string& what,
+                        DeformSettings* settings);
+// Adds --cells, --rounds and --body-contact under a heading of their own.
 void add_solver_options(CLI::App* sub, DeformSettings* settings);
 
 }  // namespace sinew::cli

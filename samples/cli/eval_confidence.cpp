@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval --confidence: is a vertex that the binder is 90 % sure of right nine times in ten?
+// sinew eval confidence: is a vertex that the binder is 90 % sure of right nine times in ten?
 #include <cstdio>
 
 #include "eval_studies.hpp"

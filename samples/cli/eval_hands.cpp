@@ -45,8 +45,9 @@ void evaluate_hands(const HandsEvaluation& evaluation) {
     if (measured[i]) rows.emplace_back(found[i].name, *measured[i]);
     if (!measured[i] && failed++ == 0) first = failures[i];
   }
-  if (evaluation.json != "-") std::printf("%s", hand_scores_markdown(rows).c_str());
-  if (!evaluation.json.empty()) write_text_file(evaluation.json, hand_scores_json(rows) + "\n");
+  if (!evaluation.json) std::printf("%s", hand_scores_markdown(rows).c_str());
+  if (!evaluation.output.empty()) write_text_file(evaluation.output, hand_scores_json(rows) + "\n");
+  if (evaluation.json) std::printf("%s\n", hand_scores_json(rows).c_str());
   if (failed > 0) throw Error(print("%zu of %zu characters failed; the first: ", failed, found.size()) + first);
 }
 

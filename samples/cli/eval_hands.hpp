@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval --task hands: predicted fingers against those of a folder's characters.
+// sinew eval hands: predicted fingers against those of a folder's characters.
 #ifndef SINEW_CLI_EVAL_HANDS_HPP
 #define SINEW_CLI_EVAL_HANDS_HPP
 
@@ -10,7 +10,8 @@ namespace sinew::cli {
 struct HandsEvaluation {
   std::string folder;  // rigged characters
   std::string model;   // of hands; empty: the bundled one. Bodies are the bundled model's.
-  std::string json;    // file for all figures, "-" = standard output instead of the table; may be empty
+  std::string output;  // file for all figures; may be empty
+  bool json = false;   // all figures on standard output instead of the table
   unsigned jobs = 1;
 };
 

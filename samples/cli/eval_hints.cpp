@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval --hints: how much the vertices around painted ones gain.
+// sinew eval hints: how much the vertices around painted ones gain.
 #include <algorithm>
 #include <cstdio>
 #include <map>

@@ -139,7 +139,7 @@ void tell_float(const RigEvaluation& evaluation, const std::vector<FoundCharacte
   const size_t count = rows.size();
   const RigScores exact = summarise(std::move(rows));
   std::fprintf(
-      evaluation.json == "-" ? stderr : stdout,
+      evaluation.json ? stderr : stdout,
       "\nfloat, %s: J2J %.3f / %.3f, int16 %.3f / %.3f (x 100, characters / families); the same tree on %zu of %zu "
       "characters\n",
       printable(evaluation.checkpoint).c_str(), 100 * exact.all.j2j, 100 * exact.family_mean.j2j, 100 * scores.all.j2j,
@@ -200,11 +200,12 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
       if (one.failure.empty()) report.pictures.push_back(std::move(one.picture));
     }
     write_text_file(evaluation.report, rig_report_html(report));
-    if (evaluation.json != "-") std::printf("wrote %s\n", printable(evaluation.report).c_str());
+    if (!evaluation.json) std::printf("wrote %s\n", printable(evaluation.report).c_str());
   }
-  if (evaluation.json != "-") std::printf("%s", rig_scores_markdown(scores).c_str());
+  if (!evaluation.json) std::printf("%s", rig_scores_markdown(scores).c_str());
   if (predictor.in_float) tell_float(evaluation, found, measured, scores);
-  if (!evaluation.json.empty()) write_text_file(evaluation.json, rig_scores_json(scores) + "\n");
+  if (!evaluation.output.empty()) write_text_file(evaluation.output, rig_scores_json(scores) + "\n");
+  if (evaluation.json) std::printf("%s\n", rig_scores_json(scores).c_str());
   if (!scores.failures.empty())
     throw Error(print("%zu of %zu characters failed; the first: ", scores.failures.size(), found.size()) +
                 scores.failures.begin()->first + ": " + scores.failures.begin()->second);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval --task rig: predicted skeletons against those of a folder's characters.
+// sinew eval rig: predicted skeletons against those of a folder's characters.
 #ifndef SINEW_CLI_EVAL_RIG_HPP
 #define SINEW_CLI_EVAL_RIG_HPP
 
@@ -14,7 +14,8 @@ struct RigEvaluation {
   std::string predictions;  // NAME.rig.txt of each of them, of which only joints are read; empty: the model predicts
   std::string model;        // of skeletons; empty: the bundled one
   std::string method;  // "" or "votes"; "shape" needs no model; "slots": the model is a checkpoint of the published one
-  std::string json;    // file for all figures, "-" = standard output instead of the table; may be empty
+  std::string output;  // file for all figures; may be empty
+  bool json = false;   // all figures on standard output instead of the table
   bool bind = false;   // with the bundled model of weights: what moves the surface
   std::string report;  // HTML page with a picture of every character; may be empty
   std::vector<std::pair<std::string, std::string>> facts;  // of the report: how its numbers were made

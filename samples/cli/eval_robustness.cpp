@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sinew eval --robustness: the table of what changes of the input do to the weights.
+// sinew eval robustness: the table of what changes of the input do to the weights.
 #include <algorithm>
 #include <cstdio>
 

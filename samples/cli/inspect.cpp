@@ -12,6 +12,7 @@
 #include "features/features.hpp"
 #include "inspect_parts.hpp"
 #include "model/layers.hpp"
+#include "options.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -181,12 +182,13 @@ void add_inspect(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("inspect", "Say what is in a mesh, character, checkpoint or model");
   auto s = std::make_shared<Settings>();
   sub->add_option("file", s->path,
-                  "A mesh, rig, character, checkpoint or model; bundled = the model built into the program")
+                  "A mesh, rig, character, checkpoint or model. " + mesh_files() + ", " + skeleton_files() +
+                      "; bundled = the model built into the program")
       ->required()
       ->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print JSON");
+  shared_flag(sub, "--json", s->json);
   sub->footer(
-      "Example:\n  sinew inspect hero.glb\n"
+      "Example:\n  sinew inspect hero.glb\n\n"
       "Of a glTF also: meshes and their skins, materials, images, animations, morph targets, extensions, and whether\n"
       "the inverse bind matrices agree with where the nodes stand now.");
   sub->callback([s] { run(*s); });

@@ -4,11 +4,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands.hpp"
+#include "help.hpp"
+#include "retired.hpp"
 #include "sinew/sinew.h"
 #include "sinew_formats/error.hpp"
 #include "sinew_trainer/ranks.hpp"
@@ -40,25 +44,45 @@ bool repeated(const CLI::App& app) {
 }
 
 // CLI11 says of a wrong first word only that a subcommand is missing.
-std::optional<std::string> unknown_command(const CLI::App& app, int argc, char** argv) {
+std::optional<std::string> unknown_command(const CLI::App& app, const std::vector<std::string>& words) {
   const CLI::App* level = &app;
   while (!level->get_subcommands().empty()) level = level->get_subcommands().front();
-  const size_t depth = level == &app ? 1 : 2;
+  const size_t depth = level == &app ? 0 : 1;
   if (level->get_subcommands([](const CLI::App*) { return true; }).empty()) return std::nullopt;
-  if (argc <= static_cast<int>(depth) || argv[depth][0] == '-') return std::nullopt;
-  return "no such command: " + std::string(level == &app ? "" : level->get_name() + " ") + argv[depth];
+  if (words.size() <= depth || words[depth][0] == '-') return std::nullopt;
+  return "no such command: " + std::string(level == &app ? "" : level->get_name() + " ") + words[depth];
+}
+
+// What is wrong with a command line, and what to do about it.
+std::string complaint(const CLI::App& app, const std::vector<std::string>& words, const std::string& error) {
+  if (const auto now = sinew::cli::retired_word(words, error)) return *now + see_help(app);
+  return unknown_command(app, words).value_or(error) + see_help(app);
+}
+
+// `sinew eval DIR` is `sinew eval weights DIR`.
+std::vector<std::string> whole_words(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() < 2 || words[0] != "eval" || words[1] == "--help" || words[1] == "-h" || words[1] == "--help-all")
+    return words;
+  const auto named = [&](const CLI::App* study) { return study->get_name() == words[1]; };
+  if (app.get_subcommand("eval")->get_subcommands(named).empty()) words.insert(words.begin() + 1, "weights");
+  return words;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Binds character meshes to their skeletons with a small int16 network.", "sinew");
-  app.set_version_flag("--version", std::string("sinew ") + sinew_version());
+  app.formatter(std::make_shared<sinew::cli::HelpText>());
+  app.set_help_flag("-h,--help", "Print one screen of help");
+  app.set_help_all_flag("--help-all", "Print every option with all details");
+  app.set_version_flag("--version", std::string("sinew ") + sinew_version(), "Print the version");
   app.require_subcommand(1);
   app.footer(
       "Example:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
       "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.\n"
-      "SINEW_KERNEL=ref|avx2|avxvnni|vnni in the environment chooses the instructions; results never depend on it.");
+      "SINEW_KERNEL=ref|avx2|avxvnni|vnni in the environment chooses the instructions; results never\n"
+      "depend on it.");
   sinew::cli::add_rig(app);
   sinew::cli::add_bind(app);
   sinew::cli::add_transfer(app);
@@ -70,16 +94,16 @@ int main(int argc, char** argv) {
   sinew::cli::add_inspect(app);
   sinew::cli::add_pose(app);
   sinew::cli::add_simplify(app);
-  sinew::cli::add_extract(app);
   sinew::cli::add_map(app);
   sinew::cli::add_animate(app);
   sinew::cli::add_bake(app);
+  const std::vector<std::string> words = whole_words(app, argc, argv);
   try {
-    app.parse(argc, argv);  // runs the chosen subcommand's callback
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // runs the chosen subcommand's callback
   } catch (const CLI::Success& done) {
     return app.exit(done);  // --help, --version
   } catch (const CLI::ParseError& error) {
-    return repeated(app) ? 0 : fail(unknown_command(app, argc, argv).value_or(error.what()) + see_help(app), 2);
+    return repeated(app) ? 0 : fail(complaint(app, words, error.what()), 2);
   } catch (const sinew::cli::UsageError& error) {
     return repeated(app) ? 0 : fail(error.what() + see_help(app), 2);
   } catch (const sinew::RanksError& error) {

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "map_picture.hpp"
+#include "options.hpp"
 #include "sinew/published.h"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_character/motion_map.hpp"
@@ -23,10 +24,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
+
 struct Settings {
   std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file, png;
   std::vector<std::string> pins;
-  bool no_names = false, no_ends = false, json = false;
+  bool no_names = false, json = false;
 };
 
 MapRig read_rig_for_map(const std::string& path) {
@@ -133,38 +136,46 @@ void tell(const Settings& s, const MapRig& target, const MapRig& source, const M
   if (s.output != "-") std::fprintf(out, "wrote %s\n", printable(s.output).c_str());
 }
 
-void run(Settings s) {
+// What the command line leaves open follows from what it says.
+Settings settled(Settings s) {
   if (s.source.empty() == s.preset.empty())
     throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
   if (!s.preset.empty()) s.source = "template:" + s.preset;
   if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
   if (s.output != "-") check_output(s.output, {".txt", ".map", ".json"});
   if (!s.png.empty()) check_output(s.png, {".png"});
-  if (s.no_ends && !s.ends_file.empty()) throw UsageError("--ends and --no-ends: give one of the two");
-  MapRig target = read_rig_for_map(s.target), source = read_rig_for_map(s.source);
-  if (!s.ends_file.empty()) {
-    read_ends(s.ends_file, &target);
-    read_ends(s.ends_file, &source);
-  }
+  return s;
+}
+
+MappedSkeleton map_joints(const Settings& s, const MapRig& target, const MapRig& source) {
   MapSkeletonOptions options;
   options.method = s.method == "sinew" ? SINEW_MAP_SINEW : SINEW_MAP_AUTO;
   if (s.method == "branches") options.method = SINEW_MAP_BRANCHES;
   options.names = !s.no_names;
-  options.ends = !s.no_ends;
+  options.ends = s.ends_file != kNoEnds;
   options.target_up = s.up[0];
   options.source_up = s.source_up[0];
   options.pins = read_pins(s, target, source);
-  const MappedSkeleton map = map_skeleton(target, source, options);
-  const std::string json =
-      s.json ? map_json(s, target, source, map).dump(2, ' ', false, Json::error_handler_t::replace) : std::string();
-  if (s.output != "-") {
-    const bool as_json = has_extension(s.output, ".json");
-    write_text_file(
-        s.output, as_json ? map_json(s, target, source, map).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                          : map_text(target, source, map));
+  return map_skeleton(target, source, options);
+}
+
+void write_map(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
+               const std::string& json) {
+  if (s.output != "-")
+    write_text_file(s.output, has_extension(s.output, ".json") ? json + "\n" : map_text(target, source, map));
+  if (!s.png.empty()) write_file(s.png, encode_png(draw_map(target, s.up[0], source, s.source_up[0], map)));
+}
+
+void run(const Settings& given) {
+  const Settings s = settled(given);
+  MapRig target = read_rig_for_map(s.target), source = read_rig_for_map(s.source);
+  if (!s.ends_file.empty() && s.ends_file != kNoEnds) {
+    read_ends(s.ends_file, &target);
+    read_ends(s.ends_file, &source);
   }
-  if (!s.png.empty())
-    write_file(s.png, encode_png(draw_map(target, options.target_up, source, options.source_up, map)));
+  const MappedSkeleton map = map_joints(s, target, source);
+  const std::string json = map_json(s, target, source, map).dump(2, ' ', false, Json::error_handler_t::replace);
+  write_map(s, target, source, map, json);
   if (s.json) {
     std::printf("%s\n", json.c_str());
   } else if (s.output == "-") {
@@ -175,55 +186,55 @@ void run(Settings s) {
   }
 }
 
+void add_inputs(CLI::App* sub, Settings* s) {
+  sub->add_option(
+         "target", s->target,
+         "Skeleton whose joints get a source. " + skeleton_files() + ", .obj with its .rig.txt, or template:NAME")
+      ->required()
+      ->type_name("TARGET");
+  sub->add_option("--from", s->source, "Skeleton where the sources are, the same kinds of files")->type_name("SOURCE");
+  sub->add_option("--to", s->preset, "In place of --from: the names of a standard rig. See sinew rig --list-templates")
+      ->type_name("NAME");
+  shared_option(sub, "-o,--output", s->output,
+                "Lines TARGET_JOINT SOURCE_JOINT, - for none: .txt, .map, or .json with confidence and reasons; - is "
+                "standard output")
+      ->capture_default_str();
+  shared_option(sub, "--map", s->pins_file, "It is kept, such as an edited one; joints without a line are found anew");
+  sub->add_option("--set", s->pins, "Keep this pair, and let the rest follow; - for no source. Any number of times")
+      ->type_name("JOINT=SOURCE_JOINT")
+      ->allow_extra_args(false);
+  shared_option(sub, "--method", s->method,
+                "sinew: by anatomy; branches: the published method, for comparison; auto: sinew, and branches for "
+                "nearly equal rigs without a body")
+      ->check(CLI::IsMember({"auto", "sinew", "branches"}))
+      ->capture_default_str();
+  sub->add_flag("--no-names", s->no_names, "Do not read the joints' names");
+  sub->add_option(
+         "--ends", s->ends_file,
+         "Joints that only end bones, for files without weights. A file of lines JOINT, or RIG and JOINT with a "
+         "tab; none: do not read from the skin weights which they are")
+      ->type_name("FILE|none");
+  shared_option(sub, "--up", s->up, "auto finds out")
+      ->check(CLI::IsMember({"x", "y", "z", "auto"}))
+      ->capture_default_str();
+  shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")
+      ->check(CLI::IsMember({"x", "y", "z", "auto"}));
+  shared_option(sub, "--png", s->png, "Both skeletons, what stands for each other in one colour");
+  shared_flag(sub, "--json", s->json, "With confidence and reasons");
+}
+
 }  // namespace
 
 void add_map(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("map", "Find out which joint of a skeleton stands for which of another");
   auto s = std::make_shared<Settings>();
-  sub->add_option("target", s->target,
-                  "Skeleton whose joints get a source: .rig.txt, .obj with its .rig.txt, .glb, .gltf, .vrm, .fbx, .dae "
-                  "or template:NAME")
-      ->required()
-      ->type_name("TARGET");
-  sub->add_option("--from", s->source, "Skeleton where the sources are: the same kinds of files")->type_name("SOURCE");
-  sub->add_option("--to", s->preset, "In place of --from: the names of a standard rig (sinew rig --list-templates)")
-      ->type_name("NAME");
-  sub->add_option("-o,--output", s->output,
-                  "Where the map goes, lines TARGET_JOINT SOURCE_JOINT, '-' for none: .txt, .map, or .json with "
-                  "confidence and reasons; - is standard output")
-      ->type_name("OUT")
-      ->capture_default_str();
-  sub->add_option("--method", s->method,
-                  "sinew: by anatomy; branches: the published method, for comparison; auto: sinew, and branches for "
-                  "nearly equal rigs without a body")
-      ->check(CLI::IsMember({"auto", "sinew", "branches"}))
-      ->capture_default_str();
-  sub->add_flag("--no-names", s->no_names, "Do not read the joints' names");
-  sub->add_option("--set", s->pins, "Keep this pair, and let the rest follow; - for no source. Any number of times")
-      ->type_name("TARGET_JOINT=SOURCE_JOINT|-")
-      ->allow_extra_args(false);
-  sub->add_option("--map", s->pins_file,
-                  "Keep what this map says, such as an edited one; joints without a line are found anew")
-      ->type_name("FILE");
-  sub->add_option("--up", s->up, "Axis that points up; auto finds out")
-      ->check(CLI::IsMember({"x", "y", "z", "auto"}))
-      ->capture_default_str();
-  sub->add_option("--from-up", s->source_up, "The same of the source [as --up]")
-      ->check(CLI::IsMember({"x", "y", "z", "auto"}));
-  sub->add_option("--ends", s->ends_file,
-                  "Joints that only end bones, for files without weights: lines JOINT, or RIG and JOINT with a tab")
-      ->type_name("FILE");
-  sub->add_flag("--no-ends", s->no_ends, "Do not read from the skin weights which joints only end bones");
-  sub->add_option("--png", s->png, "Also draw both skeletons, what stands for each other in one colour")
-      ->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print the map with confidence and reasons as JSON");
+  add_inputs(sub, s.get());
   sub->footer(
       "Examples:\n  sinew map hero.glb --from walk.glb -o hero.map\n"
       "  sinew map hero.glb --from walk.glb --map hero.map --set LeftHand=hand_l -o hero.map\n"
-      "  sinew map hero.glb --to mixamo --png map.png\n"
-      "Confidence is 1 for what is sure. A rig that does not show its front may get its sides exchanged: one --set "
-      "turns "
-      "all of it.");
+      "  sinew map hero.glb --to mixamo --png map.png\n\n"
+      "Confidence is 1 for what is sure. A rig that does not show its front may get its sides exchanged:\n"
+      "one --set turns all of it.");
   sub->callback([s] { run(*s); });
 }
 

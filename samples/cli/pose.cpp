@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "deform_options.hpp"
+#include "options.hpp"
 #include "sinew_character/deform.hpp"
 #include "sinew_character/pose_job.hpp"
 #include "sinew_datasets/image.hpp"
@@ -29,7 +30,7 @@ struct Settings {
   std::vector<std::string> turns;
   uint64_t seed = 0;
   double limit = 35, time = 0;
-  bool random = false, dual_quaternion = false, animated = false;
+  bool random = false, animated = false;
 };
 
 // NAME=rx,ry,rz in degrees; the name may hold '=' itself, so the last one counts.
@@ -72,8 +73,7 @@ std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, d
 
 Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {
   const std::optional<sinew_deform_options> options = deform_options(s.deform);
-  PosedCharacter posed =
-      pose_character(character, palette, options, s.dual_quaternion || s.deform.method == "dual-quaternion");
+  PosedCharacter posed = pose_character(character, palette, options, s.deform.method == "dual-quaternion");
   if (!posed.corrected) {
     std::fprintf(stderr,
                  "warning: %s: the matrices are not rotations with one common scale, so the pose is plain linear "
@@ -120,8 +120,6 @@ void run(const Settings& s) {
     throw UsageError(
         "give one of --random SEED, --animation NAME, --matrices FILE.pose, and --joint NAME=rx,ry,rz as "
         "often as needed");
-  if (s.dual_quaternion && !s.deform.method.empty())
-    throw UsageError("--dual-quaternion is --deform dual-quaternion: give one of them");
   (void)deform_options(s.deform);
   check_output(s.output, {".obj", ".png"});
   const Character character = read_character(s.character);
@@ -146,37 +144,30 @@ void run(const Settings& s) {
 void add_pose(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("pose", "Pose a bound character");
   auto s = std::make_shared<Settings>();
-  sub->add_option("character", s->character, "Skinned .glb, .gltf or .vrm, or NAME.obj with NAME.rig.txt beside it")
+  sub->add_option("character", s->character, "Skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
       ->required()
       ->type_name("CHARACTER");
-  auto* seed = sub->add_option("--random", s->seed, "Turn every joint but the roots at random")->type_name("SEED");
-  sub->add_option("--limit", s->limit, "Largest random angle about each axis, degrees")
+  shared_option(sub, "-o,--output", s->output, ".obj or .png")->required();
+  auto* seed = sub->add_option("--random", s->seed, "Rotate every joint but the roots at random")->type_name("SEED");
+  shared_option(sub, "--limit", s->limit, "About each axis, with --random")
       ->check(CLI::Range(0.0, 180.0))
       ->capture_default_str()
       ->needs(seed);
-  sub->add_option("--joint", s->turns, "Turn one joint about x, then y, then z, in degrees; may be repeated")
+  sub->add_option("--joint", s->turns, "Rotate one joint about x, then y, then z, in degrees; may be repeated")
       ->type_name("NAME=rx,ry,rz")
       ->allow_extra_args(false);
-  auto* animation = sub->add_option("--animation", s->animation, "One of the file's own animations, by name or number")
-                        ->type_name("NAME");
+  auto* animation = shared_option(sub, "--animation", s->animation);
   sub->add_option("--time", s->time, "Second of the animation")
       ->check(CLI::NonNegativeNumber)
       ->needs(animation)
       ->type_name("T");
   sub->add_option("--matrices", s->matrices,
-                  "A pose of skinning matrices (rest to posed space), a line a joint: pose NAME m00 m01 ... m23")
+                  "A pose of skinning matrices (rest to posed space), a line a joint. pose NAME m00 m01 ... m23")
       ->type_name("FILE.pose");
-  sub->add_option("--deform", s->deform.method,
-                  "How the mesh follows: linear (or none) or dual-quaternion skinning; volume: bends keep their volume "
-                  "and do not "
-                  "pass through themselves; xpbd: the published correction; delta-mush [linear]")
-      ->check(CLI::IsMember({"none", "linear", "dual-quaternion", "volume", "xpbd", "delta-mush"}));
-  sub->add_flag("--dual-quaternion", s->dual_quaternion, "The same as --deform dual-quaternion");
+  add_deform_options(sub, {"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"},
+                     "linear and dual-quaternion: skinning alone; ", &s->deform);
+  shared_option(sub, "--up", s->up, "In the picture")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   add_solver_options(sub, &s->deform);
-  sub->add_option("--up", s->up, "Axis that points up in the picture")
-      ->check(CLI::IsMember({"y", "z"}))
-      ->capture_default_str();
-  sub->add_option("-o,--output", s->output, "Output: .obj or .png")->required()->type_name("OUT");
   sub->footer(
       "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"
       "  sinew pose hero.obj --joint upper_arm.L=0,0,-60 --joint head=0,30,0 -o pose.obj\n"

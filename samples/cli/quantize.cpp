@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "eval_studies.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -122,7 +123,8 @@ void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
                 ": a network of slots stays in float; use it as it is: sinew rig MESH --method slots --model " +
                 s.checkpoint);
   if (!s.confidence.empty() || s.correction > 0)
-    throw UsageError(s.checkpoint + " predicts skeletons: --confidence and --correction are for skin weights");
+    throw UsageError(s.checkpoint +
+                     " predicts skeletons: --calibrate-confidence and --correction are for skin weights");
   const QuantizedModel model =
       quantize(checkpoint.network, calibrate_rig(checkpoint.network, s.folder, s.characters), s.options);
   write_file(s.output, model.bytes);
@@ -145,7 +147,7 @@ void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
 void fit_model(const Settings& s) {
   if (s.confidence.empty() || !s.folder.empty() || !s.release.empty())
     throw UsageError(s.checkpoint +
-                     " is a model already: all that can change is its table, with --confidence DIR alone");
+                     " is a model already: all that can change is its table, with --calibrate-confidence DIR alone");
   std::vector<uint8_t> bytes = read_file(s.checkpoint);
   (void)model_from_bytes(bytes, s.checkpoint);
   const std::string confidence = add_confidence(s, &bytes);
@@ -176,16 +178,22 @@ void run(const Settings& s) {
 void add_quantize(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("quantize", "Turn a checkpoint into an int16 model");
   auto s = std::make_shared<Settings>();
-  sub->add_option("checkpoint", s->checkpoint, "Checkpoint of sinew train; or a model, with --confidence alone")
+  sub->add_option("checkpoint", s->checkpoint,
+                  "Checkpoint of sinew train. Or a model, with --calibrate-confidence alone")
       ->required()
       ->type_name("CKPT");
-  sub->add_option("--calibrate", s->folder, "Folder of characters that the ranges are measured on")->type_name("DIR");
-  sub->add_option("-o,--output", s->output, "Model to write (.sinew)")->required()->type_name("MODEL");
+  shared_option(sub, "-o,--output", s->output, "A model (.sinew)")->required();
+  shared_option(sub, "--calibrate", s->folder);
+  sub->add_option("--calibrate-confidence", s->confidence,
+                  "Characters outside the training data, of many families, for the table of confidence. The model "
+                  "learns from them how often its strongest joint is right (sinew eval confidence tells how well that "
+                  "carries over)")
+      ->type_name("DIR");
   sub->add_option("--characters", s->characters, "Characters to calibrate on, spread over the folder; 0 = all")
       ->capture_default_str()
       ->type_name("N");
   sub->add_option("--correction", s->correction,
-                  "Share of what was learnt beside heat, instead of the one it was trained with: less is better on "
+                  "Share of what was learnt beside heat, instead of the one it was trained with. Less is better on "
                   "families that training never saw, more on those it saw")
       ->check(CLI::Range(0.01, 1.0))
       ->type_name("X");
@@ -197,16 +205,11 @@ void add_quantize(CLI::App& app) {
       ->check(CLI::IsMember({16, 12, 10, 8}))
       ->capture_default_str()
       ->type_name("N");
-  sub->add_option("--release", s->release, "Also write the float weights alone, without the state of the training run")
-      ->type_name("CKPT");
-  sub->add_option("--confidence", s->confidence,
-                  "Characters outside the training data, of many families: the model learns from them how often its "
-                  "strongest joint is right (sinew eval --confidence tells how well that carries over)")
-      ->type_name("DIR");
-  sub->add_flag("--quiet", s->quiet, "Print nothing");
+  shared_option(sub, "--release", s->release);
+  shared_flag(sub, "--quiet", s->quiet);
   sub->footer(
       "Example:\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"
-      "  sinew quantize run.sinew --confidence characters/others -o run.sinew");
+      "  sinew quantize run.sinew --calibrate-confidence characters/others -o run.sinew");
   sub->callback([s] { run(*s); });
 }
 

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "dataset.hpp"
 #include "folder_files.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "rig_skeleton.hpp"
 #include "rig_slots.hpp"
@@ -215,57 +216,20 @@ void run(Settings s) {
   tell(s, rigged, s.mesh, s.output, s.output == "-" ? stderr : stdout);
 }
 
-}  // namespace
-
-void add_rig(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh, and bind the mesh to it");
-  auto s = std::make_shared<Settings>();
+// What most meshes need.
+void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option(
          "mesh", s->mesh,
-         "Mesh: .obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input; or a folder: every mesh "
-         "in it and below it")
+         "Mesh, or a folder: every mesh in it and below it. " + mesh_files() + ", or - for an OBJ on standard input")
       ->required()
       ->type_name("MESH|DIR");
-  sub->add_option(
-         "-o,--output", s->output,
-         "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output [MESH.rigged.glb]; "
-         "for a folder another folder")
-      ->type_name("OUT");
-  sub->add_option("--format", s->format, "With a folder: what to write")
-      ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
-      ->capture_default_str();
-  sub->add_option("--model", s->model, "Model of skeletons, or bundled = the one in the program [bundled]")
-      ->type_name("FILE");
-  add_method_options(sub, &s->method);
-  sub->add_option("--bind-model", s->bind_model, "Model of weights, or bundled [bundled]")->type_name("FILE");
-  sub->add_option("--detail", s->detail,
-                  "body: down to the hands; hands: with fingers, where the mesh shows some; full: with eyes that are "
-                  "loose balls "
-                  "and a jaw, too")
-      ->check(CLI::IsMember({"body", "hands", "full"}))
-      ->capture_default_str();
-  sub->add_option("--hands-model", s->hands_model, "With --detail hands or full: model of hands, or bundled [bundled]")
-      ->type_name("FILE");
-  sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
-  sub->add_option("--influences", s->influences, "Most joints per vertex")
-      ->check(CLI::Range(1, 12))
-      ->capture_default_str()
-      ->type_name("N");
-  add_style_options(sub, &s->style);
-  sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-  sub->add_flag("--mirror", s->mirror, "Make both sides alike even where the mesh is not");
-  sub->add_flag("--no-mirror", s->no_mirror, "Find both sides apart even where the mesh is its own mirror image");
-  sub->add_option("--spine", s->spine, "Spine joints between the hips and the neck [as the model says]")
-      ->check(CLI::Range(1, 16))
-      ->type_name("N");
-  sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
-  sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
-  sub->add_option("--skeleton", s->skeleton,
-                  "Put this skeleton into the mesh, with its own names and hierarchy, where the predicted one is: "
-                  ".rig.txt, .glb, .gltf, .vrm, .fbx, .dae, .bvh or template:NAME")
-      ->type_name("FILE");
-  sub->add_flag("--keep-lengths", s->keep_lengths,
-                "With --skeleton: turn its bones and scale them all alike, instead of each by itself");
+  shared_option(
+      sub, "-o,--output", s->output,
+      ".glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output; for a folder another folder")
+      ->default_str("MESH.rigged.glb");
+  shared_option(sub, "--skeleton", s->skeleton,
+                "It is put into the mesh, with its own names and hierarchy, where the predicted one is: " +
+                    skeleton_files() + " or template:NAME");
   sub->add_flag_callback(
       "--list-templates",
       [] {
@@ -274,51 +238,73 @@ void add_rig(CLI::App& app) {
         throw CLI::Success();
       },
       "List the skeletons that --skeleton knows by name");
+  shared_option(
+      sub, "--detail", s->detail,
+      "body: down to the hands; hands: with fingers, where the mesh shows some; full: with eyes that are loose "
+      "balls and a jaw, too")
+      ->check(CLI::IsMember({"body", "hands", "full"}))
+      ->capture_default_str();
+  add_method_options(sub, &s->method);
+  sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
+  add_influences(sub, s->influences);
+  shared_option(sub, "--up", s->up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  shared_option(sub, "--png", s->png, "The mesh with its joints, coloured by weight");
+  shared_flag(sub, "--json", s->json, "Joints with confidences; with a folder one line for every mesh");
+}
+
+void add_shape_options(CLI::App* sub, Settings* s) {
+  section(sub, "What the skeleton has");
+  sub->add_flag("--mirror", s->mirror, "Make both sides alike even where the mesh is not");
+  sub->add_flag("--no-mirror", s->no_mirror, "Find both sides apart even where the mesh is its own mirror image");
+  sub->add_option("--spine", s->spine, "Spine joints between the hips and the neck. As the model says unless given")
+      ->check(CLI::Range(1, 16))
+      ->type_name("N");
+  sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
+  sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
+  sub->add_flag("--keep-lengths", s->keep_lengths,
+                "With --skeleton: rotate its bones and scale them all alike, instead of each by itself");
   sub->add_option("--prediction", s->prediction,
-                  "Take the skeleton of this file in place of the model's answer; its names say what joints are")
+                  "Take the skeleton of this file in place of the model's answer. Its names say what joints are")
       ->type_name("FILE");
+}
+
+void add_models(CLI::App* sub, Settings* s) {
+  section(sub, "Models and files");
+  shared_option(sub, "--model", s->model, "Of skeletons")->default_str("bundled");
+  sub->add_option("--bind-model", s->bind_model, "Model of weights")->type_name("FILE")->default_str("bundled");
+  sub->add_option("--hands-model", s->hands_model, "With --detail hands or full: model of hands")
+      ->type_name("FILE")
+      ->default_str("bundled");
+  shared_option(sub, "--format", s->format, "With a folder")
+      ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_rig(CLI::App& app) {
+  CLI::App* sub = app.add_subcommand("rig", "Make a skeleton for a bare mesh, and bind the mesh to it");
+  auto s = std::make_shared<Settings>();
+  add_inputs(sub, s.get());
+  section(sub, "Edits");
   auto edits = std::make_shared<EditOptions>(sub);
-  sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print joints and numbers as JSON; with a folder one line for every mesh");
+  add_shape_options(sub, s.get());
+  add_style_options(sub, &s->style);
+  add_models(sub, s.get());
   sub->footer(
       "Examples:\n  sinew rig hero.obj -o hero.glb --png hero.png\n"
+      "  sinew rig hero.obj --skeleton template:mixamo -o hero.glb\n"
+      "  sinew rig meshes -o rigged\n\n"
       "  sinew rig hero.obj --no-bind -o hero.rig.txt && sinew bind hero.obj --skeleton hero.rig.txt\n"
       "  sinew rig hero.obj --move LeftHand=0.7,1.4,0 --add Tail=Hips:0,0.9,-0.2 --remove Spine2\n"
-      "  sinew rig hero.obj --skeleton template:mixamo -o hero.glb\n"
-      "  sinew rig meshes -o rigged\n"
-      "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one), before "
-      "the "
-      "mesh is bound.");
+      "  sinew rig machine.obj --method shape -o machine.glb\n"
+      "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one),\n"
+      "before the mesh is bound.");
   sub->callback([s, edits, sub] {
     check_method(*sub, s->method, s->model);
     s->edits = edits->in_order();
     run(*s);
   });
-}
-
-void add_extract(CLI::App& app) {
-  CLI::App* sub = app.add_subcommand("extract", "Make a skeleton from a mesh's shape alone, for what no model knows");
-  auto s = std::make_shared<Settings>();
-  s->method.method = "shape";
-  sub->add_option("mesh", s->mesh, "Mesh: .obj, .gltf, .glb, .vrm, .fbx, .dae, or - for an OBJ on standard input")
-      ->required()
-      ->type_name("MESH");
-  sub->add_option("-o,--output", s->output,
-                  "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output")
-      ->required()
-      ->type_name("OUT");
-  sub->add_option(
-         "--method", s->method.method,
-         "shape: joints along the middle line; regions: as published, boxes around pieces of the surface, whose "
-         "contacts are collapsed to a tree")
-      ->check(CLI::IsMember({"shape", "regions"}))
-      ->capture_default_str();
-  sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
-  sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-  sub->add_option("--png", s->png, "Also draw the mesh with its joints, coloured by weight")->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print joints and numbers as JSON");
-  sub->footer("Example:\n  sinew extract machine.obj --method regions -o machine.glb --png machine.png");
-  sub->callback([s] { run(*s); });
 }
 
 }  // namespace sinew::cli

@@ -4,22 +4,21 @@
 
 #include <CLI/CLI.hpp>
 
+#include "options.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 
 void add_method_options(CLI::App* sub, MethodOptions* options) {
-  sub->add_option(
-         "--method", options->method,
-         "votes: points of the surface vote for bones; shape: joints along the middle line of the mesh, without a "
-         "model; "
-         "auto: votes, or shape where the votes know nothing; for comparison, as published: slots, joints in fixed "
-         "slots "
-         "and a matrix of connections (float; --model CKPT), and regions, boxes around pieces of the surface")
+  shared_option(
+      sub, "--method", options->method,
+      "votes: points of the surface vote for bones; shape: joints along the middle line of the mesh, without a "
+      "model; auto: votes, or shape where the votes know nothing; for comparison, as published: slots, joints "
+      "in fixed slots and a matrix of connections (float; --model CKPT), and regions, boxes around pieces of "
+      "the surface, whose contacts are collapsed to a tree")
       ->check(CLI::IsMember({"auto", "votes", "shape", "slots", "regions"}))
       ->capture_default_str();
-  sub->add_option("--category", options->category,
-                  "With --method slots: what kind of body, which says what slots it has")
+  shared_option(sub, "--category", options->category, "It says what slots there are")
       ->check(CLI::IsMember(slot_category_names()))
       ->capture_default_str();
 }

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "commands.hpp"
+#include "options.hpp"
 #include "sinew_character/simplify_job.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/gltf_summary.hpp"
@@ -107,22 +108,22 @@ void add_simplify(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("simplify", "Leave out joints: levels of detail of a skeleton, weights with it");
   auto s = std::make_shared<Settings>();
   sub->add_option("rig", s->rig,
-                  "Skinned .glb, .gltf or .vrm, NAME.obj with NAME.rig.txt beside it, or a .rig.txt alone")
+                  "Skinned file, NAME.obj with NAME.rig.txt beside it, or a .rig.txt alone. " + mesh_files())
       ->required()
       ->type_name("RIG");
-  sub->add_option("--mesh", s->mesh, "The mesh that a .rig.txt alone has weights for")->type_name("MESH");
-  sub->add_option("--level", s->level,
-                  "high: helpers, end markers and what moves next to nothing go; low: fingers, faces and twists too; a "
-                  "number: so many joints are left")
+  shared_option(sub, "-o,--output", s->output, ".glb, .gltf, .obj, .rig.txt, or - for rig.txt on standard output")
+      ->required();
+  sub->add_option(
+         "--level", s->level,
+         "How much is left: high, low, or a number of joints. high: helpers, end markers and what moves next to "
+         "nothing go; low: fingers, faces and twists too")
       ->type_name("high|low|N")
       ->capture_default_str();
   sub->add_option("--keep", s->keep, "A joint that stays; may be repeated")
       ->type_name("JOINT")
       ->allow_extra_args(false);
-  sub->add_flag("--json", s->json, "One line of JSON: which joint became part of which");
-  sub->add_option("-o,--output", s->output, "Output: .glb, .gltf, .obj, .rig.txt, or - for rig.txt on standard output")
-      ->required()
-      ->type_name("OUT");
+  sub->add_option("--mesh", s->mesh, "The mesh that a .rig.txt alone has weights for")->type_name("MESH");
+  shared_flag(sub, "--json", s->json, "One line: which joint became part of which");
   sub->footer(
       "Examples:\n  sinew simplify hero.glb --level low -o hero.far.glb\n"
       "  sinew simplify hero.rig.txt --level 20 --keep head -o hero20.rig.txt");

@@ -4,24 +4,27 @@
 
 #include <cmath>
 
+#include "options.hpp"
 #include "sinew_formats/print.hpp"
 #include "support.hpp"
 
 namespace sinew::cli {
 
 void add_style_options(CLI::App* sub, StyleOptions* style) {
-  sub->add_option(
-         "--rigid-parts", style->rigid_parts,
-         "always: every connected part moves with one joint (toys, robots, armour); never: no part does unless "
-         "the heat field says so; auto: the model decides")
+  section(sub, "Style");
+  sub->add_option("--rigid-parts", style->rigid_parts,
+                  "Whether connected parts move with one joint each. always: toys, robots, armour; never: no part does "
+                  "unless the heat field says so; auto: the model decides")
+      ->type_name("WHEN")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   sub->add_option("--softness", style->softness,
                   "How softly weights blend between joints: 2 twice as softly, 0.5 harder")
+      ->type_name("X")
       ->check(CLI::Range(0.25, 4.0))
       ->capture_default_str();
   sub->add_option("--surface-vertices", style->surface_vertices,
-                  "A mesh of more vertices is bound on a surface reduced to so many, and its weights are interpolated: "
+                  "A mesh of more vertices is bound on a surface reduced to so many. Its weights are interpolated: "
                   "faster, in less memory")
       ->check(CLI::Range(16, static_cast<int>(SINEW_MAX_VERTICES)))
       ->capture_default_str()

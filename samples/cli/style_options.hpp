@@ -15,7 +15,7 @@ struct StyleOptions {
   double softness = 1;
   uint32_t surface_vertices = 32768;
 };
-// `style` must live as long as the subcommand.
+// Under a heading of their own. `style` must live as long as the subcommand.
 void add_style_options(CLI::App* sub, StyleOptions* style);
 // Throws UsageError when the method of `options` has no use for the softness.
 void apply_style(const StyleOptions& style, BindOptions* options);

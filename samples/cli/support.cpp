@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -146,6 +148,21 @@ Character read_found(const FoundCharacter& found) {
   Character character = read_character(found.path);
   character.name = found.name;
   return character;
+}
+
+std::string report_date() {
+  const char* const text = std::getenv("SOURCE_DATE_EPOCH");
+  if (text == nullptr || *text == 0) return "";
+  char* end = nullptr;
+  const long long seconds = std::strtoll(text, &end, 10);
+  if (*end != 0 || seconds < 0)
+    throw Error(std::string("SOURCE_DATE_EPOCH: expected seconds since 1970, found ") + text);
+  const std::time_t when = static_cast<std::time_t>(seconds);
+  std::tm parts{};
+  if (gmtime_r(&when, &parts) == nullptr) throw Error(std::string("SOURCE_DATE_EPOCH: out of range: ") + text);
+  char date[64];
+  std::strftime(date, sizeof date, "%Y-%m-%d", &parts);
+  return date;
 }
 
 std::string json_line(const nlohmann::ordered_json& json) {

@@ -50,6 +50,9 @@ Character read_found(const FoundCharacter& found);
 // everything on disk that --resume needs.
 const std::atomic<bool>& stop_on_signals();
 
+// The date of SOURCE_DATE_EPOCH for a page; empty where the caller passes none, since a page with the clock in it would
+// differ every time.
+std::string report_date();
 std::string file_name(const std::string& path);  // without its folders
 // Without line breaks: commands that tell of many things print JSON Lines.
 std::string json_line(const nlohmann::ordered_json& json);

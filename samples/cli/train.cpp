@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "options.hpp"
 #include "sinew_formats/checkpoint.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
@@ -141,54 +142,57 @@ void run(const Settings& s) {
   ranks.together([&] { run_ranks(s, &ranks); });
 }
 
+void add_inputs(CLI::App* sub, Settings* s) {
+  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
+      ->type_name("DIR");
+  sub->add_option("--task", s->task, "What is learnt: bind = skin weights, rig = a skeleton for a bare mesh")
+      ->type_name("TASK")
+      ->check(CLI::IsMember({"bind", "rig"}))
+      ->capture_default_str();
+  shared_option(sub, "-o,--output", s->options.output,
+                "A checkpoint (.sinewckpt or .ckpt); the log goes beside it as .csv");
+  shared_option(sub, "--val", s->options.val_dir, "The best checkpoint is chosen on them");
+  shared_option(sub, "--config", s->config, "With --resume: those of CKPT unless given");
+  shared_option(sub, "--minutes", s->options.minutes, "By steps unless given")->check(CLI::PositiveNumber);
+  shared_option(sub, "--steps", s->steps, "The configuration's unless given")->check(CLI::PositiveNumber);
+  shared_flag(sub, "--resume", s->options.resume, "From the checkpoint -o");
+  sub->add_option("--init", s->options.init, "Start from the weights of this checkpoint or model (.sinew)")
+      ->type_name("FILE");
+}
+
+CLI::Option* add_rest(CLI::App* sub, Settings* s) {
+  sub->add_flag("--print-config", s->print_config, "Print all settings as JSON and stop");
+  shared_flag(sub, "--quiet", s->options.quiet);
+  section(sub, "Features");
+  shared_option(sub, "--cache", s->options.cache_dir)->default_str("CKPT.cache");
+  sub->add_flag("--cache-only", s->cache_only,
+                "Fill --cache for DIR and --val and stop; any number of processes at once");
+  sub->add_option("--shard", s->shard, "With --cache-only: begin with the I-th of N parts. One part unless given")
+      ->type_name("I/N");
+  section(sub, "The rest");
+  shared_option(sub, "--release", s->release);
+  return shared_option(sub, "--threads", s->options.threads,
+                       "Under mpirun of each rank, by default the cores shared out")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_train(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("train", "Train a float network on rigged characters");
   auto s = std::make_shared<Settings>();
   s->options.threads = std::max(1u, std::thread::hardware_concurrency());
-  sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
-      ->type_name("DIR");
-  sub->add_option("--task", s->task, "What the network learns: bind (skin weights) or rig (a skeleton for a bare mesh)")
-      ->check(CLI::IsMember({"bind", "rig"}))
-      ->capture_default_str();
-  sub->add_option("-o,--output", s->options.output,
-                  "Checkpoint to write (.sinewckpt or .ckpt); the log goes beside it as .csv")
-      ->type_name("CKPT");
-  sub->add_option("--val", s->options.val_dir, "Folder that the best checkpoint is chosen on")->type_name("DIR");
-  sub->add_option("--config", s->config,
-                  "Settings that differ from the defaults, as JSON [with --resume: those of CKPT]")
-      ->type_name("FILE");
-  sub->add_flag("--print-config", s->print_config, "Print all settings as JSON and stop");
-  sub->add_flag("--resume", s->options.resume, "Go on from the checkpoint -o, with the same result as not stopping");
-  sub->add_option("--init", s->options.init, "Start from the weights of this checkpoint or model (.sinew)")
-      ->type_name("FILE");
-  sub->add_option("--minutes", s->options.minutes, "Stop after so many minutes [by steps]")
-      ->check(CLI::PositiveNumber)
-      ->type_name("N");
-  sub->add_option("--cache", s->options.cache_dir, "Folder for computed features [CKPT.cache]")->type_name("DIR");
-  sub->add_option("--steps", s->steps, "Steps [the configuration's]")->check(CLI::PositiveNumber)->type_name("N");
-  sub->add_option("--release", s->release, "Also write the finished weights alone, without the state of the run")
-      ->type_name("CKPT");
-  sub->add_flag("--cache-only", s->cache_only,
-                "Fill --cache for DIR and --val and stop; any number of processes at once");
-  sub->add_option("--shard", s->shard, "With --cache-only: begin with the I-th of N parts [one part]")
-      ->type_name("I/N");
-  auto* threads = sub->add_option("--threads", s->options.threads,
-                                  "Threads; under mpirun of each rank, by default the cores shared out")
-                      ->check(CLI::Range(1, 256))
-                      ->capture_default_str()
-                      ->type_name("N");
-  sub->add_flag("--quiet", s->options.quiet, "No progress bar and no last words");
+  add_inputs(sub, s.get());
+  CLI::Option* const threads = add_rest(sub, s.get());
   sub->footer(
       "Example:\n  sinew train characters/train --val characters/val -o run.sinewckpt --minutes 60\n"
-      "then\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n"
+      "then\n  sinew quantize run.sinewckpt --calibrate characters/train -o run.sinew\n\n"
       "Ranks share each batch and give the same checkpoint as one; they need the same files:\n"
       "  mpirun -n 2 sinew train characters/train -o run.sinewckpt\n"
       "Features from two processes at once:\n"
-      "  sinew train characters/train --cache cache --cache-only --shard 1/2 & sinew train characters/train --cache "
-      "cache "
-      "--cache-only --shard 2/2");
+      "  sinew train characters/train --cache cache --cache-only --shard 1/2 &\n"
+      "  sinew train characters/train --cache cache --cache-only --shard 2/2");
   sub->callback([s, threads] {
     s->threads_given = threads->count() > 0;
     run(*s);

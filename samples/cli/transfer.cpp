@@ -13,6 +13,7 @@
 
 #include "commands.hpp"
 #include "folder_files.hpp"
+#include "options.hpp"
 #include "sinew/published.h"
 #include "sinew_character/thread_pool.hpp"
 #include "sinew_datasets/image.hpp"
@@ -253,7 +254,7 @@ void check(const Settings& s) {
   if (s.from.garment && !(s.from.skeleton.empty() && s.from.map.empty()))
     throw UsageError("--garment has the skeleton of the source: leave out --skeleton and --map");
   if (s.from.garment && !s.source_up.empty() && s.source_up != s.up)
-    throw UsageError("--garment lies in the space of the source: leave out --source-up");
+    throw UsageError("--garment lies in the space of the source: leave out --from-up");
   if (s.from.garment && !s.lock.empty())
     throw UsageError("--garment takes weights of none of its own: leave out --lock");
   if (s.pairs.size() > SINEW_MAX_TRANSFER_PAIRS)
@@ -296,74 +297,73 @@ void run(const Settings& s) {
     throw Error(std::to_string(failed) + " of " + std::to_string(s.targets.size()) + " targets failed, see above");
 }
 
+void add_inputs(CLI::App* sub, Settings* s) {
+  sub->add_option("source", s->source,
+                  "Bound character: a skinned file, or NAME.obj with NAME.rig.txt beside it. " + mesh_files())
+      ->required()
+      ->type_name("SOURCE");
+  sub->add_option("targets", s->targets, "Meshes that get weights. " + mesh_files())->required()->type_name("TARGET");
+  shared_option(
+      sub, "-o,--output", s->output,
+      ".glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output; for several targets a folder")
+      ->default_str("TARGET.transferred.glb");
+  shared_option(sub, "--skeleton", s->from.skeleton,
+                "For the targets: " + skeleton_files() +
+                    "; unless given the target's own or the NAME.rig.txt beside NAME.obj, else the source's, fitted");
+  shared_option(sub, "--map", s->from.map,
+                "As sinew map writes it; unless given joints of equal names, else found by anatomy");
+  sub->add_flag(
+      "--garment", s->from.garment,
+      "The targets are worn by the source: same space, same skeleton. Near the body its weights, far from it a "
+      "bind of the dressed whole");
+  shared_option(sub, "--method", s->method,
+                "auto: a balance of nearest and rebind, vertex by vertex; nearest: the source's weights alone; "
+                "biharmonic: by distances along the surface; rebind: by the binder that suits the source")
+      ->check(CLI::IsMember({"auto", "nearest", "biharmonic", "rebind"}))
+      ->capture_default_str();
+  add_influences(sub, s->influences);
+  shared_option(sub, "--png", s->png, "The target with its joints, coloured by weight");
+  shared_flag(sub, "--json", s->json, "A line for every target");
+}
+
+void add_rest(CLI::App* sub, Settings* s) {
+  section(sub, "Biharmonic");
+  sub->add_option("--pair", s->pairs,
+                  "With --method biharmonic: vertex V of the source is vertex W of the target. Give at least four")
+      ->type_name("V=W")
+      ->allow_extra_args(false);
+  sub->add_flag("--as-drawn", s->as_drawn, "With --method biharmonic: compare distances as published");
+  section(sub, "Models");
+  shared_option(sub, "--model", s->model, "It binds")->default_str("bundled");
+  sub->add_flag("--heat", s->heat, "Bind by heat alone, without a model");
+  sub->add_option("--rig-model", s->from.rig_model, "Model of skeletons for targets without one")
+      ->type_name("FILE")
+      ->default_str("bundled");
+  section(sub, "The rest");
+  shared_option(sub, "--lock", s->lock);
+  shared_option(sub, "--up", s->up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  shared_option(sub, "--from-up", s->source_up, "The source; as --up unless given")->check(CLI::IsMember({"y", "z"}));
+  shared_option(sub, "--format", s->format, "With several targets")
+      ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
+      ->capture_default_str();
+  shared_option(sub, "--threads", s->threads, "On one mesh; the same bytes for any N")
+      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
+      ->capture_default_str();
+  shared_option(sub, "--png-confidence", s->png_confidence);
+}
+
 }  // namespace
 
 void add_transfer(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("transfer", "Carry the weights of a finished character to other meshes");
   auto s = std::make_shared<Settings>();
-  sub->add_option("source", s->source,
-                  "Bound character: .gltf, .glb, .vrm, .fbx, .dae, or .obj with .rig.txt beside it")
-      ->required()
-      ->type_name("SOURCE");
-  sub->add_option("targets", s->targets, "Meshes that get weights: .obj, .gltf, .glb, .vrm, .fbx, .dae")
-      ->required()
-      ->type_name("TARGET");
-  sub->add_option("--skeleton", s->from.skeleton,
-                  "Skeleton of the targets: .rig.txt, .gltf, .glb, .vrm, .fbx or .dae [the target's own or the "
-                  "NAME.rig.txt beside NAME.obj, else the source's, fitted]")
-      ->type_name("RIG");
-  sub->add_option(
-         "--map", s->from.map,
-         "Which joint is which, as sinew map writes it: lines TARGET_JOINT SOURCE_JOINT, - for none [joints of equal "
-         "names, else found by anatomy]")
-      ->type_name("FILE");
-  sub->add_option("--method", s->method,
-                  "auto: a balance of nearest and rebind, vertex by vertex; nearest: the source's weights alone; "
-                  "biharmonic: by distances along the surface; rebind: by the binder that suits the source")
-      ->check(CLI::IsMember({"auto", "nearest", "biharmonic", "rebind"}))
-      ->capture_default_str();
-  sub->add_option("--pair", s->pairs,
-                  "With --method biharmonic: vertex V of the source is vertex W of the target; give at least four")
-      ->type_name("V=W")
-      ->allow_extra_args(false);
-  sub->add_flag("--as-drawn", s->as_drawn, "With --method biharmonic: compare distances as published");
-  sub->add_flag("--garment", s->from.garment,
-                "The targets are worn by the source: same space, same skeleton; near the body its weights, far from it "
-                "a bind of the dressed whole");
-  sub->add_option("-o,--output", s->output,
-                  "Output: .glb, .gltf with .bin, .vrm or .rig.txt, - for rig.txt on standard output "
-                  "[TARGET.transferred.glb]; for several targets a folder")
-      ->type_name("OUT");
-  sub->add_option("--format", s->format, "With several targets: what to write")
-      ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
-      ->capture_default_str();
-  sub->add_option("--influences", s->influences, "Most joints per vertex")
-      ->check(CLI::Range(1, 12))
-      ->capture_default_str()
-      ->type_name("N");
-  sub->add_option("--lock", s->lock, "Vertices that keep the weights they have, one 0-based index per line")
-      ->type_name("FILE");
-  sub->add_option("--model", s->model, "Model that binds, or bundled = the one in the program [bundled]")
-      ->type_name("FILE");
-  sub->add_flag("--heat", s->heat, "Bind by heat alone, without a model");
-  sub->add_option("--rig-model", s->from.rig_model, "Model of skeletons for targets without one, or bundled [bundled]")
-      ->type_name("FILE");
-  sub->add_option("--up", s->up, "Axis that points up")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
-  sub->add_option("--source-up", s->source_up, "Axis that points up in the source [as --up]")
-      ->check(CLI::IsMember({"y", "z"}));
-  sub->add_option("--threads", s->threads, "Threads that work on a mesh; the same bytes for any N")
-      ->check(CLI::Range(1, static_cast<int>(SINEW_MAX_THREADS)))
-      ->capture_default_str()
-      ->type_name("N");
-  sub->add_option("--png", s->png, "Also draw the target with its joints, coloured by weight")->type_name("FILE");
-  sub->add_option("--png-confidence", s->png_confidence, "Also draw where to look: dark blue = sure, red = doubtful")
-      ->type_name("FILE");
-  sub->add_flag("--json", s->json, "Print the summary as JSON, a line for every target");
+  add_inputs(sub, s.get());
+  add_rest(sub, s.get());
   sub->footer(
-      "Examples:\n  sinew transfer hero.glb villain.obj --skeleton villain.rig.txt -o villain.glb --png villain.png\n"
+      "Examples:\n  sinew transfer hero.glb villain.obj --skeleton villain.rig.txt -o villain.glb\n"
       "  sinew transfer hero.glb orc.glb --map orc_to_hero.txt -o orc.bound.glb\n"
-      "  sinew transfer body.glb jacket.obj shoes.glb --garment -o dressed\n"
-      "  sinew transfer wolf.glb horse.glb --method biharmonic --pair 10=22 --pair 4=90 --pair 7=1 --pair 80=5");
+      "  sinew transfer body.glb jacket.obj shoes.glb --garment -o dressed\n\n"
+      "  sinew transfer a.glb b.glb --method biharmonic --pair 10=22 --pair 4=90 --pair 7=1 --pair 80=5");
   sub->callback([s] {
     s->from.z_up = s->up == "z";
     run(*s);

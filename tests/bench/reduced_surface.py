@@ -77,7 +77,7 @@ def main():
     print("|---|---|---|---|---|---|---|")
     for limit in limits:
         found = subprocess.run(
-            [sinew, "eval", str(out), "--surface-vertices", str(limit), "--jobs", "1", "--json", "-"],
+            [sinew, "eval", str(out), "--surface-vertices", str(limit), "--jobs", "1", "--json"],
             check=True, capture_output=True, text=True)
         rows = list(next(iter(json.loads(found.stdout).values()))["characters"].values())
         mean = lambda key: sum(row[key] for row in rows) / len(rows)

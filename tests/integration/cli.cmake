@@ -4,9 +4,12 @@ if(TARGET sinew_cli)
   sinew_test(cli_test SOURCES integration/cli_test.cpp integration/cli_folders_test.cpp integration/cli_tells_test.cpp
     integration/cli_joints_test.cpp integration/cli_questions_test.cpp integration/cli_rig_test.cpp
     integration/cli_rig_edit_test.cpp integration/cli_slots_test.cpp integration/cli_hands_test.cpp integration/cli_simplify_test.cpp integration/cli_map_test.cpp integration/cli_animate_test.cpp integration/cli_transfer_test.cpp
-    integration/cli_bake_test.cpp integration/cli_like_test.cpp integration/cli_readme_test.cpp
+    integration/cli_bake_test.cpp integration/cli_like_test.cpp integration/cli_readme_test.cpp integration/cli_options_test.cpp integration/cli_convert_test.cpp
     LIBS sinew::character nlohmann_json::nlohmann_json LABELS integration)
   add_dependencies(cli_test sinew_cli)
+  if(SINEW_HAS_ASSIMP)
+    target_compile_definitions(cli_test PRIVATE SINEW_HAS_ASSIMP)
+  endif()
 endif()
 if(TARGET sinew_hello_c)
   add_test(NAME hello_c COMMAND sinew_hello_c)

@@ -48,7 +48,7 @@ class CliAnimate : public Cli {
 
 TEST_F(CliAnimate, TheSameRigPlaysAsItWasRecorded) {
   const Motion clip = make_clip("swing");
-  good("bind " + kData + "/biped__robed.obj --skeleton " + kData + "/biped__robed.rig.txt --all-joints -o hero.glb");
+  good("bind " + kData + "/biped__robed.obj --skeleton " + kData + "/biped__robed.rig.txt --joints all -o hero.glb");
   const Outcome told = good("animate hero.glb --motion swing.bvh -o moved.glb --sheet sheet.png");
   EXPECT_NE(told.out.find("swing.bvh, swing: 10 frames, 20 a second"), std::string::npos) << told.out;
   EXPECT_GT(fs::file_size(in("sheet.png")), 2000u);
@@ -64,7 +64,7 @@ TEST_F(CliAnimate, TheSameRigPlaysAsItWasRecorded) {
   // The file again as a motion, one clip chosen, in two formats.
   good("animate hero.glb --motion moved.glb#swing --motion swing.bvh -o both.gltf");
   EXPECT_EQ(read_gltf_motion(in("both.gltf")).clips.size(), 2u);
-  good("animate hero.glb --motion moved.glb --fps 10 --from 0.1 --to 0.4 -o part.bvh");
+  good("animate hero.glb --motion moved.glb --fps 10 --start 0.1 --end 0.4 -o part.bvh");
   const Motion part = read_bvh(in("part.bvh"));
   ASSERT_EQ(part.clips[0].frames.size(), 4u);
   EXPECT_NEAR(part.clips[0].frame_time, 0.1, 1e-9);
@@ -148,10 +148,11 @@ TEST_F(CliAnimate, AReportSaysWhatWasMendedLimbByLimb) {
   for (Vec3& v : broad.vertices) v = {1.4f * v.x, v.y, 1.6f * v.z};
   for (Joint& j : broad.joints) j.position = {1.4f * j.position.x, j.position.y, 1.6f * j.position.z};
   write_gltf(in("broad.glb"), broad);
-  const Outcome told = good("animate broad.glb --motion swing.bvh -o kept.glb --report");
+  const Outcome told = good("animate broad.glb --motion swing.bvh -o kept.glb --measure");
   EXPECT_NE(told.out.find(": in the body in "), std::string::npos) << told.out;
   EXPECT_NE(told.out.find(": under the floor in "), std::string::npos) << told.out;
-  const auto json = nlohmann::json::parse(good("animate broad.glb --motion swing.bvh -o kept.glb --report --json").out);
+  const auto json =
+      nlohmann::json::parse(good("animate broad.glb --motion swing.bvh -o kept.glb --measure --json").out);
   const auto& report = json["clips"][0]["report"];
   ASSERT_EQ(report.size(), 4u) << json;
   size_t legs = 0;
@@ -163,8 +164,8 @@ TEST_F(CliAnimate, AReportSaysWhatWasMendedLimbByLimb) {
   }
   EXPECT_EQ(legs, 2u);
   // What is copied is the same before and after.
-  const auto copied =
-      nlohmann::json::parse(good("animate broad.glb --motion swing.bvh --method copy -o copy.glb --report --json").out);
+  const auto copied = nlohmann::json::parse(
+      good("animate broad.glb --motion swing.bvh --method copy -o copy.glb --measure --json").out);
   for (const auto& limb : copied["clips"][0]["report"]) EXPECT_EQ(limb["before"], limb["after"]);
   EXPECT_FALSE(
       nlohmann::json::parse(good("animate broad.glb --motion swing.bvh -o kept.glb --json").out)["clips"][0].contains(
@@ -225,11 +226,11 @@ TEST_F(CliAnimate, WhatIsWrongIsOneLineAndLeavesFilesAsTheyWere) {
   expect(2, hero + " --motion swing.bvh -o out.glb --legs", "--legs goes with --method reference-points");
   expect(2, hero + " --motion swing.bvh -o out.glb --method reference-points --area-power 5", "--area-power");
   expect(2, hero + " --motion swing.bvh -o out.glb --method reference-points --falloff -1", "--falloff");
-  expect(2, hero + " --motion swing.bvh -o out.glb --from 2 --to 1", "--from 2 is behind --to 1");
+  expect(2, hero + " --motion swing.bvh -o out.glb --start 2 --end 1", "--start 2 is behind --end 1");
   expect(2, hero + " --motion swing.bvh -o out.glb --sheet sheet.gif", "sheet.gif");
   expect(2, hero + " -o out.glb", "--motion");
   expect(1, hero + " --motion swing.bvh#run -o out.glb", "expected one of its clips, 'swing', found 'run'");
-  expect(1, hero + " --motion swing.bvh --from 5 -o out.glb", "has no frame between");
+  expect(1, hero + " --motion swing.bvh --start 5 -o out.glb", "has no frame between");
   expect(2, hero + " --motion swing.bvh --motion swing.bvh -o two.bvh", "a BVH holds one clip");
   expect(1, hero + " --motion " + kData + "/biped__robot.obj -o out.glb", "expected a motion");
   expect(1, hero + " --motion " + kCaped + " -o out.glb", "expected an animation, found none");

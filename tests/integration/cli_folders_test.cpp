@@ -115,7 +115,7 @@ TEST_F(CliFolders, BindRefusesWhatWouldHarmOrMeansNothing) {
 TEST_F(CliFolders, DatasetCommandsLookBelow) {
   good("dataset synthesize --plan snake --count 2 --resolution 24 -o set/a");
   good("dataset synthesize --plan snake --count 1 --resolution 24 -o set/b");  // a second snake__0001
-  const Outcome scores = good("eval set --method heat --json figures.json --predictions out");
+  const Outcome scores = good("eval set --method heat -o figures.json --save-predictions out");
   EXPECT_NE(scores.out.find("| heat | 3 |"), std::string::npos) << scores.out;
   for (const char* name : {"out/a/snake__0001.rig.txt", "out/b/snake__0001.rig.txt", "out/snake__0002.rig.txt"})
     EXPECT_TRUE(fs::exists(in(name))) << name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sinew command on hands: rig --detail hands, its skeletons, what it refuses, and eval --task hands.
+// The sinew command on hands: rig --detail hands, its skeletons, what it refuses, and eval hands.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -93,10 +93,10 @@ TEST_F(CliHands, ModelsAreToldApart) {
 TEST_F(CliHands, EvalCountsHandsThatHaveNone) {
   fs::create_directories(in("set"));
   for (const char* end : {".obj", ".rig.txt"}) fs::copy(kData + "/biped__robed" + std::string(end), in("set"));
-  const auto figures = nlohmann::json::parse(good("eval set --task hands --json -").out);
+  const auto figures = nlohmann::json::parse(good("eval hands set --json").out);
   EXPECT_EQ(figures["all"]["hands"], 0);
   EXPECT_EQ(figures["all"]["bare_wrong"], 0);
-  const Outcome wrong = bad(2, "eval set --task hands --predictions set");
+  const Outcome wrong = bad(2, "eval hands set --predictions set");
   EXPECT_NE(wrong.error.find("--predictions"), std::string::npos) << wrong.error;
 }
 

@@ -52,7 +52,7 @@ class CliJoints : public Cli {
 
 TEST_F(CliJoints, OwnJointsAndAttachedMeshesByDefault) {
   const std::string text = good("bind hero.glb -o out.glb --method heat").out;
-  EXPECT_TRUE(has(text, "1 joints get no weight (no weight in the file: kneeIK); --all-joints gives it to all"))
+  EXPECT_TRUE(has(text, "1 joints get no weight (no weight in the file: kneeIK); --joints all gives it to all"))
       << text;
   EXPECT_TRUE(has(text, "1 attached meshes kept as they are; --bind-props binds them")) << text;
   EXPECT_EQ(weight_of("out.glb", "kneeIK"), 0);
@@ -71,16 +71,12 @@ TEST_F(CliJoints, OwnJointsAndAttachedMeshesByDefault) {
 TEST_F(CliJoints, NamesAllAndLists) {
   EXPECT_TRUE(has(good("bind hero.glb -o out.glb --method heat --joints names").out, "control: kneeIK"));
   EXPECT_EQ(weight_of("out.glb", "kneeIK"), 0);
-  for (const char* all : {"--all-joints", "--joints all"}) {
-    EXPECT_FALSE(has(good(std::string("bind hero.glb -o out.glb --method heat ") + all).out, "no weight"));
-    EXPECT_GT(weight_of("out.glb", "kneeIK"), 0);
-  }
+  EXPECT_FALSE(has(good("bind hero.glb -o out.glb --method heat --joints all").out, "no weight"));
+  EXPECT_GT(weight_of("out.glb", "kneeIK"), 0);
   put(in("list.txt"), "hip\nkneeIK\n");
   good("bind hero.glb -o out.glb --method heat --joints list.txt");
   EXPECT_GT(weight_of("out.glb", "kneeIK"), 0);
   EXPECT_EQ(weight_of("out.glb", "knee"), 0);
-  bad(2, "bind hero.glb -o x.glb --joints list.txt --deform list.txt");
-  bad(2, "bind hero.glb -o x.glb --all-joints --joints own");
   bad(1, "bind hero.glb -o x.glb --joints nonsense");
   EXPECT_FALSE(fs::exists(in("x.glb")));
 }

@@ -103,7 +103,6 @@ TEST_F(CliMap, WrongUsageIsOneLine) {
   EXPECT_NE(bad(2, pair + "--set t1=s1 --set t1=s2").error.find("each joint once"), std::string::npos);
   EXPECT_NE(bad(2, pair + "-o map.png").error.find(".map"), std::string::npos);
   bad(2, pair + "--method nearest");
-  bad(2, pair + "--ends x --no-ends");
   EXPECT_NE(bad(1, "map missing.rig.txt --from s.rig.txt").error.find("missing.rig.txt"), std::string::npos);
   EXPECT_NE(bad(1, "map t.rig.txt --from s.bvh2").error.find("s.bvh2"), std::string::npos);
   put(in("bad.map"), "t0 s0\nt1\n");
@@ -134,7 +133,7 @@ TEST_F(CliMap, LeavesWithoutWeightAreEnds) {
   put(in("t.rig.txt"), slurp(in("s.rig.txt")) + "skin 0 s0 1\nskin 1 s1 1\n");
   const Json json = Json::parse(good("map t.rig.txt --from s.rig.txt --no-names --json").out);
   EXPECT_EQ(json["joints"][2]["target"], "s2");
-  const Json blind = Json::parse(good("map t.rig.txt --from s.rig.txt --no-names --no-ends --json").out);
+  const Json blind = Json::parse(good("map t.rig.txt --from s.rig.txt --no-names --ends none --json").out);
   EXPECT_NE(json["joints"][2]["confidence"], blind["joints"][2]["confidence"]);
 }
 

@@ -35,7 +35,7 @@ TEST_F(CliRig, TargetsOfAFolderAreWhatEvalComparesWith) {
   EXPECT_EQ(slurp(in("targets/snake__long.rig.txt")).find("skin"), std::string::npos);
   EXPECT_NE(slurp(in("targets/snake__long.rig.txt")).find("_end"), std::string::npos);
 
-  const Outcome table = good("eval set --task rig --predictions targets --json figures.json");
+  const Outcome table = good("eval rig set --predictions targets -o figures.json");
   EXPECT_NE(table.out.find("| mean of families | 2 | 0.00 | 0.00 | 0.00 | 100.00 | 100.00 | 100.00 | 100.00 |"),
             std::string::npos)
       << table.out;
@@ -43,13 +43,13 @@ TEST_F(CliRig, TargetsOfAFolderAreWhatEvalComparesWith) {
   EXPECT_LT(figures["characters_mean"]["J2J"], 1e-6);
   EXPECT_EQ(figures["families"]["snake"]["IoU"], 1);
   EXPECT_EQ(figures["failed"], nlohmann::json::array());
-  EXPECT_EQ(nlohmann::json::parse(good("eval set --task rig --predictions targets --json -").out), figures);
+  EXPECT_EQ(nlohmann::json::parse(good("eval rig set --predictions targets --json").out), figures);
 }
 
 TEST_F(CliRig, AMissingPredictionIsNamedAndTheOthersAreMeasured) {
   make_set();
   good("dataset target set/snake__long.rig.txt -o targets");
-  const Outcome missing = bad(1, "eval set --task rig --predictions targets --json figures.json --jobs 1");
+  const Outcome missing = bad(1, "eval rig set --predictions targets -o figures.json --jobs 1");
   EXPECT_NE(missing.error.find("1 of 2 characters failed; the first: biped__robed: targets/biped__robed.rig.txt"),
             std::string::npos)
       << missing.error;
@@ -57,8 +57,7 @@ TEST_F(CliRig, AMissingPredictionIsNamedAndTheOthersAreMeasured) {
   EXPECT_NE(missing.out.find("| mean of characters | 1 |"), std::string::npos) << missing.out;
   EXPECT_EQ(nlohmann::json::parse(slurp(in("figures.json")))["failed"], nlohmann::json::array({"biped__robed"}));
   put(in("targets/biped__robed.rig.txt"), "joints a 0 0\n");
-  EXPECT_NE(bad(1, "eval set --task rig --predictions targets").error.find("robed.rig.txt:1: expected"),
-            std::string::npos);
+  EXPECT_NE(bad(1, "eval rig set --predictions targets").error.find("robed.rig.txt:1: expected"), std::string::npos);
 }
 
 // A mesh without joints comes out with joints, names and weights.
@@ -85,10 +84,10 @@ TEST_F(CliRig, ABareMeshGetsASkeletonAndWeights) {
   EXPECT_FALSE(fs::exists(in("twice"))) << "said before any is made";
   // The command's own figures, of the model and of what it wrote.
   make_set();
-  const std::string table = good("eval set --task rig").out;
+  const std::string table = good("eval rig set").out;
   good("rig set -o predicted --format rig.txt --no-bind");
   EXPECT_TRUE(fs::exists(in("predicted/low/biped__robed.rig.txt")));
-  EXPECT_EQ(good("eval set --task rig --predictions predicted").out, table);
+  EXPECT_EQ(good("eval rig set --predictions predicted").out, table);
 
   bad(1, "rig missing.obj");
   bad(2, "rig figure.obj --mirror --no-mirror");
@@ -103,13 +102,12 @@ TEST_F(CliRig, ABareMeshGetsASkeletonAndWeights) {
 
 TEST_F(CliRig, WrongUsage) {
   make_set();
-  EXPECT_NE(bad(2, "eval set --task rig --predictions set --model x.sinew").error.find("--predictions and --model"),
+  EXPECT_NE(bad(2, "eval rig set --predictions set --model x.sinew").error.find("--predictions and --model"),
             std::string::npos);
-  EXPECT_NE(bad(1, "eval set --task rig --predictions nowhere").error.find("nowhere: expected a folder"),
-            std::string::npos);
-  EXPECT_NE(bad(2, "eval set --task rig --predictions set --method heat").error.find("--method"), std::string::npos);
-  EXPECT_NE(bad(2, "eval set --task rig --predictions set --known").error.find("--known"), std::string::npos);
-  EXPECT_NE(bad(2, "eval set --task pose --predictions set").error.find("--task"), std::string::npos);
+  EXPECT_NE(bad(1, "eval rig set --predictions nowhere").error.find("nowhere: expected a folder"), std::string::npos);
+  EXPECT_NE(bad(2, "eval rig set --predictions set --method heat").error.find("--method"), std::string::npos);
+  EXPECT_NE(bad(2, "eval rig set --predictions set --known").error.find("--known"), std::string::npos);
+  EXPECT_NE(bad(2, "eval set --task rig").error.find("sinew eval rig DIR"), std::string::npos);
   EXPECT_NE(bad(2, "dataset target set -o set").error.find("among the inputs"), std::string::npos);
   EXPECT_NE(bad(2, "dataset target set -o set/low").error.find("among the inputs"), std::string::npos);
   EXPECT_NE(bad(2, "dataset target set/snake__long.obj -o ./set/low/..").error.find("among the inputs"),
@@ -128,13 +126,13 @@ TEST_F(CliRig, TrainingGoesOnFromTheReleasedModel) {
   const std::string train = "train set --task rig --config two.json --quiet -o on.ckpt --init ";
   good(train + kData + "/sinew_rig.sinew");
   good("quantize on.ckpt --calibrate set --quiet -o on.sinew");
-  const std::string table = good("eval set --task rig --checkpoint on.ckpt --model on.sinew").out;
+  const std::string table = good("eval rig set --checkpoint on.ckpt --model on.sinew").out;
   EXPECT_NE(table.find("float, on.ckpt: J2J "), std::string::npos) << table;
   EXPECT_NE(table.find("the same tree on 2 of 2 characters"), std::string::npos) << table;
   // What began with other weights is another skeleton.
   put(in("fresh.json"), R"({"steps": 1, "variants": 1, "synthetic": 0, "validate_every": 1})");
   good("train set --task rig --config fresh.json --quiet -o fresh.ckpt");
-  EXPECT_NE(good("eval set --task rig --checkpoint fresh.ckpt --model on.sinew").out.find("the same tree on 0 of 2"),
+  EXPECT_NE(good("eval rig set --checkpoint fresh.ckpt --model on.sinew").out.find("the same tree on 0 of 2"),
             std::string::npos);
 
   fs::remove(in("on.ckpt"));
@@ -147,7 +145,7 @@ TEST_F(CliRig, TrainingGoesOnFromTheReleasedModel) {
                 .error.find("other shapes"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(in("on.ckpt")));
-  EXPECT_NE(bad(2, "eval set --task rig --checkpoint fresh.ckpt --method shape").error.find("--checkpoint"),
+  EXPECT_NE(bad(2, "eval rig set --checkpoint fresh.ckpt --method shape").error.find("--checkpoint"),
             std::string::npos);
 }
 

@@ -85,9 +85,9 @@ TEST_F(CliSimplify, AnimationsStayOnTheJointsThatAreLeft) {
   EXPECT_GE(compared, 8u);
 }
 
-TEST_F(CliSimplify, ExtractMakesASkeletonOfTheShapeAlone) {
+TEST_F(CliSimplify, RigMakesASkeletonOfTheShapeAlone) {
   for (const std::string method : {"shape", "regions"}) {
-    const Outcome outcome = good("extract " + kRobed + " --method " + method + " --json -o " + method + ".glb");
+    const Outcome outcome = good("rig " + kRobed + " --method " + method + " --json -o " + method + ".glb");
     const auto json = nlohmann::json::parse(outcome.out);
     const Character bound = read_character(in(method + ".glb"));
     EXPECT_EQ(json["joints"].size(), bound.joints.size());
@@ -95,8 +95,7 @@ TEST_F(CliSimplify, ExtractMakesASkeletonOfTheShapeAlone) {
     EXPECT_GT(bound.joints.size(), 8u);
     expect_bound(bound, 4);
   }
-  bad(2, "extract " + kRobed + " --method votes -o o.glb");
-  bad(1, "extract missing.obj -o o.glb");
+  bad(1, "rig missing.obj --method shape -o o.glb");
   EXPECT_EQ(files(), 2u);
 }
 

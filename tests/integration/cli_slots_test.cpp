@@ -54,11 +54,11 @@ TEST_F(CliSlots, TrainsRigsAndIsMeasured) {
   expect_bound(bound, 4);
   EXPECT_FLOAT_EQ(bound.joints[0].position.x, 0.25f);
 
-  const std::string table = good("eval set --task rig --method slots --model alone.ckpt").out;
+  const std::string table = good("eval rig set --method slots --model alone.ckpt").out;
   EXPECT_NE(table.find("| mean of families | 2 |"), std::string::npos) << table;
   good("rig set --method slots --model alone.ckpt -o predicted --format rig.txt --no-bind");
-  EXPECT_EQ(good("eval set --task rig --predictions predicted").out, table);
-  EXPECT_NE(good("eval set --task rig --method votes").out, table);
+  EXPECT_EQ(good("eval rig set --predictions predicted").out, table);
+  EXPECT_NE(good("eval rig set --method votes").out, table);
 }
 
 TEST_F(CliSlots, AnotherConfigurationIsRefusedAndLeavesTheRunAlone) {
@@ -101,9 +101,9 @@ TEST_F(CliSlots, WrongUsage) {
   EXPECT_NE(bad(1, rig + default_model + "ckpt").error.find("expected a network of slots, found field"),
             std::string::npos);
   EXPECT_NE(bad(1, rig + default_model + "sinew").error.find("expected a sinew checkpoint"), std::string::npos);
-  EXPECT_NE(bad(2, "eval set --task rig --method slots").error.find("needs --model CKPT"), std::string::npos);
-  EXPECT_NE(bad(2, "eval set --method slots").error.find("goes with --task rig"), std::string::npos);
-  EXPECT_NE(bad(2, "eval set --task rig --method slots --predictions set").error.find("--predictions and --method"),
+  EXPECT_NE(bad(2, "eval rig set --method slots").error.find("needs --model CKPT"), std::string::npos);
+  bad(2, "eval set --method slots");
+  EXPECT_NE(bad(2, "eval rig set --method slots --predictions set").error.find("--predictions and --method"),
             std::string::npos);
   put(in("bad.json"), R"({"architecture": "slots", "balance": 2})");
   EXPECT_NE(bad(1, "train set --task rig --config bad.json -o b.ckpt").error.find("balance: expected 0 to 1"),

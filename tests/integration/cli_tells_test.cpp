@@ -69,7 +69,7 @@ TEST_F(CliTells, BundledIsAModelEverywhere) {
 
 TEST_F(CliTells, WhatBecameOfOldWeights) {
   // By heat: how far that is from the sample's own weights is for this test to find out in another way.
-  const Outcome bound = good("bind " + kCaped + " --method heat -o new.glb --json --compare");
+  const Outcome bound = good("bind " + kCaped + " --method heat -o new.glb --json --changes");
   const json replaced = json::parse(bound.out)["replaced"];
   const Character before = read_character(kCaped), after = read_character(in("new.glb"));
   double sum = 0;
@@ -94,7 +94,7 @@ TEST_F(CliTells, WhatBecameOfOldWeights) {
   const std::string plain = good("bind " + kCaped + " --method heat -o new.glb").out;
   EXPECT_TRUE(has(plain, "replaced the weights of 2,355 vertices; they were L1 0.")) << plain;
   EXPECT_FALSE(has(plain, "mean L1")) << plain;
-  const std::string table = good("bind " + kCaped + " --method heat -o new.glb --compare").out;
+  const std::string table = good("bind " + kCaped + " --method heat -o new.glb --changes").out;
   EXPECT_TRUE(has(table, "\n  joint")) << table;
   EXPECT_TRUE(has(table, "vertices  mean L1\n  " + replaced["joints"][0]["joint"].get<std::string>())) << table;
 
@@ -105,11 +105,11 @@ TEST_F(CliTells, WhatBecameOfOldWeights) {
   // A rig's weights are read for the comparison alone; locked vertices are not replaced.
   const std::string pair = "bind " + kSnake + " --skeleton " + kSnakeRig + " --method heat -o snake.glb";
   EXPECT_FALSE(has(good(pair).out, "replaced"));
-  EXPECT_TRUE(has(good(pair + " --compare").out, "replaced the weights of 850 vertices"));
+  EXPECT_TRUE(has(good(pair + " --changes").out, "replaced the weights of 850 vertices"));
   put(in("lock.txt"), "0\n7\n");
   EXPECT_TRUE(has(good(pair + " --lock lock.txt").out, "replaced the weights of 848 vertices"));
   put(in("bare.rig.txt"), "joints a 0 0 0\nroot a\n");
-  EXPECT_TRUE(has(good("bind " + kSnake + " --skeleton bare.rig.txt --method heat -o bare.glb --compare").out,
+  EXPECT_TRUE(has(good("bind " + kSnake + " --skeleton bare.rig.txt --method heat -o bare.glb --changes").out,
                   "nothing to compare with: the file had no weights"));
 }
 

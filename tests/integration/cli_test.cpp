@@ -94,21 +94,21 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "eval " + kData + " --method magic",
                                           "eval " + kData + " --method heat --model x",
                                           "eval " + kData + " --method heat --report r.txt",
-                                          "eval " + kData + " --method heat --json r.txt",
+                                          "eval " + kData + " --method heat -o r.txt",
                                           "eval " + kData + " --checkpoint x --known",
                                           "eval " + kData + " --checkpoint x --rigid-parts always",
                                           "eval " + kData + " --method nearest --rigid-parts never",
                                           "eval " + kData + " --method heat --softness 2",
                                           "eval " + kData + " --method heat --rigid-parts often",
-                                          "eval " + kData + " --method heat --rigid-parts always --hints random:5",
+                                          "eval hints " + kData + " --method heat --rigid-parts always",
                                           "eval " + kData + " --method heat --jobs 0",
-                                          "eval " + kData + " --method heat --hints random",
-                                          "eval " + kData + " --method heat --hints all:5",
-                                          "eval " + kData + " --method heat --hints random:0",
-                                          "eval " + kData + " --method heat --hints patch:5x",
-                                          "eval " + kData + " --checkpoint x --hints random:5",
-                                          "eval " + kData + " --checkpoint x --confidence",
-                                          "eval " + kData + " --checkpoint x --robustness",
+                                          "eval hints " + kData + " --method heat --give random",
+                                          "eval hints " + kData + " --method heat --give all:5",
+                                          "eval hints " + kData + " --method heat --give random:0",
+                                          "eval hints " + kData + " --method heat --give patch:5x",
+                                          "eval hints " + kData + " --checkpoint x",
+                                          "eval confidence " + kData + " --checkpoint x",
+                                          "eval robustness " + kData + " --method heat --model x",
                                           "bind " + pair + "--png-confidence out.jpg",
                                           "train",
                                           "train " + kData,
@@ -140,7 +140,7 @@ TEST_F(Cli, WrongUsageExitsTwoAndWritesNothing) {
                                           "pose " + kSnake + " --random 1 --joint head=0,0,0 -o x.obj",
                                           "pose " + kSnake + " --random 1 --matrices a.pose -o x.obj",
                                           "pose " + kSnake + " --random 1 --deform melt -o x.obj",
-                                          "pose " + kSnake + " --random 1 --deform volume --dual-quaternion -o x.obj",
+                                          "pose " + kSnake + " --random 1 --deform none -o x.obj",
                                           "pose " + kSnake + " --random 1 --deform volume --cells 3 -o x.obj",
                                           "pose " + kSnake + " --random 1 --cells 32 -o x.obj",
                                           "pose " + kSnake + " --random 1 --body-contact -o x.obj",
@@ -233,7 +233,7 @@ TEST_F(Cli, BindObeysJointAndVertexLists) {
   for (const auto& row : bound("never.rig.txt")) {
     for (const Influence& i : row) ASSERT_TRUE(i.joint != joint("spine_3") && i.joint != joint("spine_4"));
   }
-  good(pair + "--deform deform.txt -o deform.rig.txt");
+  good(pair + "--joints deform.txt -o deform.rig.txt");
   for (const auto& row : bound("deform.rig.txt")) {
     for (const Influence& i : row) ASSERT_TRUE(i.joint == joint("spine_1") || i.joint == joint("spine_6"));
   }
@@ -247,7 +247,7 @@ TEST_F(Cli, BindObeysJointAndVertexLists) {
     }
   }
   put(in("bad_joint.txt"), "spine_1\nelbow\n");
-  EXPECT_NE(bad(1, pair + "--deform bad_joint.txt").error.find("line 2"), std::string::npos);
+  EXPECT_NE(bad(1, pair + "--joints bad_joint.txt").error.find("line 2"), std::string::npos);
   put(in("bad_vertex.txt"), "850\n");
   EXPECT_NE(bad(1, pair + "--lock bad_vertex.txt").error.find("0..849"), std::string::npos);
   put(in("negative.txt"), "-1\n");
@@ -359,18 +359,18 @@ TEST_F(Cli, WrongVerticesAreAmongThoseToLookAtFirst) {
 TEST_F(Cli, EvalStudies) {
   fs::create_directories(in("set"));
   for (const char* file : {"snake__long.obj", "snake__long.rig.txt"}) fs::copy(kData + "/" + file, in("set"));
-  const Outcome hints = good("eval set --method heat --hints random:5");
+  const Outcome hints = good("eval hints set --method heat");
   EXPECT_NE(hints.out.find("| snake | 1 |"), std::string::npos) << hints.out;
-  EXPECT_NE(good("eval set --method heat --hints patch:5").out, hints.out);
-  const Outcome changes = good("eval set --method heat --robustness --jobs 1");
+  EXPECT_NE(good("eval hints set --method heat --give patch:5").out, hints.out);
+  const Outcome changes = good("eval robustness set --method heat --jobs 1");
   EXPECT_NE(changes.out.find("| unwelded | 0.00000 |"), std::string::npos) << changes.out;
   EXPECT_NE(changes.out.find("| subdivided | "), std::string::npos) << changes.out;
-  EXPECT_NE(bad(1, "eval set --method heat --confidence").error.find("famil"), std::string::npos);
-  const Outcome confidence = good("eval " + kData + " --method heat --confidence");
+  EXPECT_NE(bad(1, "eval confidence set --method heat").error.find("famil"), std::string::npos);
+  const Outcome confidence = good("eval confidence " + kData + " --method heat");
   EXPECT_NE(confidence.out.find("calibration error"), std::string::npos) << confidence.out;
   fs::create_directories(in("empty"));
-  for (const char* study : {"--hints random:5", "--confidence", "--robustness"})
-    bad(1, std::string("eval empty --method heat ") + study);
+  for (const char* study : {"weights", "hints", "confidence", "robustness", "questions", "style"})
+    bad(1, std::string("eval ") + study + " empty --method heat");
 }
 
 TEST_F(Cli, BundledModelBindsOrSaysThatThereIsNone) {
@@ -387,7 +387,7 @@ TEST_F(Cli, BundledModelBindsOrSaysThatThereIsNone) {
 
 TEST_F(Cli, EvalScoresTheSamples) {
   const Outcome two =
-      good("eval " + kData + " --method heat --predictions out --json figures.json --report report.html --jobs 2");
+      good("eval " + kData + " --method heat --save-predictions out -o figures.json --report report.html --jobs 2");
   EXPECT_NE(two.out.find("| heat | 7 |"), std::string::npos) << two.out;
   for (const char* name : {"biped__robed", "biped__caped", "snake__long"})
     EXPECT_TRUE(fs::exists(in("out/" + std::string(name) + ".rig.txt")));
@@ -396,9 +396,9 @@ TEST_F(Cli, EvalScoresTheSamples) {
   const std::string html = slurp(in("report.html"));
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_EQ(html.find("http://"), html.find("http://www.w3.org")) << "the page must need no network";
-  good("eval " + kData + " --method heat --predictions out1 --jobs 1");
+  good("eval " + kData + " --method heat --save-predictions out1 --jobs 1");
   EXPECT_TRUE(slurp(in("out/quadruped__tailed.rig.txt")) == slurp(in("out1/quadruped__tailed.rig.txt")));
-  EXPECT_EQ(good("eval " + kData + " --method heat --known --json -").out[0], '{');
+  EXPECT_EQ(good("eval " + kData + " --method heat --known --json").out[0], '{');
   EXPECT_NE(html.find("sinew eval " + kData + " --method heat --report report.html"), std::string::npos);
   EXPECT_NE(html.find("Confidence: the largest weight of a vertex"), std::string::npos);
   EXPECT_NE(html.find("<h3>cloth: biped__caped"), std::string::npos);
@@ -406,21 +406,21 @@ TEST_F(Cli, EvalScoresTheSamples) {
   // The same page whatever the number of jobs, with the other run's predictions as a column.
   good("eval " + kData + " --method heat --report report.html --jobs 1");
   EXPECT_TRUE(slurp(in("report.html")) == html);
-  const Outcome nearest = good("eval " + kData + " --method nearest --with heat=out1 --json with.json");
+  const Outcome nearest = good("eval " + kData + " --method nearest --with heat=out1 -o with.json");
   EXPECT_NE(nearest.out.find("| nearest | 7 |"), std::string::npos) << nearest.out;
   EXPECT_NE(slurp(in("with.json")).find("\"heat\""), std::string::npos);
   EXPECT_NE(good("eval " + kData + " --method heat --against-nearest").out.find("nearest bone is better than heat on"),
             std::string::npos);
   bad(2, "eval " + kData + " --method heat --with nothing");
-  EXPECT_NE(good("eval " + kData + " --method nearest --known --json -").out,
-            good("eval " + kData + " --method nearest --json -").out);
+  EXPECT_NE(good("eval " + kData + " --method nearest --known --json").out,
+            good("eval " + kData + " --method nearest --json").out);
   bad(1, "eval " + kData + " --method heat --with other=nowhere");
 }
 
 TEST_F(Cli, EvalBindsInTheStyleThatIsAskedFor) {
   const std::string heat = "eval " + kData + " --method heat";
-  const std::string usual = good(heat + " --json - --predictions usual").out;
-  EXPECT_NE(good(heat + " --rigid-parts always --json - --predictions rigid --report rigid.html").out, usual);
+  const std::string usual = good(heat + " --json --save-predictions usual").out;
+  EXPECT_NE(good(heat + " --rigid-parts always --json --save-predictions rigid --report rigid.html").out, usual);
   EXPECT_NE(slurp(in("rigid.html")).find(heat + " --rigid-parts always --report"), std::string::npos);
   // The predictions are those of bind.
   const std::string pair = kSnake + " --skeleton " + kSnakeRig;
@@ -435,7 +435,7 @@ TEST_F(Cli, EvalReportsFailuresAndGoesOn) {
   for (const char* file : {"snake__long.obj", "snake__long.rig.txt"}) fs::copy(kData + "/" + file, in("set"));
   put(in("set/broken__one.obj"), "v 0 0 zero\n");
   put(in("set/broken__one.rig.txt"), "joints a 0 0 0\nroot a\n");
-  const Outcome outcome = bad(1, "eval set --method heat --predictions out");
+  const Outcome outcome = bad(1, "eval set --method heat --save-predictions out");
   EXPECT_NE(outcome.error.find("1 of 2"), std::string::npos);
   EXPECT_TRUE(fs::exists(in("out/snake__long.rig.txt")));
   EXPECT_NE(slurp(in("out/status.json")).find("\"ok\": false"), std::string::npos);
@@ -455,7 +455,7 @@ TEST_F(Cli, TrainQuantizeEvalBind) {
   EXPECT_NE(table.out.find("|accumulator|"), std::string::npos);
   EXPECT_NE(good("inspect run.sinew").out.find("int16 model"), std::string::npos);
   good("eval set --model run.sinew");
-  const Outcome bits = good("eval set --checkpoint run.ckpt --report bits.html --json bits.json");
+  const Outcome bits = good("eval set --checkpoint run.ckpt --report bits.html -o bits.json");
   for (const char* label : {"float checkpoint", "int16 model", "12 bits", "10 bits", "8 bits", "heat"}) {
     EXPECT_NE(bits.out.find(label), std::string::npos) << label;
     EXPECT_NE(slurp(in("bits.json")).find(label), std::string::npos) << label;
@@ -463,16 +463,15 @@ TEST_F(Cli, TrainQuantizeEvalBind) {
   good("bind " + kSnake + " --skeleton " + kSnakeRig + " --model run.sinew -o out.glb");
   expect_bound(read_character(in("out.glb")), 4);
 
-  const Outcome fitted = good("quantize run.ckpt --calibrate set --confidence " + kData + " -o sure.sinew");
+  const Outcome fitted = good("quantize run.ckpt --calibrate set --calibrate-confidence " + kData + " -o sure.sinew");
   EXPECT_NE(fitted.out.find("confidence fitted on 7 characters"), std::string::npos) << fitted.out;
   EXPECT_GT(fs::file_size(in("sure.sinew")), fs::file_size(in("run.sinew")));
-  EXPECT_NE(good("eval " + kData + " --model sure.sinew --confidence").out.find("the model's table"),
-            std::string::npos);
+  EXPECT_NE(good("eval confidence " + kData + " --model sure.sinew").out.find("the model's table"), std::string::npos);
 
   put(in("wrong.json"), R"({"stepz": 4})");
   EXPECT_NE(bad(1, "train set --config wrong.json -o x.ckpt").error.find("stepz"), std::string::npos);
   bad(2, "quantize run.sinew --calibrate set -o x.sinew");  // a model: its table is all that can change
-  good("quantize run.sinew --confidence " + kData + " -o refitted.sinew");
+  good("quantize run.sinew --calibrate-confidence " + kData + " -o refitted.sinew");
   EXPECT_TRUE(slurp(in("refitted.sinew")) == slurp(in("sure.sinew")));
   bad(1, "eval set --model run.ckpt");
   bad(1, "eval set --checkpoint run.sinew");
@@ -523,12 +522,12 @@ TEST_F(Cli, DatasetCommands) {
 TEST_F(Cli, DatasetShowsFindsCopiesAndDivides) {
   good("dataset synthesize --plan snake --count 3 --resolution 24 -o set");
   good("dataset synthesize --plan bird --count 2 --resolution 24 -o set");
-  const Outcome stats = good("dataset stats set -o page.html --picture 64 --jobs 2");
+  const Outcome stats = good("dataset stats set -o page.html --picture-size 64 --jobs 2");
   EXPECT_NE(stats.out.find("recall@16"), std::string::npos) << stats.out;
   const std::string page = slurp(in("page.html"));
   EXPECT_NE(page.find("data:image/png"), std::string::npos);
   EXPECT_EQ(page.find("http"), std::string::npos);
-  good("dataset stats set -o again.html --picture 64 --jobs 1");
+  good("dataset stats set -o again.html --picture-size 64 --jobs 1");
   EXPECT_TRUE(page == slurp(in("again.html")));
   EXPECT_EQ(good("dataset stats set --no-recall --json").out.find("recall"), std::string::npos);
 
@@ -542,13 +541,13 @@ TEST_F(Cli, DatasetShowsFindsCopiesAndDivides) {
   bad(1, "dataset dedup set -o unique");  // never replaces
 
   put(in("groups.json"), R"({"groups": {"flying": ["bird", "parrot"]}})");
-  good("dataset split set --val 0.5 --groups groups.json -o two");
+  good("dataset split set --val-share 0.5 --groups groups.json -o two");
   const size_t train = list_characters(in("two/train")).size(), val = list_characters(in("two/val")).size();
   EXPECT_EQ(train, 3u);
   EXPECT_EQ(val, 3u);
   EXPECT_EQ(fs::exists(in("two/val/bird__0001.obj")), fs::exists(in("two/val/parrot__one.obj")));
-  bad(1, "dataset split set --val 0.5 -o two");
-  good("dataset split set --val 0.2 --by character --lists -o lists");
+  bad(1, "dataset split set --val-share 0.5 -o two");
+  good("dataset split set --val-share 0.2 --by character --lists -o lists");
   EXPECT_EQ(slurp(in("lists/val.txt")).find('\n'), slurp(in("lists/val.txt")).size() - 1) << "one of six";
   bad(2, "dataset split set --by character --groups groups.json -o x");
   bad(1, "dataset split unique --groups nothing.json -o x");
@@ -557,7 +556,7 @@ TEST_F(Cli, DatasetShowsFindsCopiesAndDivides) {
   const size_t at = rig.find("skin 5 ");
   rig.replace(at, rig.find('\n', at) - at, "skin 5 foot.L 1");
   put(in("set/bird__0001.rig.txt"), rig);
-  good("dataset check set/bird__0001.obj --png suspicious");
+  good("dataset check set/bird__0001.obj --pictures suspicious");
 }
 
 TEST_F(Cli, InspectAndPose) {
@@ -570,7 +569,7 @@ TEST_F(Cli, InspectAndPose) {
   good("pose " + kSnake + " --random 4 -o a.obj");
   good("pose " + kSnake + " --random 4 -o b.obj");
   EXPECT_TRUE(slurp(in("a.obj")) == slurp(in("b.obj")));
-  good("pose " + kSnake + " --random 4 --dual-quaternion -o c.obj");
+  good("pose " + kSnake + " --random 4 --deform dual-quaternion -o c.obj");
   EXPECT_FALSE(slurp(in("a.obj")) == slurp(in("c.obj")));
   good("pose " + kSnake + " --joint head=0,40,0 --joint spine_2=10,0,5 -o d.png");
   EXPECT_EQ(slurp(in("d.png")).substr(1, 3), "PNG");
@@ -605,8 +604,6 @@ TEST_F(Cli, PosesAreCorrectedAndReadFromMatrices) {
   good(turned + " --deform volume --cells 16 --rounds 3 -o coarse.obj");
   EXPECT_FALSE(slurp(in("coarse.obj")) == slurp(in("volume.obj")));
 
-  good(turned + " --deform none -o none.obj");
-  EXPECT_TRUE(slurp(in("plain.obj")) == slurp(in("none.obj")));
   // An arm that is lowered to the body touches it.
   const std::string lowered = "pose " + kData + "/biped__robed.obj --joint upper_arm.L=0,0,-65 --deform volume";
   good(lowered + " -o inside.obj");

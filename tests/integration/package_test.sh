@@ -36,9 +36,9 @@ done
 # What runs is in the one, what is built with in the other; no file is in both.
 files_of() { dpkg-deb --fsys-tarfile "$1" | tar t | grep -v '/$' | sort; }
 has() { files_of "$1" | grep -E "$2" >/dev/null || fail "$(basename "$1") has no file like $2"; }
-for name in bin/sinew 'lib/.*libsinew\.so\.[0-9.]*[0-9]' share/sinew/sinew_default.sinew share/sinew/sinew_rig.sinew share/doc/sinew/copyright \
+for name in bin/sinew 'lib/.*libsinew\.so\.[0-9.]*[0-9]' 'lib/.*libsinew_character\.so\.[0-9.]*[0-9]' share/sinew/sinew_default.sinew share/sinew/sinew_rig.sinew share/doc/sinew/copyright \
             share/man/man1/sinew.1.gz share/bash-completion/completions/sinew; do has "$deb" "^./usr/$name\$"; done
-for name in include/sinew/sinew.h 'lib/.*libsinew\.a' 'lib/.*libsinew\.so' 'lib/.*cmake/sinew/sinewConfig.cmake' 'lib/.*pkgconfig/sinew.pc' \
+for name in include/sinew/sinew.h 'lib/.*libsinew\.a' 'lib/.*libsinew\.so' 'lib/.*cmake/sinew/sinewConfig.cmake' 'lib/.*pkgconfig/sinew.pc' include/sinew/character.h 'lib/.*libsinew_character\.so' 'lib/.*pkgconfig/sinew-character.pc' \
             share/doc/sinew-dev/copyright; do has "$dev" "^./usr/$name\$"; done
 extra=$(files_of "$deb" | grep -E '/include/|\.a$|\.so$|\.cmake$|\.pc$' || true)
 [ -z "$extra" ] || fail "sinew has what belongs to sinew-dev: $extra"
@@ -81,7 +81,7 @@ for command in $commands; do
   offered=$(complete_words sinew "$command" -)
   for option in $("$sinew" "$command" --help | sed -n 's/^  \(-[^ ]*\).*/\1/p' | sed 's/{[^}]*}//g' | tr , ' '); do
     grep -x -e "$option" <<<"$offered" >/dev/null || fail "the completion of $command does not offer $option"
-    [[ $option == -h || $option == --help ]] && continue
+    [[ $option == -h || $option == --help || $option == --help-all ]] && continue
     grep -F -e "${option//-/\\-}" "$work/sinew.1" >/dev/null || fail "the manual page does not name $command $option"
   done
 done

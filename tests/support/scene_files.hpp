@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A character as FBX and as COLLADA, both as text: a strip of 4 quads, 2 wide and 4 high, hip and knee with weights, a
-// tip without, a mesh that hangs on the knee. Z is up; FBX counts in centimetres, COLLADA in steps of 0.01 m.
+// tip without, a mesh that hangs on the knee. Z is up; FBX counts in centimetres, COLLADA in steps of 0.01 m. The same strip,
+// 1 wide, without the hanging mesh, as DirectX, OGRE, Blitz3D and MilkShape (Y up), MD5 and Valve SMD (Z up).
 #ifndef SINEW_TESTS_SCENE_FILES_HPP
 #define SINEW_TESTS_SCENE_FILES_HPP
 
+#include <cstdint>
+#include <cstring>
 #include <string>
+#include <vector>
 
 inline std::string strip_positions() {  // x, 0, z: ten vertices
   std::string out;
@@ -187,6 +191,187 @@ inline std::string moving_fbx() {
   const std::string links =
       "  C: \"OO\",61,60\n  C: \"OO\",62,61\n  C: \"OP\",62,32, \"Lcl Rotation\"\n  C: \"OP\",63,62, \"d|X\"\n";
   return out.insert(out.rfind("}\n"), links);
+}
+
+// Of vertex v: how much the knee has of it; the hip has the rest.
+inline double strip_weight(int v) { return v / 2 / 4.0; }
+
+inline std::vector<std::vector<int>> strip_triangles() {
+  std::vector<std::vector<int>> triangles;
+  for (int z = 0; z < 8; z += 2) {
+    triangles.push_back({z, z + 1, z + 3});
+    triangles.push_back({z, z + 3, z + 2});
+  }
+  return triangles;
+}
+
+// Who moves vertex v: 0 hip, 1 knee.
+inline std::vector<std::pair<int, double>> strip_influences(int v) {
+  std::vector<std::pair<int, double>> row;
+  for (const auto& [joint, weight] : {std::pair(0, 1 - strip_weight(v)), std::pair(1, strip_weight(v))})
+    if (weight > 0) row.emplace_back(joint, weight);
+  return row;
+}
+
+inline std::string strip_x() {
+  const auto matrix = [](int y) {
+    return "1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0,0.0,0.0,1.0,0.0,0.0," + std::to_string(y) + ".0,0.0,1.0;;";
+  };
+  const auto frame = [&](const char* name, int y) {
+    return std::string("Frame ") + name + " {\nFrameTransformMatrix { " + matrix(y) + " }\n";
+  };
+  std::string out = "xof 0303txt 0032\n" + frame("hip", 0) + frame("knee", 2) + frame("tip", 2) + "}\n}\n}\n" +
+                    frame("body", 0) + "Mesh strip {\n10;\n";
+  for (int v = 0; v < 10; ++v)
+    out += std::to_string(v % 2) + ".0;" + std::to_string(v / 2) + ".0;0.0;" + (v < 9 ? ",\n" : ";\n8;\n");
+  const auto triangles = strip_triangles();
+  for (const auto& t : triangles)
+    out += "3;" + std::to_string(t[0]) + "," + std::to_string(t[2]) + "," + std::to_string(t[1]) + ";" +
+           (&t == &triangles.back() ? ";\n" : ",\n");
+  for (const int joint : {0, 1}) {
+    std::string vertices, weights;
+    int count = 0;
+    for (int v = 0; v < 10; ++v)
+      for (const auto& [j, weight] : strip_influences(v)) {
+        if (j != joint) continue;
+        vertices += (count == 0 ? "" : ",") + std::to_string(v);
+        weights += (count++ == 0 ? "" : ",") + std::to_string(weight);
+      }
+    out += std::string("SkinWeights { \"") + (joint == 0 ? "hip" : "knee") + "\"; " + std::to_string(count) + ";\n" +
+           vertices + ";\n" + weights + ";\n" + matrix(-2 * joint) + " }\n";
+  }
+  return out + "}\n}\n";
+}
+
+inline std::string strip_md5mesh() {
+  std::string vertices, weights;
+  int count = 0;
+  for (int v = 0; v < 10; ++v) {
+    const auto row = strip_influences(v);
+    vertices +=
+        "\tvert " + std::to_string(v) + " ( 0 0 ) " + std::to_string(count) + " " + std::to_string(row.size()) + "\n";
+    for (const auto& [joint, weight] : row)
+      weights += "\tweight " + std::to_string(count++) + " " + std::to_string(joint) + " " + std::to_string(weight) +
+                 " ( " + std::to_string(v % 2) + " 0 " + std::to_string(v / 2 - 2 * joint) + " )\n";
+  }
+  std::string triangles;
+  int number = 0;
+  for (const auto& t : strip_triangles())
+    triangles += "\ttri " + std::to_string(number++) + " " + std::to_string(t[0]) + " " + std::to_string(t[2]) + " " +
+                 std::to_string(t[1]) + "\n";
+  return "MD5Version 10\ncommandline \"\"\n\nnumJoints 3\nnumMeshes 1\n\njoints {\n\t\"hip\" -1 ( 0 0 0 ) ( 0 0 0 )\n"
+         "\t\"knee\" 0 ( 0 0 2 ) ( 0 0 0 )\n\t\"tip\" 1 ( 0 0 4 ) ( 0 0 0 )\n}\n\nmesh {\n\tshader \"red\"\n\tnumverts "
+         "10\n" +
+         vertices + "\tnumtris 8\n" + triangles + "\tnumweights " + std::to_string(count) + "\n" + weights + "}\n";
+}
+
+inline std::string strip_smd() {
+  std::string out =
+      "version 1\nnodes\n0 \"hip\" -1\n1 \"knee\" 0\n2 \"tip\" 1\nend\nskeleton\ntime 0\n0 0 0 0 0 0 0\n1 0 0 2 0 0 0\n"
+      "2 0 0 2 0 0 0\nend\ntriangles\n";
+  for (const auto& t : strip_triangles()) {
+    out += "red.png\n";
+    for (const int v : t) {
+      const auto row = strip_influences(v);
+      out += "0 " + std::to_string(v % 2) + " 0 " + std::to_string(v / 2) + " 0 -1 0 0 0 " + std::to_string(row.size());
+      for (const auto& [joint, weight] : row) out += " " + std::to_string(joint) + " " + std::to_string(weight);
+      out += "\n";
+    }
+  }
+  return out + "end\n";
+}
+
+// Its bones lie beside it, in strip.skeleton.xml.
+inline std::string strip_mesh_xml() {
+  std::string out =
+      "<mesh>\n<submeshes>\n<submesh material=\"red\" usesharedvertices=\"false\" use32bitindexes=\"false\" "
+      "operationtype=\"triangle_list\">\n<faces count=\"8\">\n";
+  for (const auto& t : strip_triangles())
+    out += "<face v1=\"" + std::to_string(t[0]) + "\" v2=\"" + std::to_string(t[1]) + "\" v3=\"" +
+           std::to_string(t[2]) + "\"/>\n";
+  out += "</faces>\n<geometry vertexcount=\"10\">\n<vertexbuffer positions=\"true\" normals=\"false\">\n";
+  std::string assignments;
+  for (int v = 0; v < 10; ++v) {
+    out += "<vertex><position x=\"" + std::to_string(v % 2) + "\" y=\"" + std::to_string(v / 2) +
+           "\" z=\"0\"/></vertex>\n";
+    for (const auto& [joint, weight] : strip_influences(v))
+      assignments += "<vertexboneassignment vertexindex=\"" + std::to_string(v) + "\" boneindex=\"" +
+                     std::to_string(joint) + "\" weight=\"" + std::to_string(weight) + "\"/>\n";
+  }
+  return out + "</vertexbuffer>\n</geometry>\n<boneassignments>\n" + assignments +
+         "</boneassignments>\n</submesh>\n</submeshes>\n<skeletonlink name=\"strip.skeleton\"/>\n</mesh>\n";
+}
+inline std::string strip_skeleton_xml() {
+  std::string bones;
+  for (const auto& [id, name] : {std::pair(0, "hip"), std::pair(1, "knee"), std::pair(2, "tip")})
+    bones += "<bone id=\"" + std::to_string(id) + "\" name=\"" + name + "\"><position x=\"0\" y=\"" +
+             (id == 0 ? "0" : "2") +
+             "\" z=\"0\"/><rotation angle=\"0\"><axis x=\"1\" y=\"0\" z=\"0\"/></rotation></bone>\n";
+  return "<skeleton>\n<bones>\n" + bones +
+         "</bones>\n<bonehierarchy><boneparent bone=\"knee\" parent=\"hip\"/>"
+         "<boneparent bone=\"tip\" parent=\"knee\"/></bonehierarchy>\n</skeleton>\n";
+}
+
+// Little-endian, as all machines are that the tests run on.
+template <class T>
+inline std::string strip_bytes(const T& value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+inline std::string strip_b3d() {
+  const auto floats = [](std::initializer_list<double> values) {
+    std::string out;
+    for (const double value : values) out += strip_bytes(static_cast<float>(value));
+    return out;
+  };
+  const auto chunk = [](const char* tag, const std::string& body) {
+    return tag + strip_bytes(static_cast<int32_t>(body.size())) + body;
+  };
+  const auto node = [&](const char* name, int y, const std::string& inside) {
+    return chunk("NODE", name + std::string(1, '\0') + floats({0, double(y), 0, 1, 1, 1, 1, 0, 0, 0}) + inside);
+  };
+  const auto bone = [&](int joint) {
+    std::string weights;
+    for (int v = 0; v < 10; ++v)
+      for (const auto& [j, weight] : strip_influences(v))
+        if (j == joint) weights += strip_bytes(int32_t{v}) + floats({weight});
+    return chunk("BONE", weights);
+  };
+  std::string vertices = strip_bytes(int32_t{0}) + strip_bytes(int32_t{0}) + strip_bytes(int32_t{0});
+  for (int v = 0; v < 10; ++v) vertices += floats({double(v % 2), double(v / 2), 0});
+  std::string triangles = strip_bytes(int32_t{-1});
+  for (const auto& t : strip_triangles())
+    triangles += strip_bytes(int32_t{t[0]}) + strip_bytes(int32_t{t[2]}) + strip_bytes(int32_t{t[1]});
+  const std::string mesh = chunk("MESH", strip_bytes(int32_t{-1}) + chunk("VRTS", vertices) + chunk("TRIS", triangles));
+  const std::string hip = node("hip", 0, bone(0) + node("knee", 2, bone(1) + node("tip", 2, bone(2))));
+  return chunk("BB3D", strip_bytes(int32_t{1}) + node("body", 0, mesh + hip));
+}
+
+// One joint a vertex is all that it holds: the nearer one.
+inline std::string strip_ms3d() {
+  const auto text = [](std::string value, size_t size) { return value.resize(size, '\0'), value; };
+  std::string out = "MS3D000000" + strip_bytes(int32_t{4}) + strip_bytes(uint16_t{10});
+  for (int v = 0; v < 10; ++v)
+    out += '\0' + strip_bytes(static_cast<float>(v % 2)) + strip_bytes(static_cast<float>(v / 2)) + strip_bytes(0.0f) +
+           static_cast<char>(strip_weight(v) > 0.5 ? 1 : 0) + '\0';
+  const auto triangles = strip_triangles();
+  out += strip_bytes(static_cast<uint16_t>(triangles.size()));
+  for (const auto& t : triangles) {
+    out += strip_bytes(uint16_t{0});
+    for (const int v : t) out += strip_bytes(static_cast<uint16_t>(v));
+    for (int corner = 0; corner < 3; ++corner) out += strip_bytes(0.0f) + strip_bytes(0.0f) + strip_bytes(1.0f);
+    out += std::string(24, '\0') + '\1' + '\0';
+  }
+  out += strip_bytes(uint16_t{1}) + '\0' + text("body", 32) + strip_bytes(static_cast<uint16_t>(triangles.size()));
+  for (uint16_t t = 0; t < triangles.size(); ++t) out += strip_bytes(t);
+  out += '\xff' + strip_bytes(uint16_t{0}) + strip_bytes(24.0f) + strip_bytes(0.0f) + strip_bytes(int32_t{1}) +
+         strip_bytes(uint16_t{3});
+  for (const auto& [name, parent] : {std::pair("hip", ""), std::pair("knee", "hip"), std::pair("tip", "knee")})
+    out += '\0' + text(name, 32) + text(parent, 32) + std::string(12, '\0') + strip_bytes(0.0f) +
+           strip_bytes(*parent == '\0' ? 0.0f : 2.0f) + strip_bytes(0.0f) + std::string(4, '\0');
+  return out;
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "sinew/model.h"
 #include "sinew/motion.h"
 #include "sinew/motion_clips.h"
+#include "sinew/names.h"
 #include "sinew/published.h"
 #include "sinew/questions.h"
 #include "sinew/rig.h"
@@ -47,6 +48,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_contact_spot", sizeof(sinew_contact_spot)},
     {"sinew_rig_options", sizeof(sinew_rig_options)},
     {"sinew_rig_outputs", sizeof(sinew_rig_outputs)},
+    {"sinew_joint_verdicts", sizeof(sinew_joint_verdicts)},
     {"sinew_bound_character", sizeof(sinew_bound_character)},
     {"sinew_vertex_pair", sizeof(sinew_vertex_pair)},
     {"sinew_transfer_options", sizeof(sinew_transfer_options)},

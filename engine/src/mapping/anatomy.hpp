@@ -15,7 +15,7 @@ struct LimbFeatures {
   Point way;              // start to end, outward, up, front; of length 1
   double log_tree = 0;    // joints
   bool point = false, grounded = false, hip = false, arm = false;
-  uint32_t words = 0;                      // bit per Word, arms and legs as one each
+  uint64_t parts = 0;                      // bit per Part, arms and legs as one each
   int32_t first_hash = 0, hash_count = 0;  // in Anatomy::hashes
 };
 

@@ -157,8 +157,8 @@ void Anatomy::find_chest() {
     }
   }
   const auto above_chest = [&](int32_t joint) {
-    const Word word = r.cls(joint).word;
-    return r.has_names && (word == Word::kNeck || word == Word::kHead);
+    const Part word = r.part(joint);
+    return r.has_names && (word == Part::kNeck || word == Part::kHead);
   };
   while (chest >= 0 && above_chest(spine[chest])) --chest;
   if (chest > 0 && !quad) {  // arms hang on the neck: the chest is the joint below
@@ -177,7 +177,7 @@ void Anatomy::find_chest() {
     each_kid(r, p, [&](int32_t k) { kids += r.end[k] == 0 ? 1 : 0; });
     const bool on_level = absolute(height[p] - level) < 0.5 * absolute(height[hip] - level);
     if ((!on_level && !(absolute(height[p] - height[hip]) < 0.15 * up_to_chest + 1e-9)) || kids != 1 ||
-        (r.parent[p] < 0 && !(height[p] > ground + 0.2 * tall)) || (r.has_names && r.cls(hip).word == Word::kHips)) {
+        (r.parent[p] < 0 && !(height[p] > ground + 0.2 * tall)) || (r.has_names && r.part(hip) == Part::kHips)) {
       break;
     }
     for (int32_t k = spine_count; k > 0; --k) spine[k] = spine[k - 1];
@@ -221,7 +221,7 @@ int32_t Anatomy::head_of(int32_t first, int32_t base) const {
   const Hierarchy& r = *rig;
   int32_t count = spine_count;
   for (int32_t k = first; k < count && r.has_names; ++k) {
-    if (r.cls(spine[k]).word == Word::kHead && !r.cls(spine[k]).end) return k;
+    if (r.part(spine[k]) == Part::kHead && !r.names[spine[k]].is_end_of_map()) return k;
   }
   for (int32_t k = first; k < count; ++k) {
     int32_t kids = 0, central = 0, sided = 0;

@@ -31,11 +31,11 @@ double Anatomy::path_names(int32_t leaf) const {
   if (!rig->has_names || leg_count == 0) return 0;  // without legs the longest way counts, head or tail
   bool is_head = false, is_trunk = false, is_tail = false, is_face = false;
   for (int32_t i = leaf; i != hip; i = rig->parent[i]) {
-    const Word w = rig->cls(i).word;
-    is_head = is_head || w == Word::kHead;
-    is_trunk = is_trunk || w == Word::kNeck || w == Word::kSpine;
-    is_tail = is_tail || w == Word::kTail;
-    is_face = is_face || w == Word::kJaw || w == Word::kHair;
+    const Part w = rig->part(i);
+    is_head = is_head || w == Part::kHead;
+    is_trunk = is_trunk || w == Part::kNeck || w == Part::kSpine;
+    is_tail = is_tail || w == Part::kTail;
+    is_face = is_face || w == Part::kJaw || w == Part::kHair;
   }
   return 3.0 * is_head + 1.0 * is_trunk - 2.0 * is_tail - 1.5 * is_face;
 }
@@ -198,9 +198,9 @@ class FrontVotes {
   // How much the spine is a tail.
   double named_tail() const {
     for (int32_t k = 0; k < a_.spine_count && rig_.has_names; ++k) {
-      const Word w = rig_.cls(a_.spine[k]).word;
-      if (w == Word::kTail) return 3;
-      if (w == Word::kHead) return -3;
+      const Part w = rig_.part(a_.spine[k]);
+      if (w == Part::kTail) return 3;
+      if (w == Part::kHead) return -3;
     }
     return 0.8;
   }
@@ -327,7 +327,7 @@ void Anatomy::find_front(bool flip_it) {
     double left = 0, right = 0;
     int32_t lefts = 0, rights = 0;
     for (int32_t i = 0; i < rig->n; ++i) {
-      const int8_t said = rig->cls(i).side;
+      const int8_t said = rig->names[i].side;
       if (said == 0 || !(absolute(x[i]) > 0.02 * rig->size)) continue;
       (said > 0 ? left : right) += x[i];
       ++(said > 0 ? lefts : rights);

@@ -34,13 +34,13 @@ double finger_place(int32_t k, int32_t n) {
   return static_cast<double>(k) / (n - 1);
 }
 
-Word finger_word(const Anatomy& rig, int32_t finger) {
+Part finger_word(const Anatomy& rig, int32_t finger) {
   const Limb& limb = rig.limb(finger);
   for (int32_t k = 0; k < limb.joint_count; ++k) {
-    const Word w = rig.rig->cls(rig.limbs.joint(limb, k)).word;
+    const Part w = rig.rig->part(rig.limbs.joint(limb, k));
     if (is_finger(w)) return w;
   }
-  return Word::kNone;
+  return Part::kNone;
 }
 
 }  // namespace
@@ -134,12 +134,12 @@ void Matcher::match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_
   int32_t ca = 0, cb = 0;
   int32_t thumb_a = a_->thumb(a, fa, na), thumb_b = b_->thumb(b, fb, nb);
   if (names_) {
-    constexpr int kWords = static_cast<int>(kLastFinger) - static_cast<int>(kFirstFinger) + 1;
+    constexpr int kWords = static_cast<int>(names::kLastFinger) - static_cast<int>(names::kFirstFinger) + 1;
     const auto by_word = [](const Anatomy& rig, const int32_t* list, int32_t n, int32_t* of) {
       for (int w = 0; w < kWords; ++w) of[w] = -1;
       for (int32_t k = 0; k < n; ++k) {
-        const Word w = finger_word(rig, list[k]);
-        if (w != Word::kNone) of[static_cast<int>(w) - static_cast<int>(kFirstFinger)] = list[k];
+        const Part w = finger_word(rig, list[k]);
+        if (w != Part::kNone) of[static_cast<int>(w) - static_cast<int>(names::kFirstFinger)] = list[k];
       }
     };
     int32_t of_a[kWords], of_b[kWords];
@@ -158,7 +158,7 @@ void Matcher::match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_
                             const int32_t* other, int32_t thumb, int32_t* out) {
         int32_t count = 0;
         for (int32_t k = 0; k < n; ++k) {
-          const int w = static_cast<int>(finger_word(rig, list[k])) - static_cast<int>(kFirstFinger);
+          const int w = static_cast<int>(finger_word(rig, list[k])) - static_cast<int>(names::kFirstFinger);
           const bool done = w >= 0 && w < kWords && own[w] == list[k] && other[w] >= 0;
           if (!done && w != 0) out[count++] = list[k];
         }

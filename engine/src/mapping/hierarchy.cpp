@@ -21,7 +21,7 @@ bool Hierarchy::allocate(Arena& arena, uint32_t joints) {
   count = arena.alloc<int32_t>(joints);
   reach = arena.alloc<double>(joints);
   end = arena.alloc<uint8_t>(joints);
-  words = arena.alloc<NameWords>(joints);
+  names = arena.alloc<JointName>(joints);
   return arena.ok();
 }
 
@@ -86,10 +86,10 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
   }
   for (int32_t i = 0; i < n; ++i) {
     end[i] = rig.ends != nullptr && rig.ends[i] != 0 && parent[i] >= 0 ? 1 : 0;
-    words[i] = NameWords();
+    names[i] = JointName();
     if (!with_names) continue;
-    words[i].read(rig.names[i]);
-    if (words[i].cls.end && kid_count(i) == 0) {
+    names[i] = names::read_joint_name(rig.names[i]);
+    if (names[i].is_end_of_map() && kid_count(i) == 0) {
       end[i] = 1;
       has_ends = true;
     }

@@ -45,7 +45,7 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   }
   const double whole = real > 2 ? t[real - 1] : t[n - 1];
   const auto off = [&](int32_t k) { return absolute(dot(point(k), rig.frame.across) - rig.frame.plane); };
-  const auto word = [&](int32_t k) { return k < joints ? rig.rig->cls(rig.limbs.joint(limb, k)).word : Word::kNone; };
+  const auto word = [&](int32_t k) { return k < joints ? rig.rig->part(rig.limbs.joint(limb, k)) : Part::kNone; };
   const int32_t most = n < kMostPoints ? n : kMostPoints;
   found->count = 0;
   for (int32_t a = 0; a < most - 2 && a < kMostStarts; ++a) {
@@ -69,11 +69,11 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         if (leg && c < real && dot(point(c - 1) - point(c), up) < 0.6 * distance(point(c - 1), point(c))) score += 0.8;
         if (b < real) score += greater(0, 0.3 - off(a) / greater(off(b), 1e-9)) / 0.3;
         if (names_) {
-          const auto one_of = [](Word w, Word x, Word y) { return w == x || w == y ? 1 : 0; };
-          score -= 0.8 * (one_of(word(a), Word::kUpperArm, Word::kUpLeg) +
-                          one_of(word(b), Word::kLowerArm, Word::kLowLeg) + one_of(word(c), Word::kHand, Word::kFoot));
+          const auto one_of = [](Part w, Part x, Part y) { return w == x || w == y ? 1 : 0; };
+          score -= 0.8 * (one_of(word(a), Part::kUpperArm, Part::kUpLeg) +
+                          one_of(word(b), Part::kLowerArm, Part::kLowLeg) + one_of(word(c), Part::kHand, Part::kFoot));
           const auto second = [&](int32_t k) {
-            return k < joints && rig.rig->cls(rig.limbs.joint(limb, k)).number == 2;
+            return k < joints && rig.rig->names[rig.limbs.joint(limb, k)].number == 2;
           };
           score += 0.4 * (second(a) + second(b));
         }

@@ -26,14 +26,14 @@ void Anatomy::find_features() {
     f.first_hash = hashes_used;
     if (!r.has_names) continue;
     for (int32_t i = 0; i < l.joint_count; ++i) {
-      const NameWords& words = r.words[limbs.joint(l, i)];
-      const Word word = limb_word(words.cls.word);
-      if (word != Word::kNone) f.words |= 1u << static_cast<uint32_t>(word);
-      for (int32_t w = 0; w < words.count; ++w) {
-        if ((words.long_mask >> w & 1) == 0) continue;
+      const JointName& name = r.names[limbs.joint(l, i)];
+      const Part word = limb_part(name.plain);
+      if (word != Part::kNone) f.parts |= uint64_t{1} << static_cast<uint32_t>(word);
+      for (int32_t w = 0; w < name.count; ++w) {
+        if ((name.long_mask >> w & 1) == 0) continue;
         bool known = false;
-        for (int32_t h = f.first_hash; h < hashes_used; ++h) known = known || hashes[h] == words.hashes[w];
-        if (!known) hashes[hashes_used++] = words.hashes[w];
+        for (int32_t h = f.first_hash; h < hashes_used; ++h) known = known || hashes[h] == name.hashes[w];
+        if (!known) hashes[hashes_used++] = name.hashes[w];
       }
     }
     f.hash_count = hashes_used - f.first_hash;

@@ -22,6 +22,13 @@ const std::vector<FileKind>& file_kinds() {
       {".vrm", "VRM", kGltfUses, FileReader::kGltf},
       {".fbx", "FBX", kWhole, FileReader::kScene},
       {".dae", "COLLADA", kWhole, FileReader::kScene},
+      {".b3d", "Blitz3D", kWhole, FileReader::kScene},
+      {".x", "DirectX", kWhole, FileReader::kScene},
+      {".mesh.xml", "OGRE", kWhole, FileReader::kScene},
+      {".mesh", "OGRE", kWhole, FileReader::kScene},
+      {".md5mesh", "MD5", kWhole, FileReader::kScene},
+      {".ms3d", "MilkShape", kWhole, FileReader::kScene},
+      {".smd", "Valve SMD", kWhole, FileReader::kScene},
       {".bvh", "BVH", kReadsSkeleton | kReadsMotion | kWritesMotion, FileReader::kBvh},
   };
   return kinds;

@@ -35,7 +35,7 @@ std::string way_out(const std::string& path) {
   if (has_extension(path, ".ma") || has_extension(path, ".mb"))
     return "; in Maya: File > Export All > FBX export (load the plug-in fbxmaya)";
   if (has_extension(path, ".c4d")) return "; in Cinema 4D: File > Export > glTF or FBX";
-  for (const char* extension : {".3ds", ".stl", ".ply", ".x", ".lwo", ".abc", ".x3d", ".pmx"})
+  for (const char* extension : {".3ds", ".stl", ".ply", ".lwo", ".abc", ".x3d", ".pmx"})
     if (has_extension(path, extension)) return "; import it in Blender and export it: File > Export > glTF 2.0 or OBJ";
   return "";
 }

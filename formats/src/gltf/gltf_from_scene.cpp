@@ -102,8 +102,10 @@ class SceneConverter {
  private:
   Json& document() { return source_.document; }
 
-  // FBX names its axes and counts in centimetres by a factor; Assimp leaves both to us. (COLLADA's are in the root.)
+  // FBX names its axes and counts in centimetres by a factor; Assimp leaves both to us. (COLLADA's and MD5's are in the
+  // root.)
   Affine to_metres_and_y_up() const {
+    if (has_extension(path_, ".smd")) return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0};  // Z is up
     if (!has_extension(path_, ".fbx") || scene_.mMetaData == nullptr) return kIdentity;
     float factor = 1;
     double scale = 1;
@@ -179,7 +181,7 @@ class SceneConverter {
     }
   }
 
-  // FBX marks its locators, so that all else without a mesh is a joint; COLLADA marks nothing.
+  // FBX marks its locators, so that all else without a mesh is a joint; the others mark nothing.
   void find_joints() {
     const bool fbx = has_extension(path_, ".fbx");
     const bool has_bones = nodes_[0].bones_below || nodes_[0].bone;
@@ -581,8 +583,8 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
 #endif
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
-    throw Error(path + ": expected " + (has_extension(path, ".fbx") ? "an FBX" : "a COLLADA") +
-                " file, found one that Assimp does not read: " + one_line(importer->GetErrorString()));
+    throw Error(path + ": expected " + file_kind(path)->name +
+                ", found a file that Assimp does not read: " + one_line(importer->GetErrorString()));
   return scene;
 }
 

@@ -51,7 +51,7 @@ function node() {
     equal(out.hashes[name].scalar, plain, `${name}: the same without SIMD`);
     equal(out.hashes[name].heat, bound(name, "--method", "heat").hash, `${name}: heat`);
     equal(out.hashes[name].symmetric, bound(name, "--symmetric").hash, `${name}: symmetric`);
-    equal(out.hashes[name].all, bound(name, "--all-joints").hash, `${name}: all joints`);
+    equal(out.hashes[name].all, bound(name, "--joints", "all").hash, `${name}: all joints`);
     equal(out.hashes[name].rigid, bound(name, "--rigid-parts", "always", "--softness", "1.5").hash, `${name}: rigid parts, softer`);
     const bare = join(work, "bare.obj"), rigged = join(work, "bare.rig.txt");
     cpSync(join(data, `${name}.obj`), bare);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -13,7 +12,6 @@
 #include "data/engine_mesh.hpp"
 #include "data/point_sample.hpp"
 #include "rig/rig_task.hpp"
-#include "sinew_character/joint_class_of.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/sample.hpp"
@@ -57,25 +55,6 @@ double turn_sigma(JointClass c) {
   }
 }
 
-bool names_face(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* const part : {"eye", "nose", "lip", "cheek", "brow", "lid"}) {
-    if (name.find(part) != std::string::npos) return true;
-  }
-  return false;
-}
-
-// As target_skeleton(); joints of a face whose names it does not know as details belong to the head, as all others of faces
-// do: a body's head has no chains in it.
-TargetSkeleton learnt_skeleton(Character character) {
-  for (Joint& joint : character.joints) {
-    if (joint.parent < 0) continue;
-    const std::string& above = character.joints[static_cast<size_t>(joint.parent)].name;
-    if (names_face(joint.name) && joint_class_of(above, {}) == kClassHead) joint.name = "face";
-  }
-  return target_skeleton(character);
-}
-
 double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d along = b - a;
   const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
@@ -85,7 +64,7 @@ double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b)
 }  // namespace
 
 RigSource::RigSource(const Character& character)
-    : name_(character.name), family_(family_of(character.name)), target_(learnt_skeleton(character)) {
+    : name_(character.name), family_(family_of(character.name)), target_(target_skeleton(character)) {
   std::vector<Point> vertices;
   std::vector<uint32_t> source;
   surface_of(character, &vertices, &triangles_, &source);

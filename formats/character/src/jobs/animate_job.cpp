@@ -29,7 +29,7 @@ std::vector<Clip> chosen_clips(const AnimateOptions& s, const MotionInput& choic
     clip = cut(clip, s.from, s.to);
     if (clip.frames.empty())
       throw Error(choice.file + ": clip " + clip.name +
-                  print(" has no frame between --from %g and --to %g; it lasts %g seconds", s.from, s.to, seconds));
+                  print(" has no frame between --start %g and --end %g; it lasts %g seconds", s.from, s.to, seconds));
     if (s.fps > 0 && clip.frame_time * s.fps != 1) clip = resample(clip, s.fps);
   }
   return chosen;

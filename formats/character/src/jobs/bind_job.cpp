@@ -168,7 +168,7 @@ CharacterBind BindJob::bind(const std::vector<sinew_answer>& answers, uint32_t q
   take_back_joints(joints_said(character, options.hints, answers), job_.said, &choice_);
   for (const sinew_answer& answer : answers) {
     if (answer.kind == SINEW_ANSWER_RIGID && (choice_.flags[answer.joint] & SINEW_JOINT_NEVER) != 0)
-      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --deform for other joints, " +
+      throw Error("answer rigid:" + character.joints[answer.joint].name + ": --never, or --joints for other joints, " +
                   "says that this joint gets no weight");
   }
   ThreadPool pool(options.thread_count);
@@ -205,7 +205,7 @@ std::vector<std::string> bind_notes(const Character& character, const JointChoic
   std::vector<std::string> notes;
   if (!choice.left_out.empty())
     notes.push_back(std::to_string(choice.left_out.size()) + " joints get no weight (" +
-                    left_out_text(character, choice) + "); --all-joints gives it to all");
+                    left_out_text(character, choice) + "); --joints all gives it to all");
   if (bound.folded_tips > 0)
     notes.push_back(std::to_string(bound.folded_tips) +
                     " joints that end chains gave their weight to their parents; --keep-tips keeps it");

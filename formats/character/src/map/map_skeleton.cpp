@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/skeleton_template.hpp"
@@ -149,6 +150,28 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   result.mapped = map.mapped;
   result.certainty = static_cast<float>(map.certainty) / 32768.0f;
   return result;
+}
+
+std::vector<uint8_t> limb_classes(const MapRig& target, char target_up, const MapRig* source,
+                                  const std::vector<int>& sources) {
+  std::vector<float> places[2];
+  std::vector<int32_t> parents[2];
+  std::vector<const char*> names[2];
+  const MapSkeletonOptions options;
+  const sinew_skeleton to = view_of(target, target_up, &places[0], &parents[0], &names[0], options);
+  sinew_skeleton from = {};
+  if (source != nullptr) from = view_of(*source, 'a', &places[1], &parents[1], &names[1], options);
+  std::vector<uint8_t> classes(target.joints.size());
+  const auto check = [&](sinew_status status) {
+    if (status != SINEW_OK) throw Error(target.name + ": cannot tell arms from legs, " + sinew_status_text(status));
+  };
+  size_t bytes = 0;
+  check(sinew_limb_classes_workspace_size(to.joint_count, from.joint_count, &bytes));
+  Workspace workspace;
+  check(workspace.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+  check(sinew_limb_classes(&to, source != nullptr ? &from : nullptr, source != nullptr ? sources.data() : nullptr,
+                           workspace.data(), workspace.size(), classes.data()));
+  return classes;
 }
 
 }  // namespace sinew

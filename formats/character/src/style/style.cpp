@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "rig/joint_words.hpp"
+#include "names/joint_name.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {
@@ -22,12 +22,7 @@ constexpr double kOfBody = 0.5;      // how far apart the bodies of two characte
 constexpr double kSamePlace = 0.15;  // of a joint in two characters
 
 // Without sides: a mirrored part belongs to the other one.
-std::string words(const std::string& name) {
-  std::string joined;
-  for (const std::string& word : words_of(name))
-    if (word != "l" && word != "r" && word != "left" && word != "right") joined += word + " ";
-  return joined;
-}
+uint64_t words(const std::string& name) { return names::read_joint_name(name.c_str()).stem; }
 
 using Place = std::array<double, 3>;
 
@@ -123,7 +118,7 @@ int find_joint(const Character& character, const Joints& joints, const std::vect
     return (flags.empty() || (flags[j] & SINEW_JOINT_NEVER) == 0) && off(j) < kSamePlace;
   };
   if (rule.steps_up == 0 && there(own)) return own;
-  const std::string wanted = words(rule.joint);
+  const uint64_t wanted = words(rule.joint);
   int named = -1, nearest = -1;
   double least = kSamePlace;
   for (size_t j = 0; j < joints.size(); ++j) {

@@ -9,7 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "sinew_character/joint_class_of.hpp"
+#include "names/joint_name.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -165,26 +166,20 @@ class TargetMaker {
 
   bool has_weight(int j) const { return own_vertices_[at(j)] > 0; }
 
-  std::vector<std::string_view> bound_below(int joint) const {
-    std::vector<std::string_view> names;
-    std::vector<int> open = children_[at(joint)];
-    while (!open.empty()) {
-      const int j = open.back();
-      open.pop_back();
-      open.insert(open.end(), children_[at(j)].begin(), children_[at(j)].end());
-      if (has_weight(j)) names.push_back(c_.joints[at(j)].name);
-    }
-    return names;
-  }
-
   void classify() {
     classes_.assign(count(), kClassOther);
     hosts_.resize(count());
     std::iota(hosts_.begin(), hosts_.end(), 0);
+    const JointVerdicts by_weight = joint_verdicts(c_.joints, follows_of(c_)), by_name = joint_verdicts(c_.joints);
     for (const int j : order_) {
-      const std::optional<JointClass> joint_class = joint_class_of(c_.joints[at(j)].name, bound_below(j));
-      if (joint_class) classes_[at(j)] = *joint_class;
-      if (!joint_class && file_parents_[at(j)] >= 0) hosts_[at(j)] = hosts_[at(file_parents_[at(j)])];
+      // Of a leaf that nothing follows the name alone says whether it is a detail.
+      bool detail = (by_weight.is_end(at(j)) ? by_name : by_weight).roles[at(j)] > SINEW_ROLE_END ||
+                    (by_weight.is_end(at(j)) && by_name.is_end(at(j)) && file_parents_[at(j)] >= 0 &&
+                     hosts_[at(file_parents_[at(j)])] != file_parents_[at(j)]);
+      const uint8_t joint_class = by_weight.classes[at(j)];
+      detail = detail || joint_class >= SINEW_CLASS_THUMB;  // a jaw's control as well
+      if (!detail && joint_class < kJointClasses) classes_[at(j)] = static_cast<JointClass>(joint_class);
+      if (detail && file_parents_[at(j)] >= 0) hosts_[at(j)] = hosts_[at(file_parents_[at(j)])];
     }
   }
 
@@ -383,19 +378,14 @@ class TargetMaker {
     std::optional<Point> end;
     for (const int child : children_[at(joint)]) {
       if (has_weight(child) || !children_[at(child)].empty()) continue;
-      const std::string& name = c_.joints[at(child)].name;
-      const bool same_host = !plain_joint_name(name).empty() && hosts_[at(child)] == hosts_[at(joint)];
-      if (!same_host && !is_called_end(name)) continue;
+      const names::JointName name = names::read_joint_name(c_.joints[at(child)].name.c_str());
+      const bool same_host = name.words > 0 && hosts_[at(child)] == hosts_[at(joint)];
+      if (!same_host && !name.has(names::kEnd | names::kNub | names::kTip)) continue;
       if (length(places_[at(child)] - places_[at(joint)]) <= kShortestEnd * side_) continue;
       if (end) return std::nullopt;
       end = places_[at(child)];
     }
     return end;
-  }
-
-  static bool is_called_end(const std::string& name) {
-    const std::string text = lower_case(name);
-    return text.find("end") != std::string::npos || text.find("leaf") != std::string::npos;
   }
 
   std::optional<Point> end_of_vertices(uint32_t joint) const {

@@ -98,7 +98,7 @@ func bind():
 	if symmetric.pressed:
 		extra.append("--symmetric")
 	if all_bones.pressed:
-		extra.append("--all-joints")
+		extra += ["--joints", "all"]
 	finish("Bind", Skinning.bind(instances, skeleton, extra), null)
 
 

@@ -26,7 +26,7 @@ TEST(Aligner, IsAsCheapAsTheBestOfAllAndKeepsTheOrder) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> uniform(0, 2);
   for (int round = 0; round < 50; ++round) {
-    const uint32_t rows = 1 + random() % 5, columns = 1 + random() % 5;
+    const auto rows = static_cast<uint32_t>(1 + random() % 5), columns = static_cast<uint32_t>(1 + random() % 5);
     Costs costs(rows, std::vector<double>(columns));
     for (auto& row : costs)
       for (double& c : row) c = uniform(random);

@@ -20,8 +20,8 @@ struct SmallRig {
   Arena arena = Arena(memory.data(), memory.size());
   Hierarchy rig;
 
-  sinew_map_rig view() const {
-    return sinew_map_rig_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+  sinew_skeleton view() const {
+    return sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
   }
   sinew_status build() {
     EXPECT_TRUE(rig.allocate(arena, static_cast<uint32_t>(parents.size())));

@@ -15,10 +15,10 @@ using sinew::motion::Limb;
 TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
   const MotionScene scene = body(20);
   size_t bytes = 0;
-  ASSERT_EQ(sinew_retarget_size(17, 17, &bytes), SINEW_OK);
+  ASSERT_EQ(sinew_retarget_create_workspace_size(17, 17, &bytes), SINEW_OK);
   const sinew::Workspace block(bytes);
   sinew_retarget* plan = nullptr;
-  const sinew_motion_rig rig = scene.view();
+  const sinew_skeleton rig = scene.view();
   ASSERT_EQ(sinew_retarget_create(&rig, &rig, one_to_one(17).data(), scene.classes.data(), nullptr, block.data(), bytes,
                                   &plan),
             SINEW_OK);

@@ -27,7 +27,8 @@ TEST(FileKinds, RowsStandOnceAndBeforeWhatTheyEndWith) {
     EXPECT_EQ(file_kind(std::string("x") + kinds[i].extension), &kinds[i]) << kinds[i].extension;
     EXPECT_NE(kinds[i].uses, 0u);
   }
-  EXPECT_EQ(extensions_text(kReadsMesh), ".obj, .gltf, .glb, .vrm, .fbx, .dae");
+  EXPECT_EQ(extensions_text(kReadsMesh),
+            ".obj, .gltf, .glb, .vrm, .fbx, .dae, .b3d, .x, .mesh.xml, .mesh, .md5mesh, .ms3d, .smd");
   EXPECT_EQ(extensions_text(kWritesMesh, " "), ".obj");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// FBX and COLLADA in: mesh, joints, weights, units and axes; broken files and builds without Assimp.
+// FBX, COLLADA and others in: mesh, joints, weights, units and axes; broken files and builds without Assimp.
 #include "gltf/gltf_from_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -78,6 +78,37 @@ TEST(GltfFromScene, Collada) {
   EXPECT_EQ(list_characters(folder.path()), std::vector<std::string>{path});
 }
 
+// All upright and with the weights that stand in them, whatever their axes.
+TEST(GltfFromScene, OtherFormatsWithSkins) {
+  const TempFolder folder;
+  folder.write("strip.skeleton.xml", strip_skeleton_xml());
+  const std::map<std::string, std::string> files = {{"strip.x", strip_x()},
+                                                    {"strip.md5mesh", strip_md5mesh()},
+                                                    {"strip.smd", strip_smd()},
+                                                    {"strip.mesh.xml", strip_mesh_xml()},
+                                                    {"strip.b3d", strip_b3d()}};
+  for (const auto& [name, text] : files) {
+    SCOPED_TRACE(name);
+    const Character c = read_character(folder.write(name, text));
+    EXPECT_EQ(c.name, "strip");
+    EXPECT_EQ(c.vertices.size(), 10u);
+    EXPECT_EQ(c.face_count(), 8u);
+    expect_strip(c);
+    expect_strip(reread(written(c)));
+  }
+  EXPECT_EQ(list_characters(folder.path()).size(), files.size());
+}
+
+TEST(GltfFromScene, MilkShapeHasOneJointAVertex) {
+  const TempFolder folder;
+  const Character c = read_character(folder.write("strip.ms3d", strip_ms3d()));
+  ASSERT_EQ(c.joints.size(), 3u);
+  EXPECT_NEAR(c.joints[2].position.y, 4, 1e-5);
+  ASSERT_EQ(c.vertices.size(), 10u);
+  for (size_t v = 0; v < 10; ++v)
+    EXPECT_EQ(row(c, v), (std::map<uint32_t, float>{{c.vertices[v].y > 2.5f ? 1u : 0u, 1.0f}})) << v;
+}
+
 // A skeleton without a mesh, two clips, Z up: the tip goes where the file says, in metres and Y up.
 TEST(GltfFromScene, MotionsOfCollada) {
   const TempFolder folder;
@@ -143,10 +174,15 @@ TEST(GltfFromScene, BrokenFilesAreOneLine) {
   const TempFolder folder;
   EXPECT_ERROR(read_mesh(folder.file("none.fbx")), "none.fbx", "no such file");
   EXPECT_ERROR(read_mesh(folder.write("a.fbx", "")), "a.fbx", "empty");
-  EXPECT_ERROR(read_mesh(folder.write("a.fbx", "rubbish")), "a.fbx", "expected an FBX file");
-  EXPECT_ERROR(read_mesh(folder.write("a.dae", "<COLLADA>")), "a.dae", "expected a COLLADA file");
-  for (const std::string& whole : {strip_fbx(), strip_dae()}) {
-    const char* name = whole[0] == ';' ? "cut.fbx" : "cut.dae";
+  EXPECT_ERROR(read_mesh(folder.write("a.fbx", "rubbish")), "a.fbx", "expected FBX");
+  EXPECT_ERROR(read_mesh(folder.write("a.dae", "<COLLADA>")), "a.dae", "expected COLLADA");
+  EXPECT_ERROR(read_mesh(folder.write("a.smd", "rubbish")), "a.smd", "expected Valve SMD");
+  EXPECT_ERROR(read_mesh(folder.write("a.mesh", "rubbish")), "a.mesh", "expected OGRE");
+  const std::pair<const char*, std::string> files[] = {{"cut.fbx", strip_fbx()}, {"cut.dae", strip_dae()},
+                                                       {"cut.x", strip_x()},     {"cut.md5mesh", strip_md5mesh()},
+                                                       {"cut.smd", strip_smd()}, {"cut.mesh.xml", strip_mesh_xml()},
+                                                       {"cut.b3d", strip_b3d()}, {"cut.ms3d", strip_ms3d()}};
+  for (const auto& [name, whole] : files) {
     for (size_t length = 16; length < whole.size(); length += whole.size() / 40) {
       try {
         (void)read_mesh(folder.write(name, whole.substr(0, length)));

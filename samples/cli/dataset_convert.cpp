@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// sinew dataset convert and decimate: characters in other formats, one or a folder of them for training.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "dataset.hpp"
+#include "options.hpp"
+#include "progress.hpp"
+#include "sinew_datasets/dataset.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "sinew_formats/print.hpp"
+#include "support.hpp"
+
+namespace fs = std::filesystem;
+
+namespace sinew::cli {
+namespace {
+
+struct Settings {
+  std::string input, skeleton, output, format;
+  double ratio = 0;
+};
+
+void convert_one(const Settings& s) {
+  check_output(s.output, character_outputs(), true);
+  if (!s.format.empty()) throw UsageError("--format is for a folder of characters, and " + s.input + " is none");
+  if (has_extension(s.input, ".obj") && has_extension(s.skeleton, ".obj"))
+    throw UsageError("--skeleton " + s.skeleton + ": an OBJ holds no skeleton");
+  Character character = read_any(s.input);
+  if (!s.skeleton.empty()) read_skeleton(s.skeleton, true, &character);
+  if (s.ratio > 0) character = decimate(character, s.ratio);
+  if (!has_extension(s.output, ".obj") && character.joints.empty()) {
+    throw Error(s.input + ": has no skeleton, but " + (s.output == "-" ? std::string("a rig") : s.output) +
+                " needs one; give --skeleton FILE");
+  }
+  write_character(s.output, character);
+  if (s.output != "-") {
+    std::printf("%s: %zu vertices, %zu faces, %zu joints, wrote %s\n", character.name.c_str(),
+                character.vertices.size(), character.face_count(), character.joints.size(), s.output.c_str());
+    for (const std::string& note : character.notes) std::printf("%s\n", note.c_str());
+  }
+}
+
+// A training set's name: FAMILY__NAME as it is; else the folders it lies in are its family.
+std::string set_name(const FoundCharacter& found) {
+  const std::string name = stem_of(found.path);
+  if (name.find("__") != std::string::npos || found.below.empty()) return name;
+  std::string family;
+  for (const fs::path& folder : fs::path(found.below)) family += (family.empty() ? "" : "_") + folder.string();
+  return family + "__" + name;
+}
+
+std::vector<std::string> set_paths(const Settings& s, const std::vector<FoundCharacter>& found) {
+  const std::string extension = "." + (s.format.empty() ? std::string("obj") : s.format);
+  std::map<std::string, std::string> input_of;
+  std::vector<std::string> paths;
+  for (const FoundCharacter& one : found) {
+    paths.push_back((fs::path(s.output) / (set_name(one) + extension)).string());
+    const auto [other, is_new] = input_of.emplace(paths.back(), one.path);
+    if (!is_new)
+      throw Error(other->second + " and " + one.path + " would both become " + paths.back() + "; rename one");
+  }
+  return paths;
+}
+
+// Inputs are never replaced, nor found again by the next run.
+void refuse_output_inside(const Settings& s) {
+  std::error_code ignored;
+  const std::string below =
+      fs::weakly_canonical(s.output, ignored).lexically_relative(fs::weakly_canonical(s.input, ignored)).string();
+  if (below.empty() || below.rfind("..", 0) != 0)
+    throw UsageError("-o " + s.output + ": lies inside " + s.input + "; give a folder outside");
+}
+
+void convert_folder(const Settings& s) {
+  if (!s.skeleton.empty()) throw UsageError("--skeleton is for one character, and " + s.input + " is a folder");
+  refuse_output_inside(s);
+  const std::vector<FoundCharacter> found = characters_in(s.input);
+  const std::vector<std::string> paths = set_paths(s, found);
+  make_folder(s.output);
+  size_t failed = 0;
+  Progress progress(found.size(), "characters");
+  for (size_t i = 0; i < found.size(); ++i) {
+    try {
+      Character character = read_character(found[i].path);
+      if (character.influences.empty())
+        throw Error(found[i].path + ": has no skin weights, so nothing is learnt from it");
+      character.name = stem_of(paths[i]);
+      write_character(paths[i], character);
+      progress.say(stdout, print("%s: %zu vertices, %zu joints from ", printable(paths[i]).c_str(),
+                                 character.vertices.size(), character.joints.size()) +
+                               printable(found[i].path));
+      for (const std::string& note : character.notes) progress.say(stdout, "  " + printable(note));
+    } catch (const Error& error) {
+      ++failed;
+      progress.say(stderr, "sinew: error: " + printable(error.what()));
+    }
+    progress.step();
+  }
+  if (failed > 0)
+    throw Error(std::to_string(failed) + " of " + std::to_string(found.size()) + " characters failed, see above");
+}
+
+void convert(const Settings& s) {
+  std::error_code ignored;
+  fs::is_directory(s.input, ignored) ? convert_folder(s) : convert_one(s);
+}
+
+}  // namespace
+
+void add_dataset_convert(CLI::App* parent) {
+  CLI::App* sub =
+      parent->add_subcommand("convert", "Write characters in another format: one, or a folder for training");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("input", s->input,
+                  "Character, or a folder of them, sub-folders too. " + mesh_files() +
+                      "; NAME.rig.txt beside NAME.obj is read too")
+      ->required()
+      ->type_name("IN|DIR");
+  shared_option(sub, "output,-o,--output", s->output,
+                ".glb, .gltf, .vrm, .rig.txt, or .obj with .rig.txt beside it; - for rig.txt on standard output; for a "
+                "folder a folder, which gets FAMILY__NAME for FAMILY/NAME")
+      ->required();
+  shared_option(sub, "--skeleton", s->skeleton, "With its weights");
+  shared_option(sub, "--format", s->format, "With a folder; obj comes with .rig.txt")
+      ->check(CLI::IsMember({"obj", "glb", "gltf"}))
+      ->default_str("obj");
+  sub->footer(
+      "Examples:\n  sinew dataset convert hero.obj hero.glb\n"
+      "  sinew dataset convert studio -o characters && sinew train characters -o studio.ckpt");
+  sub->callback([s] { convert(*s); });
+}
+
+void add_dataset_decimate(CLI::App* parent) {
+  CLI::App* sub = parent->add_subcommand("decimate", "Write a character with fewer vertices, weights carried along");
+  auto s = std::make_shared<Settings>();
+  sub->add_option("input", s->input, "Character. " + mesh_files() + "; NAME.rig.txt beside NAME.obj is read too")
+      ->required()
+      ->type_name("IN");
+  shared_option(sub, "output,-o,--output", s->output,
+                ".glb, .gltf, .vrm, .rig.txt, or .obj with .rig.txt beside it; - for rig.txt on standard output")
+      ->required();
+  shared_option(sub, "--skeleton", s->skeleton, "With its weights");
+  sub->add_option("--ratio", s->ratio, "Share of the vertices to keep")
+      ->required()
+      ->check(CLI::Range(0.01, 1.0))
+      ->type_name("X");
+  sub->footer("Example:\n  sinew dataset decimate hero.obj hero_small.obj --ratio 0.5");
+  sub->callback([s] { convert_one(*s); });
+}
+
+}  // namespace sinew::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The one meaning that an option's name has in every command, and how a command declares its options.
+#ifndef SINEW_CLI_OPTIONS_HPP
+#define SINEW_CLI_OPTIONS_HPP
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <thread>
+
+namespace sinew::cli {
+
+// ".obj, .glb, ...": what is read, for help texts and errors.
+std::string mesh_files();
+std::string skeleton_files();
+std::string motion_files();
+
+struct OptionWord {
+  const char* name;     // --like-this
+  const char* value;    // what stands behind it; "" for a flag
+  const char* meaning;  // one sentence, without its full stop
+};
+// Of the names that several commands have. std::logic_error for another one.
+const OptionWord& option_word(const std::string& names);
+
+// Help texts: the first sentence is what --help shows; what follows ". " is for --help-all.
+std::string sentences(const std::string& meaning, const std::string& more);
+
+// An option whose name several commands have, with the meaning and the kind of value that it has in all of them. `more`
+// is what this command adds.
+template <class T>
+CLI::Option* shared_option(CLI::App* sub, const std::string& names, T& value, const std::string& more = "") {
+  const OptionWord& word = option_word(names);
+  return sub->add_option(names, value, sentences(word.meaning, more))->type_name(word.value);
+}
+CLI::Option* shared_flag(CLI::App* sub, const std::string& name, bool& value, const std::string& more = "");
+
+// The options that follow are shown under this heading, and by --help-all alone.
+void section(CLI::App* sub, const std::string& heading);
+
+// Numbers with a range that several commands share.
+CLI::Option* add_influences(CLI::App* sub, unsigned& count);
+CLI::Option* add_jobs(CLI::App* sub, unsigned& jobs, const std::string& more = "");
+
+}  // namespace sinew::cli
+#endif

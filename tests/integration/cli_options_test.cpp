@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The sinew command's options as a whole: one meaning a name, help on one screen, words that are no longer known.
+#include <map>
+#include <regex>
+
+#include "cli_fixture.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr size_t kLines = 40, kColumns = 100;
+
+struct OptionText {
+  std::string value, meaning;  // FILE; the first sentence
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// Without the usual value, "(required)" and the choices, which may differ.
+std::string first_sentence(std::string text) {
+  text = text.substr(0, text.find(". "));
+  return std::regex_replace(text, std::regex(" *(\\[[^\\]]*\\]|\\(required\\))$"), "");
+}
+
+// The options of every command, as `sinew --help-all` prints them.
+using Commands = std::map<std::string, std::map<std::string, OptionText>>;
+Commands commands_of(const std::string& help) {
+  Commands commands;
+  std::string command, name, value, text;
+  const auto keep = [&] {
+    if (!name.empty()) commands[command][name] = {value, first_sentence(text)};
+    name.clear();
+  };
+  const std::regex option("  ((?:-[a-z],)?(?:[a-z]+,)?--[a-z0-9-]+[a-z0-9,!-]*)((?: [^ ]+)*)(?:  +(.*))?");
+  for (const std::string& line : lines_of(help)) {
+    std::smatch match;
+    if (line.rfind("Usage: ", 0) == 0) {
+      keep();
+      command = line.substr(7, std::min(line.find(" [OPTIONS]"), line.size()) - 7);
+      command = std::regex_replace(command, std::regex(" [\\[A-Z].*"), "");
+      commands[command];
+    } else if (std::regex_match(line, match, option)) {
+      keep();
+      name = match[1].str();
+      name = name.substr(name.find("--"));
+      value = match[2].str();
+      text = match[3].str();
+    } else if (line.rfind(std::string(20, ' '), 0) == 0) {
+      text += (text.empty() ? "" : " ") + line.substr(line.find_first_not_of(' '));
+    } else {
+      keep();
+    }
+  }
+  keep();
+  return commands;
+}
+
+class CliOptions : public Cli {};
+
+TEST_F(CliOptions, ANameMeansTheSameInEveryCommand) {
+  const Commands commands = commands_of(good("--help-all").out);
+  EXPECT_GT(commands.size(), 28u);
+  std::map<std::string, std::pair<std::string, OptionText>> first;
+  size_t uses = 0;
+  for (const auto& [command, options] : commands) {
+    for (const auto& [name, text] : options) {
+      ++uses;
+      const auto [other, is_new] = first.emplace(name, std::pair(command, text));
+      if (is_new) continue;
+      EXPECT_EQ(text.meaning, other->second.second.meaning)
+          << name << " of " << command << " and of " << other->second.first;
+      EXPECT_EQ(text.value, other->second.second.value)
+          << name << " of " << command << " and of " << other->second.first;
+    }
+  }
+  EXPECT_GT(uses, 220u) << "options were found";
+  EXPECT_GT(first.size(), 120u);
+}
+
+TEST_F(CliOptions, HelpFitsAScreen) {
+  for (const auto& [command, options] : commands_of(good("--help-all").out)) {
+    const std::string words = command.substr(std::min(command.size(), std::string("sinew ").size()));
+    const std::vector<std::string> lines = lines_of(good(words + " --help").out);
+    EXPECT_LE(lines.size(), kLines) << command;
+    for (const std::string& line : lines) EXPECT_LE(line.size(), kColumns) << command << ": " << line;
+    EXPECT_NE(lines.back().find(command + " --help-all"), std::string::npos) << lines.back();
+    // Everything else is told by --help-all.
+    const std::string all = good(words + " --help-all").out;
+    for (const auto& [name, text] : options) EXPECT_NE(all.find(name), std::string::npos) << command;
+    for (const std::string& line : lines_of(all)) EXPECT_LE(line.size(), kColumns) << command << ": " << line;
+  }
+}
+
+TEST_F(CliOptions, AFormerWordNamesTheNewOne) {
+  const std::pair<const char*, const char*> former[] = {
+      {"extract m.obj -o o.glb", "sinew rig MESH --method shape"},
+      {"bind m.obj --all-joints", "--all-joints is now --joints all"},
+      {"bind m.obj --deform list.txt", "--deform is now --joints FILE"},
+      {"bind m.obj --compare", "--compare is now --changes"},
+      {"pose m.glb --random 1 --dual-quaternion -o o.obj", "is now --deform dual-quaternion"},
+      {"pose m.glb --random 1 --deform none -o o.obj", "--deform none is now --deform linear"},
+      {"transfer a.glb b.obj --source-up z", "--source-up is now --from-up"},
+      {"animate a.glb --motion b.bvh --motion-up=z -o o.glb", "--motion-up is now --from-up"},
+      {"animate a.glb --motion b.bvh --report -o o.glb", "--report is now --measure"},
+      {"animate a.glb --motion b.bvh --from 1 -o o.glb", "--from is now --start"},
+      {"map a.glb --from b.glb --no-ends", "--no-ends is now --ends none"},
+      {"quantize a.ckpt -o b.sinew --confidence dir", "--confidence is now --calibrate-confidence DIR"},
+      {"crossval dir --from run", "--from is now --reuse RUN"},
+      {"eval dir --task rig", "--task rig is now sinew eval rig DIR"},
+      {"eval dir --task hands", "--task hands is now sinew eval hands DIR"},
+      {"eval dir --confidence", "--confidence is now sinew eval confidence DIR"},
+      {"eval dir --hints random:5", "--hints is now sinew eval hints DIR"},
+      {"eval dir --questions 3", "--questions is now sinew eval questions DIR"},
+      {"eval dir --predictions out", "--predictions is now --save-predictions DIR"},
+      {"eval dir --json -", "--json is now --json without a value"},
+      {"eval dir --json out.json", "--json is now -o FILE.json"},
+      {"dataset check dir --png out", "--png is now --pictures DIR"},
+      {"dataset split dir --val 0.1 -o out", "--val is now --val-share X"},
+      {"dataset stats dir --picture 64", "--picture is now --picture-size N"}};
+  for (const auto& [words, now] : former) {
+    const Outcome outcome = bad(2, words);
+    EXPECT_NE(outcome.error.find(now), std::string::npos) << words << "\n" << outcome.error;
+  }
+  // A word that is known elsewhere, and a wrong value of one that is known.
+  EXPECT_EQ(bad(2, "bind m.obj --task rig").error.find("is now"), std::string::npos);
+  EXPECT_EQ(bad(2, "eval questions dir --questions many").error.find("is now"), std::string::npos);
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(CliOptions, EvalOfAFolderMeasuresWeights) {
+  fs::create_directories(folder_ / "rig");
+  for (const char* file : {"snake__long.obj", "snake__long.rig.txt"}) fs::copy(kData + "/" + file, folder_ / "rig");
+  const std::string table = good("eval weights rig --method nearest").out;
+  EXPECT_EQ(good("eval --method nearest ./rig").out, table);
+  EXPECT_EQ(good("eval ./rig --method nearest").out, table);
+  bad(2, "eval rig --method nearest");
+  bad(1, "eval nowhere --method nearest");
+}
+
+}  // namespace
+}  // namespace sinew
