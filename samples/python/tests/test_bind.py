@@ -185,6 +185,7 @@ class Options(unittest.TestCase):
         """Wherever it arrives: 40 times, later and later, at loops that go on after errors of the library."""
         for i in range(40):
             once = threading.Timer(0.0007 * i, signal.raise_signal, (signal.SIGINT,))
+            self.addCleanup(once.cancel)  # a failure here is none of the next test's
             end = time.monotonic() + 5
             with self.assertRaises(KeyboardInterrupt, msg=f"time {i}"):
                 once.start()

@@ -219,6 +219,7 @@ class Calls(unittest.TestCase):
     def test_ctrl_c(self):
         with sinew.open(DATA / "biped__robed.obj") as one:
             once = threading.Timer(0.01, signal.raise_signal, (signal.SIGINT,))
+            self.addCleanup(once.cancel)  # a failure here is none of the next test's
             with self.assertRaises(KeyboardInterrupt):
                 once.start()
                 for _ in range(1000):

@@ -11,27 +11,27 @@ from . import binding, declarations
 from .arrays import Mesh, chosen, whole
 from .binder import ProgressFunction, skeleton_view
 from .character import Character, Clip, Skeleton
-from .mapping import JointMap, map as map_joints
-from .opened import create
+from .mapping import JointMap, map as map_joints, view_with_names
 
 RetargetMethod = Literal["auto", "copy", "contacts"]
 RETARGET_METHODS = get_args(RetargetMethod)
 
 
-def joint_classes(skeleton: Skeleton, up: declarations.Up = "y") -> np.ndarray:
-    """[j] uint8 of CLASSES: the skeleton's own, else what the library says of its names and its shape, as the command has it; "other" where
-    neither says anything."""
-    chosen(up, declarations.UP, "up")
+def joint_classes(skeleton: Skeleton, up: declarations.Up = "y", source: Optional[Skeleton] = None, sources: Any = None) -> np.ndarray:
+    """[j] uint8 of CLASSES: the skeleton's own, else what the library says of its names, of those of its joints' sources, of its shape;
+    "other" where nothing says anything.
+
+    source, sources  a skeleton and [j] its joints that stand for these, -1 for none
+    """
     if skeleton.classes is not None:
         return skeleton.classes
-    positions = skeleton.positions
-    if up == "z":
-        positions = positions[:, [0, 2, 1]] * np.array([1, 1, -1], np.float32)
-    elif up == "x":
-        positions = positions[:, [1, 0, 2]] * np.array([-1, 1, 1], np.float32)
-    alone = Skeleton(positions, skeleton.parents, skeleton.names, ends=skeleton.ends)
-    with create(Character(np.zeros((0, 3), np.float32), None, alone)) as held:
-        return held.joint_classes()
+    view, of = view_with_names(skeleton, True, up, "up"), None if source is None else view_with_names(source, True, "auto", "up")
+    given = None if source is None else whole(sources, (len(skeleton),), "sources", np.int32, -1, len(source))
+    classes = np.zeros(len(skeleton), np.uint8)
+    block = binding.block("sinew_limb_classes_workspace_size", "joint_classes", len(skeleton), 0 if source is None else len(source))
+    binding.check(binding.library().sinew_limb_classes(ctypes.byref(view), None if of is None else ctypes.byref(of), binding.address(given),
+                                                       block.address, block.size_bytes, binding.address(classes)), "joint_classes")
+    return classes
 
 
 def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union[None, JointMap, np.ndarray] = None,
@@ -62,7 +62,7 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     sources = whole(sources, (len(target),), "joint_map", np.int32, -1, len(source))
     options = binding.init(binding.sinew_retarget_options)
     options.in_place, options.scale = int(bool(in_place)), scale
-    classes = joint_classes(target, target_up)
+    classes = joint_classes(target, target_up, source, sources)
     library = binding.library()
     memory = binding.block("sinew_retarget_create_workspace_size", "retarget", len(source), len(target))
     plan = ctypes.c_void_p()
