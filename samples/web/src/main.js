@@ -3,7 +3,7 @@
 import { BendPanel } from "./bends.js";
 import { Engine } from "./engine.js";
 import { factsOf, number } from "./facts.js";
-import { pairFiles, stem } from "./files.js";
+import { pairFiles } from "./files.js";
 import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
 import { Latest } from "./latest.js";
@@ -85,7 +85,7 @@ async function whileBinding(job) {
 async function openFiles(list) {
   clearError();
   if (list.length === 0) return;
-  const files = await Promise.all(list.map(readable));
+  const files = await Promise.all(list.map(withBytes));
   const names = files.map((file) => file.name);
   await engine.call("write", { files }, files.map((file) => file.bytes));
   const found = pairFiles(names, waiting);
@@ -114,14 +114,7 @@ async function openFiles(list) {
   if (found.problems.length > 0) throw new Error(found.problems.join("; "));
 }
 
-// {name, bytes} as the module reads them: an FBX has become a GLB.
-async function readable(file) {
-  const bytes = await file.arrayBuffer();
-  if (!/\.fbx$/i.test(file.name)) return { name: file.name, bytes };
-  const { fbxToGlb } = await import("./fbx.js");
-  const glb = await fbxToGlb(bytes, file.name);
-  return { name: `${stem(file.name)}.glb`, bytes: glb.buffer };
-}
+const withBytes = async (file) => ({ name: file.name, bytes: await file.arrayBuffer() });
 
 async function openSample(sample) {
   const files = await sampleFiles(sample);
@@ -155,6 +148,8 @@ async function load(source, anew = false) {
   source.answers ??= [];
   source.locked = new Set(); // with the rows that were locked
   $("artist").hidden = !loaded.hasReference;
+  $("remarks").textContent = loaded.notes.join("\n");
+  $("remarks").hidden = loaded.notes.length === 0;
   pose = new Pose(loaded.joints.length);
   dragged = null;
   lookNowhere();
@@ -169,7 +164,7 @@ async function load(source, anew = false) {
   if (loaded.joints.length === 0 || (anew && loaded.predicted)) await predict();
   await useStyleAnswers();
   await bind();
-  const isScene = /\.(glb|gltf|vrm)$/i.test(mesh);
+  const isScene = /\.(glb|gltf|vrm|fbx|dae)$/i.test(mesh);
   if (isScene && source.motion === undefined && !character.predicted) await motions.open(mesh).catch(() => {}); // most files have no animations
 }
 
@@ -295,7 +290,7 @@ function motionChanged(motion) {
 const changeMotion = (change) => run(async () => (clearError(), await change(), await sendPose()));
 
 async function openMotionFile(file) {
-  const one = await readable(file);
+  const one = await withBytes(file);
   await engine.call("write", { files: [one] });
   await playMotion(one.name);
 }
