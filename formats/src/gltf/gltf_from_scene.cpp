@@ -11,13 +11,16 @@
 #ifdef SINEW_HAS_ASSIMP
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <map>
+#include <mutex>
 #include <set>
 #include <unordered_map>
 
@@ -573,6 +576,42 @@ bool names_are_unique(const aiNode* root) {
   return true;
 }
 
+// Assimp 5.2 prints a line to standard output for every skeleton of OGRE's XML. While this lives, what is printed is kept;
+// then all but that line goes where it was meant to.
+class KeptOutput {
+ public:
+  explicit KeptOutput(bool wanted) : lock_(one_, std::defer_lock) {
+    if (!wanted) return;
+    lock_.lock();
+    std::fflush(stdout);
+    kept_ = std::tmpfile();
+    before_ = kept_ == nullptr ? -1 : dup(STDOUT_FILENO);
+    if (before_ >= 0) (void)dup2(fileno(kept_), STDOUT_FILENO);
+  }
+  ~KeptOutput() {
+    if (before_ >= 0) {
+      std::fflush(stdout);
+      (void)dup2(before_, STDOUT_FILENO);
+      (void)close(before_);
+      std::string text;
+      std::rewind(kept_);
+      for (int c = std::fgetc(kept_); c != EOF; c = std::fgetc(kept_)) text += static_cast<char>(c);
+      const std::string noise = "\nSkeleton is not a valid root: \n";
+      for (size_t at = text.find(noise); at != std::string::npos; at = text.find(noise)) text.erase(at, noise.size());
+      (void)std::fwrite(text.data(), 1, text.size(), stdout);
+    }
+    if (kept_ != nullptr) (void)std::fclose(kept_);
+  }
+  KeptOutput(const KeptOutput&) = delete;
+  KeptOutput& operator=(const KeptOutput&) = delete;
+
+ private:
+  static inline std::mutex one_;
+  std::unique_lock<std::mutex> lock_;
+  std::FILE* kept_ = nullptr;
+  int before_ = -1;
+};
+
 const aiScene* import(const std::string& path, bool names_for_people, Assimp::Importer* importer) {
   // Without this, a joint of FBX becomes a chain of up to ten nodes named $AssimpFbx$.
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
@@ -581,6 +620,7 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
 #ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 turns it itself unless told not to
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION, true);
 #endif
+  const KeptOutput kept(has_extension(path, ".mesh.xml"));
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw Error(path + ": expected " + file_kind(path)->name +
