@@ -71,8 +71,8 @@ std::vector<std::string> set_paths(const Settings& s, const std::vector<FoundCha
 // Inputs are never replaced, nor found again by the next run.
 void refuse_output_inside(const Settings& s) {
   std::error_code ignored;
-  const std::string below =
-      fs::weakly_canonical(s.output, ignored).lexically_relative(fs::weakly_canonical(s.input, ignored)).string();
+  const fs::path in = fs::weakly_canonical(fs::absolute(s.input), ignored);
+  const std::string below = fs::weakly_canonical(fs::absolute(s.output), ignored).lexically_relative(in).string();
   if (below.empty() || below.rfind("..", 0) != 0)
     throw UsageError("-o " + s.output + ": lies inside " + s.input + "; give a folder outside");
 }

@@ -98,7 +98,7 @@ class SceneConverter {
     // Right, up and front of the file become +X, +Y and +Z.
     const std::array<std::array<const char*, 2>, 3> names = {
         {{"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}}};
-    Affine turn{};
+    Affine rotation{};
     double determinant = 0;
     std::array<size_t, 3> axes{};
     std::array<double, 3> signs{};
@@ -108,13 +108,13 @@ class SceneConverter {
       (void)scene_.mMetaData->Get(names[r][1], sign);
       axes[r] = axis >= 0 && axis < 3 ? static_cast<size_t>(axis) : r;
       signs[r] = sign < 0 ? -1 : 1;
-      turn[r * 4 + axes[r]] = signs[r] * scale;
+      rotation[r * 4 + axes[r]] = signs[r] * scale;
     }
     const bool even = (axes[1] + 3 - axes[0]) % 3 == 1;
     if (axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2])
       determinant = signs[0] * signs[1] * signs[2] * (even ? 1 : -1);
     // Axes that mirror, or name one twice, are no axes.
-    return determinant > 0 ? turn : Affine{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0};
+    return determinant > 0 ? rotation : Affine{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0};
   }
 
   void collect_nodes() {
@@ -197,7 +197,7 @@ class SceneConverter {
     const SceneNode& from = nodes_[n];
     Json node = Json::object();
     node["name"] = from.node->mName.C_Str();
-    if (!stands_alone(n)) place(locals_[n], &node);
+    if (!stands_alone(n)) position(locals_[n], &node);
     if (from.parent < 0 || stands_alone(n)) roots_.push_back(n);
     for (size_t child = n + 1; child < nodes_.size(); ++child)
       if (nodes_[child].parent == static_cast<int>(n) && !stands_alone(child)) node["children"].push_back(child);
@@ -212,17 +212,17 @@ class SceneConverter {
   }
 
   // Translation, rotation and scale, as editors want them; a matrix where these cannot say it (shear).
-  static void place(const Affine& local, Json* node) {
+  static void position(const Affine& local, Json* node) {
     if (local == kIdentity) return;
     const auto f = [&](size_t i) { return static_cast<float>(local[i]); };
     const aiMatrix4x4 matrix(f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7), f(8), f(9), f(10), f(11), 0, 0, 0, 1);
     aiVector3D scale, at;
-    aiQuaternion turn;
-    matrix.Decompose(scale, turn, at);
-    turn.Normalize();
-    const aiMatrix4x4 again(scale, turn, at);
+    aiQuaternion rotation;
+    matrix.Decompose(scale, rotation, at);
+    rotation.Normalize();
+    const aiMatrix4x4 again(scale, rotation, at);
     const float size = std::max({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
-    bool same = size > 0 && std::isfinite(turn.w);
+    bool same = size > 0 && std::isfinite(rotation.w);
     for (unsigned r = 0; r < 3; ++r)
       for (unsigned c = 0; c < 3; ++c) same = same && std::abs(again[r][c] - matrix[r][c]) <= 1e-5f * size;
     if (!same) {
@@ -230,7 +230,7 @@ class SceneConverter {
       return;
     }
     (*node)["translation"] = {at.x, at.y, at.z};
-    (*node)["rotation"] = {turn.x, turn.y, turn.z, turn.w};
+    (*node)["rotation"] = {rotation.x, rotation.y, rotation.z, rotation.w};
     (*node)["scale"] = {scale.x, scale.y, scale.z};
   }
 
@@ -247,13 +247,13 @@ class SceneConverter {
 
   // All joints in every skin; those that move nothing of this mesh go with the nearest joint above that does.
   int skin_of(size_t mesh_node) {
-    std::vector<std::optional<Affine> > places(nodes_.size());  // world x bind, where known
+    std::vector<std::optional<Affine> > positions(nodes_.size());  // world x bind, where known
     std::optional<Affine> first;
     for (size_t n = 0; n < nodes_.size(); ++n) {
       const auto at = nodes_[n].binds.find(static_cast<int>(mesh_node));
       if (at == nodes_[n].binds.end()) continue;
-      places[n] = multiply(nodes_[n].world, at->second);
-      if (!first) first = places[n];
+      positions[n] = multiply(nodes_[n].world, at->second);
+      if (!first) first = positions[n];
     }
     std::vector<float> values;
     for (const size_t n : joint_nodes_) {
@@ -262,11 +262,11 @@ class SceneConverter {
       if (at != nodes_[n].binds.end()) {
         bind = at->second;
       } else {
-        std::optional<Affine> place;
-        for (int up = nodes_[n].parent; up >= 0 && !place; up = nodes_[static_cast<size_t>(up)].parent)
-          place = places[static_cast<size_t>(up)];
+        std::optional<Affine> position;
+        for (int up = nodes_[n].parent; up >= 0 && !position; up = nodes_[static_cast<size_t>(up)].parent)
+          position = positions[static_cast<size_t>(up)];
         const std::optional<Affine> back = inverse(nodes_[n].world);
-        if (back) bind = multiply(*back, place ? *place : *first);
+        if (back) bind = multiply(*back, position ? *position : *first);
       }
       if (!is_finite(bind))
         throw Error(path_ + ": joint " + in_quotes(nodes_[n].node->mName.C_Str()) +
