@@ -64,9 +64,9 @@ std::vector<ConstraintKernels> variants() {
 
 void expect_same(const std::vector<SolverNode>& a, const std::vector<SolverNode>& b) {
   for (size_t n = 0; n < a.size(); ++n) {
-    ASSERT_EQ(a[n].place.x, b[n].place.x) << "node " << n;
-    ASSERT_EQ(a[n].place.y, b[n].place.y) << "node " << n;
-    ASSERT_EQ(a[n].place.z, b[n].place.z) << "node " << n;
+    ASSERT_EQ(a[n].position.x, b[n].position.x) << "node " << n;
+    ASSERT_EQ(a[n].position.y, b[n].position.y) << "node " << n;
+    ASSERT_EQ(a[n].position.z, b[n].position.z) << "node " << n;
     ASSERT_EQ(a[n].moves, b[n].moves) << "node " << n;
   }
 }
@@ -89,7 +89,7 @@ TEST(ConstraintVariants, VolumesAreTheReference) {
           expect_same(expected, found);
         }
         size_t moved = 0;
-        for (size_t n = 0; n < expected.size(); ++n) moved += expected[n].place == scene.nodes[n].place ? 0 : 1;
+        for (size_t n = 0; n < expected.size(); ++n) moved += expected[n].position == scene.nodes[n].position ? 0 : 1;
         EXPECT_EQ(moved > expected.size() / 10, places != Positions::kCollapsed) << moved;
       }
     }

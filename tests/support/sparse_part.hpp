@@ -59,7 +59,7 @@ struct SparsePart {
       const uint32_t v = ordering.order[k];
       double b = static_cast<double>(pulls[k]) / one * wanted(k);
       for (uint32_t e = run.mesh.row_offsets[v]; e < run.mesh.row_offsets[v + 1]; ++e) {
-        const double difference = wanted(k) - wanted(ordering.place[run.mesh.col_indices[e]]);
+        const double difference = wanted(k) - wanted(ordering.position[run.mesh.col_indices[e]]);
         b += static_cast<double>(matrix.weight(e)) * edge_unit / one * difference;
       }
       out[k] = static_cast<int64_t>(std::llround(b * one));

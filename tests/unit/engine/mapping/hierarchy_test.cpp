@@ -16,8 +16,8 @@ TEST(MapHierarchy, SubtreesAreRunsAndParentsComeFirst) {
   const Hierarchy& rig = small.rig;
   for (int32_t i = 0; i < rig.n; ++i) {
     const int32_t up = rig.parent[i];
-    EXPECT_EQ(rig.order[rig.place[i]], i);
-    EXPECT_TRUE(up < 0 || rig.place[up] < rig.place[i]);
+    EXPECT_EQ(rig.order[rig.position[i]], i);
+    EXPECT_TRUE(up < 0 || rig.position[up] < rig.position[i]);
     EXPECT_EQ(rig.depth[i], up < 0 ? 0 : rig.depth[up] + 1);
     int32_t held = 0;
     for (int32_t k = 0; k < rig.n; ++k) {

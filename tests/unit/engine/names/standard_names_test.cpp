@@ -44,8 +44,9 @@ TEST(StandardNames, AreReadBack) {
           const std::string name = name_of(naming, joint_class, side, index);
           if (name.empty() || joint_class == SINEW_CLASS_OTHER) continue;
           const JointName got = read_joint_name(name.c_str());
-          if (name.find("Left") != std::string::npos || name.find(".L") != std::string::npos)
+          if (name.find("Left") != std::string::npos || name.find(".L") != std::string::npos) {
             EXPECT_EQ(got.side, 1) << name;
+          }
           EXPECT_NE(got.part, Part::kNone) << name;
           if (got.side == 0 || naming == SINEW_NAMING_SINEW) continue;
           EXPECT_EQ(got.side, side) << name;

@@ -29,7 +29,7 @@ std::map<std::pair<uint32_t, uint32_t>, int> triangles_at_edges(const Mesh& mesh
   return edges;
 }
 
-sinew::Vec3i point_of(const Mesh& mesh, const sinew::Place& place) {
+sinew::Vec3i point_of(const Mesh& mesh, const sinew::SurfacePosition& place) {
   double p[3] = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     const sinew::Vec3i at = mesh.positions[place.vertices[i]];
@@ -123,7 +123,7 @@ TEST(Reduction, PlacesLieAtTheirVertices) {
   double farthest = 0;
   for (uint32_t v = 0; v < flat.mesh.welded_count; ++v) {
     const sinew::Vec3i at = flat.mesh.positions[v];
-    const sinew::Place place = plane.place(flat.mesh, v);
+    const sinew::SurfacePosition place = plane.position(flat.mesh, v);
     ASSERT_EQ(place.shares[0] + place.shares[1] + place.shares[2], 32768u);
     const bool rim = std::abs(at.x) > sinew::kSide * 0.44 || std::abs(at.y - sinew::kSide / 2) > sinew::kSide * 0.44;
     if (!rim) farthest = std::max(farthest, distance(at, point_of(plane.mesh, place)));
@@ -135,7 +135,7 @@ TEST(Reduction, PlacesLieAtTheirVertices) {
   double nearer = 0, whole = 0;
   for (uint32_t v = 0; v < body.mesh.welded_count; ++v) {
     const sinew::Vec3i at = body.mesh.positions[v];
-    const sinew::Place place = body.reduction.place(body.mesh, v);
+    const sinew::SurfacePosition place = body.reduction.position(body.mesh, v);
     const double own = distance(at, body.reduction.mesh.positions[body.reduction.vertex[v]]);
     const double found = distance(at, point_of(body.reduction.mesh, place));
     EXPECT_LE(found, own + 64);  // shares have 15 bits
@@ -170,7 +170,7 @@ TEST(Reduction, AThinTubeStaysOnePiece) {
     EXPECT_GT(mesh.areas[v], 1u) << "a vertex without a triangle has its cluster's area";
   }
   for (uint32_t v = 0; v < run.mesh.welded_count; ++v) {
-    const sinew::Vec3i found = point_of(mesh, run.reduction.place(run.mesh, v));
+    const sinew::Vec3i found = point_of(mesh, run.reduction.position(run.mesh, v));
     EXPECT_LT(distance(found, run.mesh.positions[v]), sinew::kSide / 64.0);
   }
 }
