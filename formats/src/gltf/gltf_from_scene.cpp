@@ -11,12 +11,19 @@
 #ifdef SINEW_HAS_ASSIMP
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#if defined(__unix__)
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
+#endif
 
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <map>
@@ -578,6 +585,7 @@ bool names_are_unique(const aiNode* root) {
 
 // Assimp 5.2 prints a line to standard output for every skeleton of OGRE's XML. While this lives, what is printed is kept;
 // then all but that line goes where it was meant to.
+#if defined(__unix__)
 class KeptOutput {
  public:
   explicit KeptOutput(bool wanted) : lock_(one_, std::defer_lock) {
@@ -611,6 +619,43 @@ class KeptOutput {
   std::FILE* kept_ = nullptr;
   int before_ = -1;
 };
+#else
+struct KeptOutput {
+  explicit KeptOutput(bool) {}
+};
+#endif
+
+// Assimp 5.2 crashes or hangs on broken files of some formats (MD5, SMD): a process of its own tries first.
+#if defined(__unix__) && !defined(__EMSCRIPTEN__)
+bool survives(const std::string& path, size_t bytes) {
+  const rlim_t seconds = 3 + bytes / 200000;  // of the processor; no whole file takes so long
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child < 0) return true;  // no more processes: it is read without a trial
+  if (child == 0) {
+    for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGXCPU}) (void)std::signal(signal, SIG_DFL);
+    const rlimit no_core = {0, 0};
+    (void)setrlimit(RLIMIT_CORE, &no_core);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    (void)dup2(nowhere, STDOUT_FILENO);
+    (void)dup2(nowhere, STDERR_FILENO);
+    const rlimit time = {seconds, seconds};
+    (void)setrlimit(RLIMIT_CPU, &time);
+    try {
+      Assimp::Importer importer;
+      importer.SetIOHandler(new SceneFiles);
+      (void)importer.ReadFile(path, aiProcess_Triangulate);
+    } catch (...) {  // told by the reading that follows
+    }
+    _exit(0);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+#else
+bool survives(const std::string&, size_t) { return true; }
+#endif
 
 const aiScene* import(const std::string& path, bool names_for_people, Assimp::Importer* importer) {
   // Without this, a joint of FBX becomes a chain of up to ten nodes named $AssimpFbx$.
@@ -631,7 +676,11 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
 }  // namespace
 
 GltfSource gltf_from_scene(const std::string& path) {
-  if (read_file(path).empty()) throw Error(path + ": expected a scene, found an empty file");
+  const size_t bytes = read_file(path).size();
+  if (bytes == 0) throw Error(path + ": expected a scene, found an empty file");
+  const bool well_known = has_extension(path, ".fbx") || has_extension(path, ".dae");
+  if (!well_known && !survives(path, bytes))
+    throw Error(path + ": expected " + file_kind(path)->name + ", found a file that Assimp does not survive");
   try {
     Assimp::Importer importer;
     importer.SetIOHandler(new SceneFiles);  // the importer deletes it
