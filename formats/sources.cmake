@@ -7,6 +7,7 @@ set(sinew_formats_sources
   files/memory_files
   files/picture_files
   files/read_mesh
+  gltf/add_accessor
   gltf/bind_pose
   gltf/gltf_container
   gltf/gltf_decompress

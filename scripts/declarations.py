@@ -406,7 +406,7 @@ def javascript_text(h: Headers) -> str:
         text = " \" +\n    \"".join(line.strip() for line in lines)
         gap = "\n    " if len(lines) > 1 or len(text) > 100 else " "
         out.append(f'  {camel(short(s.name), False)}: layout({s.size},{gap}"{text}"),')
-    out += ["};", "", "// Constants, without SINEW_."]
+    out += ["};", "", "export const MODEL_BYTES = LAYOUTS.model.size, QUESTION_BYTES = LAYOUTS.question.size;", "", "// Constants, without SINEW_."]
     out += [f"export const {name} = {value};" for name, value in h.constants.items()]
     out += ["", "// Words of enumerations, by number.", "export const WORDS = {"]
     for name, enumerators in h.enums:
@@ -421,13 +421,15 @@ def javascript_text(h: Headers) -> str:
 
 def table_text(h: Headers, character: bool) -> str:
     headers = sorted(p.name for p in (CHARACTER if character else ENGINE).glob("*.h") if p.name not in ("sinew.h", "abi.h"))
-    out = ["// SPDX-License-Identifier: MIT", f"// {GENERATOR}", "#include <cstring>", ""] + ([] if character else ['#include "sinew/abi.h"'])
+    out = ["// SPDX-License-Identifier: MIT", f"// {GENERATOR}"] + ([] if character else ['#include "sinew/abi.h"'])
     out += [f'#include "sinew/{name}"' for name in headers]
     out += ["", "namespace {", "", "struct StructSize {", "  const char* name;", "  size_t size_bytes;", "};", "", "constexpr StructSize kStructSizes[] = {"]
     out += [f'    {{"{s.name}", sizeof({s.name})}},' for s in h.structs if s.character == character]
-    out += ["};", "", "}  // namespace", "", f"size_t sinew_{'character_' if character else ''}struct_size(const char* name) {{",
+    out += ["};", "", "bool equal(const char* a, const char* b) {  // the engine needs no C library", "  while (*a != '\\0' && *a == *b) ++a, ++b;",
+            "  return *a == *b;", "}"]
+    out += ["", "}  // namespace", "", f"size_t sinew_{'character_' if character else ''}struct_size(const char* name) {{",
             "  if (name == nullptr) return 0;", "  for (const StructSize& one : kStructSizes)",
-            "    if (std::strcmp(one.name, name) == 0) return one.size_bytes;", "  return 0;", "}"]
+            "    if (equal(one.name, name)) return one.size_bytes;", "  return 0;", "}"]
     return "\n".join(out) + "\n"
 
 

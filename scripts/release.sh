@@ -67,7 +67,7 @@ folder=$work/sinew-$version-windows-x64
 quietly cmake --install "$work/windows" --prefix "$folder"
 mkdir -p "$folder/models"
 cp samples/data/sinew_{default,rig,hands}.{sinew,md} "$folder/models"
-cp samples/csharp/Sinew.cs LICENSE "$folder"
+cp samples/csharp/{Character,Native,Sinew}.cs LICENSE "$folder"
 (cd "$work" && cmake -E tar cf "$out/sinew-$version-windows-x64.zip" --format=zip "$(basename "$folder")")
 # shellcheck source=tests/support/wine.sh
 . tests/support/wine.sh "$work/wine"
@@ -79,6 +79,7 @@ echo "   a program links the DLL and runs under wine"
 step "Python wheels and Blender add-ons"
 machine=$(uname -m)
 quietly samples/python/build.sh "$work/python"
+character=$(find "$work/python/character" -name libsinew_character.so)
 SINEW_TOOLCHAIN="--toolchain $windows" SINEW_PLATFORM=win_amd64 quietly samples/python/build.sh "$work/python-windows"
 quietly samples/blender/build.sh "$work/blender"
 SINEW_TOOLCHAIN="--toolchain $windows" SINEW_PLATFORM=windows-x64 quietly samples/blender/build.sh "$work/blender-windows"
@@ -93,10 +94,10 @@ python=python3
 quietly "$python" -m venv --system-site-packages "$work/venv"
 quietly "$work/venv/bin/python" -m pip install --no-index --no-deps "$work"/python/sinew-*.whl
 (cd "$root/samples/python/tests" &&
-  SINEW_COMMAND=$root/build/package/sinew SINEW_SOURCE_DIR=$root PYTHONDONTWRITEBYTECODE=1 quietly "$work/venv/bin/python" -m unittest test_bind test_binding)
+  SINEW_COMMAND=$root/build/package/sinew SINEW_SOURCE_DIR=$root PYTHONDONTWRITEBYTECODE=1 quietly "$work/venv/bin/python" -m unittest test_bind test_binding test_opened)
 echo "   the wheel installs into a fresh venv and binds to the command's bytes"
 if command -v blender >/dev/null; then
-  quietly tests/integration/blender_test.sh "$root" "$work/python/engine/libsinew.so" "$root/build/package/sinew" "$work/blender-test"
+  quietly tests/integration/blender_test.sh "$root" "$character" "$root/build/package/sinew" "$work/blender-test"
   echo "   the add-on installs into $(blender --version | head -1) and passes its tests"
 else
   echo "   blender is not installed: the add-on was not tried"
@@ -111,9 +112,12 @@ mkdir -p "$work/project" && echo '{"type": "module", "private": true}' >"$work/p
 echo "   the tarball installs into a fresh project and loads in node $(node --version)"
 
 step "C#"
-quietly tests/integration/csharp_test.sh "$root" "$work/python/engine/libsinew.so" "$root/build/package/sinew" "$work/csharp"
-cp samples/csharp/Sinew.cs "$out"
-echo "   Sinew.cs: structs, weights and a skeleton equal C's and the command's"
+quietly cmake -S engine -B "$work/engine" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=ON
+quietly cmake --build "$work/engine" --target sinew_engine_shared -j "$jobs"
+quietly tests/integration/csharp_test.sh "$root" "$work/engine/libsinew.so" "$root/build/package/sinew" "$work/csharp" "$character"
+SINEW_LIBRARY=$character SINEW_ENGINE_LIBRARY=$work/engine/libsinew.so quietly samples/csharp/build.sh "$work/csharp-package"
+(cd "$work/csharp-package" && cmake -E tar cf "$out/sinew-csharp-$version-linux-$machine.zip" --format=zip sinew-csharp)
+echo "   C#: structs, arrays and characters equal C's and the command's; sources and libraries are in one zip"
 
 step "Godot plug-in"
 (cd samples/godot && cmake -E tar cf "$out/sinew-godot3-$version.zip" --format=zip addons README.md)

@@ -37,10 +37,8 @@ set(sinew_character_sources
   predict/skeleton_template
   predict/turn
   rig/infer_parents
-  rig/joint_class_of
   rig/joint_mirror
-  rig/joint_roles
-  rig/joint_words
+  rig/joint_verdicts
   rig/joints_beside_mesh
   rig/label_skeleton
   rig/simplify_skeleton

@@ -27,31 +27,31 @@ namespace {
 struct Settings {
   std::string character, output, matrices, up = "y", animation;
   DeformSettings deform;
-  std::vector<std::string> turns;
+  std::vector<std::string> rotations;
   uint64_t seed = 0;
   double limit = 35, time = 0;
   bool random = false, animated = false;
 };
 
 // NAME=rx,ry,rz in degrees; the name may hold '=' itself, so the last one counts.
-JointTurn parse_turn(const std::string& text, const Character& character) {
+JointRotation parse_rotation(const std::string& text, const Character& character) {
   const size_t equals = text.rfind('=');
-  JointTurn turn;
+  JointRotation rotation;
   int used = 0;
   if (equals == std::string::npos ||
-      std::sscanf(text.c_str() + equals + 1, "%lf,%lf,%lf%n", &turn.x, &turn.y, &turn.z, &used) != 3 ||
-      static_cast<size_t>(used) != text.size() - equals - 1 || !std::isfinite(turn.x + turn.y + turn.z)) {
+      std::sscanf(text.c_str() + equals + 1, "%lf,%lf,%lf%n", &rotation.x, &rotation.y, &rotation.z, &used) != 3 ||
+      static_cast<size_t>(used) != text.size() - equals - 1 || !std::isfinite(rotation.x + rotation.y + rotation.z)) {
     throw UsageError("--joint " + text + ": expected NAME=rx,ry,rz in degrees");
   }
   const std::string name = text.substr(0, equals);
-  for (; turn.joint < character.joints.size(); ++turn.joint) {
-    if (character.joints[turn.joint].name == name) return turn;
+  for (; rotation.joint < character.joints.size(); ++rotation.joint) {
+    if (character.joints[rotation.joint].name == name) return rotation;
   }
   throw Error("--joint " + text + ": the skeleton has no joint " + name);
 }
 
-std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, double limit) {
-  std::vector<JointTurn> turns;
+std::vector<JointRotation> random_rotations(const Character& character, uint64_t seed, double limit) {
+  std::vector<JointRotation> rotations;
   uint64_t state = seed;
   const auto draw = [&state, limit] {  // splitmix64, so that a seed means the same pose everywhere
     uint64_t z = (state += 0x9E3779B97F4A7C15ull);
@@ -61,14 +61,14 @@ std::vector<JointTurn> random_turns(const Character& character, uint64_t seed, d
   };
   for (size_t j = 0; j < character.joints.size(); ++j) {
     if (character.joints[j].parent < 0) continue;  // a turned root only turns the whole character
-    JointTurn turn;
-    turn.joint = j;
-    turn.x = draw();
-    turn.y = draw();
-    turn.z = draw();
-    turns.push_back(turn);
+    JointRotation rotation;
+    rotation.joint = j;
+    rotation.x = draw();
+    rotation.y = draw();
+    rotation.z = draw();
+    rotations.push_back(rotation);
   }
-  return turns;
+  return rotations;
 }
 
 Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {
@@ -85,14 +85,14 @@ Character deformed(const Settings& s, const Character& character, const std::vec
 
 // By turns of joints.
 std::vector<Affine> turned_palette(const Settings& s, const Character& character, size_t* count) {
-  std::vector<JointTurn> turns;
+  std::vector<JointRotation> rotations;
   if (s.random) {
-    turns = random_turns(character, s.seed, s.limit);
+    rotations = random_rotations(character, s.seed, s.limit);
   } else {
-    for (const std::string& text : s.turns) turns.push_back(parse_turn(text, character));
+    for (const std::string& text : s.rotations) rotations.push_back(parse_rotation(text, character));
   }
-  *count = turns.size();
-  return pose_palette(character, turns);
+  *count = rotations.size();
+  return pose_palette(character, rotations);
 }
 
 // A moment of one of the file's own animations.
@@ -116,7 +116,7 @@ std::vector<Affine> chosen_palette(const Settings& s, const Character& character
 }
 
 void run(const Settings& s) {
-  if (int{s.random} + int{!s.turns.empty()} + int{s.animated} + int{!s.matrices.empty()} != 1)
+  if (int{s.random} + int{!s.rotations.empty()} + int{s.animated} + int{!s.matrices.empty()} != 1)
     throw UsageError(
         "give one of --random SEED, --animation NAME, --matrices FILE.pose, and --joint NAME=rx,ry,rz as "
         "often as needed");
@@ -153,7 +153,7 @@ void add_pose(CLI::App& app) {
       ->check(CLI::Range(0.0, 180.0))
       ->capture_default_str()
       ->needs(seed);
-  sub->add_option("--joint", s->turns, "Rotate one joint about x, then y, then z, in degrees; may be repeated")
+  sub->add_option("--joint", s->rotations, "Rotate one joint about x, then y, then z, in degrees; may be repeated")
       ->type_name("NAME=rx,ry,rz")
       ->allow_extra_args(false);
   auto* animation = shared_option(sub, "--animation", s->animation);

@@ -24,6 +24,9 @@ namespace Sinew
         Middle = 21, Ring = 22, Pinky = 23, Eye = 24, Jaw = 25, Prop = 26 }
     public enum Mirror { Auto = 0, Always = 1, Never = 2 }
     public enum RigMethod { Votes = 0, Shape = 1, Regions = 2 }
+    public enum JointRole { Deforms = 0, Root = 1, Control = 2, Slot = 3, End = 4, Twist = 5, Face = 6, Finger = 7, Helper = 8 }
+    public enum Follows { Unknown = 0, Some = 1, None = 2 }
+    public enum Naming { Sinew = 0, Mixamo = 1, Vrm = 2, Unreal = 3, Rigify = 4, Makehuman = 5 }
     public enum TransferMethod { Auto = 0, Nearest = 1, Biharmonic = 2, Rebind = 3 }
     public enum TransferReason { Asked = 0, Style = 1, Mismatch = 2, Plain = 3, Near = 4, Far = 5, NoMatch = 6, Kept = 7 }
     public enum SimplifyLevel { High = 0, Low = 1 }
@@ -294,6 +297,15 @@ namespace Sinew
             public uint mirrored, facing;
             public float plane, spread;
             public UIntPtr used_bytes;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_joint_verdicts
+        {
+            public uint struct_size, mirror_axis;
+            public IntPtr classes, roles, sides, numbers, partners, images;
+            public float mirror_planes_0, mirror_planes_1, mirror_planes_2;
+            public uint mirrored;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -631,6 +643,32 @@ namespace Sinew
             UIntPtr workspace_bytes, IntPtr outputs);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_joint_classes_workspace_size(uint joint_count, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_joint_classes(IntPtr skeleton, IntPtr follows, IntPtr workspace, UIntPtr workspace_bytes,
+            IntPtr verdicts);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_limb_classes_workspace_size(uint target_count, uint source_count, out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_limb_classes(IntPtr target, IntPtr source, IntPtr sources, IntPtr workspace, UIntPtr workspace_bytes,
+            IntPtr classes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_joint_side(IntPtr name);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_joint_other_side(IntPtr name, IntPtr other, UIntPtr room);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern IntPtr sinew_naming_text(uint naming);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_joint_standard_name(uint naming, uint joint_class, int side, uint index, IntPtr name);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_transfer_workspace_size(IntPtr model, IntPtr source, IntPtr target, IntPtr skeleton, IntPtr options,
             out UIntPtr size_bytes);
 
@@ -767,6 +805,7 @@ namespace Sinew
             new StructSize("sinew_contact_spot", Marshal.SizeOf(typeof(sinew_contact_spot)), false),
             new StructSize("sinew_rig_options", Marshal.SizeOf(typeof(sinew_rig_options)), true),
             new StructSize("sinew_rig_outputs", Marshal.SizeOf(typeof(sinew_rig_outputs)), true),
+            new StructSize("sinew_joint_verdicts", Marshal.SizeOf(typeof(sinew_joint_verdicts)), true),
             new StructSize("sinew_bound_character", Marshal.SizeOf(typeof(sinew_bound_character)), false),
             new StructSize("sinew_vertex_pair", Marshal.SizeOf(typeof(sinew_vertex_pair)), false),
             new StructSize("sinew_transfer_options", Marshal.SizeOf(typeof(sinew_transfer_options)), true),

@@ -14,7 +14,17 @@ mkdir -p "$out/package/wasm" "$out/package/models"
 build_modules "$here/wasm" SINEW_SKIN_SIMD
 for kind in simd scalar; do
   cp "$build/$kind/skin.wasm" "$out/package/wasm/$kind.wasm"
-  embed "$build/$kind/skin.wasm" "$out/package/wasm/$kind.js"
+  cp "$build/$kind/bind.wasm" "$out/package/wasm/bind-$kind.wasm"
+  for module in "$kind" "bind-$kind"; do embed "$out/package/wasm/$module.wasm" "$out/package/wasm/$module.js"; done
+done
+
+step "whole characters to WebAssembly"
+build_engine simd && build_host simd || exit 1
+build_module character "$here/wasm/character" "$host_archive"
+build_scenes
+for module in "$build/character/character" "$scenes/scenes"; do
+  cp "$module.wasm" "$out/package/wasm"
+  cp "$module.mjs" "$out/package/wasm/$(basename "$module").js"
 done
 
 step "scripts and models"

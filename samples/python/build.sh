@@ -8,7 +8,7 @@
 #   SINEW_TOOLCHAIN="-DCMAKE_..."      more for CMake, as --toolchain FILE; SINEW_PLATFORM=win_amd64 names its wheel
 set -euo pipefail
 if [ "${1:-}" = --packages ]; then
-  for package in python3-build python3-setuptools python3-wheel python3-venv python3-numpy python3-matplotlib python3-meshio; do
+  for package in python3-build python3-setuptools python3-wheel python3-venv python3-numpy python3-matplotlib python3-meshio mypy; do
     dpkg-query -W -f='${Status}' $package 2>/dev/null | grep -q 'install ok installed' || echo $package
   done
   exit 0

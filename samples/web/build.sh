@@ -7,21 +7,24 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd) root=$(cd "$(dirname "$0")/../.." && pwd)
 if [ "${1:-}" = --packages ]; then
   command -v emcc >/dev/null || echo emscripten
+  [ -f /usr/include/utf8.h ] || echo libutfcpp-dev # Assimp's, whose sources samples/npm/wasm/scenes/assimp.sh fetches
   command -v chromium google-chrome google-chrome-stable chromium-browser >/dev/null || echo chromium
   exit 0
 fi
 . "$root/samples/npm/wasm/modules.sh"
 start_build web "${1:-$here/dist}"
-build_modules "$here/wasm" SINEW_WEB_SIMD
+build_modules "$here/wasm" SINEW_WEB_SIMD host
+build_scenes
 for kind in simd scalar; do cp "$build/$kind/sinew_web.wasm" "$out/sinew-$kind.wasm"; done
+cp "$scenes/scenes.wasm" "$out/sinew-scenes.wasm"
 
 step "scripts and pages"
 [ -d "$here/node_modules/three" ] && [ -d "$here/node_modules/esbuild" ] && [ -d "$here/node_modules/@comfyorg" ] || npm ci --silent --no-audit --no-fund --prefix "$here"
 cd "$here"
 rm -f "$out"/*.js
-# What reads and writes FBX and shows materials is a chunk of its own, loaded when it is asked for.
+# What writes FBX, what reads it and what shows materials are chunks of their own, loaded when they are asked for.
 node_modules/.bin/esbuild src/main.js src/worker.js --bundle --splitting --minify --format=esm --target=es2022 --outdir="$out" --log-level=warning \
-  --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --external:node:* \
+  --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css "$out"
 cp "$root"/samples/data/sinew_{default,rig,hands}.sinew "$out"

@@ -32,6 +32,7 @@ sinew_fuzz(bind 20)
 sinew_fuzz(skeleton 8)
 sinew_fuzz(motion 100)
 sinew_fuzz(map 100)
+sinew_fuzz(names 100)
 sinew_fuzz(transfer 12)
 sinew_fuzz(deform 20)
 

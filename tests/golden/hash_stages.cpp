@@ -589,14 +589,14 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   };
   add(heights);
   add({ground});
-  std::vector<float> out_turns(turns.size()), out_places(places.size());
+  std::vector<float> out_rotations(turns.size()), out_positions(places.size());
   for (uint32_t f = 0; f < line.motion_frames; ++f) {
     const size_t four = size_t{4} * joints * f, three = size_t{3} * joints * f;
-    check(sinew_retarget_frame(plan, turns.data() + four, places.data() + three, ground, out_turns.data() + four,
-                               out_places.data() + three));
+    check(sinew_retarget_frame(plan, turns.data() + four, places.data() + three, ground, out_rotations.data() + four,
+                               out_positions.data() + three));
   }
-  add(out_turns);
-  add(out_places);
+  add(out_rotations);
+  add(out_positions);
   print(name, "motion", poses);
   // Contacts between the mesh and a larger one on its side, each vertex bound to the nearest joint.
   std::vector<float> body;
@@ -631,15 +631,15 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
                                  triangle_count};
   const sinew_motion_body other = {
       body.data(), nullptr, {nearest.data(), whole.data(), 1, SINEW_WEIGHT_UNORM16}, vertices, 0};
-  const std::vector<float> copied_turns = out_turns, copied_places = out_places;
-  const sinew_motion_clip clip = {turns.data(),      places.data(),      out_turns.data(),
-                                  out_places.data(), line.motion_frames, ground};
+  const std::vector<float> copied_rotations = out_rotations, copied_positions = out_positions;
+  const sinew_motion_clip clip = {turns.data(),         places.data(),      out_rotations.data(),
+                                  out_positions.data(), line.motion_frames, ground};
   check(sinew_retarget_contacts_workspace_size(plan, &own, line.motion_frames, &bytes));
   Block workspace(bytes);
   check(sinew_retarget_contacts(plan, &other, &own, &clip, nullptr, workspace.data, bytes));
   poses = Hash();
-  add(out_turns);
-  add(out_places);
+  add(out_rotations);
+  add(out_positions);
   const auto measure = [&](const sinew_motion_body* from) {
     sinew_limb_measure limbs[SINEW_MAX_MOTION_LIMBS];
     uint32_t count = 0;
@@ -650,13 +650,13 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   };
   measure(&other);
   // The same without a body of the source's.
-  out_turns = copied_turns;
-  out_places = copied_places;
+  out_rotations = copied_rotations;
+  out_positions = copied_positions;
   measure(nullptr);
   check(sinew_retarget_keep_range(plan, &own, &clip, workspace.data, bytes));
   check(sinew_retarget_contacts(plan, nullptr, &own, &clip, nullptr, workspace.data, bytes));
-  add(out_turns);
-  add(out_places);
+  add(out_rotations);
+  add(out_positions);
   print(name, "contacts", poses);
   // The published method, as drawn and with all of its options.
   poses = Hash();
@@ -664,11 +664,11 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
   Block room(bytes);
   sinew_reference_options options = sinew_reference_options_init();
   for (const bool drawn : {true, false}) {
-    out_turns = copied_turns;
-    out_places = copied_places;
+    out_rotations = copied_rotations;
+    out_positions = copied_positions;
     check(sinew_retarget_reference_points(plan, &other, &own, &clip, &options, room.data, bytes));
-    add(out_turns);
-    add(out_places);
+    add(out_rotations);
+    add(out_positions);
     options.area_power = drawn ? SINEW_NO_AREA : 0;
     options.no_own_limb = 1;
     options.legs = 1;

@@ -85,7 +85,9 @@ class CharacterC : public Cli {
         for (uint32_t i = 0; i < 3; ++i) {
           const int parent = arrays.parents[j];
           const float above = parent < 0 ? 0 : arrays.joint_positions[3 * parent + static_cast<int>(i)];
-          translations.push_back(static_cast<double>(arrays.joint_positions[3 * j + i]) - static_cast<double>(above));
+          const double moved = parent < 0 && i == 2 ? 0.02 * f : 0;
+          translations.push_back(static_cast<double>(arrays.joint_positions[3 * j + i]) - static_cast<double>(above) +
+                                 moved);
         }
       }
     }
@@ -109,7 +111,7 @@ TEST_F(CharacterC, BindsAsTheCommand) {
   save(snake, "ours.glb");
   expect_same("ours.glb", "command.glb");
   EXPECT_EQ(std::string(result.hash).size(), 16u);
-  EXPECT_EQ(written(snake, "ours.glb"), slurp(in("command.glb")));
+  EXPECT_TRUE(written(snake, "ours.glb") == slurp(in("command.glb")));
 
   good("bind " + kCaped + " -o caped.glb");
   const Handle caped = open(kCaped);
@@ -135,12 +137,12 @@ TEST_F(CharacterC, FilesInMemoryGiveTheSame) {
   good("bind " + kSnake + " --skeleton " + kSnakeRig + " -o snake.glb");
   const Handle snake = open_memory({kSnake, kSnakeRig});
   bind(snake);
-  EXPECT_EQ(written(snake, "snake.glb"), slurp(in("snake.glb")));
+  EXPECT_TRUE(written(snake, "snake.glb") == slurp(in("snake.glb")));
   good("bind " + kCaped + " -o caped.gltf");
   const Handle caped = open_memory({kCaped});
   bind(caped);
-  EXPECT_EQ(written(caped, "caped.gltf"), slurp(in("caped.gltf")));
-  EXPECT_EQ(written(caped, "caped.gltf", 1), slurp(in("caped.bin")));
+  EXPECT_TRUE(written(caped, "caped.gltf") == slurp(in("caped.gltf")));
+  EXPECT_TRUE(written(caped, "caped.gltf", 1) == slurp(in("caped.bin")));
   EXPECT_EQ(files(), 3u) << "a file in memory was written to the disk";
 }
 
@@ -279,7 +281,7 @@ TEST_F(CharacterC, PosesAsTheCommand) {
     sinew_character* posed = nullptr;
     good_call(sinew_character_pose(caped.get(), &options, &posed), caped);
     const Handle owner(posed);
-    EXPECT_EQ(written(owner, "ours.obj"), slurp(in("command.obj"))) << name;
+    EXPECT_TRUE(written(owner, "ours.obj") == slurp(in("command.obj"))) << name;
   }
 }
 

@@ -29,7 +29,7 @@ class CliAnimate : public Cli {
     for (size_t f = 0; f < frames; ++f) {
       MotionFrame frame;
       for (const MotionJoint& joint : motion.joints) {
-        frame.rotations.push_back(kNoTurn4);
+        frame.rotations.push_back(kNoRotation4);
         frame.translations.push_back(joint.offset);
       }
       const double angle = 0.1 * static_cast<double>(f);
@@ -179,7 +179,7 @@ TEST_F(CliAnimate, ABareMeshGetsASkeletonFirst) {
   Motion motion = motion_of(rigged.joints);
   Clip clip = {"nod", 0.1, {}};
   for (int f = 0; f < 3; ++f) {
-    clip.frames.push_back({std::vector<Quaternion>(motion.joints.size(), kNoTurn4), {}});
+    clip.frames.push_back({std::vector<Quaternion>(motion.joints.size(), kNoRotation4), {}});
     for (const MotionJoint& joint : motion.joints) clip.frames.back().translations.push_back(joint.offset);
     clip.frames.back().translations[0][1] += 0.1 * f;
   }

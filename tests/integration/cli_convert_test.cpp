@@ -30,7 +30,6 @@ class CliConvert : public Cli {
 TEST_F(CliConvert, AFolderOfOtherProgramsBecomesATrainingSet) {
   const Outcome told = good("dataset convert studio -o set");
   EXPECT_NE(told.out.find("set/orcs__strip.obj: "), std::string::npos) << told.out;
-  EXPECT_EQ(told.out.find("valid root"), std::string::npos) << "what Assimp prints by itself";
   for (const std::string name : {"orcs__strip", "orcs_young__small", "elves__tall", "elves__thin", "elves__strip",
                                  "elves__far", "dwarf__low", "plain"}) {
     ASSERT_TRUE(fs::exists(folder_ / "set" / (name + ".obj"))) << name;

@@ -61,7 +61,7 @@ TEST_F(CliSimplify, AnimationsStayOnTheJointsThatAreLeft) {
   Motion motion = motion_of(hero.joints);
   Clip clip = {"lean", 0.1, {}};
   for (int f = 0; f < 5; ++f) {
-    clip.frames.push_back({std::vector<Quaternion>(hero.joints.size(), kNoTurn4), {}});
+    clip.frames.push_back({std::vector<Quaternion>(hero.joints.size(), kNoRotation4), {}});
     for (const MotionJoint& joint : motion.joints) clip.frames.back().translations.push_back(joint.offset);
     clip.frames.back().rotations[0] = {0, 0, std::sin(0.1 * f), std::cos(0.1 * f)};
     clip.frames.back().translations[0][2] += 0.1 * f;

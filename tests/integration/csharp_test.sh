@@ -42,7 +42,7 @@ diff "$work/c.txt" "$work/csharp.txt" || fail "structs differ from those of C (<
 
 data=$source/samples/data
 for name in biped__robed biped__robot bird__winged many-legged__plated quadruped__tailed snake__long; do
-  expected=$("$command" bind "$data/$name.obj" --skeleton "$data/$name.rig.txt" --joints all --json -o "$work/$name.glb" |
+  expected=$("$command" bind "$data/$name.obj" --skeleton "$data/$name.rig.txt" --joints all --keep-tips --json -o "$work/$name.glb" |
     sed -n 's/.*"hash": "\([0-9a-f]*\)".*/\1/p')
   found=$(run bind "$data/sinew_default.sinew" "$data/$name.obj")
   [ -n "$expected" ] && [ "$found" = "$expected" ] || fail "$name: weights hash to $found, the command's to $expected"
@@ -59,14 +59,17 @@ if [ -n "$character" ]; then
   "${PYTHON:-python3}" "$source/tests/support/strange_characters.py" "$work/strange" > "$work/files.txt"
   bound=0
   while read -r file; do
+    skeleton=()
+    case $file in *.obj) skeleton=(--skeleton "${file%.obj}.rig.txt") ;; esac  # Character.Open finds it by itself
     if hash=$(run character bind "$file" "$work/ours.glb" 2> "$work/error.txt"); then
-      "$command" bind "$file" -o "$work/theirs.glb" > /dev/null
+      "$command" bind "$file" "${skeleton[@]}" -o "$work/theirs.glb" > /dev/null
       cmp "$work/ours.glb" "$work/theirs.glb" || fail "$file: a bind gives other bytes than the command"
       [ "${#hash}" = 16 ] || fail "$file: no hash: $hash"
       bound=$((bound + 1))
     else
-      if "$command" bind "$file" -o "$work/theirs.glb" > /dev/null 2> "$work/theirs.txt"; then fail "$file: $(cat "$work/error.txt")"; fi
-      grep -qF "$(sed 's/^SinewException: //' "$work/error.txt")" "$work/theirs.txt" || fail "$file: another error: $(cat "$work/error.txt" "$work/theirs.txt")"
+      if "$command" bind "$file" "${skeleton[@]}" -o "$work/theirs.glb" > /dev/null 2> "$work/theirs.txt"; then fail "$file: $(cat "$work/error.txt")"; fi
+      # The same fault; what to do about it is an option there, a call here.
+      grep -qF "$(sed 's/^SinewException: [^:]*: //; s/;.*//' "$work/error.txt")" "$work/theirs.txt" || fail "$file: another error: $(cat "$work/error.txt" "$work/theirs.txt")"
     fi
   done < "$work/files.txt"
   [ "$bound" -gt 16 ] || fail "only $bound strange files were bound"
@@ -83,6 +86,12 @@ if [ -n "$character" ]; then
   run character bake "$work/strange/plain.glb" "$work/ours.glb"
   "$command" bake "$work/strange/plain.glb" --poses 60 --shapes 2 -o "$work/theirs.glb" > /dev/null
   cmp "$work/ours.glb" "$work/theirs.glb" || fail "baked shapes have other bytes than the command's"
+  # The package's demo finds its libraries beside it.
+  SINEW_LIBRARY=$character SINEW_ENGINE_LIBRARY=$library "$source/samples/csharp/build.sh" "$work/package" > /dev/null
+  (unset LD_LIBRARY_PATH; cd "$work/package/sinew-csharp" && mono Demo.exe "$work/strange/plain.glb" "$work/ours.glb") > "$work/demo.txt"
+  "$command" bind "$work/strange/plain.glb" -o "$work/theirs.glb" > /dev/null
+  cmp "$work/ours.glb" "$work/theirs.glb" || fail "Demo.exe gives other bytes than the command"
+  grep -q '^weights: ' "$work/demo.txt" || fail "Demo.exe says no hash: $(cat "$work/demo.txt")"
   echo "csharp_test: $bound strange files, a rig, a transfer and others have the command's bytes"
 fi
 

@@ -374,12 +374,12 @@ class GrowingRigStructs : public GrowingStructs {
 TEST_F(GrowingRigStructs, ProgramsOfTheFirstReleaseAndOfTheFutureRigAsEver) {
   sinew_rig_outputs expected = rig_outputs<sinew_rig_outputs>(sizeof(sinew_rig_outputs));
   ASSERT_EQ(rig(filled_rig<sinew_rig_options>(sizeof(sinew_rig_options)), &expected), SINEW_OK);
-  const std::vector<float> expected_places = std::exchange(places, std::vector<float>(places.size()));
+  const std::vector<float> expected_positions = std::exchange(places, std::vector<float>(places.size()));
   EXPECT_GT(std::exchange(calls, 0), 0);
 
   Guarded memory(rig_outputs<sinew_rig_outputs_0_1>(sizeof(sinew_rig_outputs_0_1)));
   ASSERT_EQ(rig(filled_rig<sinew_rig_options_0_1>(sizeof(sinew_rig_options_0_1)), &memory.known), SINEW_OK);
-  EXPECT_EQ(places, expected_places);
+  EXPECT_EQ(places, expected_positions);
   EXPECT_GT(calls, 0);
   EXPECT_EQ(memory.known.struct_size, sizeof(sinew_rig_outputs_0_1));
   EXPECT_EQ(memory.known.joint_count, expected.joint_count);
@@ -390,7 +390,7 @@ TEST_F(GrowingRigStructs, ProgramsOfTheFirstReleaseAndOfTheFutureRigAsEver) {
   Future<sinew_rig_options> options = {filled_rig<sinew_rig_options>(sizeof(Future<sinew_rig_options>)), nullptr};
   Future<sinew_rig_outputs> outputs = {rig_outputs<sinew_rig_outputs>(sizeof(Future<sinew_rig_outputs>)), nullptr};
   ASSERT_EQ(rig(options, &outputs), SINEW_OK);
-  EXPECT_EQ(places, expected_places);
+  EXPECT_EQ(places, expected_positions);
   EXPECT_EQ(outputs.known.struct_size, sizeof(Future<sinew_rig_outputs>));
   EXPECT_EQ(outputs.known.joint_count, expected.joint_count);
   EXPECT_EQ(outputs.more, nullptr);
@@ -473,10 +473,10 @@ TEST_F(GrowingDeformStructs, ProgramsOfTheFirstReleaseAndOfTheFutureDeformAsEver
   auto expected = deform_outputs<sinew_deform_outputs>(sizeof(sinew_deform_outputs));
   ASSERT_EQ(deform(filled_deform<sinew_deform_options>(sizeof(sinew_deform_options)), &expected), SINEW_OK);
   EXPECT_GT(expected.active_tetrahedra, 0u);
-  const std::vector<float> expected_places = std::exchange(places, std::vector<float>(places.size()));
+  const std::vector<float> expected_positions = std::exchange(places, std::vector<float>(places.size()));
   Guarded memory(deform_outputs<sinew_deform_outputs_0_1>(sizeof(sinew_deform_outputs_0_1)));
   ASSERT_EQ(deform(filled_deform<sinew_deform_options_0_1>(sizeof(sinew_deform_options_0_1)), &memory.known), SINEW_OK);
-  EXPECT_EQ(places, expected_places);
+  EXPECT_EQ(places, expected_positions);
   EXPECT_EQ(memory.known.active_tetrahedra, expected.active_tetrahedra);
   memory.expect_untouched();
 
@@ -486,7 +486,7 @@ TEST_F(GrowingDeformStructs, ProgramsOfTheFirstReleaseAndOfTheFutureDeformAsEver
   Future<sinew_deform_outputs> outputs = {deform_outputs<sinew_deform_outputs>(sizeof(Future<sinew_deform_outputs>)),
                                           nullptr};
   ASSERT_EQ(deform(options, &outputs), SINEW_OK);
-  EXPECT_EQ(places, expected_places);
+  EXPECT_EQ(places, expected_positions);
   places.assign(places.size(), 0);
   options.more = "something";
   EXPECT_EQ(deform(options, &outputs), SINEW_ERROR_VERSION);

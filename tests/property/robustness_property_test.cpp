@@ -77,13 +77,13 @@ TEST(RobustnessMeasure, SeesWhatABinderHangsOn) {
   EXPECT_GT(mean_of(by_index, "joints renumbered"), 1);
   EXPECT_GT(mean_of(by_index, "unwelded"), 1);
 
-  const auto by_place = measure_robustness(c, [](const Character& x) {
+  const auto by_position = measure_robustness(c, [](const Character& x) {
     return rows_by(x, [&](size_t v) { return static_cast<size_t>(x.vertices[v].x > 0); });
   });
-  EXPECT_EQ(mean_of(by_place, "vertices and faces renumbered"), 0);
-  EXPECT_EQ(mean_of(by_place, "scaled by a half"), 0);
-  EXPECT_GT(mean_of(by_place, "moved, nothing rounded"), 0.5);
-  EXPECT_GT(mean_of(by_place, "mirrored"), 0.5);
+  EXPECT_EQ(mean_of(by_position, "vertices and faces renumbered"), 0);
+  EXPECT_EQ(mean_of(by_position, "scaled by a half"), 0);
+  EXPECT_GT(mean_of(by_position, "moved, nothing rounded"), 0.5);
+  EXPECT_GT(mean_of(by_position, "mirrored"), 0.5);
 
   const auto by_size = measure_robustness(c, [](const Character& x) {
     return rows_by(x,

@@ -35,7 +35,9 @@ struct MotionScene {
     return view;
   }
   Vec3d at(size_t j) const { return vec(&positions[3 * j]); }
-  Quat rest(size_t j) const { return rotations.empty() ? sinew::kNoTurn : sinew::normalised(quat(&rotations[4 * j])); }
+  Quat rest(size_t j) const {
+    return rotations.empty() ? sinew::kNoRotation : sinew::normalised(quat(&rotations[4 * j]));
+  }
   uint32_t add(Vec3d p, int32_t parent, uint8_t joint_class) {
     positions.insert(positions.end(), {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
     parents.push_back(parent);

@@ -16,7 +16,7 @@ inline Motion swing(size_t frames) {
   Clip clip = {"swing", 0.1, {}};
   for (size_t f = 0; f < frames; ++f) {
     const double t = static_cast<double>(f);
-    clip.frames.push_back({{kNoTurn4, axis_turn(2, 0.1 * t)}, {{t, 0, 0}, {0, 1, 0}}});
+    clip.frames.push_back({{kNoRotation4, axis_rotation(2, 0.1 * t)}, {{t, 0, 0}, {0, 1, 0}}});
   }
   motion.clips.push_back(clip);
   return motion;

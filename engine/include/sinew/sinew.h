@@ -9,6 +9,7 @@
  *   sinew/bind.h          predicts skin weights
  *   sinew/questions.h     what a bind asks the user, and the answers
  *   sinew/rig.h           predicts a skeleton for a bare mesh, with fingers, faces and props
+ *   sinew/names.h         says what joints are by what they are called
  *   sinew/map.h           maps the joints of one skeleton to those of another
  *   sinew/simplify.h      a skeleton of fewer joints
  *   sinew/transfer.h      carries weights to another mesh
@@ -37,6 +38,7 @@
 #include "sinew/model.h"
 #include "sinew/motion.h"
 #include "sinew/motion_clips.h"
+#include "sinew/names.h"
 #include "sinew/questions.h"
 #include "sinew/rig.h"
 #include "sinew/simplify.h"

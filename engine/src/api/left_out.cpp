@@ -34,6 +34,18 @@ sinew_status sinew_map(const sinew_skeleton*, const sinew_skeleton*, const sinew
                        sinew_map_outputs*) {
   return SINEW_ERROR_NOT_BUILT;
 }
+sinew_status sinew_limb_classes_workspace_size(uint32_t, uint32_t, size_t* size_bytes) { return no_size(size_bytes); }
+sinew_status sinew_limb_classes(const sinew_skeleton*, const sinew_skeleton*, const int32_t*, void*, size_t, uint8_t*) {
+  return SINEW_ERROR_NOT_BUILT;
+}
+sinew_status sinew_joint_classes_workspace_size(uint32_t, size_t* size_bytes) { return no_size(size_bytes); }
+sinew_status sinew_joint_classes(const sinew_skeleton*, const uint8_t*, void*, size_t, sinew_joint_verdicts*) {
+  return SINEW_ERROR_NOT_BUILT;
+}
+int32_t sinew_joint_side(const char*) { return 0; }
+sinew_status sinew_joint_other_side(const char*, char*, size_t) { return SINEW_ERROR_NOT_BUILT; }
+const char* sinew_naming_text(uint32_t) { return nullptr; }
+sinew_status sinew_joint_standard_name(uint32_t, uint32_t, int32_t, uint32_t, char*) { return SINEW_ERROR_NOT_BUILT; }
 sinew_status sinew_deform_create_workspace_size(const sinew_mesh*, uint32_t, uint32_t, const sinew_deform_options*,
                                                 size_t* size_bytes) {
   return no_size(size_bytes);

@@ -4,7 +4,9 @@
 
 #include "api/arguments.hpp"
 #include "core/struct_size.hpp"
+#include "mapping/limb_classes.hpp"
 #include "sinew/map.h"
+#include "sinew/names.h"
 
 static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
 static_assert(sizeof(sinew_map_outputs) == 4 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_outputs");
@@ -37,6 +39,33 @@ sinew_status sinew_map(const sinew_skeleton* target, const sinew_skeleton* sourc
   status = sinew::mapping::run_map(plan, arena, &own);
   if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
   return status;
+}
+
+sinew_status sinew_limb_classes_workspace_size(uint32_t target_count, uint32_t source_count, size_t* size_bytes) {
+  if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = 0;
+  if (target_count == 0 || target_count > SINEW_MAX_JOINTS || source_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
+  const sinew_skeleton target = sinew_skeleton_init(nullptr, nullptr, target_count),
+                       source = sinew_skeleton_init(nullptr, nullptr, source_count);
+  return sinew::measure(size_bytes, [&](sinew::Arena& arena) {
+    return sinew::mapping::find_limb_classes(target, source_count > 0 ? &source : nullptr, nullptr, arena, nullptr);
+  });
+}
+
+sinew_status sinew_limb_classes(const sinew_skeleton* target, const sinew_skeleton* source, const int32_t* sources,
+                                void* workspace, size_t workspace_bytes, uint8_t* classes) {
+  if (target == nullptr || workspace == nullptr || classes == nullptr || (source == nullptr) != (sources == nullptr))
+    return SINEW_ERROR_ARGUMENT;
+  sinew::mapping::MapPlan plan;
+  const sinew_status status = sinew::mapping::plan_map(target, source != nullptr ? source : target, nullptr, &plan);
+  if (status != SINEW_OK) return status;
+  for (uint32_t j = 0; j < plan.target.joint_count && sources != nullptr; ++j) {
+    if (sources[j] < -1 || sources[j] >= static_cast<int32_t>(plan.source.joint_count)) return SINEW_ERROR_RANGE;
+  }
+  if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
+  sinew::Arena arena(workspace, workspace_bytes);
+  return sinew::mapping::find_limb_classes(plan.target, source != nullptr ? &plan.source : nullptr, sources, arena,
+                                           classes);
 }
 
 }  // extern "C"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Generated from the C headers by scripts/declarations.py; a test compares.
-#include <cstring>
-
 #include "sinew/abi.h"
 #include "sinew/bind.h"
 #include "sinew/deform.h"
@@ -9,6 +7,7 @@
 #include "sinew/model.h"
 #include "sinew/motion.h"
 #include "sinew/motion_clips.h"
+#include "sinew/names.h"
 #include "sinew/published.h"
 #include "sinew/questions.h"
 #include "sinew/rig.h"
@@ -49,6 +48,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_contact_spot", sizeof(sinew_contact_spot)},
     {"sinew_rig_options", sizeof(sinew_rig_options)},
     {"sinew_rig_outputs", sizeof(sinew_rig_outputs)},
+    {"sinew_joint_verdicts", sizeof(sinew_joint_verdicts)},
     {"sinew_bound_character", sizeof(sinew_bound_character)},
     {"sinew_vertex_pair", sizeof(sinew_vertex_pair)},
     {"sinew_transfer_options", sizeof(sinew_transfer_options)},
@@ -58,11 +58,16 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_simplify_options", sizeof(sinew_simplify_options)},
 };
 
+bool equal(const char* a, const char* b) {  // the engine needs no C library
+  while (*a != '\0' && *a == *b) ++a, ++b;
+  return *a == *b;
+}
+
 }  // namespace
 
 size_t sinew_struct_size(const char* name) {
   if (name == nullptr) return 0;
   for (const StructSize& one : kStructSizes)
-    if (std::strcmp(one.name, name) == 0) return one.size_bytes;
+    if (equal(one.name, name)) return one.size_bytes;
   return 0;
 }

@@ -74,7 +74,7 @@ void find_starts(const Skeleton& skeleton, const Vec3i* tips, const VoxelGrid& g
 struct Around {
   uint32_t count;
   uint32_t cells[8];  // numbers in the propagation
-  uint32_t ways[8];   // in the place of a label's distance
+  uint32_t costs[8];  // in the place of a label's distance
 
   void find(const Propagation& p, Vec3i position) {
     const VoxelGrid& grid = p.grid;
@@ -98,7 +98,7 @@ struct Around {
       const uint32_t cell = p.solid_cell(static_cast<uint32_t>(own + x * step[0] + y * step[1] + z * step[2]));
       cells[count] = cell;
       const uint32_t length = isqrt64(squares[0][x] + squares[1][y] + squares[2][z]);  // below 2^17
-      ways[count] = length * kCellLength / static_cast<uint32_t>(grid.cell_size) << kJointBits;
+      costs[count] = length * kCellLength / static_cast<uint32_t>(grid.cell_size) << kJointBits;
       count += cell != 0;
     }
   }
@@ -112,28 +112,28 @@ SINEW_ONCE uint32_t nearest_labels(const Propagation& p, Vec3i position, uint32_
   // No joint beyond the last one of any cell is among them.
   uint32_t farthest = UINT32_MAX;
   for (uint32_t i = 0; i < around.count; ++i) {
-    const uint32_t last = p.labels(around.cells[i])[per_cell - 1] + around.ways[i];
+    const uint32_t last = p.labels(around.cells[i])[per_cell - 1] + around.costs[i];
     if (last < farthest) farthest = last;
   }
   // Most labels name a joint that another cell has named: places by a joint's low bits say where it is.
-  constexpr uint32_t kPlaces = 64;
+  constexpr uint32_t kEntries = 64;
   constexpr uint8_t kNone = 0xFF;
-  uint8_t places[kPlaces];
-  for (uint8_t& place : places) place = kNone;
+  uint8_t entries[kEntries];
+  for (uint8_t& entry : entries) entry = kNone;
   uint32_t labels[8 * SINEW_MAX_CANDIDATES];
   static_assert(8 * SINEW_MAX_CANDIDATES < kNone, "places are too small");
   uint32_t count = 0;
   for (uint32_t i = 0; i < around.count; ++i) {
     const uint32_t* const row = p.labels(around.cells[i]);
     for (uint32_t k = 0; k < per_cell; ++k) {
-      const uint32_t label = row[k] + around.ways[i];
+      const uint32_t label = row[k] + around.costs[i];
       if (label > farthest) break;
-      uint8_t& place = places[label % kPlaces];
-      uint32_t at = place;
+      uint8_t& entry = entries[label % kEntries];
+      uint32_t at = entry;
       if (at == kNone || ((labels[at] ^ label) & kJointMask) != 0) {
         at = at == kNone ? count : 0;
         while (at < count && ((labels[at] ^ label) & kJointMask) != 0) ++at;
-        place = static_cast<uint8_t>(at);
+        entry = static_cast<uint8_t>(at);
         if (at == count) labels[count++] = UINT32_MAX;
       }
       if (label < labels[at]) labels[at] = label;
@@ -171,10 +171,10 @@ void find_tips(const Mesh& mesh, const Skeleton& skeleton, const Propagation& p,
   });
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     const uint32_t joint = scratch.nearest[v];
-    const Vec3i way = mesh.positions[v] - skeleton.positions[joint];
-    scratch.sums[joint].x += way.x;
-    scratch.sums[joint].y += way.y;
-    scratch.sums[joint].z += way.z;
+    const Vec3i to_vertex = mesh.positions[v] - skeleton.positions[joint];
+    scratch.sums[joint].x += to_vertex.x;
+    scratch.sums[joint].y += to_vertex.y;
+    scratch.sums[joint].z += to_vertex.z;
     ++scratch.counts[joint];
   }
   constexpr int kDirectionBits = 14;

@@ -50,7 +50,7 @@ void Propagation::lay_steps() {
 }
 
 // Everything is seen from c, which is solid, as is p.
-void Propagation::lay_ways_beside() {
+void Propagation::lay_directions_beside() {
   uint8_t lengths[kStepCount][kStepCount];  // of the step from where one step leads to where another does; 0 when none
   for (uint8_t from = 0; from < kStepCount; ++from) {
     for (uint8_t to = 0; to < kStepCount; ++to) {
@@ -100,15 +100,15 @@ bool Propagation::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-uint32_t Propagation::add_cell(uint32_t place, uint8_t terrain) {
+uint32_t Propagation::add_cell(uint32_t grid_index, uint8_t terrain) {
   const uint32_t number = ++cell_count_;
   Cell& cell = at(number);
-  cell.place = place;
+  cell.grid_index = grid_index;
   cell.solid = 0;
   cell.terrain = terrain;
   cell.unused = 0;
   empty(&cell);
-  numbers_[place] = number;
+  numbers_[grid_index] = number;
   return number;
 }
 
@@ -121,21 +121,22 @@ void Propagation::empty(Cell* cell) const {
 
 void Propagation::survey() {
   lay_steps();
-  lay_ways_beside();
+  lay_directions_beside();
   cell_count_ = 0;
   memset(numbers_, 0, grid.cell_count * sizeof(uint32_t));
   const int32_t nx = grid.size[0], ny = grid.size[1];
   for (int32_t z = 1; z < grid.size[2] - 1; ++z) {
     for (int32_t y = 1; y < ny - 1; ++y) {
-      for (uint32_t place = grid.index(1, y, z); place < grid.index(nx - 1, y, z); ++place) {
-        if (grid.states[place] > kCellSurface) continue;
+      for (uint32_t grid_index = grid.index(1, y, z); grid_index < grid.index(nx - 1, y, z); ++grid_index) {
+        if (grid.states[grid_index] > kCellSurface) continue;
         uint32_t solid = 0, outside = 0;
-        for (uint32_t way = 0; way < kStepCount; ++way) {
-          const uint8_t around = grid.states[static_cast<uint32_t>(static_cast<int32_t>(place) + steps_[way].offset)];
-          solid |= static_cast<uint32_t>(around <= kCellSurface) << way;
+        for (uint32_t direction = 0; direction < kStepCount; ++direction) {
+          const uint8_t around =
+              grid.states[static_cast<uint32_t>(static_cast<int32_t>(grid_index) + steps_[direction].offset)];
+          solid |= static_cast<uint32_t>(around <= kCellSurface) << direction;
           outside |= around == kCellOutside;
         }
-        at(add_cell(place, outside != 0 ? kSurface : 0)).solid = solid;
+        at(add_cell(grid_index, outside != 0 ? kSurface : 0)).solid = solid;
       }
     }
   }
@@ -147,27 +148,27 @@ void Propagation::begin(uint32_t capacity) {
   waiting_ = 0;
   passed_on_ = 0;
   edge_ = kDear | kBeside;
-  for (; cell_count_ > solid_count_; --cell_count_) numbers_[at(cell_count_).place] = 0;
-  for (uint32_t place = 0; place < grid.cell_count; ++place) bounds_[place] = kClosed;
+  for (; cell_count_ > solid_count_; --cell_count_) numbers_[at(cell_count_).grid_index] = 0;
+  for (uint32_t grid_index = 0; grid_index < grid.cell_count; ++grid_index) bounds_[grid_index] = kClosed;
   for (uint32_t number = 1; number <= solid_count_; ++number) {
     Cell& cell = at(number);
     empty(&cell);
     cell.terrain &= kSurface;
-    bounds_[cell.place] = kAnyDistance;
+    bounds_[cell.grid_index] = kAnyDistance;
   }
   for (uint32_t& head : heads_) head = 0;
 }
 
-void Propagation::seed(uint32_t place, uint32_t label) {
-  if (numbers_[place] == 0) {  // outside
-    add_cell(place, kDear);
-    bounds_[place] = kAnyDistance;
+void Propagation::seed(uint32_t grid_index, uint32_t label) {
+  if (numbers_[grid_index] == 0) {  // outside
+    add_cell(grid_index, kDear);
+    bounds_[grid_index] = kAnyDistance;
     for (const Step& step : steps_) {
-      const uint32_t around = numbers_[static_cast<uint32_t>(static_cast<int32_t>(place) + step.offset)];
+      const uint32_t around = numbers_[static_cast<uint32_t>(static_cast<int32_t>(grid_index) + step.offset)];
       if (around != 0) at(around).terrain |= kBeside;
     }
   }
-  if (label <= at(numbers_[place]).limit) offer(numbers_[place], label, kEverywhere);
+  if (label <= at(numbers_[grid_index]).limit) offer(numbers_[grid_index], label, kEverywhere);
 }
 
 void Propagation::link(uint32_t number, uint32_t bucket) {
@@ -194,67 +195,68 @@ void Propagation::unlink(Cell* cell) {
 void Propagation::offer(uint32_t number, uint32_t label, uint8_t arrival) {
   Cell& cell = at(number);
   uint32_t* const labels = row(cell);
-  uint8_t* const ways = arrivals(cell);
+  uint8_t* const directions = arrivals(cell);
   const uint32_t joint = label & kJointMask;
-  uint32_t place = 0;
-  while (place < cell.found && (labels[place] & kJointMask) != joint) ++place;
-  if (place < cell.found) {
-    if (labels[place] <= label) return;
+  uint32_t grid_index = 0;
+  while (grid_index < cell.found && (labels[grid_index] & kJointMask) != joint) ++grid_index;
+  if (grid_index < cell.found) {
+    if (labels[grid_index] <= label) return;
   } else if (cell.found < capacity_) {
     ++cell.found;
   } else {
-    place = capacity_ - 1;  // takes the place of the farthest
+    grid_index = capacity_ - 1;  // takes the place of the farthest
   }
-  for (; place > 0 && labels[place - 1] > label; --place) {
-    labels[place] = labels[place - 1];
-    ways[place] = ways[place - 1];
+  for (; grid_index > 0 && labels[grid_index - 1] > label; --grid_index) {
+    labels[grid_index] = labels[grid_index - 1];
+    directions[grid_index] = directions[grid_index - 1];
   }
-  labels[place] = label;
-  ways[place] = arrival;
+  labels[grid_index] = label;
+  directions[grid_index] = arrival;
   if (cell.found == capacity_ && labels[capacity_ - 1] < cell.limit) cell.limit = labels[capacity_ - 1];
-  if (place > cell.settled) return;
-  cell.settled = static_cast<uint8_t>(place);
+  if (grid_index > cell.settled) return;
+  cell.settled = static_cast<uint8_t>(grid_index);
   if (cell.last != 0) unlink(&cell);
-  link(number, turn_of(label) & (kBuckets - 1));
+  link(number, round_of(label) & (kBuckets - 1));
 }
 
 // Whether a cell's bound allows a label.
-bool Propagation::enters(uint32_t place, uint32_t label) const {
-  const int16_t bound = bounds_[place];
+bool Propagation::enters(uint32_t grid_index, uint32_t label) const {
+  const int16_t bound = bounds_[grid_index];
   return static_cast<int32_t>(label >> kJointBits) <= bound || bound == kAnyDistance;
 }
 
 // Offers a label to solid cells around a solid one.
-void Propagation::offer_solid(uint32_t place, uint32_t label, uint32_t ways) {
-  for (; ways != 0; ways &= ways - 1) {
-    const int way = low_bit(ways);
-    const uint32_t number = numbers_[static_cast<uint32_t>(static_cast<int32_t>(place) + steps_[way].offset)];
-    const uint32_t offered = label + steps_[way].label_step;
-    if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(way));
+void Propagation::offer_solid(uint32_t grid_index, uint32_t label, uint32_t directions) {
+  for (; directions != 0; directions &= directions - 1) {
+    const int direction = low_bit(directions);
+    const uint32_t number =
+        numbers_[static_cast<uint32_t>(static_cast<int32_t>(grid_index) + steps_[direction].offset)];
+    const uint32_t offered = label + steps_[direction].label_step;
+    if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(direction));
   }
 }
 
 // Offers a label to cells around, where one of both is outside.
-void Propagation::offer_dear(uint32_t place, uint32_t label, uint32_t ways) {
-  for (; ways != 0; ways &= ways - 1) {
-    const int way = low_bit(ways);
-    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(place) + steps_[way].offset);
-    const uint32_t offered = label + kOutsideFactor * steps_[way].label_step;
+void Propagation::offer_dear(uint32_t grid_index, uint32_t label, uint32_t directions) {
+  for (; directions != 0; directions &= directions - 1) {
+    const int direction = low_bit(directions);
+    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(grid_index) + steps_[direction].offset);
+    const uint32_t offered = label + kOutsideFactor * steps_[direction].label_step;
     if (!enters(neighbour, offered)) continue;
     uint32_t number = numbers_[neighbour];
     if (number == 0) number = add_cell(neighbour, kDear);
-    if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(way));
+    if (offered <= at(number).limit) offer(number, offered, static_cast<uint8_t>(direction));
   }
 }
 
 // Of the ways on from a solid cell with outside cells around, reached by `arrival` from another solid cell, those that
 // are left. dear: 1 when they lead outside.
-uint32_t Propagation::ways_beside(uint32_t ways, uint32_t solid, uint8_t arrival, uint32_t dear) const {
+uint32_t Propagation::directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t dear) const {
   const uint32_t* const others = beside_ + (2u * arrival + dear) * kStepCount;
   uint32_t kept = 0;
-  for (ways &= left_[arrival][dear]; ways != 0; ways &= ways - 1) {
-    const int way = low_bit(ways);
-    kept |= static_cast<uint32_t>((others[way] & solid) == 0) << way;
+  for (directions &= left_[arrival][dear]; directions != 0; directions &= directions - 1) {
+    const int direction = low_bit(directions);
+    kept |= static_cast<uint32_t>((others[direction] & solid) == 0) << direction;
   }
   return kept;
 }
@@ -267,18 +269,18 @@ void Propagation::spread(const Cell& from, uint32_t label, uint8_t arrival, uint
       solid &= steps_[arrival].next;
       dear &= steps_[arrival].next;
     } else if ((from.solid >> (kStepCount - 1 - arrival) & 1) != 0) {
-      solid = ways_beside(solid, from.solid, arrival, 0);
-      if (dear != 0) dear = ways_beside(dear, from.solid, arrival, 1);
+      solid = directions_beside(solid, from.solid, arrival, 0);
+      if (dear != 0) dear = directions_beside(dear, from.solid, arrival, 1);
     }
   }
-  offer_solid(from.place, label, solid);
-  offer_dear(from.place, label, dear);
+  offer_solid(from.grid_index, label, solid);
+  offer_dear(from.grid_index, label, dear);
 }
 
 // Passes labels on by distance until none is left.
 bool Propagation::settle(const Progress& progress, uint32_t permille) {
-  for (uint32_t turn = 0; waiting_ > 0; ++turn) {
-    const uint32_t bucket = turn & (kBuckets - 1);
+  for (uint32_t round = 0; waiting_ > 0; ++round) {
+    const uint32_t bucket = round & (kBuckets - 1);
     if (heads_[bucket] == 0) continue;
     // Moves the bucket aside: cells whose turn is a whole round away go back into it.
     heads_[kBuckets] = heads_[bucket];
@@ -289,16 +291,16 @@ bool Propagation::settle(const Progress& progress, uint32_t permille) {
       Cell& cell = at(number);
       unlink(&cell);
       const uint32_t* const labels = row(cell);
-      uint8_t* const ways = arrivals(cell);
-      while (cell.settled < cell.found && turn_of(labels[cell.settled]) == turn) {
+      uint8_t* const directions = arrivals(cell);
+      while (cell.settled < cell.found && round_of(labels[cell.settled]) == round) {
         const uint32_t label = labels[cell.settled];
-        const uint8_t arrival = ways[cell.settled];
-        ways[cell.settled++] |= kPassedOn;
-        while (cell.settled < cell.found && (ways[cell.settled] & kPassedOn) != 0) ++cell.settled;
+        const uint8_t arrival = directions[cell.settled];
+        directions[cell.settled++] |= kPassedOn;
+        while (cell.settled < cell.found && (directions[cell.settled] & kPassedOn) != 0) ++cell.settled;
         spread(cell, label, arrival, cell.solid, (cell.terrain & edge_) != 0 ? kAllSteps & ~cell.solid : 0);
         if (++passed_on_ % kReportEvery == 0 && !progress.report(permille)) return false;
       }
-      if (cell.settled < cell.found) link(number, turn_of(labels[cell.settled]) & (kBuckets - 1));
+      if (cell.settled < cell.found) link(number, round_of(labels[cell.settled]) & (kBuckets - 1));
     }
   }
   return true;
@@ -335,8 +337,8 @@ void Propagation::spread_bounds() {
 // when none can.
 bool Propagation::bound_outside() {
   const auto clear = [this](int16_t value) {
-    for (uint32_t place = 0; place < grid.cell_count; ++place) {
-      if (grid.states[place] == kCellOutside) bounds_[place] = value;
+    for (uint32_t grid_index = 0; grid_index < grid.cell_count; ++grid_index) {
+      if (grid.states[grid_index] == kCellOutside) bounds_[grid_index] = value;
     }
   };
   if (kSmallCode) {  // for small grids, which have few cells outside: 2 % more work in a bind, half a kilobyte less
@@ -350,7 +352,7 @@ bool Propagation::bound_outside() {
     const Cell& cell = at(number);
     const int32_t farthest = static_cast<int32_t>(cell.limit >> kJointBits);
     const bool full = cell.found == capacity_ && farthest <= kLargestBound;
-    bounds_[cell.place] = full ? static_cast<int16_t>(-farthest) : kClosed;
+    bounds_[cell.grid_index] = full ? static_cast<int16_t>(-farthest) : kClosed;
     all_full = all_full && (full || number > solid_count_);
   }
   // A cell has no label farther than those of a full cell that walk to it straight.
@@ -358,14 +360,14 @@ bool Propagation::bound_outside() {
   clear(kClosed);
   int16_t largest = 0;
   for (uint32_t number = 1; number <= solid_count_; ++number) {
-    int16_t& bound = bounds_[at(number).place];
+    int16_t& bound = bounds_[at(number).grid_index];
     bound = static_cast<int16_t>(-bound);
     if (bound > largest) largest = bound;
   }
   constexpr int32_t kOutAndBack = 2 * kOutsideFactor * kStepLengths[1];
   if (largest < kOutAndBack) return false;
   spread_bounds();
-  for (uint32_t number = 1; number <= solid_count_; ++number) bounds_[at(number).place] = kAnyDistance;
+  for (uint32_t number = 1; number <= solid_count_; ++number) bounds_[at(number).grid_index] = kAnyDistance;
   if (largest > kLargestBound) clear(kAnyDistance);
   return true;
 }
@@ -373,15 +375,16 @@ bool Propagation::bound_outside() {
 // Passes on a cell's labels to the outside cells around it, as settle() did not yet.
 void Propagation::leave(Cell* cell) {
   const uint32_t* const labels = row(*cell);
-  const uint8_t* const ways = arrivals(*cell);
+  const uint8_t* const directions = arrivals(*cell);
   uint32_t open = 0;  // to its nearest label
   for (uint32_t all = kAllSteps & ~cell->solid; all != 0; all &= all - 1) {
-    const int way = low_bit(all);
-    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(cell->place) + steps_[way].offset);
-    if (enters(neighbour, labels[0] + kOutsideFactor * steps_[way].label_step)) open |= 1u << way;
+    const int direction = low_bit(all);
+    const uint32_t neighbour = static_cast<uint32_t>(static_cast<int32_t>(cell->grid_index) + steps_[direction].offset);
+    if (enters(neighbour, labels[0] + kOutsideFactor * steps_[direction].label_step)) open |= 1u << direction;
   }
   for (uint32_t k = 0; open != 0 && k < cell->found; ++k) {
-    if ((ways[k] & kPassedOn) != 0) spread(*cell, labels[k], ways[k] & static_cast<uint8_t>(~kPassedOn), 0, open);
+    if ((directions[k] & kPassedOn) != 0)
+      spread(*cell, labels[k], directions[k] & static_cast<uint8_t>(~kPassedOn), 0, open);
   }
 }
 

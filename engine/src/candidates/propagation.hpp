@@ -54,7 +54,9 @@ class Propagation {
   bool run(const Progress& progress, uint32_t permille);
 
   // A solid cell's number, 0 for others.
-  uint32_t solid_cell(uint32_t place) const { return numbers_[place] <= solid_count_ ? numbers_[place] : 0; }
+  uint32_t solid_cell(uint32_t grid_index) const {
+    return numbers_[grid_index] <= solid_count_ ? numbers_[grid_index] : 0;
+  }
   // Labels of the solid cell of that number after run(), ascending: capacity() of them.
   const uint32_t* labels(uint32_t number) const { return row(at(number)); }
   uint32_t capacity() const { return capacity_; }
@@ -85,13 +87,13 @@ class Propagation {
   // A cell that labels may enter; K labels and K arrivals follow it, so that for K = 8 it fills a line of the cache.
   // Solid cells come first, in grid order; outside cells get theirs with their first label.
   struct Cell {
-    uint32_t limit;   // labels above this are refused: the last label of a full cell
-    uint32_t next;    // cells in the same bucket; next 0: the last one
-    uint32_t last;    // 0: waits nowhere; kHead | bucket: the first one
-    uint32_t place;   // index in the grid
-    uint32_t solid;   // bit s: step s leads to a solid cell (of solid cells only)
-    uint8_t found;    // labels present
-    uint8_t settled;  // the first label that has not been passed on
+    uint32_t limit;       // labels above this are refused: the last label of a full cell
+    uint32_t next;        // cells in the same bucket; next 0: the last one
+    uint32_t last;        // 0: waits nowhere; kHead | bucket: the first one
+    uint32_t grid_index;  // index in the grid
+    uint32_t solid;       // bit s: step s leads to a solid cell (of solid cells only)
+    uint8_t found;        // labels present
+    uint8_t settled;      // the first label that has not been passed on
     uint8_t terrain;
     uint8_t unused;
   };
@@ -115,17 +117,17 @@ class Propagation {
   uint8_t* arrivals(Cell& cell) const { return static_cast<uint8_t*>(static_cast<void*>(row(cell) + row_size_)); }
 
   void lay_steps();
-  void lay_ways_beside();
-  uint32_t add_cell(uint32_t place, uint8_t terrain);
+  void lay_directions_beside();
+  uint32_t add_cell(uint32_t grid_index, uint8_t terrain);
   void empty(Cell* cell) const;
   void link(uint32_t number, uint32_t bucket);
   void unlink(Cell* cell);
-  static uint32_t turn_of(uint32_t label) { return label >> (kJointBits + kBucketBits); }
+  static uint32_t round_of(uint32_t label) { return label >> (kJointBits + kBucketBits); }
   void offer(uint32_t number, uint32_t label, uint8_t arrival);
-  bool enters(uint32_t place, uint32_t label) const;
-  void offer_solid(uint32_t place, uint32_t label, uint32_t ways);
-  void offer_dear(uint32_t place, uint32_t label, uint32_t ways);
-  SINEW_ONCE uint32_t ways_beside(uint32_t ways, uint32_t solid, uint8_t arrival, uint32_t dear) const;
+  bool enters(uint32_t grid_index, uint32_t label) const;
+  void offer_solid(uint32_t grid_index, uint32_t label, uint32_t directions);
+  void offer_dear(uint32_t grid_index, uint32_t label, uint32_t directions);
+  SINEW_ONCE uint32_t directions_beside(uint32_t directions, uint32_t solid, uint8_t arrival, uint32_t dear) const;
   void spread(const Cell& from, uint32_t label, uint8_t arrival, uint32_t solid, uint32_t dear);
   bool settle(const Progress& progress, uint32_t permille);
   bool bound_outside();

@@ -69,12 +69,12 @@ class DisplacementMaker {
 
   // The nodes around a vertex take it to where it is to go, if they do not yet.
   void follow(uint32_t u) {
-    const Embedding& place = lattice_.vertices[u];
-    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+    const Embedding& position = lattice_.vertices[u];
+    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
     double gone = 0, squares = 0;
     for (int k = 0; k < 4; ++k) {
-      const double share = kShare * place.shares[k];
-      gone += share * dot(state_.ways[u], state_.displacements[at[k]]);
+      const double share = kShare * position.shares[k];
+      gone += share * dot(state_.directions[u], state_.displacements[at[k]]);
       squares += share * share * yield(at[k]);
     }
     const double left = state_.pushes[u] - gone;
@@ -82,7 +82,7 @@ class DisplacementMaker {
     const double step = left / greater(squares, kLeastSquares);
     for (int k = 0; k < 4; ++k) {
       state_.displacements[at[k]] =
-          state_.displacements[at[k]] + (step * kShare * place.shares[k] * yield(at[k])) * state_.ways[u];
+          state_.displacements[at[k]] + (step * kShare * position.shares[k] * yield(at[k])) * state_.directions[u];
     }
   }
 
@@ -96,11 +96,11 @@ class DisplacementMaker {
 void press_contacts(const DeformRest& rest, ContactState* state) { DisplacementMaker(rest, state).run(); }
 
 Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t vertex) {
-  const Embedding& place = rest.lattice.vertices[rest.welded[vertex]];
-  if (place.tetrahedron == kNoTetrahedron) return {0, 0, 0};
-  const uint32_t* const at = rest.lattice.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+  const Embedding& position = rest.lattice.vertices[rest.welded[vertex]];
+  if (position.tetrahedron == kNoTetrahedron) return {0, 0, 0};
+  const uint32_t* const at = rest.lattice.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
   Vec3d sum = {0, 0, 0};
-  for (int k = 0; k < 4; ++k) sum = sum + (kShare * place.shares[k]) * state.displacements[at[k]];
+  for (int k = 0; k < 4; ++k) sum = sum + (kShare * position.shares[k]) * state.displacements[at[k]];
   return rest.unit * sum;
 }
 

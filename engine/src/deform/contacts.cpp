@@ -39,7 +39,7 @@ class ContactFinder {
   bool run() {
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       state_.pushes[u] = 0;
-      state_.ways[u] = {0, 0, 0};
+      state_.directions[u] = {0, 0, 0};
     }
     sort_vertices();
     for (uint32_t t = 0; t < lattice_.tetrahedron_count; ++t) look_into(t);
@@ -64,14 +64,14 @@ class ContactFinder {
     const double per_unit = 1 / rest_.unit;
     for (uint32_t b = 0; b <= count; ++b) state_.offsets[b] = 0;
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
-      state_.places[u] = to_units(per_unit * (input_.places[rest_.first[u]] - input_.middle));
+      state_.positions[u] = to_units(per_unit * (input_.positions[rest_.first[u]] - input_.middle));
       if (lattice_.vertices[u].tetrahedron == kNoTetrahedron) continue;
-      const uint32_t b = bucket_of(cell_of(state_.places[u]));
+      const uint32_t b = bucket_of(cell_of(state_.positions[u]));
       ContactState::Bucket& bucket = state_.buckets[b];
       if (state_.offsets[b]++ == 0) {
-        bucket = {surface_.places[u], surface_.places[u], joint_of(u)};
+        bucket = {surface_.positions[u], surface_.positions[u], joint_of(u)};
       } else {
-        grow(surface_.places[u], &bucket.low, &bucket.high);
+        grow(surface_.positions[u], &bucket.low, &bucket.high);
         if (bucket.joint != joint_of(u)) bucket.joint = ContactState::kMixed;
       }
     }
@@ -82,9 +82,9 @@ class ContactFinder {
     }
     for (uint32_t u = rest_.welded_count; u-- > 0;) {
       if (lattice_.vertices[u].tetrahedron == kNoTetrahedron) continue;
-      const uint32_t m = --state_.offsets[bucket_of(cell_of(state_.places[u]))];
+      const uint32_t m = --state_.offsets[bucket_of(cell_of(state_.positions[u]))];
       state_.members[m] = u;
-      state_.sorted[m] = state_.places[u];
+      state_.sorted[m] = state_.positions[u];
     }
   }
 
@@ -113,7 +113,7 @@ class ContactFinder {
 
   // False for one that is turned over or nearly flat.
   bool measure(Posed* t) const {
-    const auto from_origin = [&](int k) { return to_double(input_.nodes[t->nodes[k]].place - t->origin); };
+    const auto from_origin = [&](int k) { return to_double(input_.nodes[t->nodes[k]].position - t->origin); };
     const Vec3d b = from_origin(1), c = from_origin(2), d = from_origin(3);
     const double volume = dot(b, cross(c, d));
     if (!(volume > kLeastVolume * kCell * static_cast<double>(rest_volume(t->number % 5 == 4 ? kLargeVolume : 0))))
@@ -129,12 +129,12 @@ class ContactFinder {
     Posed t = {};
     t.number = number;
     t.nodes = lattice_.tetrahedra + 4 * static_cast<size_t>(number);
-    t.origin = t.low = t.high = input_.nodes[t.nodes[0]].place;
+    t.origin = t.low = t.high = input_.nodes[t.nodes[0]].position;
     t.rest_low = t.rest_high = lattice_.nodes[t.nodes[0]];
     t.joint = lattice_.rows[t.nodes[0]].joints[0];
     t.one_joint = true;
     for (int k = 1; k < 4; ++k) {
-      grow(input_.nodes[t.nodes[k]].place, &t.low, &t.high);
+      grow(input_.nodes[t.nodes[k]].position, &t.low, &t.high);
       grow(lattice_.nodes[t.nodes[k]], &t.rest_low, &t.rest_high);
       t.one_joint = t.one_joint && lattice_.rows[t.nodes[k]].joints[0] == t.joint;
     }
@@ -174,10 +174,10 @@ class ContactFinder {
   }
 
   void try_vertex(uint32_t u, const Posed& t) {
-    const Vec3i p = state_.places[u];
+    const Vec3i p = state_.positions[u];
     if (lattice_.vertices[u].tetrahedron / 5 == t.number / 5 || go_together(joint_of(u), t)) return;
     if (!t.yields && surface_.yields[u] == 0) return;
-    if (extent(surface_.places[u] - t.rest_low) < kNeighbours && follow(joint_of(u), t.joint)) return;
+    if (extent(surface_.positions[u] - t.rest_low) < kNeighbours && follow(joint_of(u), t.joint)) return;
     const Vec3d from = to_double(p - t.origin);
     double shares[4] = {1, 0, 0, 0};
     for (int k = 0; k < 3; ++k) {
@@ -199,30 +199,30 @@ class ContactFinder {
 
   // How much a vertex and where it came to are apart, 0 to 1: far at rest, or of joints that do not follow each other.
   double apart(uint32_t u, const Posed& t, Vec3d inside) const {
-    const double by_place = ramp(length(to_double(surface_.places[u]) - inside), kNeighbours, kApart);
-    if (by_place >= 1 || follow(joint_of(u), t.joint)) return by_place;
+    const double by_position = ramp(length(to_double(surface_.positions[u]) - inside), kNeighbours, kApart);
+    if (by_position >= 1 || follow(joint_of(u), t.joint)) return by_position;
     const size_t n = rest_.influence_count, row = rest_.first[u] * n;
     double nearest = 2;
     for (uint32_t k = 0; k < 4; ++k) {
       const uint32_t common = common_weight(lattice_.rows[t.nodes[k]], rest_.joints + row, rest_.weights + row, n);
       nearest = lesser(nearest, 2 - common / 32767.5);
     }
-    return greater(by_place, ramp(nearest, kOtherRow, kFarRow));
+    return greater(by_position, ramp(nearest, kOtherRow, kFarRow));
   }
 
   Vec3d normal_of(uint32_t u) const {
     Vec3d sum = {0, 0, 0};
     for (uint32_t c = surface_.corner_offsets[u]; c < surface_.corners_end(u); ++c) {
       const uint32_t* const at = surface_.triangles + 3 * static_cast<size_t>(surface_.corner_triangles[c]);
-      const Vec3i a = state_.places[at[0]];
-      sum = sum + cross(to_double(state_.places[at[1]] - a), to_double(state_.places[at[2]] - a));
+      const Vec3i a = state_.positions[at[0]];
+      sum = sum + cross(to_double(state_.positions[at[1]] - a), to_double(state_.positions[at[2]] - a));
     }
     return unit(sum);
   }
 
   // A vertex and the surface through which it came, at rest `inside` and `point`.
   void meet(uint32_t u, double share, Vec3d inside, const SurfacePoint& point) {
-    if (dot(inside - point.place, point.outward) >= 0) return;  // in the lattice, but outside of the skin
+    if (dot(inside - point.position, point.outward) >= 0) return;  // in the lattice, but outside of the skin
     const uint32_t* const at = surface_.triangles + 3 * static_cast<size_t>(point.triangle);
     uint32_t nearest = 0;
     double others = 0;
@@ -237,28 +237,29 @@ class ContactFinder {
     Vec3d out = {0, 0, 0}, on = {0, 0, 0};
     for (uint32_t k = 0; k < 3; ++k) {
       out = out + point.shares[k] * normal_of(at[k]);
-      on = on + point.shares[k] * to_double(state_.places[at[k]]);
+      on = on + point.shares[k] * to_double(state_.positions[at[k]]);
     }
     out = unit(out);
     share *= ramp(-dot(out, normal_of(u)), kLeastFacing, kFacing);
     if (share <= 0) return;
-    const Vec3d p = to_double(state_.places[u]), way = on - p;
-    const Vec3d normal = unit(way + (0.25 * kCell) * out);
+    const Vec3d p = to_double(state_.positions[u]), direction = on - p;
+    const Vec3d normal = unit(direction + (0.25 * kCell) * out);
     // What lies inside at rest, as skin under a shirt, may stay so.
-    const Vec3d at_rest = to_double(surface_.places[u]) - point.place;
+    const Vec3d at_rest = to_double(surface_.positions[u]) - point.position;
     const double rest_depth = dot(at_rest, at_rest) < kApart * kApart ? -dot(at_rest, unit(point.outward)) : 0;
-    const double depth = dot(way, normal) - greater(rest_depth, 0);
+    const double depth = dot(direction, normal) - greater(rest_depth, 0);
     if (depth <= 0) return;
     share *= 1 - ramp(depth, kDeep, kTooDeep);
-    const double way_length = length(way);
-    if (way_length > kShallow)
-      share *= 1 - ramp(way_length, kShallow, kSteep) * (1 - ramp(dot(way, out) / way_length, kAcross, kStraight));
-    const double whole = share * lesser(depth, 2 * kLongestPush), own_way = whole * own / (own + others);
-    push(u, normal, own_way);
+    const double normal_length = length(direction);
+    if (normal_length > kShallow)
+      share *= 1 - ramp(normal_length, kShallow, kSteep) *
+                       (1 - ramp(dot(direction, out) / normal_length, kAcross, kStraight));
+    const double whole = share * lesser(depth, 2 * kLongestPush), own_push = whole * own / (own + others);
+    push(u, normal, own_push);
     for (uint32_t k = 0; k < 3; ++k) {
       if (surface_.yields[at[k]] == 0) continue;
-      const double nearer = dot(normal, to_double(state_.places[at[k]]) - on);
-      push(at[k], -normal, lesser(whole - own_way + nearer, kLongestPush));
+      const double nearer = dot(normal, to_double(state_.positions[at[k]]) - on);
+      push(at[k], -normal, lesser(whole - own_push + nearer, kLongestPush));
     }
   }
 
@@ -278,9 +279,9 @@ class ContactFinder {
   void finish_pushes() {
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       if (state_.pushes[u] <= 0) continue;
-      const Vec3d way = (1 / state_.pushes[u]) * state_.ways[u];
-      state_.pushes[u] = length(way);
-      state_.ways[u] = unit(way);
+      const Vec3d direction = (1 / state_.pushes[u]) * state_.directions[u];
+      state_.pushes[u] = length(direction);
+      state_.directions[u] = unit(direction);
     }
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       state_.borne[u] = 0;
@@ -300,10 +301,10 @@ class ContactFinder {
   }
 
   // The mean of a vertex's pushes, by their squares: none comes or goes at once. Sums, until all are known.
-  void push(uint32_t u, Vec3d way, double length) {
+  void push(uint32_t u, Vec3d direction, double length) {
     if (length <= 0) return;
     state_.pushes[u] += length * length;
-    state_.ways[u] = state_.ways[u] + (length * length * length) * way;
+    state_.directions[u] = state_.directions[u] + (length * length * length) * direction;
     found_ = true;
   }
 
@@ -322,13 +323,13 @@ bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count
   bucket_bits = 4;
   while (bucket_bits < 24 && (uint32_t{1} << bucket_bits) < vertices) ++bucket_bits;
   const size_t bucket_count = size_t{1} << bucket_bits;
-  places = arena.alloc<Vec3i>(vertices);
+  positions = arena.alloc<Vec3i>(vertices);
   members = arena.alloc<uint32_t>(vertices);
   sorted = arena.alloc<Vec3i>(vertices);
   offsets = arena.alloc<uint32_t>(bucket_count + 1);
   buckets = arena.alloc<Bucket>(bucket_count);
   pushes = arena.alloc<double>(vertices);
-  ways = arena.alloc<Vec3d>(vertices);
+  directions = arena.alloc<Vec3d>(vertices);
   borne = arena.alloc<double>(vertices);
   displacements = arena.alloc<Vec3d>(node_count);
   sums = arena.alloc<Vec3d>(node_count);

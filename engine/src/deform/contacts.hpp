@@ -19,16 +19,16 @@ struct ContactState {
   static constexpr uint32_t kMixed = 0xFFFFFFFFu;
 
   // Posed vertices, sorted by a hash of the cell that they lie in.
-  Vec3i* places = nullptr;      // [U] lattice units
+  Vec3i* positions = nullptr;   // [U] lattice units
   uint32_t* members = nullptr;  // [U] by bucket
   Vec3i* sorted = nullptr;      // [U] their places, in that order
   uint32_t* offsets = nullptr;  // [B + 1]
   Bucket* buckets = nullptr;    // [B]
   uint32_t bucket_bits = 0;     // B = 2^bits
   // What touches.
-  double* pushes = nullptr;  // [U] how far a vertex is to go, lattice units; 0 for one that touches nothing
-  Vec3d* ways = nullptr;     // [U] where to: unit vectors
-  double* borne = nullptr;   // [U] scratch
+  double* pushes = nullptr;     // [U] how far a vertex is to go, lattice units; 0 for one that touches nothing
+  Vec3d* directions = nullptr;  // [U] where to: unit vectors
+  double* borne = nullptr;      // [U] scratch
   // How the lattice gives way.
   Vec3d* displacements = nullptr;  // [n] how far its nodes go, lattice units
   Vec3d* sums = nullptr;           // [n] scratch
@@ -44,7 +44,7 @@ struct ContactState {
 struct ContactInput {
   const PosedJoints& posed;
   const HalfSpace* bends;   // [V] of find_half_spaces(): what these keep apart is none of ours
-  const Vec3d* places;      // [V] posed vertices
+  const Vec3d* positions;   // [V] posed vertices
   const SolverNode* nodes;  // [n] posed, around `middle`
   Vec3d middle;             // the caller's units
 };

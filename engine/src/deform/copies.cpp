@@ -123,9 +123,9 @@ class CopyMaker {
     const Vec3d p = shares[0] * a + shares[1] * b + shares[2] * c;
     PairPoint& point = copies_.pair_points[pair];
     const double cell = grid_.cell_size;
-    point.place[0] = to_q14((p.x - low.x) / cell);
-    point.place[1] = to_q14((p.y - low.y) / cell);
-    point.place[2] = to_q14((p.z - low.z) / cell);
+    point.position[0] = to_q14((p.x - low.x) / cell);
+    point.position[1] = to_q14((p.y - low.y) / cell);
+    point.position[2] = to_q14((p.z - low.z) / cell);
     for (int k = 0; k < 3; ++k) point.shares[k] = to_q14(shares[k]);
     const Vec3l normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     patch->normal = {patch->normal.x + normal.x, patch->normal.y + normal.y, patch->normal.z + normal.z};

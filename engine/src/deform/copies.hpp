@@ -12,8 +12,8 @@ constexpr uint32_t kSameRows = 49151;
 
 // Where a triangle is nearest to the centre of a cell that it touches.
 struct PairPoint {
-  int16_t shares[3];  // Q14, of the triangle's corners
-  int16_t place[3];   // Q14, in the cell
+  int16_t shares[3];    // Q14, of the triangle's corners
+  int16_t position[3];  // Q14, in the cell
 };
 
 // A copy of a cell stands for the triangles in it that belong together; a cell inside the body has one. Corner q of a cell is

@@ -13,9 +13,9 @@ struct PoseCounts {
 
 // Each fills places [V] with the posed vertices, the common scale divided out. The matrices are rotations (posed.rigid). Works
 // with a measuring arena; scratch is released. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
-sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts);
-sinew_status pose_published(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts);
-sinew_status pose_delta_mush(const PosedJoints& posed, Arena& arena, Vec3d* places);
+sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* positions, PoseCounts* counts);
+sinew_status pose_published(const PosedJoints& posed, Arena& arena, Vec3d* positions, PoseCounts* counts);
+sinew_status pose_delta_mush(const PosedJoints& posed, Arena& arena, Vec3d* positions);
 
 }  // namespace sinew::deform
 #endif

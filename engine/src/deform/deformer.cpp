@@ -16,7 +16,7 @@ namespace {
 sinew_status run_pose(const DeformRest& rest, const float* palette, Arena& arena, sinew_deform_outputs* outputs) {
   PosedJoints posed;
   (void)posed.allocate(arena, rest);
-  Vec3d* const places = arena.alloc<Vec3d>(rest.vertex_count);
+  Vec3d* const positions = arena.alloc<Vec3d>(rest.vertex_count);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   sinew_status status = SINEW_OK;
   PoseCounts counts;
@@ -24,23 +24,23 @@ sinew_status run_pose(const DeformRest& rest, const float* palette, Arena& arena
   if (status != SINEW_OK) return status;
   const uint32_t n = rest.influence_count;
   if (arena.measuring() || posed.rigid) {
-    if (rest.options.method == SINEW_DEFORM_VOLUME) status = pose_volume(posed, arena, places, &counts);
+    if (rest.options.method == SINEW_DEFORM_VOLUME) status = pose_volume(posed, arena, positions, &counts);
     if constexpr (kHasPublished) {
-      if (rest.options.method == SINEW_DEFORM_XPBD) status = pose_published(posed, arena, places, &counts);
+      if (rest.options.method == SINEW_DEFORM_XPBD) status = pose_published(posed, arena, positions, &counts);
     }
-    if (rest.options.method == SINEW_DEFORM_DELTA_MUSH) status = pose_delta_mush(posed, arena, places);
+    if (rest.options.method == SINEW_DEFORM_DELTA_MUSH) status = pose_delta_mush(posed, arena, positions);
     if (status != SINEW_OK || arena.measuring()) return status;
   } else {
     for (uint32_t v = 0; v < rest.vertex_count; ++v) {
       const size_t at = static_cast<size_t>(v) * n;
-      places[v] = blend_linear(posed, rest.joints + at, rest.weights + at, n, rest.position(v));
+      positions[v] = blend_linear(posed, rest.joints + at, rest.weights + at, n, rest.position(v));
     }
   }
   for (uint32_t v = 0; v < rest.vertex_count; ++v) {
     float* const out = outputs->positions + 3 * static_cast<size_t>(v);
-    out[0] = static_cast<float>(posed.scale * places[v].x);
-    out[1] = static_cast<float>(posed.scale * places[v].y);
-    out[2] = static_cast<float>(posed.scale * places[v].z);
+    out[0] = static_cast<float>(posed.scale * positions[v].x);
+    out[1] = static_cast<float>(posed.scale * positions[v].y);
+    out[2] = static_cast<float>(posed.scale * positions[v].z);
   }
   outputs->corrected = posed.rigid ? 1 : 0;
   outputs->active_tetrahedra = counts.active_tetrahedra;

@@ -28,7 +28,7 @@ BendPlane find_plane(const PosedJoints& posed, uint32_t j) {
   if (length(across) < kLeastNormal) return plane;
   plane.rest_normal = unit(joint.to_parent - joint.to_children);
   plane.normal = unit(across);
-  plane.centre = move(posed.joints[j].motion, joint.place);
+  plane.centre = move(posed.joints[j].motion, joint.position);
   const double own = joint.bone_length > 0.3 * joint.parent_length ? joint.bone_length : 0.3 * joint.parent_length;
   plane.reach = kReach * (own < joint.parent_length ? own : joint.parent_length);
   if (fold < kFullFold) plane.slack = plane.reach * (kFullFold - fold) / (kFullFold - kLeastFold);
@@ -38,7 +38,7 @@ BendPlane find_plane(const PosedJoints& posed, uint32_t j) {
 // The half space of a vertex by a plane, if it is near its joint and belongs to its two bones.
 bool find_side(const DeformRest& rest, const BendPlane& plane, uint32_t v, HalfSpace* space) {
   const RestJoint& joint = rest.skeleton[plane.joint];
-  const Vec3d from = rest.position(v) - joint.place;
+  const Vec3d from = rest.position(v) - joint.position;
   if (dot(from, from) >= plane.reach * plane.reach) return false;
   const size_t n = rest.influence_count;
   uint32_t own = 0, above = 0;

@@ -127,9 +127,12 @@ class LatticeMaker {
   }
   void add_pair(uint32_t pair, Vec3i corner) {
     const PairPoint& point = copies_.pair_points[pair];
-    const auto share = [](int32_t side, int32_t place) -> int64_t { return side != 0 ? place : (1 << 14) - place; };
-    const int64_t trilinear =
-        (share(corner.x, point.place[0]) * share(corner.y, point.place[1]) * share(corner.z, point.place[2])) >> 29;
+    const auto share = [](int32_t side, int32_t position) -> int64_t {
+      return side != 0 ? position : (1 << 14) - position;
+    };
+    const int64_t trilinear = (share(corner.x, point.position[0]) * share(corner.y, point.position[1]) *
+                               share(corner.z, point.position[2])) >>
+                              29;
     const int64_t squared = (trilinear * trilinear) >> 10;  // Q16
     const uint32_t* const at = mesh_.triangles + 3 * static_cast<size_t>(copies_.pair_triangles[pair]);
     for (int k = 0; k < 3; ++k) {
@@ -258,12 +261,13 @@ class LatticeMaker {
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) face_of[v] = mesh_.triangle_count;
     for (uint32_t i = 3 * mesh_.triangle_count; i-- > 0;) face_of[mesh_.triangles[i]] = i / 3;
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
-      Embedding& place = lattice_.vertices[v];
-      place = {kNoTetrahedron, {0, 0, 0, 0}};
+      Embedding& position = lattice_.vertices[v];
+      position = {kNoTetrahedron, {0, 0, 0, 0}};
       if (face_of[v] == mesh_.triangle_count) continue;
       const uint32_t cell = grid_.cell_of(mesh_.positions[v]);
       for (uint32_t p = copies_.pair_offsets[cell]; p < copies_.pair_offsets[cell + 1]; ++p) {
-        if (copies_.pair_triangles[p] == face_of[v]) embed_in(copies_.pair_copies[p], cell, mesh_.positions[v], &place);
+        if (copies_.pair_triangles[p] == face_of[v])
+          embed_in(copies_.pair_copies[p], cell, mesh_.positions[v], &position);
       }
     }
   }
@@ -319,15 +323,15 @@ class LatticeMaker {
 uint64_t face_pairs(const sinew_mesh& mesh, const GridQuantizer& quantizer, const VoxelGrid& grid, uint32_t face) {
   const uint32_t first = mesh.face_offsets != nullptr ? mesh.face_offsets[face] : 3 * face;
   const uint32_t last = mesh.face_offsets != nullptr ? mesh.face_offsets[face + 1] : first + 3;
-  const auto place = [&](uint32_t corner) {
+  const auto position = [&](uint32_t corner) {
     return quantize_point(quantizer, mesh.positions + 3 * static_cast<size_t>(mesh.face_vertices[corner]));
   };
   uint64_t most = 0;
-  for (uint32_t way = 0; way < (last - first > 3 ? 2u : 1u); ++way) {
+  for (uint32_t pass = 0; pass < (last - first > 3 ? 2u : 1u); ++pass) {
     uint64_t pairs = 0;
     for (uint32_t c = first + 1; c + 1 < last; ++c) {
-      const Vec3i corners[3] = {place(way == 0 ? first : last - 1), place(way == 0 ? c : c - 1),
-                                place(way == 0 ? c + 1 : c)};
+      const Vec3i corners[3] = {position(pass == 0 ? first : last - 1), position(pass == 0 ? c : c - 1),
+                                position(pass == 0 ? c + 1 : c)};
       if (!has_area(corners, 0, 1, 2)) continue;
       each_touched_cell(corners, grid, [&](uint32_t) { ++pairs; });
     }

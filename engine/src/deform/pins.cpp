@@ -79,17 +79,17 @@ void find_pins(DeformRest* rest) {
   for (uint32_t n = 0; n < lattice.node_count; ++n) {
     const WeightRow& row = lattice.rows[n];
     if (row.weights[0] < kBoneWeight) continue;
-    const Vec3d place = rest->node_place(n);
+    const Vec3d position = rest->node_position(n);
     const RestJoint& joint = rest->skeleton[row.joints[0]];
     bool near = false;
     if (joint.child_count == 0) {
       const double stub = joint.parent >= 0 ? 0.5 * joint.parent_length : 0;
-      const Vec3d away = joint.place - stub * joint.to_parent;
-      near = square_to_segment(place, joint.place, away) < reach * reach;
+      const Vec3d away = joint.position - stub * joint.to_parent;
+      near = square_to_segment(position, joint.position, away) < reach * reach;
     } else {
       for (uint32_t j = 0; j < rest->joint_count && !near; ++j) {
         if (rest->skeleton[j].parent != static_cast<int32_t>(row.joints[0])) continue;
-        near = square_to_segment(place, joint.place, rest->skeleton[j].place) < reach * reach;
+        near = square_to_segment(position, joint.position, rest->skeleton[j].position) < reach * reach;
       }
     }
     if (near) rest->node_flags[n] = kNodeAtBone;

@@ -10,7 +10,7 @@ constexpr double kScaleTolerance = 2e-3;  // of squared lengths, and of cosines 
 constexpr double kSameScale = 1e-4;       // closer to 1 is 1: matrices of floats
 // Joints that turn by less than a thousandth of a radian against each other, or move by less than a thousandth of a cell, are
 // one rigid piece.
-constexpr double kSameTurn = 1 - 1.25e-7;
+constexpr double kSameRotation = 1 - 1.25e-7;
 constexpr double kSameMove = 1e-3;
 // Twists below some 3 degrees stay where they are; from there to 6 degrees the bone takes more and more.
 constexpr double kLeastTwist = 0.026, kFullTwist = 0.052;  // sines of half angles
@@ -64,8 +64,8 @@ uint32_t find_group(const PosedJoints& posed, uint32_t j) {
   const uint32_t group =
       posed.joints[joint.parent < 0 ? posed.rest->first_joint : static_cast<uint32_t>(joint.parent)].group;
   const PosedJoint &one = posed.joints[j], &other = posed.joints[group];
-  if (dot(one.motion.real, other.motion.real) < kSameTurn) return j;
-  const Vec3d apart = image(one.matrix, joint.place) - image(other.matrix, joint.place);
+  if (dot(one.motion.real, other.motion.real) < kSameRotation) return j;
+  const Vec3d apart = image(one.matrix, joint.position) - image(other.matrix, joint.position);
   return dot(apart, apart) > kSameMove * kSameMove * kCellUnits * kCellUnits * posed.rest->unit * posed.rest->unit
              ? j
              : group;
@@ -75,13 +75,13 @@ uint32_t find_group(const PosedJoints& posed, uint32_t j) {
 double find_overturn(const PosedJoints& posed, uint32_t j) {
   const RestJoint& joint = posed.rest->skeleton[j];
   if (joint.parent < 0) return 0;
-  const Quaternion turn = conjugate(posed.joints[joint.parent].motion.real) * posed.joints[j].motion.real;
-  const double along = turn.x * joint.to_parent.x + turn.y * joint.to_parent.y + turn.z * joint.to_parent.z;
-  const double upright = turn.w * turn.w + along * along;  // squared cosine of half the swing
+  const Quaternion rotation = conjugate(posed.joints[joint.parent].motion.real) * posed.joints[j].motion.real;
+  const double along = rotation.x * joint.to_parent.x + rotation.y * joint.to_parent.y + rotation.z * joint.to_parent.z;
+  const double upright = rotation.w * rotation.w + along * along;  // squared cosine of half the swing
   const double swing = root(upright < 1 ? 1 - upright : 0);
   const double twist = upright > 1e-9 ? (along < 0 ? -along : along) * reciprocal_root(upright) : 0;
   const double mixed = ramp(twist, kPure, kMixed);
-  return ramp(turn.w, kBeginSwung + mixed * (kBeginMixed - kBeginSwung),
+  return ramp(rotation.w, kBeginSwung + mixed * (kBeginMixed - kBeginSwung),
               kFullSwung + mixed * (kFullMixed - kFullSwung)) *
          ramp(swing, kPure, kMixed);
 }
@@ -93,13 +93,13 @@ void find_twist(uint32_t j, PosedJoints* posed) {
   const RestJoint& above = posed->rest->skeleton[joint.parent];
   if (above.child_count != 1 || joint.parent_length < 1e-3 * posed->rest->size) return;
   PosedJoint& bone = posed->joints[joint.parent];
-  const Quaternion turn = conjugate(bone.motion.real) * posed->joints[j].motion.real;
+  const Quaternion rotation = conjugate(bone.motion.real) * posed->joints[j].motion.real;
   const Vec3d axis = -1.0 * joint.to_parent;
-  const double along = turn.x * axis.x + turn.y * axis.y + turn.z * axis.z;
-  const double square = turn.w * turn.w + along * along;
+  const double along = rotation.x * axis.x + rotation.y * axis.y + rotation.z * axis.z;
+  const double square = rotation.w * rotation.w + along * along;
   if (square < 1e-3) return;  // half a turn across: no twist can be told
   const double inverse = reciprocal_root(square);
-  double w = turn.w * inverse, s = along * inverse;
+  double w = rotation.w * inverse, s = along * inverse;
   if (w < 0) {
     w = -w;
     s = -s;
@@ -118,7 +118,7 @@ void find_twist(uint32_t j, PosedJoints* posed) {
     w = root(1 - s * s);
   }
   const Quaternion twist = {w, s * axis.x, s * axis.y, s * axis.z};
-  bone.twisted = bone.motion * motion(twist, above.place - rotate(twist, above.place));
+  bone.twisted = bone.motion * motion(twist, above.position - rotate(twist, above.position));
   bone.twists = true;
 }
 
@@ -147,10 +147,10 @@ sinew_status read_palette(const float* palette, PosedJoints* posed) {
   if (!posed->rigid) return SINEW_OK;
   for (uint32_t j = rest.first_joint; j < rest.joint_count; j = rest.skeleton[j].next) {
     PosedJoint& joint = posed->joints[j];
-    Quaternion turn = rotation_quaternion(joint.matrix);
+    Quaternion rotation = rotation_quaternion(joint.matrix);
     const int32_t parent = rest.skeleton[j].parent;
-    if (parent >= 0 && dot(turn, posed->joints[parent].motion.real) < 0) turn = -1.0 * turn;
-    joint.motion = motion(turn, {joint.matrix[3], joint.matrix[7], joint.matrix[11]});
+    if (parent >= 0 && dot(rotation, posed->joints[parent].motion.real) < 0) rotation = -1.0 * rotation;
+    joint.motion = motion(rotation, {joint.matrix[3], joint.matrix[7], joint.matrix[11]});
     joint.group = find_group(*posed, j);
     joint.overturned = find_overturn(*posed, j);
     posed->overturned = posed->overturned || joint.overturned > 0;
@@ -168,15 +168,15 @@ bool is_strained(const PosedJoints& posed, const WeightRow& row) {
   return false;
 }
 
-double twist_share(const RestJoint& joint, Vec3d place) {
+double twist_share(const RestJoint& joint, Vec3d position) {
   // The bone leads to the only child.
-  double share = dot(place - joint.place, joint.to_children) / joint.bone_length;
+  double share = dot(position - joint.position, joint.to_children) / joint.bone_length;
   share = share < 0 ? 0 : share > 1 ? 1 : share;
   return kMostTwistShare * share * share * (3 - 2 * share);
 }
 
 DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n,
-                             Vec3d place) {
+                             Vec3d position) {
   DualQuaternion sum = {{0, 0, 0, 0}, {0, 0, 0, 0}};
   uint32_t strongest = 0;
   for (uint32_t i = 0; i < n; ++i) {
@@ -187,7 +187,7 @@ DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, c
       add_scaled(&sum, weights[i], joint.motion);
       continue;
     }
-    const double share = twist_share(posed.rest->skeleton[joints[i]], place);
+    const double share = twist_share(posed.rest->skeleton[joints[i]], position);
     DualQuaternion own = {(1 - share) * joint.motion.real, (1 - share) * joint.motion.dual};
     add_scaled(&own, share, joint.twisted);
     add_scaled(&sum, weights[i] * reciprocal_root(dot(own.real, own.real)), own);

@@ -52,10 +52,10 @@ Vec3d blend_linear(const PosedJoints& posed, const Joint* joints, const Weight* 
 }
 
 // Share of its child's twist that a place on a joint's bone takes.
-double twist_share(const RestJoint& joint, Vec3d place);
+double twist_share(const RestJoint& joint, Vec3d position);
 // Sum of the motions of a row at a place. A row without weights stands still.
 DualQuaternion blend_motions(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n,
-                             Vec3d place);
+                             Vec3d position);
 // How far the joints of a row, by falling weight, are overturned against each other: the most of any joint between them.
 double row_overturn(const PosedJoints& posed, const uint16_t* joints, const uint16_t* weights, uint32_t n);
 // Dual quaternion blending: L. Kavan, S. Collins, J. Zara, C. O'Sullivan, ACM TOG 27(4), 2008. Overturned joints blend more

@@ -17,8 +17,8 @@ constexpr uint32_t kRingsAroundStrain = 3;
 
 class PublishedPose {
  public:
-  PublishedPose(const PosedJoints& posed, Vec3d* places, PoseCounts* counts)
-      : posed_(posed), rest_(*posed.rest), lattice_(rest_.lattice), places_(places), counts_(*counts) {}
+  PublishedPose(const PosedJoints& posed, Vec3d* positions, PoseCounts* counts)
+      : posed_(posed), rest_(*posed.rest), lattice_(rest_.lattice), positions_(positions), counts_(*counts) {}
 
   sinew_status run(Arena& arena) {
     const ArenaScope scope(arena);
@@ -33,7 +33,7 @@ class PublishedPose {
     const uint32_t n = rest_.influence_count;
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
       const size_t at = static_cast<size_t>(v) * n;
-      places_[v] = blend_linear(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
+      positions_[v] = blend_linear(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
       spaces_[v] = {{0, 0, 0}, 0};
     }
     if (lattice_.tetrahedron_count == 0 || !find_moving()) return SINEW_OK;
@@ -50,7 +50,7 @@ class PublishedPose {
     bool any = false;
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
       const WeightRow& row = lattice_.rows[n];
-      nodes_[n] = blend_linear(posed_, row.joints, row.weights, kNodeSlots, rest_.node_place(n));
+      nodes_[n] = blend_linear(posed_, row.joints, row.weights, kNodeSlots, rest_.node_position(n));
       moves_[n] = is_strained(posed_, row) ? 1 : 0;
       any = any || moves_[n] != 0;
     }
@@ -154,24 +154,24 @@ class PublishedPose {
 
   void contact(uint32_t u) {
     const HalfSpace& half = spaces_[rest_.first[u]];
-    const Embedding& place = lattice_.vertices[u];
-    if (!half.set() || place.tetrahedron == kNoTetrahedron) return;
-    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+    const Embedding& position = lattice_.vertices[u];
+    if (!half.set() || position.tetrahedron == kNoTetrahedron) return;
+    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
     double square = 0;
     for (int k = 0; k < 4; ++k) {
-      if (moves_[at[k]] != 0) square += share(place, k) * share(place, k);
+      if (moves_[at[k]] != 0) square += share(position, k) * share(position, k);
     }
-    const double outside = outside_by(half, embedded(place, nodes_));
+    const double outside = outside_by(half, embedded(position, nodes_));
     if (!(outside < 0) || square < 0.02) return;
     for (int k = 0; k < 4; ++k) {
-      if (moves_[at[k]] != 0) nodes_[at[k]] = nodes_[at[k]] - (outside * share(place, k) / square) * half.normal;
+      if (moves_[at[k]] != 0) nodes_[at[k]] = nodes_[at[k]] - (outside * share(position, k) / square) * half.normal;
     }
   }
-  static double share(const Embedding& place, int k) { return place.shares[k] * (1.0 / (1 << kShareBits)); }
-  Vec3d embedded(const Embedding& place, const Vec3d* nodes) const {
-    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+  static double share(const Embedding& position, int k) { return position.shares[k] * (1.0 / (1 << kShareBits)); }
+  Vec3d embedded(const Embedding& position, const Vec3d* nodes) const {
+    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
     Vec3d sum = {0, 0, 0};
-    for (int k = 0; k < 4; ++k) sum = sum + share(place, k) * nodes[at[k]];
+    for (int k = 0; k < 4; ++k) sum = sum + share(position, k) * nodes[at[k]];
     return sum;
   }
 
@@ -180,34 +180,34 @@ class PublishedPose {
     for (uint32_t u = 0; u < rest_.welded_count; ++u) mask[u] = 0;
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
       const uint32_t u = rest_.welded[v];
-      const Embedding& place = lattice_.vertices[u];
-      if (place.tetrahedron == kNoTetrahedron) continue;
-      const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+      const Embedding& position = lattice_.vertices[u];
+      if (position.tetrahedron == kNoTetrahedron) continue;
+      const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
       double moving = 0;
       Vec3d own = {0, 0, 0};
       for (int k = 0; k < 4; ++k) {
-        own = own + share(place, k) * rest_.node_place(at[k]);
-        if (moves_[at[k]] != 0) moving += share(place, k);
+        own = own + share(position, k) * rest_.node_position(at[k]);
+        if (moves_[at[k]] != 0) moving += share(position, k);
       }
       if (!(moving > 0)) continue;
       if (moving > 0.5) mask[u] = 1;
-      places_[v] = rest_.position(v) + (embedded(place, nodes_) - own);
+      positions_[v] = rest_.position(v) + (embedded(position, nodes_) - own);
     }
   }
 
   void smooth_bends(const uint8_t* mask, Vec3d* scratch) {
     Vec3d* const smoothed = scratch + rest_.welded_count;
-    for (uint32_t u = 0; u < rest_.welded_count; ++u) smoothed[u] = places_[rest_.first[u]];
+    for (uint32_t u = 0; u < rest_.welded_count; ++u) smoothed[u] = positions_[rest_.first[u]];
     smooth(rest_, kSmoothRounds, mask, scratch, smoothed);
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-      if (mask[rest_.welded[v]] != 0) places_[v] = smoothed[rest_.welded[v]];
+      if (mask[rest_.welded[v]] != 0) positions_[v] = smoothed[rest_.welded[v]];
     }
   }
 
   const PosedJoints& posed_;
   const DeformRest& rest_;
   const Lattice& lattice_;
-  Vec3d* const places_;
+  Vec3d* const positions_;
   PoseCounts& counts_;
   HalfSpace* spaces_ = nullptr;
   Vec3d* nodes_ = nullptr;
@@ -217,8 +217,8 @@ class PublishedPose {
 
 }  // namespace
 
-sinew_status pose_published(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts) {
-  return PublishedPose(posed, places, counts).run(arena);
+sinew_status pose_published(const PosedJoints& posed, Arena& arena, Vec3d* positions, PoseCounts* counts) {
+  return PublishedPose(posed, positions, counts).run(arena);
 }
 
 }  // namespace sinew::deform

@@ -31,7 +31,7 @@ sinew_status check_input(const RestInput& input, Counts* counts) {
                                                                                               : SINEW_OK;
 }
 
-Vec3d place_of(const float* p) {
+Vec3d position_of(const float* p) {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
@@ -62,7 +62,7 @@ void measure_joints(const sinew_skeleton& skeleton, DeformRest* rest) {
   const uint32_t count = rest->joint_count;
   for (uint32_t j = 0; j < count; ++j) {
     RestJoint& joint = rest->skeleton[j];
-    joint.place = place_of(skeleton.positions + 3 * static_cast<size_t>(j));
+    joint.position = position_of(skeleton.positions + 3 * static_cast<size_t>(j));
     joint.parent = skeleton.parents[j];
     joint.to_children = {0, 0, 0};
     joint.child_count = 0;
@@ -71,12 +71,12 @@ void measure_joints(const sinew_skeleton& skeleton, DeformRest* rest) {
     const int32_t parent = rest->skeleton[j].parent;
     if (parent < 0) continue;
     RestJoint& above = rest->skeleton[parent];
-    above.to_children = above.to_children + (rest->skeleton[j].place - above.place);
+    above.to_children = above.to_children + (rest->skeleton[j].position - above.position);
     ++above.child_count;
   }
   for (uint32_t j = 0; j < count; ++j) {
     RestJoint& joint = rest->skeleton[j];
-    const Vec3d up = joint.parent >= 0 ? rest->skeleton[joint.parent].place - joint.place : Vec3d{0, 0, 0};
+    const Vec3d up = joint.parent >= 0 ? rest->skeleton[joint.parent].position - joint.position : Vec3d{0, 0, 0};
     joint.parent_length = length(up);
     joint.to_parent = unit(up);
     const bool leaf = joint.child_count == 0;
@@ -151,7 +151,7 @@ struct Builder {
     find_rigid_parts(mesh, rest.node_flags, &rest);
     if (!rest.has_contact()) return SINEW_OK;
     for (uint32_t u = 0; u < mesh.welded_count; ++u) {
-      rest.surface.places[u] = to_units((1 / rest.unit) * (rest.position(rest.first[u]) - rest.corner));
+      rest.surface.positions[u] = to_units((1 / rest.unit) * (rest.position(rest.first[u]) - rest.corner));
     }
     fill_surface(mesh, rest.lattice, &rest.surface);
     return SINEW_OK;

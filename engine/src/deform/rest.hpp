@@ -16,7 +16,7 @@ constexpr uint8_t kNodeAtBone = 2;  // never moves
 
 // A joint between its parent and its children.
 struct RestJoint {
-  Vec3d place;        // the caller's units
+  Vec3d position;     // the caller's units
   int32_t parent;     // -1 for a root
   uint32_t rank;      // in an order in which parents come before their children
   uint32_t next;      // the joint of the next rank, J behind the last
@@ -64,7 +64,7 @@ struct DeformRest {
     const float* const p = positions + 3 * static_cast<size_t>(vertex);
     return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
   }
-  Vec3d node_place(uint32_t node) const { return corner + unit * to_double(lattice.nodes[node]); }
+  Vec3d node_position(uint32_t node) const { return corner + unit * to_double(lattice.nodes[node]); }
 };
 
 struct RestInput {

@@ -36,8 +36,8 @@ void find_nearest_vertices(const Lattice& lattice, uint32_t welded_count, SkinSu
   const auto offer = [&](uint32_t node, uint32_t vertex) {
     uint32_t& best = surface->nearest[node];
     if (vertex == welded_count || vertex == best) return false;
-    if (best != welded_count && square_apart(lattice.nodes[node], surface->places[vertex]) >=
-                                    square_apart(lattice.nodes[node], surface->places[best])) {
+    if (best != welded_count && square_apart(lattice.nodes[node], surface->positions[vertex]) >=
+                                    square_apart(lattice.nodes[node], surface->positions[best])) {
       return false;
     }
     best = vertex;
@@ -65,16 +65,16 @@ bool SkinSurface::allocate(Arena& arena, size_t vertices, size_t triangle_bound,
   triangles = arena.alloc<uint32_t>(3 * triangle_bound);
   corner_offsets = arena.alloc<uint32_t>(vertices + 1);
   corner_triangles = arena.alloc<uint32_t>(3 * triangle_bound);
-  places = arena.alloc<Vec3i>(vertices);
+  positions = arena.alloc<Vec3i>(vertices);
   normals = arena.alloc<Vec3i>(vertices);
   yields = arena.alloc<uint16_t>(vertices);
   nearest = arena.alloc<uint32_t>(nodes);
   return arena.ok();
 }
 
-SurfacePoint SkinSurface::find_nearest(uint32_t start, Vec3d place) const {
+SurfacePoint SkinSurface::find_nearest(uint32_t start, Vec3d position) const {
   const auto square_to = [&](uint32_t u) {
-    const Vec3d d = to_double(places[u]) - place;
+    const Vec3d d = to_double(positions[u]) - position;
     return dot(d, d);
   };
   uint32_t vertex = start;
@@ -98,10 +98,10 @@ SurfacePoint SkinSurface::find_nearest(uint32_t start, Vec3d place) const {
   for (uint32_t c = corner_offsets[vertex]; c < corners_end(vertex); ++c) {
     const uint32_t* const at = triangles + 3 * static_cast<size_t>(corner_triangles[c]);
     double shares[3];
-    const Vec3d corners[3] = {to_double(places[at[0]]), to_double(places[at[1]]), to_double(places[at[2]])};
-    nearest_on_triangle(place, corners[0], corners[1], corners[2], shares);
+    const Vec3d corners[3] = {to_double(positions[at[0]]), to_double(positions[at[1]]), to_double(positions[at[2]])};
+    nearest_on_triangle(position, corners[0], corners[1], corners[2], shares);
     const Vec3d on = shares[0] * corners[0] + shares[1] * corners[1] + shares[2] * corners[2];
-    const double square = dot(on - place, on - place);
+    const double square = dot(on - position, on - position);
     if (square >= nearest_square) continue;
     nearest_square = square;
     best = {corner_triangles[c], {shares[0], shares[1], shares[2]}, on, {0, 0, 0}};
@@ -122,11 +122,11 @@ void fill_surface(const Mesh& mesh, const Lattice& lattice, SkinSurface* surface
 void fill_yields(const Lattice& lattice, const uint8_t* node_flags, uint8_t pinned, const uint8_t* rigid,
                  uint32_t welded_count, SkinSurface* surface) {
   for (uint32_t u = 0; u < welded_count; ++u) {
-    const Embedding& place = lattice.vertices[u];
+    const Embedding& position = lattice.vertices[u];
     int32_t sum = 0;
-    for (size_t k = 0; k < 4 && place.tetrahedron != kNoTetrahedron && rigid[u] == 0; ++k) {
-      const uint32_t node = lattice.tetrahedra[4 * static_cast<size_t>(place.tetrahedron) + k];
-      if ((node_flags[node] & pinned) == 0) sum += place.shares[k];
+    for (size_t k = 0; k < 4 && position.tetrahedron != kNoTetrahedron && rigid[u] == 0; ++k) {
+      const uint32_t node = lattice.tetrahedra[4 * static_cast<size_t>(position.tetrahedron) + k];
+      if ((node_flags[node] & pinned) == 0) sum += position.shares[k];
     }
     surface->yields[u] = static_cast<uint16_t>(sum < 0 ? 0 : sum);
   }

@@ -14,7 +14,7 @@ constexpr uint32_t kMostCorners = 256;
 struct SurfacePoint {
   uint32_t triangle;
   double shares[3];  // of its corners
-  Vec3d place;       // lattice units
+  Vec3d position;    // lattice units
   Vec3d outward;     // the corners' normals, blended; not a unit vector
 };
 
@@ -24,7 +24,7 @@ struct SkinSurface {
   uint32_t* triangles = nullptr;         // [T x 3], as in Mesh
   uint32_t* corner_offsets = nullptr;    // [U + 1] into corner_triangles
   uint32_t* corner_triangles = nullptr;  // [3 T] triangles of every vertex, ascending
-  Vec3i* places = nullptr;               // [U] lattice units from the grid's corner
+  Vec3i* positions = nullptr;            // [U] lattice units from the grid's corner
   Vec3i* normals = nullptr;              // [U] Q14
   uint16_t* yields = nullptr;   // [U] Q14: how much of a vertex's nodes lie at no bone, 0 in a part of one joint
   uint32_t* nearest = nullptr;  // [n] vertex that is nearest to a node, along edges of the lattice; U for none
@@ -36,7 +36,7 @@ struct SkinSurface {
     return end - begin > kMostCorners ? begin + kMostCorners : end;
   }
   // The nearest point around `start`, downhill from vertex to vertex.
-  SurfacePoint find_nearest(uint32_t start, Vec3d place) const;
+  SurfacePoint find_nearest(uint32_t start, Vec3d position) const;
 };
 
 // Fills a surface, allocated beforehand, whose places were filled, but for `yields`.

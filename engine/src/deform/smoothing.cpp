@@ -25,7 +25,7 @@ void find_borders(uint8_t* edge_triangles, DeformRest* rest) {
   }
 }
 
-void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d* scratch, Vec3d* places) {
+void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d* scratch, Vec3d* positions) {
   for (uint32_t round = 0; round < rounds; ++round) {
     for (uint32_t u = 0; u < rest.welded_count; ++u) {
       Vec3d sum = {0, 0, 0};
@@ -33,13 +33,13 @@ void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d*
       for (uint32_t r = rest.row_offsets[u]; r < rest.row_offsets[u + 1]; ++r) {
         const uint32_t other = rest.col_indices[r];
         if (rest.border[u] != 0 && rest.border[other] == 0) continue;
-        sum = sum + places[other];
+        sum = sum + positions[other];
         count += 1;
       }
       const bool stays = !(count > 0) || (mask != nullptr && mask[u] == 0);
-      scratch[u] = stays ? places[u] : places[u] + 0.5 * ((1 / count) * sum - places[u]);
+      scratch[u] = stays ? positions[u] : positions[u] + 0.5 * ((1 / count) * sum - positions[u]);
     }
-    for (uint32_t u = 0; u < rest.welded_count; ++u) places[u] = scratch[u];
+    for (uint32_t u = 0; u < rest.welded_count; ++u) positions[u] = scratch[u];
   }
 }
 

@@ -11,7 +11,7 @@ namespace sinew::deform {
 void find_borders(uint8_t* edge_triangles, DeformRest* rest);
 // Half way to the mean of the neighbours, all at once; border vertices go to border neighbours alone. mask [U]: vertices that move,
 // null = all. scratch [U].
-void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d* scratch, Vec3d* places);
+void smooth(const DeformRest& rest, uint32_t rounds, const uint8_t* mask, Vec3d* scratch, Vec3d* positions);
 // Fills rest->smooth from the rest pose; its second half is scratch.
 void smooth_rest(DeformRest* rest);
 

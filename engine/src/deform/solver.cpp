@@ -28,16 +28,16 @@ void step(Vec3i* p, int64_t ratio, Vec3i v, int shift) {
 }
 
 void solve_point(const SolverPoint& point, SolverNode* nodes) {
-  int64_t place = 0;
-  for (int k = 0; k < 4; ++k) place += (dot(point.normal, nodes[point.nodes[k]].place) >> 14) * point.shares[k];
-  int64_t outside = point.offset - (place >> kShareBits);
+  int64_t position = 0;
+  for (int k = 0; k < 4; ++k) position += (dot(point.normal, nodes[point.nodes[k]].position) >> 14) * point.shares[k];
+  int64_t outside = point.offset - (position >> kShareBits);
   if (outside <= 0) return;
   if (outside > kLongSide) outside = kLongSide;
   for (int k = 0; k < 4; ++k) {
     SolverNode& node = nodes[point.nodes[k]];
     if (node.moves == 0 || point.shares[k] == 0) continue;
-    step(&node.place, outside * point.shares[k] / point.stiffness, point.normal, 14);
-    node.place = clamped(node.place, 2 * kFarthest);  // there may be any number of points
+    step(&node.position, outside * point.shares[k] / point.stiffness, point.normal, 14);
+    node.position = clamped(node.position, 2 * kFarthest);  // there may be any number of points
   }
 }
 
@@ -46,9 +46,9 @@ void add_momentum(bool on, uint32_t count, SolverState* state) {
   for (uint32_t n = 0; n < count; ++n) {
     SolverNode& node = state->nodes[n];
     if (node.moves == 0) continue;
-    const Vec3i way = clamped(node.place - state->last[n], kCellUnits);
-    state->last[n] = node.place;
-    if (on) step(&node.place, kMomentum, way, 8);
+    const Vec3i move = clamped(node.position - state->last[n], kCellUnits);
+    state->last[n] = node.position;
+    if (on) step(&node.position, kMomentum, move, 8);
   }
 }
 
@@ -171,14 +171,14 @@ void list_constraints(const Lattice& lattice, SolverState* state) {
   state->piece_edges[lattice.piece_count()] = state->edge_count = edges;
 }
 
-void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int32_t offset, SolverState* state) {
-  const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+void add_point(const Lattice& lattice, const Embedding& position, Vec3i normal, int32_t offset, SolverState* state) {
+  const uint32_t* const at = lattice.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
   SolverPoint& point = state->points[state->point_count];
   int64_t squares = 0;
   for (int k = 0; k < 4; ++k) {
     point.nodes[k] = at[k];
-    point.shares[k] = place.shares[k];
-    if (state->nodes[at[k]].moves != 0) squares += static_cast<int64_t>(place.shares[k]) * place.shares[k];
+    point.shares[k] = position.shares[k];
+    if (state->nodes[at[k]].moves != 0) squares += static_cast<int64_t>(position.shares[k]) * position.shares[k];
   }
   constexpr int64_t kLeastSquares = (int64_t{1} << (2 * kShareBits)) / 50;
   if (squares <= kLeastSquares) return;
@@ -195,7 +195,7 @@ void solve(const Lattice& lattice, uint32_t rounds, uint32_t softness, const Con
   for (int64_t ends = 1; ends <= 2; ++ends)
     edges.rates.inverse[ends - 1] = (int64_t{1} << 24) / (256 * ends + edges.rates.softness);
   const VolumeList volumes = {state->corners, state->tetrahedron_flags, nodes};
-  for (uint32_t n = 0; n < lattice.node_count; ++n) state->last[n] = nodes[n].place;
+  for (uint32_t n = 0; n < lattice.node_count; ++n) state->last[n] = nodes[n].position;
   for (uint32_t round = 0; round < rounds; ++round) {
     // Every other round goes backwards, so that no direction is ahead of the others.
     const bool backwards = round % 2 != 0;
@@ -212,10 +212,10 @@ uint32_t count_inverted(const SolverState& state) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < state.tetrahedron_count; ++i) {
     const uint32_t* const at = state.corners + 4 * static_cast<size_t>(i);
-    const Vec3i origin = state.nodes[at[0]].place;
-    const Vec3i b = clamped(state.nodes[at[1]].place - origin, kLongSide),
-                c = clamped(state.nodes[at[2]].place - origin, kLongSide),
-                d = clamped(state.nodes[at[3]].place - origin, kLongSide);
+    const Vec3i origin = state.nodes[at[0]].position;
+    const Vec3i b = clamped(state.nodes[at[1]].position - origin, kLongSide),
+                c = clamped(state.nodes[at[2]].position - origin, kLongSide),
+                d = clamped(state.nodes[at[3]].position - origin, kLongSide);
     if (dot(b, over_cell(cross(c, d))) < 0) ++count;
   }
   return count;

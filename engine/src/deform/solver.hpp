@@ -53,7 +53,7 @@ struct SolverState {
 // Lists tetrahedra and edges when it is known which nodes move.
 void list_constraints(const Lattice& lattice, SolverState* state);
 // A point goes to the list if its moving nodes can carry it there.
-void add_point(const Lattice& lattice, const Embedding& place, Vec3i normal, int32_t offset, SolverState* state);
+void add_point(const Lattice& lattice, const Embedding& position, Vec3i normal, int32_t offset, SolverState* state);
 // Method: M. Mueller et al., "Position Based Dynamics", 2007; M. Macklin, M. Mueller, N. Chentanez, "XPBD", 2016, for edges, with
 // a time step of 1; rounds gain by momentum, as in H. Wang, "A Chebyshev Semi-Iterative Approach for Accelerating Projective and
 // Position-Based Dynamics", ACM TOG 34(6), 2015, with one factor for all of them. softness: their compliance in 1/256.

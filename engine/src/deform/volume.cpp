@@ -16,11 +16,11 @@ constexpr uint32_t kPiece = 512;  // vertices or nodes that a thread takes at on
 
 class VolumePose {
  public:
-  VolumePose(const PosedJoints& posed, Vec3d* places, PoseCounts* counts)
+  VolumePose(const PosedJoints& posed, Vec3d* positions, PoseCounts* counts)
       : posed_(posed),
         rest_(*posed.rest),
         lattice_(rest_.lattice),
-        places_(places),
+        positions_(positions),
         counts_(*counts),
         threads_(rest_.threads()) {}
 
@@ -56,8 +56,8 @@ class VolumePose {
       map_back();
     }
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-      const double outside = outside_by(spaces_[v], places_[v]);
-      if (outside < 0) places_[v] = places_[v] - kept(v) * outside * spaces_[v].normal;
+      const double outside = outside_by(spaces_[v], positions_[v]);
+      if (outside < 0) positions_[v] = positions_[v] - kept(v) * outside * spaces_[v].normal;
     }
     if (solves && rest_.has_contact()) keep_apart();
     return SINEW_OK;
@@ -72,10 +72,10 @@ class VolumePose {
       for (uint32_t v = begin; v < end; ++v) {
         const size_t at = static_cast<size_t>(v) * n;
         if (is_rigid(v)) {  // and takes no part of a twist
-          places_[v] = move(posed_.joints[rest_.joints[at]].motion, rest_.position(v));
+          positions_[v] = move(posed_.joints[rest_.joints[at]].motion, rest_.position(v));
           continue;
         }
-        places_[v] = blend_dual(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
+        positions_[v] = blend_dual(posed_, rest_.joints + at, rest_.weights + at, n, rest_.position(v));
       }
     });
   }
@@ -83,13 +83,13 @@ class VolumePose {
   // Parts of the body that are no neighbours, after the pose is solved.
   void keep_apart() {
     for (int pass = 0; pass < kContactPasses; ++pass) {
-      if (!find_contacts({posed_, spaces_, places_, state_.nodes, middle_}, &contacts_)) return;
+      if (!find_contacts({posed_, spaces_, positions_, state_.nodes, middle_}, &contacts_)) return;
       press_contacts(rest_, &contacts_);
       for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-        places_[v] = places_[v] + kept(v) * contact_push(rest_, contacts_, v);
+        positions_[v] = positions_[v] + kept(v) * contact_push(rest_, contacts_, v);
       }
       for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-        state_.nodes[n].place = state_.nodes[n].place + to_units(contacts_.displacements[n]);
+        state_.nodes[n].position = state_.nodes[n].position + to_units(contacts_.displacements[n]);
       }
     }
   }
@@ -116,11 +116,11 @@ class VolumePose {
   // Share of the correction that a vertex keeps.
   double kept(uint32_t v) const {
     if (is_rigid(v)) return 0;
-    const Embedding& place = lattice_.vertices[rest_.welded[v]];
-    if (!posed_.overturned || place.tetrahedron == kNoTetrahedron) return 1;
-    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+    const Embedding& position = lattice_.vertices[rest_.welded[v]];
+    if (!posed_.overturned || position.tetrahedron == kNoTetrahedron) return 1;
+    const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
     int64_t faded = 0;
-    for (int k = 0; k < 4; ++k) faded += static_cast<int64_t>(place.shares[k]) * faded_[at[k]];
+    for (int k = 0; k < 4; ++k) faded += static_cast<int64_t>(position.shares[k]) * faded_[at[k]];
     return 1 - static_cast<double>(faded) / (1 << (kShareBits + kFadeBits));
   }
 
@@ -140,7 +140,7 @@ class VolumePose {
       flags_[n] = is_strained(posed_, lattice_.rows[n]) ? kStrained : 0;
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       const uint32_t v = rest_.first[u], t = lattice_.vertices[u].tetrahedron;
-      if (t == kNoTetrahedron || !(outside_by(spaces_[v], places_[v]) < 0)) continue;
+      if (t == kNoTetrahedron || !(outside_by(spaces_[v], positions_[v]) < 0)) continue;
       for (size_t k = 0; k < 4; ++k) flags_[lattice_.tetrahedra[4 * static_cast<size_t>(t) + k]] |= kOutside;
     }
     grow_nodes(lattice_, kStrained, kRingsAroundStrain, flags_);
@@ -157,15 +157,15 @@ class VolumePose {
 
   // Lattice units around the first vertex, wherever the character is.
   void skin_nodes() {
-    middle_ = places_[0];
+    middle_ = positions_[0];
     const double per_unit = 1 / rest_.unit;
     threads_.ranges(lattice_.node_count, kPiece, [&](uint32_t begin, uint32_t end, uint32_t) {
       for (uint32_t n = begin; n < end; ++n) {
         const WeightRow& row = lattice_.rows[n];
         const Vec3d p =
-            per_unit * (blend_dual(posed_, row.joints, row.weights, kNodeSlots, rest_.node_place(n)) - middle_);
+            per_unit * (blend_dual(posed_, row.joints, row.weights, kNodeSlots, rest_.node_position(n)) - middle_);
         begin_[n] = to_units(p);
-        state_.nodes[n].place = begin_[n];
+        state_.nodes[n].position = begin_[n];
       }
     });
   }
@@ -189,13 +189,14 @@ class VolumePose {
   }
   void map_back(uint32_t first, uint32_t last) {
     for (uint32_t v = first; v < last; ++v) {
-      const Embedding& place = lattice_.vertices[rest_.welded[v]];
-      if (place.tetrahedron == kNoTetrahedron) continue;
-      const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(place.tetrahedron);
+      const Embedding& position = lattice_.vertices[rest_.welded[v]];
+      if (position.tetrahedron == kNoTetrahedron) continue;
+      const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
       int64_t moved[3] = {0, 0, 0}, start[3] = {0, 0, 0}, own[3] = {0, 0, 0}, moving = 0;
       for (int k = 0; k < 4; ++k) {
-        const int64_t share = place.shares[k];
-        const Vec3i before = begin_[at[k]], change = state_.nodes[at[k]].place - before, still = lattice_.nodes[at[k]];
+        const int64_t share = position.shares[k];
+        const Vec3i before = begin_[at[k]], change = state_.nodes[at[k]].position - before,
+                    still = lattice_.nodes[at[k]];
         if (state_.nodes[at[k]].moves != 0) moving += share;
         const int32_t changes[3] = {change.x, change.y, change.z}, befores[3] = {before.x, before.y, before.z},
                       stills[3] = {still.x, still.y, still.z};
@@ -218,14 +219,14 @@ class VolumePose {
           rest_.corner +
           unit * Vec3d{static_cast<double>(own[0]), static_cast<double>(own[1]), static_cast<double>(own[2])};
       const Vec3d off = embedded_at_rest - rest_.position(v);
-      places_[v] = places_[v] + correction + share * ((embedded - places_[v]) - off);
+      positions_[v] = positions_[v] + correction + share * ((embedded - positions_[v]) - off);
     }
   }
 
   const PosedJoints& posed_;
   const DeformRest& rest_;
   const Lattice& lattice_;
-  Vec3d* const places_;
+  Vec3d* const positions_;
   PoseCounts& counts_;
   const Threads threads_;
   SolverState state_;
@@ -239,8 +240,8 @@ class VolumePose {
 
 }  // namespace
 
-sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* places, PoseCounts* counts) {
-  return VolumePose(posed, places, counts).run(arena);
+sinew_status pose_volume(const PosedJoints& posed, Arena& arena, Vec3d* positions, PoseCounts* counts) {
+  return VolumePose(posed, positions, counts).run(arena);
 }
 
 }  // namespace sinew::deform

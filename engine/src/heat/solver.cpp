@@ -163,13 +163,13 @@ void HeatSolver::finish_rows(uint32_t begin, uint32_t end, HeatField* out) {
       if (scaled < kSmallestKept) continue;
       // Rounding may have made two weights equal: the lower joint goes first.
       const uint16_t weight = static_cast<uint16_t>(scaled > 32768 ? 32768 : scaled);
-      uint32_t place = used++;
-      for (; place > 0 && weights[place - 1] == weight && joints[place - 1] > joint; --place) {
-        joints[place] = joints[place - 1];
-        weights[place] = weights[place - 1];
+      uint32_t position = used++;
+      for (; position > 0 && weights[position - 1] == weight && joints[position - 1] > joint; --position) {
+        joints[position] = joints[position - 1];
+        weights[position] = weights[position - 1];
       }
-      joints[place] = joint;
-      weights[place] = weight;
+      joints[position] = joint;
+      weights[position] = weight;
     }
     if (used == 0) {
       joints[0] = out->nearest[v];
@@ -278,8 +278,8 @@ void HeatSolver::solve_batch(const HeatSources& sources, uint32_t field, const H
 
 bool HeatSolver::keep_batch(const HeatLane& lane, uint32_t begin, uint32_t end, HeatField* out) {
   bool tame = true;
-  fronts_.each_taken(lane.front, begin, end, [&](uint32_t place, uint32_t vertices, const int32_t* x) {
-    tame = keep_front(lane.batch, place, vertices, x, out) && tame;
+  fronts_.each_taken(lane.front, begin, end, [&](uint32_t position, uint32_t vertices, const int32_t* x) {
+    tame = keep_front(lane.batch, position, vertices, x, out) && tame;
   });
   return tame;
 }
@@ -299,8 +299,8 @@ bool HeatSolver::try_fronts(const HeatSources& sources, uint32_t field, HeatFiel
   bool tame = true;
   for (uint32_t batch = 0; batch < batch_count(); ++batch) {
     eliminate_batch(sources, field, batch, front, member_of_);
-    fronts_.substitute(kernels_, front, [&](uint32_t place, uint32_t vertices, const int32_t* x) {
-      tame = keep_front(batch, place, vertices, x, out) && tame;
+    fronts_.substitute(kernels_, front, [&](uint32_t position, uint32_t vertices, const int32_t* x) {
+      tame = keep_front(batch, position, vertices, x, out) && tame;
     });
   }
   if (!tame || !close_totals(0, matrix_.rows)) return false;

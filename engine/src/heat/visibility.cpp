@@ -144,9 +144,9 @@ bool FaceTree::hidden(const Mesh& mesh, uint32_t vertex, Vec3i target, uint32_t 
                               {along.x, along.y, along.z},
                               {abs32(along.x), abs32(along.y), abs32(along.z)}};
 
-  const auto hides = [&](uint32_t place) {
-    if ((place >= first && place < last) == outside) return false;
-    const uint32_t* t = mesh.triangles + 3 * static_cast<size_t>(order[place]);
+  const auto hides = [&](uint32_t position) {
+    if ((position >= first && position < last) == outside) return false;
+    const uint32_t* t = mesh.triangles + 3 * static_cast<size_t>(order[position]);
     if (t[0] == vertex || t[1] == vertex || t[2] == vertex) return false;
     return crosses_front(start, target, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
   };

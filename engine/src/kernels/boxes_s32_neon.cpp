@@ -32,9 +32,9 @@ struct RegistersNeon {
 
   static SINEW_INLINE uint32_t signs(int32x4_t a, Int64 b) {
     const int32x4_t high_halves = vuzp2q_s32(vreinterpretq_s32_s64(b.low), vreinterpretq_s32_s64(b.high));
-    const int32x4_t places = vcombine_s32(vcreate_s32(0x0000000100000000), vcreate_s32(0x0000000300000002));
+    const int32x4_t positions = vcombine_s32(vcreate_s32(0x0000000100000000), vcreate_s32(0x0000000300000002));
     const uint32x4_t negative = vshrq_n_u32(vreinterpretq_u32_s32(either(a, high_halves)), 31);
-    return vaddvq_u32(vshlq_u32(negative, places));
+    return vaddvq_u32(vshlq_u32(negative, positions));
   }
 };
 

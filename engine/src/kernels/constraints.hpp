@@ -23,8 +23,8 @@ constexpr int kRatioBits = 18;
 
 // A node while it is solved: as wide as a register.
 struct alignas(16) SolverNode {
-  Vec3i place;    // lattice units
-  int32_t moves;  // -1, 0 for a node that is pinned
+  Vec3i position;  // lattice units
+  int32_t moves;   // -1, 0 for a node that is pinned
 };
 
 struct EdgeRates {

@@ -37,7 +37,7 @@ void each(uint32_t begin, uint32_t end, bool backwards, const One& one) {
 void solve_edge_ref(const EdgeList& list, uint32_t edge) {
   SolverNode &a = list.nodes[list.ends[2 * static_cast<size_t>(edge)]],
              &b = list.nodes[list.ends[2 * static_cast<size_t>(edge) + 1]];
-  const Vec3i d = clamped(a.place - b.place, kLongEdge);
+  const Vec3i d = clamped(a.position - b.position, kLongEdge);
   const int64_t now = isqrt64(static_cast<uint64_t>(dot(d, d)) << 8);  // Q4
   if (now < 16) return;
   int32_t& lambda = list.lambdas[edge];
@@ -45,16 +45,16 @@ void solve_edge_ref(const EdgeList& list, uint32_t edge) {
   const int32_t change = rounded(error * list.rates.inverse[a.moves != 0 && b.moves != 0 ? 1 : 0], 24);
   lambda += change;
   const int64_t ratio = (static_cast<int64_t>(change) * (1 << 20)) / now;  // Q20
-  if (a.moves != 0) step(&a.place, ratio, d, 20);
-  if (b.moves != 0) step(&b.place, -ratio, d, 20);
+  if (a.moves != 0) step(&a.position, ratio, d, 20);
+  if (b.moves != 0) step(&b.position, -ratio, d, 20);
 }
 
 void solve_volume_ref(const VolumeList& list, uint32_t entry) {
   const uint32_t* const at = list.corners + 4 * static_cast<size_t>(entry);
   SolverNode* const nodes[4] = {list.nodes + at[0], list.nodes + at[1], list.nodes + at[2], list.nodes + at[3]};
-  const Vec3i origin = nodes[0]->place;
-  const Vec3i b = clamped(nodes[1]->place - origin, kLongSide), c = clamped(nodes[2]->place - origin, kLongSide),
-              d = clamped(nodes[3]->place - origin, kLongSide);
+  const Vec3i origin = nodes[0]->position;
+  const Vec3i b = clamped(nodes[1]->position - origin, kLongSide), c = clamped(nodes[2]->position - origin, kLongSide),
+              d = clamped(nodes[3]->position - origin, kLongSide);
   Vec3i gradient[4];
   gradient[1] = over_cell(cross(c, d));
   gradient[2] = over_cell(cross(d, b));
@@ -83,7 +83,7 @@ void solve_volume_ref(const VolumeList& list, uint32_t entry) {
     if (moved > kLongestStep) ratio = ratio * kLongestStep / moved;
   }
   for (int k = 0; k < 4; ++k) {
-    if (nodes[k]->moves != 0) step(&nodes[k]->place, ratio, gradient[k], kRatioBits);
+    if (nodes[k]->moves != 0) step(&nodes[k]->position, ratio, gradient[k], kRatioBits);
   }
 }
 

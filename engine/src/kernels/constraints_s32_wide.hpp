@@ -28,19 +28,19 @@ struct Reals {
 };
 template <class Isa>
 struct Nodes {
-  Wholes<Isa> place;
+  Wholes<Isa> position;
   typename Isa::Whole moves;
 };
 
 template <class Isa, int N>
 SINEW_INLINE Nodes<Isa> load_nodes(const SolverNode* nodes, const uint32_t* at) {
   Nodes<Isa> out;
-  Isa::template load_nodes<N>(nodes, at, &out.place.x, &out.place.y, &out.place.z, &out.moves);
+  Isa::template load_nodes<N>(nodes, at, &out.position.x, &out.position.y, &out.position.z, &out.moves);
   return out;
 }
 template <class Isa, int N>
 SINEW_INLINE void store_nodes(const Nodes<Isa>& v, const uint32_t* at, SolverNode* nodes) {
-  Isa::template store_nodes<N>(v.place.x, v.place.y, v.place.z, v.moves, at, nodes);
+  Isa::template store_nodes<N>(v.position.x, v.position.y, v.position.z, v.moves, at, nodes);
 }
 
 template <class Isa>
@@ -91,9 +91,9 @@ SINEW_INLINE void solve_volumes_at(const VolumeList& list, uint32_t first) {
   const uint32_t* const at = list.corners + 4 * static_cast<size_t>(first);
   Nodes<Isa> nodes[4];
   SINEW_UNROLL for (int k = 0; k < 4; ++k) nodes[k] = load_nodes<Isa, 4>(list.nodes, at + k);
-  const Reals<Isa> b = between<Isa>(nodes[1].place, nodes[0].place, kLongSide),
-                   c = between<Isa>(nodes[2].place, nodes[0].place, kLongSide),
-                   d = between<Isa>(nodes[3].place, nodes[0].place, kLongSide);
+  const Reals<Isa> b = between<Isa>(nodes[1].position, nodes[0].position, kLongSide),
+                   c = between<Isa>(nodes[2].position, nodes[0].position, kLongSide),
+                   d = between<Isa>(nodes[3].position, nodes[0].position, kLongSide);
   Reals<Isa> gradient[4];
   gradient[1] = cross_over_cell<Isa>(c, d);
   gradient[2] = cross_over_cell<Isa>(d, b);
@@ -121,7 +121,7 @@ SINEW_INLINE void solve_volumes_at(const VolumeList& list, uint32_t first) {
                                Isa::less(Isa::magnitude(error), Isa::all(kLargeError)));
   const Real scaled = Isa::times(ratio, Isa::all(1.0 / (1 << kRatioBits)));
   SINEW_UNROLL for (int k = 0; k < 4; ++k) {
-    step<Isa>(&nodes[k].place, scaled, gradient[k], Isa::both(usual, Isa::of_moves(nodes[k].moves)));
+    step<Isa>(&nodes[k].position, scaled, gradient[k], Isa::both(usual, Isa::of_moves(nodes[k].moves)));
     store_nodes<Isa, 4>(nodes[k], at + k, list.nodes);
   }
   finish<Isa>(usual, list, first, solve_volume_ref);
@@ -132,7 +132,7 @@ SINEW_INLINE void solve_edges_at(const EdgeList& list, uint32_t first) {
   using Real = typename Isa::Real;
   const uint32_t* const at = list.ends + 2 * static_cast<size_t>(first);
   Nodes<Isa> from = load_nodes<Isa, 2>(list.nodes, at), to = load_nodes<Isa, 2>(list.nodes, at + 1);
-  const Reals<Isa> d = between<Isa>(from.place, to.place, kLongEdge);
+  const Reals<Isa> d = between<Isa>(from.position, to.position, kLongEdge);
   const Real now = Isa::floored(Isa::root(Isa::times(dot<Isa>(d, d), Isa::all(256))));
   const Real rest = Isa::real(Isa::load(list.rests + first));
   const auto before = Isa::load(list.lambdas + first);
@@ -150,8 +150,8 @@ SINEW_INLINE void solve_edges_at(const EdgeList& list, uint32_t first) {
                                Isa::at_least(now, Isa::all(kShort)));
   Isa::store(list.lambdas + first, Isa::sum(before, Isa::where(usual, Isa::whole(change))));
   const Real scaled = Isa::times(ratio, Isa::all(1.0 / 1048576));
-  step<Isa>(&from.place, scaled, d, Isa::both(usual, Isa::of_moves(from.moves)));
-  step<Isa>(&to.place, Isa::subtract(Isa::all(0), scaled), d, Isa::both(usual, Isa::of_moves(to.moves)));
+  step<Isa>(&from.position, scaled, d, Isa::both(usual, Isa::of_moves(from.moves)));
+  step<Isa>(&to.position, Isa::subtract(Isa::all(0), scaled), d, Isa::both(usual, Isa::of_moves(to.moves)));
   store_nodes<Isa, 2>(from, at, list.nodes);
   store_nodes<Isa, 2>(to, at + 1, list.nodes);
   finish<Isa>(usual, list, first, solve_edge_ref);

@@ -36,22 +36,22 @@ struct FrontRows {
   int32_t* x;               // [places x kFrontBatch]
 };
 
-// The triangle of `count` <= kFrontColumns pivots that stand at `place` and on: x = (x - sums - the others' share) /
+// The triangle of `count` <= kFrontColumns pivots that stand at `position` and on: x = (x - sums - the others' share) /
 // pivot, and the same, scaled, as a row of the front. forward: from the first to the last with the factor, limited to
 // +-(2^31 - 1); else back with its transpose, limited to +-kFrontLargest.
 //   g      the pivots' columns from the first one's diagonal on, `height` apart
 //   sums   [count x kFrontBatch] what the front's other rows bring, Q30 of rows; destroyed
 //   scaled  out [count x kFrontBatch]
-void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
+void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t position, uint32_t count,
                      bool forward, int64_t* sums, int32_t* scaled);
 
 // x -= sums for the places [count].
 //   sums  [count x kFrontBatch] Q30 of rows
-void front_subtract_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums);
+void front_subtract_ref(const FrontRows& rows, const uint32_t* positions, uint32_t count, const int64_t* sums);
 
 // Rows of the front for the places [count].
 //   scaled  out [count x kFrontBatch]
-void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* scaled);
+void front_load_ref(const FrontRows& rows, const uint32_t* positions, uint32_t count, int32_t* scaled);
 
 // Which of x [kFrontBatch], each within +-kFrontLargest, are above `below`, as bits. Adds all of them to *sum, and
 // makes *range negative where one is outside [-1, 2] (Q28).

@@ -40,17 +40,17 @@ void front_multiply_ref(const int32_t* g, size_t next, size_t step, uint32_t ter
   }
 }
 
-void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
+void front_solve_ref(const FrontRows& rows, const int32_t* g, size_t height, uint32_t position, uint32_t count,
                      bool forward, int64_t* sums, int32_t* scaled) {
-  front_solve_rows(rows, g, height, place, count, forward, sums, scaled);
+  front_solve_rows(rows, g, height, position, count, forward, sums, scaled);
 }
 
-void front_subtract_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums) {
-  front_subtract_rows(rows, places, count, sums);
+void front_subtract_ref(const FrontRows& rows, const uint32_t* positions, uint32_t count, const int64_t* sums) {
+  front_subtract_rows(rows, positions, count, sums);
 }
 
-void front_load_ref(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* scaled) {
-  front_load_rows(rows, places, count, scaled);
+void front_load_ref(const FrontRows& rows, const uint32_t* positions, uint32_t count, int32_t* scaled) {
+  front_load_rows(rows, positions, count, scaled);
 }
 
 uint32_t front_above_ref(const int32_t* x, int32_t below, int64_t* sum, int32_t* range) {

@@ -32,7 +32,7 @@ SINEW_INLINE void front_solve_row(const int64_t* sums, int shift, int64_t invers
   }
 }
 
-void front_solve_rows(const FrontRows& rows, const int32_t* g, size_t height, uint32_t place, uint32_t count,
+void front_solve_rows(const FrontRows& rows, const int32_t* g, size_t height, uint32_t position, uint32_t count,
                       bool forward, int64_t* sums, int32_t* scaled) {
   for (uint32_t step = 0; step < count; ++step) {
     const uint32_t c = forward ? step : count - 1 - step;
@@ -45,16 +45,16 @@ void front_solve_rows(const FrontRows& rows, const int32_t* g, size_t height, ui
         sum[member] =
             static_cast<int64_t>(static_cast<uint64_t>(sum[member]) + static_cast<uint64_t>(factor * known[member]));
     }
-    const int lift = rows.exponent - rows.exponents[place + c];
-    front_solve_row(sum, kFrontBits - lift, rows.inverse[place + c], lift, forward ? 0x7FFFFFFF : kFrontLargest,
-                    rows.x + static_cast<size_t>(place + c) * kFrontBatch, scaled + c * kFrontBatch);
+    const int lift = rows.exponent - rows.exponents[position + c];
+    front_solve_row(sum, kFrontBits - lift, rows.inverse[position + c], lift, forward ? 0x7FFFFFFF : kFrontLargest,
+                    rows.x + static_cast<size_t>(position + c) * kFrontBatch, scaled + c * kFrontBatch);
   }
 }
 
-void front_subtract_rows(const FrontRows& rows, const uint32_t* places, uint32_t count, const int64_t* sums) {
+void front_subtract_rows(const FrontRows& rows, const uint32_t* positions, uint32_t count, const int64_t* sums) {
   for (uint32_t c = 0; c < count; ++c, sums += kFrontBatch) {
-    const int shift = kFrontBits - (rows.exponent - rows.exponents[places[c]]);
-    int32_t* const x = rows.x + static_cast<size_t>(places[c]) * kFrontBatch;
+    const int shift = kFrontBits - (rows.exponent - rows.exponents[positions[c]]);
+    int32_t* const x = rows.x + static_cast<size_t>(positions[c]) * kFrontBatch;
     for (uint32_t member = 0; member < kFrontBatch; ++member) {
       const uint64_t left =
           static_cast<uint64_t>(x[member]) - static_cast<uint64_t>(front_rounded(sums[member], shift));
@@ -63,10 +63,10 @@ void front_subtract_rows(const FrontRows& rows, const uint32_t* places, uint32_t
   }
 }
 
-void front_load_rows(const FrontRows& rows, const uint32_t* places, uint32_t count, int32_t* scaled) {
+void front_load_rows(const FrontRows& rows, const uint32_t* positions, uint32_t count, int32_t* scaled) {
   for (uint32_t r = 0; r < count; ++r, scaled += kFrontBatch) {
-    const int lift = rows.exponent - rows.exponents[places[r]];
-    const int32_t* const x = rows.x + static_cast<size_t>(places[r]) * kFrontBatch;
+    const int lift = rows.exponent - rows.exponents[positions[r]];
+    const int32_t* const x = rows.x + static_cast<size_t>(positions[r]) * kFrontBatch;
     for (uint32_t member = 0; member < kFrontBatch; ++member)
       scaled[member] = static_cast<int32_t>(front_rounded(x[member], lift));
   }

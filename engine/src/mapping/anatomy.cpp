@@ -24,7 +24,7 @@ bool Anatomy::allocate(Arena& arena, uint32_t joints) {
   spine = arena.alloc<int32_t>(size_t{joints} + 1);
   path_open = arena.alloc<int8_t>(joints);
   features = arena.alloc<LimbFeatures>(kMostLimbs);
-  hashes = arena.alloc<uint32_t>(size_t{4} * kMostWords * joints);
+  hashes = arena.alloc<uint32_t>(size_t{4} * names::kMostWords * joints);
   return arena.ok();
 }
 

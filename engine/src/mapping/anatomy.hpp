@@ -12,10 +12,10 @@ namespace sinew::mapping {
 struct LimbFeatures {
   double attach = 0;      // place on the line hips (0), chest (1), head (2)
   double log_length = 0;  // against the trunk's
-  Point way;              // start to end, outward, up, front; of length 1
+  Point axis;             // start to end, outward, up, front; of length 1
   double log_tree = 0;    // joints
   bool point = false, grounded = false, hip = false, arm = false;
-  uint32_t words = 0;                      // bit per Word, arms and legs as one each
+  uint64_t parts = 0;                      // bit per Part, arms and legs as one each
   int32_t first_hash = 0, hash_count = 0;  // in Anatomy::hashes
 };
 
@@ -71,7 +71,7 @@ struct Anatomy {
   // Of the limbs `fingers`, the thumb: its joints lie nearest to the wrist and it points away from the others.
   int32_t thumb(const Limb& limb, const int32_t* fingers, int32_t count) const;
   // Place on the trunk's line; the line goes on beyond its ends.
-  double trunk_place(const Point& p) const;
+  double trunk_position(const Point& p) const;
   // Of a possible head, how far it is from the arms against the hips.
   double head_ratio(int32_t spine_index) const;
 

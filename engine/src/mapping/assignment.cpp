@@ -16,7 +16,7 @@ bool Assignment::allocate(Arena& arena, uint32_t most_rows, uint32_t most_column
   column_price_ = arena.alloc<double>(lines);
   least_ = arena.alloc<double>(lines);
   owner_ = arena.alloc<int32_t>(lines);
-  way_ = arena.alloc<int32_t>(lines);
+  path_ = arena.alloc<int32_t>(lines);
   used_ = arena.alloc<uint8_t>(lines);
   row_price_ = arena.alloc<double>(size_t{most_rows} + 1);
   return arena.ok();
@@ -32,7 +32,7 @@ void Assignment::solve(double alone) {
   for (int32_t j = 0; j <= all; ++j) {
     column_price_[j] = 0;
     owner_[j] = 0;
-    way_[j] = 0;
+    path_[j] = 0;
   }
   for (int32_t i = 0; i <= rows; ++i) row_price_[i] = 0;
   for (int32_t i = 1; i <= rows; ++i) {
@@ -52,7 +52,7 @@ void Assignment::solve(double alone) {
         const double left = price(row - 1, j - 1, alone) - row_price_[row] - column_price_[j];
         if (left < least_[j]) {
           least_[j] = left;
-          way_[j] = column;
+          path_[j] = column;
         }
         if (least_[j] < delta) {
           delta = least_[j];
@@ -70,8 +70,8 @@ void Assignment::solve(double alone) {
       column = next;
     } while (owner_[column] != 0);
     while (column != 0) {
-      owner_[column] = owner_[way_[column]];
-      column = way_[column];
+      owner_[column] = owner_[path_[column]];
+      column = path_[column];
     }
   }
   for (int32_t i = 0; i < rows; ++i) match[i] = -1;

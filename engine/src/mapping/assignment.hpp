@@ -23,7 +23,7 @@ struct Assignment {
   double* column_price_ = nullptr;
   double* least_ = nullptr;
   int32_t* owner_ = nullptr;
-  int32_t* way_ = nullptr;
+  int32_t* path_ = nullptr;
   uint8_t* used_ = nullptr;
   double* row_price_ = nullptr;  // [rows + 1]
 };

@@ -58,7 +58,7 @@ int32_t Anatomy::pick_spine() {
   const double size = rig->size;
   int32_t best = -1;
   double most = 0;
-  for (int32_t k = rig->place[hip]; k < rig->place[hip] + rig->count[hip]; ++k) {
+  for (int32_t k = rig->position[hip]; k < rig->position[hip] + rig->count[hip]; ++k) {
     const int32_t leaf = rig->order[k];
     if (!is_path_end(leaf)) continue;
     double carried = 0, top = height[leaf];
@@ -69,11 +69,11 @@ int32_t Anatomy::pick_spine() {
       top = greater(top, height[i]);
       inner += is_inner(ahead(at(i)), first, last) ? 1 : 0;
     }
-    const double way = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
+    const double path = path_length(leaf), rise = top - height[hip], forward = ahead(at(leaf) - at(hip));
     double score = 2 * carried;
-    score += quad ? (0.4 * way + 0.8 * rise + 1.5 * forward) / size : (0.6 * way + 1.5 * rise + 0.3 * forward) / size;
-    if (lying) score = forward / size + 0.01 * way / size;  // what leads to the head
-    if (leg_count == 0 && !lying) score += 1.5 * way / size;
+    score += quad ? (0.4 * path + 0.8 * rise + 1.5 * forward) / size : (0.6 * path + 1.5 * rise + 0.3 * forward) / size;
+    if (lying) score = forward / size + 0.01 * path / size;  // what leads to the head
+    if (leg_count == 0 && !lying) score += 1.5 * path / size;
     if (quad) {
       score += 0.5 * inner;
       if (ahead(at(leaf)) > last - 0.15 * (last - first)) score += 1;
@@ -157,8 +157,8 @@ void Anatomy::find_chest() {
     }
   }
   const auto above_chest = [&](int32_t joint) {
-    const Word word = r.cls(joint).word;
-    return r.has_names && (word == Word::kNeck || word == Word::kHead);
+    const Part word = r.part(joint);
+    return r.has_names && (word == Part::kNeck || word == Part::kHead);
   };
   while (chest >= 0 && above_chest(spine[chest])) --chest;
   if (chest > 0 && !quad) {  // arms hang on the neck: the chest is the joint below
@@ -177,7 +177,7 @@ void Anatomy::find_chest() {
     each_kid(r, p, [&](int32_t k) { kids += r.end[k] == 0 ? 1 : 0; });
     const bool on_level = absolute(height[p] - level) < 0.5 * absolute(height[hip] - level);
     if ((!on_level && !(absolute(height[p] - height[hip]) < 0.15 * up_to_chest + 1e-9)) || kids != 1 ||
-        (r.parent[p] < 0 && !(height[p] > ground + 0.2 * tall)) || (r.has_names && r.cls(hip).word == Word::kHips)) {
+        (r.parent[p] < 0 && !(height[p] > ground + 0.2 * tall)) || (r.has_names && r.part(hip) == Part::kHips)) {
       break;
     }
     for (int32_t k = spine_count; k > 0; --k) spine[k] = spine[k - 1];
@@ -221,7 +221,7 @@ int32_t Anatomy::head_of(int32_t first, int32_t base) const {
   const Hierarchy& r = *rig;
   int32_t count = spine_count;
   for (int32_t k = first; k < count && r.has_names; ++k) {
-    if (r.cls(spine[k]).word == Word::kHead && !r.cls(spine[k]).end) return k;
+    if (r.part(spine[k]) == Part::kHead && !r.names[spine[k]].is_end_of_map()) return k;
   }
   for (int32_t k = first; k < count; ++k) {
     int32_t kids = 0, central = 0, sided = 0;
@@ -266,8 +266,8 @@ double Anatomy::head_ratio(int32_t spine_index) const {
   return distance(at(spine[spine_index]), shoulders) / greater(distance(shoulders, at(hip)), 1e-9);
 }
 
-double Anatomy::trunk_place(const Point& p) const {
-  double nearest = 0, place = 0;
+double Anatomy::trunk_position(const Point& p) const {
+  double nearest = 0, position = 0;
   for (int32_t k = 0; k + 1 < line_count; ++k) {
     const Point d = line[k + 1] - line[k];
     const double t =
@@ -275,9 +275,9 @@ double Anatomy::trunk_place(const Point& p) const {
     const double e = distance(p, line[k] + t * d);
     if (k > 0 && !(e < nearest - 1e-9)) continue;
     nearest = e;
-    place = k + t;
+    position = k + t;
   }
-  return place;
+  return position;
 }
 
 int32_t Anatomy::thumb(const Limb& hand, const int32_t* fingers, int32_t count) const {

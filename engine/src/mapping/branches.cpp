@@ -5,8 +5,8 @@
 namespace sinew::mapping {
 namespace {
 
-constexpr double kPlace = 10, kRatio = 2, kCentrality = 0.2, kDegree = 1;  // weights as published
-constexpr double kMirrored = 0.1;                                          // branches that are less alike are no pair
+constexpr double kPosition = 10, kRatio = 2, kCentrality = 0.2, kDegree = 1;  // weights as published
+constexpr double kMirrored = 0.1;  // branches that are less alike are no pair
 
 uint64_t table_cells(uint64_t target, uint64_t source) {
   return target * source < kMostBranchPairs ? target * source : kMostBranchPairs;
@@ -16,7 +16,7 @@ uint64_t table_cells(uint64_t target, uint64_t source) {
 
 bool Branches::Rig::allocate(Arena& arena, uint32_t joints) {
   at = arena.alloc<Point>(joints);
-  way = arena.alloc<double>(joints);
+  root_distance = arena.alloc<double>(joints);
   leaves = arena.alloc<int32_t>(joints);
   mirror = arena.alloc<int32_t>(joints);
   through = arena.alloc<int32_t>(joints);
@@ -39,7 +39,7 @@ void Branches::Rig::prepare(const Hierarchy& hierarchy, const Frame& frame) {
   }
   for (int32_t k = 0; k < rig->n; ++k) {
     const int32_t i = rig->order[k], p = rig->parent[i];
-    way[i] = p >= 0 ? way[p] + rig->bone(i, p) : 0;
+    root_distance[i] = p >= 0 ? root_distance[p] + rig->bone(i, p) : 0;
   }
   for (int32_t k = rig->n - 1; k >= 0; --k) {
     const int32_t i = rig->order[k];
@@ -52,10 +52,10 @@ void Branches::Rig::prepare(const Hierarchy& hierarchy, const Frame& frame) {
 void Branches::Rig::take(int32_t branch) {
   const int32_t leaf = leaves[branch];
   length = rig->depth[leaf] + 1;
-  const double whole = greater(way[leaf], 1e-9);
+  const double whole = greater(root_distance[leaf], 1e-9);
   for (int32_t i = leaf, k = length; k > 0; i = rig->parent[i]) {
     chain[--k] = i;
-    ratio[k] = way[i] / whole;
+    ratio[k] = root_distance[i] / whole;
   }
 }
 
@@ -92,7 +92,7 @@ bool Branches::allocate(Arena& arena, uint32_t target_joints, uint32_t source_jo
 
 double Branches::joint_cost(int32_t i, int32_t j) const {
   const int32_t through = a_.through[i] - b_.through[j], degree = a_.degree(i) - b_.degree(j);
-  return kPlace * distance(a_.at[i], b_.at[j]) + kCentrality * (through < 0 ? -through : through) +
+  return kPosition * distance(a_.at[i], b_.at[j]) + kCentrality * (through < 0 ? -through : through) +
          kDegree * (degree < 0 ? -degree : degree);
 }
 
@@ -219,7 +219,7 @@ bool Branches::crosses(int32_t t, int32_t s, const int32_t* sources) const {
   for (int32_t i = a.parent[t]; i >= 0; i = a.parent[i]) {
     if (sources[i] >= 0 && sources[i] != s && b.holds(s, sources[i])) return true;
   }
-  for (int32_t k = a.place[t] + 1; k < a.place[t] + a.count[t]; ++k) {
+  for (int32_t k = a.position[t] + 1; k < a.position[t] + a.count[t]; ++k) {
     const int32_t below = sources[a.order[k]];
     if (below >= 0 && below != s && b.holds(below, s)) return true;
   }

@@ -22,13 +22,13 @@ class Branches {
  private:
   struct Rig {
     const Hierarchy* rig = nullptr;
-    Point* at = nullptr;         // [n] relative to the root, the farthest at 1
-    double* way = nullptr;       // [n] from the root
-    int32_t* leaves = nullptr;   // [n] a branch each
-    int32_t* mirror = nullptr;   // [n] of a branch, -1 = none
-    int32_t* through = nullptr;  // [n] branches through a joint
-    int32_t* chain = nullptr;    // [n] of the branch in hand, from the root on
-    double* ratio = nullptr;     // [n] of the branch in hand: way to the root over the branch's
+    Point* at = nullptr;              // [n] relative to the root, the farthest at 1
+    double* root_distance = nullptr;  // [n] from the root
+    int32_t* leaves = nullptr;        // [n] a branch each
+    int32_t* mirror = nullptr;        // [n] of a branch, -1 = none
+    int32_t* through = nullptr;       // [n] branches through a joint
+    int32_t* chain = nullptr;         // [n] of the branch in hand, from the root on
+    double* ratio = nullptr;          // [n] of the branch in hand: way to the root over the branch's
     int32_t branches = 0, length = 0;
 
     bool allocate(Arena& arena, uint32_t joints);

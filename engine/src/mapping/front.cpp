@@ -7,7 +7,7 @@ namespace sinew::mapping {
 void Anatomy::open_paths() {
   for (int32_t i = 0; i < rig->n; ++i) path_open[i] = 0;
   path_open[hip] = 1;
-  for (int32_t k = rig->place[hip] + 1; k < rig->place[hip] + rig->count[hip]; ++k) {
+  for (int32_t k = rig->position[hip] + 1; k < rig->position[hip] + rig->count[hip]; ++k) {
     const int32_t i = rig->order[k];
     path_open[i] = path_open[rig->parent[i]] != 0 && side[i] == 0 && rig->end[i] == 0 ? 1 : 0;
   }
@@ -31,11 +31,11 @@ double Anatomy::path_names(int32_t leaf) const {
   if (!rig->has_names || leg_count == 0) return 0;  // without legs the longest way counts, head or tail
   bool is_head = false, is_trunk = false, is_tail = false, is_face = false;
   for (int32_t i = leaf; i != hip; i = rig->parent[i]) {
-    const Word w = rig->cls(i).word;
-    is_head = is_head || w == Word::kHead;
-    is_trunk = is_trunk || w == Word::kNeck || w == Word::kSpine;
-    is_tail = is_tail || w == Word::kTail;
-    is_face = is_face || w == Word::kJaw || w == Word::kHair;
+    const Part w = rig->part(i);
+    is_head = is_head || w == Part::kHead;
+    is_trunk = is_trunk || w == Part::kNeck || w == Part::kSpine;
+    is_tail = is_tail || w == Part::kTail;
+    is_face = is_face || w == Part::kJaw || w == Part::kHair;
   }
   return 3.0 * is_head + 1.0 * is_trunk - 2.0 * is_tail - 1.5 * is_face;
 }
@@ -120,7 +120,7 @@ class FrontVotes {
 
   template <class Body>
   void each_path(const Body& body) const {
-    const int32_t from = rig_.place[a_.hip];
+    const int32_t from = rig_.position[a_.hip];
     for (int32_t k = from; k < from + rig_.count[a_.hip]; ++k) {
       if (a_.is_path_end(rig_.order[k])) body(rig_.order[k]);
     }
@@ -198,9 +198,9 @@ class FrontVotes {
   // How much the spine is a tail.
   double named_tail() const {
     for (int32_t k = 0; k < a_.spine_count && rig_.has_names; ++k) {
-      const Word w = rig_.cls(a_.spine[k]).word;
-      if (w == Word::kTail) return 3;
-      if (w == Word::kHead) return -3;
+      const Part w = rig_.part(a_.spine[k]);
+      if (w == Part::kTail) return 3;
+      if (w == Part::kHead) return -3;
     }
     return 0.8;
   }
@@ -210,8 +210,8 @@ class FrontVotes {
     for (int32_t k = 0; k < a_.limbs.pair_count; ++k) {
       for (int s = 0; s < 2; ++s) {
         const Limb& limb = a_.limb(a_.limbs.pairs[k].of(s));
-        const Point way = a_.limbs.last_point(limb) - a_.limbs.point(limb, 0);
-        if (limb.point_count > 1 && limb.length > 0.05 * size_) add(-a_.ahead(way) / size_ / 0.05, 0.5);
+        const Point direction = a_.limbs.last_point(limb) - a_.limbs.point(limb, 0);
+        if (limb.point_count > 1 && limb.length > 0.05 * size_) add(-a_.ahead(direction) / size_ / 0.05, 0.5);
       }
     }
   }
@@ -322,22 +322,22 @@ class FrontVotes {
 void Anatomy::find_front(bool flip_it) {
   const double sum = FrontVotes(*this).sum();
   sure = absolute(sum);
-  bool turn = sum < 0;
+  bool reverse = sum < 0;
   if (rig->has_names) {
     double left = 0, right = 0;
     int32_t lefts = 0, rights = 0;
     for (int32_t i = 0; i < rig->n; ++i) {
-      const int8_t said = rig->cls(i).side;
+      const int8_t said = rig->names[i].side;
       if (said == 0 || !(absolute(x[i]) > 0.02 * rig->size)) continue;
       (said > 0 ? left : right) += x[i];
       ++(said > 0 ? lefts : rights);
     }
     if (lefts > 0 && rights > 0 && absolute(left / lefts - right / rights) > 0.02 * rig->size) {
-      turn = left / lefts < right / rights;
+      reverse = left / lefts < right / rights;
       sure = 9;
     }
   }
-  if (turn != flip_it) flip();
+  if (reverse != flip_it) flip();
 }
 
 void Anatomy::flip() {

@@ -28,19 +28,19 @@ Point main_axis(const Point* points, int32_t count) {
 }
 
 // Place of finger k of n, the thumb aside: with two of them one is at either end, three lack the last but one.
-double finger_place(int32_t k, int32_t n) {
+double finger_position(int32_t k, int32_t n) {
   if (n == 1) return 0;
   if (n == 3) return k == 0 ? 0 : k == 1 ? 0.4 : 0.9;
   return static_cast<double>(k) / (n - 1);
 }
 
-Word finger_word(const Anatomy& rig, int32_t finger) {
+Part finger_word(const Anatomy& rig, int32_t finger) {
   const Limb& limb = rig.limb(finger);
   for (int32_t k = 0; k < limb.joint_count; ++k) {
-    const Word w = rig.rig->cls(rig.limbs.joint(limb, k)).word;
+    const Part w = rig.rig->part(rig.limbs.joint(limb, k));
     if (is_finger(w)) return w;
   }
-  return Word::kNone;
+  return Part::kNone;
 }
 
 }  // namespace
@@ -114,16 +114,16 @@ int32_t Matcher::sort_fingers(const Anatomy& rig, const Limb& limb, int32_t* fin
   Point axis = main_axis(points, n);
   const Limb& t = rig.limb(thumb);
   if (dot(rig.at(rig.limbs.last_joint(t)) - mean, axis) > 0) axis = -axis;
-  double place[kMostFingers];
+  double position[kMostFingers];
   for (int32_t k = 0; k < n; ++k) {  // stable
     const double own = dot(points[k] - mean, axis);
     const int32_t finger = fingers[k];
     int32_t at = k;
-    for (; at > 0 && place[at - 1] > own; --at) {
-      place[at] = place[at - 1];
+    for (; at > 0 && position[at - 1] > own; --at) {
+      position[at] = position[at - 1];
       fingers[at] = fingers[at - 1];
     }
-    place[at] = own;
+    position[at] = own;
     fingers[at] = finger;
   }
   return n;
@@ -134,12 +134,12 @@ void Matcher::match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_
   int32_t ca = 0, cb = 0;
   int32_t thumb_a = a_->thumb(a, fa, na), thumb_b = b_->thumb(b, fb, nb);
   if (names_) {
-    constexpr int kWords = static_cast<int>(kLastFinger) - static_cast<int>(kFirstFinger) + 1;
+    constexpr int kWords = static_cast<int>(names::kLastFinger) - static_cast<int>(names::kFirstFinger) + 1;
     const auto by_word = [](const Anatomy& rig, const int32_t* list, int32_t n, int32_t* of) {
       for (int w = 0; w < kWords; ++w) of[w] = -1;
       for (int32_t k = 0; k < n; ++k) {
-        const Word w = finger_word(rig, list[k]);
-        if (w != Word::kNone) of[static_cast<int>(w) - static_cast<int>(kFirstFinger)] = list[k];
+        const Part w = finger_word(rig, list[k]);
+        if (w != Part::kNone) of[static_cast<int>(w) - static_cast<int>(names::kFirstFinger)] = list[k];
       }
     };
     int32_t of_a[kWords], of_b[kWords];
@@ -158,7 +158,7 @@ void Matcher::match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_
                             const int32_t* other, int32_t thumb, int32_t* out) {
         int32_t count = 0;
         for (int32_t k = 0; k < n; ++k) {
-          const int w = static_cast<int>(finger_word(rig, list[k])) - static_cast<int>(kFirstFinger);
+          const int w = static_cast<int>(finger_word(rig, list[k])) - static_cast<int>(names::kFirstFinger);
           const bool done = w >= 0 && w < kWords && own[w] == list[k] && other[w] >= 0;
           if (!done && w != 0) out[count++] = list[k];
         }
@@ -176,7 +176,7 @@ void Matcher::match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_
   ca = sort_fingers(*a_, a, ra, na, thumb_a);
   cb = sort_fingers(*b_, b, rb, nb, thumb_b);
   (void)aligner_.run(ca, cb, 3.0,
-                     [&](int32_t i, int32_t j) { return absolute(finger_place(i, ca) - finger_place(j, cb)); });
+                     [&](int32_t i, int32_t j) { return absolute(finger_position(i, ca) - finger_position(j, cb)); });
   // match_finger() aligns joints with the same table: keep the fingers' own.
   int32_t match[kMostFingers];
   for (int32_t i = 0; i < ca; ++i) match[i] = aligner_.match[i];
@@ -193,15 +193,15 @@ void Matcher::match_finger(int32_t x, int32_t y, const Limb& a, const Limb& b) {
     for (int32_t i = 0; i < n; ++i) put(a_->limbs.joint(fx, i), b_->limbs.joint(fy, i), 0.1);
   } else {
     // In shares of the limb's length up to the hand, so that a finger whose last joints are missing stays short.
-    const auto places = [](const Anatomy& rig, const Limb& f, const Limb& hand, double* out) {
+    const auto positions = [](const Anatomy& rig, const Limb& f, const Limb& hand, double* out) {
       const Point wrist = rig.wrist(hand);
-      add_up_way(rig.limbs.points + f.first_point, f.joint_count, wrist, out);
+      add_up_lengths(rig.limbs.points + f.first_point, f.joint_count, wrist, out);
       double whole = 0;
       for (int32_t k = 1; k < hand.joint_count; ++k)
         whole += distance(rig.limbs.point(hand, k - 1), rig.limbs.point(hand, k));
       return whole;
     };
-    const double arm_a = places(*a_, fx, a, ua_), arm_b = places(*b_, fy, b, ub_);
+    const double arm_a = positions(*a_, fx, a, ua_), arm_b = positions(*b_, fy, b, ub_);
     const bool known = arm_a > 1e-9 && arm_b > 1e-9;
     const double size_a = known ? root(arm_a * ua_[n - 1]) : ua_[n - 1],
                  size_b = known ? root(arm_b * ub_[m - 1]) : ub_[m - 1];

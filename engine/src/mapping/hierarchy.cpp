@@ -16,12 +16,12 @@ bool Hierarchy::allocate(Arena& arena, uint32_t joints) {
   kid_offsets = arena.alloc<int32_t>(size_t{joints} + 2);
   kids = arena.alloc<int32_t>(joints);
   order = arena.alloc<int32_t>(joints);
-  place = arena.alloc<int32_t>(joints);
+  position = arena.alloc<int32_t>(joints);
   depth = arena.alloc<int32_t>(joints);
   count = arena.alloc<int32_t>(joints);
   reach = arena.alloc<double>(joints);
   end = arena.alloc<uint8_t>(joints);
-  words = arena.alloc<NameWords>(joints);
+  names = arena.alloc<JointName>(joints);
   return arena.ok();
 }
 
@@ -45,11 +45,11 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
   for (int32_t i = 0; i <= n + 1; ++i) kid_offsets[i] = 0;
   for (int32_t i = 0; i < n; ++i) ++kid_offsets[(parent[i] >= 0 ? parent[i] : n) + 1];
   for (int32_t i = 0; i <= n; ++i) kid_offsets[i + 1] += kid_offsets[i];
-  for (int32_t i = 0; i < n; ++i) place[i] = 0;  // how many children of a joint have their place
+  for (int32_t i = 0; i < n; ++i) position[i] = 0;  // how many children of a joint have their place
   int32_t roots = 0;
   for (int32_t i = 0; i < n; ++i) {
     const int32_t p = parent[i];
-    kids[kid_offsets[p >= 0 ? p : n] + (p >= 0 ? place[p]++ : roots++)] = i;
+    kids[kid_offsets[p >= 0 ? p : n] + (p >= 0 ? position[p]++ : roots++)] = i;
   }
   // Down to the first child, else on to the next sibling of the joint or of one above it.
   int32_t placed = 0;
@@ -58,7 +58,7 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
     depth[i] = 0;
     for (bool down = true; i >= 0;) {
       if (down) {
-        place[i] = placed;
+        position[i] = placed;
         order[placed++] = i;
         count[i] = 0;  // children that were visited, until the subtree is done
       }
@@ -86,10 +86,10 @@ sinew_status Hierarchy::build(const sinew_skeleton& rig, bool with_names) {
   }
   for (int32_t i = 0; i < n; ++i) {
     end[i] = rig.ends != nullptr && rig.ends[i] != 0 && parent[i] >= 0 ? 1 : 0;
-    words[i] = NameWords();
+    names[i] = JointName();
     if (!with_names) continue;
-    words[i].read(rig.names[i]);
-    if (words[i].cls.end && kid_count(i) == 0) {
+    names[i] = names::read_joint_name(rig.names[i]);
+    if (names[i].is_end_of_map() && kid_count(i) == 0) {
       end[i] = 1;
       has_ends = true;
     }

@@ -5,10 +5,13 @@
 
 #include "core/arena.hpp"
 #include "mapping/maths.hpp"
-#include "mapping/names.hpp"
+#include "names/joint_name.hpp"
 #include "sinew/map.h"
 
 namespace sinew::mapping {
+
+using names::JointName;
+using names::Part;
 
 struct Hierarchy {
   int32_t n = 0;  // joints
@@ -17,12 +20,12 @@ struct Hierarchy {
   int32_t* kid_offsets = nullptr;  // [n + 2] into kids; row n holds the roots
   int32_t* kids = nullptr;         // [n] in the order of their numbers
   int32_t* order = nullptr;        // [n] parents first, a subtree in one run
-  int32_t* place = nullptr;        // [n] index in order
+  int32_t* position = nullptr;     // [n] index in order
   int32_t* depth = nullptr;        // [n] 0 for roots
   int32_t* count = nullptr;        // [n] joints of the subtree
   double* reach = nullptr;         // [n] longest way down
   uint8_t* end = nullptr;          // [n] only says where a bone ends
-  NameWords* words = nullptr;      // [n] what names say
+  JointName* names = nullptr;      // [n] what names say
   bool has_names = false;
   bool has_ends = false;  // the caller or names told which are ends
   double size = 1;        // diagonal of the joints' box
@@ -45,7 +48,7 @@ struct Hierarchy {
   int32_t first_root() const { return kids[kid_offsets[n]]; }
   // Whether `above` is `joint` or one of its ancestors.
   bool holds(int32_t above, int32_t joint) const {
-    return place[above] <= place[joint] && place[joint] < place[above] + count[above];
+    return position[above] <= position[joint] && position[joint] < position[above] + count[above];
   }
   // The deepest joint that holds both, -1 = none.
   int32_t common(int32_t a, int32_t b) const {
@@ -53,7 +56,7 @@ struct Hierarchy {
     return a;
   }
   double bone(int32_t a, int32_t b) const { return distance(at[a], at[b]); }
-  const Class& cls(int32_t joint) const { return words[joint].cls; }
+  Part part(int32_t joint) const { return names[joint].plain; }
 };
 
 // Calls body(child) for each child in the order of their numbers.

@@ -27,8 +27,8 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   });
   t[0] = 0;
   for (int32_t k = 1; k < real; ++k) {
-    const double way = distance(point(k - 1), point(k));
-    t[k] = t[k - 1] + (leg ? greater(dot(point(k - 1) - point(k), up), 0.02 * way) : way);
+    const double path = distance(point(k - 1), point(k));
+    t[k] = t[k - 1] + (leg ? greater(dot(point(k - 1) - point(k), up), 0.02 * path) : path);
   }
   int32_t n = real;
   if (subs == 0 || real < 3) {  // the end of the last long bone may be no joint
@@ -45,7 +45,7 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
   }
   const double whole = real > 2 ? t[real - 1] : t[n - 1];
   const auto off = [&](int32_t k) { return absolute(dot(point(k), rig.frame.across) - rig.frame.plane); };
-  const auto word = [&](int32_t k) { return k < joints ? rig.rig->cls(rig.limbs.joint(limb, k)).word : Word::kNone; };
+  const auto word = [&](int32_t k) { return k < joints ? rig.rig->part(rig.limbs.joint(limb, k)) : Part::kNone; };
   const int32_t most = n < kMostPoints ? n : kMostPoints;
   found->count = 0;
   for (int32_t a = 0; a < most - 2 && a < kMostStarts; ++a) {
@@ -69,11 +69,11 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
         if (leg && c < real && dot(point(c - 1) - point(c), up) < 0.6 * distance(point(c - 1), point(c))) score += 0.8;
         if (b < real) score += greater(0, 0.3 - off(a) / greater(off(b), 1e-9)) / 0.3;
         if (names_) {
-          const auto one_of = [](Word w, Word x, Word y) { return w == x || w == y ? 1 : 0; };
-          score -= 0.8 * (one_of(word(a), Word::kUpperArm, Word::kUpLeg) +
-                          one_of(word(b), Word::kLowerArm, Word::kLowLeg) + one_of(word(c), Word::kHand, Word::kFoot));
+          const auto one_of = [](Part w, Part x, Part y) { return w == x || w == y ? 1 : 0; };
+          score -= 0.8 * (one_of(word(a), Part::kUpperArm, Part::kUpLeg) +
+                          one_of(word(b), Part::kLowerArm, Part::kLowLeg) + one_of(word(c), Part::kHand, Part::kFoot));
           const auto second = [&](int32_t k) {
-            return k < joints && rig.rig->cls(rig.limbs.joint(limb, k)).number == 2;
+            return k < joints && rig.rig->names[rig.limbs.joint(limb, k)].number == 2;
           };
           score += 0.4 * (second(a) + second(b));
         }
@@ -88,22 +88,22 @@ void Matcher::find_landmarks(const Anatomy& rig, int32_t number, bool leg, doubl
 }
 
 // Place of every joint: below 1 before the first landmark, 1..2 and 2..3 on the two long bones, beyond 3 the rest.
-void Matcher::long_bone_places(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at,
-                               double* places) {
-  double way = 0, way_a = 0, way_c = 0;
+void Matcher::long_bone_positions(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at,
+                                  double* positions) {
+  double path = 0, distance_a = 0, distance_c = 0;
   for (int32_t k = 0; k < limb.joint_count; ++k) {
-    if (k > 0) way += distance(rig.limbs.point(limb, k - 1), rig.limbs.point(limb, k));
-    if (k == at.a) way_a = way;
-    if (k == at.c) way_c = way;
+    if (k > 0) path += distance(rig.limbs.point(limb, k - 1), rig.limbs.point(limb, k));
+    if (k == at.a) distance_a = path;
+    if (k == at.c) distance_c = path;
     if (k < at.a) {
-      places[k] = 0.3 + 0.6 * k / at.a;
+      positions[k] = 0.3 + 0.6 * k / at.a;
     } else if (k <= at.b) {
-      places[k] = 1 + (t[k] - t[at.a]) / greater(t[at.b] - t[at.a], 1e-9);
+      positions[k] = 1 + (t[k] - t[at.a]) / greater(t[at.b] - t[at.a], 1e-9);
     } else if (k <= at.c) {
-      places[k] = 2 + (t[k] - t[at.b]) / greater(t[at.c] - t[at.b], 1e-9);
+      positions[k] = 2 + (t[k] - t[at.b]) / greater(t[at.c] - t[at.b], 1e-9);
     } else {
       // A joint on the same spot comes after the landmark.
-      places[k] = 3 + 0.02 * (k - at.c) + (way - way_c) / greater(0.5 * (way_c - way_a), 1e-9);
+      positions[k] = 3 + 0.02 * (k - at.c) + (path - distance_c) / greater(0.5 * (distance_c - distance_a), 1e-9);
     }
   }
 }
@@ -137,8 +137,8 @@ void Matcher::match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cos
         best_b = q;
       }
     }
-    long_bone_places(*a_, a, ta_, ma.at[best_a], ua_);
-    long_bone_places(*b_, b, tb_, mb.at[best_b], ub_);
+    long_bone_positions(*a_, a, ta_, ma.at[best_a], ua_);
+    long_bone_positions(*b_, b, tb_, mb.at[best_b], ub_);
     const auto own_cost = [&](int32_t i, int32_t j) {
       return absolute(ua_[i] - ub_[j]) + joint_cost(joint_a(i), joint_b(j));
     };
@@ -149,14 +149,15 @@ void Matcher::match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cos
     }
   } else {
     // A chain in the plane begins where it hangs.
-    const auto places = [](const Anatomy& rig, const Limb& limb, double* out) {
+    const auto positions = [](const Anatomy& rig, const Limb& limb, double* out) {
       const Point* const points = rig.limbs.points + limb.first_point;
-      add_up_way(points, limb.point_count, limb.attach >= 0 && limb.side == 0 ? rig.at(limb.attach) : points[0], out);
+      add_up_lengths(points, limb.point_count, limb.attach >= 0 && limb.side == 0 ? rig.at(limb.attach) : points[0],
+                     out);
       const double whole = out[limb.point_count - 1];
       for (int32_t k = 0; k < limb.point_count; ++k) out[k] /= whole > 0 ? whole : 1;
     };
-    places(*a_, a, ua_);
-    places(*b_, b, ub_);
+    positions(*a_, a, ua_);
+    positions(*b_, b, ub_);
     const auto own_cost = [&](int32_t i, int32_t j) {
       return 0.5 * absolute(ua_[i] - ub_[j]) +
              0.5 *

@@ -12,12 +12,12 @@ void Anatomy::find_features() {
     LimbFeatures& f = features[k];
     f = LimbFeatures();
     const Point& start = limbs.point(l, 0);
-    f.attach = trunk_place(start - (dot(start, frame.across) - frame.plane) * frame.across);
+    f.attach = trunk_position(start - (dot(start, frame.across) - frame.plane) * frame.across);
     f.log_length = logarithm(greater(l.length, 0.02 * r.size) / trunk);
     f.log_tree = logarithm(l.tree);
-    const Point way =
+    const Point axis =
         direction(l.point_count > 1 ? limbs.last_point(l) - start : (l.attach >= 0 ? start - at(l.attach) : Point()));
-    f.way = {dot(way, frame.across) * (l.side != 0 ? l.side : 1), dot(way, frame.up), ahead(way)};
+    f.axis = {dot(axis, frame.across) * (l.side != 0 ? l.side : 1), dot(axis, frame.up), ahead(axis)};
     const double low = limbs.lowest(l, frame.up);
     f.point = l.point_count == 1;
     f.grounded = (f.point && is_leg(k)) || (low < ground + 0.12 * tall && dot(start, frame.up) - low > 0.1 * tall);
@@ -26,14 +26,14 @@ void Anatomy::find_features() {
     f.first_hash = hashes_used;
     if (!r.has_names) continue;
     for (int32_t i = 0; i < l.joint_count; ++i) {
-      const NameWords& words = r.words[limbs.joint(l, i)];
-      const Word word = limb_word(words.cls.word);
-      if (word != Word::kNone) f.words |= 1u << static_cast<uint32_t>(word);
-      for (int32_t w = 0; w < words.count; ++w) {
-        if ((words.long_mask >> w & 1) == 0) continue;
+      const JointName& name = r.names[limbs.joint(l, i)];
+      const Part word = limb_part(name.plain);
+      if (word != Part::kNone) f.parts |= uint64_t{1} << static_cast<uint32_t>(word);
+      for (int32_t w = 0; w < name.count; ++w) {
+        if ((name.long_mask >> w & 1) == 0) continue;
         bool known = false;
-        for (int32_t h = f.first_hash; h < hashes_used; ++h) known = known || hashes[h] == words.hashes[w];
-        if (!known) hashes[hashes_used++] = words.hashes[w];
+        for (int32_t h = f.first_hash; h < hashes_used; ++h) known = known || hashes[h] == name.hashes[w];
+        if (!known) hashes[hashes_used++] = name.hashes[w];
       }
     }
     f.hash_count = hashes_used - f.first_hash;

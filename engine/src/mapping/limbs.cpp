@@ -35,9 +35,9 @@ bool Limbs::is_twist(const Limb& limb, int32_t sub) const {
     const Point start = point(limb, k), bone = point(limb, k + 1) - start;
     const double squared = dot(bone, bone);
     if (!(squared > 0.0064 * limb.length * limb.length)) return false;
-    const Point way = point(own, 0) - start;
-    const double share = dot(way, bone) / squared;
-    const Point off = way - share * bone;
+    const Point path = point(own, 0) - start;
+    const double share = dot(path, bone) / squared;
+    const Point off = path - share * bone;
     return share > -0.05 && share < 0.97 && dot(off, off) < 0.01 * squared;
   }
   return false;
@@ -95,8 +95,8 @@ int32_t first_kid(const Hierarchy& rig, const int8_t* side, int32_t joint, bool*
     gap = greater(gap, rig.bone(first, k));
   });
   const int32_t own = rig.count[first], rest = all - own;
-  const double way = rig.reach[first] + rig.bone(joint, first);
-  *leads = own >= 2 * rest || (own > rest && way > 2.5 * other) || way > 4 * other;
+  const double path = rig.reach[first] + rig.bone(joint, first);
+  *leads = own >= 2 * rest || (own > rest && path > 2.5 * other) || path > 4 * other;
   // A thumb that begins where the hand does.
   if (kids == 2 && own > rest && gap < 0.02 * rig.bone(joint, first)) *leads = true;
   return first;

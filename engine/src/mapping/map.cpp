@@ -147,7 +147,7 @@ class Cleaner {
     for (int32_t i = a_.parent[pinned]; i >= 0; i = a_.parent[i]) {
       if (reasons_[i] != SINEW_MAP_PINNED && crosses(i, pinned)) drop(i);
     }
-    for (int32_t k = a_.place[pinned] + 1; k < a_.place[pinned] + a_.count[pinned]; ++k) {
+    for (int32_t k = a_.position[pinned] + 1; k < a_.position[pinned] + a_.count[pinned]; ++k) {
       const int32_t i = a_.order[k];
       if (reasons_[i] != SINEW_MAP_PINNED && crosses(pinned, i)) drop(i);
     }

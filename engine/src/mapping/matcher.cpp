@@ -57,20 +57,20 @@ void Matcher::put(int32_t i, int32_t j, double cost) {
 
 double Matcher::name_cost(int32_t i, int32_t j) const {
   if (!names_) return 0;
-  const NameWords &a = a_->rig->words[i], &b = b_->rig->words[j];
+  const JointName &a = a_->rig->names[i], &b = b_->rig->names[j];
   double cost = 0;
-  if (a.cls.word != Word::kNone && b.cls.word != Word::kNone) {
-    const auto is_animal = [](Word w) { return w == Word::kForeLeg || w == Word::kHindLeg; };
-    const Word limb = limb_word(a.cls.word);
-    if (a.cls.word == b.cls.word) {
+  if (a.plain != Part::kNone && b.plain != Part::kNone) {
+    const auto is_animal = [](Part w) { return w == Part::kForeLeg || w == Part::kHindLeg; };
+    const Part limb = limb_part(a.plain);
+    if (a.plain == b.plain) {
       cost -= 0.12;
-    } else if (!((limb == Word::kUpperArm || limb == Word::kUpLeg) && limb == limb_word(b.cls.word) &&
-                 (is_animal(a.cls.word) || is_animal(b.cls.word)))) {
+    } else if (!((limb == Part::kUpperArm || limb == Part::kUpLeg) && limb == limb_part(b.plain) &&
+                 (is_animal(a.plain) || is_animal(b.plain)))) {
       cost += 0.12;
     }
   }
-  if (a.cls.end != b.cls.end) cost += 0.1;
-  return cost - 0.06 * overlap(a.hashes, a.count, b.hashes, b.count);
+  if (a.is_end_of_map() != b.is_end_of_map()) cost += 0.1;
+  return cost - 0.06 * names::overlap(a.hashes, a.count, b.hashes, b.count);
 }
 
 double Matcher::pin_cost(int32_t i, int32_t j) const {
@@ -105,23 +105,23 @@ double Matcher::limb_cost(int32_t la, int32_t lb) const {
   double cost = lesser(absolute(a.attach - b.attach), 1.5) + (a.grounded != b.grounded ? 1 : 0) +
                 0.2 * absolute(a.log_tree - b.log_tree);
   if (!a.point && !b.point)  // a limb of one joint has no length and points nowhere
-    cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.way, b.way));
+    cost += 0.4 * absolute(a.log_length - b.log_length) + 0.5 * (1 - dot(a.axis, b.axis));
   else
     cost += kPointLimb;
   if (a.hip != b.hip) cost += 0.8;
   if (a.hip && b.hip) cost -= 0.5;
   if (a.arm && b.arm) cost -= 0.4;
   if (names_) {
-    const auto bits = [](uint32_t words) {
+    const auto bits = [](uint64_t parts) {
       int32_t n = 0;
-      for (; words != 0; words &= words - 1) ++n;
+      for (; parts != 0; parts &= parts - 1) ++n;
       return n;
     };
-    if (a.words != 0 && b.words != 0) {
-      const int32_t x = bits(a.words), y = bits(b.words);
-      cost += 0.8 - 1.6 * bits(a.words & b.words) / (x < y ? x : y);
+    if (a.parts != 0 && b.parts != 0) {
+      const int32_t x = bits(a.parts), y = bits(b.parts);
+      cost += 0.8 - 1.6 * bits(a.parts & b.parts) / (x < y ? x : y);
     }
-    cost -= 0.3 * overlap(a_->hashes + a.first_hash, a.hash_count, b_->hashes + b.first_hash, b.hash_count);
+    cost -= 0.3 * names::overlap(a_->hashes + a.first_hash, a.hash_count, b_->hashes + b.first_hash, b.hash_count);
   }
   return cost + limb_pins(a_->limb(la), b_->limb(lb));
 }
@@ -129,7 +129,7 @@ double Matcher::limb_cost(int32_t la, int32_t lb) const {
 // Chains that mean the same: every joint of the shorter gets one of the longer.
 void Matcher::match_in_order(const int32_t* a, int32_t n, const int32_t* b, int32_t m, int32_t base_a, int32_t base_b) {
   if (n <= 0 || m <= 0) return;
-  const auto places = [](const Anatomy& rig, const int32_t* joints, int32_t count, int32_t base, double* out) {
+  const auto positions = [](const Anatomy& rig, const int32_t* joints, int32_t count, int32_t base, double* out) {
     double sum = 0;
     for (int32_t k = 0; k < count; ++k) {
       sum += rig.rig->bone(k > 0 ? joints[k - 1] : base, joints[k]);
@@ -137,8 +137,8 @@ void Matcher::match_in_order(const int32_t* a, int32_t n, const int32_t* b, int3
     }
     for (int32_t k = 0; k < count; ++k) out[k] /= sum > 0 ? sum : 1;
   };
-  places(*a_, a, n, base_a, ua_);
-  places(*b_, b, m, base_b, ub_);
+  positions(*a_, a, n, base_a, ua_);
+  positions(*b_, b, m, base_b, ub_);
   const auto own_cost = [&](int32_t i, int32_t j) {
     const double x = n == 1 ? 0.5 : static_cast<double>(i) / (n - 1),
                  y = m == 1 ? 0.5 : static_cast<double>(j) / (m - 1);

@@ -57,7 +57,8 @@ class Matcher {
   void match_others();
   void match_limbs(int32_t la, int32_t lb, bool leg, bool arm, double cost);
   void find_landmarks(const Anatomy& rig, int32_t limb, bool leg, double* t, Landmarks* found) const;
-  void long_bone_places(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at, double* places);
+  void long_bone_positions(const Anatomy& rig, const Limb& limb, const double* t, const Landmark& at,
+                           double* positions);
   void match_all_fingers();
   void match_twists(const Limb& a, const Limb& b, int32_t* fa, int32_t* na, int32_t* fb, int32_t* nb);
   void match_hand(const Limb& a, const Limb& b, const int32_t* fa, int32_t na, const int32_t* fb, int32_t nb);
@@ -83,7 +84,7 @@ class Matcher {
 };
 
 // How far the point k of a chain is along it, from `from`; leaves [count] in `out`.
-inline void add_up_way(const Point* points, int32_t count, Point from, double* out) {
+inline void add_up_lengths(const Point* points, int32_t count, Point from, double* out) {
   double sum = 0;
   for (int32_t k = 0; k < count; ++k) {
     sum += distance(from, points[k]);

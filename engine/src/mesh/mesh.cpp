@@ -83,10 +83,10 @@ bool find_inward(const sinew_mesh& input, const Mesh& mesh, Vec3l* volumes, uint
   constexpr int kLeastShareBits = 14;
   constexpr Vec3i kLine = {1048573, 999983, 941083};
   for (uint32_t p = 0; p < mesh.part_count; ++p) volumes[p] = {0, 0, 0};
-  for (uint32_t way = 0; way < 2; ++way) {
+  for (uint32_t side = 0; side < 2; ++side) {
     uint32_t t[3];
-    for (FanWalk walk(input, mesh, nullptr, way != 0); walk.next(t);) {
-      const Vec3i pa = mesh.positions[t[0]], pb = mesh.positions[t[1 + way]], pc = mesh.positions[t[2 - way]];
+    for (FanWalk walk(input, mesh, nullptr, side != 0); walk.next(t);) {
+      const Vec3i pa = mesh.positions[t[0]], pb = mesh.positions[t[1 + side]], pc = mesh.positions[t[2 - side]];
       // Six times the volume over the middle of the floor: below 2^62, as no coordinate passes 2^20. The middle of the
       // floor because what is open at the bottom, as a robe, has no volume missing there.
       const int64_t volume = dot(cross(pa, pb), pc);

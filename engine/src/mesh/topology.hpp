@@ -49,10 +49,10 @@ inline uint64_t pack_pair(uint32_t high, uint32_t low) { return (static_cast<uin
 bool has_area(const Vec3i* positions, uint32_t a, uint32_t b, uint32_t c);
 // The corners with the smallest first, orientation kept.
 inline void turn_smallest_first(uint32_t a, uint32_t b, uint32_t c, uint32_t* triangle) {
-  const int turn = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
-  triangle[0] = turn == 0 ? a : turn == 1 ? b : c;
-  triangle[1] = turn == 0 ? b : turn == 1 ? c : a;
-  triangle[2] = turn == 0 ? c : turn == 1 ? a : b;
+  const int rotation = a < b ? (a < c ? 0 : 2) : (b < c ? 1 : 2);
+  triangle[0] = rotation == 0 ? a : rotation == 1 ? b : c;
+  triangle[1] = rotation == 0 ? b : rotation == 1 ? c : a;
+  triangle[2] = rotation == 0 ? c : rotation == 1 ? a : b;
 }
 // Sorts the triangles of the groups in scratch, drops all but the first of every vertex set and fills mesh->triangles.
 void finish_triangles(const TriangleScratch& scratch, Mesh* mesh);

@@ -29,11 +29,13 @@ struct ArmSearch::DepthSearch {
     most.depth = least;
   }
 
-  Vec3d place(uint32_t member) const { return tree.posed().vertices[search.vertices_[search.near_[member]]] + moved; }
+  Vec3d position(uint32_t member) const {
+    return tree.posed().vertices[search.vertices_[search.near_[member]]] + moved;
+  }
 
   // Those of near_ [first, end). `hint` is a slot, at best that of a triangle nearby, and one on return.
   void look_at_ball(uint32_t first, uint32_t end, uint32_t* hint) {
-    const Ball ball = ball_around(first, end, [&](uint32_t k) { return place(k); });
+    const Ball ball = ball_around(first, end, [&](uint32_t k) { return position(k); });
     Nearest near = known(*hint, ball.middle, reach + ball.radius);
     // Where what is known to be near says outside, the nearest will, and finding that alone is cheaper than all that may be.
     const bool is_far = near.triangle == UINT32_MAX || is_outside(ball, near);
@@ -47,7 +49,7 @@ struct ArmSearch::DepthSearch {
     if (leaf_count <= kMostLeaves && cover_count == 0) return;
     uint32_t slot = near.slot;
     for (uint32_t k = first; k < end; ++k) {
-      if (may_be_covered(place(k))) look_at_vertex(k, near.slot, &slot);
+      if (may_be_covered(position(k))) look_at_vertex(k, near.slot, &slot);
     }
   }
 
@@ -113,18 +115,18 @@ struct ArmSearch::DepthSearch {
     for (uint32_t n = 0; n < leaf_count; ++n) {
       const TriangleTree::Leaf& at = tree.leaf(leaves[n].leaf);
       const TriangleTree::Leaf& normal = tree.normals(leaves[n].leaf);
-      double ways[kTreeFan];  // from the ball's middle down to where it is as deep
+      double depths[kTreeFan];  // from the ball's middle down to where it is as deep
       for (uint32_t i = 0; i < kTreeFan; ++i) {
-        ways[i] = most.depth -
-                  ((at.at[0][i] - ball.middle.x) * normal.at[0][i] + (at.at[1][i] - ball.middle.y) * normal.at[1][i] +
-                   (at.at[2][i] - ball.middle.z) * normal.at[2][i]);
+        depths[i] = most.depth -
+                    ((at.at[0][i] - ball.middle.x) * normal.at[0][i] + (at.at[1][i] - ball.middle.y) * normal.at[1][i] +
+                     (at.at[2][i] - ball.middle.z) * normal.at[2][i]);
       }
       uint32_t under = 0;
-      for (uint32_t i = 0; i < kTreeFan; ++i) under |= static_cast<uint32_t>(ways[i] < radius) << i;
+      for (uint32_t i = 0; i < kTreeFan; ++i) under |= static_cast<uint32_t>(depths[i] < radius) << i;
       for (; under != 0; under &= under - 1) {
         const uint32_t i = static_cast<uint32_t>(low_bit(under)), slot = kTreeFan * leaves[n].leaf + i;
         const Cover cover = {tree.middle(slot), {normal.at[0][i], normal.at[1][i], normal.at[2][i]}};
-        if (!meet(ball, radius, nearest, cover, ways[i])) continue;
+        if (!meet(ball, radius, nearest, cover, depths[i])) continue;
         if (cover_count < kMostCovers) covers[cover_count] = cover;
         ++cover_count;
       }
@@ -132,16 +134,16 @@ struct ArmSearch::DepthSearch {
   }
   // A point q of the ball, from its middle, may be nearer to the cover's middle than to `nearest`, (middle - nearest) q >= half of what
   // their squares differ by, and lie under the plane, -normal q >= way: the shortest q of both is no longer than the radius.
-  static bool meet(const Ball& ball, double radius, Vec3d nearest, const Cover& cover, double way) {
+  static bool meet(const Ball& ball, double radius, Vec3d nearest, const Cover& cover, double distance) {
     const Vec3d a = cover.middle - nearest;
     const double square = squared(a);
     const double half = 0.5 * (squared(cover.middle - ball.middle) - squared(nearest - ball.middle));
     if (half > 0 && half * half > radius * radius * square) return false;
-    if (half <= 0 || way <= 0) return true;
+    if (half <= 0 || distance <= 0) return true;
     const double s = -dot(a, cover.normal), across = square - s * s;
-    if (half * s >= way * square || way * s >= half) return true;  // the one implies the other
-    if (across < 1e-9 * square) return true;                       // a lies along the normal: rounding would decide
-    return half * half - 2 * s * half * way + square * way * way <= radius * radius * across;
+    if (half * s >= distance * square || distance * s >= half) return true;  // the one implies the other
+    if (across < 1e-9 * square) return true;  // a lies along the normal: rounding would decide
+    return half * half - 2 * s * half * distance + square * distance * distance <= radius * radius * across;
   }
   bool may_be_covered(Vec3d p) const {
     if (leaf_count > kMostLeaves || cover_count > kMostCovers) return true;
@@ -152,7 +154,7 @@ struct ArmSearch::DepthSearch {
   }
 
   void look_at_vertex(uint32_t member, uint32_t hint, uint32_t* other) {
-    const Vec3d p = place(member);
+    const Vec3d p = position(member);
     Nearest found = known(hint, p, reach);
     const Nearest second = known(*other, p, reach);
     if (second.square < found.square) found = second;

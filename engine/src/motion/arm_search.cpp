@@ -49,9 +49,9 @@ void ArmSearch::open(const ClipScene& scene) {
     end_[a] = list(a, BodyPart::kForearm);
     deepest_[a] = 0;
     nearest_[a] = begin_[a];
-    const auto place = [&](uint32_t i) { return scene.target.rest(vertices_[begin_[a] + i]); };
+    const auto position = [&](uint32_t i) { return scene.target.rest(vertices_[begin_[a] + i]); };
     const uint32_t hand = hand_end_[a] - begin_[a];
-    sort_by_place(end_[a] - begin_[a], scratch_, place, [&](uint32_t i) { return i < hand ? 0u : 1u; });
+    sort_by_position(end_[a] - begin_[a], scratch_, position, [&](uint32_t i) { return i < hand ? 0u : 1u; });
     for (uint32_t i = begin_[a]; i < end_[a]; ++i) near_[i] = begin_[a] + scratch_.order[i - begin_[a]];
   }
   for (uint32_t g = 0; g < body.vertex_count / kGroup + kMostArms; ++g) hints_[g] = 0;

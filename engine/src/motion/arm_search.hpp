@@ -85,13 +85,13 @@ class ArmSearch {
   static bool is_any_within(const TriangleTree& tree, uint8_t without, Vec3d p, double reach);
   const uint32_t* corners(uint32_t triangle) const { return scene_->body->triangles + size_t{3} * triangle; }
   // Around places that place(i) says.
-  template <class Place>
-  static Ball ball_around(uint32_t first, uint32_t end, Place place) {
+  template <class SurfacePosition>
+  static Ball ball_around(uint32_t first, uint32_t end, SurfacePosition position) {
     Ball ball;
-    for (uint32_t i = first; i < end; ++i) ball.middle = ball.middle + place(i);
+    for (uint32_t i = first; i < end; ++i) ball.middle = ball.middle + position(i);
     ball.middle = (1.0 / (end - first)) * ball.middle;
     for (uint32_t i = first; i < end; ++i) {
-      const double own = squared(place(i) - ball.middle);
+      const double own = squared(position(i) - ball.middle);
       if (own > ball.radius) ball.radius = own;
     }
     ball.radius = root(ball.radius);

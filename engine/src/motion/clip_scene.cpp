@@ -72,7 +72,7 @@ sinew_status ClipScene::open(sinew_retarget* own_plan, const sinew_motion_body* 
   target.measure(plan->up);
   source.body = source_body;
   source.rig = &plan->source;
-  source.turn = plan->turn;
+  source.rotation = plan->rotation;
   if (has_source) source.measure(plan->up);
   source_height = has_source ? source.height : target.height / plan->scale;
   limbs = find_limbs(*plan);
@@ -90,10 +90,10 @@ sinew_status ClipScene::open(sinew_retarget* own_plan, const sinew_motion_body* 
 bool ClipScene::is_same_body() const {
   if (!plan->same_rig) return false;
   if (!has_source) return true;
-  const Vec3d first = rotate(source.turn, source.rest(0)) - target.rest(0);
+  const Vec3d first = rotate(source.rotation, source.rest(0)) - target.rest(0);
   for (uint32_t v = 0; v < body->vertex_count; ++v) {
-    const Vec3d way = rotate(source.turn, source.rest(v)) - target.rest(v) - first;
-    if (length(way) > 1e-5 * target.height) return false;
+    const Vec3d offset = rotate(source.rotation, source.rest(v)) - target.rest(v) - first;
+    if (length(offset) > 1e-5 * target.height) return false;
   }
   return true;
 }
@@ -102,7 +102,7 @@ sinew_status ClipScene::load_source(uint32_t frame, bool with_body) {
   const size_t joints = plan->source.count;
   const sinew_status status =
       pose_source(plan, in->source_rotations + 4 * joints * frame, in->source_translations + 3 * joints * frame);
-  if (status == SINEW_OK && has_source && with_body) source.pose(plan->source_turns, plan->source_places);
+  if (status == SINEW_OK && has_source && with_body) source.pose(plan->source_rotations, plan->source_positions);
   return status;
 }
 void ClipScene::load(uint32_t frame) {
@@ -115,7 +115,7 @@ void ClipScene::store(uint32_t frame) const {
 }
 void ClipScene::pose_target(uint32_t frame) {
   load(frame);
-  target.pose(plan->target_turns, plan->target_places);
+  target.pose(plan->target_rotations, plan->target_positions);
 }
 void ClipScene::pose_target_at_rest() {
   for (uint32_t v = 0; v < body->vertex_count; ++v) target.vertices[v] = target.rest(v);

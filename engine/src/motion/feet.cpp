@@ -37,7 +37,7 @@ class Feet {
       const Vec3d move = s_.moves[index(f, number)];
       if (!(dot(move, move) > 0)) continue;
       s_.load(f);
-      move_limb(limb, plan_.target_places[limb.last] + move, plan_.target_places[limb.middle], &plan_);
+      move_limb(limb, plan_.target_positions[limb.last] + move, plan_.target_positions[limb.middle], &plan_);
       s_.store(f);
     }
   }
@@ -50,7 +50,7 @@ class Feet {
     const uint32_t toe = search_.sole_joint(limb), frames = s_.in->frames;
     for (uint32_t f = 0; f < frames; ++f) {
       s_.load(f);
-      const Vec3d p = plan_.target_places[toe];
+      const Vec3d p = plan_.target_positions[toe];
       s_.smooth[f] = p - dot(p, plan_.up) * plan_.up;
       s_.moves[index(f, number)] = {0, 0, 0};
     }
@@ -91,9 +91,9 @@ class Feet {
     const uint32_t frames = s_.in->frames;
     for (uint32_t f = 0; f < frames; ++f) {
       (void)s_.load_source(f, false);
-      if (s_.has_source) s_.source.take_pose(plan_.source_turns, plan_.source_places);
+      if (s_.has_source) s_.source.take_pose(plan_.source_rotations, plan_.source_positions);
       s_.load(f);
-      s_.target.take_pose(plan_.target_turns, plan_.target_places);
+      s_.target.take_pose(plan_.target_rotations, plan_.target_positions);
       const FootHeights low = search_.lowest(limb, number);
       double felt = 1 - low.source / s_.source_height / kFloorReach;
       felt = s_.stands[f] != 0 || felt > 1 ? 1 : felt < 0 ? 0 : felt;

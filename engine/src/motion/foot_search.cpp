@@ -6,7 +6,7 @@ namespace sinew::motion {
 namespace {
 
 // Shares of the source's height: a foot stands below the one, and moves less than the other in a thirtieth of a second.
-constexpr double kContactHeight = 0.02, kContactWay = 0.006;
+constexpr double kContactHeight = 0.02, kContactDistance = 0.006;
 
 }  // namespace
 
@@ -21,8 +21,8 @@ FootSearch::FootSearch(ClipScene* scene) : s_(*scene) {
 // As high as the joint is over a standing ankle's height.
 double FootSearch::lift(uint32_t t) const {
   const sinew_retarget& plan = *s_.plan;
-  const double rest = dot(plan.up, rotate(plan.turn, plan.source.positions[source_of(t)]));
-  return dot(plan.up, plan.source_places[source_of(t)]) - (rest - plan.source_floor + s_.in->ground);
+  const double rest = dot(plan.up, rotate(plan.rotation, plan.source.positions[source_of(t)]));
+  return dot(plan.up, plan.source_positions[source_of(t)]) - (rest - plan.source_floor + s_.in->ground);
 }
 
 void FootSearch::find_standing(const Limb& limb, uint8_t* stands) {
@@ -31,10 +31,10 @@ void FootSearch::find_standing(const Limb& limb, uint8_t* stands) {
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     (void)s_.load_source(f, false);
     const double a = lift(limb.last), b = lift(toe);
-    const Vec3d place = s_.plan->source_places[source_of(toe)];
-    const double way = f == 0 ? 0 : length(place - before) * (s_.in->fps / kContactFps);
-    before = place;
-    stands[f] = (a < b ? a : b) < kContactHeight * s_.source_height && way < kContactWay * s_.source_height;
+    const Vec3d position = s_.plan->source_positions[source_of(toe)];
+    const double distance = f == 0 ? 0 : length(position - before) * (s_.in->fps / kContactFps);
+    before = position;
+    stands[f] = (a < b ? a : b) < kContactHeight * s_.source_height && distance < kContactDistance * s_.source_height;
   }
 }
 

@@ -59,7 +59,7 @@ class Hands {
     for (uint32_t a = 0; a < search_.count(); ++a) {
       const Limb& limb = s_.limbs.limbs[search_.limb(a)];
       if (!(squared(moves[a]) > 0)) continue;
-      move_limb(limb, plan_.target_places[limb.last] + moves[a], plan_.target_places[limb.middle], &plan_);
+      move_limb(limb, plan_.target_positions[limb.last] + moves[a], plan_.target_positions[limb.middle], &plan_);
       contact(frame, a).outside = false;
     }
     s_.store(frame);
@@ -93,7 +93,7 @@ class Hands {
         const double share = (kFar * height - root(reach.square)) / ((kFar - kTouch) * height);
         const double t = share > 1 ? 1 : share;
         hand.alpha = t * t * (3 - 2 * t);
-        remember_place(a, &hand);
+        remember_position(a, &hand);
       }
       hand.depth = search_.deepest(&s_.source_tree, a, {0, 0, 0}, 0).depth;
     }
@@ -108,7 +108,7 @@ class Hands {
     }
   }
   // The nearest triangles with the vertex's place in each one's axes.
-  void remember_place(uint32_t arm, HandContact* out) const {
+  void remember_position(uint32_t arm, HandContact* out) const {
     double squares[kNearTriangles];
     const Vec3d p = s_.source.vertices[out->vertex];
     out->count = search_.neighbours(s_.source_tree, arm, out->vertex, kNearTriangles, out->triangles, squares);
@@ -117,8 +117,8 @@ class Hands {
       out->shares[i] = bell((root(squares[i]) - root(squares[0])) / (kSpread * s_.source.height));
       sum += out->shares[i];
       const Frame frame = frame_of(s_.source, out->triangles[i]);
-      const Vec3d way = p - frame.middle;
-      out->offsets[i] = {dot(frame.axis[0], way), dot(frame.axis[1], way), dot(frame.axis[2], way)};
+      const Vec3d offset = p - frame.middle;
+      out->offsets[i] = {dot(frame.axis[0], offset), dot(frame.axis[1], offset), dot(frame.axis[2], offset)};
     }
     for (uint32_t i = 0; i < out->count; ++i) out->shares[i] = out->shares[i] / sum;
   }
@@ -133,7 +133,7 @@ class Hands {
       }
       if (!any) continue;
       s_.load(f);
-      s_.target.take_pose(plan_.target_turns, plan_.target_places);
+      s_.target.take_pose(plan_.target_rotations, plan_.target_positions);
       for (uint32_t a = 0; a < search_.count(); ++a) {
         const HandContact& hand = contact(f, a);
         if (!(hand.alpha > 0)) continue;

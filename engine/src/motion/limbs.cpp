@@ -17,18 +17,18 @@ constexpr double kCosine25 = 0.906307787036650, kCosine45 = 0.707106781186548;
 
 // The end's turn against the second bone, as little changed as brings it within a right angle or to `before`.
 void turn_end(const Limb& limb, double before, sinew_retarget* plan) {
-  const Quat second = plan->target_turns[limb.middle];
-  Quat own = conjugate(second) * plan->target_turns[limb.last];
+  const Quat second = plan->target_rotations[limb.middle];
+  Quat own = conjugate(second) * plan->target_rotations[limb.last];
   if (own.w < 0) own = {-own.x, -own.y, -own.z, -own.w};
   const double least = before < kCosine45 ? before : kCosine45;  // cosine of half the angle
   if (own.w >= least) return;
   const Vec3d axis = root(1 - least * least) * unit({own.x, own.y, own.z});
-  const Quat turn = second * Quat{axis.x, axis.y, axis.z, least} * conjugate(plan->target_turns[limb.last]);
-  const Vec3d pivot = plan->target_places[limb.last];
+  const Quat rotation = second * Quat{axis.x, axis.y, axis.z, least} * conjugate(plan->target_rotations[limb.last]);
+  const Vec3d pivot = plan->target_positions[limb.last];
   for (uint32_t t = 0; t < plan->target.count; ++t) {
     if (!plan->target.is_below(t, limb.last)) continue;
-    plan->target_places[t] = pivot + rotate(turn, plan->target_places[t] - pivot);
-    plan->target_turns[t] = turn * plan->target_turns[t];
+    plan->target_positions[t] = pivot + rotate(rotation, plan->target_positions[t] - pivot);
+    plan->target_rotations[t] = rotation * plan->target_rotations[t];
   }
 }
 
@@ -58,8 +58,8 @@ LimbList find_limbs(const sinew_retarget& plan) {
 
 void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget* plan) {
   const MotionRig& rig = plan->target;
-  const Vec3d a = plan->target_places[limb.first], b = plan->target_places[limb.middle],
-              c = plan->target_places[limb.last];
+  const Vec3d a = plan->target_positions[limb.first], b = plan->target_positions[limb.middle],
+              c = plan->target_positions[limb.last];
   const double upper = length(b - a), lower = length(c - b);
   if (upper <= 0 || lower <= 0) return;
   const double gap = upper > lower ? upper - lower : lower - upper;
@@ -71,10 +71,10 @@ void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget
     const double folded = root(upper * upper + lower * lower - 2 * kCosine25 * upper * lower);
     nearest = folded > nearest && folded < farthest ? folded : nearest;
   }
-  const Quat end = conjugate(plan->target_turns[limb.middle]) * plan->target_turns[limb.last];
-  const Vec3d way = goal - a;
-  double reach = length(way);
-  const Vec3d u = reach > 0 ? unit(way) : unit(c - a);
+  const Quat end = conjugate(plan->target_rotations[limb.middle]) * plan->target_rotations[limb.last];
+  const Vec3d offset = goal - a;
+  double reach = length(offset);
+  const Vec3d u = reach > 0 ? unit(offset) : unit(c - a);
   reach = reach < nearest ? nearest : reach > farthest ? farthest : reach;
   Vec3d side = across(wanted_middle - a, u, 1e-4 * upper);
   if (dot(side, side) == 0) side = across(b - a, u, 1e-4 * upper);
@@ -91,11 +91,11 @@ void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget
     if (!rig.is_below(t, limb.first)) continue;
     if (t != limb.first) {
       const uint32_t parent = static_cast<uint32_t>(rig.parents[t]);
-      plan->target_places[t] =
-          plan->target_places[parent] + rotate(plan->target_turns[parent], rig.positions[t] - rig.positions[parent]);
+      plan->target_positions[t] = plan->target_positions[parent] +
+                                  rotate(plan->target_rotations[parent], rig.positions[t] - rig.positions[parent]);
     }
     if (rig.is_below(t, limb.last)) continue;
-    plan->target_turns[t] = (rig.is_below(t, limb.middle) ? second : first) * plan->target_turns[t];
+    plan->target_rotations[t] = (rig.is_below(t, limb.middle) ? second : first) * plan->target_rotations[t];
   }
   if (limb.natural) turn_end(limb, end.w < 0 ? -end.w : end.w, plan);
 }

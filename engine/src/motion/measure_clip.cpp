@@ -102,25 +102,25 @@ class Measure {
     Vec3d before = {0, 0, 0};
     for (uint32_t f = 0; f < s_.in->frames; ++f) {
       s_.load(f);
-      const Vec3d place = s_.plan->target_places[feet_.sole_joint(limb)];
-      const Vec3d flat = place - dot(place, s_.plan->up) * s_.plan->up;
+      const Vec3d position = s_.plan->target_positions[feet_.sole_joint(limb)];
+      const Vec3d flat = position - dot(position, s_.plan->up) * s_.plan->up;
       const bool stood = f > 0 && s_.stands[f - 1] != 0;
       const double slide = stood ? share_ * length(flat - before) : 0;
       if (s_.stands[f] != 0) {
         if (stood) tally->add_error(slide);
-        set_spot(f, number, SINEW_SPOT_STANDS, place, slide);
+        set_spot(f, number, SINEW_SPOT_STANDS, position, slide);
       }
       before = flat;
     }
   }
 
-  void set_spot(uint32_t f, uint32_t limb, sinew_spot_kind kind, Vec3d place, double error) {
+  void set_spot(uint32_t f, uint32_t limb, sinew_spot_kind kind, Vec3d position, double error) {
     if (spots_ == nullptr) return;
     sinew_contact_spot* const spot = &spots_[size_t{f} * kMostLimbs + limb];
     spot->kind = static_cast<uint32_t>(kind);
-    spot->position[0] = static_cast<float>(place.x);
-    spot->position[1] = static_cast<float>(place.y);
-    spot->position[2] = static_cast<float>(place.z);
+    spot->position[0] = static_cast<float>(position.x);
+    spot->position[1] = static_cast<float>(position.y);
+    spot->position[2] = static_cast<float>(position.z);
     spot->error = static_cast<float>(error);
   }
 

@@ -19,7 +19,7 @@ sinew_status MotionRig::fill(const sinew_skeleton& input, uint32_t* scratch) {
     const float* const p = input.positions + size_t{3} * j;
     positions[j] = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     if (!is_finite(positions[j].x + positions[j].y + positions[j].z)) return SINEW_ERROR_NOT_FINITE;
-    rotations[j] = kNoTurn;
+    rotations[j] = kNoRotation;
     if (input.rotations != nullptr) {
       const float* const q = input.rotations + size_t{4} * j;
       const Quat given = {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),

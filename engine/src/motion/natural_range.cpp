@@ -40,8 +40,8 @@ struct Bones {
   Vec3d direction;     // in the axes of the first bone's joint
 };
 Bones bones_of(const sinew_retarget& plan, const Limb& limb, const Hinge& hinge) {
-  const Vec3d second = unit(plan.target_places[limb.last] - plan.target_places[limb.middle]);
-  const Vec3d direction = rotate(conjugate(plan.target_turns[limb.first]), second);
+  const Vec3d second = unit(plan.target_positions[limb.last] - plan.target_positions[limb.middle]);
+  const Vec3d direction = rotate(conjugate(plan.target_rotations[limb.first]), second);
   return {dot(direction, hinge.along), dot(direction, hinge.side), direction};
 }
 
@@ -96,14 +96,14 @@ bool bend_into_range(const Limb& limb, const Hinge& hinge, sinew_retarget* plan)
   }
   if (x == now.along && y == now.side) return false;
   const Vec3d wanted = x * hinge.along + y * hinge.side + z * third;
-  const Quat first = plan->target_turns[limb.first];
+  const Quat first = plan->target_rotations[limb.first];
   const Quat bend = shortest_arc(rotate(first, now.direction), rotate(first, wanted));
   const MotionRig& rig = plan->target;
-  const Vec3d pivot = plan->target_places[limb.middle];
+  const Vec3d pivot = plan->target_positions[limb.middle];
   for (uint32_t t = 0; t < rig.count; ++t) {
     if (!rig.is_below(t, limb.middle)) continue;
-    plan->target_places[t] = pivot + rotate(bend, plan->target_places[t] - pivot);
-    plan->target_turns[t] = bend * plan->target_turns[t];
+    plan->target_positions[t] = pivot + rotate(bend, plan->target_positions[t] - pivot);
+    plan->target_rotations[t] = bend * plan->target_rotations[t];
   }
   return true;
 }

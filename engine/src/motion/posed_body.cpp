@@ -14,28 +14,28 @@ bool PosedBody::allocate(Arena& arena, uint32_t vertex_count, uint32_t triangle_
 void PosedBody::measure(Vec3d up) {
   double highest = 0;
   for (uint32_t v = 0; v < body->vertex_count; ++v) {
-    const double own = dot(up, rotate(turn, rest(v)));
+    const double own = dot(up, rotate(rotation, rest(v)));
     if (v == 0 || own < lowest) lowest = own;
     if (v == 0 || own > highest) highest = own;
   }
   height = highest - lowest;
 }
 
-void PosedBody::take_pose(const Quat* turns, const Vec3d* places) {
+void PosedBody::take_pose(const Quat* rotations, const Vec3d* positions) {
   for (uint32_t j = 0; j < rig->count; ++j) {
     // The body's world, then the joint's turn in the other.
-    const Quat q = turns[j] * turn;
+    const Quat q = rotations[j] * rotation;
     const Vec3d columns[3] = {rotate(q, {1, 0, 0}), rotate(q, {0, 1, 0}), rotate(q, {0, 0, 1})};
-    const Vec3d way = places[j] - rotate(q, rig->positions[j]);
+    const Vec3d offset = positions[j] - rotate(q, rig->positions[j]);
     double* const m = matrices + size_t{12} * j;
     for (int c = 0; c < 3; ++c) {
       m[c] = columns[c].x;
       m[4 + c] = columns[c].y;
       m[8 + c] = columns[c].z;
     }
-    m[3] = way.x;
-    m[7] = way.y;
-    m[11] = way.z;
+    m[3] = offset.x;
+    m[7] = offset.y;
+    m[11] = offset.z;
   }
 }
 
@@ -60,8 +60,8 @@ Vec3d PosedBody::skinned(uint32_t v) const {
           m[8] * p.x + m[9] * p.y + m[10] * p.z + m[11]};
 }
 
-void PosedBody::pose(const Quat* turns, const Vec3d* places) {
-  take_pose(turns, places);
+void PosedBody::pose(const Quat* rotations, const Vec3d* positions) {
+  take_pose(rotations, positions);
   for (uint32_t v = 0; v < body->vertex_count; ++v) vertices[v] = skinned(v);
 }
 

@@ -11,7 +11,7 @@ namespace sinew::motion {
 struct PosedBody {
   const sinew_motion_body* body = nullptr;
   const MotionRig* rig = nullptr;
-  Quat turn = kNoTurn;            // from the body's world to the one that it is posed in
+  Quat rotation = kNoRotation;    // from the body's world to the one that it is posed in
   Vec3d* vertices = nullptr;      // [vertices]
   Vec3d* middles = nullptr;       // [triangles]
   double* matrices = nullptr;     // [joints x 12]
@@ -22,8 +22,8 @@ struct PosedBody {
   void measure(Vec3d up);
   // By turns against the rest pose and places [joints], both in the world that it is posed in: for skinned() alone, or with all
   // vertices.
-  void take_pose(const Quat* turns, const Vec3d* places);
-  void pose(const Quat* turns, const Vec3d* places);
+  void take_pose(const Quat* rotations, const Vec3d* positions);
+  void pose(const Quat* rotations, const Vec3d* positions);
   // One vertex in the pose.
   Vec3d skinned(uint32_t v) const;
   // With pose(): middles of triangles.

@@ -11,7 +11,7 @@ namespace sinew {
 struct Quat {
   double x, y, z, w;
 };
-constexpr Quat kNoTurn = {0, 0, 0, 1};
+constexpr Quat kNoRotation = {0, 0, 0, 1};
 
 // a after b.
 inline Quat operator*(Quat a, Quat b) {
@@ -22,7 +22,7 @@ inline Quat conjugate(Quat q) { return {-q.x, -q.y, -q.z, q.w}; }
 // No turn for a quaternion without length.
 inline Quat normalised(Quat q) {
   const double square = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  if (!(square > kLeastSquare)) return kNoTurn;
+  if (!(square > kLeastSquare)) return kNoRotation;
   const double s = reciprocal_root(square);
   return {q.x * s, q.y * s, q.z * s, q.w * s};
 }
@@ -42,7 +42,7 @@ inline Quat shortest_arc(Vec3d from, Vec3d to) {
     const Vec3d axis = unit(other - dot(other, a) * a);
     return {axis.x, axis.y, axis.z, 0};
   }
-  if (dot(a, a) == 0 || dot(b, b) == 0) return kNoTurn;
+  if (dot(a, a) == 0 || dot(b, b) == 0) return kNoRotation;
   const Vec3d axis = cross(a, b);
   return normalised({axis.x, axis.y, axis.z, 1 + c});
 }

@@ -10,7 +10,7 @@ namespace sinew::motion {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
-constexpr double kLeastWay =
+constexpr double kLeastLength =
     1e-6;  // share of the source's height: bones that are shorter as seen along the way say nothing
 
 // About exp(-x), x >= 0: 0.0003 off at most. A power of a fraction needs no libm.
@@ -77,8 +77,8 @@ class ReferencePoints {
       Vec3d middles[kMostLimbs], lasts[kMostLimbs];
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (!is_moved(l)) continue;
-        middles[l] = place(s_.limbs.limbs[l].middle, l);
-        lasts[l] = place(s_.limbs.limbs[l].last, l);
+        middles[l] = position(s_.limbs.limbs[l].middle, l);
+        lasts[l] = position(s_.limbs.limbs[l].last, l);
       }
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (is_moved(l)) move_limb(s_.limbs.limbs[l], lasts[l], middles[l], &plan_);
@@ -92,7 +92,7 @@ class ReferencePoints {
  private:
   bool is_moved(uint32_t limb) const { return options_.legs || !s_.limbs.limbs[limb].leg; }
   uint32_t source_of(uint32_t t) const { return static_cast<uint32_t>(plan_.map[t]); }
-  Vec3d source_rest(uint32_t t) const { return rotate(plan_.turn, plan_.source.positions[source_of(t)]); }
+  Vec3d source_rest(uint32_t t) const { return rotate(plan_.rotation, plan_.source.positions[source_of(t)]); }
 
   // Of joints with one source the first is a node of the way; its bone begins at the next node above.
   void find_nodes() {
@@ -111,7 +111,8 @@ class ReferencePoints {
     bool any_body = false;
     for (uint32_t t = 0; t < rig_.count; ++t)
       any_body = any_body || (s_.is_node[t] != 0 && is_body_class(plan_.classes[t]));
-    for (uint32_t v = 0; v < s_.body->vertex_count; ++v) s_.source.vertices[v] = rotate(plan_.turn, s_.source.rest(v));
+    for (uint32_t v = 0; v < s_.body->vertex_count; ++v)
+      s_.source.vertices[v] = rotate(plan_.rotation, s_.source.rest(v));
     s_.source.find_middles(s_.body->triangles, triangles_);
     for (uint32_t j = 0; j <= rig_.count; ++j) s_.groups[j] = 0;
     for (uint32_t i = 0; i < triangles_; ++i) {
@@ -119,8 +120,8 @@ class ReferencePoints {
       uint32_t best = kNone;
       for (uint32_t t = 0; t < rig_.count; ++t) {
         if (s_.is_node[t] == 0 || (any_body && !is_body_class(plan_.classes[t]))) continue;
-        const Vec3d way = source_rest(t) - s_.source.middles[i];
-        const double own = dot(way, way);
+        const Vec3d offset = source_rest(t) - s_.source.middles[i];
+        const double own = dot(offset, offset);
         if (best != kNone && own >= least) continue;
         least = own;
         best = t;
@@ -156,7 +157,7 @@ class ReferencePoints {
   }
 
   // Bones from a node to another, through the first that is above both. kNone: nothing is above both.
-  uint32_t way(uint32_t from, uint32_t to) {
+  uint32_t offset(uint32_t from, uint32_t to) {
     uint32_t meet = from;
     while (meet != kNone && !rig_.is_below(to, meet)) meet = s_.above[meet];
     if (meet == kNone) return kNone;
@@ -165,8 +166,8 @@ class ReferencePoints {
     for (const uint32_t end : ends) {
       for (uint32_t t = end; t != meet; t = s_.above[t]) {
         const uint32_t up = s_.above[t];
-        s_.source_bones[count] = plan_.source_places[source_of(t)] - plan_.source_places[source_of(up)];
-        s_.target_bones[count++] = plan_.target_places[t] - plan_.target_places[up];
+        s_.source_bones[count] = plan_.source_positions[source_of(t)] - plan_.source_positions[source_of(up)];
+        s_.target_bones[count++] = plan_.target_positions[t] - plan_.target_positions[up];
       }
     }
     return count;
@@ -188,8 +189,8 @@ class ReferencePoints {
   }
 
   // Where all triangles together want a joint; where it is, if none has a say.
-  Vec3d place(uint32_t joint, uint32_t limb) {
-    const Vec3d goal = plan_.source_places[source_of(joint)];
+  Vec3d position(uint32_t joint, uint32_t limb) {
+    const Vec3d goal = plan_.source_positions[source_of(joint)];
     const double heights = s_.source.height > 0 ? s_.target.height / s_.source.height : 1;
     Vec3d sum = {0, 0, 0};
     double all = 0;
@@ -197,7 +198,7 @@ class ReferencePoints {
     while (s_.is_node[node] == 0) node = s_.above[node];
     for (uint32_t group = 0; group < rig_.count; ++group) {
       if (s_.groups[group] == s_.groups[group + 1]) continue;
-      const uint32_t bones = way(group, node);
+      const uint32_t bones = offset(group, node);
       for (uint32_t k = s_.groups[group]; k < s_.groups[group + 1]; ++k) {
         const uint32_t i = s_.order[k];
         if (is_left_out(i, limb)) continue;
@@ -211,14 +212,14 @@ class ReferencePoints {
             from += magnitude(dot(along, s_.source_bones[b]));
             to += magnitude(dot(along, s_.target_bones[b]));
           }
-          factor = from > kLeastWay * s_.source.height ? to / from : heights;
+          factor = from > kLeastLength * s_.source.height ? to / from : heights;
         }
         const double own = influence(i, along, distance);
         all += own;
         sum = sum + own * (s_.target.middles[i] + factor * v);
       }
     }
-    return all > kLeastSquare ? (1 / all) * sum : plan_.target_places[joint];
+    return all > kLeastSquare ? (1 / all) * sum : plan_.target_positions[joint];
   }
 
   const ReferenceOptions& options_;

@@ -11,7 +11,7 @@ double lowest_floor_joint(const sinew_retarget& plan) {
   double lowest = 0;
   for (uint32_t i = 0; i < plan.floor_count; ++i) {
     const uint32_t source = static_cast<uint32_t>(plan.map[plan.floor_joints[i]]);
-    const double height = dot(plan.up, plan.source_places[source]);
+    const double height = dot(plan.up, plan.source_positions[source]);
     if (i == 0 || height < lowest) lowest = height;
   }
   return lowest;
@@ -23,7 +23,7 @@ Vec3d without_height(Vec3d v, Vec3d up) { return v - dot(v, up) * up; }
 Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
   Vec3d from = {0, 0, 0}, rest = {0, 0, 0};
   for (uint32_t i = 0; i < plan.anchor_count; ++i) {
-    from = from + plan.source_places[static_cast<uint32_t>(plan.map[plan.anchors[i]])];
+    from = from + plan.source_positions[static_cast<uint32_t>(plan.map[plan.anchors[i]])];
     rest = rest + plan.target.positions[plan.anchors[i]];
   }
   const double share = 1.0 / plan.anchor_count;
@@ -35,11 +35,11 @@ Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
 
 // How far a joint's source has left its place in its parent, where the two parents belong together: bones that stretch, feet
 // that hang on the root.
-Vec3d left_place(const sinew_retarget& plan, uint32_t t) {
+Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
   const int32_t joint = plan.map[t], parent = plan.map[plan.target.parents[t]];
   if (joint < 0 || parent < 0 || plan.source.parents[joint] != parent) return {0, 0, 0};
-  const Vec3d rest = rotate(plan.turn, plan.source.positions[joint] - plan.source.positions[parent]);
-  return plan.source_places[joint] - plan.source_places[parent] - rotate(plan.source_turns[parent], rest);
+  const Vec3d rest = rotate(plan.rotation, plan.source.positions[joint] - plan.source.positions[parent]);
+  return plan.source_positions[joint] - plan.source_positions[parent] - rotate(plan.source_rotations[parent], rest);
 }
 
 void pose_target(sinew_retarget* plan, double ground) {
@@ -48,27 +48,29 @@ void pose_target(sinew_retarget* plan, double ground) {
     const uint32_t t = rig.order[i];
     const int32_t parent = rig.parents[t];
     if (plan->map[t] >= 0) {
-      plan->target_turns[t] = plan->source_turns[plan->map[t]] * plan->align[t];
+      plan->target_rotations[t] = plan->source_rotations[plan->map[t]] * plan->align[t];
     } else {
-      plan->target_turns[t] = parent < 0 ? kNoTurn : plan->target_turns[parent];
+      plan->target_rotations[t] = parent < 0 ? kNoRotation : plan->target_rotations[parent];
     }
-    Vec3d place = rig.positions[t];
+    Vec3d position = rig.positions[t];
     if (parent >= 0) {
-      place = plan->target_places[parent] + rotate(plan->target_turns[parent], place - rig.positions[parent]) +
-              plan->scale * left_place(*plan, t);
+      position = plan->target_positions[parent] +
+                 rotate(plan->target_rotations[parent], position - rig.positions[parent]) +
+                 plan->scale * left_position(*plan, t);
     } else if (plan->map[t] >= 0 && static_cast<int32_t>(t) != plan->mover) {  // on the floor, or beside the body
       const uint32_t source = static_cast<uint32_t>(plan->map[t]);
-      Vec3d way = plan->scale * (plan->source_places[source] - rotate(plan->turn, plan->source.positions[source]));
-      if (plan->in_place) way = dot(way, plan->up) * plan->up;
-      place = place + way;
+      Vec3d offset =
+          plan->scale * (plan->source_positions[source] - rotate(plan->rotation, plan->source.positions[source]));
+      if (plan->in_place) offset = dot(offset, plan->up) * plan->up;
+      position = position + offset;
     }
-    plan->target_places[t] = place;
+    plan->target_positions[t] = position;
   }
   Vec3d middle = {0, 0, 0};
-  for (uint32_t i = 0; i < plan->anchor_count; ++i) middle = middle + plan->target_places[plan->anchors[i]];
-  const Vec3d way = wanted_middle(*plan, ground) - (1.0 / plan->anchor_count) * middle;
+  for (uint32_t i = 0; i < plan->anchor_count; ++i) middle = middle + plan->target_positions[plan->anchors[i]];
+  const Vec3d offset = wanted_middle(*plan, ground) - (1.0 / plan->anchor_count) * middle;
   for (uint32_t t = 0; t < rig.count; ++t) {
-    if (plan->moved[t] != 0) plan->target_places[t] = plan->target_places[t] + way;
+    if (plan->moved[t] != 0) plan->target_positions[t] = plan->target_positions[t] + offset;
   }
 }
 
@@ -82,17 +84,19 @@ sinew_status pose_source(sinew_retarget* plan, const float* rotations, const flo
     const float* const t = translations + size_t{3} * j;
     const Quat given = {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]),
                         static_cast<double>(q[3])};
-    const Vec3d way = {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
-    if (!is_finite(given.x + given.y + given.z + given.w + way.x + way.y + way.z)) return SINEW_ERROR_NOT_FINITE;
+    const Vec3d offset = {static_cast<double>(t[0]), static_cast<double>(t[1]), static_cast<double>(t[2])};
+    if (!is_finite(given.x + given.y + given.z + given.w + offset.x + offset.y + offset.z))
+      return SINEW_ERROR_NOT_FINITE;
     const Quat local = normalised(given);
     const int32_t parent = rig.parents[j];
-    plan->source_turns[j] = parent < 0 ? local : plan->source_turns[parent] * local;
-    plan->source_places[j] = parent < 0 ? way : plan->source_places[parent] + rotate(plan->source_turns[parent], way);
+    plan->source_rotations[j] = parent < 0 ? local : plan->source_rotations[parent] * local;
+    plan->source_positions[j] =
+        parent < 0 ? offset : plan->source_positions[parent] + rotate(plan->source_rotations[parent], offset);
   }
-  const Quat back = conjugate(plan->turn);
+  const Quat back = conjugate(plan->rotation);
   for (uint32_t j = 0; j < rig.count; ++j) {
-    plan->source_turns[j] = plan->turn * (plan->source_turns[j] * conjugate(rig.rotations[j])) * back;
-    plan->source_places[j] = rotate(plan->turn, plan->source_places[j]);
+    plan->source_rotations[j] = plan->rotation * (plan->source_rotations[j] * conjugate(rig.rotations[j])) * back;
+    plan->source_positions[j] = rotate(plan->rotation, plan->source_positions[j]);
   }
   return SINEW_OK;
 }
@@ -103,18 +107,18 @@ void load_target(sinew_retarget* plan, const float* rotations, const float* tran
     const uint32_t t = rig.order[i];
     const float* const q = rotations + size_t{4} * t;
     const float* const p = translations + size_t{3} * t;
-    Quat turn = normalised(
+    Quat rotation = normalised(
         {static_cast<double>(q[0]), static_cast<double>(q[1]), static_cast<double>(q[2]), static_cast<double>(q[3])});
-    Vec3d place = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+    Vec3d position = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     const int32_t parent = rig.parents[t];
     if (parent >= 0) {
-      const Quat above = plan->target_turns[parent] * rig.rotations[parent];
-      turn = above * turn;
-      place = plan->target_places[parent] + rotate(above, place);
+      const Quat above = plan->target_rotations[parent] * rig.rotations[parent];
+      rotation = above * rotation;
+      position = plan->target_positions[parent] + rotate(above, position);
     }
     // Turns against the rest pose are kept; children need the parent's own again, which the product gives.
-    plan->target_turns[t] = turn * conjugate(rig.rotations[t]);
-    plan->target_places[t] = place;
+    plan->target_rotations[t] = rotation * conjugate(rig.rotations[t]);
+    plan->target_positions[t] = position;
   }
 }
 
@@ -122,12 +126,12 @@ void store_target(const sinew_retarget& plan, float* rotations, float* translati
   const MotionRig& rig = plan.target;
   for (uint32_t t = 0; t < rig.count; ++t) {
     const int32_t parent = rig.parents[t];
-    Quat local = plan.target_turns[t] * rig.rotations[t];
-    Vec3d way = plan.target_places[t];
+    Quat local = plan.target_rotations[t] * rig.rotations[t];
+    Vec3d offset = plan.target_positions[t];
     if (parent >= 0) {
-      const Quat back = conjugate(plan.target_turns[parent] * rig.rotations[parent]);
+      const Quat back = conjugate(plan.target_rotations[parent] * rig.rotations[parent]);
       local = back * local;
-      way = rotate(back, way - plan.target_places[parent]);
+      offset = rotate(back, offset - plan.target_positions[parent]);
     }
     local = normalised(local);
     if (local.w < 0) local = {-local.x, -local.y, -local.z, -local.w};  // one of the two that are the same turn
@@ -137,9 +141,9 @@ void store_target(const sinew_retarget& plan, float* rotations, float* translati
     q[2] = static_cast<float>(local.z);
     q[3] = static_cast<float>(local.w);
     float* const p = translations + size_t{3} * t;
-    p[0] = static_cast<float>(way.x);
-    p[1] = static_cast<float>(way.y);
-    p[2] = static_cast<float>(way.z);
+    p[0] = static_cast<float>(offset.x);
+    p[1] = static_cast<float>(offset.y);
+    p[2] = static_cast<float>(offset.z);
   }
 }
 

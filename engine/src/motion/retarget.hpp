@@ -7,10 +7,10 @@
 
 namespace sinew::motion {
 
-// A source's frame into the plan's source_turns and source_places, in the target's world. SINEW_OK or
+// A source's frame into the plan's source_rotations and source_positions, in the target's world. SINEW_OK or
 // SINEW_ERROR_NOT_FINITE.
 sinew_status pose_source(sinew_retarget* plan, const float* rotations, const float* translations);
-// A target's frame into target_turns and target_places, and back.
+// A target's frame into target_rotations and target_positions, and back.
 void load_target(sinew_retarget* plan, const float* rotations, const float* translations);
 void store_target(const sinew_retarget& plan, float* rotations, float* translations);
 

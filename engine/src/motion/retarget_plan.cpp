@@ -145,17 +145,17 @@ class Planner {
     double best = 0;
     for (int quarter = 0; quarter < 4; ++quarter) {
       const Vec3d axis = sines[quarter] * plan_.up;
-      const Quat turn = Quat{axis.x, axis.y, axis.z, cosines[quarter]} * raise;
+      const Quat rotation = Quat{axis.x, axis.y, axis.z, cosines[quarter]} * raise;
       double score = 0, size = 0;
       for (uint32_t t = 0; t < target_.count; ++t) {
         if (!is_mapped(t)) continue;
-        const Vec3d s = rotate(turn, source_position(t) - middle_s), own = target_.positions[t] - middle_t;
+        const Vec3d s = rotate(rotation, source_position(t) - middle_s), own = target_.positions[t] - middle_t;
         score += dot(s, own);
         size += length(s) * length(own);
       }
       if (quarter > 0 && score <= best + 1e-9 * size) continue;
       best = score;
-      plan_.turn = turn;
+      plan_.rotation = rotation;
     }
   }
 
@@ -214,11 +214,11 @@ class Planner {
     for (uint32_t i = 0; i < target_.count; ++i) {
       const uint32_t t = target_.order[i];
       const int32_t end = plan_.long_ends[t], parent = target_.parents[t];
-      plan_.align[t] = kNoTurn;
+      plan_.align[t] = kNoRotation;
       if (end >= 0) {
         const uint32_t e = static_cast<uint32_t>(end);
         plan_.align[t] = shortest_arc(target_.positions[e] - target_.positions[t],
-                                      rotate(plan_.turn, source_position(e) - source_position(t)));
+                                      rotate(plan_.rotation, source_position(e) - source_position(t)));
       } else if (parent >= 0 && inherits(t)) {
         plan_.align[t] = plan_.align[parent];
       }
@@ -265,7 +265,7 @@ class Planner {
     for (uint32_t i = 0; i < plan_.floor_count; ++i) {
       const uint32_t joint = plan_.floor_joints[i];
       const double own = dot(plan_.up, target_.positions[joint]);
-      const double from = dot(plan_.up, rotate(plan_.turn, source_position(joint)));
+      const double from = dot(plan_.up, rotate(plan_.rotation, source_position(joint)));
       source_sum += from;
       target_sum += own;
       if (i == 0 || from < source_low) source_low = from;
@@ -274,7 +274,7 @@ class Planner {
     plan_.source_floor = plan_.has_legs ? source_sum / plan_.floor_count : source_low;
     plan_.target_floor = plan_.has_legs ? target_sum / plan_.floor_count : target_low;
     for (uint32_t j = 0; j < source_.count; ++j) {
-      const double height = dot(plan_.up, rotate(plan_.turn, source_.positions[j]));
+      const double height = dot(plan_.up, rotate(plan_.rotation, source_.positions[j]));
       if (j == 0 || height < plan_.source_lowest) plan_.source_lowest = height;
     }
   }
@@ -286,7 +286,7 @@ class Planner {
     const uint32_t a = plan_.anchors[0];
     for (uint32_t t = 0; t < target_.count; ++t) {
       if (!is_mapped(t)) continue;
-      const Vec3d from = rotate(plan_.turn, source_position(t) - source_position(a));
+      const Vec3d from = rotate(plan_.rotation, source_position(t) - source_position(a));
       if (length(target_.positions[t] - target_.positions[a] - from) > 1e-5 * plan_.leg_length) plan_.same_rig = false;
     }
   }
@@ -332,10 +332,10 @@ struct PlanMemory {
     made.moved = arena.alloc<uint8_t>(target_joints);
     made.anchors = arena.alloc<uint32_t>(target_joints);
     made.floor_joints = arena.alloc<uint32_t>(target_joints);
-    made.source_turns = arena.alloc<Quat>(source_joints);
-    made.source_places = arena.alloc<Vec3d>(source_joints);
-    made.target_turns = arena.alloc<Quat>(target_joints);
-    made.target_places = arena.alloc<Vec3d>(target_joints);
+    made.source_rotations = arena.alloc<Quat>(source_joints);
+    made.source_positions = arena.alloc<Vec3d>(source_joints);
+    made.target_rotations = arena.alloc<Quat>(target_joints);
+    made.target_positions = arena.alloc<Vec3d>(target_joints);
     const uint32_t larger = source_joints > target_joints ? source_joints : target_joints;
     scratch = arena.alloc<uint32_t>(size_t{2} * larger + 1);
     return arena.ok();

@@ -46,7 +46,7 @@ void TriangleOrder::sort(const PosedBody& rest, const uint8_t* masks, const Mort
     const uint32_t* const c = corners(t);
     return (1.0 / 3.0) * (rest.rest(c[0]) + rest.rest(c[1]) + rest.rest(c[2]));
   };
-  sort_by_place(count, scratch, middle, [&](uint32_t t) { return masks[t]; });
+  sort_by_position(count, scratch, middle, [&](uint32_t t) { return masks[t]; });
   fill_leaves(masks, scratch, count);
   fill_rows(masks);
 }

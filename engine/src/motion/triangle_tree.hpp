@@ -11,12 +11,12 @@ namespace sinew::motion {
 constexpr uint32_t kTreeFan = 8;  // triangles of a leaf, and boxes of a box
 
 // Sorts scratch.order [count] by prefix(i), below 64, then along the Morton curve of place(i).
-template <class Place, class Prefix>
-void sort_by_place(uint32_t count, const MortonScratch& scratch, Place place, Prefix prefix) {
+template <class SurfacePosition, class Prefix>
+void sort_by_position(uint32_t count, const MortonScratch& scratch, SurfacePosition position, Prefix prefix) {
   if (count == 0) return;
-  Vec3d low = place(0), high = low;
+  Vec3d low = position(0), high = low;
   for (uint32_t i = 1; i < count; ++i) {
-    const Vec3d p = place(i);
+    const Vec3d p = position(i);
     low = {lesser(low.x, p.x), lesser(low.y, p.y), lesser(low.z, p.z)};
     high = {greater(high.x, p.x), greater(high.y, p.y), greater(high.z, p.z)};
   }
@@ -24,7 +24,7 @@ void sort_by_place(uint32_t count, const MortonScratch& scratch, Place place, Pr
   const double side = greater(greater(high.x - low.x, high.y - low.y), high.z - low.z);
   const double cells = side > 1e-30 ? 524287 / side : 0;
   for (uint32_t i = 0; i < count; ++i) {
-    const Vec3d p = cells * (place(i) - low);
+    const Vec3d p = cells * (position(i) - low);
     scratch.order[i] = i;
     scratch.keys[i] = spread_bits(static_cast<uint32_t>(p.x)) | (spread_bits(static_cast<uint32_t>(p.y)) << 1) |
                       (spread_bits(static_cast<uint32_t>(p.z)) << 2) | (static_cast<uint64_t>(prefix(i)) << 58);

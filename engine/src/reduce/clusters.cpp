@@ -84,11 +84,11 @@ uint32_t nearest_cluster(const Mesh& mesh, const Clusters& clusters, uint32_t v)
     if (label == own || label == best) continue;
     const Vec3i p = mesh.positions[v];
     if (distance < 0) {
-      const Vec3i way = p - clusters.centroids[own];
-      distance = dot(way, way);
+      const Vec3i offset = p - clusters.centroids[own];
+      distance = dot(offset, offset);
     }
-    const Vec3i way = p - clusters.centroids[label];
-    const int64_t other = dot(way, way);
+    const Vec3i offset = p - clusters.centroids[label];
+    const int64_t other = dot(offset, offset);
     if (other < distance || (other == distance && best != own && label < best)) {
       distance = other;
       best = label;

@@ -85,16 +85,16 @@ uint64_t count_triangles(ReducedWalk walk) {
 
 void insert_near(uint32_t cluster, int64_t distance, uint32_t* near, int64_t* distances) {
   if (near[0] == cluster || near[1] == cluster) return;
-  for (int place = 0; place < 2; ++place) {
-    if (near[place] != kNone &&
-        (distances[place] < distance || (distances[place] == distance && near[place] < cluster)))
+  for (int position = 0; position < 2; ++position) {
+    if (near[position] != kNone &&
+        (distances[position] < distance || (distances[position] == distance && near[position] < cluster)))
       continue;
-    if (place == 0) {
+    if (position == 0) {
       near[1] = near[0];
       distances[1] = distances[0];
     }
-    near[place] = cluster;
-    distances[place] = distance;
+    near[position] = cluster;
+    distances[position] = distance;
     return;
   }
 }
@@ -116,15 +116,15 @@ uint32_t find_loose_edges(const Mesh& full, const Reduction& out, const Scratch&
     for (uint32_t e = full.row_offsets[v]; e < full.row_offsets[v + 1]; ++e) {
       const uint32_t other = out.vertex[full.col_indices[e]];
       if (other == c) continue;
-      const Vec3i way = out.mesh.positions[other] - out.mesh.positions[c];
-      insert_near(other, dot(way, way), scratch.near + 2 * c, scratch.distances + 2 * c);
+      const Vec3i offset = out.mesh.positions[other] - out.mesh.positions[c];
+      insert_near(other, dot(offset, offset), scratch.near + 2 * c, scratch.distances + 2 * c);
     }
   }
   uint32_t edges = 0;
   for (uint32_t c = 0; c < count; ++c) {
     if (scratch.has_triangle[c] != 0) continue;
-    for (int place = 0; place < 2; ++place) {
-      const uint32_t other = scratch.near[2 * c + static_cast<uint32_t>(place)];
+    for (int position = 0; position < 2; ++position) {
+      const uint32_t other = scratch.near[2 * c + static_cast<uint32_t>(position)];
       if (other == kNone) continue;
       const bool both =
           scratch.has_triangle[other] == 0 && (scratch.near[2 * other] == c || scratch.near[2 * other + 1] == c);
@@ -196,41 +196,41 @@ uint32_t size_of(Vec3i v) { return static_cast<uint32_t>(abs64(v.x) | abs64(v.y)
 Vec3i shifted(Vec3i v, int shift) { return {v.x >> shift, v.y >> shift, v.z >> shift}; }
 
 // Tries one simplex of the reduced mesh, of three corners or of two (the third twice the second).
-class NearestPlace {
+class NearestPosition {
  public:
-  NearestPlace(const Mesh& mesh, Vec3i point, uint32_t vertex) : mesh_(mesh), point_(point) {
-    const Vec3i way = point - mesh.positions[vertex];
-    place_ = {{vertex, vertex, vertex}, {kOne, 0, 0}};
-    distance_ = dot(way, way);
+  NearestPosition(const Mesh& mesh, Vec3i point, uint32_t vertex) : mesh_(mesh), point_(point) {
+    const Vec3i offset = point - mesh.positions[vertex];
+    position_ = {{vertex, vertex, vertex}, {kOne, 0, 0}};
+    distance_ = dot(offset, offset);
   }
   void offer(uint32_t a, uint32_t b, uint32_t c) {
     const Vec3i origin = mesh_.positions[a];
     const Vec3i to_b = mesh_.positions[b] - origin, to_c = mesh_.positions[c] - origin, to_p = point_ - origin;
     const int top = top_bit(size_of(to_b) | size_of(to_c) | size_of(to_p));
     const int shift = top > 12 ? top - 12 : 0;
-    Place place = {{a, b, c}, {0, 0, 0}};
-    nearest_shares(shifted(to_b, shift), shifted(to_c, shift), shifted(to_p, shift), place.shares);
-    const int64_t s = place.shares[1], t = place.shares[2];
+    SurfacePosition position = {{a, b, c}, {0, 0, 0}};
+    nearest_shares(shifted(to_b, shift), shifted(to_c, shift), shifted(to_p, shift), position.shares);
+    const int64_t s = position.shares[1], t = position.shares[2];
     const Vec3i gap = {static_cast<int32_t>(to_p.x - ((to_b.x * s + to_c.x * t) >> 15)),
                        static_cast<int32_t>(to_p.y - ((to_b.y * s + to_c.y * t) >> 15)),
                        static_cast<int32_t>(to_p.z - ((to_b.z * s + to_c.z * t) >> 15))};
     const int64_t distance = dot(gap, gap);
     if (distance >= distance_) return;
     distance_ = distance;
-    place_ = place;
+    position_ = position;
   }
-  Place place() const { return place_; }
+  SurfacePosition position() const { return position_; }
 
  private:
   const Mesh& mesh_;
   const Vec3i point_;
-  Place place_;
+  SurfacePosition position_;
   int64_t distance_;  // squared
 };
 
-uint32_t own_share(const Place& place, uint32_t vertex) {
+uint32_t own_share(const SurfacePosition& position, uint32_t vertex) {
   uint32_t share = 0;
-  for (int i = 0; i < 3; ++i) share += place.vertices[i] == vertex ? place.shares[i] : 0;
+  for (int i = 0; i < 3; ++i) share += position.vertices[i] == vertex ? position.shares[i] : 0;
   return share;
 }
 
@@ -245,9 +245,9 @@ bool Reduction::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-Place Reduction::place(const Mesh& full, uint32_t full_vertex) const {
+SurfacePosition Reduction::position(const Mesh& full, uint32_t full_vertex) const {
   const uint32_t own = vertex[full_vertex];
-  NearestPlace nearest(mesh, full.positions[full_vertex], own);
+  NearestPosition nearest(mesh, full.positions[full_vertex], own);
   const auto offer_fan = [&](uint32_t corner) {
     for (uint32_t i = fan_offsets[corner]; i < fan_offsets[corner + 1]; ++i) {
       const uint32_t* const t = mesh.triangles + 3 * static_cast<size_t>(fans[i]);
@@ -256,7 +256,7 @@ Place Reduction::place(const Mesh& full, uint32_t full_vertex) const {
   };
   offer_fan(own);
   // On the rim of the fan: what lies behind may be nearer.
-  const Place rim = nearest.place();
+  const SurfacePosition rim = nearest.position();
   for (int i = 0; i < 3 && own_share(rim, own) == 0; ++i) {
     if (rim.shares[i] != 0) offer_fan(rim.vertices[i]);
   }
@@ -265,7 +265,7 @@ Place Reduction::place(const Mesh& full, uint32_t full_vertex) const {
       nearest.offer(own, mesh.col_indices[e], mesh.col_indices[e]);
     }
   }
-  return nearest.place();
+  return nearest.position();
 }
 
 sinew_status reduce_mesh(const Mesh& full, const Counts& counts, const Progress& progress, Arena& arena,

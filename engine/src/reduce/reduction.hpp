@@ -9,7 +9,7 @@ namespace sinew {
 
 // Where a vertex of the full mesh lies on the reduced one: up to three of its vertices with shares that sum to 32768.
 // Unused entries have share 0.
-struct Place {
+struct SurfacePosition {
   uint32_t vertices[3];
   uint32_t shares[3];
 };
@@ -29,7 +29,7 @@ struct Reduction {
   bool allocate(Arena& arena, const Counts& counts);
   // The nearest point to the full mesh's vertex on the reduced triangles at its cluster and, if it lies on their rim,
   // on those behind; where there are none, on the edges.
-  Place place(const Mesh& full, uint32_t full_vertex) const;
+  SurfacePosition position(const Mesh& full, uint32_t full_vertex) const;
 };
 
 // Fills `out`, allocated for the same counts: active when the mesh exceeds what counts.surface() bounds. Returns

@@ -186,7 +186,9 @@ bool VotePool::build(const Votes& v, bool mirror, Arena& arena) {
   order = arena.alloc<uint16_t>(count);
   if (!arena.ok()) return false;
   if (arena.measuring()) return true;
-  const auto place = [&](uint32_t s) { return folded_place((s & 1) != 0 ? v.end[s >> 1] : v.start[s >> 1], mirror); };
+  const auto place = [&](uint32_t s) {
+    return folded_position((s & 1) != 0 ? v.end[s >> 1] : v.start[s >> 1], mirror);
+  };
   for (uint32_t i = 0; i < count; ++i) source[i] = static_cast<uint16_t>(i);
   heap_sort(source, count, [&](uint16_t a, uint16_t b) { return comes_before(place(a), place(b)); });
   for (uint32_t i = 0; i < count; ++i) {

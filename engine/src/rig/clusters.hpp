@@ -33,7 +33,7 @@ struct VotePool {
 };
 
 // Where a vote counts, and Q15 how far to trust one of that spread.
-inline Vec3i folded_place(Vec3i p, bool mirrored) { return {mirrored && p.x < 0 ? -p.x : p.x, p.y, p.z}; }
+inline Vec3i folded_position(Vec3i p, bool mirrored) { return {mirrored && p.x < 0 ? -p.x : p.x, p.y, p.z}; }
 uint32_t trust_in(uint32_t spread);
 
 // A joint with x > 0 of mirrored votes stands for two.

@@ -11,8 +11,8 @@ namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFFu;
 constexpr uint32_t kMaxRegions = 4096;
-constexpr uint32_t kBand = 3 * kWayUnits;              // three cells
-constexpr uint32_t kLeastBranch = 4 * kWayUnits;       // shorter ones are bumps
+constexpr uint32_t kBand = 3 * kDistanceUnits;         // three cells
+constexpr uint32_t kLeastBranch = 4 * kDistanceUnits;  // shorter ones are bumps
 constexpr int32_t kBend = side_share(250);             // how far a bone may lie from the line
 constexpr int32_t kLongest = side_share(2500);         // bone
 constexpr int32_t kLeastBone = side_share(300);        // to a bone end
@@ -23,8 +23,8 @@ struct Region {
   uint32_t count = 0;
   uint32_t first = kNone;  // its first cell on the way
   uint32_t parent = kNone;
-  uint16_t begin = kNoWay, end = 0;  // ways of its first and last cell
-  uint16_t far = 0;                  // of the last cell that is reached through it
+  uint16_t begin = kNoDistance, end = 0;  // ways of its first and last cell
+  uint16_t far = 0;                       // of the last cell that is reached through it
   bool on_plane = false, kept = false;
   uint8_t branches = 0;  // kept regions that hang on it
   int16_t node = -1;     // of the tree, where it became one
@@ -58,9 +58,10 @@ class Curve {
 
  private:
   bool used(uint32_t cell) const {
-    return interior_.depth[cell] != 0 && interior_.way[cell] != kNoWay && (!folded_ || grid_.centre(cell).x >= 0);
+    return interior_.depth[cell] != 0 && interior_.distance[cell] != kNoDistance &&
+           (!folded_ || grid_.centre(cell).x >= 0);
   }
-  uint32_t band(uint32_t cell) const { return interior_.way[cell] / kBand; }
+  uint32_t band(uint32_t cell) const { return interior_.distance[cell] / kBand; }
   bool comes_before(uint32_t a, uint32_t b) const {
     if (regions_[a].begin != regions_[b].begin) return regions_[a].begin < regions_[b].begin;
     return a < b;
@@ -111,11 +112,11 @@ class Curve {
       const Vec3i centre = grid_.centre(c);
       region.sum = {region.sum.x + centre.x, region.sum.y + centre.y, region.sum.z + centre.z};
       ++region.count;
-      if (interior_.way[c] < region.begin) {
-        region.begin = interior_.way[c];
+      if (interior_.distance[c] < region.begin) {
+        region.begin = interior_.distance[c];
         region.first = c;
       }
-      if (interior_.way[c] > region.end) region.end = interior_.way[c];
+      if (interior_.distance[c] > region.end) region.end = interior_.distance[c];
       region.on_plane = region.on_plane || (folded_ && centre.x <= grid_.cell_size);
     }
   }
@@ -124,10 +125,10 @@ class Curve {
   SINEW_RARE void hang(uint32_t number) {
     Region& region = regions_[number];
     region.parent = order_[0];
-    for (uint32_t cell = region.first; interior_.way[cell] != 0;) {
+    for (uint32_t cell = region.first; interior_.distance[cell] != 0;) {
       uint32_t next = cell;
       each_neighbour(cell, [&](uint32_t other) {
-        if (grid_.states[other] != kCellBorder && interior_.way[other] < interior_.way[next]) next = other;
+        if (grid_.states[other] != kCellBorder && interior_.distance[other] < interior_.distance[next]) next = other;
       });
       if (next == cell) return;
       cell = next;
@@ -226,13 +227,13 @@ class Curve {
     }
     while (from < length) {
       const uint32_t to = bend_after(line, from, length);
-      const int64_t way = static_cast<int64_t>(sinew::length(line[to] - line[from]));
-      const int64_t pieces = way / kLongest + 1;
+      const int64_t distance = static_cast<int64_t>(sinew::length(line[to] - line[from]));
+      const int64_t pieces = distance / kLongest + 1;
       for (int64_t piece = 1; piece <= pieces; ++piece) {
         const Vec3i step = line[to] - line[from];
         const Vec3i at = line[from] + round_div(Vec3l{step.x * piece, step.y * piece, step.z * piece}, pieces);
         if (to == length && piece == pieces && leaf) {
-          if (way < kLeastBone) return true;
+          if (distance < kLeastBone) return true;
           FoldedNode& node = tree_.nodes[above];
           if (node.has_end) return true;
           node.has_end = true;
@@ -263,9 +264,9 @@ class Curve {
     }
   }
   static int64_t segment_distance_square(Vec3i p, Vec3i a, Vec3i b) {
-    const Vec3i along = b - a, way = p - a;
+    const Vec3i along = b - a, distance = p - a;
     const int64_t whole = dot(along, along);
-    int64_t t = dot(way, along) / (whole / 1024 + 1);  // Q10
+    int64_t t = dot(distance, along) / (whole / 1024 + 1);  // Q10
     t = t < 0 ? 0 : t > 1024 ? 1024 : t;
     const Vec3i nearest = {a.x + static_cast<int32_t>(along.x * t / 1024),
                            a.y + static_cast<int32_t>(along.y * t / 1024),

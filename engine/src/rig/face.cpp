@@ -160,7 +160,7 @@ struct Eyes {
 };
 // The two loose parts of `mesh` that are most like the eyes of head joint `head`: round, of one size, side by side, nearest
 // to the head's own bone and in front of it. A ball that lacks its back is taken for a whole one.
-Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const Head& place) {
+Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const Head& position) {
   const uint32_t quarters = quarters_of(s);
   constexpr uint32_t kMostBalls = 32;  // near one head; others are beads
   Ball balls[kMostBalls];
@@ -168,8 +168,8 @@ Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const He
   for (uint32_t part = 0; part < mesh.part_count && count < kMostBalls; ++part) {
     if (mesh.part_sizes[part] < kLeastVertices) break;  // sizes fall
     Ball ball = box_of(mesh, part, quarters);
-    if (!make_ball(&ball, ball.low.x + ball.high.x < 2 * place.base.x)) continue;
-    if (place.upright && ball.at.z < place.base.z) continue;  // behind the head
+    if (!make_ball(&ball, ball.low.x + ball.high.x < 2 * position.base.x)) continue;
+    if (position.upright && ball.at.z < position.base.z) continue;  // behind the head
     if (!belongs_to(s, head, MirrorFrame::turn(ball.at, 4 - quarters))) continue;
     balls[count++] = ball;
   }
@@ -178,7 +178,7 @@ Eyes find_eyes(const Mesh& mesh, const GivenSkeleton& s, uint32_t head, const He
   for (uint32_t i = 0; i < count; ++i) {
     for (uint32_t k = 0; k < count; ++k) {
       const Ball &left = balls[i], &right = balls[k];
-      if (left.at.x <= right.at.x || !is_pair(left, right, place.length, place.base.x)) continue;
+      if (left.at.x <= right.at.x || !is_pair(left, right, position.length, position.base.x)) continue;
       const int64_t here = int64_t{left.high.z} + right.high.z;
       if (here < front || (here == front && left.size <= eyes.size)) continue;
       front = here;
@@ -197,15 +197,15 @@ struct Jaw {
 };
 // Below and behind the eyes by their distance, as people's are; none where the head does not stand upright or has no
 // surface where a chin would be.
-Jaw find_jaw(const Mesh& mesh, uint32_t quarters, const Head& place, const Eyes& eyes) {
+Jaw find_jaw(const Mesh& mesh, uint32_t quarters, const Head& position, const Eyes& eyes) {
   Jaw jaw;
-  if (!place.upright) return jaw;
+  if (!position.upright) return jaw;
   const int64_t gap = eyes.at[0].x - eyes.at[1].x;
   const Vec3i middle = halfway(eyes.at[1], eyes.at[0]);
   const auto of_gap = [&](int64_t percent) { return static_cast<int32_t>(gap * percent / 100); };
   jaw.at = {middle.x, middle.y - of_gap(kJawDown), middle.z - of_gap(kJawBack)};
   // Large eyes stand far apart; a jaw is not behind the head's joint.
-  jaw.at.z = jaw.at.z < place.base.z ? place.base.z : jaw.at.z;
+  jaw.at.z = jaw.at.z < position.base.z ? position.base.z : jaw.at.z;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     const Vec3i p = MirrorFrame::turn(mesh.positions[v], quarters);
     if (apart(p.x, middle.x) > of_gap(kChinWide) || p.y > middle.y - of_gap(kChinHigh) ||
@@ -263,10 +263,10 @@ struct Faces {
       if (!is_bare_head(skeleton, j)) continue;
       Face face = {};
       face.head = j;
-      const Head place(skeleton, j);
-      face.eyes = find_eyes(mesh, skeleton, j, place);
+      const Head position(skeleton, j);
+      face.eyes = find_eyes(mesh, skeleton, j, position);
       if (face.eyes.size == 0) continue;
-      face.jaw = find_jaw(mesh, quarters_of(skeleton), place, face.eyes);
+      face.jaw = find_jaw(mesh, quarters_of(skeleton), position, face.eyes);
       found[count++] = face;
     }
   }

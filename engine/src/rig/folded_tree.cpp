@@ -49,7 +49,7 @@ class Grower {
  private:
   // The joint that makes exp(-distance / width) (probability of its class + 0.03) greatest.
   uint8_t owner(Vec3i vote, const uint16_t* classes) const {
-    const Vec3i at = folded_place(vote, tree_.mirrored);
+    const Vec3i at = folded_position(vote, tree_.mirrored);
     uint8_t best = kNoJoint;
     int64_t best_score = INT64_MIN;
     for (uint32_t j = 0; j < tree_.count; ++j) {

@@ -33,8 +33,8 @@ void set_axes(Vec3i along, Vec3i (&axes)[3]) {
     axes[2] = {0, 0, x};
     return;
   }
-  const int64_t ways = int64_t{kOne} + a.x;
-  const auto part = [&](int32_t u, int32_t v) { return static_cast<int32_t>(round_div(int64_t{u} * v, ways)); };
+  const int64_t directions = int64_t{kOne} + a.x;
+  const auto part = [&](int32_t u, int32_t v) { return static_cast<int32_t>(round_div(int64_t{u} * v, directions)); };
   axes[0] = a;
   axes[1] = {-a.y, kOne - part(a.y, a.y), -part(a.y, a.z)};
   axes[2] = {-a.z, -part(a.y, a.z), kOne - part(a.z, a.z)};
@@ -58,9 +58,10 @@ struct Scratch {
 
 class Cutter {
  public:
-  Cutter(const Mesh& mesh, const HandPlace& place, const Scratch& scratch, uint32_t most_triangles, HandCrop* crop)
+  Cutter(const Mesh& mesh, const HandPosition& position, const Scratch& scratch, uint32_t most_triangles,
+         HandCrop* crop)
       : mesh_(mesh),
-        place_(place),
+        position_(position),
         crop_(*crop),
         states_(scratch.states),
         above_(scratch.above),
@@ -74,10 +75,10 @@ class Cutter {
     crop_.surface_vertices = crop_.surface_triangles = 0;
     crop_.mesh.welded_count = crop_.mesh.triangle_count = 0;
     crop_.frame = HandFrame();
-    crop_.frame.wrist = place_.wrist;
-    crop_.frame.quarters = place_.quarters;
-    crop_.frame.right = place_.right;
-    set_axes(turned(place_.wrist - place_.elbow, place_.quarters, place_.right), crop_.frame.axes);
+    crop_.frame.wrist = position_.wrist;
+    crop_.frame.quarters = position_.quarters;
+    crop_.frame.right = position_.right;
+    set_axes(turned(position_.wrist - position_.elbow, position_.quarters, position_.right), crop_.frame.axes);
     mark_vertices();
     keep_triangles();
     if (crop_.surface_triangles == 0) return;
@@ -89,7 +90,7 @@ class Cutter {
   enum : uint8_t { kOutside = 0, kInRegion = 1, kInCore = 2 };
 
   void mark_vertices() {
-    const int64_t unit = (int64_t{place_.length} << kFineBits);  // 100 percent
+    const int64_t unit = (int64_t{position_.length} << kFineBits);  // 100 percent
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
       const Vec3l r = crop_.frame.rotated(mesh_.positions[v]);
       const auto within = [&](int64_t before, int64_t beyond, int64_t aside) {
@@ -220,7 +221,7 @@ class Cutter {
   }
 
   const Mesh& mesh_;
-  const HandPlace& place_;
+  const HandPosition& position_;
   HandCrop& crop_;
   uint8_t* const states_;
   uint32_t* const above_;
@@ -268,7 +269,7 @@ bool HandCrop::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-bool crop_hand(const Mesh& mesh, const HandPlace& place, const Counts& counts, Arena& arena, HandCrop* crop) {
+bool crop_hand(const Mesh& mesh, const HandPosition& position, const Counts& counts, Arena& arena, HandCrop* crop) {
   const ArenaScope scope(arena);
   Scratch scratch;
   scratch.states = arena.alloc<uint8_t>(counts.vertices);
@@ -279,7 +280,7 @@ bool crop_hand(const Mesh& mesh, const HandPlace& place, const Counts& counts, A
   scratch.loops = arena.alloc<Loop>(most_loops(counts.vertices));
   if (!arena.ok()) return false;
   if (arena.measuring()) return true;
-  Cutter(mesh, place, scratch, most_triangles(counts), crop).run();
+  Cutter(mesh, position, scratch, most_triangles(counts), crop).run();
   return true;
 }
 

@@ -8,7 +8,7 @@
 namespace sinew {
 
 // Where a hand is thought to be. Grid units of the mesh.
-struct HandPlace {
+struct HandPosition {
   Vec3i wrist = {0, 0, 0};
   Vec3i elbow = {0, 0, 0};  // anywhere behind the wrist: only the direction counts
   int32_t length = 1;       // of the hand, more or less; at least 1
@@ -49,7 +49,7 @@ struct HandCrop {
 //   counts  of the whole mesh
 //   crop    allocated beforehand
 // Scratch is taken from the arena and released. Returns arena.ok().
-bool crop_hand(const Mesh& mesh, const HandPlace& place, const Counts& counts, Arena& arena, HandCrop* crop);
+bool crop_hand(const Mesh& mesh, const HandPosition& position, const Counts& counts, Arena& arena, HandCrop* crop);
 
 }  // namespace sinew
 #endif

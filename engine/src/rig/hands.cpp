@@ -34,19 +34,19 @@ struct Body : GivenSkeleton {
     }
     return MirrorFrame::turn(at[top] - at[0], quarters).x < 0;
   }
-  SINEW_RARE HandPlace place(uint32_t j) const {
-    HandPlace place;
-    place.wrist = at[j];
-    place.elbow = at[joints.parents[j]];
-    place.quarters = joints.facing % 4;
-    place.right = is_right(j, place.quarters);
-    const int64_t forearm = static_cast<int64_t>(length(place.wrist - place.elbow));
+  SINEW_RARE HandPosition position(uint32_t j) const {
+    HandPosition position;
+    position.wrist = at[j];
+    position.elbow = at[joints.parents[j]];
+    position.quarters = joints.facing % 4;
+    position.right = is_right(j, position.quarters);
+    const int64_t forearm = static_cast<int64_t>(length(position.wrist - position.elbow));
     const int32_t e = end_of(j);
     int64_t size = e >= 0 ? static_cast<int64_t>(length(at[e] - at[j])) * kOfEnd : forearm * kOfForearm;
     if (size < forearm * kLeastOfForearm) size = forearm * kLeastOfForearm;
     if (size > forearm * kMostOfForearm) size = forearm * kMostOfForearm;
-    place.length = clamp32(size / 100, 1, kSide);
-    return place;
+    position.length = clamp32(size / 100, 1, kSide);
+    return position;
   }
 };
 
@@ -74,12 +74,12 @@ struct HandVoter {
   }
 
   // The fingers of one hand, none of them where there is no surface.
-  sinew_status run(const Mesh& mesh, const HandPlace& place, const Progress& progress, Arena& arena,
+  sinew_status run(const Mesh& mesh, const HandPosition& position, const Progress& progress, Arena& arena,
                    Finger (&fingers)[kFingers]) {
     const ArenaScope scope(arena);
     VoteStore store;
     if (!store.allocate(arena, kHandSets)) return SINEW_ERROR_WORKSPACE;
-    if (!crop_hand(mesh, place, plan.counts, arena, &crop)) return SINEW_ERROR_WORKSPACE;
+    if (!crop_hand(mesh, position, plan.counts, arena, &crop)) return SINEW_ERROR_WORKSPACE;
     if (!arena.measuring() && crop.surface_triangles == 0) {
       for (Finger& finger : fingers) finger = Finger();
       return SINEW_OK;
@@ -208,7 +208,7 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
       one.mirror = static_cast<int16_t>(other);
     }
     const Progress part = plan.progress.part(count * Progress::kWhole / hands, (count + 1) * Progress::kWhole / hands);
-    status = voter.run(mesh, body.place(j), part, arena, one.fingers);
+    status = voter.run(mesh, body.position(j), part, arena, one.fingers);
     if (status != SINEW_OK) return status;
     ++count;
   }

@@ -17,11 +17,11 @@ Counts rig_counts() {
 
 // The 26 neighbours; the first 13 lie behind in the order of cells.
 struct Steps {
-  int32_t depth[26], way[26];  // what they cost
+  int32_t depth[26], distance[26];  // what they cost
   int32_t offset[26];
 
   explicit Steps(const VoxelGrid& grid) {
-    constexpr int32_t kWay[4] = {0, 5, 7, 9};
+    constexpr int32_t kStepLengths[4] = {0, 5, 7, 9};
     int count = 0;
     for (int32_t z = -1; z <= 1; ++z) {
       for (int32_t y = -1; y <= 1; ++y) {
@@ -29,7 +29,7 @@ struct Steps {
           const int32_t axes = (x != 0) + (y != 0) + (z != 0);
           if (axes == 0) continue;
           depth[count] = 2 + axes;
-          way[count] = kWay[axes];
+          distance[count] = kStepLengths[axes];
           offset[count++] = (z * grid.size[1] + y) * grid.size[0] + x;
         }
       }
@@ -119,17 +119,17 @@ struct Queue {
 };
 
 // Ends with the last solid cell: outside, where it costs most to walk, ways are known near the body only, and not the least.
-void find_ways(const Steps& steps, uint32_t start, Queue* queue, Interior* interior) {
+void find_distances(const Steps& steps, uint32_t start, Queue* queue, Interior* interior) {
   const VoxelGrid& grid = interior->grid;
-  uint16_t* const way = interior->way;
+  uint16_t* const distance = interior->distance;
   uint32_t solid = 0;
   for (uint32_t c = 0; c < grid.cell_count; ++c) {
-    way[c] = kNoWay;
+    distance[c] = kNoDistance;
     solid += interior->depth[c] != 0 ? 1 : 0;
   }
   for (uint32_t& head : queue->head) head = kNone;
   if (start == kNone) return;
-  way[start] = 0;
+  distance[start] = 0;
   queue->push(start, 0);
   for (uint32_t at = 0; solid > 0; ++at) {  // every cell but the border's can be reached
     const uint32_t bucket = at % kBuckets;
@@ -141,10 +141,10 @@ void find_ways(const Steps& steps, uint32_t start, Queue* queue, Interior* inter
         const uint32_t other = cell + static_cast<uint32_t>(steps.offset[n]);
         if (grid.states[other] == kCellBorder) continue;
         const uint32_t factor = inside && interior->depth[other] != 0 ? 1 : kOutsideCost;
-        const uint32_t cost = at + factor * static_cast<uint32_t>(steps.way[n]);
-        if (cost >= way[other]) continue;
-        if (way[other] != kNoWay) queue->remove(other, way[other] % kBuckets);
-        way[other] = static_cast<uint16_t>(cost);
+        const uint32_t cost = at + factor * static_cast<uint32_t>(steps.distance[n]);
+        if (cost >= distance[other]) continue;
+        if (distance[other] != kNoDistance) queue->remove(other, distance[other] % kBuckets);
+        distance[other] = static_cast<uint16_t>(cost);
         queue->push(other, cost % kBuckets);
       }
     }
@@ -172,7 +172,7 @@ uint32_t Interior::march(Vec3i p, Vec3i direction, uint32_t most) const {
 
 bool Interior::allocate(Arena& arena) {
   depth = arena.alloc<uint16_t>(max_cells());
-  way = arena.alloc<uint16_t>(max_cells());
+  distance = arena.alloc<uint16_t>(max_cells());
   return grid.allocate(arena, rig_counts());
 }
 size_t Interior::max_cells() { return VoxelGrid::max_cells(rig_counts()); }
@@ -188,7 +188,7 @@ bool build_interior(const Mesh& mesh, Arena& arena, Interior* interior) {
   voxelise(mesh, counts, queue.next, &interior->grid);
   const Steps steps(interior->grid);
   find_depths(steps, interior);
-  find_ways(steps, middle_cell(*interior), &queue, interior);
+  find_distances(steps, middle_cell(*interior), &queue, interior);
   return true;
 }
 

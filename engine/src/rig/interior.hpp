@@ -7,16 +7,16 @@
 
 namespace sinew {
 
-constexpr uint32_t kRigCells = 64;    // along the longest side
-constexpr uint16_t kDepthUnits = 3;   // of a cell: chamfer distance 3-4-5
-constexpr uint16_t kWayUnits = 5;     // of a cell: steps of 5, 7, 9
-constexpr uint32_t kOutsideCost = 4;  // a step that leaves or enters a cell outside costs so many times
-constexpr uint16_t kNoWay = 0xFFFF;
+constexpr uint32_t kRigCells = 64;      // along the longest side
+constexpr uint16_t kDepthUnits = 3;     // of a cell: chamfer distance 3-4-5
+constexpr uint16_t kDistanceUnits = 5;  // of a cell: steps of 5, 7, 9
+constexpr uint32_t kOutsideCost = 4;    // a step that leaves or enters a cell outside costs so many times
+constexpr uint16_t kNoDistance = 0xFFFF;
 
 struct Interior {
   VoxelGrid grid;
-  uint16_t* depth = nullptr;  // [cells] to the nearest cell outside, thirds of a cell; 0 outside
-  uint16_t* way = nullptr;    // [cells] from the body's middle, fifths of a cell
+  uint16_t* depth = nullptr;     // [cells] to the nearest cell outside, thirds of a cell; 0 outside
+  uint16_t* distance = nullptr;  // [cells] from the body's middle, fifths of a cell
 
   static bool solid(uint8_t state) { return state == kCellInside || state == kCellSurface; }
   // Whether a point lies in a solid cell. Points outside the grid do not.

@@ -2,18 +2,13 @@
 // Class, side and number of a joint as text.
 #include "rig/joint_names.hpp"
 
+#include "names/standard_names.hpp"
 #include "rig/joint_class.hpp"
 
 namespace sinew {
 namespace {
 
-// In the order of JointClass. "LeftHip" would be taken for hips by programs that know names.
-constexpr char kClassNames[kJointClasses][12] = {"Hips",    "Spine", "Neck",     "Head",  "Shoulder", "Arm",
-                                                 "ForeArm", "Hand",  "HipJoint", "UpLeg", "Leg",      "Foot",
-                                                 "ToeBase", "Tail",  "Wing",     "Ear",   "Hair",     "Bone"};
-
-enum Side : uint8_t { kNoSide, kLeft, kRight };
-constexpr char kSideNames[3][8] = {"", "Left", "Right"};
+enum Side : int8_t { kNoSide = 0, kLeft = 1, kRight = -1 };
 
 Side side_of(const RigJoint& joint, uint32_t index) {
   const bool mirrored = joint.partner >= 0;
@@ -49,8 +44,8 @@ SINEW_RARE void name_joints(const RigJoint* joints, uint32_t count, char (*names
     } else {
       const Side side = side_of(joints[i], i);
       const uint32_t c = joints[i].joint_class;
-      to = append(append(to, kSideNames[side]), kClassNames[c]);
-      to = append(to, taken[side][c]++);
+      (void)names::standard_name(SINEW_NAMING_SINEW, c, side, taken[side + 1][c]++, to);
+      continue;
     }
     *to = 0;
   }

@@ -49,10 +49,10 @@ class Climb {
       const Pull pull = pull_at(mode->at);
       mode->density = pull.mass;
       if (pull.mass == 0) return true;
-      const Vec3i way = round_div(pull.offset, pull.mass);
-      mode->at = mode->at + way;
+      const Vec3i shift = round_div(pull.offset, pull.mass);
+      mode->at = mode->at + shift;
       if (mirrored_ && mode->at.x < 0) mode->at.x = -mode->at.x;
-      if (extent({way.x, 0, 0}) + extent({0, way.y, 0}) + extent({0, 0, way.z}) < kStill) return true;
+      if (extent({shift.x, 0, 0}) + extent({0, shift.y, 0}) + extent({0, 0, shift.z}) < kStill) return true;
       if (caught(mode->at)) return false;
     }
     return true;
@@ -74,12 +74,12 @@ class Climb {
   }
 
   // No image is nearer than the plane.
-  Pull pull_at(Vec3i place) const {
-    return mirrored_ && place.x < reach_ ? pull_of<true>(place) : pull_of<false>(place);
+  Pull pull_at(Vec3i position) const {
+    return mirrored_ && position.x < reach_ ? pull_of<true>(position) : pull_of<false>(position);
   }
 
   template <bool kMirrored>
-  Pull pull_of(Vec3i place) const {
+  Pull pull_of(Vec3i position) const {
     const uint64_t reach_2 = reach_2_, pieces = pieces_;  // in registers
     Pull pull;
     const auto add = [&](int64_t x, int64_t y, int64_t z, uint64_t distance_2, uint32_t weight) {
@@ -91,16 +91,16 @@ class Climb {
       pull.offset.y += share * y;
       pull.offset.z += share * z;
     };
-    const int32_t top = place.y + reach_;
+    const int32_t top = position.y + reach_;
     const Vec3i* const end = cloud_.at + cloud_.count;
-    const uint32_t first = first_at(place.y - reach_ + 1);
+    const uint32_t first = first_at(position.y - reach_ + 1);
     const uint16_t* weight = cloud_.weight + first;
     for (const Vec3i* at = cloud_.at + first; at != end && at->y < top; ++at, ++weight) {
-      const int64_t x = at->x - place.x, y = at->y - place.y, z = at->z - place.z;
+      const int64_t x = at->x - position.x, y = at->y - position.y, z = at->z - position.z;
       const uint64_t beside = static_cast<uint64_t>(y * y + z * z), near = beside + static_cast<uint64_t>(x * x);
       if (near < reach_2) add(x, y, z, near, *weight);
       if (!kMirrored) continue;
-      const int64_t image_x = -at->x - place.x;
+      const int64_t image_x = -at->x - position.x;
       const uint64_t image = beside + static_cast<uint64_t>(image_x * image_x);
       if (image < reach_2) add(image_x, y, z, image, *weight);
     }

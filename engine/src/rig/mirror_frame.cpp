@@ -14,7 +14,7 @@ constexpr uint64_t kSeed = 11;
 constexpr int kRounds = 3;
 // Shares of the side: as near as this is symmetric; a plane across z has to be so much better than one across x, which
 // must be bad; a plane that was found by refining has to be that much better than one that is given.
-constexpr uint32_t kFoldError = kSide * 3 / 100, kTurnError = kSide * 12 / 1000, kRefineGain = kSide / 500;
+constexpr uint32_t kFoldError = kSide * 3 / 100, kRotationError = kSide * 12 / 1000, kRefineGain = kSide / 500;
 
 // Points in cells of a coarse grid, for the nearest of them. Cells along x follow each other, so that a row of them is one
 // run of points.
@@ -26,7 +26,7 @@ struct PointGrid {
   Vec3i low = {0, 0, 0};
   uint32_t* starts = nullptr;  // [kCells^3 + 1]
   uint16_t* order = nullptr;   // [kPoints] points by cell
-  Vec3i* places = nullptr;     // [kPoints] where they are, in that order
+  Vec3i* positions = nullptr;  // [kPoints] where they are, in that order
 
   static int32_t cell(int32_t offset) { return clamp32(offset >> kCellBits, 0, kCells - 1); }
   uint32_t cell_of(Vec3i p) const {
@@ -45,7 +45,7 @@ struct PointGrid {
     // Every start has moved to the cell before it.
     for (uint32_t c = 0; c < kCells * kCells * kCells; ++c) starts[c] = starts[c + 1];
     starts[kCells * kCells * kCells] = kPoints;
-    for (uint32_t e = 0; e < kPoints; ++e) places[e] = points[order[e]].position;
+    for (uint32_t e = 0; e < kPoints; ++e) positions[e] = points[order[e]].position;
   }
   // How far an offset from `low` is beyond cells first..last of an axis, 0 within them.
   static int64_t beyond(int32_t offset, int32_t first, int32_t last) {
@@ -76,7 +76,7 @@ struct PointGrid {
           const uint32_t row = static_cast<uint32_t>((z * kCells + y) * kCells);
           const uint32_t end = starts[row + static_cast<uint32_t>(last[0]) + 1];
           for (uint32_t e = starts[row + static_cast<uint32_t>(first[0])]; e < end; ++e) {
-            const Vec3i d = places[e] - p;
+            const Vec3i d = positions[e] - p;
             const uint64_t own = static_cast<uint64_t>(dot(d, d));
             if (own < *squared || (own == *squared && order[e] < *index)) {
               *squared = own;
@@ -102,7 +102,7 @@ struct Scratch {
     grid.points = points;
     grid.starts = arena.alloc<uint32_t>(kCells * kCells * kCells + 1);
     grid.order = arena.alloc<uint16_t>(kPoints);
-    grid.places = arena.alloc<Vec3i>(kPoints);
+    grid.positions = arena.alloc<Vec3i>(kPoints);
     values = arena.alloc<int32_t>(kPoints);
     far = arena.alloc<uint32_t>(kAsked);
     return arena.ok();
@@ -178,7 +178,7 @@ bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&mi
   const Plane x = best_plane(s, 0, middle[0]);
   frame->plane = x.at;
   frame->error = x.error;
-  if (x.error > kTurnError) {
+  if (x.error > kRotationError) {
     const Plane z = best_plane(s, 1, middle[1]);
     if (uint64_t{z.error} * 10 < uint64_t{x.error} * 6) {
       frame->quarters = 1;

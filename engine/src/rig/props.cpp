@@ -56,8 +56,8 @@ bool has_hand_beside(const Mesh& mesh, uint32_t part, Vec3i elbow, Vec3i hand, i
     const Vec3i p = mesh.positions[v] - hand;
     const int64_t forward = dot(p, along);  // forearm times the way beyond the wrist
     if (forward * 100 < forearm * forearm * kBeyond || forward > forearm * forearm) continue;
-    const int64_t way = forward / forearm, beside = forearm * kBeside / 100;
-    if (squared(p) - way * way <= beside * beside) return true;
+    const int64_t distance = forward / forearm, beside = forearm * kBeside / 100;
+    if (squared(p) - distance * distance <= beside * beside) return true;
   }
   return false;
 }

@@ -34,7 +34,7 @@ class Regions {
 
   bool allocate(Arena& arena, const Counts& counts) {
     label_ = arena.alloc<uint32_t>(counts.vertices);
-    way_ = arena.alloc<uint64_t>(counts.vertices);
+    distance_ = arena.alloc<uint64_t>(counts.vertices);
     boxes_ = arena.alloc<OrientedBox>(kMostSeeds);
     nodes_ = arena.alloc<Node>(kMostSeeds);
     samples_ = arena.alloc<uint32_t>(size_t{kMostSeeds} * kSamples);
@@ -60,16 +60,16 @@ class Regions {
       sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
     }
     Vec3i from = round_div(sum, mesh_.welded_count);
-    for (uint32_t v = 0; v < mesh_.welded_count; ++v) way_[v] = UINT64_MAX;
+    for (uint32_t v = 0; v < mesh_.welded_count; ++v) distance_[v] = UINT64_MAX;
     for (count_ = 0; count_ < kMostSeeds; ++count_) {
       uint32_t farthest = 0;
       uint64_t most = 0;
       for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
         const Vec3i d = mesh_.positions[v] - from;
         const uint64_t own = static_cast<uint64_t>(dot(d, d));
-        if (count_ == 0 || own < way_[v]) way_[v] = own;
-        if (way_[v] > most) {
-          most = way_[v];
+        if (count_ == 0 || own < distance_[v]) distance_[v] = own;
+        if (distance_[v] > most) {
+          most = distance_[v];
           farthest = v;
         }
       }
@@ -77,7 +77,7 @@ class Regions {
       seeds_[count_] = farthest;
       from = mesh_.positions[farthest];
       if (count_ == 0)
-        for (uint32_t v = 0; v < mesh_.welded_count; ++v) way_[v] = UINT64_MAX;
+        for (uint32_t v = 0; v < mesh_.welded_count; ++v) distance_[v] = UINT64_MAX;
     }
   }
 
@@ -86,11 +86,11 @@ class Regions {
   void grow() {
     for (uint32_t v = 0; v < mesh_.welded_count; ++v) {
       label_[v] = kNone;
-      way_[v] = UINT64_MAX;
+      distance_[v] = UINT64_MAX;
     }
     for (uint32_t s = 0; s < count_; ++s) {
       label_[seeds_[s]] = s;
-      way_[seeds_[s]] = 0;
+      distance_[seeds_[s]] = 0;
     }
     bool changed = true;
     for (uint32_t sweep = 0; changed; ++sweep) {
@@ -100,9 +100,9 @@ class Regions {
         for (uint32_t e = mesh_.row_offsets[v]; e < mesh_.row_offsets[v + 1]; ++e) {
           const uint32_t u = mesh_.col_indices[e];
           if (label_[u] == kNone) continue;
-          const uint64_t way = way_[u] + sinew::length(mesh_.positions[u] - mesh_.positions[v]);
-          if (way > way_[v] || (way == way_[v] && label_[u] >= label_[v])) continue;
-          way_[v] = way;
+          const uint64_t distance = distance_[u] + sinew::length(mesh_.positions[u] - mesh_.positions[v]);
+          if (distance > distance_[v] || (distance == distance_[v] && label_[u] >= label_[v])) continue;
+          distance_[v] = distance;
           label_[v] = label_[u];
           changed = true;
         }
@@ -194,9 +194,9 @@ class Regions {
   }
   // Whether the edge from a, which goes, to b may be collapsed.
   bool may_go(uint32_t a, uint32_t b, bool too_many) const {
-    const double way = length(nodes_[a].at - nodes_[b].at);
-    if (too_many || way < kShort * kSide || nodes_[a].area < kLeastArea * whole_) return true;
-    return (way < kAround * kSide && share_neighbour(a, b)) || (edges_at(a) == 1 && edges_at(b) > kMostEdges);
+    const double distance = length(nodes_[a].at - nodes_[b].at);
+    if (too_many || distance < kShort * kSide || nodes_[a].area < kLeastArea * whole_) return true;
+    return (distance < kAround * kSide && share_neighbour(a, b)) || (edges_at(a) == 1 && edges_at(b) > kMostEdges);
   }
 
   void collapse() {
@@ -265,9 +265,9 @@ class Regions {
         if (!nodes_[a].alive || number[a] == kNone) continue;
         for (uint32_t b = 0; b < count_; ++b) {
           if (!nodes_[b].alive || number[b] != kNone) continue;
-          const double way = length(nodes_[a].at - nodes_[b].at) + (joined(a, b) ? 0 : 4.0 * kSide);
-          if (next != kNone && way >= least) continue;
-          least = way;
+          const double distance = length(nodes_[a].at - nodes_[b].at) + (joined(a, b) ? 0 : 4.0 * kSide);
+          if (next != kNone && distance >= least) continue;
+          least = distance;
           next = b;
           parent = a;
         }
@@ -278,7 +278,7 @@ class Regions {
   const Mesh& mesh_;
   uint32_t count_ = 0;            // N regions
   uint32_t* label_ = nullptr;     // [U] region
-  uint64_t* way_ = nullptr;       // [U] from its seed, grid units
+  uint64_t* distance_ = nullptr;  // [U] from its seed, grid units
   OrientedBox* boxes_ = nullptr;  // [N]
   Node* nodes_ = nullptr;         // [N]
   uint32_t* samples_ = nullptr;   // [N x kSamples] vertices

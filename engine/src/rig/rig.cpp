@@ -64,9 +64,9 @@ int64_t doubt_of(const int16_t* outputs) {
 }
 
 // Turns the mesh to where the votes are surest: front and back of a mirrored mesh, all four sides of another. Other ways than
-// the one that it has must be better by kTurnGain. The voter keeps the interior of the way that was chosen, and where that
+// the one that it has must be better by kRotationGain. The voter keeps the interior of the way that was chosen, and where that
 // is the way that the mesh had, what set 0 said there.
-constexpr int64_t kTurnGain = 60;  // Q10 of log2
+constexpr int64_t kRotationGain = 60;  // Q10 of log2
 
 sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& arena, PointVoter* voter,
                            MirrorFrame* frame, Mesh* mesh, bool* turned) {
@@ -81,7 +81,7 @@ sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& a
     const sinew_status status = voter->run(plan.model, plan.network, kernels, *mesh, 0, {}, arena);
     if (status != SINEW_OK) return status;
     if (arena.measuring()) return SINEW_OK;
-    const int64_t doubt = doubt_of(voter->outputs) + (quarters == 0 ? 0 : kTurnGain);
+    const int64_t doubt = doubt_of(voter->outputs) + (quarters == 0 ? 0 : kRotationGain);
     if (doubt < least || (quarters == 0 && doubt == least)) {
       least = doubt;
       best = quarters;

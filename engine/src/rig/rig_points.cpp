@@ -33,18 +33,18 @@ uint32_t thickness(const Interior& interior, Vec3i p, Vec3i normal, uint32_t str
   constexpr int64_t kCos30 = 14189, kSin30 = 8192, kCos45 = 11585;  // Q14
   const int64_t round[8][2] = {{1 << 14, 0},    {kCos45, kCos45},   {0, 1 << 14},    {-kCos45, kCos45},
                                {-(1 << 14), 0}, {-kCos45, -kCos45}, {0, -(1 << 14)}, {kCos45, -kCos45}};
-  uint32_t ways[kMarches];
-  ways[0] = straight;
+  uint32_t distances[kMarches];
+  distances[0] = straight;
   for (uint32_t k = 0; k < 8; ++k) {
     const auto component = [&](int32_t n, int32_t a, int32_t b) {
       return static_cast<int32_t>(round_shift(-kCos30 * n, 14) +
                                   round_shift(kSin30 * (round[k][0] * a + round[k][1] * b), 28));
     };
-    ways[k + 1] = interior.march(
+    distances[k + 1] = interior.march(
         p, {component(normal.x, u.x, w.x), component(normal.y, u.y, w.y), component(normal.z, u.z, w.z)}, kLongest);
   }
-  heap_sort(ways, kMarches, [](uint32_t a, uint32_t b) { return a < b; });
-  return ways[kMarches / 2];
+  heap_sort(distances, kMarches, [](uint32_t a, uint32_t b) { return a < b; });
+  return distances[kMarches / 2];
 }
 
 struct Body {
@@ -108,8 +108,8 @@ void describe(const Interior& interior, const Body& body, SurfacePoint* point, V
   for (uint32_t i = 0; i < 6; ++i) {
     row[kRigExtents + i] = length_feature(4, int64_t{half_cell} * interior.march(m, axes[i], kRigCells));
   }
-  const uint16_t way = interior.way[interior.grid.cell_of(p)];
-  row[kRigWay] = length_feature(1, int64_t{way} * interior.grid.cell_size / kWayUnits);
+  const uint16_t distance = interior.distance[interior.grid.cell_of(p)];
+  row[kRigDistance] = length_feature(1, int64_t{distance} * interior.grid.cell_size / kDistanceUnits);
   const Vec3i away = p - body.mean;
   const int64_t spread = 2 * (body.rms > 256 ? body.rms : 256);
   row[kRigRelative] = feature(round_div(int64_t{sign} * away.x * 8192, spread));

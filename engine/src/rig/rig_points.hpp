@@ -18,7 +18,7 @@ enum RigChannel : uint32_t {
   kRigThickness = 9,  // 4 t
   kRigDepth = 10,     // 8 times the depth of m below the surface
   kRigExtents = 11,   // 6: 4 times the way from m to the surface along +x -x +y -y +z -z
-  kRigWay = 17,       // from the body's middle, through the body
+  kRigDistance = 17,  // from the body's middle, through the body
   kRigRelative = 18,  // 3: (p - mean) / (2 rms)
   kRigBody = 21,      // 6: 1.5 times box x, y, z, rms, mean y, mean z; the same for all points of a set
   kRigChannels = 27

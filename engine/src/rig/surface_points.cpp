@@ -62,8 +62,8 @@ void spread_points(const Mesh& mesh, uint32_t count, uint64_t seed, SurfacePoint
   Random random(seed);
   if (total == 0) {
     for (uint32_t i = 0; i < count; ++i) {
-      const uint64_t place = (static_cast<uint64_t>(i) << 32) + random.next();
-      const uint32_t v = static_cast<uint32_t>(mul_shift(static_cast<int64_t>(place / count), mesh.welded_count, 32));
+      const uint64_t pick = (static_cast<uint64_t>(i) << 32) + random.next();
+      const uint32_t v = static_cast<uint32_t>(mul_shift(static_cast<int64_t>(pick / count), mesh.welded_count, 32));
       points[i] = {mesh.positions[v], {0, 0, 0}, kNoTriangle, {v, v, v}, {32768, 0, 0}};
     }
     return;
@@ -72,9 +72,9 @@ void spread_points(const Mesh& mesh, uint32_t count, uint64_t seed, SurfacePoint
   uint32_t triangle = 0;
   uint64_t area = doubled_area(mesh, 0) >> drop;
   for (uint32_t i = 0; i < count; ++i) {
-    const uint64_t place = ((static_cast<uint64_t>(i) << 32) + random.next()) / count;  // Q32 of the whole
+    const uint64_t pick = ((static_cast<uint64_t>(i) << 32) + random.next()) / count;  // Q32 of the whole
     const uint64_t target =
-        static_cast<uint64_t>(mul_shift(static_cast<int64_t>(total), static_cast<int64_t>(place), 32));
+        static_cast<uint64_t>(mul_shift(static_cast<int64_t>(total), static_cast<int64_t>(pick), 32));
     while (before + area <= target && triangle + 1 < mesh.triangle_count) {
       before += area;
       area = doubled_area(mesh, ++triangle) >> drop;

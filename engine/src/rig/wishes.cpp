@@ -69,20 +69,20 @@ struct Line {
     along[count] = count == 0 ? 0 : along[count - 1] + static_cast<int64_t>(length(p - at[count - 1]));
     at[count++] = p;
   }
-  Vec3i place(int64_t way) const {
+  Vec3i place(int64_t distance) const {
     uint32_t i = 1;
-    while (i + 1 < count && along[i] < way) ++i;
-    const int64_t whole = along[i] - along[i - 1], share = way - along[i - 1];
+    while (i + 1 < count && along[i] < distance) ++i;
+    const int64_t whole = along[i] - along[i - 1], share = distance - along[i - 1];
     if (whole == 0) return at[i];
     const Vec3i step = at[i] - at[i - 1];
     return at[i - 1] + round_div(Vec3l{step.x * share, step.y * share, step.z * share}, whole);
   }
 };
 
-uint32_t nearest(const int64_t* ways, uint32_t count, int64_t way) {
+uint32_t nearest(const int64_t* distances, uint32_t count, int64_t distance) {
   uint32_t best = 0;
   for (uint32_t i = 1; i < count; ++i) {
-    if (abs64(ways[i] - way) < abs64(ways[best] - way)) best = i;
+    if (abs64(distances[i] - distance) < abs64(distances[best] - distance)) best = i;
   }
   return best;
 }
@@ -124,11 +124,11 @@ SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
     gaps = count;  // the last stays at the chain's end
   }
   FoldedNode made[kMaxSpine];
-  int64_t ways[kMaxSpine];
+  int64_t distances[kMaxSpine];
   for (uint32_t i = 0; i < count; ++i) {
-    ways[i] = first + round_div((last - first) * (i + skipped), gaps);
-    if (old.count > 0) made[i] = tree->nodes[old.nodes[nearest(line.along + 1, old.count, ways[i])]];
-    made[i].at = line.place(ways[i]);
+    distances[i] = first + round_div((last - first) * (i + skipped), gaps);
+    if (old.count > 0) made[i] = tree->nodes[old.nodes[nearest(line.along + 1, old.count, distances[i])]];
+    made[i].at = line.place(distances[i]);
     made[i].joint_class = kClassSpine;
     made[i].has_end = made[i].has_end && i + 1 == count;
   }
@@ -140,7 +140,8 @@ SINEW_RARE void set_spine(FoldedTree* tree, uint32_t joints) {
     while (i < old.count && tree->nodes[j].parent != old.nodes[i]) ++i;
     if (i == old.count || gone[j]) continue;
     tree->nodes[j].parent =
-        count == 0 ? old.below : static_cast<int16_t>(-2 - static_cast<int>(nearest(ways, count, line.along[1 + i])));
+        count == 0 ? old.below
+                   : static_cast<int16_t>(-2 - static_cast<int>(nearest(distances, count, line.along[1 + i])));
   }
   if (old.above != kNone) {
     tree->nodes[old.above].parent = count == 0 ? old.below : static_cast<int16_t>(-1 - static_cast<int>(count));

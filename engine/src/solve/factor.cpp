@@ -58,7 +58,7 @@ void SparseMatrix::subtract_image(const int32_t* x, int64_t* rhs) const {
                                     mul_shift(diagonal[k], x[static_cast<size_t>(k) * kBatch + member], kSolutionBits));
     }
     for (uint32_t e = mesh->row_offsets[v]; e < mesh->row_offsets[v + 1]; ++e) {
-      const int32_t* neighbour = x + static_cast<size_t>(ordering->place[mesh->col_indices[e]]) * kBatch;
+      const int32_t* neighbour = x + static_cast<size_t>(ordering->position[mesh->col_indices[e]]) * kBatch;
       const int64_t m = entry(e);
       for (uint32_t member = 0; member < kBatch; ++member)
         r[member] = wrapping_subtract(r[member], mul_shift(m, neighbour[member], kSolutionBits));
@@ -103,7 +103,7 @@ bool Factor::analyse(const SparseMatrix& matrix) {
     const uint32_t v = ordering.order[k];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
       // Row k of L holds every node on the tree path from its neighbours up to k.
-      for (uint32_t i = ordering.place[mesh.col_indices[e]]; i < k && mark[i] != k; i = parent[i]) {
+      for (uint32_t i = ordering.position[mesh.col_indices[e]]; i < k && mark[i] != k; i = parent[i]) {
         if (parent[i] == kNone) parent[i] = k;
         ++column_fill[i];
         ++total;
@@ -129,7 +129,7 @@ void Factor::factorise(const SparseMatrix& matrix) {
     uint32_t top = rows;
     const uint32_t v = ordering.order[k];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
-      const uint32_t neighbour = ordering.place[mesh.col_indices[e]];
+      const uint32_t neighbour = ordering.position[mesh.col_indices[e]];
       if (neighbour > k) continue;
       work[neighbour] = wrapping_add(work[neighbour], matrix.entry(e));
       uint32_t length = 0;

@@ -70,17 +70,17 @@ bool FrontFactor::find_border(const SparseMatrix& matrix, uint32_t index, const 
   const Front& front = fronts_[index];
   const uint32_t end = front.first + front.pivots;
   size_t count = front.rows;
-  const auto insert = [&](uint32_t place) {
-    if (place < end || mark_[place] == index + 1) return true;
+  const auto insert = [&](uint32_t position) {
+    if (position < end || mark_[position] == index + 1) return true;
     if (count == row_capacity_) return false;
-    mark_[place] = index + 1;
-    rows_[count++] = place;
+    mark_[position] = index + 1;
+    rows_[count++] = position;
     return true;
   };
   for (uint32_t k = front.first; k < end; ++k) {
     const uint32_t v = ordering.order[k];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
-      if (!insert(ordering.place[mesh.col_indices[e]])) return false;
+      if (!insert(ordering.position[mesh.col_indices[e]])) return false;
     }
   }
   for (uint32_t i = 0; i < child_count; ++i) {
@@ -102,24 +102,24 @@ bool FrontFactor::analyse(const SparseMatrix& matrix) {
   size_t stacked = 0;
   fronts_[0].rows = 0;
   fronts_[0].factor = 0;
-  for (uint32_t place = 0; place < matrix.rows;) {
+  for (uint32_t position = 0; position < matrix.rows;) {
     const uint32_t index = front_count_;
     if (index == front_capacity_) return false;
     Front& front = fronts_[index];
-    front.first = place;
-    front.pivots = ordering.region_size[place];
+    front.first = position;
+    front.pivots = ordering.region_size[position];
     front.subtree = index;
     uint32_t children = 0;
     size_t used = 0;
     front.parent = kNoFront;
-    while (waiting > 0 && fronts_[waiting_[waiting - 1]].first >= ordering.region_begin[place]) {
+    while (waiting > 0 && fronts_[waiting_[waiting - 1]].first >= ordering.region_begin[position]) {
       const uint32_t child = waiting_[--waiting];
       ++children;
       fronts_[child].parent = index;
       front.subtree = fronts_[child].subtree;
       used += triangle(border(child));
     }
-    for (uint32_t k = 0; k < front.pivots; ++k) front_of_[place + k] = index;
+    for (uint32_t k = 0; k < front.pivots; ++k) front_of_[position + k] = index;
     if (!find_border(matrix, index, waiting_ + waiting, children)) return false;
     const size_t rest = border(index), height = front.pivots + rest;
     fronts_[index + 1].factor = front.factor + front.pivots * height;
@@ -129,7 +129,7 @@ bool FrontFactor::analyse(const SparseMatrix& matrix) {
     }
     stacked = stacked - used + triangle(rest);
     waiting_[waiting++] = index;
-    place += front.pivots;
+    position += front.pivots;
     ++front_count_;
   }
   return true;
@@ -163,14 +163,15 @@ void FrontFactor::fill(const SparseMatrix& matrix, const Front& front, uint32_t 
   const Ordering& ordering = *matrix.ordering;
   memset(columns, 0, static_cast<size_t>(front.pivots) * height * sizeof(columns[0]));
   for (uint32_t k = 0; k < front.pivots; ++k) {
-    const uint32_t place = front.first + k;
+    const uint32_t position = front.first + k;
     int32_t* const column = columns + static_cast<size_t>(k) * height;
-    const int exponent = exponent_[place];
-    column[k] = static_cast<int32_t>(shifted(matrix.diagonal[place], matrix.matrix_bits + 2 * exponent - kFrontBits));
-    const uint32_t v = ordering.order[place];
+    const int exponent = exponent_[position];
+    column[k] =
+        static_cast<int32_t>(shifted(matrix.diagonal[position], matrix.matrix_bits + 2 * exponent - kFrontBits));
+    const uint32_t v = ordering.order[position];
     for (uint32_t e = mesh.row_offsets[v]; e < mesh.row_offsets[v + 1]; ++e) {
-      const uint32_t other = ordering.place[mesh.col_indices[e]];
-      if (other < place) continue;
+      const uint32_t other = ordering.position[mesh.col_indices[e]];
+      if (other < position) continue;
       const int64_t entry = shifted(matrix.weight(e), kEdgeWeightBits + exponent + exponent_[other] - kFrontBits);
       int32_t& target = column[mark_[other]];  // of a definite matrix below 1; of another it wraps
       target = static_cast<int32_t>(static_cast<uint32_t>(target) - static_cast<uint32_t>(entry));
@@ -271,10 +272,10 @@ void FrontFactor::wake(const FrontSolve& solve, uint32_t index) const {
   }
 }
 
-void FrontFactor::add(const FrontSolve& solve, uint32_t place, uint32_t member, int64_t value_q40) const {
-  wake(solve, front_of_[place]);
-  solve.x[static_cast<size_t>(place) * kFrontBatch + member] =
-      clamp32(shifted(value_q40, 40 - kFrontSolutionBits + 2 * exponent_[place]), -0x7FFFFFFF, 0x7FFFFFFF);
+void FrontFactor::add(const FrontSolve& solve, uint32_t position, uint32_t member, int64_t value_q40) const {
+  wake(solve, front_of_[position]);
+  solve.x[static_cast<size_t>(position) * kFrontBatch + member] =
+      clamp32(shifted(value_q40, 40 - kFrontSolutionBits + 2 * exponent_[position]), -0x7FFFFFFF, 0x7FFFFFFF);
 }
 
 // v of the front's pivots, and what they take from its border.

@@ -47,7 +47,7 @@ class FrontFactor {
 
   // One batch: begin(), add() for every entry of the right-hand sides, eliminate(), then substitute() front by front.
   void begin(const FrontSolve& solve) const;
-  void add(const FrontSolve& solve, uint32_t place, uint32_t member, int64_t value_q40) const;
+  void add(const FrontSolve& solve, uint32_t position, uint32_t member, int64_t value_q40) const;
   void eliminate(const FrontKernels& kernels, const FrontSolve& solve) const;
   // Calls take(first, count, x) with the solution x [count x kFrontBatch] of the vertices at places [first, first +
   // count), for every front where it may be larger than 2^-18. Without negative edge weights it never is elsewhere

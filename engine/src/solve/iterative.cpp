@@ -74,7 +74,7 @@ class MemberSolver {
       const uint32_t vertex = ordering.order[k];
       int64_t sum = mul_shift(matrix_.diagonal[k], v[k], kStepBits);
       for (uint32_t e = mesh.row_offsets[vertex]; e < mesh.row_offsets[vertex + 1]; ++e) {
-        sum = wrapping_add(sum, mul_shift(matrix_.entry(e), v[ordering.place[mesh.col_indices[e]]], kStepBits));
+        sum = wrapping_add(sum, mul_shift(matrix_.entry(e), v[ordering.position[mesh.col_indices[e]]], kStepBits));
       }
       image_[k] = sum;
     }

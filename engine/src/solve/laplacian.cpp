@@ -95,13 +95,13 @@ sinew_status weigh_edges(const Mesh& mesh, const Counts& counts, Arena& arena, E
   const auto measure = [&](uint32_t index, uint32_t slot) {
     const uint32_t* corner = mesh.triangles + 3 * static_cast<size_t>(index);
     TriangleEdges& own = scratch.triangles[slot];
-    const Vec3i ways[3] = {mesh.positions[corner[1]] - mesh.positions[corner[0]],
-                           mesh.positions[corner[2]] - mesh.positions[corner[1]],
-                           mesh.positions[corner[0]] - mesh.positions[corner[2]]};
-    const Sine sine = sine_of(cross(ways[0], ways[1]));
+    const Vec3i sides[3] = {mesh.positions[corner[1]] - mesh.positions[corner[0]],
+                            mesh.positions[corner[2]] - mesh.positions[corner[1]],
+                            mesh.positions[corner[0]] - mesh.positions[corner[2]]};
+    const Sine sine = sine_of(cross(sides[0], sides[1]));
     for (uint32_t k = 0; k < 3; ++k) {
       const uint32_t b = corner[(k + 1) % 3], c = corner[(k + 2) % 3];
-      own.cotangents[k] = cotangent_of(sine, -dot(ways[k], ways[(k + 2) % 3]));
+      own.cotangents[k] = cotangent_of(sine, -dot(sides[k], sides[(k + 2) % 3]));
       own.edges[k][0] = edge_index(mesh, b, c);
       own.edges[k][1] = edge_index(mesh, c, b);
     }

@@ -133,7 +133,7 @@ bool Ordering::allocate_scratch(Arena& arena, const Counts& counts) {
 
 bool Ordering::allocate_result(Arena& arena, const Counts& counts) {
   order = arena.alloc<uint32_t>(counts.vertices);
-  place = arena.alloc<uint32_t>(counts.vertices);
+  position = arena.alloc<uint32_t>(counts.vertices);
   region_size = arena.alloc<uint32_t>(counts.vertices);
   region_begin = arena.alloc<uint32_t>(counts.vertices);
   return arena.ok();
@@ -194,7 +194,7 @@ void Ordering::dissect(const Mesh& mesh, uint32_t part, uint32_t smallest) {
     if (later.begin < later.end) stack[depth++] = later;
     if (sooner.begin < sooner.end) stack[depth++] = sooner;
   }
-  for (uint32_t i = 0; i < count; ++i) place[order[i]] = i;
+  for (uint32_t i = 0; i < count; ++i) position[order[i]] = i;
 }
 
 }  // namespace sinew

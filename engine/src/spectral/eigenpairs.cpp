@@ -18,8 +18,8 @@ constexpr int64_t kSmallestRatio = static_cast<int64_t>(1) << (kProjectedBits - 
 constexpr int32_t kRootLimit = 0x7FFFFFFF;
 
 // 1/2 .. 1, from the place alone: no column of the start shall be symmetric by accident.
-int64_t jitter_q30(uint32_t place) {
-  uint32_t h = (place + 1) * 2654435761u;
+int64_t jitter_q30(uint32_t position) {
+  uint32_t h = (position + 1) * 2654435761u;
   h ^= h >> 15;
   h *= 2246822519u;
   h ^= h >> 13;
@@ -43,12 +43,12 @@ bool EigenSolver::allocate(Arena& arena, const Counts& counts) {
   return arena.ok();
 }
 
-void EigenSolver::load(uint32_t place, int32_t* row) const {
-  for (uint32_t b = 0; b < batches_; ++b) memcpy(row + b * kBatch, at(b, place), kBatch * sizeof(row[0]));
+void EigenSolver::load(uint32_t position, int32_t* row) const {
+  for (uint32_t b = 0; b < batches_; ++b) memcpy(row + b * kBatch, at(b, position), kBatch * sizeof(row[0]));
 }
 
-void EigenSolver::store(uint32_t place, const int32_t* row) {
-  for (uint32_t b = 0; b < batches_; ++b) memcpy(at(b, place), row + b * kBatch, kBatch * sizeof(row[0]));
+void EigenSolver::store(uint32_t position, const int32_t* row) {
+  for (uint32_t b = 0; b < batches_; ++b) memcpy(at(b, position), row + b * kBatch, kBatch * sizeof(row[0]));
 }
 
 // One column per run of vertices in Morton order (compact pieces of about equal mass and vertex count); small
@@ -65,7 +65,7 @@ void EigenSolver::start() {
     uint32_t end = begin;
     int64_t norm = 0;  // Q40
     while (end < rows) {
-      const int64_t m = mass_[ordering_.place[vertices[first + end]]];
+      const int64_t m = mass_[ordering_.position[vertices[first + end]]];
       const int64_t share =
           rows <= columns_ ? end
                            : ((((static_cast<int64_t>(end) << kMassBits) / rows + before) / 2) * columns_) >> kMassBits;
@@ -79,7 +79,7 @@ void EigenSolver::start() {
     if (column >= columns_) column = columns_ - 1;
     for (uint32_t i = begin; i < end; ++i) {
       const int64_t value = jitter_q30(i) * (static_cast<int64_t>(1) << kVectorBits) / (root > 0 ? root : 1);
-      at(column / kBatch, ordering_.place[vertices[first + i]])[column % kBatch] =
+      at(column / kBatch, ordering_.position[vertices[first + i]])[column % kBatch] =
           clamp32(value, -kVectorLimit, kVectorLimit);
     }
     ++column;
@@ -171,10 +171,10 @@ void EigenSolver::finish(Eigenpairs* out) {
   // By falling ratio; the largest, 1, is the constant vector's.
   uint32_t order[kSpectralModes];
   for (uint32_t i = 0; i < n; ++i) {
-    uint32_t place = i;
-    for (; place > 0 && small_[order[place - 1]][order[place - 1]] < small_[i][i]; --place)
-      order[place] = order[place - 1];
-    order[place] = i;
+    uint32_t position = i;
+    for (; position > 0 && small_[order[position - 1]][order[position - 1]] < small_[i][i]; --position)
+      order[position] = order[position - 1];
+    order[position] = i;
   }
   out->count = 0;
   for (uint32_t i = 1; i < n; ++i) {

@@ -33,17 +33,17 @@ class EigenSolver {
   // iterating without a factor would take seconds.
   bool solve(const Mesh& mesh, SpectralOperator& op, uint32_t part, Eigenpairs* out);
   // Values of all columns at a vertex of that part, Q20: out [kSpectralModes].
-  void row(uint32_t vertex, int32_t* out) const { load(ordering_.place[vertex], out); }
+  void row(uint32_t vertex, int32_t* out) const { load(ordering_.position[vertex], out); }
 
  private:
-  int32_t* at(uint32_t batch, uint32_t place) {
-    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + place) * kBatch;
+  int32_t* at(uint32_t batch, uint32_t position) {
+    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + position) * kBatch;
   }
-  const int32_t* at(uint32_t batch, uint32_t place) const {
-    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + place) * kBatch;
+  const int32_t* at(uint32_t batch, uint32_t position) const {
+    return vectors_ + (static_cast<size_t>(batch) * matrix_.rows + position) * kBatch;
   }
-  void load(uint32_t place, int32_t* row) const;
-  void store(uint32_t place, const int32_t* row);
+  void load(uint32_t position, int32_t* row) const;
+  void store(uint32_t position, const int32_t* row);
   void start();
   void image(uint32_t batch);
   void gram();

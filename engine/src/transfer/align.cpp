@@ -16,7 +16,7 @@ constexpr double kClearGap = 0.05;                     // of best_rotation(): jo
 struct Whole {
   Vec3d source_mean, target_mean;
   double scale = 1;
-  Mat3 turn;
+  Mat3 rotation;
   uint32_t count = 0;
 };
 
@@ -24,8 +24,8 @@ Whole fit_whole(const JointCounterparts& map, const Skeleton& source, const Skel
   Whole whole;
   for (uint32_t j = 0; j < source.joint_count; ++j) {
     if (map.same[j] < 0) continue;
-    whole.source_mean = whole.source_mean + place_of(source.positions[j]);
-    whole.target_mean = whole.target_mean + place_of(target.positions[map.same[j]]);
+    whole.source_mean = whole.source_mean + position_of(source.positions[j]);
+    whole.target_mean = whole.target_mean + position_of(target.positions[map.same[j]]);
     ++whole.count;
   }
   if (whole.count == 0) return whole;
@@ -36,8 +36,8 @@ Whole fit_whole(const JointCounterparts& map, const Skeleton& source, const Skel
   Mat3 sums = {{0, 0, 0, 0, 0, 0, 0, 0, 0}};
   for (uint32_t j = 0; j < source.joint_count; ++j) {
     if (map.same[j] < 0) continue;
-    const Vec3d u = place_of(source.positions[j]) - whole.source_mean;
-    const Vec3d v = place_of(target.positions[map.same[j]]) - whole.target_mean;
+    const Vec3d u = position_of(source.positions[j]) - whole.source_mean;
+    const Vec3d v = position_of(target.positions[map.same[j]]) - whole.target_mean;
     source_spread += dot(u, u);
     target_spread += dot(v, v);
     const double us[3] = {u.x, u.y, u.z}, vs[3] = {v.x, v.y, v.z};
@@ -47,8 +47,8 @@ Whole fit_whole(const JointCounterparts& map, const Skeleton& source, const Skel
   if (source_spread > kShortest * kShortest && target_spread > kShortest * kShortest) {
     whole.scale = root(target_spread / source_spread);
     double gap = 0;
-    const Mat3 turn = best_rotation(sums, &gap);
-    if (gap > kClearGap && turn.m[0] + turn.m[4] + turn.m[8] < kTurned) whole.turn = turn;
+    const Mat3 rotation = best_rotation(sums, &gap);
+    if (gap > kClearGap && rotation.m[0] + rotation.m[4] + rotation.m[8] < kTurned) whole.rotation = rotation;
   }
   return whole;
 }
@@ -65,9 +65,9 @@ void Alignment::find(const JointCounterparts& map, const Skeleton& source, const
   const Whole whole = fit_whole(map, source, target);
   scale = whole.scale;
   Similarity start;
-  start.turn = whole.turn;
+  start.rotation = whole.rotation;
   start.scale = scale;
-  start.shift = whole.target_mean - scale * (whole.turn * whole.source_mean);
+  start.shift = whole.target_mean - scale * (whole.rotation * whole.source_mean);
 
   // The mapped joints below each mapped joint, without others between.
   uint32_t* const above = scratch;  // nearest mapped proper ancestor, or `count`
@@ -94,16 +94,16 @@ void Alignment::find(const JointCounterparts& map, const Skeleton& source, const
     const Similarity& parent = source.parents[j] >= 0 ? joints[source.parents[j]] : start;
     joints[j] = parent;
     if (map.same[j] < 0) continue;
-    const Vec3d from = place_of(source.positions[j]), to = place_of(target.positions[map.same[j]]);
+    const Vec3d from = position_of(source.positions[j]), to = position_of(target.positions[map.same[j]]);
     Mat3 sums = {{0, 0, 0, 0, 0, 0, 0, 0, 0}};
     double source_sum = 0, target_sum = 0;
     uint32_t bones = 0;
     Vec3d u, v;
     for (uint32_t k = offsets[j]; k < offsets[j + 1]; ++k) {
-      const Vec3d own = place_of(source.positions[kids[k]]) - from;
-      const Vec3d other = place_of(target.positions[map.same[kids[k]]]) - to;
+      const Vec3d own = position_of(source.positions[kids[k]]) - from;
+      const Vec3d other = position_of(target.positions[map.same[kids[k]]]) - to;
       if (length(own) <= kShortest || length(other) <= kShortest) continue;
-      u = parent.turn * own;
+      u = parent.rotation * own;
       v = other;
       ++bones;
       source_sum += dot(own, own);
@@ -114,15 +114,15 @@ void Alignment::find(const JointCounterparts& map, const Skeleton& source, const
     }
     Similarity& own = joints[j];
     if (bones == 1) {
-      own.turn = rotation_between(u, v) * parent.turn;
+      own.rotation = rotation_between(u, v) * parent.rotation;
     } else if (bones > 1) {
       const double hold = kHold * root(source_sum) * root(target_sum);
       for (int a = 0; a < 3; ++a) sums.m[4 * a] += hold;
-      own.turn = best_rotation(sums, nullptr) * parent.turn;
+      own.rotation = best_rotation(sums, nullptr) * parent.rotation;
     }
     if (bones > 0) own.scale = root(target_sum / source_sum);
     own.scale = clamped(own.scale, kLeastScale * scale, kMostScale * scale);
-    own.shift = to - own.scale * (own.turn * from);
+    own.shift = to - own.scale * (own.rotation * from);
   }
 }
 

@@ -58,7 +58,7 @@ class Distances {
     (void)ordering_.allocate(arena, counts);
     (void)ties_.allocate(arena, counts.vertices);
     (void)ldl_.allocate(arena, counts.vertices, (40 + levels * levels / 2) * counts.vertices);
-    place_ = arena.alloc<uint32_t>(counts.vertices);
+    position_ = arena.alloc<uint32_t>(counts.vertices);
     order_ = arena.alloc<uint32_t>(counts.vertices);
     host_ = arena.alloc<uint32_t>(counts.vertices);
     host_distance_ = arena.alloc<uint32_t>(counts.vertices);
@@ -81,12 +81,12 @@ class Distances {
     tie_parts(mesh);
     order_vertices(mesh);
     if (!factorise(mesh)) return SINEW_ERROR_COUNT;
-    const auto place = [&](uint32_t i) -> const Place3& {
+    const auto position = [&](uint32_t i) -> const TrianglePosition& {
       return on_source ? references.points[i].source : references.points[i].target;
     };
     for (uint32_t first = 0; first < references.count; first += kBatch)
-      solve_columns(mesh, references.count, first, place, out);
-    turn_to_distances(mesh, references.count, place, out);
+      solve_columns(mesh, references.count, first, position, out);
+    turn_to_distances(mesh, references.count, position, out);
     return SINEW_OK;
   }
 
@@ -118,7 +118,7 @@ class Distances {
       ordering_.dissect(mesh, part);
       for (uint32_t i = 0; i < mesh.part_sizes[part]; ++i) {
         order_[next] = ordering_.order[i];
-        place_[order_[next]] = next;
+        position_[order_[next]] = next;
         ++next;
       }
     }
@@ -134,10 +134,10 @@ class Distances {
     const double ground = kGround * (trace > 0 ? trace : 1) / area;
     return ldl_.factorise(mesh.welded_count, [&](uint32_t k, const auto& visit) {
       const uint32_t v = order_[k];
-      plate_.laplacian(v, [&](uint32_t w, double value) { visit(place_[w], value); });
+      plate_.laplacian(v, [&](uint32_t w, double value) { visit(position_[w], value); });
       for (uint32_t e = ties_.first[v]; e != kNoVertex; e = ties_.next[e]) {
         visit(k, kTieWeight);
-        visit(place_[ties_.other[e]], -kTieWeight);
+        visit(position_[ties_.other[e]], -kTieWeight);
       }
       visit(k, ground * plate_.area[v]);
     });
@@ -156,16 +156,16 @@ class Distances {
   }
 
   // Columns of the pseudo-inverse of L A^-1 L: two solves each.
-  template <class PlaceOf>
-  void solve_columns(const Mesh& mesh, uint32_t count, uint32_t first, const PlaceOf& place, double* out) {
+  template <class PositionOf>
+  void solve_columns(const Mesh& mesh, uint32_t count, uint32_t first, const PositionOf& position, double* out) {
     const uint32_t size = count - first < kBatch ? count - first : kBatch;
     double area = 0;
     for (uint32_t v = 0; v < mesh.welded_count; ++v) area += plate_.area[v];
     for (uint32_t k = 0; k < mesh.welded_count; ++k)
       for (uint32_t m = 0; m < kBatch; ++m) x_[size_t{kBatch} * k + m] = -plate_.area[order_[k]] / area;
     for (uint32_t m = 0; m < size; ++m) {
-      const Place3& p = place(first + m);
-      for (uint32_t c = 0; c < 3; ++c) x_[size_t{kBatch} * place_[p.corners[c]] + m] += p.shares[c];
+      const TrianglePosition& p = position(first + m);
+      for (uint32_t c = 0; c < 3; ++c) x_[size_t{kBatch} * position_[p.corners[c]] + m] += p.shares[c];
     }
     ldl_.solve(x_);
     centre(mesh);
@@ -179,16 +179,16 @@ class Distances {
 
   // d(x, i)^2 = g(x, x) + g(i, i) - 2 g(x, i), the first by Nystroem's approximation; divided by the mean distance between
   // reference points.
-  template <class PlaceOf>
-  void turn_to_distances(const Mesh& mesh, uint32_t n, const PlaceOf& place, double* g) {
-    const auto at = [&](const Place3& p, uint32_t column) {
+  template <class PositionOf>
+  void turn_to_distances(const Mesh& mesh, uint32_t n, const PositionOf& position, double* g) {
+    const auto at = [&](const TrianglePosition& p, uint32_t column) {
       return p.shares[0] * g[size_t{n} * p.corners[0] + column] + p.shares[1] * g[size_t{n} * p.corners[1] + column] +
              p.shares[2] * g[size_t{n} * p.corners[2] + column];
     };
     double* const gyy = own_;  // the diagonal; n is at most SINEW_MAX_TRANSFER_PAIRS
     double diagonal[SINEW_MAX_TRANSFER_PAIRS];
     for (uint32_t i = 0; i < n; ++i)
-      for (uint32_t j = 0; j < n; ++j) matrix_[i * n + j] = 0.5 * (at(place(i), j) + at(place(j), i));
+      for (uint32_t j = 0; j < n; ++j) matrix_[i * n + j] = 0.5 * (at(position(i), j) + at(position(j), i));
     for (uint32_t i = 0; i < n; ++i) diagonal[i] = matrix_[i * n + i];
     find_eigenpairs(n, matrix_, vectors_);
     double largest = 0;
@@ -211,7 +211,7 @@ class Distances {
     }
     double mean = 0;
     for (uint32_t i = 0; i < n; ++i)
-      for (uint32_t j = 0; j < n; ++j) mean += at(place(j), i);
+      for (uint32_t j = 0; j < n; ++j) mean += at(position(j), i);
     mean /= static_cast<double>(n) * n;
     const double scale = mean > 1e-150 ? 1 / mean : 0;
     for (size_t i = 0; i < size_t{n} * mesh.welded_count; ++i) g[i] *= scale;
@@ -222,7 +222,7 @@ class Distances {
   Ordering ordering_;
   Ties ties_;
   SparseLdl ldl_;
-  uint32_t *place_ = nullptr, *order_ = nullptr, *host_ = nullptr, *host_distance_ = nullptr;
+  uint32_t *position_ = nullptr, *order_ = nullptr, *host_ = nullptr, *host_distance_ = nullptr;
   uint64_t* keys_ = nullptr;
   double *x_ = nullptr, *own_ = nullptr, *matrix_ = nullptr, *vectors_ = nullptr;
 };

@@ -26,9 +26,9 @@ struct Inpainting {
   ThinPlate plate;
   Ordering ordering;
   SparseLdl ldl;
-  Rows filled;                  // of the unknown vertices of a part, in the order of elimination
-  uint32_t* unknown = nullptr;  // [U] vertices of a part in that order
-  uint32_t* place = nullptr;    // [U] and back, kNowhere for others
+  Rows filled;                   // of the unknown vertices of a part, in the order of elimination
+  uint32_t* unknown = nullptr;   // [U] vertices of a part in that order
+  uint32_t* position = nullptr;  // [U] and back, kNowhere for others
   uint16_t* joint_list = nullptr;
   uint8_t* is_listed = nullptr;  // [J]
   double* x = nullptr;           // [most unknown x kBatch]
@@ -43,7 +43,7 @@ struct Inpainting {
     few.vertices = most;
     (void)filled.allocate(arena, few);
     unknown = arena.alloc<uint32_t>(counts.vertices);
-    place = arena.alloc<uint32_t>(counts.vertices);
+    position = arena.alloc<uint32_t>(counts.vertices);
     joint_list = arena.alloc<uint16_t>(joints);
     is_listed = arena.alloc<uint8_t>(joints);
     x = arena.alloc<double>(static_cast<size_t>(most) * SparseLdl::kBatch);
@@ -55,7 +55,7 @@ struct Inpainting {
     memset(is_listed, 0, joints);
     for (uint32_t i = 0; i < count; ++i) {
       plate.plate(unknown[i], [&](uint32_t v, double) {
-        if (place[v] != kNowhere) return;
+        if (position[v] != kNowhere) return;
         const uint16_t* const row = rows.joints_of(v);
         for (uint32_t s = 0; s < kRowSlots; ++s)
           if (row[s] != kNoJoint) is_listed[row[s]] = 1;
@@ -72,7 +72,7 @@ struct Inpainting {
     for (uint32_t i = 0; i < count; ++i) {
       double* const rhs = x + static_cast<size_t>(i) * SparseLdl::kBatch;
       plate.plate(unknown[i], [&](uint32_t v, double value) {
-        if (place[v] != kNowhere) return;
+        if (position[v] != kNowhere) return;
         for (uint32_t m = 0; m < size; ++m) rhs[m] -= value * rows.weight(v, batch[m]);
       });
     }
@@ -97,12 +97,12 @@ struct Inpainting {
     for (uint32_t i = 0; i < mesh.part_sizes[part]; ++i) {
       const uint32_t v = ordering.order[i];
       if (known[v] != 0) continue;
-      place[v] = count;
+      position[v] = count;
       unknown[count++] = v;
     }
     const bool fits = ldl.factorise(count, [&](uint32_t k, const auto& visit) {
       plate.plate(unknown[k], [&](uint32_t v, double value) {
-        if (place[v] != kNowhere) visit(place[v], value);
+        if (position[v] != kNowhere) visit(position[v], value);
       });
       visit(k, 1e-9);
     });
@@ -115,7 +115,7 @@ struct Inpainting {
       }
       for (uint32_t i = 0; i < count; ++i) take(i, unknown[i], rows);
     }
-    for (uint32_t i = 0; i < count; ++i) place[unknown[i]] = kNowhere;
+    for (uint32_t i = 0; i < count; ++i) position[unknown[i]] = kNowhere;
   }
 
   // The solution's row, scaled to a whole one; rows that came out all but empty keep the guess.
@@ -139,7 +139,7 @@ sinew_status inpaint(const Mesh& mesh, const uint8_t* known, uint32_t joints, co
   if (!inpainting.allocate(arena, counts, joints)) return SINEW_ERROR_WORKSPACE;
   if (arena.measuring()) return SINEW_OK;
   inpainting.plate.fill(mesh);
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) inpainting.place[v] = kNowhere;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) inpainting.position[v] = kNowhere;
   for (uint32_t part = 0; part < mesh.part_count; ++part) inpainting.run_part(mesh, part, known, joints, rows);
   return SINEW_OK;
 }

@@ -77,7 +77,7 @@ sinew_status find_match(const TransferPlan& plan, const TransferInput& input, co
   const ArenaScope scope(arena);
   Alignment alignment;
   SurfaceTree tree;
-  Vec3d* const places = arena.alloc<Vec3d>(plan.source.vertices);
+  Vec3d* const positions = arena.alloc<Vec3d>(plan.source.vertices);
   uint8_t* const of_use = arena.alloc<uint8_t>(plan.source.vertices);
   uint32_t* const scratch = arena.alloc<uint32_t>(3 * size_t{plan.source.joints} + 1);
   (void)alignment.allocate(arena, plan.source.joints);
@@ -92,14 +92,15 @@ sinew_status find_match(const TransferPlan& plan, const TransferInput& input, co
     const Units from(*input.source.mesh, plan.source_up_axis), to(input.target, plan.up_axis);
     for (uint32_t v = 0; v < source.welded_count; ++v) {
       const Vec3i p = source.positions[v];
-      places[v] = {(from.zero(0) + from.length(p.x) - to.zero(0)) / to.side,
-                   (from.zero(1) + from.length(p.y) - to.zero(1)) / to.side,
-                   (from.zero(2) + from.length(p.z) - to.zero(2)) / to.side};
+      positions[v] = {(from.zero(0) + from.length(p.x) - to.zero(0)) / to.side,
+                      (from.zero(1) + from.length(p.y) - to.zero(1)) / to.side,
+                      (from.zero(2) + from.length(p.z) - to.zero(2)) / to.side};
     }
   } else {
     alignment.find(pair.map, pair.source_joints, pair.target_joints, scratch);
     for (uint32_t v = 0; v < source.welded_count; ++v)
-      places[v] = alignment.warp(place_of(source.positions[v]), source_rows.joints_of(v), source_rows.weights_of(v));
+      positions[v] =
+          alignment.warp(position_of(source.positions[v]), source_rows.joints_of(v), source_rows.weights_of(v));
   }
   for (uint32_t v = 0; v < source.welded_count; ++v) {
     of_use[v] = 0;
@@ -108,7 +109,7 @@ sinew_status find_match(const TransferPlan& plan, const TransferInput& input, co
       if (joint != kNoJoint && source_rows.weights_of(v)[i] > 0 && pair.map.takes[joint] >= 0) of_use[v] = 1;
     }
   }
-  tree.build(source, places, of_use, arena);
+  tree.build(source, positions, of_use, arena);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   if (tree.item_count() == 0) return SINEW_ERROR_RANGE;
   constexpr uint32_t kVertexPiece = 256;
@@ -118,7 +119,7 @@ sinew_status find_match(const TransferPlan& plan, const TransferInput& input, co
       const Vec3i n = target.normals[v];
       const Vec3d normal = {n.x * kNormalUnit, n.y * kNormalUnit, n.z * kNormalUnit};
       match->points[v] =
-          tree.nearest(place_of(target.positions[v]), normal, plan.garment ? Facing::kEither : Facing::kSame);
+          tree.nearest(position_of(target.positions[v]), normal, plan.garment ? Facing::kEither : Facing::kSame);
     }
   });
   return SINEW_OK;

@@ -24,11 +24,11 @@ void SurfaceTree::corners_of(uint32_t item, uint32_t (&corners)[3]) const {
     corners[k] = of_points_ ? items_[item] : mesh_->triangles[3 * static_cast<size_t>(items_[item]) + k];
 }
 
-void SurfaceTree::build(const Mesh& mesh, const Vec3d* places, const uint8_t* of_use, Arena& arena) {
+void SurfaceTree::build(const Mesh& mesh, const Vec3d* positions, const uint8_t* of_use, Arena& arena) {
   const ArenaScope scope(arena);
   MortonScratch scratch;
   mesh_ = &mesh;
-  places_ = places;
+  positions_ = positions;
   item_count_ = 0;
   of_points_ = false;
   const uint32_t most = mesh.triangle_count > mesh.welded_count ? mesh.triangle_count : mesh.welded_count;
@@ -47,9 +47,9 @@ void SurfaceTree::build(const Mesh& mesh, const Vec3d* places, const uint8_t* of
 
   // Middles on a grid of 2^20 cells along the longest side of their box.
   const auto middle = [&](uint32_t item) {
-    if (of_points_) return places[item];
+    if (of_points_) return positions[item];
     const uint32_t* const c = mesh.triangles + 3 * static_cast<size_t>(item);
-    return (1.0 / 3) * (places[c[0]] + places[c[1]] + places[c[2]]);
+    return (1.0 / 3) * (positions[c[0]] + positions[c[1]] + positions[c[2]]);
   };
   Vec3d low = middle(scratch.order[0]), high = low;
   for (uint32_t i = 1; i < item_count_; ++i) {
@@ -69,7 +69,7 @@ void SurfaceTree::build(const Mesh& mesh, const Vec3d* places, const uint8_t* of
     items_[i] = scratch.order[i];
     uint32_t c[3];
     corners_of(i, c);
-    normals_[i] = unit(cross(places[c[1]] - places[c[0]], places[c[2]] - places[c[0]]));
+    normals_[i] = unit(cross(positions[c[1]] - positions[c[0]], positions[c[2]] - positions[c[0]]));
   }
   fill_boxes();
 }
@@ -100,7 +100,7 @@ void SurfaceTree::fill_boxes() {
         uint32_t corners[3];
         corners_of(i, corners);
         for (const uint32_t corner : corners) {
-          const Vec3d p = places_[corner];
+          const Vec3d p = positions_[corner];
           const double at[3] = {p.x, p.y, p.z};
           for (int axis = 0; axis < 3; ++axis) {
             box.low[axis] = lesser(box.low[axis], at[axis]);
@@ -158,7 +158,7 @@ MatchedPoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) cons
     for (uint32_t i = begin; i < end; ++i) {
       MatchedPoint here;
       corners_of(i, here.corners);
-      const Vec3d a = places_[here.corners[0]], b = places_[here.corners[1]], c = places_[here.corners[2]];
+      const Vec3d a = positions_[here.corners[0]], b = positions_[here.corners[1]], c = positions_[here.corners[2]];
       nearest_on_triangle(point, a, b, c, here.shares);
       const Vec3d gap = here.shares[0] * a + here.shares[1] * b + here.shares[2] * c - point;
       const double square = dot(gap, gap);

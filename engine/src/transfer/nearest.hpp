@@ -25,9 +25,9 @@ class SurfaceTree {
  public:
   // Memory for a mesh of so many vertices and triangles.
   bool allocate(Arena& arena, const Counts& counts);
-  // Over the mesh's triangles with its vertices at `places` [U], which must live as long as the tree. Triangles without a
+  // Over the mesh's triangles with its vertices at `positions` [U], which must live as long as the tree. Triangles without a
   // vertex of use [U] are left out; a mesh without any other offers its vertices of use as points.
-  void build(const Mesh& mesh, const Vec3d* places, const uint8_t* of_use, Arena& arena);
+  void build(const Mesh& mesh, const Vec3d* positions, const uint8_t* of_use, Arena& arena);
   // Takes what build() takes from a measuring arena.
   static void measure(Arena& arena, const Counts& counts);
 
@@ -53,7 +53,7 @@ class SurfaceTree {
   void fill_boxes();
 
   const Mesh* mesh_ = nullptr;
-  const Vec3d* places_ = nullptr;
+  const Vec3d* positions_ = nullptr;
   bool of_points_ = false;
   uint32_t item_count_ = 0, level_count_ = 0;
   uint32_t* items_ = nullptr;  // [capacity] triangles, or vertices, in the order of their middles

@@ -29,10 +29,10 @@ inline Mat3 operator*(const Mat3& a, const Mat3& b) {
 
 // x -> scale turn x + shift.
 struct Similarity {
-  Mat3 turn;
+  Mat3 rotation;
   double scale = 1;
   Vec3d shift;
-  Vec3d operator()(Vec3d x) const { return scale * (turn * x) + shift; }
+  Vec3d operator()(Vec3d x) const { return scale * (rotation * x) + shift; }
 };
 
 // The rotation by (w, x, y, z), a unit quaternion.

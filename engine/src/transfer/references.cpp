@@ -11,26 +11,26 @@ constexpr double kLeastRatio = 0.35, kMostRatio = 2.8;      // of the two rays' 
 constexpr double kHalfRoot = 0.70710678118654752440;        // the cosine of 45 degrees
 
 // The first triangle that the ray hits. False where there is none.
-bool first_hit(const Mesh& mesh, Vec3d origin, Vec3d way, Place3* place, double* distance) {
+bool first_hit(const Mesh& mesh, Vec3d origin, Vec3d direction, TrianglePosition* position, double* distance) {
   bool any = false;
   for (uint32_t t = 0; t < mesh.triangle_count; ++t) {
     const uint32_t* const c = mesh.triangles + 3 * static_cast<size_t>(t);
-    const Vec3d a = place_of(mesh.positions[c[0]]);
-    const Vec3d e1 = place_of(mesh.positions[c[1]]) - a, e2 = place_of(mesh.positions[c[2]]) - a;
-    const Vec3d h = cross(way, e2);
+    const Vec3d a = position_of(mesh.positions[c[0]]);
+    const Vec3d e1 = position_of(mesh.positions[c[1]]) - a, e2 = position_of(mesh.positions[c[2]]) - a;
+    const Vec3d h = cross(direction, e2);
     const double det = dot(e1, h);
     if (absolute(det) < 1e-14) continue;
     const Vec3d s = origin - a;
     const double u = dot(s, h) / det;
     if (u < 0 || u > 1) continue;
     const Vec3d q = cross(s, e1);
-    const double w = dot(way, q) / det;
+    const double w = dot(direction, q) / det;
     if (w < 0 || u + w > 1) continue;
     const double length = dot(e2, q) / det;
     if (length <= 1e-6 || (any && length >= *distance)) continue;
     any = true;
     *distance = length;
-    *place = {{c[0], c[1], c[2]}, {1 - u - w, u, w}};
+    *position = {{c[0], c[1], c[2]}, {1 - u - w, u, w}};
   }
   return any;
 }
@@ -38,36 +38,36 @@ bool first_hit(const Mesh& mesh, Vec3d origin, Vec3d way, Place3* place, double*
 // The part of v across the unit vector u, as a unit vector.
 Vec3d across(Vec3d v, Vec3d u) { return unit(v - dot(v, u) * u); }
 
-Vec3d point_of(const Mesh& mesh, const Place3& place) {
+Vec3d point_of(const Mesh& mesh, const TrianglePosition& position) {
   Vec3d sum;
-  for (uint32_t k = 0; k < 3; ++k) sum = sum + place.shares[k] * place_of(mesh.positions[place.corners[k]]);
+  for (uint32_t k = 0; k < 3; ++k) sum = sum + position.shares[k] * position_of(mesh.positions[position.corners[k]]);
   return sum;
 }
 
 struct Bone {
-  Vec3d source, target;          // where it begins
-  Vec3d source_way, target_way;  // to its end
+  Vec3d source, target;                      // where it begins
+  Vec3d source_direction, target_direction;  // to its end
 };
 
 // From the joint to its first mapped joint below; of a leaf half its parent's bone on.
 bool bone_of(const Pair& pair, uint32_t joint, Bone* bone) {
   const Skeleton& source = pair.source_joints;
   const Skeleton& target = pair.target_joints;
-  bone->source = place_of(source.positions[joint]);
-  bone->target = place_of(target.positions[pair.map.same[joint]]);
+  bone->source = position_of(source.positions[joint]);
+  bone->target = position_of(target.positions[pair.map.same[joint]]);
   for (uint32_t k = 0; k < source.joint_count; ++k) {
     if (pair.map.same[k] < 0) continue;
     int32_t above = source.parents[k];
     while (above >= 0 && pair.map.same[above] < 0) above = source.parents[above];
     if (above != static_cast<int32_t>(joint)) continue;
-    bone->source_way = place_of(source.positions[k]) - bone->source;
-    bone->target_way = place_of(target.positions[pair.map.same[k]]) - bone->target;
+    bone->source_direction = position_of(source.positions[k]) - bone->source;
+    bone->target_direction = position_of(target.positions[pair.map.same[k]]) - bone->target;
     return true;
   }
   const int32_t parent = source.parents[joint];
   if (parent < 0 || pair.map.same[parent] < 0) return false;
-  bone->source_way = 0.5 * (bone->source - place_of(source.positions[parent]));
-  bone->target_way = 0.5 * (bone->target - place_of(target.positions[pair.map.same[parent]]));
+  bone->source_direction = 0.5 * (bone->source - position_of(source.positions[parent]));
+  bone->target_direction = 0.5 * (bone->target - position_of(target.positions[pair.map.same[parent]]));
   return true;
 }
 
@@ -121,26 +121,28 @@ sinew_status References::find(const TransferPlan& plan, const Pair& pair, Arena&
   for (uint32_t j = 0; j < pair.source_joints.joint_count; ++j) {
     Bone bone;
     if (pair.map.same[j] < 0 || !bone_of(pair, j, &bone)) continue;
-    if (length(bone.source_way) < kShortestBone || length(bone.target_way) < kShortestBone) continue;
-    const Vec3d along = unit(bone.source_way), target_along = unit(bone.target_way);
+    if (length(bone.source_direction) < kShortestBone || length(bone.target_direction) < kShortestBone) continue;
+    const Vec3d along = unit(bone.source_direction), target_along = unit(bone.target_direction);
     const Vec3d first = across(absolute(along.z) < 0.8 ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0}, along);
     const Vec3d second = cross(along, first);
     for (uint32_t station = 0; station < kStations; ++station) {
       const double at = 0.5 * station;
       for (uint32_t ray = 0; ray < kRays; ++ray) {
         // Quarter turns, at the middle by an eighth on.
-        Vec3d way = ray % 2 == 0 ? first : second, next = ray % 2 == 0 ? second : -1.0 * first;
+        Vec3d direction = ray % 2 == 0 ? first : second, next = ray % 2 == 0 ? second : -1.0 * first;
         if (ray >= 2) {
-          way = -1.0 * way;
+          direction = -1.0 * direction;
           next = -1.0 * next;
         }
-        if (station > 0) way = kHalfRoot * (way + next);
-        const Vec3d target_way = across(alignment.joints[j].turn * way, target_along);
+        if (station > 0) direction = kHalfRoot * (direction + next);
+        const Vec3d target_direction = across(alignment.joints[j].rotation * direction, target_along);
         Reference found;
         double source_length = 0, target_length = 0;
-        if (!first_hit(pair.source, bone.source + at * bone.source_way, way, &found.source, &source_length) ||
+        if (!first_hit(pair.source, bone.source + at * bone.source_direction, direction, &found.source,
+                       &source_length) ||
             source_length > kLongestRay ||
-            !first_hit(pair.target, bone.target + at * bone.target_way, target_way, &found.target, &target_length))
+            !first_hit(pair.target, bone.target + at * bone.target_direction, target_direction, &found.target,
+                       &target_length))
           continue;
         const double ratio = target_length / (source_length * alignment.scale);
         if (ratio > kLeastRatio && ratio < kMostRatio) points[count++] = found;

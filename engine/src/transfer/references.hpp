@@ -11,12 +11,12 @@ namespace sinew {
 constexpr uint32_t kFoundReferences = 80;
 
 // A place on a triangle of welded vertices, or on one vertex.
-struct Place3 {
+struct TrianglePosition {
   uint32_t corners[3];
   double shares[3];
 };
 struct Reference {
-  Place3 source, target;
+  TrianglePosition source, target;
 };
 
 struct References {

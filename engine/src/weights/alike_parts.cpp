@@ -9,7 +9,7 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kSameRadius = kSide / 256;
-constexpr uint32_t kSamePlace = kSide / 64;
+constexpr uint32_t kSamePosition = kSide / 64;
 // By how much a joint of another kind has to lie better: one that the part's weight is for, and any.
 constexpr uint32_t kLikelyHandicap = kSide / 256, kOtherHandicap = kSide / 64;
 
@@ -103,7 +103,7 @@ SINEW_RARE uint16_t counterpart(const Skeleton& skeleton, const AlikeParts& alik
   if (from == to) return joint;
   const uint32_t wanted = distance(skeleton, joint, alike.centre[from]);
   uint32_t least = difference(distance(skeleton, joint, alike.centre[to]), wanted);
-  if (least <= kSamePlace + wanted / 8) return joint;
+  if (least <= kSamePosition + wanted / 8) return joint;
   least /= 2;  // another joint has to lie clearly better
   uint16_t best = joint;
   const auto consider = [&](uint32_t other, uint32_t handicap) {

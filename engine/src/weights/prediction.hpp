@@ -32,12 +32,12 @@ struct Prediction {
 template <class Row>
 void full_row(const Prediction& p, uint32_t vertex, const Row& row, uint16_t* joints, uint32_t* weights) {
   if (!kHasExtras || !p.reduction.active) return row(vertex, joints, weights);
-  const Place place = p.reduction.place(p.mesh, vertex);
+  const SurfacePosition position = p.reduction.position(p.mesh, vertex);
   RowBlend blend;
   for (int i = 0; i < 3; ++i) {
-    if (place.shares[i] == 0) continue;
-    row(place.vertices[i], joints, weights);
-    blend.add(joints, weights, place.shares[i]);
+    if (position.shares[i] == 0) continue;
+    row(position.vertices[i], joints, weights);
+    blend.add(joints, weights, position.shares[i]);
   }
   blend.take(joints, weights);
 }

@@ -49,24 +49,24 @@ struct Rows {
   void add(uint32_t vertex, uint16_t joint, uint32_t weight) const {
     uint16_t* row = joints_of(vertex);
     uint32_t* values = weights_of(vertex);
-    uint32_t place = kRowSlots, smallest = 0;
+    uint32_t position = kRowSlots, smallest = 0;
     for (uint32_t i = 0; i < kRowSlots; ++i) {
       if (row[i] == joint) {
         values[i] += weight;
         return;
       }
       if (row[i] == kNoJoint) {
-        if (place == kRowSlots) place = i;
+        if (position == kRowSlots) position = i;
         continue;
       }
       if (values[i] < values[smallest] || (values[i] == values[smallest] && row[i] > row[smallest])) smallest = i;
     }
-    if (place == kRowSlots) {
+    if (position == kRowSlots) {
       if (values[smallest] >= weight) return;
-      place = smallest;
+      position = smallest;
     }
-    row[place] = joint;
-    values[place] = weight;
+    row[position] = joint;
+    values[position] = weight;
   }
 };
 

@@ -60,9 +60,9 @@ struct Cells {
     return low;
   }
 
-  // Nearest vertex to `place` within the tolerance, ties: `self` first, then the lower index.
-  uint32_t find(const Mesh& mesh, Vec3i place, uint32_t self) const {
-    const uint64_t cx = cell(place.x), cy = cell(place.y), cz = cell(place.z);
+  // Nearest vertex to `position` within the tolerance, ties: `self` first, then the lower index.
+  uint32_t find(const Mesh& mesh, Vec3i position, uint32_t self) const {
+    const uint64_t cx = cell(position.x), cy = cell(position.y), cz = cell(position.z);
     uint32_t best = kNoPartner;
     int64_t best_distance = kTolerance2 + 1;
     for (uint64_t x = cx - 1; x <= cx + 1; ++x) {
@@ -72,7 +72,7 @@ struct Cells {
         for (uint32_t i = lower_bound(key(x, y, cz - 1), mesh.welded_count); i < mesh.welded_count && keys[i] <= last;
              ++i) {
           const uint32_t v = vertices[i];
-          const int64_t d = distance2(mesh.positions[v], place);
+          const int64_t d = distance2(mesh.positions[v], position);
           if (d < best_distance || (d == best_distance && best != self && (v == self || v < best))) {
             best = v;
             best_distance = d;
@@ -102,12 +102,12 @@ bool alike(const Skeleton& s, const uint16_t* partner, uint32_t a, uint32_t b) {
 }
 
 uint32_t nearest_joint(const Skeleton& s, const uint16_t* partner, int32_t plane, uint32_t j) {
-  const Vec3i place = mirrored(s.positions[j], plane);
+  const Vec3i position = mirrored(s.positions[j], plane);
   uint32_t best = kNoPartner;
   int64_t best_distance = kTolerance2 + 1;
   for (uint32_t other = 0; other < s.joint_count; ++other) {
     if (!alike(s, partner, j, other)) continue;
-    const int64_t d = distance2(s.positions[other], place);
+    const int64_t d = distance2(s.positions[other], position);
     if (d < best_distance || (d == best_distance && other == j)) {
       best = other;
       best_distance = d;
@@ -288,13 +288,13 @@ void mirror_rows(const Mesh& mesh, const GivenRows& given, uint32_t influence_co
 void mirror_influences(const Symmetry& symmetry, uint32_t influence_count, uint16_t* joints, uint16_t* weights) {
   for (uint32_t i = 0; i < influence_count && weights[i] > 0; ++i) {
     const uint16_t joint = symmetry.joint[joints[i]], weight = weights[i];
-    uint32_t place = i;
-    for (; place > 0 && weights[place - 1] == weight && joints[place - 1] > joint; --place) {
-      joints[place] = joints[place - 1];
-      weights[place] = weights[place - 1];
+    uint32_t position = i;
+    for (; position > 0 && weights[position - 1] == weight && joints[position - 1] > joint; --position) {
+      joints[position] = joints[position - 1];
+      weights[position] = weights[position - 1];
     }
-    joints[place] = joint;
-    weights[place] = weight;
+    joints[position] = joint;
+    weights[position] = weight;
   }
 }
 

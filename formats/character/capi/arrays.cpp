@@ -6,7 +6,7 @@
 #include "handle.hpp"
 #include "joints_of.hpp"
 #include "sinew_character/bind.hpp"
-#include "sinew_character/label_skeleton.hpp"
+#include "sinew_character/map_skeleton.hpp"
 
 namespace sinew {
 namespace {
@@ -131,7 +131,7 @@ sinew_status sinew_character_joint_classes(const sinew_character* character, uin
   return guarded(character, [&] {
     need(character != nullptr, "character");
     need(classes != nullptr, "classes");
-    const std::vector<uint8_t> found = label_skeleton(character->character.joints).classes;
+    const std::vector<uint8_t> found = limb_classes(map_rig_of(character->character), 'y');
     std::copy(found.begin(), found.end(), classes);
   });
 }

@@ -12,19 +12,19 @@ namespace sinew {
 namespace {
 
 std::vector<Affine> by_angles(const Character& character, const double* angles) {
-  std::vector<JointTurn> turns;
+  std::vector<JointRotation> rotations;
   for (size_t j = 0; j < character.joints.size(); ++j) {
-    JointTurn turn;
-    turn.joint = j;
-    turn.x = angles[3 * j];
-    turn.y = angles[3 * j + 1];
-    turn.z = angles[3 * j + 2];
-    if (!std::isfinite(turn.x + turn.y + turn.z))
+    JointRotation rotation;
+    rotation.joint = j;
+    rotation.x = angles[3 * j];
+    rotation.y = angles[3 * j + 1];
+    rotation.z = angles[3 * j + 2];
+    if (!std::isfinite(rotation.x + rotation.y + rotation.z))
       throw Failure(SINEW_ERROR_NOT_FINITE,
                     "angles: joint " + character.joints[j].name + " has one that is not finite");
-    if (turn.x != 0 || turn.y != 0 || turn.z != 0) turns.push_back(turn);
+    if (rotation.x != 0 || rotation.y != 0 || rotation.z != 0) rotations.push_back(rotation);
   }
-  return pose_palette(character, turns);
+  return pose_palette(character, rotations);
 }
 
 std::vector<Affine> by_rotations(const Character& character, const double* rotations) {

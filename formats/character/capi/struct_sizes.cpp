@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Generated from the C headers by scripts/declarations.py; a test compares.
-#include <cstring>
-
 #include "sinew/character.h"
 
 namespace {
@@ -33,11 +31,16 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_character_bake_result", sizeof(sinew_character_bake_result)},
 };
 
+bool equal(const char* a, const char* b) {  // the engine needs no C library
+  while (*a != '\0' && *a == *b) ++a, ++b;
+  return *a == *b;
+}
+
 }  // namespace
 
 size_t sinew_character_struct_size(const char* name) {
   if (name == nullptr) return 0;
   for (const StructSize& one : kStructSizes)
-    if (std::strcmp(one.name, name) == 0) return one.size_bytes;
+    if (equal(one.name, name)) return one.size_bytes;
   return 0;
 }

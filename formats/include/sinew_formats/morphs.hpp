@@ -69,12 +69,12 @@ struct OwnMotion {
 OwnMotion read_own_motion(const std::string& path);
 
 // The joint's turn in a pose of skinning matrices, its parent's taken off.
-Quaternion joint_turn(const std::vector<Joint>& joints, const std::vector<Affine>& palette, size_t joint);
-std::vector<Quaternion> joint_turns(const std::vector<Joint>& joints, const std::vector<Affine>& palette);
-// turns [J]: joint_turns()
-std::array<double, 9> term_values(const MorphTerm& term, const std::vector<Quaternion>& turns);
+Quaternion joint_rotation(const std::vector<Joint>& joints, const std::vector<Affine>& palette, size_t joint);
+std::vector<Quaternion> joint_rotations(const std::vector<Joint>& joints, const std::vector<Affine>& palette);
+// turns [J]: joint_rotations()
+std::array<double, 9> term_values(const MorphTerm& term, const std::vector<Quaternion>& rotations);
 // [shapes of the driver]
-std::vector<double> driver_weights(const MorphDriver& driver, const std::vector<Quaternion>& turns);
+std::vector<double> driver_weights(const MorphDriver& driver, const std::vector<Quaternion>& rotations);
 // Weights of all shapes in a pose; a shape without a driver has 0. [shapes]
 std::vector<float> shape_weights(const std::vector<Joint>& joints, const Morphs& morphs,
                                  const std::vector<Affine>& palette);

@@ -15,7 +15,7 @@ namespace sinew {
 
 using Point3 = std::array<double, 3>;
 using Quaternion = std::array<double, 4>;  // x y z w, of length 1
-constexpr Quaternion kNoTurn4 = {0, 0, 0, 1};
+constexpr Quaternion kNoRotation4 = {0, 0, 0, 1};
 
 // At rest every joint's axes are those of the world, as in a BVH file; readers of others turn their poses into this.
 struct MotionJoint {

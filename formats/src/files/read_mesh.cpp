@@ -18,7 +18,7 @@ namespace {
 bool is_scene(const std::string& path) { return has_use(path, kReadsWhole); }
 
 // What to do about files of other programs; the words go behind "found another extension".
-std::string way_out(const std::string& path) {
+std::string remedy(const std::string& path) {
   const std::string glb = stem_of(path) + ".glb";
   const std::string export_glb = "bpy.ops.export_scene.gltf(filepath='" + glb + "')\"";
   if (has_extension(path, ".blend"))
@@ -46,7 +46,7 @@ Character read_mesh(const std::string& path) {
   if (path == "-" || has_extension(path, ".obj")) return read_obj(path);
   if (is_scene(path)) return read_gltf(path);
   throw Error(path + ": expected a mesh (" + extensions_text(kReadsMesh) +
-              ", or - for an OBJ on standard input), found another extension" + way_out(path));
+              ", or - for an OBJ on standard input), found another extension" + remedy(path));
 }
 
 void read_skeleton(const std::string& path, bool with_skin, Character* character) {
@@ -61,7 +61,7 @@ void read_skeleton(const std::string& path, bool with_skin, Character* character
   }
   if (!is_scene(path))
     throw Error(path + ": expected a skeleton (" + extensions_text(kReadsSkeleton) + "), found another extension" +
-                way_out(path));
+                remedy(path));
   Character other = read_gltf_character(path, with_skin);
   if (other.joints.empty()) throw Error(path + ": expected a skeleton, found a file without a skin");
   if (with_skin && other.vertices.size() != character->vertices.size())
@@ -82,7 +82,7 @@ Character read_character(const std::string& path) {
     obj = (std::filesystem::path(path).parent_path() / (stem_of(path) + ".obj")).string();
   else if (!has_extension(path, ".obj"))
     throw Error(path + ": expected a character (.obj or .rig.txt of a pair, " + extensions_text(kReadsWhole) +
-                "), found another extension" + way_out(path));
+                "), found another extension" + remedy(path));
   Character character = read_obj(obj);
   read_rig(rig_path_beside(obj), true, &character);
   return character;

@@ -49,13 +49,13 @@ Affine without_sway(const Affine& m) {
   std::array<size_t, 3> axes = {0, 1, 2};
   do {
     for (int signs = 0; signs < 8; ++signs) {
-      Affine turn{};
+      Affine rotation{};
       double trace = 0;
       for (size_t r = 0; r < 3; ++r) {
-        turn[r * 4 + axes[r]] = (signs >> r & 1) != 0 ? -1 : 1;
-        trace += turn[r * 4 + axes[r]] * m[r * 4 + axes[r]];
+        rotation[r * 4 + axes[r]] = (signs >> r & 1) != 0 ? -1 : 1;
+        trace += rotation[r * 4 + axes[r]] * m[r * 4 + axes[r]];
       }
-      if (determinant(turn) * volume > 0 && trace > best_trace) best_trace = trace, best = turn;
+      if (determinant(rotation) * volume > 0 && trace > best_trace) best_trace = trace, best = rotation;
     }
   } while (std::next_permutation(axes.begin(), axes.end()));
   for (size_t i = 0; i < 12; ++i) best[i] = i % 4 == 3 ? m[i] : best[i] * scale;
@@ -145,7 +145,7 @@ class BindPoseFinder {
       const Affine world = multiply(frame, *back);
       const size_t node = static_cast<size_t>(joints[j]);
       if (known_[node] != 0) {
-        if (!same_place(world, pose_.worlds[node], 0.01 * size)) return false;
+        if (!same_position(world, pose_.worlds[node], 0.01 * size)) return false;
       } else {
         pose_.worlds[node] = world;
         known_[node] = 1;
@@ -208,7 +208,7 @@ class BindPoseFinder {
     return false;
   }
 
-  static bool same_place(const Affine& a, const Affine& b, double distance) {
+  static bool same_position(const Affine& a, const Affine& b, double distance) {
     return std::hypot(a[3] - b[3], a[7] - b[7], a[11] - b[11]) <= distance;
   }
 

@@ -3,7 +3,9 @@
 #ifndef SINEW_FORMATS_GLTF_GLTF_FROM_SCENE_HPP
 #define SINEW_FORMATS_GLTF_GLTF_FROM_SCENE_HPP
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "gltf/gltf_source.hpp"
 
@@ -15,6 +17,10 @@ bool is_scene_file(const std::string& path);  // .fbx, .dae
 // pictures, animations of nodes; in metres, Y up. What is not carried over is in the notes. Joints are the nodes that move vertices, what
 // lies between them, and the leaves below them. Throws Error for what Assimp cannot read, and where it is not built in.
 GltfSource gltf_from_scene(const std::string& path);
+
+// The bytes that gltf_from_scene() loads, a GLB. In a build with SINEW_SCENES_ELSEWHERE the host defines it: WebAssembly has
+// Assimp in a module of its own.
+std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::string>* notes);
 
 }  // namespace sinew
 #endif

@@ -26,11 +26,11 @@ Direction to_direction(const Vec3& v) {
 class SurfaceNormals {
  public:
   explicit SurfaceNormals(const Character& character) : character_(character), faces_of_(character.vertices.size()) {
-    for (const Vec3& v : character.vertices) places_.push_back(to_direction(v));
+    for (const Vec3& v : character.vertices) positions_.push_back(to_direction(v));
     for (uint32_t f = 0; f < character.face_count(); ++f)
       for (size_t c = character.face_offsets[f]; c < character.face_offsets[f + 1]; ++c)
         faces_of_[character.face_vertices[c]].push_back(f);
-    for (uint32_t v = 0; v < places_.size(); ++v) rest_.push_back(normal_of(v, places_));
+    for (uint32_t v = 0; v < positions_.size(); ++v) rest_.push_back(normal_of(v, positions_));
   }
 
   const Direction& rest(uint32_t vertex) const { return rest_[vertex]; }
@@ -43,7 +43,7 @@ class SurfaceNormals {
       for (const uint32_t f : faces_of_[moved])
         for (size_t c = character_.face_offsets[f]; c < character_.face_offsets[f + 1]; ++c) {
           const uint32_t v = character_.face_vertices[c];
-          if (normals.count(v) == 0) normals[v] = normal_of(v, places_);
+          if (normals.count(v) == 0) normals[v] = normal_of(v, positions_);
         }
     move(shape, 0);
     return normals;
@@ -52,20 +52,21 @@ class SurfaceNormals {
  private:
   void move(const MorphShape& shape, double weight) {
     for (size_t i = 0; i < shape.vertices.size(); ++i) {
-      const Direction rest = to_direction(character_.vertices[shape.vertices[i]]), way = to_direction(shape.moves[i]);
-      for (size_t c = 0; c < 3; ++c) places_[shape.vertices[i]][c] = rest[c] + weight * way[c];
+      const Direction rest = to_direction(character_.vertices[shape.vertices[i]]),
+                      interpolation = to_direction(shape.moves[i]);
+      for (size_t c = 0; c < 3; ++c) positions_[shape.vertices[i]][c] = rest[c] + weight * interpolation[c];
     }
   }
 
-  Direction normal_of(uint32_t vertex, const std::vector<Direction>& places) const {
+  Direction normal_of(uint32_t vertex, const std::vector<Direction>& positions) const {
     Direction normal{};
     for (const uint32_t f : faces_of_[vertex])
       for (size_t c = character_.face_offsets[f] + 2; c < character_.face_offsets[f + 1]; ++c) {
-        const Direction& at = places[character_.face_vertices[character_.face_offsets[f]]];
+        const Direction& at = positions[character_.face_vertices[character_.face_offsets[f]]];
         Direction u{}, v{};
         for (size_t i = 0; i < 3; ++i) {
-          u[i] = places[character_.face_vertices[c - 1]][i] - at[i];
-          v[i] = places[character_.face_vertices[c]][i] - at[i];
+          u[i] = positions[character_.face_vertices[c - 1]][i] - at[i];
+          v[i] = positions[character_.face_vertices[c]][i] - at[i];
         }
         for (size_t i = 0; i < 3; ++i) normal[i] += u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
       }
@@ -76,7 +77,7 @@ class SurfaceNormals {
 
   const Character& character_;
   std::vector<std::vector<uint32_t>> faces_of_;  // [V]
-  std::vector<Direction> places_, rest_;         // [V]
+  std::vector<Direction> positions_, rest_;      // [V]
 };
 
 // `v` turned as the shortest turn takes `from` to `to`, all of length 1.
@@ -427,11 +428,11 @@ class MorphWriter {
     const Json sampler = (*animation)["samplers"].at((*channel)["sampler"].get<size_t>());
     std::vector<float> times = accessor_floats(where, model_, sampler.at("input").get<int>(), 1);
     const std::vector<float> old = accessor_floats(where, model_, sampler.at("output").get<int>(), 1);
-    const std::string way = sampler.value("interpolation", std::string("LINEAR"));
-    const size_t values_a_key = way == "CUBICSPLINE" ? 3 : 1;
+    const std::string interpolation = sampler.value("interpolation", std::string("LINEAR"));
+    const size_t values_a_key = interpolation == "CUBICSPLINE" ? 3 : 1;
     if (times.empty() || old.size() != times.size() * values_a_key * before) return;  // not what glTF says: it stays
     const std::vector<float> own_times = times;
-    if (clip != nullptr && way == "LINEAR") {
+    if (clip != nullptr && interpolation == "LINEAR") {
       for (size_t f = 0; f < clip->weights.size(); ++f)
         times.push_back(static_cast<float>(clip->start + static_cast<double>(f) * clip->frame_time));
       std::sort(times.begin(), times.end());

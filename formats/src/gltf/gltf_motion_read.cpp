@@ -18,7 +18,7 @@
 namespace sinew {
 namespace {
 
-constexpr size_t kMostTurns = size_t{1} << 24;  // frames times joints of a clip: what a broken time could ask for
+constexpr size_t kMostRotations = size_t{1} << 24;  // frames times joints of a clip: what a broken time could ask for
 constexpr double kFewestFps = 24, kMostFps = 240, kPlainFps = 30;
 
 enum class Blend { kLinear, kStep, kCubic };
@@ -271,9 +271,10 @@ class GltfMotionReader {
     const double fps = fps_ > 0 ? fps_ : rate_of(animated);
     clip.frame_time = 1 / fps;
     const double count = std::floor((last - first) * fps + 1e-2) + 1;
-    if (!(count * static_cast<double>(motion_.joints.size()) <= static_cast<double>(kMostTurns)))
-      throw Error(path_ + ": animation " + in_quotes(clip.name) + ": expected at most " + std::to_string(kMostTurns) +
-                  " frames times joints, found " + print("%g seconds at %g frames a second", last - first, fps));
+    if (!(count * static_cast<double>(motion_.joints.size()) <= static_cast<double>(kMostRotations)))
+      throw Error(path_ + ": animation " + in_quotes(clip.name) + ": expected at most " +
+                  std::to_string(kMostRotations) + " frames times joints, found " +
+                  print("%g seconds at %g frames a second", last - first, fps));
     const std::vector<size_t> nodes = order();
     for (size_t f = 0; f < static_cast<size_t>(count); ++f)
       clip.frames.push_back(frame_of(animated, nodes, first + static_cast<double>(f) / fps));
@@ -312,17 +313,17 @@ class GltfMotionReader {
       turns[j] = quaternion_of(rotation_part(multiply(worlds[joint_nodes_[j]], backs_[j])));
     for (size_t j = 0; j < count; ++j) {
       const Affine& own = worlds[joint_nodes_[j]];
-      Point3 way = {own[3], own[7], own[11]};
+      Point3 shift = {own[3], own[7], own[11]};
       Quaternion turn = turns[j];
       if (const int parent = motion_.joints[j].parent; parent >= 0) {
         const size_t p = static_cast<size_t>(parent);
         const Affine& from = worlds[joint_nodes_[p]];
-        for (size_t i = 0; i < 3; ++i) way[i] -= from[4 * i + 3];
-        way = rotate(conjugate(turns[p]), way);
+        for (size_t i = 0; i < 3; ++i) shift[i] -= from[4 * i + 3];
+        shift = rotate(conjugate(turns[p]), shift);
         turn = normalised(multiply(conjugate(turns[p]), turn));
       }
       frame.rotations.push_back(turn);
-      frame.translations.push_back(way);
+      frame.translations.push_back(shift);
     }
     for (const Point3& p : frame.translations)
       for (const double x : p)

@@ -70,17 +70,17 @@ class MotionWriter {
       const size_t node = static_cast<size_t>(joints_.nodes[j]);
       const NodeParts& rest = parts_[node];
       const NodeTrack& track = tracks[j];
-      std::array<float, 4> turn{};
-      std::array<float, 3> place{}, scale{};
-      for (size_t i = 0; i < 4; ++i) turn[i] = static_cast<float>(rest.rotation[i]);
+      std::array<float, 4> rotation{};
+      std::array<float, 3> position{}, scale{};
+      for (size_t i = 0; i < 4; ++i) rotation[i] = static_cast<float>(rest.rotation[i]);
       for (size_t i = 0; i < 3; ++i) {
-        place[i] = static_cast<float>(rest.translation[i]);
+        position[i] = static_cast<float>(rest.translation[i]);
         scale[i] = static_cast<float>(rest.scale[i]);
       }
-      if (turn[3] < 0)
-        for (float& x : turn) x = -x;
-      const bool turned = add_track(node, "rotation", "VEC4", track.rotations, turn, 2e-7f, times);
-      const bool moved = add_track(node, "translation", "VEC3", track.translations, place, 2e-6f * size, times);
+      if (rotation[3] < 0)
+        for (float& x : rotation) x = -x;
+      const bool turned = add_track(node, "rotation", "VEC4", track.rotations, rotation, 2e-7f, times);
+      const bool moved = add_track(node, "translation", "VEC3", track.translations, position, 2e-6f * size, times);
       const float largest = std::max({std::abs(scale[0]), std::abs(scale[1]), std::abs(scale[2])});
       const bool scaled = add_track(node, "scale", "VEC3", track.scales, scale, 1e-3f * largest, times);
       if (turned || moved || scaled) make_parts(node);
@@ -113,22 +113,22 @@ class MotionWriter {
   }
 
   static void add_parts(const NodeParts& parts, NodeTrack* track) {
-    std::array<float, 3> place{}, scale{};
+    std::array<float, 3> position{}, scale{};
     for (size_t c = 0; c < 3; ++c) {
-      place[c] = static_cast<float>(parts.translation[c]);
+      position[c] = static_cast<float>(parts.translation[c]);
       scale[c] = static_cast<float>(parts.scale[c]);
     }
     const Quaternion& q = parts.rotation;
-    std::array<float, 4> turn{};
+    std::array<float, 4> rotation{};
     // Of the two that are the same turn the one near the frame before; at first the one with w above 0.
     double side = q[3];
     if (!track->rotations.empty()) {
       side = 0;
       for (size_t i = 0; i < 4; ++i) side += q[i] * static_cast<double>(track->rotations.back()[i]);
     }
-    for (size_t i = 0; i < 4; ++i) turn[i] = static_cast<float>(side < 0 ? -q[i] : q[i]);
-    track->rotations.push_back(turn);
-    track->translations.push_back(place);
+    for (size_t i = 0; i < 4; ++i) rotation[i] = static_cast<float>(side < 0 ? -q[i] : q[i]);
+    track->rotations.push_back(rotation);
+    track->translations.push_back(position);
     track->scales.push_back(scale);
   }
 

@@ -147,9 +147,9 @@ std::string moved_uri(const std::string& uri, const std::string& from, const std
   std::error_code first, second;
   const fs::path file = fs::weakly_canonical(fs::absolute(from).parent_path() / percent_decoded(uri), first),
                  folder = fs::weakly_canonical(fs::absolute(path).parent_path(), second);
-  const fs::path way = first || second ? fs::path() : file.lexically_relative(folder);
+  const fs::path relative = first || second ? fs::path() : file.lexically_relative(folder);
   std::string moved;
-  for (const fs::path& part : way) moved += (moved.empty() ? "" : "/") + percent_encoded(part.generic_string());
+  for (const fs::path& part : relative) moved += (moved.empty() ? "" : "/") + percent_encoded(part.generic_string());
   return moved.empty() ? uri : moved;
 }
 

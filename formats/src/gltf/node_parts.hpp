@@ -13,7 +13,7 @@ namespace sinew {
 
 struct NodeParts {
   Point3 translation = {0, 0, 0}, scale = {1, 1, 1};
-  Quaternion rotation = kNoTurn4;
+  Quaternion rotation = kNoRotation4;
 
   Affine affine() const {
     const Rotation r = rotation_of(rotation);

@@ -17,7 +17,7 @@ namespace {
 struct Channel {
   size_t joint = 0;
   size_t axis = 0;
-  bool turns = false;  // else it moves
+  bool rotates = false;  // else it moves
 };
 
 // Keywords are written in any case.
@@ -140,12 +140,13 @@ class BvhReader {
     for (size_t i = 2; i < words_.size(); ++i) {
       const std::string_view name = word(i);
       const size_t axis = std::string_view("xyzXYZ").find(name[0]);
-      const bool turns = is_word(name.substr(1), "rotation");
-      if (axis == std::string_view::npos || (!turns && !is_word(name.substr(1), "position")))
+      const bool rotates = is_word(name.substr(1), "rotation");
+      if (axis == std::string_view::npos || (!rotates && !is_word(name.substr(1), "position")))
         lines_.fail("Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation", name);
-      const Channel channel = {joint, axis % 3, turns};
+      const Channel channel = {joint, axis % 3, rotates};
       for (size_t c = first; c < channels_.size(); ++c)
-        if (channels_[c].axis == channel.axis && channels_[c].turns == turns) lines_.fail("each channel once", name);
+        if (channels_[c].axis == channel.axis && channels_[c].rotates == rotates)
+          lines_.fail("each channel once", name);
       channels_.push_back(channel);
     }
   }
@@ -199,14 +200,14 @@ class BvhReader {
       lines_.fail(std::to_string(channels_.size()) + " numbers in frame " + std::to_string(index),
                   std::to_string(words_.size()) + " of them");
     MotionFrame frame;
-    frame.rotations.assign(motion_.joints.size(), kNoTurn4);
+    frame.rotations.assign(motion_.joints.size(), kNoRotation4);
     for (const MotionJoint& joint : motion_.joints) frame.translations.push_back(joint.offset);
     for (size_t c = 0; c < channels_.size(); ++c) {
       const Channel& channel = channels_[c];
       const double value = number(c, "a channel's value");
-      if (channel.turns) {
+      if (channel.rotates) {
         Quaternion& q = frame.rotations[channel.joint];
-        q = multiply(q, axis_turn(channel.axis, value * (std::numbers::pi / 180)));
+        q = multiply(q, axis_rotation(channel.axis, value * (std::numbers::pi / 180)));
       } else {
         frame.translations[channel.joint][channel.axis] = value;
       }

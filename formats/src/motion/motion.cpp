@@ -41,9 +41,10 @@ MotionFrame between(const MotionFrame& a, const MotionFrame& b, double t) {
   MotionFrame out;
   for (size_t j = 0; j < a.rotations.size(); ++j) {
     out.rotations.push_back(slerp(a.rotations[j], b.rotations[j], t));
-    Point3 place{};
-    for (size_t i = 0; i < 3; ++i) place[i] = a.translations[j][i] + t * (b.translations[j][i] - a.translations[j][i]);
-    out.translations.push_back(place);
+    Point3 position{};
+    for (size_t i = 0; i < 3; ++i)
+      position[i] = a.translations[j][i] + t * (b.translations[j][i] - a.translations[j][i]);
+    out.translations.push_back(position);
   }
   return out;
 }
@@ -59,17 +60,17 @@ std::string names_of(const Motion& motion) {
 }  // namespace
 
 std::vector<Joint> rest_joints(const Motion& motion) {
-  std::vector<Point3> places(motion.joints.size());
+  std::vector<Point3> positions(motion.joints.size());
   for (const size_t j : parents_first(motion)) {
     const MotionJoint& joint = motion.joints[j];
-    places[j] = joint.parent < 0 ? joint.offset : sum(places[static_cast<size_t>(joint.parent)], joint.offset);
+    positions[j] = joint.parent < 0 ? joint.offset : sum(positions[static_cast<size_t>(joint.parent)], joint.offset);
   }
   std::vector<Joint> joints;
   for (size_t j = 0; j < motion.joints.size(); ++j)
-    joints.push_back(
-        {motion.joints[j].name,
-         {static_cast<float>(places[j][0]), static_cast<float>(places[j][1]), static_cast<float>(places[j][2])},
-         motion.joints[j].parent});
+    joints.push_back({motion.joints[j].name,
+                      {static_cast<float>(positions[j][0]), static_cast<float>(positions[j][1]),
+                       static_cast<float>(positions[j][2])},
+                      motion.joints[j].parent});
   return joints;
 }
 
@@ -77,11 +78,11 @@ Motion motion_of(const std::vector<Joint>& joints) {
   Motion motion;
   for (const Joint& joint : joints) {
     const Vec3 from = joint.parent < 0 ? Vec3{} : joints[static_cast<size_t>(joint.parent)].position;
-    const auto way = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
-    motion.joints.push_back(
-        {joint.name,
-         joint.parent,
-         {way(joint.position.x, from.x), way(joint.position.y, from.y), way(joint.position.z, from.z)}});
+    const auto difference = [](float a, float b) { return static_cast<double>(a) - static_cast<double>(b); };
+    motion.joints.push_back({joint.name,
+                             joint.parent,
+                             {difference(joint.position.x, from.x), difference(joint.position.y, from.y),
+                              difference(joint.position.z, from.z)}});
   }
   return motion;
 }
@@ -124,7 +125,7 @@ Clip resample(const Clip& clip, double fps) {
 
 WorldPose world_pose(const Motion& motion, const MotionFrame& frame) {
   WorldPose pose;
-  pose.rotations.resize(motion.joints.size(), kNoTurn4);
+  pose.rotations.resize(motion.joints.size(), kNoRotation4);
   pose.positions.resize(motion.joints.size());
   for (const size_t j : parents_first(motion)) {
     const int above = motion.joints[j].parent;

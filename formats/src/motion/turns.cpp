@@ -15,7 +15,7 @@ double dot(const Quaternion& a, const Quaternion& b) { return a[0] * b[0] + a[1]
 
 Quaternion normalised(const Quaternion& q) {
   const double length = std::sqrt(dot(q, q));
-  if (!(length > 0) || !std::isfinite(length)) return kNoTurn4;
+  if (!(length > 0) || !std::isfinite(length)) return kNoRotation4;
   return {q[0] / length, q[1] / length, q[2] / length, q[3] / length};
 }
 
@@ -25,7 +25,7 @@ Point3 rotate(const Quaternion& q, const Point3& v) {
           v[2] + q[3] * t[2] + q[0] * t[1] - q[1] * t[0]};
 }
 
-Quaternion axis_turn(size_t axis, double radians) {
+Quaternion axis_rotation(size_t axis, double radians) {
   Quaternion q = {0, 0, 0, std::cos(radians / 2)};
   q[axis] = std::sin(radians / 2);
   return q;

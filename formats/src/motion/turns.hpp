@@ -11,11 +11,11 @@ namespace sinew {
 Quaternion multiply(const Quaternion& a, const Quaternion& b);
 inline Quaternion conjugate(const Quaternion& q) { return {-q[0], -q[1], -q[2], q[3]}; }
 double dot(const Quaternion& a, const Quaternion& b);
-// kNoTurn4 for one without length.
+// kNoRotation4 for one without length.
 Quaternion normalised(const Quaternion& q);
 Point3 rotate(const Quaternion& q, const Point3& v);
 // About axis 0, 1 or 2.
-Quaternion axis_turn(size_t axis, double radians);
+Quaternion axis_rotation(size_t axis, double radians);
 // Along the shortest arc; t from 0 to 1.
 Quaternion slerp(const Quaternion& a, Quaternion b, double t);
 Rotation rotation_of(const Quaternion& q);

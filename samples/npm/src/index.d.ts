@@ -34,7 +34,7 @@ export interface SkinRows {
   influenceCount?: number;
 }
 
-export type AnswerKind = "as-proposed" | "rigid" | "soft" | "hard" | "softer" | "host";
+export type AnswerKind = "proposed" | "rigid" | "soft" | "hard" | "softer" | "host";
 
 /** How the part that a vertex belongs to moves. */
 export interface Answer {
@@ -59,8 +59,9 @@ export interface Question {
   alternatives: { kind: AnswerKind; joint: number; change: number }[];
 }
 
-/** Share of the work done, 0..1. Returning false cancels with a SinewError of status -8 (not in a worker: close() it). */
-export type Progress = (share: number) => boolean | void;
+/** Share of the work done, 0..1. Returning true stops the call with a SinewError of status -8, as in C and Python; no other result does
+ * (in a worker none: close() it). */
+export type Progress = (share: number) => unknown;
 
 export interface BindOptions<M = Model> {
   model?: M;
@@ -177,7 +178,7 @@ export interface MotionRig extends MapRig {
 export interface RetargetOptions {
   /** [target J] joint of the source, or -1; map() where it is missing */
   map?: Numbers<Int32Array>;
-  /** [target J] sinew_joint_class; by names where it is missing */
+  /** [target J] sinew_joint_class; by names, by those of the sources or by a human body where it is missing, as the command does */
   classes?: Numbers<Uint8Array>;
   sourceUp?: "auto" | "x" | "y" | "z";
   targetUp?: "auto" | "x" | "y" | "z";
@@ -265,6 +266,8 @@ export class Model {
 export class Retarget {
   private constructor();
   readonly map: Int32Array;
+  /** [target J] sinew_joint_class that was used */
+  readonly classes: Uint8Array;
   clip(clip: Poses, options?: ClipOptions): { rotations: Float32Array; translations: Float32Array; frameCount: number };
   free(): void;
 }
@@ -302,13 +305,15 @@ export interface LoadOptions {
   model?: ArrayBuffer | ArrayBufferView;
   /** the module without SIMD even where SIMD is */
   scalar?: boolean;
-  /** wasm/simd.wasm or wasm/scalar.wasm from elsewhere, instead of the copy in the bundle */
-  wasm?: WebAssembly.Module | ArrayBuffer | ArrayBufferView | URL | string | Response | Promise<Response>;
+  /** the module from elsewhere, instead of the copy in the scripts; of a pair the one that runs here, as @sinew/skin/url has it */
+  wasm?: WasmSource | { simd: WasmSource; scalar: WasmSource };
 }
+/** A module, its bytes, or where it is. */
+export type WasmSource = WebAssembly.Module | ArrayBuffer | ArrayBufferView | URL | string | Response | Promise<Response>;
 
 export function load(options?: LoadOptions): Promise<Skin>;
 export function hasSimd(): boolean;
-export function compile(source: NonNullable<LoadOptions["wasm"]>): Promise<WebAssembly.Module>;
+export function compile(source: WasmSource): Promise<WebAssembly.Module>;
 export function instantiate(module: WebAssembly.Module, imports: Record<string, Record<string, Function>>): Promise<WebAssembly.Exports>;
 export function decodeBase64(text: string): Uint8Array;
 

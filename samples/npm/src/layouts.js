@@ -71,6 +71,9 @@ export const LAYOUTS = {
     "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 joint_classes@20:u32 partners@24:u32 " +
     "confidence@28:u32 parent_confidence@32:u32 names@36:u32 mirrored@40:u32 facing@44:u32 plane@48:f32 spread@52:f32 " +
     "used_bytes@56:u32"),
+  jointVerdicts: layout(48,
+    "struct_size@0:u32 mirror_axis@4:u32 classes@8:u32 roles@12:u32 sides@16:u32 numbers@20:u32 partners@24:u32 images@28:u32 " +
+    "mirror_planes@32:f32x3 mirrored@44:u32"),
   boundCharacter: layout(28,
     "mesh@0:u32 skeleton@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 joint_map@24:u32"),
   vertexPair: layout(8, "source@0:u32 target@4:u32"),
@@ -151,6 +154,8 @@ export const LAYOUTS = {
     "linear_error@24:f64 baked_error@32:f64 held_out_linear_error@40:f64 held_out_baked_error@48:f64"),
 };
 
+export const MODEL_BYTES = LAYOUTS.model.size, QUESTION_BYTES = LAYOUTS.question.size;
+
 // Constants, without SINEW_.
 export const VERSION_MAJOR = 0;
 export const VERSION_MINOR = 1;
@@ -205,6 +210,9 @@ export const WORDS = {
     "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop"],
   mirror: ["auto", "always", "never"],
   rigMethod: ["votes", "shape", "regions"],
+  jointRole: ["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"],
+  follows: ["unknown", "some", "none"],
+  naming: ["sinew", "mixamo", "vrm", "unreal", "rigify", "makehuman"],
   transferMethod: ["auto", "nearest", "biharmonic", "rebind"],
   transferReason: ["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"],
   simplifyLevel: ["high", "low"],

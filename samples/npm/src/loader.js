@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Starts a module of WebAssembly anywhere: in a page, a worker, node, with and without SIMD.
+import { readFileAt } from "#host";
 
 // A function that adds two lanes: valid only where SIMD is.
 const simdProbe = new Uint8Array([
@@ -9,16 +10,17 @@ const simdProbe = new Uint8Array([
 /** Whether this browser or node runs WebAssembly's 128-bit SIMD. A module that uses it does not start where it is missing. */
 export const hasSimd = () => WebAssembly.validate(simdProbe);
 
-/** Bytes of an address: http(s) and data by fetch(), file: (node) from the disk. */
-async function bytesAt(url) {
+// Compiled while it arrives, where the server names its kind.
+async function compileResponse(response) {
+  if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}, expected a WebAssembly file`);
+  const streams = WebAssembly.compileStreaming && response.headers.get("content-type") === "application/wasm";
+  return streams ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+}
+
+// http(s) and data by fetch(), file: (node) from the disk.
+async function compileAt(url) {
   const address = new URL(url, globalThis.location?.href ?? import.meta.url);
-  if (address.protocol === "file:") {
-    const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
-    return readFile(address);
-  }
-  const response = await fetch(address);
-  if (!response.ok) throw new Error(`${address}: ${response.status} ${response.statusText}, expected a WebAssembly file`);
-  return response.arrayBuffer();
+  return address.protocol === "file:" ? WebAssembly.compile(await readFileAt(address)) : compileResponse(await fetch(address));
 }
 
 /**
@@ -28,11 +30,8 @@ async function bytesAt(url) {
 export async function compile(source) {
   const given = await source;
   if (given instanceof WebAssembly.Module) return given;
-  if (typeof Response !== "undefined" && given instanceof Response) {
-    if (!given.ok) throw new Error(`${given.url}: ${given.status} ${given.statusText}, expected a WebAssembly file`);
-    return WebAssembly.compile(await given.arrayBuffer());
-  }
-  if (typeof given === "string" || given instanceof URL) return WebAssembly.compile(await bytesAt(given));
+  if (typeof Response !== "undefined" && given instanceof Response) return compileResponse(given);
+  if (typeof given === "string" || given instanceof URL) return compileAt(given);
   return WebAssembly.compile(given);
 }
 

@@ -34,6 +34,22 @@ export function meshOfGeometry(geometry, matrixWorld = identity) {
 // Bones of a list or a Skeleton.
 const listOf = (bones) => (Array.isArray(bones) ? bones : bones.bones);
 
+// The bones of a list, or of a Skeleton that stands as it was bound, wherever it was carried since. A posed one is refused by name: what
+// is made from it would take the pose for the rest.
+function restingBones(call, bones) {
+  if (Array.isArray(bones)) return bones;
+  const carried = new Matrix4(), moved = new Matrix4();
+  bones.bones.forEach((bone, j) => {
+    bone.updateWorldMatrix(true, false);
+    moved.multiplyMatrices(bone.matrixWorld, bones.boneInverses[j]);
+    if (j === 0) return void carried.copy(moved);
+    const size = Math.max(...carried.elements.map(Math.abs), 1);
+    if (carried.elements.some((x, i) => Math.abs(x - moved.elements[i]) > 1e-3 * size))
+      throw new Error(`${call}: the skeleton is posed (${bone.name || `bone ${j}`}); call its pose() first, or give bones that stand at rest`);
+  });
+  return bones.bones;
+}
+
 /**
  * Bones as the engine reads them, where they are now; with a Skeleton where its inverses say that they are at rest.
  * @param {Bone[] | Skeleton} bones
@@ -90,8 +106,12 @@ export function setSkin(geometry, bound) {
   geometry.setAttribute("skinWeight", new Float32BufferAttribute(values, 4));
 }
 
-/** A SkinnedMesh in the place of `mesh`, bound to `bones` as they stand now. The caller puts mesh and root bone into a scene. */
-export async function bindMesh(binder, mesh, bones, options = {}) {
+/**
+ * A SkinnedMesh in the place of `mesh`, bound to `bones` as they stand now. The caller puts mesh and root bone into a scene.
+ * @param {Bone[] | Skeleton} skeleton a Skeleton that is not posed
+ */
+export async function bindMesh(binder, mesh, skeleton, options = {}) {
+  const bones = restingBones("bindMesh", skeleton);
   mesh.updateWorldMatrix(true, false);
   const bound = await bindGeometry(binder, mesh.geometry, bones, { ...options, matrixWorld: mesh.matrixWorld });
   const skinned = new SkinnedMesh(mesh.geometry, mesh.material);
@@ -119,6 +139,7 @@ export function makeBones(rig) {
 
 /** Palette of a skinned mesh as it stands: [J x 12] row-major, pose times inverse bind, in the world; for Deformer.pose(). */
 export function paletteOf(skeleton) {
+  if (Array.isArray(skeleton)) throw new Error("paletteOf: expected a Skeleton, which knows its rest, found a list of bones");
   const palette = new Float32Array(12 * skeleton.bones.length);
   const matrix = new Matrix4();
   skeleton.bones.forEach((bone, j) => {
@@ -188,7 +209,7 @@ function rootsToParents(bones, parents, { rotations, translations, frameCount })
 }
 
 /**
- * A clip of `source` for the bones of `target`. Both stand at rest when it is called, or are Skeletons; the source does again afterwards.
+ * A clip of `source` for the bones of `target`. Both stand at rest when it is called; a posed Skeleton is refused. The source stands at rest again afterwards.
  * @param {object} skin what load() gave; not of a worker
  * @param {AnimationClip} clip of the source's bones
  * @param {Bone[] | Skeleton} source
@@ -197,8 +218,8 @@ function rootsToParents(bones, parents, { rotations, translations, frameCount })
  */
 export function retargetClip(skin, clip, source, target, options = {}) {
   const fps = options.fps ?? 30;
-  const from = standAtOrigin(skeletonOfBones(source)), to = standAtOrigin(skeletonOfBones(target));
-  const sourceBones = listOf(source), targetBones = listOf(target);
+  const sourceBones = restingBones("retargetClip", source), targetBones = restingBones("retargetClip", target);
+  const from = standAtOrigin(skeletonOfBones(sourceBones)), to = standAtOrigin(skeletonOfBones(targetBones));
   let root = sourceBones[from.parents.indexOf(-1)];
   while (root.parent && !root.parent.isScene) root = root.parent;
   const plan = skin.retarget(from, to, options);

@@ -19,6 +19,7 @@ export interface RemoteDeformer {
 }
 export interface RemoteRetarget {
   readonly map: Int32Array;
+  readonly classes: Uint8Array;
   clip(clip: Poses, options?: ClipOptions): Promise<{ rotations: Float32Array; translations: Float32Array; frameCount: number }>;
   free(): Promise<void>;
 }

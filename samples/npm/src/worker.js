@@ -4,6 +4,7 @@
 //   serve();
 // and the page has connect(new Worker(new URL("./skin-worker.js", import.meta.url), { type: "module" })). The same works
 // with node's worker_threads.
+import { ownPort } from "#host";
 import { load } from "./index.js";
 import { SinewError } from "./memory.js";
 
@@ -23,13 +24,6 @@ const buffersOf = (value) => {
   return [...found].filter((buffer) => buffer instanceof ArrayBuffer);
 };
 
-async function ownPort() {
-  if (typeof self !== "undefined" && typeof self.postMessage === "function") return self;
-  const { parentPort } = await import(/* @vite-ignore */ "node:worker_threads");
-  if (!parentPort) throw new Error("serve() belongs into a worker's script; call load() of @sinew/skin elsewhere");
-  return parentPort;
-}
-
 // Messages of browsers come wrapped, those of node do not.
 const listen = (port, take) => {
   if (typeof port.on === "function") port.on("message", take);
@@ -48,9 +42,9 @@ export function serve() {
     if (KEPT in value) return kept.get(value[KEPT]);
     return Object.fromEntries(Object.entries(value).map(([name, one]) => [name, resolve(one)]));
   };
-  const ready = ownPort();
-  // The listener is there before anything is awaited in a browser: a message that comes first is not lost.
-  const take = async (port, { id, call, on, args, wantsProgress }) => {
+  const port = ownPort();
+  if (!port) throw new Error("serve() belongs into a worker's script; call load() of @sinew/skin elsewhere");
+  const take = async ({ id, call, on, args, wantsProgress }) => {
     try {
       const values = resolve(args);
       let result;
@@ -62,7 +56,7 @@ export function serve() {
         if (call === "free") kept.delete(on);
       } else if (CALLS.includes(call)) {
         const options = values.at(-1);
-        if (wantsProgress) options.onProgress = (share) => port.postMessage({ id, progress: share });
+        if (wantsProgress) options.onProgress = (share) => void port.postMessage({ id, progress: share }); // node says true, which would stop the call
         result = skin[call](...values);
       } else {
         const made = skin[call](...values);
@@ -75,8 +69,7 @@ export function serve() {
       port.postMessage({ id, error: { message: String(error?.message ?? error), status: error?.status ?? 0 } });
     }
   };
-  if (typeof self !== "undefined" && typeof self.postMessage === "function") listen(self, (message) => take(self, message));
-  else ready.then((port) => listen(port, (message) => take(port, message)));
+  listen(port, take);
 }
 
 /**

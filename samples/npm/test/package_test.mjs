@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The tarball in fresh projects: node, TypeScript, esbuild and Vite with three.js in a headless Chromium. Weights are the command's.
+// The tarball in fresh projects: node, TypeScript, esbuild, webpack and Vite with three.js in a headless Chromium, none of them told about
+// modules of node's. Weights are the command's.
 //   package_test.mjs BUILT_FOLDER REPOSITORY WORK_FOLDER COMMAND
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
-import { dirname, join, resolve } from "node:path";
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, symlinkSync, writeFileSync } from "node:fs";
+import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { bindHash, readObj, readRig } from "./characters.mjs";
+import { strangeFiles } from "./strange_files.mjs";
 
 const [built, root, work, command] = process.argv.slice(2).map((path) => resolve(path));
 const here = dirname(fileURLToPath(import.meta.url)), tools = resolve(here, "../node_modules");
@@ -19,8 +21,8 @@ const check = (holds, what) => (++count, assert.ok(holds, what));
 const run = (program, args, cwd = work) => execFileSync(program, args, { cwd, encoding: "utf8", maxBuffer: 1 << 26 });
 const sinew = (...args) => run(command, args);
 
-for (const folder of ["npm", "web"]) // the page's test has the browser
-  if (!existsSync(join(root, "samples", folder, "node_modules/three"))) run("npm", ["ci", "--silent", "--no-audit", "--no-fund"], join(root, "samples", folder));
+for (const [folder, last] of [["npm", "webpack"], ["web", "playwright-core"]]) // the page's test has the browser
+  if (!existsSync(join(root, "samples", folder, "node_modules", last))) run("npm", ["ci", "--silent", "--no-audit", "--no-fund"], join(root, "samples", folder));
 rmSync(work, { recursive: true, force: true });
 mkdirSync(join(work, "shots"), { recursive: true });
 symlinkSync(tools, join(work, "node_modules")); // the projects' tools; the package itself comes from the tarball alone
@@ -65,6 +67,12 @@ function node() {
     }
   }
   check(samples.some((name) => out.rigs[name][1].names.includes("Jaw")), "a face is found");
+  const plain = out.hashes[samples[0]].plain;
+  equal(out.small, [plain, plain, plain], "the module that binds alone gives the same weights, without SIMD and as a file too");
+  equal(out.smallHas, ["bind", "chooseJoints", "constructor", "openModel"], "and has nothing else");
+  equal(out.byUrl, [plain, plain, plain], "the module as a file gives the same weights");
+  const bytes = (name) => statSync(join(work, "node/node_modules/@sinew/skin/wasm", name)).size;
+  check(bytes("bind-simd.wasm") < 0.75 * bytes("simd.wasm"), `the module that binds alone is small: ${bytes("bind-simd.wasm")} of ${bytes("simd.wasm")}`);
   // Byte for byte, not by the hash alone.
   const weights = bound(samples[0]).rows;
   const rows = { joints: new Uint16Array(4 * weights.size), weights: new Uint16Array(4 * weights.size) };
@@ -82,6 +90,9 @@ function node() {
   const expected = target.names.map((name) => source.names.indexOf(lines.find(([to]) => to === name)?.[1]));
   equal(out.map.sources, expected, "the command's map");
   equal(out.frames, 2, "both frames are retargeted");
+  const limbs = (classes) => classes.map((c) => ([5, 6, 9, 10].includes(c) ? c : 0));
+  check(out.limbs.named.some((c) => c !== 17), "names say classes");
+  equal(limbs(out.limbs.nameless), limbs(out.limbs.named), "limbs without names are found as the command finds them");
   equal(out.rest.deformer, 0, "the rest pose comes back exactly");
   check(out.rest.linear < 1e-6, "and by linear blending");
   equal(out.bend, { corrected: true, differs: true }, "a bend is corrected");
@@ -102,6 +113,9 @@ function node() {
     model: "SinewError -9: openModel: not a sinew model file",
     task: "SinewError 0: bind: expected a model of weights, found one of skeletons",
     cancelled: "SinewError -8: bind: ",
+    told: "none",
+    goesOn: "none",
+    answer: "none",
   };
   for (const [name, line] of Object.entries(errors)) check(out.errors[name].startsWith(line), `${name}: ${out.errors[name]}`);
   equal(out.again, out.hashes[samples[0]].plain, "the engine works on after errors");
@@ -112,6 +126,46 @@ function node() {
   check(out.worker.error.startsWith("SinewError mesh.positions"), out.worker.error);
   equal(out.worker.closed, "the worker was closed", "closed is closed");
   console.log(`npm: node: ${count} checks`);
+}
+
+// Whole files: the command's bytes by its defaults.
+function files() {
+  const folder = join(work, "node"), given = join(work, "given"), mine = join(work, "mine"), theirs = join(work, "theirs");
+  for (const one of [given, mine, theirs]) mkdirSync(one, { recursive: true });
+  for (const [name, bytes] of Object.entries(strangeFiles())) writeFileSync(join(given, name), bytes);
+  const at = (...names) => names.map((name) => (existsSync(join(given, name)) ? join(given, name) : join(data, name)));
+  const jobs = [
+    ...samples.map((name) => ({ job: "bind", files: at(`${name}.obj`, `${name}.rig.txt`), save: `${name}.glb` })),
+    { job: "bind", files: at("biped__caped.gltf"), save: "caped.glb" },
+    { job: "bind", files: at("biped__caped.gltf"), options: { method: "heat", influences: 8, symmetric: true }, args: ["--method", "heat", "--influences", "8", "--symmetric"], save: "heat.glb" },
+    { job: "rig", files: at("biped__robed.obj"), save: "rigged.glb" },
+    { job: "rig", files: at("biped__robot.obj"), options: { detail: "full" }, args: ["--detail", "full"], save: "full.glb" },
+    { job: "retarget", files: at("biped__caped.gltf"), motion: at("strange.fbx"), save: "moved.glb" },
+    ...["hanging.glb", "named.glb", "weighted.glb", "strange.fbx", "metres.fbx", "strange.dae"].map((name) => ({ job: "bind", files: at(name), save: `${name}.glb` })),
+    { job: "bind", files: at("strange.fbx", "skin.png"), save: "dressed.glb" },
+    { job: "bind", files: at("broken.fbx"), save: "broken.glb" },
+    { job: "bind", files: at("bare.obj"), save: "bare.glb" },
+  ];
+  writeFileSync(join(work, "jobs.json"), JSON.stringify(jobs));
+  const lines = JSON.parse(run("node", ["files.mjs", join(work, "jobs.json"), mine], folder));
+  jobs.forEach(({ job, files: [first, ...beside], motion, args = [], save }, i) => {
+    const skeleton = beside.find((path) => path.endsWith(".rig.txt"));
+    const place = join(work, "place"); // only what the job has lies beside the file
+    rmSync(place, { recursive: true, force: true });
+    mkdirSync(place);
+    for (const path of [first, ...beside]) cpSync(path, join(place, basename(path)));
+    const call = [{ retarget: "animate" }[job] ?? job, join(place, basename(first)), ...(skeleton && job === "bind" ? ["--skeleton", join(place, basename(skeleton))] : []), ...(motion ? ["--motion", motion[0]] : []), ...args, "-o", join(theirs, save)];
+    let said = "";
+    try {
+      execFileSync(command, call, { cwd: work, stdio: "pipe" });
+    } catch (error) {
+      said = String(error.stderr).trim();
+    }
+    if (said !== "") return void check(lines[i] !== "", `${save}: the command says ${said}, the package nothing`);
+    equal(lines[i], "", `${save}: ${lines[i]}`);
+    check(readFileSync(join(mine, save)).equals(readFileSync(join(theirs, save))), `${job} ${basename(first)}: the command's bytes`);
+  });
+  console.log(`npm: whole files: ${jobs.length}, the command's bytes`);
 }
 
 function types() {
@@ -156,6 +210,9 @@ async function page(name, folder) {
     check(result.restMoves < 1e-5, `${name}: a bound mesh rests where it was, ${result.restMoves}`);
     check(result.rigged > 10 && result.tracks > 5, `${name}: a predicted skeleton, a retargeted clip`);
     check(result.moved > 0.3 && result.moved < 1.2 && result.hips < 0.05, `${name}: the other body waves where it stands, ${result.moved} ${result.hips}`);
+    check(result.bySkeleton, `${name}: bindMesh() takes a Skeleton`);
+    for (const [call, line] of Object.entries(result.posed)) check(line.startsWith(`${call}: the skeleton is posed (`), `${name}: ${call}: ${line}`);
+    equal(result.byUrl, result.hash, `${name}: the module as a file of the bundler's, and the one that binds alone`);
     check(result.corrected && result.fromLinear > 0 && result.fromLinear < 0.5, `${name}: the volume is kept, ${result.fromLinear}`);
     console.log(`npm: ${name} in Chromium: ${JSON.stringify(result)}`);
   } finally {
@@ -175,15 +232,32 @@ async function vite() {
 async function esbuild() {
   const folder = project("esbuild", "page"), dist = join(folder, "dist");
   run(join(tools, ".bin/esbuild"), ["main.js", "skin-worker.js", "--bundle", "--splitting", "--format=esm", "--target=es2022", `--outdir=${dist}`,
-    "--log-level=warning", "--external:node:*"], folder);
+    "--log-level=warning"], folder);
+  cpSync(join(folder, "node_modules/@sinew/skin/wasm"), join(dist, "wasm"), { recursive: true }); // esbuild leaves new URL() as it stands
   cpSync(join(folder, "index.html"), join(dist, "index.html"));
   withSamples(dist);
   await page("esbuild", dist);
 }
 
+async function webpack() {
+  const folder = project("webpack", "page"), dist = join(folder, "dist");
+  writeFileSync(join(folder, "build.mjs"), `import webpack from "webpack";
+    webpack({ mode: "production", target: "web", context: ${JSON.stringify(folder)}, entry: "./main.js", experiments: { outputModule: true },
+      output: { path: ${JSON.stringify(dist)}, filename: "main.js", module: true }, performance: { hints: false } },
+      (error, stats) => {
+        if (error || stats.hasErrors() || stats.hasWarnings()) throw error ?? new Error(stats.toString({ all: false, errors: true, warnings: true }));
+      });\n`);
+  run("node", ["build.mjs"], folder);
+  cpSync(join(folder, "index.html"), join(dist, "index.html"));
+  withSamples(dist);
+  await page("webpack", dist);
+}
+
 const { launch, serve } = await import("../../web/test/browser.mjs"); // the page's, whose playwright is there by now
 node();
+files();
 types();
 await esbuild();
+await webpack();
 await vite();
 console.log(`npm: ${count} checks passed; screenshots in ${join(work, "shots")}`);

@@ -9,12 +9,39 @@ start_build() {
   mkdir -p "$2" "$2.build"
   out=$(cd "$2" && pwd) build=$(cd "$2.build" && pwd)
 }
-# build_modules SOURCE_DIR OPTION: the CMake project into $build/simd and $build/scalar, with OPTION ON and OFF; shows its log where that fails.
+# build_host KIND: what page and package have of formats and character, in $SINEW_WASM_ENGINE/host-KIND, where several that need it name one
+# such folder; build_engine KIND came first. $host_archive is an argument of cmake for host.cmake then, and nothing without the folder.
+build_host() {
+  host_archive=-DSINEW_HOST_ARCHIVE=
+  [ -n "${SINEW_WASM_ENGINE:-}" ] || return 0
+  local work=$SINEW_WASM_ENGINE/host-$1
+  emcmake cmake -S "$root/samples/npm/wasm/host" -B "$work" -DCMAKE_BUILD_TYPE=Release -DSINEW_HOST_SIMD="$([ "$1" = simd ] && echo ON || echo OFF)" "$engine_archive" >"$work.log" 2>&1 &&
+    cmake --build "$work" -j "$(nproc)" --target sinew_host >>"$work.log" 2>&1 || { cat "$work.log" >&2; return 1; }
+  host_archive+=$work/libsinew_host.a
+}
+# build_module NAME SOURCE_DIR ARGUMENT...: one CMake project into $build/NAME; shows its log where that fails.
+build_module() {
+  local work=$build/$1 source=$2
+  shift 2
+  emcmake cmake -S "$source" -B "$work" -DCMAKE_BUILD_TYPE=Release "$engine_archive" "$@" >"$work.log" 2>&1 &&
+    cmake --build "$work" -j "$(nproc)" >>"$work.log" 2>&1 || { cat "$work.log" >&2; exit 1; }
+}
+# build_modules SOURCE_DIR OPTION [host]: the CMake project into $build/simd and $build/scalar, with OPTION ON and OFF; `host`: it has host.cmake.
 build_modules() {
+  local kind
   for kind in simd scalar; do
-    step "engine to WebAssembly, $kind"
+    step "to WebAssembly, $kind"
     build_engine "$kind" || exit 1
-    emcmake cmake -S "$1" -B "$build/$kind" -DCMAKE_BUILD_TYPE=Release -D"$2"="$([ $kind = simd ] && echo ON || echo OFF)" "$engine_archive" >"$build/$kind.log" 2>&1 &&
-      cmake --build "$build/$kind" -j "$(nproc)" >>"$build/$kind.log" 2>&1 || { cat "$build/$kind.log" >&2; exit 1; }
+    host_archive=
+    [ -z "${3:-}" ] || build_host "$kind" || exit 1
+    build_module "$kind" "$1" -D"$2"="$([ $kind = simd ] && echo ON || echo OFF)" ${host_archive:+"$host_archive"}
   done
+}
+# build_scenes: what reads FBX and COLLADA into $scenes, which page and package share as they share the engine; it has no use for SIMD.
+build_scenes() {
+  local sources
+  step "the readers of FBX and COLLADA to WebAssembly"
+  scenes=${SINEW_WASM_ENGINE:-$build}/scenes
+  sources=$("$root/samples/npm/wasm/scenes/assimp.sh") || exit 1
+  engine_archive=-DSINEW_ENGINE_ARCHIVE= build="${scenes%/*}" build_module scenes "$root/samples/npm/wasm/scenes" -DSINEW_ASSIMP_SOURCE="$sources" --no-warn-unused-cli
 }

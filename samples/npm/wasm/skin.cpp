@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the package's module has beside the engine's own interface (sinew.h): joints chosen as the command chooses them, and
-// a callback that tells JavaScript how far a call is. src/engine.js writes the engine's structs into memory; the layouts it
-// goes by are checked here.
+// What the package's modules have beside the engine's own interface (sinew.h): joints chosen as the command chooses them, and
+// a callback that tells JavaScript how far a call is. src/binder.js and engine.js write the engine's structs into memory; the
+// layouts they go by are checked here.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,7 +13,6 @@
 
 #include "sinew/sinew.h"
 #include "sinew_character/bind_character.hpp"
-#include "sinew_character/label_skeleton.hpp"
 
 #define SKIN_EXPORT(name) __attribute__((used, export_name(name)))
 
@@ -124,16 +123,6 @@ void skin_fold_tips(const sinew_mesh* mesh, const sinew_skeleton* skeleton, cons
       joints[v * n + i] = static_cast<uint16_t>(rows[v][i].joint);
       weights[v * n + i] = static_cast<uint16_t>(std::lround(rows[v][i].weight * 65535.0f));
     }
-}
-
-// classes, ends: out [J] sinew_joint_class and whether a joint only ends a bone, by its name.
-SKIN_EXPORT("skin_joint_classes")
-void skin_joint_classes(const sinew_skeleton* skeleton, const char* names, uint8_t* classes, uint8_t* ends) {
-  const LabelledSkeleton labelled = label_skeleton(joints_of(*skeleton, names));
-  for (size_t j = 0; j < labelled.classes.size(); ++j) {
-    classes[j] = std::min(labelled.classes[j], uint8_t{SINEW_CLASS_OTHER});  // details and fingers are no limbs
-    ends[j] = labelled.ends[j];
-  }
 }
 
 }  // extern "C"

@@ -185,6 +185,7 @@ class Options(unittest.TestCase):
         """Wherever it arrives: 40 times, later and later, at loops that go on after errors of the library."""
         for i in range(40):
             once = threading.Timer(0.0007 * i, signal.raise_signal, (signal.SIGINT,))
+            self.addCleanup(once.cancel)  # a failure here is none of the next test's
             end = time.monotonic() + 5
             with self.assertRaises(KeyboardInterrupt, msg=f"time {i}"):
                 once.start()
@@ -231,7 +232,7 @@ class Wrong(unittest.TestCase):
         self.says("method: expected one of model, heat", positions, faces, method="magic")
         self.says("influences: expected 1 to 12", positions, faces, influences=13)
         self.says("never: the skeleton has no joint 'tail'", positions, faces, never=["tail"])
-        self.says(r"locked: expected shape \(3,\)", positions, faces, locked=[True])
+        self.says(r"locked: a mask of bool, expected shape \(3,\)", positions, faces, locked=[True])
         self.says("given: locked and hinted vertices", positions, faces, locked=[0])
         self.says(r"given: expected shape \(3, 2\)", positions, faces, locked=[0], given=np.zeros((3, 5)))
         self.says(r"answers\[0\]", positions, faces, answers=[(0, "rigid")])

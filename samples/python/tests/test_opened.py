@@ -25,6 +25,12 @@ def said(*arguments):
     return done.returncode, done.stderr.strip().split("\n")[-1]
 
 
+def with_skeleton(file):
+    """The file as the command's arguments; open() finds the joints beside an OBJ by itself."""
+    file = Path(file)
+    return [file, "--skeleton", file.with_suffix(".rig.txt")] if file.suffix == ".obj" else [file]
+
+
 def moving(name="biped__robot"):
     """A character with a clip."""
     positions, faces, skeleton, rows = read_character(name)
@@ -56,18 +62,19 @@ class SameBytesAsTheCommand(unittest.TestCase):
         for file in files:
             with self.subTest(file.name):
                 ours, theirs = self.at("ours.glb"), self.at("theirs.glb")
-                code, line = said("bind", file, "-o", theirs)
+                code, line = said("bind", *with_skeleton(file), "-o", theirs)
                 try:
                     with sinew.open(file) as one:
                         told = one.bind()
                         one.save(ours)
                 except sinew.Error as error:
                     self.assertEqual(code, 1, error)
-                    self.assertIn(str(error), line)
+                    # The same fault in both; what to do about it is an option there, a call here.
+                    self.assertIn(str(error).split(": ", 1)[1].split(";")[0], line)
                     continue
                 self.assertEqual(code, 0, line)
                 self.assertTrue(filecmp.cmp(ours, theirs, False), "other bytes than the command's")
-                self.assertEqual(told.hash, command("bind", file, "-o", theirs, "--json")["hash"])
+                self.assertEqual(told.hash, command("bind", *with_skeleton(file), "-o", theirs, "--json")["hash"])
                 bound += 1
         print(f"{bound} of {len(files)} files bound with the command's bytes")
         self.assertGreater(bound, 16)
@@ -77,7 +84,7 @@ class SameBytesAsTheCommand(unittest.TestCase):
         with sinew.open(content, name="biped__robed.obj", beside={"biped__robed.rig.txt": (DATA / "biped__robed.rig.txt").read_bytes()}) as one:
             one.bind()
             files = one.write("out.glb")
-        command("bind", DATA / "biped__robed.obj", "-o", self.at("theirs.glb"))
+        command("bind", *with_skeleton(DATA / "biped__robed.obj"), "-o", self.at("theirs.glb"))
         self.assertEqual(list(files), ["out.glb"])
         self.assertEqual(files["out.glb"], self.at("theirs.glb").read_bytes())
 
@@ -86,7 +93,7 @@ class SameBytesAsTheCommand(unittest.TestCase):
                                    (["--method", "heat", "--influences", "8"], {"method": "heat", "influences": 8}),
                                    (["--joints", "all", "--keep-tips", "--threads", "3"], {"joints": "all", "keep_tips": True, "threads": 3})):
             with self.subTest(str(options)):
-                command("bind", DATA / "biped__robed.obj", "-o", self.at("theirs.glb"), *options)
+                command("bind", *with_skeleton(DATA / "biped__robed.obj"), "-o", self.at("theirs.glb"), *options)
                 with sinew.open(DATA / "biped__robed.obj") as one:
                     one.bind(**arguments)
                     one.save(self.at("ours.glb"))
@@ -107,7 +114,7 @@ class SameBytesAsTheCommand(unittest.TestCase):
 
     def test_retarget_map_and_pose(self):
         sinew.save(self.at("source.glb"), moving())
-        command("bind", DATA / "biped__robed.obj", "-o", self.at("target.glb"))
+        command("bind", *with_skeleton(DATA / "biped__robed.obj"), "-o", self.at("target.glb"))
         command("animate", self.at("target.glb"), "--motion", self.at("source.glb"), "-o", self.at("theirs.glb"))
         command("map", self.at("target.glb"), "--from", self.at("source.glb"), "-o", self.at("theirs.map"))
         with sinew.open(self.at("target.glb")) as one, sinew.open(self.at("source.glb")) as source:
@@ -134,8 +141,8 @@ class SameBytesAsTheCommand(unittest.TestCase):
             one.save(self.at("ours.glb"))
             self.assertGreater(told.carried, 0.1)
         self.assertTrue(filecmp.cmp(self.at("ours.glb"), self.at("theirs.glb"), False))
-        command("bind", DATA / "biped__robed.obj", "-o", self.at("bound.glb"))
-        command("simplify", self.at("bound.glb"), "--bones", "12", "-o", self.at("theirs.glb"))
+        command("bind", *with_skeleton(DATA / "biped__robed.obj"), "-o", self.at("bound.glb"))
+        command("simplify", self.at("bound.glb"), "--level", "12", "-o", self.at("theirs.glb"))
         with sinew.open(self.at("bound.glb")) as one:
             into = one.simplify(joint_count=12)
             self.assertEqual(len(set(into.tolist())), len(one.skeleton))
@@ -151,7 +158,9 @@ class SameBytesAsTheCommand(unittest.TestCase):
 
 class Calls(unittest.TestCase):
     def test_classes_are_the_librarys(self):
-        """By names and source as the command has them, where the arrays' joint_classes() has a body to lay over alone."""
+        """By names as the command has them; the package once laid a body of its own over the joints and read no names."""
+        tail = sinew.Skeleton([[0, 1, 0], [0.2, 1, 0], [0.4, 1, 0]], [-1, 0, 1], ["LeftUpLeg", "LeftLeg", "LeftFoot"])
+        self.assertEqual([sinew.CLASSES[c] for c in sinew.joint_classes(tail)], ["thigh", "calf", "foot"])
         with sinew.open(DATA / "biped__robed.obj") as one:
             classes = [sinew.CLASSES[c] for c in one.joint_classes()]
             names = one.skeleton.names
@@ -210,6 +219,7 @@ class Calls(unittest.TestCase):
     def test_ctrl_c(self):
         with sinew.open(DATA / "biped__robed.obj") as one:
             once = threading.Timer(0.01, signal.raise_signal, (signal.SIGINT,))
+            self.addCleanup(once.cancel)  # a failure here is none of the next test's
             with self.assertRaises(KeyboardInterrupt):
                 once.start()
                 for _ in range(1000):

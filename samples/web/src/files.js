@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which of the dropped files make a character together: names alone decide, contents are the module's business.
 
-const meshEndings = [".obj", ".glb", ".gltf", ".vrm"]; // an .fbx is a .glb by then
+const meshEndings = [".obj", ".glb", ".gltf", ".vrm", ".fbx", ".dae"];
 
 const lower = (name) => name.toLowerCase();
 export const isMesh = (name) => meshEndings.some((ending) => lower(name).endsWith(ending));
@@ -9,7 +9,7 @@ export const isRig = (name) => lower(name).endsWith(".txt");
 export const isModel = (name) => lower(name).endsWith(".sinew");
 export const isStyle = (name) => lower(name).endsWith(".style");
 export const isMotion = (name) => lower(name).endsWith(".bvh"); // glTF files are characters, unless one says so
-const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl)$/.test(lower(name)); // parts of a .gltf or .obj
+const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
 export function stem(name) {
   return name.replace(/(\.rig\.txt|\.[^.]*)$/i, "");
@@ -22,7 +22,7 @@ export function pairFiles(names, waiting = {}) {
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
-    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .fbx, .bvh, .sinew or .style, found another kind of file`);
+    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .fbx, .dae, .bvh, .sinew or .style, found another kind of file`);
   }
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);

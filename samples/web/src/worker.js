@@ -2,6 +2,7 @@
 // Runs the module beside the page, so that binding never stops the picture. Messages in: {id, call, ...}; out: {id,
 // reply, buffers} or {progress}.
 import { compile, hasSimd } from "@sinew/skin/loader";
+import { isScene, readScenesBy } from "@sinew/skin/scenes";
 import scalar from "sinew-scalar";
 import simd from "sinew-simd";
 
@@ -12,12 +13,24 @@ const posed = ["positions", "normals", "jointPositions", "palette"];
 let module;
 let moduleBytes = 0;
 
-async function start({ forceScalar }) {
-  const useSimd = !forceScalar && hasSimd();
-  const name = useSimd ? "sinew-simd.wasm" : "sinew-scalar.wasm";
+async function fetchModule(name) {
   const response = await fetch(name);
   if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
-  const bytes = await response.arrayBuffer();
+  return response.arrayBuffer();
+}
+
+// What reads FBX and COLLADA, once there is such a file.
+let scenes = null;
+function needScenes(name) {
+  if (!isScene(name)) return null;
+  scenes ??= Promise.all([import("sinew-scenes"), fetchModule("sinew-scenes.wasm").then(compile)]).then(([glue, compiled]) => readScenesBy(module, glue.default, compiled));
+  scenes.catch(() => (scenes = null)); // the next file asks again
+  return scenes;
+}
+
+async function start({ forceScalar }) {
+  const useSimd = !forceScalar && hasSimd();
+  const bytes = await fetchModule(useSimd ? "sinew-simd.wasm" : "sinew-scalar.wasm");
   moduleBytes = bytes.byteLength;
   const compiled = await compile(bytes);
   module = await (useSimd ? simd : scalar)({
@@ -90,7 +103,8 @@ const calls = {
     }
   },
   model: ({ name }) => withText(plain(name), (at) => checked(module._web_model(at))),
-  load({ mesh, skeleton, number }) {
+  async load({ mesh, skeleton, number }) {
+    await needScenes(mesh);
     const reply = withText(plain(mesh), (m) => withText(skeleton && plain(skeleton), (s) => checked(module._web_load(m, s, number))));
     return { ...reply, buffers: take(["triangles", "vertexOf", "positions", "normals"]) };
   },
@@ -143,8 +157,11 @@ const calls = {
       module._free(at);
     }
   },
-  // name: of a .bvh or an animated glTF, "" for none any more. wish: {upAxis, own, method, pins}
-  motion: ({ name, wish = {} }) => withText(name && plain(name), (at) => withText(JSON.stringify(wish), (w) => checked(module._web_motion(at, w)))),
+  // name: of a .bvh or an animated glTF, FBX or COLLADA, "" for none any more. wish: {upAxis, own, method, pins}
+  async motion({ name, wish = {} }) {
+    await needScenes(name);
+    return withText(name && plain(name), (at) => withText(JSON.stringify(wish), (w) => checked(module._web_motion(at, w))));
+  },
   motionMethod: ({ method }) => checked(module._web_motion_method(method)),
   frame: ({ clip, seconds, skinning }) => ({ ...checked(module._web_frame(clip, seconds, skinning)), buffers: take(posed) }),
   glb({ name }) {

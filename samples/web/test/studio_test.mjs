@@ -302,7 +302,7 @@ try {
     await settled();
     await shoot("fbx");
     await give(made("broken.fbx", "no fbx"));
-    assert.match(await errorLine(), /^broken\.fbx: is no FBX that can be read/);
+    assert.match(await errorLine(), /^broken\.fbx: expected FBX, found a file that Assimp does not read/);
     await page.keyboard.press("Escape");
     assert.deepEqual((await joints()).map(({ name }) => name), after.map(({ name }) => name), "the page is as it was");
   });

@@ -122,6 +122,7 @@ Json load(Session& s, const std::string& mesh, const std::string& skeleton, uint
   Json reply = rig_json(s.rigs());
   reply["hasReference"] = !s.reference.empty();
   reply["name"] = s.character.name;
+  reply["notes"] = s.character.notes;
   reply["vertices"] = s.character.vertices.size();
   reply["faces"] = s.character.face_count();
   return reply;

@@ -107,7 +107,7 @@ Json show_pose(Session& s, const std::vector<Affine>& palette, SkinMethod method
 
 // turns: [J x 3] degrees about x, then y, then z.
 Json pose(Session& s, const float* turns, SkinMethod method) {
-  std::vector<JointTurn> list;
+  std::vector<JointRotation> list;
   for (size_t j = 0; j < s.character.joints.size(); ++j) {
     const float* const turn = turns + 3 * j;
     if (turn[0] != 0 || turn[1] != 0 || turn[2] != 0) list.push_back({j, turn[0], turn[1], turn[2]});

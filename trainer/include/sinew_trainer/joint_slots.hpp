@@ -48,7 +48,7 @@ bool in_category(const JointSlot& slot, SlotCategory category);
 // outside first; each takes the first free slot of its class and side. Of a chain that is longer than its slots, joints
 // at equal steps stay. Classes without slots (hair, other) and what finds none free are left out.
 //   places  in  [target] in the mirror frame: x tells the side
-std::array<int, kSlots> assign_slots(const TargetSkeleton& target, const std::vector<std::array<double, 3>>& places);
+std::array<int, kSlots> assign_slots(const TargetSkeleton& target, const std::vector<std::array<double, 3>>& positions);
 
 // Pairs of slots that hang together: one's joint is the other's nearest ancestor with a slot.
 //   connected  out  [kSlotPairs] 0 or 1

@@ -147,7 +147,7 @@ void add_controls(Character* character, double side, Random* random) {
 // Another rest pose: every joint turns a little, the mesh follows its own weights.
 void change_rest_pose(Character* character, Random* random) {
   const double amount = random->uniform(4, 16);  // degrees, standard deviation
-  std::vector<JointTurn> turns;
+  std::vector<JointRotation> turns;
   for (size_t j = 0; j < character->joints.size(); ++j) {
     if (character->joints[j].parent < 0) continue;
     const auto angle = [&] { return std::clamp(amount * random->normal(), -40.0, 40.0); };

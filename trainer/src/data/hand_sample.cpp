@@ -89,13 +89,13 @@ HandSource::HandSource(const Character& character, const TargetHand& hand)
     return 0;
   };
   std::vector<uint32_t> number(character.vertices.size(), UINT32_MAX);
-  std::vector<Point> places;
-  for (const Vec3& p : character.vertices) places.push_back(local_of(p));
-  const auto is_near = [&](uint32_t v) { return vec(places[v]).norm() < kAround * length_; };
+  std::vector<Point> positions;
+  for (const Vec3& p : character.vertices) positions.push_back(local_of(p));
+  const auto is_near = [&](uint32_t v) { return vec(positions[v]).norm() < kAround * length_; };
   const auto vertex_of = [&](uint32_t v) {
     if (number[v] == UINT32_MAX) {
       number[v] = static_cast<uint32_t>(vertices_.size());
-      vertices_.push_back(places[v]);
+      vertices_.push_back(positions[v]);
       influences_.emplace_back();
       for (const Influence& i : character.influences[v]) influences_.back().push_back({owner_of(i.joint), i.weight});
     }
@@ -324,12 +324,12 @@ std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const 
   // As wrong as a body's skeleton is.
   const Vector3d wrist = vec(posed.joints[kWrist]);
   const Vector3d elbow = vec(posed.joints[0]) + (vec(elbow_) - vec(joints_[0].at));
-  HandPlace place;
-  place.wrist = quantized(wrist + 0.07 * length_ * normals(&random));
-  place.elbow = quantized(elbow + 0.12 * elbow.norm() * normals(&random));
+  HandPosition position;
+  position.wrist = quantized(wrist + 0.07 * length_ * normals(&random));
+  position.elbow = quantized(elbow + 0.12 * elbow.norm() * normals(&random));
   const double guess = length_ * std::exp(0.15 * random.normal());
   const Vec3i zero = quantized(Vector3d::Zero()), far = quantized(Vector3d(guess, 0, 0));
-  place.length = std::max(far.x - zero.x, 1);
+  position.length = std::max(far.x - zero.x, 1);
 
   HandCrop crop;
   Interior interior;
@@ -338,7 +338,7 @@ std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const 
     (void)crop.allocate(arena, engine.counts);
     (void)interior.allocate(arena);
     (void)set.allocate(arena);
-    (void)crop_hand(engine.mesh, place, engine.counts, arena, &crop);
+    (void)crop_hand(engine.mesh, position, engine.counts, arena, &crop);
     if (!arena.measuring() && crop.surface_triangles == 0) return;
     (void)build_interior(crop.mesh, arena, &interior);
     (void)make_point_set(crop.mesh, interior, mix_seeds(seed, 2), arena, &set);
@@ -350,7 +350,7 @@ std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const 
   run(arena);
   if (crop.surface_triangles == 0) return std::nullopt;
 
-  const auto hand_place = [&](const Point& p) {
+  const auto hand_position = [&](const Point& p) {
     const Vec3i at = crop.frame.to(quantized(vec(p)));
     return share(at);
   };
@@ -362,7 +362,7 @@ std::optional<RigSample> HandSource::make(uint64_t seed, double strength) const 
   RigSample s = point_sample(set);
   s.name = name_;
   s.family = family_;
-  Labels labels(*this, posed, hand_place, &s);
+  Labels labels(*this, posed, hand_position, &s);
   std::vector<double> sums(joints_.size());
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     const SurfacePoint& point = set.points[i];

@@ -97,7 +97,8 @@ bool in_category(const JointSlot& slot, SlotCategory category) {
   return true;
 }
 
-std::array<int, kSlots> assign_slots(const TargetSkeleton& target, const std::vector<std::array<double, 3>>& places) {
+std::array<int, kSlots> assign_slots(const TargetSkeleton& target,
+                                     const std::vector<std::array<double, 3>>& positions) {
   std::array<int, kSlots> held;
   held.fill(-1);
   std::vector<size_t> order(target.joints.size());
@@ -105,13 +106,13 @@ std::array<int, kSlots> assign_slots(const TargetSkeleton& target, const std::ve
   std::vector<int> depth;
   for (size_t j = 0; j < order.size(); ++j) depth.push_back(depth_of(target, j));
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-    return depth[a] != depth[b] ? depth[a] < depth[b] : std::fabs(places[a][0]) > std::fabs(places[b][0]);
+    return depth[a] != depth[b] ? depth[a] < depth[b] : std::fabs(positions[a][0]) > std::fabs(positions[b][0]);
   });
   const std::array<JointSlot, kSlots>& slots = joint_slots();
   const auto fits = [&](const JointSlot& slot, size_t j) {
     const TargetJoint& joint = target.joints[j];
     if (slot.joint_class != slot_class(joint) || slot.tip != joint.tip) return false;
-    return slot.side == SlotSide::kMiddle || (slot.side == SlotSide::kLeft) == (places[j][0] > 0);
+    return slot.side == SlotSide::kMiddle || (slot.side == SlotSide::kLeft) == (positions[j][0] > 0);
   };
   for (size_t first = 0; first < kSlots;) {  // slots of one kind stand side by side
     size_t end = first + 1;

@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -13,7 +12,6 @@
 #include "data/engine_mesh.hpp"
 #include "data/point_sample.hpp"
 #include "rig/rig_task.hpp"
-#include "sinew_character/joint_class_of.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/sample.hpp"
@@ -28,7 +26,7 @@ Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 std::array<double, 3> arr(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 // How far joints of a class turn, standard deviation in radians.
-double turn_sigma(JointClass c) {
+double rotation_sigma(JointClass c) {
   switch (c) {
     case kClassUpperArm:
       return 0.45;
@@ -57,25 +55,6 @@ double turn_sigma(JointClass c) {
   }
 }
 
-bool names_face(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  for (const char* const part : {"eye", "nose", "lip", "cheek", "brow", "lid"}) {
-    if (name.find(part) != std::string::npos) return true;
-  }
-  return false;
-}
-
-// As target_skeleton(); joints of a face whose names it does not know as details belong to the head, as all others of faces
-// do: a body's head has no chains in it.
-TargetSkeleton learnt_skeleton(Character character) {
-  for (Joint& joint : character.joints) {
-    if (joint.parent < 0) continue;
-    const std::string& above = character.joints[static_cast<size_t>(joint.parent)].name;
-    if (names_face(joint.name) && joint_class_of(above, {}) == kClassHead) joint.name = "face";
-  }
-  return target_skeleton(character);
-}
-
 double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
   const Vector3d along = b - a;
   const double t = std::clamp((p - a).dot(along) / std::max(along.squaredNorm(), 1e-12), 0.0, 1.0);
@@ -85,7 +64,7 @@ double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b)
 }  // namespace
 
 RigSource::RigSource(const Character& character)
-    : name_(character.name), family_(family_of(character.name)), target_(learnt_skeleton(character)) {
+    : name_(character.name), family_(family_of(character.name)), target_(target_skeleton(character)) {
   std::vector<Point> vertices;
   std::vector<uint32_t> source;
   surface_of(character, &vertices, &triangles_, &source);
@@ -185,7 +164,7 @@ RigSource::Posed RigSource::pose(uint64_t seed, double strength) const {
       continue;
     }
     constexpr double kStrengths[3] = {0.5, 1, 1.5};
-    const double sigma = turn_sigma(c) * strength * kStrengths[random.below(3)];
+    const double sigma = rotation_sigma(c) * strength * kStrengths[random.below(3)];
     for (int axis = 0; axis < 3; ++axis) turn[i][axis] = sigma * random.normal();
     if (random.uniform() < 0.3) turn[i].setZero();
     if (posed.symmetric && partner == static_cast<int>(i)) turn[i].y() = turn[i].z() = 0;
@@ -200,8 +179,8 @@ RigSource::Posed RigSource::pose(uint64_t seed, double strength) const {
     if (!kids_[i].empty()) {
       Vector3d mean = Vector3d::Zero();
       for (const uint32_t k : kids_[i]) mean += vec(target_joints_[k]);
-      const Vector3d way = mean / static_cast<double>(kids_[i].size()) - vec(target_joints_[i]);
-      if (way.norm() > 1e-9) along = way.normalized();
+      const Vector3d offset = mean / static_cast<double>(kids_[i].size()) - vec(target_joints_[i]);
+      if (offset.norm() > 1e-9) along = offset.normalized();
     }
     const double s = std::exp(stretch[i][0]), r = std::exp(stretch[i][1]);
     scale[i] = r * Matrix3d::Identity() + (s - r) * along * along.transpose();

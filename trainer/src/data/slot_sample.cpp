@@ -43,12 +43,12 @@ void fill_slot_graph(const Mesh& mesh, NetworkSample* sample) {
   s.col_indices.assign(mesh.col_indices, mesh.col_indices + mesh.row_offsets[n]);
 }
 
-double skin_offset(const Mesh& mesh, const std::array<double, 3>& place) {
+double skin_offset(const Mesh& mesh, const std::array<double, 3>& position) {
   double least = 1e30;
   for (uint32_t v = 0; v < mesh.welded_count; ++v) {
     const Vec3i p = mesh.positions[v];
-    const double x = place[0] - static_cast<double>(p.x) / kSide, y = place[1] - static_cast<double>(p.y) / kSide,
-                 z = place[2] - static_cast<double>(p.z) / kSide;
+    const double x = position[0] - static_cast<double>(p.x) / kSide, y = position[1] - static_cast<double>(p.y) / kSide,
+                 z = position[2] - static_cast<double>(p.z) / kSide;
     least = std::min(least, x * x + y * y + z * z);
   }
   return std::sqrt(least);
@@ -68,9 +68,9 @@ SlotSample make_slot_sample(const RigSource& source, uint64_t seed, double stren
   for (uint32_t slot = 0; slot < kSlots; ++slot) {
     if (held[slot] < 0) continue;
     s.present[slot] = 1;
-    const RigSource::Point& place = placed.joints[static_cast<size_t>(held[slot])];
-    for (uint32_t c = 0; c < 3; ++c) s.joints[4 * slot + c] = static_cast<float>(place[c]);
-    s.joints[4 * slot + kSlotOffset] = static_cast<float>(skin_offset(placed.engine.mesh, place));
+    const RigSource::Point& position = placed.joints[static_cast<size_t>(held[slot])];
+    for (uint32_t c = 0; c < 3; ++c) s.joints[4 * slot + c] = static_cast<float>(position[c]);
+    s.joints[4 * slot + kSlotOffset] = static_cast<float>(skin_offset(placed.engine.mesh, position));
   }
   return s;
 }

@@ -32,7 +32,7 @@ Character for_slots(const Character& character);
 // Rows and neighbours of a mesh that is in its mirror frame, one row for every welded vertex.
 void fill_slot_graph(const Mesh& mesh, NetworkSample* sample);
 // Distance from a place to the nearest vertex, longest sides.
-double skin_offset(const Mesh& mesh, const std::array<double, 3>& place);
+double skin_offset(const Mesh& mesh, const std::array<double, 3>& position);
 // As RigSource::make(). Throws Error for a skeleton without two joints that slots are for.
 SlotSample make_slot_sample(const RigSource& source, uint64_t seed, double strength);
 

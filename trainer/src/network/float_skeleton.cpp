@@ -100,20 +100,20 @@ PredictedSkeleton predict_float_skeleton(const Character& character, const Float
 bool same_tree(const PredictedSkeleton& a, const PredictedSkeleton& b) {
   if (a.joints.size() != b.joints.size()) return false;
   // Every joint as its way to the root; names are numbers of a class and may go to another joint.
-  const auto ways = [](const PredictedSkeleton& s) {
+  const auto paths = [](const PredictedSkeleton& s) {
     std::vector<std::vector<int>> all;
     for (size_t j = 0; j < s.joints.size(); ++j) {
-      std::vector<int> way;
+      std::vector<int> path;
       for (int at = static_cast<int>(j); at >= 0; at = s.joints[static_cast<size_t>(at)].parent) {
         const auto i = static_cast<size_t>(at);
-        way.push_back(8 * s.classes[i] + 2 * (side_of(s, i) + 1) + s.ends[i]);
+        path.push_back(8 * s.classes[i] + 2 * (side_of(s, i) + 1) + s.ends[i]);
       }
-      all.push_back(way);
+      all.push_back(path);
     }
     std::sort(all.begin(), all.end());
     return all;
   };
-  return ways(a) == ways(b);
+  return paths(a) == paths(b);
 }
 
 }  // namespace sinew

@@ -12,18 +12,18 @@
 namespace sinew {
 namespace {
 
-Vec3d place(const Joint& joint) {
+Vec3d position_of(const Joint& joint) {
   return {static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
           static_cast<double>(joint.position.z)};
 }
 
-Vec3d turn_axis(const Character& character, size_t joint, const Bend& bend, bool up_z) {
-  const Vec3d at = place(character.joints[joint]);
-  if (bend.twist) return unit(at - place(character.joints[static_cast<size_t>(character.joints[joint].parent)]));
+Vec3d rotation_axis(const Character& character, size_t joint, const Bend& bend, bool up_z) {
+  const Vec3d at = position_of(character.joints[joint]);
+  if (bend.twist) return unit(at - position_of(character.joints[static_cast<size_t>(character.joints[joint].parent)]));
   const Vec3d after = bone_direction(character, joint);
   const Vec3d front = up_z ? Vec3d{0, -1, 0} : Vec3d{0, 0, 1}, up = up_z ? Vec3d{0, 0, 1} : Vec3d{0, 1, 0};
-  const Vec3d way = bend.upwards ? up : bend.backwards ? -1.0 * front : front;
-  const Vec3d axis = cross(after, way);
+  const Vec3d direction = bend.upwards ? up : bend.backwards ? -1.0 * front : front;
+  const Vec3d axis = cross(after, direction);
   return unit(length(axis) > 0.3 ? axis : cross(after, front));  // an arm that hangs down
 }
 
@@ -57,10 +57,10 @@ size_t bent_joint(const Character& character, const LabelledSkeleton& labels, co
 }
 
 Vec3d bone_direction(const Character& character, size_t joint) {
-  const Vec3d at = place(character.joints[joint]);
+  const Vec3d at = position_of(character.joints[joint]);
   Vec3d sum{0, 0, 0};
   for (const Joint& child : character.joints)
-    if (child.parent == static_cast<int>(joint)) sum = sum + (place(child) - at);
+    if (child.parent == static_cast<int>(joint)) sum = sum + (position_of(child) - at);
   return unit(sum);
 }
 
@@ -70,7 +70,7 @@ BentView bent_view(const Character& character, size_t joint, const Bend& bend, d
                    int side) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   BentView out;
-  const Vec3d axis = turn_axis(character, joint, bend, up_z), at = place(character.joints[joint]);
+  const Vec3d axis = rotation_axis(character, joint, bend, up_z), at = position_of(character.joints[joint]);
   const Affine turn = rotation_about(axis_rotation({axis.x, axis.y, axis.z}, degrees * kDegree), {at.x, at.y, at.z});
   out.palette.assign(character.joints.size(), kIdentity);
   for (const size_t j : parents_first(character)) {

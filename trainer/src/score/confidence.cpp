@@ -37,7 +37,7 @@ Histogram histogram(const std::vector<JudgedConfidence>& judged) {
 
 struct Pool {
   double weight = 0, right = 0;
-  std::vector<double> places;  // mean confidences of the bins pooled here
+  std::vector<double> positions;  // mean confidences of the bins pooled here
   double hits() const { return right / weight; }
 };
 
@@ -135,33 +135,33 @@ ConfidenceTable fit_confidence(const std::vector<JudgedConfidence>& judged, size
   if (total <= 0) throw Error("confidence: there is no vertex with weights to fit on");
   std::vector<Pool> pools;
   Pool bin;
-  double place = 0;
+  double position = 0;
   size_t next = 1;
   double passed = 0;
   for (size_t value = 0; value < 256; ++value) {
     if (h.weight[value] <= 0) continue;
     bin.weight += h.weight[value];
     bin.right += h.right[value];
-    place += h.weight[value] * static_cast<double>(value) / 255.0;
+    position += h.weight[value] * static_cast<double>(value) / 255.0;
     passed += h.weight[value];
     if (passed < total * static_cast<double>(next) / static_cast<double>(bins) - 1e-12) continue;
     while (passed >= total * static_cast<double>(next) / static_cast<double>(bins) - 1e-12) ++next;
-    bin.places = {place / bin.weight};
+    bin.positions = {position / bin.weight};
     pools.push_back(bin);
     bin = {};
-    place = 0;
+    position = 0;
     while (pools.size() > 1 && pools[pools.size() - 2].hits() >= pools.back().hits()) {
       const Pool last = pools.back();
       pools.pop_back();
       pools.back().weight += last.weight;
       pools.back().right += last.right;
-      pools.back().places.insert(pools.back().places.end(), last.places.begin(), last.places.end());
+      pools.back().positions.insert(pools.back().positions.end(), last.positions.begin(), last.positions.end());
     }
   }
   ConfidenceTable table;
   for (const Pool& pool : pools) {
     // Between the first and the last place of a pool the table is level.
-    const std::array<double, 2> ends = {pool.places.front(), pool.places.back()};
+    const std::array<double, 2> ends = {pool.positions.front(), pool.positions.back()};
     for (const double end : ends) {
       if (table.empty() || unorm16(end) > table.back().first) table.emplace_back(unorm16(end), unorm16(pool.hits()));
     }

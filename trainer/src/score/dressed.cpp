@@ -17,7 +17,9 @@ constexpr int kRays = 12;
 constexpr double kReach = 0.25;       // of the longest side: cloth farther from the bone is not around it
 constexpr double kDownTheBone = 0.3;  // beside the joint, where a bend has its creases, but outside of the trunk
 
-Vec3d place(const Vec3& p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }
+Vec3d position_of(const Vec3& p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+}
 
 // [V] the number of the vertex' connected part, in the order of their first vertices.
 std::vector<size_t> parts_of(const Character& character, size_t* count) {
@@ -43,12 +45,12 @@ std::vector<size_t> parts_of(const Character& character, size_t* count) {
 }
 
 // How far along a ray of unit length a triangle is met (Moeller and Trumbore, 1997), or infinity.
-double met_after(Vec3d from, Vec3d way, Vec3d a, Vec3d b, Vec3d c) {
-  const Vec3d u = b - a, v = c - a, across = cross(way, v);
+double met_after(Vec3d from, Vec3d direction, Vec3d a, Vec3d b, Vec3d c) {
+  const Vec3d u = b - a, v = c - a, across = cross(direction, v);
   const double volume = dot(u, across);
   if (volume == 0) return INFINITY;
   const Vec3d to = from - a, over = cross(to, u);
-  const double s = dot(to, across) / volume, t = dot(way, over) / volume, distance = dot(v, over) / volume;
+  const double s = dot(to, across) / volume, t = dot(direction, over) / volume, distance = dot(v, over) / volume;
   return s >= 0 && t >= 0 && s + t <= 1 && distance > 0 ? distance : INFINITY;
 }
 
@@ -64,8 +66,9 @@ std::map<size_t, double> parts_around(const Character& character, const std::vec
     const uint32_t begin = character.face_offsets[f], end = character.face_offsets[f + 1];
     for (uint32_t i = begin + 2; i < end; ++i) {
       const uint32_t first = character.face_vertices[begin];
-      const Vec3d a = place(character.vertices[first]), b = place(character.vertices[character.face_vertices[i - 1]]),
-                  c = place(character.vertices[character.face_vertices[i]]);
+      const Vec3d a = position_of(character.vertices[first]),
+                  b = position_of(character.vertices[character.face_vertices[i - 1]]),
+                  c = position_of(character.vertices[character.face_vertices[i]]);
       for (size_t r = 0; r < kRays; ++r) {
         const double angle = 2 * std::acos(-1.0) * static_cast<double>(r) / kRays;
         const double distance = met_after(from, std::cos(angle) * u + std::sin(angle) * v, a, b, c);
@@ -119,11 +122,11 @@ std::optional<Dressed> take_apart(const Character& character) {
   for (const Bend& bend : report_bends()) {
     const size_t joint = bend.twist ? SIZE_MAX : bent_joint(character, labels, bend);
     if (joint == SIZE_MAX) continue;
-    const Vec3d bone = bone_direction(character, joint), at = place(character.joints[joint].position);
+    const Vec3d bone = bone_direction(character, joint), at = position_of(character.joints[joint].position);
     double bone_length = size;
     for (const Joint& child : character.joints)
       if (child.parent == static_cast<int>(joint))
-        bone_length = std::min(bone_length, length(place(child.position) - at));
+        bone_length = std::min(bone_length, length(position_of(child.position) - at));
     const auto around = parts_around(character, parts, at + kDownTheBone * bone_length * bone, bone, kReach * size);
     if (around.size() < 2) continue;
     double inner = INFINITY;

@@ -48,22 +48,22 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
   picture.note = "the body with the artist's weights; crossings: triangles of cloth and skin that do not cross at rest";
   std::optional<Dressed> dressed = take_apart(character);
   if (!dressed) return picture;
-  struct Way {
+  struct Binding {
     const char* what;
     uint32_t method;
     bool garment;
   };
-  constexpr Way kWays[] = {{"bound alone", SINEW_TRANSFER_REBIND, false},
-                           {"nearest point of the body", SINEW_TRANSFER_NEAREST, true},
-                           {"sinew transfer --garment", SINEW_TRANSFER_AUTO, true}};
+  constexpr Binding kBindings[] = {{"bound alone", SINEW_TRANSFER_REBIND, false},
+                                   {"nearest point of the body", SINEW_TRANSFER_NEAREST, true},
+                                   {"sinew transfer --garment", SINEW_TRANSFER_AUTO, true}};
   JointMapping same(character.joints.size());
   for (size_t j = 0; j < same.size(); ++j) same[j] = static_cast<int32_t>(j);
   const Character &skin = dressed->body, &cloth = dressed->garment;
   std::vector<Character> wholes;
-  for (const Way& way : kWays) {
+  for (const Binding& binding : kBindings) {
     TransferOptions options;
-    options.method = way.method;
-    options.garment = way.garment;
+    options.method = binding.method;
+    options.garment = binding.garment;
     options.model = model;
     options.up_axis = options.source_up_axis = up_z ? 1 : 0;
     Character bound = cloth;
@@ -86,7 +86,7 @@ ReportPicture garment_pictures(const Character& character, const sinew_model* mo
       picture.panels.push_back({bend_text(*bend, degrees) + ": " + what + ", " + html::count(count) + " crossings",
                                 encode_png(render(posed, colours, bent.view))});
     };
-    for (size_t w = 0; w < wholes.size(); ++w) show(apply_pose(wholes[w], bent.palette), kWays[w].what);
+    for (size_t w = 0; w < wholes.size(); ++w) show(apply_pose(wholes[w], bent.palette), kBindings[w].what);
     show(deformer.pose_character(wholes.back(), bent.palette), "the same with the volume kept");
   }
   return picture;

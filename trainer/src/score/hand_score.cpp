@@ -17,7 +17,7 @@ using Point = std::array<double, 3>;
 Point point(const Vec3& p) { return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)}; }
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-struct Place {
+struct HandPoint {
   Point at;
   uint32_t finger, order;  // order kEnd: the bone end
 };
@@ -35,8 +35,8 @@ int nearest_hand(const PredictedSkeleton& predicted, const Point& wrist, double 
   return best;
 }
 
-std::vector<Place> fingers_of(const PredictedSkeleton& predicted, int hand) {
-  std::vector<Place> places;
+std::vector<HandPoint> fingers_of(const PredictedSkeleton& predicted, int hand) {
+  std::vector<HandPoint> points;
   for (size_t j = 0; j < predicted.joints.size() && hand >= 0; ++j) {
     if (!is_finger_class(predicted.classes[j])) continue;
     uint32_t order = 0;
@@ -45,16 +45,16 @@ std::vector<Place> fingers_of(const PredictedSkeleton& predicted, int hand) {
          above = predicted.joints[static_cast<size_t>(above)].parent)
       ++order;
     if (above != hand) continue;
-    places.push_back({point(predicted.joints[j].position), uint32_t{predicted.classes[j]} - SINEW_CLASS_THUMB,
+    points.push_back({point(predicted.joints[j].position), uint32_t{predicted.classes[j]} - SINEW_CLASS_THUMB,
                       predicted.ends[j] != 0 ? kEnd : order});
   }
-  return places;
+  return points;
 }
 
-size_t near(const std::vector<Place>& places, const std::vector<Place>& others, double tolerance) {
+size_t near(const std::vector<HandPoint>& points, const std::vector<HandPoint>& others, double tolerance) {
   size_t count = 0;
-  for (const Place& one : places) {
-    for (const Place& other : others) {
+  for (const HandPoint& one : points) {
+    for (const HandPoint& other : others) {
       if (distance(one.at, other.at) > tolerance) continue;
       ++count;
       break;
@@ -63,9 +63,9 @@ size_t near(const std::vector<Place>& places, const std::vector<Place>& others, 
   return count;
 }
 
-size_t finger_count(const std::vector<Place>& places) {
+size_t finger_count(const std::vector<HandPoint>& points) {
   size_t count = 0;
-  for (const Place& one : places) count += one.order == 0 ? 1 : 0;
+  for (const HandPoint& one : points) count += one.order == 0 ? 1 : 0;
   return count;
 }
 
@@ -93,26 +93,26 @@ HandScore score_hands(const Character& character, const PredictedSkeleton& predi
       continue;
     }
     const Point wrist = point(character.joints[hand.joint].position);
-    const std::vector<Place> made = fingers_of(predicted, nearest_hand(predicted, wrist, hand.length));
+    const std::vector<HandPoint> made = fingers_of(predicted, nearest_hand(predicted, wrist, hand.length));
     if (hand.fingers.empty()) {
       ++score.bare;
       score.bare_wrong += made.empty() ? 0 : 1;
       continue;
     }
-    std::vector<Place> places;
+    std::vector<HandPoint> points;
     for (const TargetFinger& finger : hand.fingers) {
       for (size_t k = 0; k < finger.positions.size(); ++k)
-        places.push_back({finger.positions[k], finger.finger, static_cast<uint32_t>(k)});
-      if (finger.end) places.push_back({*finger.end, finger.finger, kEnd});
+        points.push_back({finger.positions[k], finger.finger, static_cast<uint32_t>(k)});
+      if (finger.end) points.push_back({*finger.end, finger.finger, kEnd});
     }
     ++score.hands;
     score.exact += finger_count(made) == hand.fingers.size() ? 1 : 0;
-    score.joints += places.size();
-    score.found += near(places, made, kFingerTolerance * hand.length);
+    score.joints += points.size();
+    score.found += near(points, made, kFingerTolerance * hand.length);
     score.predicted += made.size();
-    score.right += near(made, places, kFingerTolerance * hand.length);
-    for (const Place& a : places) {
-      for (const Place& b : made) {
+    score.right += near(made, points, kFingerTolerance * hand.length);
+    for (const HandPoint& a : points) {
+      for (const HandPoint& b : made) {
         if (a.finger != b.finger || a.order != b.order) continue;
         ++score.same;
         score.distance += distance(a.at, b.at) / hand.length;

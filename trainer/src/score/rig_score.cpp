@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "score/assignment.hpp"
-#include "sinew_character/joint_class_of.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -225,13 +225,15 @@ ScoredSkeleton scored_skeleton(const std::vector<Joint>& joints, double side) {
   std::vector<bool> leaf(joints.size(), true);
   for (const Joint& joint : joints)
     if (joint.parent >= 0) leaf[static_cast<size_t>(joint.parent)] = false;
+  const JointVerdicts verdicts = joint_verdicts(joints);
   for (size_t j = 0; j < joints.size(); ++j) {
     const Vec3& p = joints[j].position;
     out.positions.push_back(
         {static_cast<double>(p.x) / side, static_cast<double>(p.y) / side, static_cast<double>(p.z) / side});
     out.parents.push_back(joints[j].parent);
-    // What is below has weight once it is bound; its names are the predictor's and say nothing of legs in two parts.
-    out.classes.push_back(joint_class_of(joints[j].name, std::vector<std::string_view>(leaf[j] ? 0 : 1, "x")));
+    out.classes.emplace_back();
+    if (verdicts.is_part(j) && verdicts.classes[j] < kJointClasses)
+      out.classes.back() = static_cast<JointClass>(verdicts.classes[j]);
     out.tips.push_back(leaf[j] && names_bone_end(joints[j].name) ? 1 : 0);
   }
   return out;

@@ -47,7 +47,7 @@ class BendVolumes {
 
   std::vector<float> rest_;                         // [V x 3]
   std::vector<Triangle> triangles_;                 // of places, none flat
-  std::vector<uint32_t> place_;                     // [V] first vertex there
+  std::vector<uint32_t> position_;                  // [V] first vertex there
   std::vector<std::vector<Influence>> influences_;  // [V]
   std::vector<int> parents_;                        // [J]
   std::map<size_t, Bend> bends_;                    // of joints that were asked for

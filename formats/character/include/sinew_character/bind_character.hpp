@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sinew_character/bind.hpp"
-#include "sinew_character/joint_roles.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -18,7 +18,7 @@ namespace sinew {
 enum class JointsFrom {
   kAuto,   // kOwn for a character that has weights, kNames for one that has none
   kOwn,    // mesh by mesh, those that have weight there already
-  kNames,  // joint_roles() and find_joints_beside_mesh()
+  kNames,  // joint_verdicts() and find_joints_beside_mesh()
   kAll     // nowhere: all of them
 };
 

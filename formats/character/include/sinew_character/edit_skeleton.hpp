@@ -16,7 +16,7 @@ struct SkeletonEdit {
   EditKind kind = EditKind::kMove;
   std::string joint;  // which one; kAdd: the new joint's name
   std::string other;  // kAdd: its parent; kParent: the new parent; kRename: the new name
-  Vec3 place;         // kMove, kAdd: in the mesh's units
+  Vec3 position;      // kMove, kAdd: in the mesh's units
 };
 
 // From JOINT=X,Y,Z (move), NAME=PARENT:X,Y,Z (add), JOINT (remove), JOINT=OTHER (parent, rename). Throws Error with the

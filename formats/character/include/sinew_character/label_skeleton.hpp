@@ -10,7 +10,7 @@
 
 namespace sinew {
 
-// By names: joint_class_of() after a prefix that most joints share is taken off, controls and slots are details. Leaves
+// By names: joint_verdicts(); controls, slots, fingers and faces are details. Leaves
 // called ends or tips are bone ends.
 LabelledSkeleton label_skeleton(const std::vector<Joint>& joints);
 LabelledSkeleton label_skeleton(const PredictedSkeleton& skeleton);

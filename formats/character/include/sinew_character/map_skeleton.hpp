@@ -50,6 +50,12 @@ struct MappedSkeleton {
 // Throws Error with the file's name, and OutOfMemory.
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options);
 
+// [target J] sinew_joint_class: which joints are arms, legs and other parts of a body, by sinew_limb_classes().
+//   source, sources  null, or where the joints have their motion from: [target J] its joints, -1 = none
+// Throws Error.
+std::vector<uint8_t> limb_classes(const MapRig& target, char target_up, const MapRig* source = nullptr,
+                                  const std::vector<int>& sources = {});
+
 // "", "no counterpart", ... for a sinew_map_reason.
 const char* map_reason_text(uint8_t reason);
 

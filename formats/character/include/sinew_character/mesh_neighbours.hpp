@@ -11,7 +11,7 @@
 namespace sinew {
 
 // [V] the first vertex with the same position: meshes are cut at seams of normals and textures, surfaces are not.
-std::vector<uint32_t> first_at_place(const Character& character);
+std::vector<uint32_t> first_at_position(const Character& character);
 
 // [V] the vertices at the other end of an edge, once for each face that has it; and of two vertices at one place each has the
 // other, so that walks go on across seams.

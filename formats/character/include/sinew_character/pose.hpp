@@ -16,11 +16,11 @@ namespace sinew {
 std::vector<size_t> parents_first(const Character& character);
 
 // One pose: turn joints about their own rest position by XYZ Euler angles in degrees (R = Rz Ry Rx), children follow.
-struct JointTurn {
+struct JointRotation {
   size_t joint = 0;
   double x = 0, y = 0, z = 0;
 };
-std::vector<Affine> pose_palette(const Character& character, const std::vector<JointTurn>& turns);
+std::vector<Affine> pose_palette(const Character& character, const std::vector<JointRotation>& rotations);
 // Skins with linear blend (or dual quaternions) through the engine's C API: weights as unorm16, the 12 strongest of a
 // row, rows without weight stay where they are. Returns the character with moved vertices and joints; its corner
 // normals and glTF source are dropped, since they describe the rest pose. Throws Error for missing weights or a joint

@@ -20,7 +20,7 @@ size_t infer_parents(std::vector<Joint>* joints);
 // What would bring a skeleton into its mesh: p -> turn (scale p) + shift, in the mesh's units.
 struct SkeletonFit {
   double scale = 1;
-  std::array<double, 9> turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major
+  std::array<double, 9> rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // row-major
   Vec3 shift;
   std::string what;  // "the skeleton is 100 times as large as the mesh", for the user
 };

@@ -16,20 +16,20 @@ namespace sinew {
 
 // What tells a part again: lengths are in longest sides of the character's box.
 struct PartLook {
-  bool body = false;                 // the part with most vertices
-  double size = 0;                   // its share of the vertices
-  double radius = 0;                 // mean distance of its vertices from their middle
-  std::array<double, 3> place = {};  // that middle, from the middle of the box
-  std::string joint;                 // with most of its weight as proposed
+  bool body = false;                    // the part with most vertices
+  double size = 0;                      // its share of the vertices
+  double radius = 0;                    // mean distance of its vertices from their middle
+  std::array<double, 3> position = {};  // that middle, from the middle of the box
+  std::string joint;                    // with most of its weight as proposed
 };
 
 // One answer, and the part that it was about.
 struct StyleRule {
   PartLook part;
-  uint16_t kind = 0;                       // sinew_answer_kind
-  std::string joint;                       // of SINEW_ANSWER_RIGID
-  int steps_up = -1;                       // from part.joint up to `joint`, 0 = the same; -1 where it is not above it
-  std::array<double, 3> joint_place = {};  // as part.place
+  uint16_t kind = 0;  // sinew_answer_kind
+  std::string joint;  // of SINEW_ANSWER_RIGID
+  int steps_up = -1;  // from part.joint up to `joint`, 0 = the same; -1 where it is not above it
+  std::array<double, 3> joint_position = {};  // as part.place
 };
 
 // The answers about one character, and its joints: other rigs are left alone.

@@ -31,10 +31,10 @@ MatrixF region_of(const MatrixF& moves, const std::vector<uint32_t>& vertices) {
 }
 
 // [poses x shapes of the driver]
-MatrixF weights_of(const MorphDriver& driver, const PoseTurns& turns) {
-  MatrixF out(static_cast<Index>(turns.poses().size()), static_cast<Index>(driver.shapes.size()));
-  for (size_t p = 0; p < turns.poses().size(); ++p) {
-    const std::vector<double> weights = driver_weights(driver, turns.poses()[p]);
+MatrixF weights_of(const MorphDriver& driver, const PoseRotations& rotations) {
+  MatrixF out(static_cast<Index>(rotations.poses().size()), static_cast<Index>(driver.shapes.size()));
+  for (size_t p = 0; p < rotations.poses().size(); ++p) {
+    const std::vector<double> weights = driver_weights(driver, rotations.poses()[p]);
     for (size_t s = 0; s < weights.size(); ++s)
       out(static_cast<Index>(p), static_cast<Index>(s)) = static_cast<float>(weights[s]);
   }
@@ -73,7 +73,7 @@ Morphs bake_bends(const Character& character, const std::vector<Palette>& poses,
                   const BakeProgress& progress) {
   const MatrixF moves = moves_before_skinning(character, poses, settings.deform, progress);
   const Bends bends = find_bends(character, kMostBends);
-  const PoseTurns turns(character, poses);
+  const PoseRotations rotations(character, poses);
   std::vector<std::vector<uint32_t>> regions(bends.joints.size());
   std::map<std::vector<size_t>, std::vector<uint32_t>> vertices_of;  // many have the same bends
   for (uint32_t v = 0; v < bends.of_vertex.size(); ++v) {
@@ -86,9 +86,9 @@ Morphs bake_bends(const Character& character, const std::vector<Palette>& poses,
   std::vector<std::vector<Moves>> shape_moves(bends.joints.size());
   for (size_t b = 0; b < drivers.size(); ++b) {
     if (regions[b].empty()) continue;
-    drivers[b] = fit_driver(turns, bends.distances[b], region_of(moves, regions[b]), settings.shapes_per_bend);
+    drivers[b] = fit_driver(rotations, bends.distances[b], region_of(moves, regions[b]), settings.shapes_per_bend);
     drivers[b].joint = bends.joints[b];
-    weights[b] = weights_of(drivers[b], turns);
+    weights[b] = weights_of(drivers[b], rotations);
     shape_moves[b].resize(drivers[b].shapes.size());
   }
   const float least = static_cast<float>(settings.least_move) * box_of(character.vertices).longest_side();

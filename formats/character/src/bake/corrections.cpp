@@ -28,16 +28,16 @@ Eigen::MatrixXf moves_before_skinning(const Character& character, const std::vec
     const std::vector<Vec3> linear = morphed_pose(character, none, {}, poses[p]);
     for (size_t v = 0; v < linear.size(); ++v) {
       const Affine m = blended_matrix(character.influences[v], poses[p]);
-      Eigen::Matrix3d turn;
+      Eigen::Matrix3d rotation;
       for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c) turn(r, c) = m[static_cast<size_t>(4 * r + c)];
+        for (int c = 0; c < 3; ++c) rotation(r, c) = m[static_cast<size_t>(4 * r + c)];
       const Eigen::Vector3d lack(static_cast<double>(wanted[3 * v] - linear[v].x),
                                  static_cast<double>(wanted[3 * v + 1] - linear[v].y),
                                  static_cast<double>(wanted[3 * v + 2] - linear[v].z));
-      Eigen::Matrix3d normal = turn.transpose() * turn;
+      Eigen::Matrix3d normal = rotation.transpose() * rotation;
       normal.diagonal().array() += kRidge;
       moves.block<1, 3>(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(3 * v)) =
-          normal.llt().solve(turn.transpose() * lack).cast<float>().transpose();
+          normal.llt().solve(rotation.transpose() * lack).cast<float>().transpose();
     }
     if (!progress()) throw Error(character.name + ": the work was interrupted");
   }
@@ -92,10 +92,10 @@ std::vector<Palette> random_palettes(const Character& character, size_t count, d
       for (double& x : axis) x /= std::sqrt(square);
       const double radians = draw() < kChance ? draw() * limit_degrees * (std::acos(-1.0) / 180) : 0;
       const Vec3& at = character.joints[j].position;
-      const Affine turn =
+      const Affine rotation =
           rotation_about(axis_rotation(axis, radians),
                          {static_cast<double>(at.x), static_cast<double>(at.y), static_cast<double>(at.z)});
-      palette[j] = multiply(palette[static_cast<size_t>(parent)], turn);
+      palette[j] = multiply(palette[static_cast<size_t>(parent)], rotation);
     }
     out.push_back(std::move(palette));
   }

@@ -25,21 +25,21 @@ constexpr double kRounding = 1e4;   // factors have four decimals: half the byte
 
 // [turns.joints()] Scales: 1 for the joint that explains most of the moves, by ridge regression on single turns. Regions differ in what
 // moves them (a skirt's legs both of them, a fingertip all the fingers beside it), so they are asked, not the tree of joints alone.
-std::vector<double> scales_of_joints(const PoseTurns& turns, const std::vector<double>& distances,
+std::vector<double> scales_of_joints(const PoseRotations& rotations, const std::vector<double>& distances,
                                      const MatrixF& moves) {
-  const size_t count = turns.joints().size();
+  const size_t count = rotations.joints().size();
   Eigen::VectorXd prior(static_cast<Index>(9 * count));
   for (size_t j = 0; j < count; ++j)
-    prior.segment<9>(static_cast<Index>(9 * j)).setConstant(std::pow(kNearer, distances[turns.joints()[j]]));
-  Matrix normal = prior.asDiagonal() * turns.gram() * prior.asDiagonal();
+    prior.segment<9>(static_cast<Index>(9 * j)).setConstant(std::pow(kNearer, distances[rotations.joints()[j]]));
+  Matrix normal = prior.asDiagonal() * rotations.gram() * prior.asDiagonal();
   normal.diagonal().array() += kFirstRidge;
-  const Matrix right = prior.asDiagonal() * (turns.singles().transpose() * moves).cast<double>();
+  const Matrix right = prior.asDiagonal() * (rotations.singles().transpose() * moves).cast<double>();
   const Matrix factors = prior.asDiagonal() * normal.llt().solve(right);
   std::vector<double> scales;
   for (size_t j = 0; j < count; ++j) {
     const auto at = static_cast<Index>(9 * j);
     const auto own = factors.middleRows<9>(at);
-    scales.push_back(std::max(0.0, (turns.gram().block<9, 9>(at, at) * own).cwiseProduct(own).sum()));
+    scales.push_back(std::max(0.0, (rotations.gram().block<9, 9>(at, at) * own).cwiseProduct(own).sum()));
   }
   const double most = scales.empty() ? 0 : *std::max_element(scales.begin(), scales.end());
   for (double& scale : scales) scale = most > 0 ? std::pow(scale / most, kSharpness) : 0;
@@ -52,7 +52,7 @@ struct ScaledTerms {
 };
 
 // Those whose values can say most.
-ScaledTerms chosen_terms(const PoseTurns& turns, const std::vector<double>& scales) {
+ScaledTerms chosen_terms(const PoseRotations& rotations, const std::vector<double>& scales) {
   constexpr double kSingleSquare = 0.05, kPairSquare = 0.0009;  // mean squares of values, turns of up to 60 degrees
   struct Candidate {
     double square, scale;
@@ -60,11 +60,11 @@ ScaledTerms chosen_terms(const PoseTurns& turns, const std::vector<double>& scal
   };
   std::vector<Candidate> candidates;
   for (size_t a = 0; a < scales.size(); ++a) {
-    const size_t joint = turns.joints()[a];
+    const size_t joint = rotations.joints()[a];
     candidates.push_back({scales[a] * scales[a] * kSingleSquare, scales[a], joint, joint});
     for (size_t b = a + 1; b < scales.size(); ++b) {
       const double scale = kPairs * scales[a] * scales[b];
-      candidates.push_back({scale * scale * kPairSquare, scale, joint, turns.joints()[b]});
+      candidates.push_back({scale * scale * kPairSquare, scale, joint, rotations.joints()[b]});
     }
   }
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -80,35 +80,35 @@ ScaledTerms chosen_terms(const PoseTurns& turns, const std::vector<double>& scal
 
 }  // namespace
 
-PoseTurns::PoseTurns(const Character& character, const std::vector<Palette>& poses) {
+PoseRotations::PoseRotations(const Character& character, const std::vector<Palette>& poses) {
   std::vector<MorphTerm> terms;
   for (size_t j = 0; j < character.joints.size(); ++j) {
     if (character.joints[j].parent < 0) continue;
     joints_.push_back(j);
     terms.push_back({j, j, {}});
   }
-  for (const Palette& pose : poses) turns_.push_back(joint_turns(character.joints, pose));
+  for (const Palette& pose : poses) rotations_.push_back(joint_rotations(character.joints, pose));
   singles_ = values(terms, std::vector<double>(terms.size(), 1));
   gram_ = (singles_.transpose() * singles_).cast<double>();
 }
 
-MatrixF PoseTurns::values(const std::vector<MorphTerm>& terms, const std::vector<double>& scales) const {
-  MatrixF out(static_cast<Index>(turns_.size()), static_cast<Index>(9 * terms.size()));
+MatrixF PoseRotations::values(const std::vector<MorphTerm>& terms, const std::vector<double>& scales) const {
+  MatrixF out(static_cast<Index>(rotations_.size()), static_cast<Index>(9 * terms.size()));
   for (size_t t = 0; t < terms.size(); ++t)
-    for (size_t p = 0; p < turns_.size(); ++p) {
-      const std::array<double, 9> nine = term_values(terms[t], turns_[p]);
+    for (size_t p = 0; p < rotations_.size(); ++p) {
+      const std::array<double, 9> nine = term_values(terms[t], rotations_[p]);
       for (size_t i = 0; i < 9; ++i)
         out(static_cast<Index>(p), static_cast<Index>(9 * t + i)) = static_cast<float>(scales[t] * nine[i]);
     }
   return out;
 }
 
-MorphDriver fit_driver(const PoseTurns& turns, const std::vector<double>& distances, const MatrixF& moves,
+MorphDriver fit_driver(const PoseRotations& rotations, const std::vector<double>& distances, const MatrixF& moves,
                        size_t shape_count) {
-  ScaledTerms chosen = chosen_terms(turns, scales_of_joints(turns, distances, moves));
+  ScaledTerms chosen = chosen_terms(rotations, scales_of_joints(rotations, distances, moves));
   MorphDriver driver;
   if (chosen.terms.empty()) return driver;
-  const MatrixF values = turns.values(chosen.terms, chosen.scales);
+  const MatrixF values = rotations.values(chosen.terms, chosen.scales);
   Matrix normal = (values.transpose() * values).cast<double>();
   normal.diagonal().array() += kRidge;
   const Eigen::LLT<Matrix> root(normal);

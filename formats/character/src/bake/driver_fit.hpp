@@ -11,11 +11,11 @@
 namespace sinew {
 
 // Turns of all joints in all poses.
-class PoseTurns {
+class PoseRotations {
  public:
-  PoseTurns(const Character& character, const std::vector<Palette>& poses);
+  PoseRotations(const Character& character, const std::vector<Palette>& poses);
 
-  const std::vector<std::vector<Quaternion>>& poses() const { return turns_; }  // [poses][J]
+  const std::vector<std::vector<Quaternion>>& poses() const { return rotations_; }  // [poses][J]
   const std::vector<size_t>& joints() const {
     return joints_;
   }  // those that have a parent; some without weight correct poses, too
@@ -25,7 +25,7 @@ class PoseTurns {
   Eigen::MatrixXf values(const std::vector<MorphTerm>& terms, const std::vector<double>& scales) const;
 
  private:
-  std::vector<std::vector<Quaternion>> turns_;
+  std::vector<std::vector<Quaternion>> rotations_;
   std::vector<size_t> joints_;
   Eigen::MatrixXf singles_;
   Eigen::MatrixXd gram_;
@@ -35,8 +35,8 @@ class PoseTurns {
 // that tells all.
 //   distances  [J] of the bend
 //   moves      [poses x 3 vertices] of its region
-MorphDriver fit_driver(const PoseTurns& turns, const std::vector<double>& distances, const Eigen::MatrixXf& moves,
-                       size_t shape_count);
+MorphDriver fit_driver(const PoseRotations& rotations, const std::vector<double>& distances,
+                       const Eigen::MatrixXf& moves, size_t shape_count);
 
 }  // namespace sinew
 #endif

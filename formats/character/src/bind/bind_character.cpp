@@ -200,14 +200,14 @@ class CharacterBinder {
     std::stable_sort(order.begin(), order.end(),
                      [&](uint32_t a, uint32_t b) { return out_.questions[a].gain > out_.questions[b].gain; });
     if (order.size() > options_.bind.question_count) order.resize(options_.bind.question_count);
-    std::vector<uint32_t> place(out_.questions.size(), SINEW_NO_QUESTION);
+    std::vector<uint32_t> position(out_.questions.size(), SINEW_NO_QUESTION);
     std::vector<sinew_question> questions;
     for (const uint32_t q : order) {
-      place[q] = static_cast<uint32_t>(questions.size());
+      position[q] = static_cast<uint32_t>(questions.size());
       questions.push_back(out_.questions[q]);
     }
     for (uint32_t& q : out_.vertex_questions)
-      if (q != SINEW_NO_QUESTION) q = place[q];
+      if (q != SINEW_NO_QUESTION) q = position[q];
     out_.questions = std::move(questions);
   }
 

@@ -58,16 +58,17 @@ void choose_own(const Character& character, JointChoice* choice) {
 }
 
 void choose_by_names(const Character& character, JointChoice* choice) {
-  std::vector<JointRole> roles = joint_roles(character.joints);
-  std::vector<JointRole> named = roles;
+  std::vector<uint8_t> roles = joint_verdicts(character.joints).roles;
+  find_tips_without_mesh(character, &roles);
+  const std::vector<uint8_t> named = roles;
   find_joints_beside_mesh(character, &roles);
   for (size_t j = 0; j < roles.size(); ++j) {
     const std::optional<bool>& said = character.joints[j].deforms;
     if (said) {
       if (!*said) leave_out("does not deform, says the file", j, choice);
-    } else if (roles[j] == JointRole::kTip) {
+    } else if (roles[j] == SINEW_ROLE_END) {
       choice->tips.push_back(j);
-    } else if (roles[j] != JointRole::kDeforms) {
+    } else if (roles[j] < SINEW_ROLE_END && roles[j] != SINEW_ROLE_DEFORMS) {
       leave_out(named[j] == roles[j] ? joint_role_text(roles[j]) : "beside the mesh", j, choice);
     }
   }

@@ -7,26 +7,26 @@
 
 namespace sinew {
 
-std::vector<uint32_t> first_at_place(const Character& character) {
+std::vector<uint32_t> first_at_position(const Character& character) {
   std::map<std::array<float, 3>, uint32_t> first;
-  std::vector<uint32_t> places;
-  places.reserve(character.vertices.size());
+  std::vector<uint32_t> positions;
+  positions.reserve(character.vertices.size());
   for (uint32_t v = 0; v < character.vertices.size(); ++v) {
     const Vec3& p = character.vertices[v];
-    places.push_back(first.emplace(std::array<float, 3>{p.x, p.y, p.z}, v).first->second);
+    positions.push_back(first.emplace(std::array<float, 3>{p.x, p.y, p.z}, v).first->second);
   }
-  return places;
+  return positions;
 }
 
 std::vector<std::vector<uint32_t>> neighbours_of(const Character& character) {
-  const std::vector<uint32_t> places = first_at_place(character);
-  std::vector<std::vector<uint32_t>> neighbours(places.size());
+  const std::vector<uint32_t> positions = first_at_position(character);
+  std::vector<std::vector<uint32_t>> neighbours(positions.size());
   const auto join = [&](uint32_t a, uint32_t b) {
     neighbours[a].push_back(b);
     neighbours[b].push_back(a);
   };
-  for (uint32_t v = 0; v < places.size(); ++v)
-    if (places[v] != v) join(v, places[v]);
+  for (uint32_t v = 0; v < positions.size(); ++v)
+    if (positions[v] != v) join(v, positions[v]);
   for (size_t f = 0; f < character.face_count(); ++f) {
     const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
     for (uint32_t c = first; c < end; ++c)

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/skeleton_template.hpp"
@@ -36,14 +37,15 @@ size_t skin_vertices(const std::string& path) {
   return count;
 }
 
-sinew_skeleton view_of(const MapRig& rig, char up, std::vector<float>* places, std::vector<int32_t>* parents,
+sinew_skeleton view_of(const MapRig& rig, char up, std::vector<float>* positions, std::vector<int32_t>* parents,
                        std::vector<const char*>* names, const MapSkeletonOptions& options) {
   for (const Joint& joint : rig.joints) {
-    places->insert(places->end(), {joint.position.x, joint.position.y, joint.position.z});
+    positions->insert(positions->end(), {joint.position.x, joint.position.y, joint.position.z});
     parents->push_back(joint.parent);
     names->push_back(joint.name.c_str());
   }
-  sinew_skeleton view = sinew_skeleton_init(places->data(), parents->data(), static_cast<uint32_t>(rig.joints.size()));
+  sinew_skeleton view =
+      sinew_skeleton_init(positions->data(), parents->data(), static_cast<uint32_t>(rig.joints.size()));
   if (options.names) view.names = names->data();
   if (options.ends && !rig.ends.empty()) view.ends = rig.ends.data();
   view.up = up == 'x' ? SINEW_UP_X : up == 'y' ? SINEW_UP_Y : up == 'z' ? SINEW_UP_Z : SINEW_UP_AUTO;
@@ -115,11 +117,11 @@ MapRig read_map_rig(const std::string& path) {
 }
 
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options) {
-  std::vector<float> places[2];
+  std::vector<float> positions[2];
   std::vector<int32_t> parents[2];
   std::vector<const char*> names[2];
-  const sinew_skeleton to = view_of(target, options.target_up, &places[0], &parents[0], &names[0], options);
-  const sinew_skeleton from = view_of(source, options.source_up, &places[1], &parents[1], &names[1], options);
+  const sinew_skeleton to = view_of(target, options.target_up, &positions[0], &parents[0], &names[0], options);
+  const sinew_skeleton from = view_of(source, options.source_up, &positions[1], &parents[1], &names[1], options);
   MapSettings settings;
   settings.method = options.method;
   settings.pins = options.pins.data();
@@ -149,6 +151,28 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   result.mapped = map.mapped;
   result.certainty = static_cast<float>(map.certainty) / 32768.0f;
   return result;
+}
+
+std::vector<uint8_t> limb_classes(const MapRig& target, char target_up, const MapRig* source,
+                                  const std::vector<int>& sources) {
+  std::vector<float> positions[2];
+  std::vector<int32_t> parents[2];
+  std::vector<const char*> names[2];
+  const MapSkeletonOptions options;
+  const sinew_skeleton to = view_of(target, target_up, &positions[0], &parents[0], &names[0], options);
+  sinew_skeleton from = {};
+  if (source != nullptr) from = view_of(*source, 'a', &positions[1], &parents[1], &names[1], options);
+  std::vector<uint8_t> classes(target.joints.size());
+  const auto check = [&](sinew_status status) {
+    if (status != SINEW_OK) throw Error(target.name + ": cannot tell arms from legs, " + sinew_status_text(status));
+  };
+  size_t bytes = 0;
+  check(sinew_limb_classes_workspace_size(to.joint_count, from.joint_count, &bytes));
+  Workspace workspace;
+  check(workspace.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+  check(sinew_limb_classes(&to, source != nullptr ? &from : nullptr, source != nullptr ? sources.data() : nullptr,
+                           workspace.data(), workspace.size(), classes.data()));
+  return classes;
 }
 
 }  // namespace sinew

@@ -5,22 +5,12 @@
 #include <algorithm>
 
 #include "sinew/published.h"
-#include "sinew_character/label_skeleton.hpp"
-#include "sinew_character/skeleton_template.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
 namespace {
 
 char up_letter(const std::string& up) { return up[0]; }  // "auto" is 'a'
-
-bool known(const LabelledSkeleton& s, size_t joint) {
-  return s.ends[joint] == 0 && s.classes[joint] < SINEW_CLASS_OTHER;
-}
-
-bool is_limb(uint8_t c) {
-  return c == SINEW_CLASS_UPPER_ARM || c == SINEW_CLASS_FOREARM || c == SINEW_CLASS_THIGH || c == SINEW_CLASS_CALF;
-}
 
 }  // namespace
 
@@ -53,28 +43,7 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, const std::stri
 
 std::vector<uint8_t> motion_classes(const MapRig& target, const MapRig& source, const std::string& target_up,
                                     const std::vector<int>& sources) {
-  const LabelledSkeleton own = label_skeleton(target.joints), from = label_skeleton(source.joints);
-  std::vector<uint8_t> classes;
-  for (size_t t = 0; t < target.joints.size(); ++t) {
-    const size_t s = sources[t] < 0 ? 0 : static_cast<size_t>(sources[t]);
-    classes.push_back(known(own, t)                       ? own.classes[t]
-                      : sources[t] >= 0 && known(from, s) ? from.classes[s]
-                                                          : uint8_t{SINEW_CLASS_OTHER});
-  }
-  if (std::any_of(classes.begin(), classes.end(), is_limb)) return classes;
-  MapRig human;
-  human.name = "template:mixamo";
-  human.joints = skeleton_template("mixamo");
-  const LabelledSkeleton body = label_skeleton(human.joints);
-  human.ends = body.ends;
-  MapSkeletonOptions options;
-  options.target_up = up_letter(target_up);
-  const MappedSkeleton found = map_skeleton(target, human, options);
-  if (found.method == SINEW_MAP_BRANCHES) return classes;  // no body
-  for (size_t t = 0; t < target.joints.size(); ++t)
-    if (found.sources[t] >= 0 && known(body, static_cast<size_t>(found.sources[t])))
-      classes[t] = body.classes[static_cast<size_t>(found.sources[t])];
-  return classes;
+  return limb_classes(target, up_letter(target_up), &source, sources);
 }
 
 }  // namespace sinew

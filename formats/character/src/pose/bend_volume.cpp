@@ -62,13 +62,13 @@ double six_volumes(const std::vector<std::array<uint32_t, 3>>& triangles, const 
 }  // namespace
 
 BendVolumes::BendVolumes(const Character& character)
-    : place_(first_at_place(character)), influences_(character.influences) {
+    : position_(first_at_position(character)), influences_(character.influences) {
   for (const Vec3& p : character.vertices) rest_.insert(rest_.end(), {p.x, p.y, p.z});
   for (size_t f = 0; f < character.face_count(); ++f) {
     const uint32_t first = character.face_offsets[f], end = character.face_offsets[f + 1];
     for (uint32_t c = first + 2; c < end; ++c) {
-      const Triangle t = {place_[character.face_vertices[first]], place_[character.face_vertices[c - 1]],
-                          place_[character.face_vertices[c]]};
+      const Triangle t = {position_[character.face_vertices[first]], position_[character.face_vertices[c - 1]],
+                          position_[character.face_vertices[c]]};
       if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles_.push_back(t);
     }
   }
@@ -88,12 +88,12 @@ std::vector<bool> BendVolumes::moved_by(size_t joint) const {
 
 std::vector<BendVolumes::Triangle> BendVolumes::bend_triangles(size_t joint) const {
   const std::vector<bool> moved = moved_by(joint);
-  std::vector<uint8_t> in_part(place_.size(), 0), around(place_.size(), 0);
+  std::vector<uint8_t> in_part(position_.size(), 0), around(position_.size(), 0);
   for (size_t v = 0; v < influences_.size(); ++v) {
     float share = 0;
     for (const Influence& influence : influences_[v])
       if (moved[influence.joint]) share += influence.weight;
-    if (share > kLeast && share < kMost) in_part[place_[v]] = 1;
+    if (share > kLeast && share < kMost) in_part[position_[v]] = 1;
   }
   const auto has = [](const std::vector<uint8_t>& marked, const Triangle& t) {
     return marked[t[0]] != 0 || marked[t[1]] != 0 || marked[t[2]] != 0;
@@ -133,7 +133,7 @@ void BendVolumes::find_holes(Part* part) const {
       ++count;
       as_given = edge;
     }
-  Groups groups(place_.size());
+  Groups groups(position_.size());
   for (const auto& [key, edge] : edges)
     if (edge.first == 1) groups.join(key[0], key[1]);
   std::map<uint32_t, std::vector<Edge>> holes;
@@ -154,7 +154,7 @@ double BendVolumes::area(const Part& part) const {
 
 BendVolumes::Bend BendVolumes::make_bend(size_t joint) const {
   const std::vector<Triangle> found = bend_triangles(joint);
-  Groups groups(place_.size());
+  Groups groups(position_.size());
   for (const Triangle& t : found) {
     groups.join(t[0], t[1]);
     groups.join(t[1], t[2]);

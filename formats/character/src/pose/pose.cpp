@@ -77,18 +77,18 @@ std::vector<size_t> parents_first(const Character& character) {
   return order;
 }
 
-std::vector<Affine> pose_palette(const Character& character, const std::vector<JointTurn>& turns) {
+std::vector<Affine> pose_palette(const Character& character, const std::vector<JointRotation>& rotations) {
   const std::vector<size_t> order = parents_first(character);
   std::vector<Rotation> local(character.joints.size(), kNoRotation);
-  for (const JointTurn& turn : turns) {
-    if (turn.joint >= character.joints.size()) {
-      throw Error(character.name + ": a pose turns joint " + std::to_string(turn.joint) + ", but there are " +
+  for (const JointRotation& rotation : rotations) {
+    if (rotation.joint >= character.joints.size()) {
+      throw Error(character.name + ": a pose turns joint " + std::to_string(rotation.joint) + ", but there are " +
                   std::to_string(character.joints.size()) + " joints");
     }
-    const Rotation rx = axis_rotation({1, 0, 0}, turn.x * kRadiansPerDegree);
-    const Rotation ry = axis_rotation({0, 1, 0}, turn.y * kRadiansPerDegree);
-    const Rotation rz = axis_rotation({0, 0, 1}, turn.z * kRadiansPerDegree);
-    local[turn.joint] = multiply(multiply(rz, multiply(ry, rx)), local[turn.joint]);
+    const Rotation rx = axis_rotation({1, 0, 0}, rotation.x * kRadiansPerDegree);
+    const Rotation ry = axis_rotation({0, 1, 0}, rotation.y * kRadiansPerDegree);
+    const Rotation rz = axis_rotation({0, 0, 1}, rotation.z * kRadiansPerDegree);
+    local[rotation.joint] = multiply(multiply(rz, multiply(ry, rx)), local[rotation.joint]);
   }
   std::vector<Affine> palette(character.joints.size());
   for (size_t j : order) {

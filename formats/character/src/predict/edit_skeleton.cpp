@@ -34,17 +34,17 @@ const char* form_of(EditKind kind) {
   return "";
 }
 
-Vec3 parse_place(EditKind kind, const std::string& text, std::string_view place) {
+Vec3 parse_position(EditKind kind, const std::string& text, std::string_view position) {
   std::array<float, 3> numbers = {};
   for (size_t i = 0; i < 3; ++i) {
-    const size_t comma = place.find(',');
-    const std::string_view word = place.substr(0, comma);
+    const size_t comma = position.find(',');
+    const std::string_view word = position.substr(0, comma);
     const std::optional<float> number = to_finite_float(word);
     if (!number || (comma == std::string_view::npos) != (i == 2))
       throw Error(in_quotes(text) + ": expected three numbers as in " + form_of(kind) + ", found " +
-                  in_quotes(number ? place : word));
+                  in_quotes(number ? position : word));
     numbers[i] = *number;
-    place.remove_prefix(comma == std::string_view::npos ? place.size() : comma + 1);
+    position.remove_prefix(comma == std::string_view::npos ? position.size() : comma + 1);
   }
   return {numbers[0], numbers[1], numbers[2]};
 }
@@ -150,22 +150,22 @@ class Editor {
 
   void move(const SkeletonEdit& edit) {
     const int32_t j = need(edit.joint), other = partner(j);
-    Vec3 place = edit.place;
-    if (on_plane(j)) component(&place, axis_) = s_.plane;
-    if (other >= 0) place_with_ends(other, image(place));
-    place_with_ends(j, place);
+    Vec3 position = edit.position;
+    if (on_plane(j)) component(&position, axis_) = s_.plane;
+    if (other >= 0) place_with_ends(other, image(position));
+    place_with_ends(j, position);
     // A joint that was moved by itself has no mirror image any more.
     if (!mirror_) forget_partner(j);
   }
 
-  void place_with_ends(int32_t j, const Vec3& place) {
+  void place_with_ends(int32_t j, const Vec3& position) {
     const Vec3 from = joint(j).position;
     for (const int32_t child : children(j)) {
       if (!is_end(child)) continue;
       Vec3& p = joint(child).position;
-      p = {p.x + (place.x - from.x), p.y + (place.y - from.y), p.z + (place.z - from.z)};
+      p = {p.x + (position.x - from.x), p.y + (position.y - from.y), p.z + (position.z - from.z)};
     }
-    joint(j).position = place;
+    joint(j).position = position;
   }
 
   void forget_partner(int32_t j) {
@@ -205,9 +205,9 @@ class Editor {
                   " as the parent");
   }
 
-  int32_t append(const std::string& name, int32_t parent, const Vec3& place, bool end) {
+  int32_t append(const std::string& name, int32_t parent, const Vec3& position, bool end) {
     check_new_name(name);
-    s_.joints.push_back({name, place, parent, !end});
+    s_.joints.push_back({name, position, parent, !end});
     s_.classes.push_back(end ? s_.classes[static_cast<size_t>(parent)] : static_cast<uint8_t>(SINEW_CLASS_OTHER));
     s_.ends.push_back(end ? 1 : 0);
     s_.partners.push_back(-1);
@@ -221,17 +221,17 @@ class Editor {
     check_parent(parent);
     const bool end = edit.joint.size() > 4 && edit.joint.compare(edit.joint.size() - 4, 4, "_end") == 0;
     const std::string other_name = other_side_name(edit.joint);
-    Vec3 place = edit.place;
-    const bool near_plane = std::fabs(component(place, axis_) - s_.plane) <= kOnPlane * longest_side();
+    Vec3 position = edit.position;
+    const bool near_plane = std::fabs(component(position, axis_) - s_.plane) <= kOnPlane * longest_side();
     if (mirror_ && other_name == edit.joint && partner(parent) >= 0)
       throw Error("the joint " + in_quotes(edit.joint) + " goes on both sides, as its parent " + in_quotes(edit.other) +
                   " is; give it a name with a side, as in LeftWing, or edit one side alone (--no-mirror)");
     const bool stands_on_plane = mirror_ && other_name == edit.joint && near_plane;
-    if (stands_on_plane) component(&place, axis_) = s_.plane;
-    const int32_t j = append(edit.joint, parent, place, end);
+    if (stands_on_plane) component(&position, axis_) = s_.plane;
+    const int32_t j = append(edit.joint, parent, position, end);
     if (stands_on_plane) s_.partners[static_cast<size_t>(j)] = j;
     if (!mirror_ || other_name == edit.joint) return;
-    const int32_t other = append(other_name, image(parent), image(place), end);
+    const int32_t other = append(other_name, image(parent), image(position), end);
     s_.partners[static_cast<size_t>(j)] = other;
     s_.partners[static_cast<size_t>(other)] = j;
   }
@@ -357,12 +357,12 @@ SkeletonEdit parse_edit(EditKind kind, const std::string& text) {
   if (equals == std::string::npos || equals + 1 == text.size()) refuse();
   const std::string value = text.substr(equals + 1);
   if (kind == EditKind::kMove) {
-    edit.place = parse_place(kind, text, value);
+    edit.position = parse_position(kind, text, value);
   } else if (kind == EditKind::kAdd) {
     const size_t colon = value.rfind(':');  // mixamorig:Hips has one of its own
     if (colon == std::string::npos || colon == 0) refuse();
     edit.other = value.substr(0, colon);
-    edit.place = parse_place(kind, text, std::string_view(value).substr(colon + 1));
+    edit.position = parse_position(kind, text, std::string_view(value).substr(colon + 1));
   } else {
     edit.other = value;
   }

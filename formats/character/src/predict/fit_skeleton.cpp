@@ -33,8 +33,8 @@ constexpr double kFloorShare = 0.04;  // of the height: a root at most that high
 Vec3 vec(const Point& p) { return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])}; }
 
 // Rest pose with the whole skeleton turned.
-LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& turn) {
-  for (Joint& joint : s.joints) joint.position = vec(turned(turn, point(joint.position)));
+LabelledSkeleton turned_skeleton(LabelledSkeleton s, const Rotation& rotation) {
+  for (Joint& joint : s.joints) joint.position = vec(turned(rotation, point(joint.position)));
   return s;
 }
 
@@ -65,10 +65,10 @@ class Fitter {
         options_(options),
         up_(options.up_axis),
         matches_(mine, other, across),
-        places_(mine.joints.size()),
+        positions_(mine.joints.size()),
         how_(mine.joints.size(), FitHow::kCarried),
         known_(mine.joints.size(), false),
-        turns_(mine.joints.size(), kNoRotation),
+        rotations_(mine.joints.size(), kNoRotation),
         scales_(mine.joints.size(), 1),
         links_(mine.joints.size()) {
     (void)matches_.misfit(&whole_);
@@ -86,7 +86,7 @@ class Fitter {
     if (options_.keep_lengths) keep_lengths();
     FittedSkeleton out;
     out.joints = mine_.joints;
-    for (size_t j = 0; j < count(); ++j) out.joints[j].position = vec(places_[j]);
+    for (size_t j = 0; j < count(); ++j) out.joints[j].position = vec(positions_[j]);
     out.how = how_;
     out.matched = static_cast<size_t>(std::count(how_.begin(), how_.end(), FitHow::kMatched));
     for (size_t j = 0; j < count(); ++j) out.telling += mine_.classes[j] != kClassDetail && mine_.ends[j] == 0 ? 1 : 0;
@@ -99,7 +99,7 @@ class Fitter {
   Point old(size_t j) const { return point(mine_.joints[j].position); }
   int parent(size_t j) const { return mine_.joints[j].parent; }
   void place(size_t j, const Point& p, FitHow how) {
-    places_[j] = p;
+    positions_[j] = p;
     how_[j] = how;
     known_[j] = true;
   }
@@ -145,30 +145,30 @@ class Fitter {
     const double n = std::accumulate(weights.begin(), weights.end(), 0.0);
     for (size_t i = 0; i < trunk.size(); ++i) {
       from = from + (weights[i] / n) * old(trunk[i]);
-      to = to + (weights[i] / n) * places_[trunk[i]];
+      to = to + (weights[i] / n) * positions_[trunk[i]];
     }
-    std::vector<TurnPair> pairs;
+    std::vector<RotationPair> pairs;
     double above = 0, below = 0;
     for (size_t i = 0; i < trunk.size(); ++i)
-      pairs.push_back({old(trunk[i]) - from, places_[trunk[i]] - to, weights[i]});
-    const Rotation turn = best_turn(pairs, kNoRotation);
-    for (const TurnPair& pair : pairs) {
-      above += pair.weight * dot(turned(turn, pair.from), pair.to);
+      pairs.push_back({old(trunk[i]) - from, positions_[trunk[i]] - to, weights[i]});
+    const Rotation rotation = best_rotation(pairs, kNoRotation);
+    for (const RotationPair& pair : pairs) {
+      above += pair.weight * dot(turned(rotation, pair.from), pair.to);
       below += pair.weight * dot(pair.from, pair.from);
     }
     if (!(below > 0)) return;
     double left = 0, spread = 0;
-    for (const TurnPair& pair : pairs) {
-      const Point gap = pair.to - (above / below) * turned(turn, pair.from);
+    for (const RotationPair& pair : pairs) {
+      const Point gap = pair.to - (above / below) * turned(rotation, pair.from);
       left += pair.weight * dot(gap, gap);
       spread += pair.weight * dot(pair.to, pair.to);
     }
     const double unlike = std::sqrt(left / std::max(spread, 1e-30));
     const double trust = 1 / (1 + unlike * unlike / (kUnlikeTrunk * kUnlikeTrunk));
     for (size_t i = 0; i < trunk.size(); ++i) {
-      const Point copy = to + (above / below) * turned(turn, pairs[i].from);
+      const Point copy = to + (above / below) * turned(rotation, pairs[i].from);
       const double own = trust * own_share(mine_.classes[trunk[i]]);
-      places_[trunk[i]] = (1 - own) * places_[trunk[i]] + own * copy;
+      positions_[trunk[i]] = (1 - own) * positions_[trunk[i]] + own * copy;
     }
   }
 
@@ -197,17 +197,17 @@ class Fitter {
     double above = 0, below = 0;
     each_limb_bone([&](size_t a, size_t b) {
       const double before = length(old(b) - old(a));
-      above += before * length(places_[b] - places_[a]);
+      above += before * length(positions_[b] - positions_[a]);
       below += before * before;
     });
     if (!(above > 0) || !(below > 0)) return;
     each_limb_bone([&](size_t a, size_t b) {
       const double own = mine_.ends[b] != 0 ? 0 : own_length(mine_.classes[b]);
-      const Point bone = places_[b] - places_[a];
+      const Point bone = positions_[b] - positions_[a];
       const double now = length(bone), wanted = above / below * length(old(b) - old(a));
       if (own == 0 || !(now > 0) || !(wanted > 0)) return;
       const double unlike = std::log(wanted / now) / kUnlikeLength;
-      places_[b] = places_[b] + (own / (1 + unlike * unlike) * (wanted - now) / now) * bone;
+      positions_[b] = positions_[b] + (own / (1 + unlike * unlike) * (wanted - now) / now) * bone;
     });
   }
 
@@ -215,19 +215,19 @@ class Fitter {
     for (MatchedLimb limb : matches_.limbs()) {
       for (const Knot& knot : limb.knots)  // where blending has put them
         if (knot.mine < limb.mine.joints.size())
-          limb.other_points[knot.other] = places_[at(limb.mine.joints[knot.mine])];
+          limb.other_points[knot.other] = positions_[at(limb.mine.joints[knot.mine])];
       for (size_t k = 0; k + 1 < limb.knots.size(); ++k) {
         const Knot a = limb.knots[k], b = limb.knots[k + 1];
         const std::vector<double> along = lengths_along(limb.mine_points, a.mine, b.mine);
         const Point from = limb.mine_points[b.mine] - limb.mine_points[a.mine];
         const Point to = limb.other_points[b.other] - limb.other_points[a.other];
-        const Rotation turn = best_turn({{from, to, 1}}, kNoRotation);
+        const Rotation rotation = best_rotation({{from, to, 1}}, kNoRotation);
         const double scale = length(from) > 0 ? length(to) / length(from) : whole_.scale;
         for (size_t i = a.mine + 1; i < b.mine && i < limb.mine.joints.size(); ++i) {
           const double share = along.back() > 0 ? along[i - a.mine] / along.back() : 0;
           const Point on_chain = point_along(limb.other_points, a.other, b.other, share);
           const Point shaped =
-              limb.other_points[a.other] + scale * turned(turn, limb.mine_points[i] - limb.mine_points[a.mine]);
+              limb.other_points[a.other] + scale * turned(rotation, limb.mine_points[i] - limb.mine_points[a.mine]);
           place(at(limb.mine.joints[i]), (1 - kOwnShape) * on_chain + kOwnShape * shaped, FitHow::kBetween);
         }
       }
@@ -246,8 +246,8 @@ class Fitter {
       const std::vector<int>& joints = limb.mine.joints;
       for (size_t i = 0; i + 1 < joints.size(); ++i)
         if (known_[at(joints[i])] && known_[at(joints[i + 1])])
-          links_[at(joints[i])].push_back(
-              {old(at(joints[i + 1])) - old(at(joints[i])), places_[at(joints[i + 1])] - places_[at(joints[i])], 1});
+          links_[at(joints[i])].push_back({old(at(joints[i + 1])) - old(at(joints[i])),
+                                           positions_[at(joints[i + 1])] - positions_[at(joints[i])], 1});
       link_open_end(limb);
     }
     for (size_t j = 0; j < count(); ++j) {
@@ -259,7 +259,7 @@ class Fitter {
         const auto found = std::find(limb.mine.joints.begin(), limb.mine.joints.end(), static_cast<int>(j));
         same_chain = same_chain || (found != limb.mine.joints.end() && found != limb.mine.joints.begin());
       }
-      if (!same_chain) links_[at(above)].push_back({old(j) - old(at(above)), places_[j] - places_[at(above)], 1});
+      if (!same_chain) links_[at(above)].push_back({old(j) - old(at(above)), positions_[j] - positions_[at(above)], 1});
     }
   }
 
@@ -282,7 +282,7 @@ class Fitter {
       n += 1;
     }
     if (n == 0 || mine_.classes[joint] != SINEW_CLASS_HAND) return;
-    const Point from = (1 / n) * sum - old(joint), to = limb.other_points.back() - places_[joint];
+    const Point from = (1 / n) * sum - old(joint), to = limb.other_points.back() - positions_[joint];
     if (!(length(from) > 0)) return;
     // For the direction alone.
     open_ends_.push_back(
@@ -294,7 +294,7 @@ class Fitter {
     if (i == 0) return whole_.scale;
     const size_t a = at(limb.mine.joints[i - 1]), b = at(limb.mine.joints[i]);
     const double before = length(old(b) - old(a));
-    return known_[a] && known_[b] && before > 0 ? length(places_[b] - places_[a]) / before : whole_.scale;
+    return known_[a] && known_[b] && before > 0 ? length(positions_[b] - positions_[a]) / before : whole_.scale;
   }
 
   // Parents first: frames of bones, and what hangs on them without a match.
@@ -304,22 +304,22 @@ class Fitter {
       const bool has_frame = above >= 0 && framed(at(above));
       if (!known_[j]) {
         if (!has_frame) continue;  // a root, or below one
-        place(j, places_[at(above)] + scales_[at(above)] * turned(turns_[at(above)], old(j) - old(at(above))),
+        place(j, positions_[at(above)] + scales_[at(above)] * turned(rotations_[at(above)], old(j) - old(at(above))),
               FitHow::kCarried);
-        turns_[j] = turns_[at(above)];
+        rotations_[j] = rotations_[at(above)];
         scales_[j] = scales_[at(above)];
         continue;
       }
-      const Rotation usual = has_frame ? turns_[at(above)] : kNoRotation;
-      std::vector<TurnPair> pairs = links_[j];
+      const Rotation usual = has_frame ? rotations_[at(above)] : kNoRotation;
+      std::vector<RotationPair> pairs = links_[j];
       double before = 0, after = 0;
-      for (const TurnPair& pair : pairs) {
+      for (const RotationPair& pair : pairs) {
         before += length(pair.from);
         after += length(pair.to);
       }
       for (const auto& [joint, pair] : open_ends_)
         if (joint == j) pairs.push_back(pair);
-      turns_[j] = best_turn(pairs, usual);
+      rotations_[j] = best_rotation(pairs, usual);
       scales_[j] = before > 0 && after > 0 ? after / before
                    : has_frame             ? std::sqrt(scales_[at(above)] * whole_.scale)
                                            : whole_.scale;
@@ -336,7 +336,7 @@ class Fitter {
       if (!known_[j]) continue;
       low_old = std::min(low_old, old(j)[up_]);
       high_old = std::max(high_old, old(j)[up_]);
-      low_new = std::min(low_new, places_[j][up_]);
+      low_new = std::min(low_new, positions_[j][up_]);
       if (how_[j] != FitHow::kCarried) sure.push_back(j);
     }
     const int pelvis = matches_.pelvis();
@@ -348,10 +348,10 @@ class Fitter {
       for (const size_t k : sure)
         if (length(old(k) - old(j)) < length(old(base) - old(j))) base = k;
       if (above_pelvis && known_[at(pelvis)]) base = at(pelvis);
-      Point p = places_[base] + scales_[base] * turned(turns_[base], old(j) - old(base));
+      Point p = positions_[base] + scales_[base] * turned(rotations_[base], old(j) - old(base));
       const bool on_floor = old(j)[up_] <= low_old + kFloorShare * (high_old - low_old);
       if (above_pelvis && on_floor) {
-        p = places_[base] + whole_.scale * (old(j) - old(base));
+        p = positions_[base] + whole_.scale * (old(j) - old(base));
         p[up_] =
             options_.floor ? static_cast<double>(*options_.floor) : low_new + whole_.scale * (old(j)[up_] - low_old);
       }
@@ -365,25 +365,25 @@ class Fitter {
     for (size_t j = 0; j < count(); ++j) {
       if (parent(j) < 0 || how_[j] == FitHow::kCarried || how_[at(parent(j))] == FitHow::kCarried) continue;
       const double before = length(old(j) - old(at(parent(j))));
-      above += before * length(places_[j] - places_[at(parent(j))]);
+      above += before * length(positions_[j] - positions_[at(parent(j))]);
       below += before * before;
     }
     const double scale = below > 0 && above > 0 ? above / below : whole_.scale;
-    const std::vector<Point> fitted = places_;
+    const std::vector<Point> fitted = positions_;
     const auto bone = [&](size_t from, size_t to) {
       const double before = length(old(to) - old(from)), after = length(fitted[to] - fitted[from]);
       if (!(before > 0)) return Point{};
-      if (!(after > 0)) return scale * turned(turns_[from], old(to) - old(from));
+      if (!(after > 0)) return scale * turned(rotations_[from], old(to) - old(from));
       return (scale * before / after) * (fitted[to] - fitted[from]);
     };
     const int pelvis = matches_.pelvis();
     std::vector<bool> done(count(), false);
     for (int j = pelvis; j >= 0; j = parent(at(j))) {
       done[at(j)] = true;
-      if (parent(at(j)) >= 0) places_[at(parent(at(j)))] = places_[at(j)] - bone(at(parent(at(j))), at(j));
+      if (parent(at(j)) >= 0) positions_[at(parent(at(j)))] = positions_[at(j)] - bone(at(parent(at(j))), at(j));
     }
     for (const size_t j : order_) {
-      if (!done[j] && parent(j) >= 0) places_[j] = places_[at(parent(j))] + bone(at(parent(j)), j);
+      if (!done[j] && parent(j) >= 0) positions_[j] = positions_[at(parent(j))] + bone(at(parent(j)), j);
       done[j] = true;
     }
     whole_.scale = scale;
@@ -395,25 +395,25 @@ class Fitter {
   LimbMatches matches_;
   Similar whole_;
   std::vector<size_t> order_;  // parents first
-  std::vector<Point> places_;
+  std::vector<Point> positions_;
   std::vector<FitHow> how_;
   std::vector<bool> known_;
-  std::vector<Rotation> turns_;  // [J] of the bones that begin at a joint
+  std::vector<Rotation> rotations_;  // [J] of the bones that begin at a joint
   std::vector<double> scales_;
-  std::vector<std::vector<TurnPair>> links_;
-  std::vector<std::pair<size_t, TurnPair>> open_ends_;
+  std::vector<std::vector<RotationPair>> links_;
+  std::vector<std::pair<size_t, RotationPair>> open_ends_;
 };
 
 // No turn first, then quarters about the up axis, then the same after another up axis was brought there.
-std::vector<Rotation> turns_of_the_whole(uint32_t up) {
+std::vector<Rotation> rotations_of_the_whole(uint32_t up) {
   const Rotation tip = up == 2 ? Rotation{1, 0, 0, 0, 0, -1, 0, 1, 0} : Rotation{1, 0, 0, 0, 0, 1, 0, -1, 0};
   const Rotation quarter = up == 2 ? Rotation{0, -1, 0, 1, 0, 0, 0, 0, 1} : Rotation{0, 0, 1, 0, 1, 0, -1, 0, 0};
-  std::vector<Rotation> turns;
+  std::vector<Rotation> rotations;
   for (const Rotation& start : {kNoRotation, tip}) {
-    turns.push_back(start);
-    for (int i = 0; i < 3; ++i) turns.push_back(multiply(quarter, turns.back()));
+    rotations.push_back(start);
+    for (int i = 0; i < 3; ++i) rotations.push_back(multiply(quarter, rotations.back()));
   }
-  return turns;
+  return rotations;
 }
 
 // But for details, which may be on one side alone.
@@ -464,9 +464,9 @@ FittedSkeleton fit_skeleton(const LabelledSkeleton& mine, const LabelledSkeleton
   const uint32_t across = other_mirror.axis;
   LabelledSkeleton best;
   double least = INFINITY;
-  for (const Rotation& turn : turns_of_the_whole(options.up_axis)) {
-    const bool none = turn == kNoRotation;
-    LabelledSkeleton candidate = none ? mine : turned_skeleton(mine, turn);
+  for (const Rotation& rotation : rotations_of_the_whole(options.up_axis)) {
+    const bool none = rotation == kNoRotation;
+    LabelledSkeleton candidate = none ? mine : turned_skeleton(mine, rotation);
     Similar ignored;
     double misfit = LimbMatches(candidate, other, across).misfit(&ignored);
     if (none) misfit *= kUntouched;

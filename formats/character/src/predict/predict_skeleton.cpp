@@ -40,8 +40,8 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
 
   for (uint32_t j = 0; j < rigged.joint_count(); ++j) {
     const bool end = (rigged.flags[j] & SINEW_JOINT_NEVER) != 0;
-    const float* const place = &rigged.positions[size_t{3} * j];
-    result.joints.push_back({rigged.names[j].text, {place[0], place[1], place[2]}, rigged.parents[j], !end});
+    const float* const position = &rigged.positions[size_t{3} * j];
+    result.joints.push_back({rigged.names[j].text, {position[0], position[1], position[2]}, rigged.parents[j], !end});
     result.ends.push_back(end ? 1 : 0);
     result.confidence.push_back(static_cast<float>(rigged.confidence[j]) / 32768.0f);
     result.parent_confidence.push_back(static_cast<float>(rigged.parent_confidence[j]) / 32768.0f);

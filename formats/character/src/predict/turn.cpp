@@ -58,10 +58,10 @@ Point turned(const Rotation& r, const Point& p) {
           r[6] * p[0] + r[7] * p[1] + r[8] * p[2]};
 }
 
-Rotation best_turn(const std::vector<TurnPair>& pairs, const Rotation& usual) {
+Rotation best_rotation(const std::vector<RotationPair>& pairs, const Rotation& usual) {
   std::array<std::array<double, 3>, 3> m = {};  // sum of from x to
   double all = 0;
-  for (const TurnPair& pair : pairs) {
+  for (const RotationPair& pair : pairs) {
     const double size = pair.weight * length(pair.from) * length(pair.to);
     all += size;
     for (size_t i = 0; i < 3; ++i)

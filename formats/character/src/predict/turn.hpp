@@ -19,14 +19,14 @@ inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * 
 double length(const Point& a);
 Point turned(const Rotation& r, const Point& p);
 
-struct TurnPair {
+struct RotationPair {
   Point from, to;
   double weight = 1;
 };
 
 // Least squares over directions and lengths (Horn 1987, "Closed-form solution of absolute orientation using unit
 // quaternions"). Where the pairs leave a turn open, about a single bone for one, it is the one nearest to `usual`.
-Rotation best_turn(const std::vector<TurnPair>& pairs, const Rotation& usual);
+Rotation best_rotation(const std::vector<RotationPair>& pairs, const Rotation& usual);
 
 }  // namespace sinew
 #endif

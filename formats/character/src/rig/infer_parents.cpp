@@ -4,55 +4,37 @@
 #include <cmath>
 #include <limits>
 
-#include "rig/joint_words.hpp"
+#include "names/joint_name.hpp"
 #include "sinew/sinew.h"
 #include "sinew_character/skeleton_repair.hpp"
 
 namespace sinew {
 namespace {
 
-// What a name says about where its joint belongs.
-struct Place {
-  int side = 0;      // -1 left, 1 right
-  int number = -1;   // at the end of the name
-  std::string stem;  // the words but for the side
-};
+using names::JointName;
 
-Place place_of(const std::string& name) {
-  Place place;
-  for (const std::string& word : words_of(name)) {
-    if (word == "l" || word == "left")
-      place.side = -1;
-    else if (word == "r" || word == "right")
-      place.side = 1;
-    else
-      place.stem += word + " ";
-  }
-  place.number = number_at_end(name);
-  return place;
-}
-
-double edge_cost(const Joint& a, const Place& at_a, const Joint& b, const Place& at_b) {
+double edge_cost(const Joint& a, const JointName& at_a, const Joint& b, const JointName& at_b) {
   const double distance = static_cast<double>(
       std::hypot(a.position.x - b.position.x, a.position.y - b.position.y, a.position.z - b.position.z));
   if (at_a.side * at_b.side < 0) return distance * 4;
-  const bool row = at_a.stem == at_b.stem && at_a.side == at_b.side && at_a.number >= 0 && at_b.number >= 0 &&
-                   std::abs(at_a.number - at_b.number) == 1;
+  const bool row = at_a.stem == at_b.stem && at_a.side == at_b.side && at_a.own_number >= 0 && at_b.own_number >= 0 &&
+                   std::abs(at_a.own_number - at_b.own_number) == 1;
   if (row) return distance * 0.25;
   if (at_a.side != at_b.side) return distance * 1.2;  // the middle hangs on the middle
   return at_a.side != 0 ? distance * 0.9 : distance;
 }
 
 // The middle of a body by its name; otherwise the joint from which the largest branch is smallest.
-size_t choose_root(const std::vector<Joint>& joints, const std::vector<std::vector<size_t>>& neighbours) {
-  for (const char* wanted : {"root", "hips", "hip", "pelvis", "cog", "body", "torso", "spine"}) {
-    for (size_t j = 0; j < joints.size(); ++j) {
-      const std::vector<std::string> words = words_of(joints[j].name);
-      if (place_of(joints[j].name).side == 0 && std::find(words.begin(), words.end(), wanted) != words.end()) return j;
-    }
+size_t choose_root(const std::vector<JointName>& said, const std::vector<std::vector<size_t>>& neighbours) {
+  const size_t count = said.size();
+  for (const auto& wanted : {+[](const JointName& name) { return name.root; },
+                             +[](const JointName& name) { return name.part == names::Part::kHips; },
+                             +[](const JointName& name) { return name.part == names::Part::kSpine; }}) {
+    for (size_t j = 0; j < count; ++j)
+      if (said[j].side == 0 && wanted(said[j])) return j;
   }
-  std::vector<size_t> order, parent(joints.size(), SIZE_MAX), below(joints.size(), 1);
-  for (size_t j = 0; j < joints.size() && order.empty(); ++j)
+  std::vector<size_t> order, parent(count, SIZE_MAX), below(count, 1);
+  for (size_t j = 0; j < count && order.empty(); ++j)
     if (!neighbours[j].empty()) order.push_back(j);
   for (size_t next = 0; next < order.size(); ++next)
     for (const size_t k : neighbours[order[next]])
@@ -78,13 +60,10 @@ size_t top_of(const std::vector<Joint>& joints, size_t joint) {
 }
 
 // Leaves with a parent that only end its bone: what a flat list may have of a hierarchy, and nothing to hang others on.
-std::vector<char> tips_of(const std::vector<Joint>& joints) {
+std::vector<char> tips_of(const std::vector<Joint>& joints, const std::vector<JointName>& said) {
   std::vector<char> tips(joints.size(), 0);
-  for (size_t j = 0; j < joints.size(); ++j) {
-    if (joints[j].parent < 0) continue;
-    for (const std::string& word : words_of(joints[j].name))
-      if (word == "end" || word == "nub" || word == "tip") tips[j] = 1;
-  }
+  for (size_t j = 0; j < joints.size(); ++j)
+    tips[j] = joints[j].parent >= 0 && said[j].has(names::kEnd | names::kNub | names::kTip) ? 1 : 0;
   for (const Joint& joint : joints)
     if (joint.parent >= 0) tips[static_cast<size_t>(joint.parent)] = 0;
   return tips;
@@ -94,13 +73,13 @@ std::vector<char> tips_of(const std::vector<Joint>& joints) {
 
 size_t infer_parents(std::vector<Joint>* joints) {
   const size_t count = joints->size();
-  const std::vector<char> tips = tips_of(*joints);
+  std::vector<JointName> said;
+  for (const Joint& joint : *joints) said.push_back(names::read_joint_name(joint.name.c_str()));
+  const std::vector<char> tips = tips_of(*joints, said);
   const size_t tip_count = static_cast<size_t>(std::count(tips.begin(), tips.end(), char{1}));
   const size_t tops = static_cast<size_t>(
       std::count_if(joints->begin(), joints->end(), [](const Joint& joint) { return joint.parent < 0; }));
   if (count - tip_count < 4 || tops * 2 <= count - tip_count || count > SINEW_MAX_JOINTS) return 0;
-  std::vector<Place> places;
-  for (const Joint& joint : *joints) places.push_back(place_of(joint.name));
 
   // Prim's tree; the parents that are there cost nothing.
   std::vector<std::vector<size_t>> neighbours(count);
@@ -118,7 +97,7 @@ size_t infer_parents(std::vector<Joint>* joints) {
     for (size_t j = 0; j < count; ++j) {
       if (done[j] != 0) continue;
       const bool bound = (*joints)[j].parent == static_cast<int>(next) || (*joints)[next].parent == static_cast<int>(j);
-      const double c = bound ? 0 : edge_cost((*joints)[next], places[next], (*joints)[j], places[j]);
+      const double c = bound ? 0 : edge_cost((*joints)[next], said[next], (*joints)[j], said[j]);
       if (c < cost[j]) cost[j] = c, from[j] = next;
       if (nearest == SIZE_MAX || cost[j] < cost[nearest]) nearest = j;
     }
@@ -126,7 +105,7 @@ size_t infer_parents(std::vector<Joint>* joints) {
   }
 
   // Away from the root; a group of joints that has parents keeps them and is hung up at its top.
-  const size_t root = top_of(*joints, choose_root(*joints, neighbours));
+  const size_t root = top_of(*joints, choose_root(said, neighbours));
   size_t given = 0;
   std::vector<char> seen(count, 0);
   std::vector<size_t> order = {root};

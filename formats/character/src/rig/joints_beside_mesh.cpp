@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "sinew_character/joint_roles.hpp"
+#include "names/joint_name.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {
@@ -12,6 +13,17 @@ namespace {
 
 constexpr float kFar = 0.06f;  // of the mesh's diagonal, to the nearest vertex
 constexpr int kMostHits = 2;   // of the six axis directions in which a joint outside may see the mesh
+
+bool deforms(uint8_t role) { return role == SINEW_ROLE_DEFORMS || role > SINEW_ROLE_END; }
+
+float square_to_mesh(const Character& character, const Vec3& p) {
+  float nearest = INFINITY;
+  for (const Vec3& q : character.vertices) {
+    const float x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
+    nearest = std::min(nearest, x * x + y * y + z * z);
+  }
+  return nearest;
+}
 
 float coordinate(const Vec3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
@@ -48,23 +60,19 @@ int directions_with_mesh(const Character& character, const Vec3& p) {
 
 }  // namespace
 
-void find_joints_beside_mesh(const Character& character, std::vector<JointRole>* roles) {
+void find_joints_beside_mesh(const Character& character, std::vector<uint8_t>* roles) {
   if (character.vertices.empty()) return;
   const float size = box_of(character.vertices).diagonal();
   const size_t count = character.joints.size();
   std::vector<char> beside(count, 0);
   for (size_t j = 0; j < count; ++j) {
     const Vec3& p = character.joints[j].position;
-    float nearest = size * size;
-    for (const Vec3& q : character.vertices) {
-      const float x = p.x - q.x, y = p.y - q.y, z = p.z - q.z;
-      nearest = std::min(nearest, x * x + y * y + z * z);
-    }
+    const float nearest = square_to_mesh(character, p);
     beside[j] = nearest > kFar * kFar * size * size && directions_with_mesh(character, p) <= kMostHits ? 1 : 0;
   }
   // Parents may come later: a joint stays where any joint below it does.
   for (size_t j = 0; j < count; ++j) {
-    if (beside[j] != 0 || (*roles)[j] == JointRole::kTip) continue;
+    if (beside[j] != 0 || (*roles)[j] == SINEW_ROLE_END) continue;
     size_t steps = 0;
     for (int up = character.joints[j].parent; up >= 0 && steps < count; ++steps) {
       beside[static_cast<size_t>(up)] = 0;
@@ -74,14 +82,27 @@ void find_joints_beside_mesh(const Character& character, std::vector<JointRole>*
   // What hangs on a limb is a limb, wherever it is: poles and targets hang on roots, on controls or on nothing.
   for (size_t j = 0; j < count; ++j) {
     const int parent = character.joints[j].parent;
-    if (parent >= 0 && (*roles)[static_cast<size_t>(parent)] == JointRole::kDeforms &&
-        beside[static_cast<size_t>(parent)] == 0)
+    if (parent >= 0 && deforms((*roles)[static_cast<size_t>(parent)]) && beside[static_cast<size_t>(parent)] == 0)
       beside[j] = 0;
   }
   const size_t found = static_cast<size_t>(std::count(beside.begin(), beside.end(), char{1}));
   if (found * 2 > count) return;  // the skeleton does not fit the mesh: another matter
   for (size_t j = 0; j < count; ++j)
-    if (beside[j] != 0 && (*roles)[j] == JointRole::kDeforms) (*roles)[j] = JointRole::kControl;
+    if (beside[j] != 0 && deforms((*roles)[j])) (*roles)[j] = SINEW_ROLE_CONTROL;
+}
+
+void find_tips_without_mesh(const Character& character, std::vector<uint8_t>* roles) {
+  if (character.vertices.empty()) return;
+  const float far = kFar * box_of(character.vertices).diagonal();
+  std::vector<char> leaf(character.joints.size(), 1);
+  for (const Joint& joint : character.joints)
+    if (joint.parent >= 0) leaf[static_cast<size_t>(joint.parent)] = 0;
+  for (size_t j = 0; j < leaf.size(); ++j) {
+    const Joint& joint = character.joints[j];
+    if (leaf[j] == 0 || joint.parent < 0 || !deforms((*roles)[j])) continue;
+    if (!names::read_joint_name(joint.name.c_str()).has(names::kTip)) continue;
+    if (square_to_mesh(character, joint.position) > far * far) (*roles)[j] = SINEW_ROLE_END;
+  }
 }
 
 }  // namespace sinew

@@ -20,7 +20,7 @@ Vec3 moved(const SkeletonFit& fit, const Vec3& p) {
   const std::array<double, 3> scaled = {fit.scale * static_cast<double>(p.x), fit.scale * static_cast<double>(p.y),
                                         fit.scale * static_cast<double>(p.z)};
   const auto row = [&](size_t r) {
-    return fit.turn[r * 3] * scaled[0] + fit.turn[r * 3 + 1] * scaled[1] + fit.turn[r * 3 + 2] * scaled[2];
+    return fit.rotation[r * 3] * scaled[0] + fit.rotation[r * 3 + 1] * scaled[1] + fit.rotation[r * 3 + 2] * scaled[2];
   };
   return {static_cast<float>(row(0) + static_cast<double>(fit.shift.x)),
           static_cast<float>(row(1) + static_cast<double>(fit.shift.y)),
@@ -70,15 +70,16 @@ constexpr std::array<std::array<double, 9>, 5> kTurns = {{{1, 0, 0, 0, 1, 0, 0, 
                                                           {1, 0, 0, 0, 0, -1, 0, 1, 0},     // Y up to Z up
                                                           {0, 1, 0, -1, 0, 0, 0, 0, 1},     // X up to Y up
                                                           {-1, 0, 0, 0, 1, 0, 0, 0, -1}}};  // the back to the front
-constexpr std::array<const char*, 5> kTurnTexts = {"", "has Z up where the mesh has Y", "has Y up where the mesh has Z",
-                                                   "has X up where the mesh has Y", "looks backwards"};
+constexpr std::array<const char*, 5> kRotationTexts = {"", "has Z up where the mesh has Y",
+                                                       "has Y up where the mesh has Z", "has X up where the mesh has Y",
+                                                       "looks backwards"};
 constexpr std::array<double, 7> kScales = {1, 0.01, 100, 0.001, 1000, 0.0254, 39.37007874};
 
-std::string describe(const SkeletonFit& fit, size_t turn, bool shifted) {
+std::string describe(const SkeletonFit& fit, size_t rotation, bool shifted) {
   std::string text;
   if (fit.scale < 0.999) text = print("is %.4g times as large as the mesh", 1 / fit.scale);
   if (fit.scale > 1.001) text = print("is %.4g times smaller than the mesh", fit.scale);
-  if (turn != 0) text += (text.empty() ? "" : " and ") + std::string(kTurnTexts[turn]);
+  if (rotation != 0) text += (text.empty() ? "" : " and ") + std::string(kRotationTexts[rotation]);
   if (shifted) text += (text.empty() ? "" : " and ") + std::string("lies beside it");
   return "the skeleton " + text;
 }
@@ -92,17 +93,17 @@ std::optional<SkeletonFit> find_skeleton_fit(const Character& character) {
 
   std::optional<SkeletonFit> best;
   double best_distance = 0;
-  const auto offer = [&](SkeletonFit fit, size_t turn, bool shifted) {
+  const auto offer = [&](SkeletonFit fit, size_t rotation, bool shifted) {
     if (share_inside(mesh, character.joints, fit) < kMostInside + 0.2) return;
     const double distance = distance_to_mesh(character, fit);
     if (best && distance >= 0.8 * best_distance) return;
-    fit.what = describe(fit, turn, shifted);
+    fit.what = describe(fit, rotation, shifted);
     best_distance = distance;
     best = std::move(fit);
   };
-  for (size_t turn = 0; turn < kTurns.size(); ++turn)
+  for (size_t rotation = 0; rotation < kTurns.size(); ++rotation)
     for (const double scale : kScales)
-      if (turn != 0 || scale != 1) offer({scale, kTurns[turn], {}, {}}, turn, false);
+      if (rotation != 0 || scale != 1) offer({scale, kTurns[rotation], {}, {}}, rotation, false);
   if (best) return best;
 
   // None of the usual mistakes: as large as the mesh, and in its middle.
@@ -110,13 +111,13 @@ std::optional<SkeletonFit> find_skeleton_fit(const Character& character) {
   for (const Joint& joint : character.joints) points.push_back(joint.position);
   const Box bones = box_of(points);
   if (!(diagonal(bones) > 0)) return std::nullopt;
-  for (size_t turn = 0; turn < 3; ++turn) {
+  for (size_t rotation = 0; rotation < 3; ++rotation) {
     for (const bool same_size : {true, false}) {
-      SkeletonFit fit{same_size ? 1 : 0.9 * diagonal(mesh) / diagonal(bones), kTurns[turn], {}, {}};
+      SkeletonFit fit{same_size ? 1 : 0.9 * diagonal(mesh) / diagonal(bones), kTurns[rotation], {}, {}};
       const Vec3 low = moved(fit, bones.low), high = moved(fit, bones.high);
       fit.shift = {(mesh.low.x + mesh.high.x - low.x - high.x) / 2, (mesh.low.y + mesh.high.y - low.y - high.y) / 2,
                    (mesh.low.z + mesh.high.z - low.z - high.z) / 2};
-      offer(fit, turn, true);
+      offer(fit, rotation, true);
       if (best) return best;
     }
   }

@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "rig/joint_words.hpp"
+#include "names/joint_name.hpp"
 #include "sinew_formats/box.hpp"
 
 namespace sinew {
@@ -16,30 +16,25 @@ namespace {
 // Looks further apart than this are not alike; one unit is a part four times as large, twice as wide, or a quarter of
 // the character away.
 constexpr double kFarthest = 0.6;
-constexpr double kOtherJoint = 0.2;  // for parts whose joints have other names; where a rule names a joint, 1
-constexpr double kMirrored = 0.05;   // a part on the same side comes first
-constexpr double kOfBody = 0.5;      // how far apart the bodies of two characters are counted
-constexpr double kSamePlace = 0.15;  // of a joint in two characters
+constexpr double kOtherJoint = 0.2;     // for parts whose joints have other names; where a rule names a joint, 1
+constexpr double kMirrored = 0.05;      // a part on the same side comes first
+constexpr double kOfBody = 0.5;         // how far apart the bodies of two characters are counted
+constexpr double kSamePosition = 0.15;  // of a joint in two characters
 
 // Without sides: a mirrored part belongs to the other one.
-std::string words(const std::string& name) {
-  std::string joined;
-  for (const std::string& word : words_of(name))
-    if (word != "l" && word != "r" && word != "left" && word != "right") joined += word + " ";
-  return joined;
-}
+uint64_t words(const std::string& name) { return names::read_joint_name(name.c_str()).stem; }
 
 using Place = std::array<double, 3>;
 
-Place mirrored(Place place, bool mirror) {
-  if (mirror) place[0] = -place[0];
-  return place;
+Place mirrored(Place position, bool mirror) {
+  if (mirror) position[0] = -position[0];
+  return position;
 }
 
 // Places in a character's box: from its middle, in longest sides.
-class Places {
+class Positions {
  public:
-  explicit Places(const Character& character)
+  explicit Positions(const Character& character)
       : box_(box_of(character.vertices)), side_(std::max(1e-20, static_cast<double>(box_.longest_side()))) {}
   Place of(const Vec3& p) const {
     return {(p.x - 0.5 * (box_.low.x + box_.high.x)) / side_, (p.y - 0.5 * (box_.low.y + box_.high.y)) / side_,
@@ -55,23 +50,23 @@ double away(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1
 
 // Looks of all parts; `joint` is left empty.
 std::vector<PartLook> look_at_parts(const Character& character, const std::vector<uint32_t>& vertex_parts) {
-  const Places places(character);
+  const Positions positions(character);
   uint32_t count = 0;
   for (const uint32_t part : vertex_parts) count = std::max(count, part + 1);
   std::vector<PartLook> looks(count);
   std::vector<double> vertices(count, 0);
   for (size_t v = 0; v < vertex_parts.size(); ++v) {
-    const Place place = places.of(character.vertices[v]);
+    const Place position = positions.of(character.vertices[v]);
     vertices[vertex_parts[v]] += 1;
-    for (size_t i = 0; i < 3; ++i) looks[vertex_parts[v]].place[i] += place[i];
+    for (size_t i = 0; i < 3; ++i) looks[vertex_parts[v]].position[i] += position[i];
   }
   for (uint32_t p = 0; p < count; ++p) {
     looks[p].size = vertices[p] / static_cast<double>(vertex_parts.size());
-    for (double& x : looks[p].place) x /= std::max(1.0, vertices[p]);
+    for (double& x : looks[p].position) x /= std::max(1.0, vertices[p]);
   }
   for (size_t v = 0; v < vertex_parts.size(); ++v) {
     PartLook& look = looks[vertex_parts[v]];
-    look.radius += away(places.of(character.vertices[v]), look.place) / vertices[vertex_parts[v]];
+    look.radius += away(positions.of(character.vertices[v]), look.position) / vertices[vertex_parts[v]];
   }
   if (count > 0) {
     const auto largest = std::max_element(vertices.begin(), vertices.end());
@@ -89,7 +84,7 @@ double difference(const StyleRule& rule, const PartLook& b, bool mirror) {
   const double other = rule.kind == SINEW_ANSWER_RIGID ? 1 : kOtherJoint;
   const double names = words(a.joint) == words(b.joint) ? 0 : other;
   const double looks = std::max({ratio(a.size, b.size) / std::log(4.0), ratio(a.radius, b.radius) / std::log(2.0),
-                                 away(a.place, mirrored(b.place, mirror)) / 0.25});
+                                 away(a.position, mirrored(b.position, mirror)) / 0.25});
   return names + (a.body ? kOfBody : 1) * looks;
 }
 
@@ -98,19 +93,19 @@ using Joints = std::vector<std::pair<std::string, Place>>;
 // Whether at least two thirds of both rigs' joints have a namesake in the other, no further away than `farthest`.
 bool same_kind(const Joints& a, const Joints& b, double farthest) {
   std::map<std::string, Place> at;
-  for (const auto& [name, place] : b) at.emplace(name, place);
+  for (const auto& [name, position] : b) at.emplace(name, position);
   size_t found = 0;
-  for (const auto& [name, place] : a) {
+  for (const auto& [name, position] : a) {
     const auto other = at.find(name);
-    found += other != at.end() && away(place, other->second) < farthest ? 1 : 0;
+    found += other != at.end() && away(position, other->second) < farthest ? 1 : 0;
   }
   return 3 * found >= 2 * std::max(a.size(), b.size());
 }
 
 Joints joints_of(const Character& character) {
-  const Places places(character);
+  const Positions positions(character);
   Joints joints;
-  for (const Joint& joint : character.joints) joints.emplace_back(joint.name, places.of(joint.position));
+  for (const Joint& joint : character.joints) joints.emplace_back(joint.name, positions.of(joint.position));
   return joints;
 }
 
@@ -118,14 +113,14 @@ Joints joints_of(const Character& character) {
 //   joints  joints_of() the character
 int find_joint(const Character& character, const Joints& joints, const std::vector<uint8_t>& flags,
                const StyleRule& rule, bool mirror, uint16_t own) {
-  const auto off = [&](size_t j) { return away(mirrored(joints[j].second, mirror), rule.joint_place); };
+  const auto off = [&](size_t j) { return away(mirrored(joints[j].second, mirror), rule.joint_position); };
   const auto there = [&](size_t j) {
-    return (flags.empty() || (flags[j] & SINEW_JOINT_NEVER) == 0) && off(j) < kSamePlace;
+    return (flags.empty() || (flags[j] & SINEW_JOINT_NEVER) == 0) && off(j) < kSamePosition;
   };
   if (rule.steps_up == 0 && there(own)) return own;
-  const std::string wanted = words(rule.joint);
+  const uint64_t wanted = words(rule.joint);
   int named = -1, nearest = -1;
-  double least = kSamePlace;
+  double least = kSamePosition;
   for (size_t j = 0; j < joints.size(); ++j) {
     if (!there(j)) continue;
     if (!mirror && joints[j].first == rule.joint) named = static_cast<int>(j);
@@ -171,7 +166,7 @@ StyleSheet learn_style(const Character& character, const AskedBind& asked, const
       rule.part.joint = character.joints[question.joint].name;
       rule.kind = answer.kind;
       if (answer.kind == SINEW_ANSWER_RIGID) {
-        std::tie(rule.joint, rule.joint_place) = sheet.joints[answer.joint];
+        std::tie(rule.joint, rule.joint_position) = sheet.joints[answer.joint];
         rule.steps_up = steps_up(character, question.joint, answer.joint);
       }
       sheet.rules.push_back(std::move(rule));
@@ -188,9 +183,9 @@ std::vector<sinew_answer> answer_by_style(const Style& style, const Character& c
   const Joints joints = joints_of(character);
   for (const StyleSheet& sheet : style.sheets) {
     const bool same_names = same_kind(sheet.joints, joints, HUGE_VAL);
-    const bool same_places = same_kind(sheet.joints, joints, kSamePlace);
+    const bool same_positions = same_kind(sheet.joints, joints, kSamePosition);
     for (const StyleRule& rule : sheet.rules)
-      if (rule.kind == SINEW_ANSWER_RIGID ? same_places : same_names) rules.push_back(rule);
+      if (rule.kind == SINEW_ANSWER_RIGID ? same_positions : same_names) rules.push_back(rule);
   }
   const std::vector<PartLook> looks = look_at_parts(character, asked.vertex_parts);
   std::vector<Match> matches;

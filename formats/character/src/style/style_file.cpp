@@ -30,7 +30,7 @@ double share(const Json& json, const char* key) {
 }
 
 // A joint may stand outside of the mesh.
-std::array<double, 3> place(const Json& json, const char* key) {
+std::array<double, 3> position(const Json& json, const char* key) {
   const auto value = json.at(key).get<std::array<double, 3>>();
   for (const double x : value)
     if (!(x >= -1e6 && x <= 1e6)) throw Error(std::string(key) + " is out of its range");
@@ -39,7 +39,9 @@ std::array<double, 3> place(const Json& json, const char* key) {
 
 // C libraries differ in the last digit of a hypot().
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
-Json rounded(const std::array<double, 3>& place) { return {rounded(place[0]), rounded(place[1]), rounded(place[2])}; }
+Json rounded(const std::array<double, 3>& position) {
+  return {rounded(position[0]), rounded(position[1]), rounded(position[2])};
+}
 
 StyleRule rule_of(const Json& json) {
   StyleRule rule;
@@ -47,13 +49,13 @@ StyleRule rule_of(const Json& json) {
   if (rule.kind == SINEW_ANSWER_RIGID) {
     rule.joint = json.at("joint").get<std::string>();
     rule.steps_up = json.value("steps_up", -1);
-    rule.joint_place = place(json, "joint_place");
+    rule.joint_position = position(json, "joint_place");
   }
   const Json& part = json.at("part");
   rule.part.body = part.value("body", false);
   rule.part.size = share(part, "size");
   rule.part.radius = share(part, "radius");
-  rule.part.place = place(part, "place");
+  rule.part.position = position(part, "place");
   rule.part.joint = part.at("joint").get<std::string>();
   return rule;
 }
@@ -70,7 +72,7 @@ Style read_style(const std::string& path) {
     for (const Json& one : json.at("characters")) {
       StyleSheet sheet;
       for (const Json& joint : one.at("joints"))
-        sheet.joints.emplace_back(joint.at("name").get<std::string>(), place(joint, "place"));
+        sheet.joints.emplace_back(joint.at("name").get<std::string>(), position(joint, "place"));
       for (const Json& rule : one.at("rules")) sheet.rules.push_back(rule_of(rule));
       style.sheets.push_back(std::move(sheet));
     }
@@ -91,12 +93,12 @@ void write_style(const std::string& path, const Style& style) {
       if (rule.kind == SINEW_ANSWER_RIGID) {
         one["joint"] = rule.joint;
         one["steps_up"] = rule.steps_up;
-        one["joint_place"] = rounded(rule.joint_place);
+        one["joint_place"] = rounded(rule.joint_position);
       }
       one["part"] = {{"body", rule.part.body},
                      {"size", rounded(rule.part.size)},
                      {"radius", rounded(rule.part.radius)},
-                     {"place", rounded(rule.part.place)},
+                     {"place", rounded(rule.part.position)},
                      {"joint", rule.part.joint}};
       rules.push_back(std::move(one));
     }

@@ -30,11 +30,6 @@ struct TargetHand {
   double length = 0;                  // from the wrist to the farthest of what it moves (98 % quantile)
 };
 
-// Which finger a joint is of by its name, as Mixamo, Unreal, Rigify, MakeHuman, 3ds Max, VRM and Quaternius call them.
-// MakeHuman counts finger1 to finger5, 3ds Max Finger0 to Finger4.
-//   from_zero  the second way of counting
-std::optional<uint32_t> finger_of(const std::string& name, bool from_zero);
-
 // Every joint of class hand that moves something, outermost where one hangs on another. Joints of a finger that move
 // nothing are left out, and metacarpals, but for the thumb's, are part of the palm. Throws Error where
 // target_skeleton() does.

@@ -30,7 +30,7 @@ struct TargetSkeleton {
   double side = 0;                  // longest side of the mesh
 };
 
-// 1. Details (joint_class_of()) hand their weight to the nearest ancestor that is none.
+// 1. Details (joint_verdicts(): fingers, faces, halves of limbs, palms) hand their weight to the nearest ancestor that is none.
 // 2. A joint is bound if it has 0.2 % of the vertices or of the surface, by weight. Bound joints stay, and what lies
 //    between two of them.
 // 3. An unbound joint at the top goes, again and again: the child with the most surface below becomes the root, the

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <tuple>
 
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_datasets/bone_distance.hpp"
 #include "sinew_formats/print.hpp"
 
@@ -30,7 +29,7 @@ constexpr double kAgree = 0.6;             // L1 up to which neighbours agree wi
 constexpr double kDisagree = 1.7;          // L1 from which a vertex has nothing in common with them
 constexpr size_t kTwinVertices = 8;        // vertices of the twin that make an idle joint suspicious
 constexpr double kClearlyOtherSide = 0.3;  // of the distance between two twins
-constexpr double kSamePlace = 1e-3;        // joints nearer to each other cannot be told apart
+constexpr double kSamePosition = 1e-3;     // joints nearer to each other cannot be told apart
 constexpr double kSharedVertices = 0.4;    // of the vertices on such joints: the rig, not a detail
 constexpr double kMoreThanTwin = 0.3;      // weight beyond the twin's; less is a skirt that follows both legs
 
@@ -80,7 +79,7 @@ class Labels {
     far_weights();
     odd_vertices();
     idle_twins();
-    shared_places();
+    shared_positions();
     std::vector<LabelFinding> findings;
     for (auto& [key, vertices] : found_) {
       LabelFinding f;
@@ -290,7 +289,7 @@ class Labels {
 
   // Joints with vertices that stand where another child of their parent with vertices does: position and hierarchy do not
   // say which of them holds what, so a character that has many of them teaches nothing.
-  void shared_places() {
+  void shared_positions() {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, side = 0;
     for (const Vec3& p : c_.vertices) {
       const float at[3] = {p.x, p.y, p.z};
@@ -309,7 +308,7 @@ class Labels {
         if (other == j || strong_vertices_[other] == 0 || c_.joints[j].parent != c_.joints[other].parent) continue;
         const Vec3 &a = c_.joints[j].position, &b = c_.joints[other].position;
         if (std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y), static_cast<double>(a.z - b.z)) >
-            kSamePlace * side)
+            kSamePosition * side)
           continue;
         shared += strong_vertices_[j];
         if (most.first == most.second || strong_vertices_[j] > strong_vertices_[most.first]) most = {j, other};
@@ -363,40 +362,6 @@ class Labels {
   std::map<std::tuple<std::string, uint32_t, uint32_t>, std::vector<uint32_t>> found_;
 };
 
-// The words of a name in lower case: "LeftUpLeg_01" -> left, up, leg, 01.
-std::vector<std::string> words_of(const std::string& name) {
-  std::vector<std::string> words;
-  bool open = false;
-  char before = 0;
-  for (const char c : name) {
-    const auto u = static_cast<unsigned char>(c);
-    const bool starts =
-        std::isalnum(u) && (!open || (std::isupper(u) && !std::isupper(static_cast<unsigned char>(before))) ||
-                            (std::isdigit(u) != 0) != (std::isdigit(static_cast<unsigned char>(before)) != 0));
-    if (starts) words.emplace_back();
-    open = std::isalnum(u) != 0;
-    if (open) words.back() += static_cast<char>(std::tolower(u));
-    before = c;
-  }
-  return words;
-}
-
-// The name of the other side; nothing when the name has no side.
-std::optional<std::vector<std::string>> other_side(const std::vector<std::string>& words) {
-  static const std::map<std::string, std::string> sides = {
-      {"left", "right"}, {"right", "left"}, {"l", "r"}, {"r", "l"}};
-  std::vector<std::string> out = words;
-  size_t changed = 0;
-  for (std::string& word : out) {
-    const auto side = sides.find(word);
-    if (side == sides.end()) continue;
-    word = side->second;
-    ++changed;
-  }
-  if (changed == 0) return std::nullopt;
-  return out;
-}
-
 bool sound(const Character& c) {
   if (c.joints.empty() || c.influences.size() != c.vertices.size()) return false;
   for (size_t j = 0; j < c.joints.size(); ++j) {
@@ -422,46 +387,16 @@ std::vector<uint32_t> mirror_twins(const Character& character) {
   const size_t count = character.joints.size();
   std::vector<uint32_t> twins(count);
   std::iota(twins.begin(), twins.end(), 0u);
-  std::map<std::vector<std::string>, uint32_t> by_words;
-  for (uint32_t j = 0; j < count; ++j) by_words.emplace(words_of(character.joints[j].name), j);
-  for (uint32_t j = 0; j < count; ++j) {
-    const auto name = other_side(words_of(character.joints[j].name));
-    if (!name) continue;
-    const auto found = by_words.find(*name);
-    if (found != by_words.end()) twins[j] = found->second;
-  }
-  for (uint32_t j = 0; j < count; ++j)
-    if (twins[twins[j]] != j) twins[j] = j;  // both must say so
-  if (std::any_of(twins.begin(), twins.end(),
-                  [&](const uint32_t& t) { return t != static_cast<uint32_t>(&t - twins.data()); }))
-    return twins;
-
-  double middle = 0, low = INFINITY, high = -INFINITY;
-  for (const Joint& joint : character.joints) {
-    middle += static_cast<double>(joint.position.x) / static_cast<double>(count);
-    for (const float p : {joint.position.x, joint.position.y, joint.position.z}) {
-      low = std::min(low, static_cast<double>(p));
-      high = std::max(high, static_cast<double>(p));
+  const JointVerdicts verdicts = joint_verdicts(character.joints);
+  bool any = false;
+  for (const std::vector<int32_t>* const others : {&verdicts.partners, &verdicts.images}) {
+    for (uint32_t j = 0; j < count && !any; ++j) {
+      const int32_t other = (*others)[j];
+      if (other >= 0 && (*others)[static_cast<size_t>(other)] == static_cast<int32_t>(j))  // both must say so
+        twins[j] = static_cast<uint32_t>(other);
     }
+    for (uint32_t j = 0; j < count; ++j) any = any || twins[j] != j;
   }
-  const double tolerance = 0.01 * std::max(high - low, 0.0);
-  const auto gap = [&](uint32_t a, uint32_t b) {
-    const Vec3 &p = character.joints[a].position, &q = character.joints[b].position;
-    return std::hypot(2 * middle - static_cast<double>(p.x) - static_cast<double>(q.x), static_cast<double>(p.y - q.y),
-                      static_cast<double>(p.z - q.z));
-  };
-  std::vector<uint32_t> nearest(count);
-  for (uint32_t a = 0; a < count; ++a) {
-    nearest[a] = a;
-    if (std::abs(static_cast<double>(character.joints[a].position.x) - middle) < 2 * tolerance) continue;
-    double best = tolerance;
-    for (uint32_t b = 0; b < count; ++b)
-      if (b != a && gap(a, b) < best) {
-        best = gap(a, b);
-        nearest[a] = b;
-      }
-  }
-  for (uint32_t j = 0; j < count; ++j) twins[j] = nearest[nearest[j]] == j ? nearest[j] : j;
   return twins;
 }
 

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "sinew_character/joint_class_of.hpp"
+#include "names/joint_name.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -23,32 +24,9 @@ Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
-
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
   return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-// hand.L, hand_l, LeftHand, L_Wrist, Bip01_L_Hand; nullopt where the name says nothing.
-std::optional<bool> is_right(const std::string& name) {
-  const std::string text = lower(name);
-  const auto side = [&](char letter, const char* word) {
-    if (has(text, word)) return true;
-    for (size_t i = 0; i < text.size(); ++i) {
-      const auto gap = [&](size_t at) { return std::string("._- :").find(text[at]) != std::string::npos; };
-      if (text[i] == letter && (i == 0 || gap(i - 1)) && (i + 1 == text.size() || gap(i + 1))) return true;
-    }
-    return false;
-  };
-  if (side('l', "left")) return false;
-  if (side('r', "right")) return true;
-  return std::nullopt;
 }
 
 class HandFinder {
@@ -56,20 +34,29 @@ class HandFinder {
   explicit HandFinder(const Character& c) : c_(c), moved_(c.joints.size(), 0), children_(c.joints.size()) {
     for (size_t j = 0; j < c.joints.size(); ++j) {
       if (c.joints[j].parent >= 0) children_[static_cast<size_t>(c.joints[j].parent)].push_back(static_cast<int>(j));
-      from_zero_ = from_zero_ || has(lower(c.joints[j].name), "finger0");
     }
     for (const auto& row : c.influences)
       for (const Influence& i : row) moved_[i.joint] += static_cast<double>(i.weight);
-    for (const Joint& joint : c.joints) {
-      fingers_.push_back(finger_of(joint.name, from_zero_));
-      classes_.push_back(joint_class_of(joint.name, {}));
+    const JointVerdicts verdicts = joint_verdicts(c.joints, follows_of(c));
+    for (size_t j = 0; j < c.joints.size(); ++j) {
+      const uint8_t joint_class = verdicts.classes[j];
+      fingers_.emplace_back();
+      classes_.emplace_back();
+      if (joint_class >= SINEW_CLASS_THUMB && joint_class <= SINEW_CLASS_PINKY)
+        fingers_.back() = joint_class - uint32_t{SINEW_CLASS_THUMB};
+      else if (verdicts.is_part(j) && joint_class < kJointClasses)
+        classes_.back() = static_cast<JointClass>(joint_class);
+      sides_.push_back(verdicts.sides[j]);
+      ends_.push_back(verdicts.is_end(j));
+      untold_.push_back(joint_class == SINEW_CLASS_OTHER &&
+                        names::read_joint_name(c.joints[j].name.c_str()).part == names::Part::kFingers);
     }
   }
 
   std::vector<TargetHand> run() {
     std::vector<TargetHand> hands;
     for (size_t j = 0; j < c_.joints.size(); ++j) {
-      if (classes_[j] != kClassHand || is_finger(j) || names_bone_end(c_.joints[j].name)) continue;
+      if (classes_[j] != kClassHand || is_finger(j) || ends_[j]) continue;
       below_ = all_below(j);
       // A hand of a hand: palms, and what a hand holds.
       const int above = body_parent(j);
@@ -108,8 +95,7 @@ class HandFinder {
     while (hand.elbow >= 0 && !is_forearm(hand.elbow) &&
            length(minus(point(c_.joints[static_cast<size_t>(hand.elbow)].position), wrist)) < 1e-4)
       hand.elbow = body_parent(static_cast<size_t>(hand.elbow));
-    const std::optional<bool> side = is_right(c_.joints[j].name);
-    hand.right = side ? *side : wrist[0] < 0;
+    hand.right = sides_[j] != 0 ? sides_[j] < 0 : wrist[0] < 0;
 
     std::vector<bool> inside(c_.joints.size(), false);
     for (const size_t b : below_) inside[b] = true;
@@ -124,8 +110,7 @@ class HandFinder {
     hand.length = reach.empty() ? 0 : quantile(std::move(reach), kQuantile);
     for (const size_t b : below_) {
       if (b == j || moved_[b] < kLeastVertices) continue;
-      const std::string text = lower(c_.joints[b].name);
-      hand.clear = hand.clear && (is_finger(b) || !has(text, "finger"));
+      hand.clear = hand.clear && (is_finger(b) || !untold_[b]);
     }
     for (uint32_t f = 0; f < 5; ++f) add_finger(f, &hand);
     hand.clear = hand.clear && (hand.fingers.empty() || hand.fingers.size() >= kFewestFingers) && hand.length > 0;
@@ -191,28 +176,12 @@ class HandFinder {
   std::vector<std::vector<int>> children_;
   std::vector<std::optional<uint32_t>> fingers_;
   std::vector<std::optional<JointClass>> classes_;
-  bool from_zero_ = false;
-  std::vector<size_t> below_;  // the hand, then all below it
+  std::vector<int8_t> sides_;
+  std::vector<bool> ends_, untold_;  // untold_: a finger, and nobody knows which
+  std::vector<size_t> below_;        // the hand, then all below it
 };
 
 }  // namespace
-
-std::optional<uint32_t> finger_of(const std::string& name, bool from_zero) {
-  const std::string text = lower(name);
-  for (const char* other : {"eyebrow", "foot", "toe", "earring", "string"})
-    if (has(text, other)) return std::nullopt;
-  if (has(text, "thumb")) return 0;
-  if (has(text, "meta") || has(text, "middlehand")) return std::nullopt;
-  if (has(text, "index")) return 1;
-  if (has(text, "middle")) return 2;
-  if (has(text, "pinky") || has(text, "pinkie") || has(text, "little")) return 4;
-  if (has(text, "ring")) return 3;
-  const size_t at = text.find("finger");
-  if (at == std::string::npos || at + 6 >= text.size()) return std::nullopt;
-  const int digit = text[at + 6] - '0' - (from_zero ? 0 : 1);
-  if (text[at + 6] < '0' || digit < 0 || digit > 4) return std::nullopt;
-  return static_cast<uint32_t>(digit);
-}
 
 std::vector<TargetHand> target_hands(const Character& character) {
   if (character.joints.empty() || character.influences.size() != character.vertices.size())

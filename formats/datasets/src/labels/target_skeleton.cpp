@@ -9,7 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "sinew_character/joint_class_of.hpp"
+#include "names/joint_name.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -100,7 +101,7 @@ class TargetMaker {
     total_area_ = std::accumulate(areas_.begin(), areas_.end(), 0.0);
     for (const Joint& joint : c.joints) {
       file_parents_.push_back(joint.parent < 0 ? -1 : joint.parent);
-      places_.push_back(point(joint.position));
+      positions_.push_back(point(joint.position));
     }
     if (!(side_ > 0)) throw Error(c.name + ": its vertices are all at one place");
     sort_joints();
@@ -165,26 +166,20 @@ class TargetMaker {
 
   bool has_weight(int j) const { return own_vertices_[at(j)] > 0; }
 
-  std::vector<std::string_view> bound_below(int joint) const {
-    std::vector<std::string_view> names;
-    std::vector<int> open = children_[at(joint)];
-    while (!open.empty()) {
-      const int j = open.back();
-      open.pop_back();
-      open.insert(open.end(), children_[at(j)].begin(), children_[at(j)].end());
-      if (has_weight(j)) names.push_back(c_.joints[at(j)].name);
-    }
-    return names;
-  }
-
   void classify() {
     classes_.assign(count(), kClassOther);
     hosts_.resize(count());
     std::iota(hosts_.begin(), hosts_.end(), 0);
+    const JointVerdicts by_weight = joint_verdicts(c_.joints, follows_of(c_)), by_name = joint_verdicts(c_.joints);
     for (const int j : order_) {
-      const std::optional<JointClass> joint_class = joint_class_of(c_.joints[at(j)].name, bound_below(j));
-      if (joint_class) classes_[at(j)] = *joint_class;
-      if (!joint_class && file_parents_[at(j)] >= 0) hosts_[at(j)] = hosts_[at(file_parents_[at(j)])];
+      // Of a leaf that nothing follows the name alone says whether it is a detail.
+      bool detail = (by_weight.is_end(at(j)) ? by_name : by_weight).roles[at(j)] > SINEW_ROLE_END ||
+                    (by_weight.is_end(at(j)) && by_name.is_end(at(j)) && file_parents_[at(j)] >= 0 &&
+                     hosts_[at(file_parents_[at(j)])] != file_parents_[at(j)]);
+      const uint8_t joint_class = by_weight.classes[at(j)];
+      detail = detail || joint_class >= SINEW_CLASS_THUMB;  // a jaw's control as well
+      if (!detail && joint_class < kJointClasses) classes_[at(j)] = static_cast<JointClass>(joint_class);
+      if (detail && file_parents_[at(j)] >= 0) hosts_[at(j)] = hosts_[at(file_parents_[at(j)])];
     }
   }
 
@@ -246,7 +241,7 @@ class TargetMaker {
       });
       const std::vector<int> body = with_all_below(root);
       for (const int top : tops)
-        if (top != root) parents_[at(top)] = nearest(body, places_[at(top)]);
+        if (top != root) parents_[at(top)] = nearest(body, positions_[at(top)]);
       if (bound_[at(root)]) return;
     }
   }
@@ -263,11 +258,11 @@ class TargetMaker {
     return {inside.begin(), inside.end()};
   }
 
-  int nearest(const std::vector<int>& joints, const Point& place) const {
+  int nearest(const std::vector<int>& joints, const Point& position) const {
     int best = joints[0];
     double least = INFINITY;
     for (const int j : joints) {
-      const double distance = length(places_[at(j)] - place);
+      const double distance = length(positions_[at(j)] - position);
       if (distance < least) {
         least = distance;
         best = j;
@@ -287,7 +282,7 @@ class TargetMaker {
     for (const int j : order_) {
       const int parent = parents_[at(j)];
       if (!alive_[at(j)] || parent < 0) continue;
-      const double distance = length(places_[at(sources_[at(j)])] - places_[at(sources_[at(parent)])]);
+      const double distance = length(positions_[at(sources_[at(j)])] - positions_[at(sources_[at(parent)])]);
       const bool pelvises = classes_[at(j)] == kClassPelvis && classes_[at(parent)] == kClassPelvis;
       if (distance >= kMergeDistance * side_ && !(pelvises && distance < kPelvisDistance * side_)) continue;
       merge(j, parent);
@@ -324,13 +319,13 @@ class TargetMaker {
         owner = file_parents_[at(owner)];
         if (owner >= 0) owner = survivor(hosts_[at(owner)]);
       }
-      out_.owners[at(j)] = index.at(owner >= 0 ? owner : nearest(left, places_[at(j)]));
+      out_.owners[at(j)] = index.at(owner >= 0 ? owner : nearest(left, positions_[at(j)]));
     }
     for (const int j : left) {
       TargetJoint joint;
       joint.name = c_.joints[at(j)].name;
       joint.source = static_cast<uint32_t>(sources_[at(j)]);
-      joint.position = places_[at(sources_[at(j)])];
+      joint.position = positions_[at(sources_[at(j)])];
       joint.parent = parents_[at(j)] < 0 ? -1 : static_cast<int>(index.at(parents_[at(j)]));
       joint.joint_class = classes_[at(j)];
       out_.joints.push_back(std::move(joint));
@@ -383,19 +378,14 @@ class TargetMaker {
     std::optional<Point> end;
     for (const int child : children_[at(joint)]) {
       if (has_weight(child) || !children_[at(child)].empty()) continue;
-      const std::string& name = c_.joints[at(child)].name;
-      const bool same_host = !plain_joint_name(name).empty() && hosts_[at(child)] == hosts_[at(joint)];
-      if (!same_host && !is_called_end(name)) continue;
-      if (length(places_[at(child)] - places_[at(joint)]) <= kShortestEnd * side_) continue;
+      const names::JointName name = names::read_joint_name(c_.joints[at(child)].name.c_str());
+      const bool same_host = name.words > 0 && hosts_[at(child)] == hosts_[at(joint)];
+      if (!same_host && !name.has(names::kEnd | names::kNub | names::kTip)) continue;
+      if (length(positions_[at(child)] - positions_[at(joint)]) <= kShortestEnd * side_) continue;
       if (end) return std::nullopt;
-      end = places_[at(child)];
+      end = positions_[at(child)];
     }
     return end;
-  }
-
-  static bool is_called_end(const std::string& name) {
-    const std::string text = lower_case(name);
-    return text.find("end") != std::string::npos || text.find("leaf") != std::string::npos;
   }
 
   std::optional<Point> end_of_vertices(uint32_t joint) const {
@@ -429,7 +419,7 @@ class TargetMaker {
   std::vector<double> areas_;               // [V]
   std::vector<std::vector<int>> children_;  // of the file, like these three
   std::vector<int> file_parents_, order_;
-  std::vector<Point> places_;
+  std::vector<Point> positions_;
   std::vector<double> own_vertices_, own_surface_;  // shares by weight
   std::vector<JointClass> classes_;
   std::vector<int> hosts_;                  // the joint that has a detail's weight; itself for all others

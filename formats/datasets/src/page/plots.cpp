@@ -177,11 +177,11 @@ std::string columns(const std::vector<std::pair<std::string, double>>& values, c
 std::string histogram(const std::vector<double>& values, const HistogramOptions& options) {
   if (values.empty()) return "";
   const bool logs = options.logarithmic && *std::min_element(values.begin(), values.end()) > 0;
-  const auto place = [&](double v) { return logs ? std::log10(v) : v; };
+  const auto position = [&](double v) { return logs ? std::log10(v) : v; };
   double low = INFINITY, high = -INFINITY;
   for (const double v : values) {
-    low = std::min(low, place(v));
-    high = std::max(high, place(v));
+    low = std::min(low, position(v));
+    high = std::max(high, position(v));
   }
   // Whole numbers get whole bins: a bin that holds one more integer than its neighbours would look like a peak.
   double width = (high - low) / static_cast<double>(options.bins);
@@ -194,7 +194,7 @@ std::string histogram(const std::vector<double>& values, const HistogramOptions&
   const auto bin_count = std::max<size_t>(1, static_cast<size_t>(std::floor((high - low) / width + 1e-9)) + 1);
   std::vector<size_t> bins(bin_count, 0);
   for (const double v : values)
-    ++bins[std::min(bin_count - 1, static_cast<size_t>(std::max(0.0, (place(v) - low) / width + 1e-9)))];
+    ++bins[std::min(bin_count - 1, static_cast<size_t>(std::max(0.0, (position(v) - low) / width + 1e-9)))];
   const double end = low + width * static_cast<double>(bin_count);
   const size_t highest = *std::max_element(bins.begin(), bins.end());
   const double step = std::max(1.0, tick_step(static_cast<double>(highest)));

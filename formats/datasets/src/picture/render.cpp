@@ -235,11 +235,11 @@ void darken_occluded(const Camera& camera, Canvas* canvas) {
         return std::abs(forward) < std::abs(backward) ? forward : backward;
       };
       const float slope_x = slope(1, 0), slope_y = slope(0, 1);
-      const float turn = 2.39996323f * static_cast<float>((x * 7 + y * 13) % 16);
+      const float rotation = 2.39996323f * static_cast<float>((x * 7 + y * 13) % 16);
       float blocked = 0;
       for (int t = 0; t < taps; ++t) {
         const float r = radius_pixels * (static_cast<float>(t) + 0.5f) / taps;
-        const float angle = turn + 2.39996323f * static_cast<float>(t);
+        const float angle = rotation + 2.39996323f * static_cast<float>(t);
         const float dx = std::round(r * std::cos(angle)), dy = std::round(r * std::sin(angle));
         const int tx = sx + static_cast<int>(dx), ty = sy + static_cast<int>(dy);
         if (tx < 0 || ty < 0 || tx >= canvas->width || ty >= canvas->height) continue;

@@ -548,10 +548,10 @@ Surface rigid_body(const Blueprint& plan, Random* random) {
   const double round = random->range(0.1, 0.9);
   const bool balls = random->chance(0.5);
   for (const Primitive& p : plan.body) {
-    const double long_way = length(p.b - p.a), r = std::max(p.ra, p.rb);
+    const double whole_length = length(p.b - p.a), r = std::max(p.ra, p.rb);
     // Stretch short bones to their thickness, leave a gap at the ends of long ones.
-    const Point along = long_way > 1e-6 ? (p.b - p.a) * (1 / long_way) : Point{0, 1, 0};
-    const double half = long_way > 2 * r ? long_way * 0.5 - 0.15 * r : r * 0.9;
+    const Point along = whole_length > 1e-6 ? (p.b - p.a) * (1 / whole_length) : Point{0, 1, 0};
+    const double half = whole_length > 2 * r ? whole_length * 0.5 - 0.15 * r : r * 0.9;
     const Point centre = mix(p.a, p.b, 0.5);
     Frame frame = bone_frame(centre - along * half, centre + along * half, p.ra, p.ra);
     for (Point* axis : {&frame.x, &frame.y}) *axis = {axis->x * p.scale.x, axis->y * p.scale.y, axis->z * p.scale.z};

@@ -78,6 +78,12 @@ MIRROR: Tuple[str, ...] = ("auto", "always", "never")
 RigMethod = Literal["votes", "shape", "regions"]
 RIG_METHOD: Tuple[str, ...] = ("votes", "shape", "regions")
 RIG_DETAIL: Dict[str, int] = {"DETAIL_HANDS": 1, "DETAIL_FACE": 2, "DETAIL_PROPS": 4}
+JointRole = Literal["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"]
+JOINT_ROLE: Tuple[str, ...] = ("deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper")
+Follows = Literal["unknown", "some", "none"]
+FOLLOWS: Tuple[str, ...] = ("unknown", "some", "none")
+Naming = Literal["sinew", "mixamo", "vrm", "unreal", "rigify", "makehuman"]
+NAMING: Tuple[str, ...] = ("sinew", "mixamo", "vrm", "unreal", "rigify", "makehuman")
 TransferMethod = Literal["auto", "nearest", "biharmonic", "rebind"]
 TRANSFER_METHOD: Tuple[str, ...] = ("auto", "nearest", "biharmonic", "rebind")
 TransferReason = Literal["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"]
@@ -223,6 +229,11 @@ class sinew_rig_outputs(Structure):
     _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p),
         ("joint_classes", c_void_p), ("partners", c_void_p), ("confidence", c_void_p), ("parent_confidence", c_void_p), ("names", c_void_p),
         ("mirrored", c_uint32), ("facing", c_uint32), ("plane", c_float), ("spread", c_float), ("used_bytes", c_size_t)]
+
+
+class sinew_joint_verdicts(Structure):
+    _fields_ = [("struct_size", c_uint32), ("mirror_axis", c_uint32), ("classes", c_void_p), ("roles", c_void_p), ("sides", c_void_p),
+        ("numbers", c_void_p), ("partners", c_void_p), ("images", c_void_p), ("mirror_planes", c_float * 3), ("mirrored", c_uint32)]
 
 
 class sinew_bound_character(Structure):
@@ -385,8 +396,8 @@ class sinew_character_bake_result(Structure):
 STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
     sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_map_pin, sinew_map_options,
     sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
-    sinew_contact_spot, sinew_rig_options, sinew_rig_outputs, sinew_bound_character, sinew_vertex_pair, sinew_transfer_options,
-    sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
+    sinew_contact_spot, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts, sinew_bound_character, sinew_vertex_pair,
+    sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
 
 
 CHARACTER_STRUCTS: Tuple[Any, ...] = (sinew_file, sinew_character_arrays, sinew_character_clip, sinew_character_models,
@@ -443,6 +454,14 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
         POINTER(c_size_t)]),
     "sinew_rig_details": (c_int, [POINTER(sinew_model), POINTER(sinew_mesh), c_uint32, POINTER(sinew_rig_options), c_void_p, c_size_t,
         POINTER(sinew_rig_outputs)]),
+    "sinew_joint_classes_workspace_size": (c_int, [c_uint32, POINTER(c_size_t)]),
+    "sinew_joint_classes": (c_int, [POINTER(sinew_skeleton), c_void_p, c_void_p, c_size_t, POINTER(sinew_joint_verdicts)]),
+    "sinew_limb_classes_workspace_size": (c_int, [c_uint32, c_uint32, POINTER(c_size_t)]),
+    "sinew_limb_classes": (c_int, [POINTER(sinew_skeleton), POINTER(sinew_skeleton), c_void_p, c_void_p, c_size_t, c_void_p]),
+    "sinew_joint_side": (c_int32, [c_char_p]),
+    "sinew_joint_other_side": (c_int, [c_char_p, c_void_p, c_size_t]),
+    "sinew_naming_text": (c_char_p, [c_uint32]),
+    "sinew_joint_standard_name": (c_int, [c_uint32, c_uint32, c_int32, c_uint32, c_void_p]),
     "sinew_transfer_workspace_size": (c_int, [POINTER(sinew_model), POINTER(sinew_bound_character), POINTER(sinew_mesh),
         POINTER(sinew_skeleton), POINTER(sinew_transfer_options), POINTER(c_size_t)]),
     "sinew_transfer": (c_int, [POINTER(sinew_model), POINTER(sinew_bound_character), POINTER(sinew_mesh), POINTER(sinew_skeleton),

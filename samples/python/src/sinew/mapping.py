@@ -48,7 +48,7 @@ def map(target: Skeleton, source: Skeleton, *, method: declarations.MapMethod = 
     for i, (to, of) in enumerate(said.items()):
         listed[i] = binding.sinew_map_pin(target.index(to, "pins"), -1 if of is None else source.index(of, "pins"))
     options.pins, options.pin_count = listed, len(said)
-    views = [_view(target, names, target_up, "target_up"), _view(source, names, source_up, "source_up")]
+    views = [view_with_names(target, names, target_up, "target_up"), view_with_names(source, names, source_up, "source_up")]
     sources = np.zeros(len(target), np.int32)
     confidence, reasons = np.zeros(len(target), np.uint16), np.zeros(len(target), np.uint8)
     outputs = binding.init(binding.sinew_map_outputs)
@@ -60,7 +60,8 @@ def map(target: Skeleton, source: Skeleton, *, method: declarations.MapMethod = 
                     MAP_METHODS[outputs.method])
 
 
-def _view(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
+def view_with_names(skeleton: Skeleton, names: bool, up: str, argument: str) -> Any:
+    """The engine's view of a skeleton with names, ends and up; it borrows the arrays."""
     view = binding.init(binding.sinew_skeleton)
     view.up = chosen(up, declarations.UP, argument)
     view.joint_count = len(skeleton)

@@ -10,40 +10,27 @@ import numpy as np
 from . import binding, declarations
 from .arrays import Mesh, chosen, whole
 from .binder import ProgressFunction, skeleton_view
-from .character import CLASSES, Character, Clip, Skeleton
-from .mapping import JointMap, map as map_joints
+from .character import Character, Clip, Skeleton
+from .mapping import JointMap, map as map_joints, view_with_names
 
 RetargetMethod = Literal["auto", "copy", "contacts"]
 RETARGET_METHODS = get_args(RetargetMethod)
 
-# Joints of a human body, metres, y up, facing +z: what tells arms and legs of a skeleton whose classes are not known.
-# Class, parent, place; those of the left side have partners on the right.
-_BODY = (("pelvis", -1, (0, 0.98, 0)), ("spine", 0, (0, 1.12, -0.01)), ("spine", 1, (0, 1.27, -0.02)), ("neck", 2, (0, 1.48, -0.015)),
-         ("head", 3, (0, 1.58, 0.01)))
-_LEFT = (("clavicle", 2, (0.04, 1.43, -0.02)), ("upper-arm", 5, (0.17, 1.42, -0.03)), ("forearm", 6, (0.45, 1.42, -0.035)),
-         ("hand", 7, (0.71, 1.42, -0.03)), ("thigh", 0, (0.095, 0.93, 0)), ("calf", 9, (0.1, 0.51, 0.01)),
-         ("foot", 10, (0.105, 0.09, -0.03)), ("toe", 11, (0.11, 0.02, 0.1)))
 
+def joint_classes(skeleton: Skeleton, up: declarations.Up = "y", source: Optional[Skeleton] = None, sources: Any = None) -> np.ndarray:
+    """[j] uint8 of CLASSES: the skeleton's own, else what the library says of its names, of those of its joints' sources, of its shape;
+    "other" where nothing says anything.
 
-def _body() -> Skeleton:
-    joints = list(_BODY)
-    for side in (1, -1):
-        shift = len(joints) - len(_BODY)
-        joints += [(c, p + shift if p >= len(_BODY) else p, (side * x, y, z)) for c, p, (x, y, z) in _LEFT]
-    classes = [CLASSES.index(c) for c, _, _ in joints]
-    return Skeleton([p for _, _, p in joints], [p for _, p, _ in joints], classes=classes)
-
-
-def joint_classes(skeleton: Skeleton, up: declarations.Up = "y") -> np.ndarray:
-    """[j] uint8 of CLASSES: the skeleton's own, else by laying a human body over it; "other" where that says nothing."""
+    source, sources  a skeleton and [j] its joints that stand for these, -1 for none
+    """
     if skeleton.classes is not None:
         return skeleton.classes
-    body = _body()
-    found = map_joints(skeleton, body, names=False, target_up=up)
-    classes = np.full(len(skeleton), CLASSES.index("other"), np.uint8)
-    if found.method == "sinew":
-        mapped = found.sources >= 0
-        classes[mapped] = body.classes[found.sources[mapped]]
+    view, of = view_with_names(skeleton, True, up, "up"), None if source is None else view_with_names(source, True, "auto", "up")
+    given = None if source is None else whole(sources, (len(skeleton),), "sources", np.int32, -1, len(source))
+    classes = np.zeros(len(skeleton), np.uint8)
+    block = binding.block("sinew_limb_classes_workspace_size", "joint_classes", len(skeleton), 0 if source is None else len(source))
+    binding.check(binding.library().sinew_limb_classes(ctypes.byref(view), None if of is None else ctypes.byref(of), binding.address(given),
+                                                       block.address, block.size_bytes, binding.address(classes)), "joint_classes")
     return classes
 
 
@@ -75,7 +62,7 @@ def retarget(clip: Clip, source: Skeleton, target: Skeleton, *, joint_map: Union
     sources = whole(sources, (len(target),), "joint_map", np.int32, -1, len(source))
     options = binding.init(binding.sinew_retarget_options)
     options.in_place, options.scale = int(bool(in_place)), scale
-    classes = joint_classes(target, target_up)
+    classes = joint_classes(target, target_up, source, sources)
     library = binding.library()
     memory = binding.block("sinew_retarget_create_workspace_size", "retarget", len(source), len(target))
     plan = ctypes.c_void_p()

@@ -18,7 +18,7 @@ Character chain() {
 }
 
 // One vertex that goes along x by a value of the turns.
-Eigen::MatrixXf moves_by(const PoseTurns& turns, const MorphTerm& term, size_t value) {
+Eigen::MatrixXf moves_by(const PoseRotations& turns, const MorphTerm& term, size_t value) {
   Eigen::MatrixXf moves = Eigen::MatrixXf::Zero(kPoses, 3);
   for (size_t p = 0; p < kPoses; ++p)
     moves(static_cast<Eigen::Index>(p), 0) = static_cast<float>(term_values(term, turns.poses()[p])[value]);
@@ -26,7 +26,7 @@ Eigen::MatrixXf moves_by(const PoseTurns& turns, const MorphTerm& term, size_t v
 }
 
 // How much of the moves the first shape's weights leave, where both are of mean square 1.
-double left_over(const MorphDriver& driver, const PoseTurns& turns, const Eigen::MatrixXf& moves) {
+double left_over(const MorphDriver& driver, const PoseRotations& turns, const Eigen::MatrixXf& moves) {
   double product = 0, weights = 0, wanted = 0;
   for (size_t p = 0; p < kPoses; ++p) {
     const double w = driver_weights(driver, turns.poses()[p]).at(0);
@@ -38,7 +38,7 @@ double left_over(const MorphDriver& driver, const PoseTurns& turns, const Eigen:
 
 TEST(DriverFit, OneTurnNeedsOneShape) {
   const Character c = chain();
-  const PoseTurns turns(c, random_palettes(c, kPoses, 60, 1));
+  const PoseRotations turns(c, random_palettes(c, kPoses, 60, 1));
   EXPECT_EQ(turns.joints(), (std::vector<size_t>{1, 2, 3}));
   const Eigen::MatrixXf moves = moves_by(turns, {2, 2, {}}, 5);
   const MorphDriver driver = fit_driver(turns, {0.5, 0.5, 0, 1}, moves, 8);
@@ -49,7 +49,7 @@ TEST(DriverFit, OneTurnNeedsOneShape) {
 
 TEST(DriverFit, TwoTurnsTogetherAreFound) {
   const Character c = chain();
-  const PoseTurns turns(c, random_palettes(c, kPoses, 60, 1));
+  const PoseRotations turns(c, random_palettes(c, kPoses, 60, 1));
   const Eigen::MatrixXf alone = moves_by(turns, {1, 1, {}}, 1), too = moves_by(turns, {3, 3, {}}, 2);
   const Eigen::MatrixXf moves = alone + too + 2 * moves_by(turns, {1, 3, {}}, 5);
   const MorphDriver driver = fit_driver(turns, {1, 0.5, 0, 1}, moves, 8);
@@ -58,7 +58,7 @@ TEST(DriverFit, TwoTurnsTogetherAreFound) {
 
 TEST(DriverFit, NothingThatTurnsDrivesNothing) {
   const Character c = chain();
-  const PoseTurns turns(c, std::vector<Palette>(5, Palette(4, kIdentity)));
+  const PoseRotations turns(c, std::vector<Palette>(5, Palette(4, kIdentity)));
   EXPECT_TRUE(fit_driver(turns, {1, 0.5, 0, 1}, Eigen::MatrixXf::Ones(5, 3), 8).shapes.empty());
 }
 

@@ -19,8 +19,8 @@ Character cut_strip() {
 }
 
 TEST(MeshNeighbours, TheFirstVertexOfAPlaceStandsForAll) {
-  EXPECT_EQ(first_at_place(cut_strip()), (std::vector<uint32_t>{0, 1, 2, 3, 1, 2, 6, 7}));
-  EXPECT_TRUE(first_at_place(Character()).empty());
+  EXPECT_EQ(first_at_position(cut_strip()), (std::vector<uint32_t>{0, 1, 2, 3, 1, 2, 6, 7}));
+  EXPECT_TRUE(first_at_position(Character()).empty());
 }
 
 TEST(MeshNeighbours, EdgesAndTwinsAtSeams) {

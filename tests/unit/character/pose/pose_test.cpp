@@ -72,7 +72,7 @@ TEST(ApplyPose, KeepsTheTwelveStrongestOfLongRows) {
     c.joints.push_back({std::to_string(j), {0, 0, 0}, -1});
     c.influences[0].push_back({j, j < 12 ? 0.08f : 0.005f});
   }
-  std::vector<JointTurn> turns;
+  std::vector<JointRotation> turns;
   for (size_t j = 12; j < 20; ++j) turns.push_back({j, 0, 0, 180});
   EXPECT_NEAR(apply_pose(c, pose_palette(c, turns)).vertices[0].x, 1, 1e-6);
 }

@@ -102,7 +102,7 @@ float bone(const std::vector<Joint>& joints, size_t j) {
   return gap(joints[j].position, joints[static_cast<size_t>(joints[j].parent)].position);
 }
 
-void expect_places(const FittedSkeleton& fitted, const std::vector<Joint>& wanted, float near) {
+void expect_positions(const FittedSkeleton& fitted, const std::vector<Joint>& wanted, float near) {
   ASSERT_EQ(fitted.joints.size(), wanted.size());
   for (size_t j = 0; j < wanted.size(); ++j) {
     EXPECT_EQ(fitted.joints[j].name, wanted[j].name);
@@ -122,7 +122,7 @@ TEST(FitSkeleton, OntoItselfIsTheIdentity) {
     FitOptions options;
     options.keep_lengths = keep;
     const FittedSkeleton fitted = fit_skeleton(man(), man(), options);
-    expect_places(fitted, man().joints, 2e-6f);
+    expect_positions(fitted, man().joints, 2e-6f);
     EXPECT_TRUE(fitted.symmetric);
     EXPECT_NEAR(fitted.scale, 1, 1e-6);
   }
@@ -134,8 +134,8 @@ TEST(FitSkeleton, OntoAScaledAndMovedCopyIsExact) {
   FitOptions options;
   for (const bool keep : {false, true}) {
     options.keep_lengths = keep;
-    expect_places(fit_skeleton(man(), copy, options), copy.joints, 3e-4f);
-    expect_places(fit_skeleton(copy, man(), options), man().joints, 3e-6f);
+    expect_positions(fit_skeleton(man(), copy, options), copy.joints, 3e-4f);
+    expect_positions(fit_skeleton(copy, man(), options), man().joints, 3e-6f);
   }
 }
 
@@ -146,9 +146,9 @@ TEST(FitSkeleton, AnotherUpAxisAndAQuarterTurnAreFound) {
     joint.position = {-p.z, -p.x, p.y};  // z up, facing -x
   }
   FitOptions options;
-  expect_places(fit_skeleton(lying, man(), options), man().joints, 3e-6f);
+  expect_positions(fit_skeleton(lying, man(), options), man().joints, 3e-6f);
   options.up_axis = 2;
-  expect_places(fit_skeleton(man(), lying, options), lying.joints, 3e-6f);
+  expect_positions(fit_skeleton(man(), lying, options), lying.joints, 3e-6f);
 }
 
 TEST(FitSkeleton, AnAsymmetricSkeletonStaysItself) {
@@ -156,7 +156,7 @@ TEST(FitSkeleton, AnAsymmetricSkeletonStaysItself) {
   for (const char* name : {"forearm_l", "hand_l", "index1_l", "index2_l", "thumb_l"})
     raised.joints[index_of(raised.joints, name)].position.y += 0.3f;
   const FittedSkeleton fitted = fit_skeleton(raised, raised, {});
-  expect_places(fitted, raised.joints, 3e-6f);
+  expect_positions(fitted, raised.joints, 3e-6f);
   EXPECT_FALSE(fitted.symmetric);
 }
 
@@ -196,13 +196,13 @@ TEST(FitSkeleton, ChainsOfOtherCountsKeepTheirOrderAlongTheChain) {
                                             {"Tail3", "Tail2", {0, 1, -3}, SINEW_CLASS_TAIL},
                                             {"Tail4", "Tail3", {0, 1, -4}, SINEW_CLASS_TAIL},
                                             {"Tail4_end", "Tail4", {0, 1, -5}, SINEW_CLASS_TAIL, true}});
-  expect_places(fit_skeleton(long_tail, short_tail, {}), long_tail.joints, 1e-6f);
-  expect_places(fit_skeleton(short_tail, long_tail, {}), short_tail.joints, 1e-6f);
+  expect_positions(fit_skeleton(long_tail, short_tail, {}), long_tail.joints, 1e-6f);
+  expect_positions(fit_skeleton(short_tail, long_tail, {}), short_tail.joints, 1e-6f);
   // Without ends the last bones are thought on.
   long_tail.joints.pop_back();
   long_tail.classes.pop_back();
   long_tail.ends.pop_back();
-  expect_places(fit_skeleton(long_tail, short_tail, {}), long_tail.joints, 1e-6f);
+  expect_positions(fit_skeleton(long_tail, short_tail, {}), long_tail.joints, 1e-6f);
 }
 
 TEST(FitSkeleton, DetailsGoWithTheirBones) {

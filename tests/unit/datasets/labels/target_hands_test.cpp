@@ -7,20 +7,6 @@
 namespace sinew {
 namespace {
 
-TEST(FingerOf, ReadsTheNamesOfAllMakers) {
-  EXPECT_EQ(finger_of("mixamorig:LeftHandThumb1", false), 0u);
-  EXPECT_EQ(finger_of("index_01_l", false), 1u);
-  EXPECT_EQ(finger_of("MiddleFinger2.L", false), 2u);
-  EXPECT_EQ(finger_of("f_ring.03.R", false), 3u);
-  EXPECT_EQ(finger_of("Little_Distal_L", false), 4u);
-  EXPECT_EQ(finger_of("finger1-2.L", false), 0u) << "MakeHuman's thumb";
-  EXPECT_EQ(finger_of("Bip01_L_Finger01", true), 0u) << "3ds Max's thumb";
-  EXPECT_EQ(finger_of("Bip01_L_Finger42", true), 4u);
-  EXPECT_EQ(finger_of("Thumb_Metacarpal_L", false), 0u);
-  for (const char* none : {"Index_Metacarpal_L", "LeftHand", "MMiddleEyebrow", "FootFinger1_L", "Fingers.L", "string"})
-    EXPECT_FALSE(finger_of(none, false)) << none;
-}
-
 // A hand along +x with `fingers` of two joints, and a vertex for each joint.
 Character hand(const std::vector<std::string>& fingers) {
   Character c;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "expect_error.hpp"
-#include "sinew_character/joint_class_of.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 
 namespace sinew {
 namespace {
@@ -248,7 +248,7 @@ TEST(TargetSkeleton, JointsOfAFileAreReadBackAsTheyWere) {
   EXPECT_EQ(joints[4].parent, 2);
   EXPECT_EQ(joints[4].position.z, 4);
   EXPECT_TRUE(names_bone_end("A_end1"));
-  EXPECT_TRUE(names_bone_end("x_TIP"));
+  EXPECT_FALSE(names_bone_end("x_TIP"));
   EXPECT_FALSE(names_bone_end("Tail_End2_joint"));
   EXPECT_FALSE(names_bone_end("legend"));
   EXPECT_FALSE(names_bone_end("end"));

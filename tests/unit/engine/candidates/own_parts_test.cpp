@@ -18,13 +18,13 @@ using sinew_test::MeshScene;
 constexpr float kEye = 0.02f;  // side of a cube for an eye
 
 // A head of side 1 with one eye in its front; joints: root, head, eye.
-MeshScene head_with_eye(float eye_side = kEye, float off = 0, float head_way = 4) {
+MeshScene head_with_eye(float eye_side = kEye, float off = 0, float head_offset = 4) {
   MeshScene scene;
   add_cube(&scene, 0, 0, 0);
   add_cube(&scene, 0.5f, 0.5f, 0.9f, eye_side);
   const float x = 0.5f + eye_side / 2, y = x, z = 0.9f + eye_side / 2;
   scene.add_joint(0.5f, 0.1f, 0.5f, -1);
-  scene.add_joint(x, y, z - head_way * eye_side, 0);
+  scene.add_joint(x, y, z - head_offset * eye_side, 0);
   scene.add_joint(x + off * eye_side, y, z, 1);
   return scene;
 }

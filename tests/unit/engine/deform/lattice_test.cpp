@@ -107,7 +107,7 @@ TEST(Lattice, VerticesLieWhereTheirSharesSay) {
         ASSERT_GE(place.shares[k], 0);
         sum += place.shares[k];
         at = at +
-             place.shares[k] / 16384.0 * rest.node_place(rest.lattice.tetrahedra[4 * size_t{place.tetrahedron} + k]);
+             place.shares[k] / 16384.0 * rest.node_position(rest.lattice.tetrahedra[4 * size_t{place.tetrahedron} + k]);
       }
       ASSERT_EQ(sum, 1 << kShareBits);
       const Vec3d off = at - rest.position(v);
@@ -125,7 +125,7 @@ TEST(Lattice, NodesHaveTheWeightsOfTheSkinAroundThem) {
     uint32_t sum = 0;
     for (const uint16_t w : row.weights) sum += w;
     ASSERT_EQ(sum, 65535u) << n;
-    const double x = rest.node_place(n).x;
+    const double x = rest.node_position(n).x;
     if (x < -0.3) {
       ASSERT_GE(row.of(0), 65000u) << x;
     }

@@ -37,7 +37,7 @@ TEST(Contacts, FeetThatStandStayWhereTheyStand) {
       }
       const Vec3d foot = placed(clip.source, pose).places[kLeftFoot];
       const Vec3d back = clip.source.at(kLeftFoot) - foot;
-      pose.set(0, sinew::kNoTurn, clip.source.at(0) + Vec3d{0, back.y, back.z});
+      pose.set(0, sinew::kNoRotation, clip.source.at(0) + Vec3d{0, back.y, back.z});
       ASSERT_LT(distance(placed(clip.source, pose).places[kLeftFoot], clip.source.at(kLeftFoot)), 1e-6);
       clip.add(pose);
     }
@@ -150,7 +150,7 @@ TEST(Contacts, KneesAndElbowsStayInTheirRange) {
     Pose pose = rest_pose(clip->source);
     const Quat knee = sinew::normalised({std::sin(angle / 2), 0, 0, std::cos(angle / 2)});
     pose.set(kLeftCalf, knee, vec(&pose.translations[3 * kLeftCalf]));
-    pose.set(0, sinew::kNoTurn, clip->source.at(0) + Vec3d{0, 3, 0});  // in the air: no foot stands
+    pose.set(0, sinew::kNoRotation, clip->source.at(0) + Vec3d{0, 3, 0});  // in the air: no foot stands
     clip->add(pose);
   };
   const auto angle_of = [&](const Placed& pose) {  // of the calf to the back, degrees

@@ -53,8 +53,8 @@ struct Wish {
 };
 
 // The place of a joint by the equations, in double with the maths library.
-Vec3d expected_place(const MotionScene& source, const MotionScene& target, const BoxBody& a, const BoxBody& b,
-                     const Placed& from, const Placed& copied, uint32_t joint, uint32_t shoulder, const Wish& wish) {
+Vec3d expected_position(const MotionScene& source, const MotionScene& target, const BoxBody& a, const BoxBody& b,
+                        const Placed& from, const Placed& copied, uint32_t joint, uint32_t shoulder, const Wish& wish) {
   const auto source_triangles = triangles(a, posed(source, a, from));
   const auto target_triangles = triangles(b, posed(target, b, copied));
   std::vector<Vec3d> rest;
@@ -143,7 +143,7 @@ TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
     double moved = 0;
     for (const uint32_t arm : {kLeftUpperArm, kRightUpperArm}) {
       const auto goal = [&](uint32_t joint) {
-        return expected_place(bodies.source, bodies.target, bodies.a, bodies.b, from, copied, joint, arm, wish);
+        return expected_position(bodies.source, bodies.target, bodies.a, bodies.b, from, copied, joint, arm, wish);
       };
       const Vec3d shoulder = copied.places[arm], elbow = goal(arm + 1), wrist = goal(arm + 2);
       const double upper = distance(copied.places[arm], copied.places[arm + 1]),

@@ -55,7 +55,7 @@ struct Cropped {
   Counts counts;
   Workspace block;
 
-  Cropped(const MeshRun& run, const MeshScene& scene, const HandPlace& place) {
+  Cropped(const MeshRun& run, const MeshScene& scene, const HandPosition& place) {
     const sinew_mesh view = scene.mesh_view();
     counts.vertices = view.vertex_count;
     counts.faces = view.face_count;
@@ -79,8 +79,8 @@ Vec3i grid(const MeshRun& run, float x, float y, float z) {
   return quantize_point(run.quantizer, p);
 }
 
-HandPlace place_at(const MeshRun& run, float wrist, float elbow, float length) {
-  HandPlace place;
+HandPosition position_at(const MeshRun& run, float wrist, float elbow, float length) {
+  HandPosition place;
   place.wrist = grid(run, wrist, 0.5f, 0);
   place.elbow = grid(run, elbow, 0.5f, 0);
   place.length = grid(run, length, 0.5f, 0).x - grid(run, 0, 0.5f, 0).x;
@@ -94,7 +94,7 @@ TEST(HandFrame, BringsTheForearmToXAndComesBack) {
       for (const bool right : {false, true}) {
         const MeshScene scene = arm();
         const MeshRun run(scene);
-        HandPlace place = place_at(run, 0.8f, 0.4f, 0.2f);
+        HandPosition place = position_at(run, 0.8f, 0.4f, 0.2f);
         place.elbow = place.wrist + elbow;
         place.quarters = quarters;
         place.right = right;
@@ -126,7 +126,7 @@ TEST(HandFrame, TheRightHandIsTheLeftOnesMirrorImage) {
 TEST(HandCrop, HoldsTheHandAloneFromItsWristOn) {
   const MeshScene scene = arm();
   const MeshRun run(scene);
-  const Cropped cropped(run, scene, place_at(run, 0.8f, 0.4f, 0.2f));
+  const Cropped cropped(run, scene, position_at(run, 0.8f, 0.4f, 0.2f));
   const HandCrop& crop = cropped.crop;
   ASSERT_GT(crop.surface_triangles, 0u);
   for (uint32_t v = 0; v < crop.surface_vertices; ++v)
@@ -142,7 +142,7 @@ TEST(HandCrop, HoldsTheHandAloneFromItsWristOn) {
 TEST(HandCrop, IsClosedWhereItWasCutAndWhereTheMeshWasOpen) {
   const MeshScene scene = arm();
   const MeshRun run(scene);
-  const Cropped cropped(run, scene, place_at(run, 0.8f, 0.4f, 0.2f));
+  const Cropped cropped(run, scene, position_at(run, 0.8f, 0.4f, 0.2f));
   const Mesh& mesh = cropped.crop.mesh;
   EXPECT_EQ(mesh.welded_count, cropped.crop.surface_vertices + 2) << "one middle a loop";
   EXPECT_EQ(mesh.triangle_count, cropped.crop.surface_triangles + 24);
@@ -165,7 +165,7 @@ TEST(HandCrop, PartsBesideTheHandStayOut) {
   MeshScene scene = arm();
   add_tube(&scene, 0.7, 1.1, 0.5, 0.15, 0.02);  // within the region, away from the axis
   const MeshRun run(scene);
-  const Cropped cropped(run, scene, place_at(run, 0.8f, 0.4f, 0.2f));
+  const Cropped cropped(run, scene, position_at(run, 0.8f, 0.4f, 0.2f));
   ASSERT_GT(cropped.crop.surface_vertices, 0u);
   for (uint32_t v = 0; v < cropped.crop.surface_vertices; ++v)
     EXPECT_LT(run.mesh.positions[cropped.crop.source[v]].z, grid(run, 0, 0, 0.1f).z);
@@ -174,7 +174,7 @@ TEST(HandCrop, PartsBesideTheHandStayOut) {
 TEST(HandCrop, IsEmptyWhereThereIsNoSurface) {
   const MeshScene scene = arm();
   const MeshRun run(scene);
-  HandPlace place = place_at(run, 0.8f, 0.4f, 0.2f);
+  HandPosition place = position_at(run, 0.8f, 0.4f, 0.2f);
   place.wrist = grid(run, 3, 3, 3);
   EXPECT_EQ(Cropped(run, scene, place).crop.surface_triangles, 0u);
 }

@@ -63,7 +63,7 @@ struct Aligned {
   }
   // How far joint j's similarity puts joint k from its counterpart, longest sides of the target.
   double off(size_t j, size_t k) const {
-    return length(joints[j](place_of(source.skeleton.positions[k])) - place_of(target.skeleton.positions[k]));
+    return length(joints[j](position_of(source.skeleton.positions[k])) - position_of(target.skeleton.positions[k]));
   }
 };
 

@@ -268,13 +268,13 @@ TEST(Transfer, RubbishIsAStatusOrFinite) {
     point.parents = good.parents;
     MeshScene flat = good;
     for (size_t i = 0; i < flat.positions.size(); i += 3) flat.positions[i] = 0;
-    MeshScene one_place = good;
-    one_place.positions.assign(one_place.positions.size(), 5);
+    MeshScene one_position = good;
+    one_position.positions.assign(one_position.positions.size(), 5);
     MeshScene heap = good;  // all joints at one place
     heap.joints.assign(heap.joints.size(), 0.5f);
     MeshScene huge = good;
     for (float& x : huge.positions) x *= 1e30f;
-    for (const MeshScene* odd : {&point, &flat, &one_place, &heap, &huge}) {
+    for (const MeshScene* odd : {&point, &flat, &one_position, &heap, &huge}) {
       const bool distances = m == SINEW_TRANSFER_BIHARMONIC;
       const sinew_status to = status(good, rows, *odd);
       EXPECT_TRUE(to == SINEW_OK || (distances && to == SINEW_ERROR_RANGE)) << m << " " << to;

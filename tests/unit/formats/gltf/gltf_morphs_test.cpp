@@ -119,7 +119,7 @@ void expect_the_same_weight(const GlbBuilder& builder) {
   json channels = json::array(), samplers = json::array();
   for (const json& joint : correctives["joints"]) {
     const size_t node = joint["node"].get<size_t>();
-    const Quaternion q = multiply(quaternion(joint["rest"]), axis_turn(node % 2, 0.7));
+    const Quaternion q = multiply(quaternion(joint["rest"]), axis_rotation(node % 2, 0.7));
     rotations[node] = q;
     std::vector<float> values;
     for (size_t i = 0; i < 8; ++i) values.push_back(static_cast<float>(q[i % 4]));

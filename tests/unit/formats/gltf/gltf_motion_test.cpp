@@ -54,7 +54,7 @@ TEST(GltfMotion, SamplesEveryInterpolation) {
   EXPECT_EQ(motion.clips[2].name, "animation_2");
   const Clip& smooth = motion.clips[0];
   ASSERT_EQ(smooth.frames.size(), 11u);
-  EXPECT_NEAR(dot(smooth.frames[4].rotations[1], axis_turn(2, 0.4 * std::acos(0.0))), 1, 1e-7) << "constant speed";
+  EXPECT_NEAR(dot(smooth.frames[4].rotations[1], axis_rotation(2, 0.4 * std::acos(0.0))), 1, 1e-7) << "constant speed";
   EXPECT_NEAR(smooth.frames[3].translations[0][0], 10, 1e-6) << "before the first key";
   EXPECT_NEAR(smooth.frames[7].translations[0][0], 11.6, 1e-5);
   EXPECT_NEAR(smooth.frames[7].translations[1][1], 2, 1e-6);
@@ -112,7 +112,7 @@ TEST(GltfMotion, ReadsThroughScaledAndTurnedParents) {
   EXPECT_NEAR(pose.positions[0][0], 11, 1e-5);
   EXPECT_NEAR(pose.positions[0][2], 5, 1e-5);
   EXPECT_NEAR(pose.positions[1][0], 9, 1e-5) << "the knee has turned to the side";
-  EXPECT_NEAR(dot(pose.rotations[1], axis_turn(2, std::acos(0.0))), 1, 1e-6);
+  EXPECT_NEAR(dot(pose.rotations[1], axis_rotation(2, std::acos(0.0))), 1, 1e-6);
 }
 
 TEST(GltfMotion, NodesWithoutASkinAreJoints) {
@@ -175,7 +175,7 @@ Motion swing(const Character& character) {
   for (int f = 0; f < 5; ++f) {
     MotionFrame frame;
     for (const MotionJoint& joint : motion.joints) {
-      frame.rotations.push_back(axis_turn(f % 3 == 0 ? 0 : 2, 0.4 * f));
+      frame.rotations.push_back(axis_rotation(f % 3 == 0 ? 0 : 2, 0.4 * f));
       frame.translations.push_back(joint.offset);
     }
     frame.translations[0][1] += f;
@@ -252,7 +252,7 @@ TEST(GltfMotion, AMeshWithoutADocumentGetsSkinAndClips) {
   Motion still = motion_of(character.joints);
   still.clips.push_back({"still", 0.5, {}});
   for (int f = 0; f < 3; ++f) {
-    still.clips[0].frames.push_back({std::vector<Quaternion>(3, kNoTurn4), {}});
+    still.clips[0].frames.push_back({std::vector<Quaternion>(3, kNoRotation4), {}});
     for (const MotionJoint& joint : still.joints) still.clips[0].frames.back().translations.push_back(joint.offset);
   }
   options.motion = &still;

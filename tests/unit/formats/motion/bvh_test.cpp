@@ -76,7 +76,7 @@ TEST(Bvh, ReadsJointsChannelsAndFrames) {
 
 TEST(Bvh, TurnsApplyInTheOrderOfTheirChannels) {
   const TempFolder folder;
-  const Quaternion x = axis_turn(0, 0.3), y = axis_turn(1, 0.5), z = axis_turn(2, 0.7);
+  const Quaternion x = axis_rotation(0, 0.3), y = axis_rotation(1, 0.5), z = axis_rotation(2, 0.7);
   const std::string degrees[3] = {std::to_string(0.3 * 180 / std::numbers::pi),
                                   std::to_string(0.5 * 180 / std::numbers::pi),
                                   std::to_string(0.7 * 180 / std::numbers::pi)};
@@ -187,10 +187,10 @@ TEST(Bvh, WhatIsWrittenReadsBack) {
   for (int f = 0; f < 40; ++f) {
     MotionFrame frame;
     const double t = 0.31 * f;
-    frame.rotations = {
-        normalised({std::sin(t), std::cos(3 * t), std::sin(5 * t), 0.3}),
-        multiply(axis_turn(2, t), multiply(axis_turn(0, f % 2 == 0 ? std::numbers::pi / 2 : t), axis_turn(1, 2 * t))),
-        kNoTurn4};
+    frame.rotations = {normalised({std::sin(t), std::cos(3 * t), std::sin(5 * t), 0.3}),
+                       multiply(axis_rotation(2, t), multiply(axis_rotation(0, f % 2 == 0 ? std::numbers::pi / 2 : t),
+                                                              axis_rotation(1, 2 * t))),
+                       kNoRotation4};
     frame.translations = {{t, -t, 100 * t}, motion.joints[1].offset, motion.joints[2].offset};
     clip.frames.push_back(frame);
   }

@@ -33,20 +33,21 @@ Morphs one_shape() {
 
 TEST(Morphs, NothingAtRestAndSmoothAtHalfATurn) {
   const MorphDriver driver = one_shape().drivers[0];
-  EXPECT_EQ(driver_weights(driver, {kNoTurn4, kNoTurn4})[0], 0);
-  EXPECT_NEAR(driver_weights(driver, {kNoTurn4, axis_turn(2, 1)})[0], 0.5 * std::sin(1), 1e-9);
-  EXPECT_NEAR(driver_weights(driver, {axis_turn(2, 0.5), axis_turn(0, 1)})[0], 2 * std::sin(0.5) * std::sin(1), 1e-9);
-  EXPECT_NEAR(driver_weights(driver, {axis_turn(2, 0.5), axis_turn(1, 1)})[0], 0, 1e-9);
-  Quaternion other = axis_turn(2, 1);
+  EXPECT_EQ(driver_weights(driver, {kNoRotation4, kNoRotation4})[0], 0);
+  EXPECT_NEAR(driver_weights(driver, {kNoRotation4, axis_rotation(2, 1)})[0], 0.5 * std::sin(1), 1e-9);
+  EXPECT_NEAR(driver_weights(driver, {axis_rotation(2, 0.5), axis_rotation(0, 1)})[0], 2 * std::sin(0.5) * std::sin(1),
+              1e-9);
+  EXPECT_NEAR(driver_weights(driver, {axis_rotation(2, 0.5), axis_rotation(1, 1)})[0], 0, 1e-9);
+  Quaternion other = axis_rotation(2, 1);
   for (double& x : other) x = -x;
-  EXPECT_NEAR(driver_weights(driver, {kNoTurn4, other})[0], 0.5 * std::sin(1), 1e-9) << "the same turn";
+  EXPECT_NEAR(driver_weights(driver, {kNoRotation4, other})[0], 0.5 * std::sin(1), 1e-9) << "the same turn";
   const double half = std::acos(-1.0);
-  EXPECT_NEAR(driver_weights(driver, {axis_turn(2, 0.5), axis_turn(0, half - 1e-6)})[0],
-              driver_weights(driver, {axis_turn(2, 0.5), axis_turn(0, half + 1e-6)})[0], 1e-5);
+  EXPECT_NEAR(driver_weights(driver, {axis_rotation(2, 0.5), axis_rotation(0, half - 1e-6)})[0],
+              driver_weights(driver, {axis_rotation(2, 0.5), axis_rotation(0, half + 1e-6)})[0], 1e-5);
 }
 
 TEST(Morphs, ValuesOfOneTurnAreItsMatrixLessNone) {
-  const std::array<double, 9> values = term_values({0, 0, {}}, {axis_turn(2, 1)});
+  const std::array<double, 9> values = term_values({0, 0, {}}, {axis_rotation(2, 1)});
   EXPECT_NEAR(values[0], std::cos(1) - 1, 1e-9);
   EXPECT_NEAR(values[1], -std::sin(1), 1e-9);
   EXPECT_NEAR(values[3], std::sin(1), 1e-9);
@@ -56,8 +57,8 @@ TEST(Morphs, ValuesOfOneTurnAreItsMatrixLessNone) {
 TEST(Morphs, TurnsAreAgainstTheParent) {
   const Character c = two_points();
   const std::vector<Affine> palette = pose_palette(c, {{0, 0, 90, 0}, {1, 0, 0, 30}});
-  EXPECT_NEAR(dot(joint_turn(c.joints, palette, 1), axis_turn(2, std::acos(-1.0) / 6)), 1, 1e-9);
-  EXPECT_NEAR(dot(joint_turn(c.joints, palette, 0), axis_turn(1, std::acos(0.0))), 1, 1e-9);
+  EXPECT_NEAR(dot(joint_rotation(c.joints, palette, 1), axis_rotation(2, std::acos(-1.0) / 6)), 1, 1e-9);
+  EXPECT_NEAR(dot(joint_rotation(c.joints, palette, 0), axis_rotation(1, std::acos(0.0))), 1, 1e-9);
 }
 
 TEST(Morphs, ShapesMoveBeforeSkinning) {

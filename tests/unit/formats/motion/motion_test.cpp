@@ -19,14 +19,15 @@ TEST(Motion, ResamplesAlongTheArcAtConstantSpeed) {
   ASSERT_EQ(fine.frames.size(), 41u);
   for (size_t f = 0; f < fine.frames.size(); ++f) {
     const double t = 0.25 * static_cast<double>(f);
-    EXPECT_NEAR(dot(fine.frames[f].rotations[1], axis_turn(2, 0.1 * t)), 1, 1e-12);
+    EXPECT_NEAR(dot(fine.frames[f].rotations[1], axis_rotation(2, 0.1 * t)), 1, 1e-12);
     EXPECT_NEAR(fine.frames[f].translations[0][0], t, 1e-9);
   }
   EXPECT_EQ(resample(fine, 10).frames.size(), 11u);
   // The same turn with the other sign is no way round.
-  EXPECT_NEAR(std::abs(dot(slerp(axis_turn(0, 0.2), {-std::sin(0.2), 0, 0, -std::cos(0.2)}, 0.5), axis_turn(0, 0.3))),
-              1, 1e-12);
-  EXPECT_NEAR(dot(slerp(axis_turn(0, 0), axis_turn(0, 2), 0.25), axis_turn(0, 0.5)), 1, 1e-12);
+  EXPECT_NEAR(
+      std::abs(dot(slerp(axis_rotation(0, 0.2), {-std::sin(0.2), 0, 0, -std::cos(0.2)}, 0.5), axis_rotation(0, 0.3))),
+      1, 1e-12);
+  EXPECT_NEAR(dot(slerp(axis_rotation(0, 0), axis_rotation(0, 2), 0.25), axis_rotation(0, 0.5)), 1, 1e-12);
 }
 
 TEST(Motion, CutsBySeconds) {

@@ -3,6 +3,8 @@
 import { readFileSync } from "node:fs";
 import { Worker } from "node:worker_threads";
 import { babylonBuffers, load, playcanvasBuffers } from "@sinew/skin";
+import { load as loadBind } from "@sinew/skin/bind";
+import { bindWasm, wasm } from "@sinew/skin/url";
 import { loadHandsModel, loadModel, loadRigModel } from "@sinew/skin/model";
 import { connect } from "@sinew/skin/worker";
 import { bindHash, readObj, readRig, triangles } from "./characters.mjs";
@@ -30,6 +32,13 @@ for (const name of names) {
     rigid: hash({ rigidParts: "always", softness: 1.5 }),
   };
 }
+
+// The small module, and both as files.
+const { mesh: first, skeleton: firstSkeleton } = read(names[0]);
+const hashBy = async (load, options) => bindHash((await load({ model, ...options })).bind(first, firstSkeleton, { format: "unorm16" }));
+out.small = [await hashBy(loadBind), await hashBy(loadBind, { scalar: true }), await hashBy(loadBind, { wasm: bindWasm })];
+out.byUrl = [await hashBy(load, { wasm }), await hashBy(load, { wasm, scalar: true }), await hashBy(load, { wasm: wasm.simd })];
+out.smallHas = Object.getOwnPropertyNames(Object.getPrototypeOf(await loadBind())).sort();
 
 const rigModel = skin.openModel(await loadRigModel()), handsModel = skin.openModel(await loadHandsModel());
 for (const name of names) {
@@ -70,6 +79,16 @@ const clip = plan.clip({ rotations: Float32Array.from([...still, ...still]), tra
 out.frames = clip.frameCount;
 out.restTurns = Math.max(...clip.rotations.map((x, i) => (i % 4 === 3 ? 0 : Math.abs(x))));
 plan.free();
+// Classes of limbs without a word in a name: a human body says them, as the command does.
+const nameless = (s, letter) => ({ ...s, names: s.names.map((_, j) => `${letter}${j}`) });
+const human = read("biped__robot"), humanMap = skin.map(human.skeleton, other.skeleton).sources;
+const classesOf = (to, from) => {
+  const plan = skin.retarget(from, to, { map: humanMap });
+  const classes = Array.from(plan.classes);
+  plan.free();
+  return classes;
+};
+out.limbs = { named: classesOf(human.skeleton, other.skeleton), nameless: classesOf(nameless(human.skeleton, "a"), nameless(other.skeleton, "b")) };
 const identity = Float32Array.from({ length: 12 * skeleton.names.length }, (_, i) => (i % 12 === 0 || i % 12 === 5 || i % 12 === 10 ? 1 : 0));
 const deformer = skin.deformer(mesh, skeleton, rows);
 const farthest = (positions) => Math.max(...positions.map((x, i) => Math.abs(x - mesh.positions[i])));
@@ -103,7 +122,11 @@ error("finite", () => skin.bind({ positions: mesh.positions.map(() => NaN), indi
 error("never", () => skin.bind(mesh, { ...skeleton, flags: new Uint8Array(skeleton.names.length).fill(1) }, { joints: "all" }));
 error("model", () => skin.openModel(new Uint8Array(100)));
 error("task", () => skin.bind(mesh, skeleton, { model: rigModel }));
-error("cancelled", () => skin.bind(mesh, skeleton, { onProgress: () => false }));
+error("cancelled", () => skin.bind(mesh, skeleton, { onProgress: () => true }));
+let lastShare = 0;
+error("told", () => skin.bind(mesh, skeleton, { onProgress: (share) => (lastShare = share) }));
+error("goesOn", () => skin.bind(mesh, skeleton, { onProgress: () => false }));
+error("answer", () => skin.bind(mesh, skeleton, { answers: [{ vertex: bound.questions[0].vertex, kind: "proposed" }] }));
 out.again = bindHash(skin.bind(mesh, skeleton, { format: "unorm16" })); // after all of these
 
 // Memory is given back: a hundred binds need no more than one.

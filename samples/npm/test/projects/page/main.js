@@ -2,6 +2,8 @@
 // A page with three.js: a bare mesh gets a skeleton, weights and a pose, one with a skeleton its weights beside the page.
 import * as THREE from "three";
 import { load } from "@sinew/skin";
+import { load as loadBind } from "@sinew/skin/bind";
+import { bindWasm, wasm } from "@sinew/skin/url";
 import { loadModel, loadRigModel } from "@sinew/skin/model";
 import { bindGeometry, bindMesh, makeBones, meshOfGeometry, paletteOf, retargetClip, skeletonOfBones } from "@sinew/skin/three";
 import { connect } from "@sinew/skin/worker";
@@ -47,6 +49,13 @@ async function run() {
   const index = geometry.getAttribute("skinIndex").array, weight = geometry.getAttribute("skinWeight").array;
   result.hash = bindHash({ joints: index, weights: unorm(weight) });
   result.told = told;
+  const both = [];
+  for (const binder of [await load({ model, wasm }), await loadBind({ model, wasm: bindWasm })]) {
+    const one = geometryOf(source);
+    await bindGeometry(binder, one, bones);
+    both.push(bindHash({ joints: one.getAttribute("skinIndex").array, weights: unorm(one.getAttribute("skinWeight").array) }));
+  }
+  result.byUrl = both[0] === both[1] ? both[0] : both.join(" ");
   result.read = skeletonOfBones(bones).parents.every((parent, j) => parent === skeleton.parents[j]);
 
   // The same beside the origin, turned and scaled: the mesh's place counts, and a resting SkinnedMesh is where the mesh was.
@@ -66,6 +75,11 @@ async function run() {
     was.fromBufferAttribute(skinned.geometry.getAttribute("position"), v);
     result.restMoves = Math.max(result.restMoves, rest.distanceTo(was));
   }
+
+  // A Skeleton is as good as its bones, carried or not, while it is not posed.
+  const again = meshOf(geometryOf(source), 0xffffff, -0.9);
+  const { bound } = await bindMesh(skin, again, skinned.skeleton);
+  result.bySkeleton = bound.joints.every((joint, i) => joint === skinned.geometry.getAttribute("skinIndex").array[i]);
 
   // A bare mesh: skeleton, weights.
   const bare = meshOf(geometryOf(source), 0xd8a47f, 0.9);
@@ -97,6 +111,12 @@ async function run() {
   result.hips = made[0].getWorldPosition(new THREE.Vector3()).distanceTo(restTip[0]);
   arm.quaternion.copy(turn);
   scene.updateMatrixWorld(true);
+  result.posed = {};
+  for (const [call, refused] of [
+    ["bindMesh", () => bindMesh(skin, again, skinned.skeleton)],
+    ["retargetClip", async () => retargetClip(skin, clip, skinned.skeleton, rigged.skeleton)],
+  ])
+    result.posed[call] = await refused().then(() => "taken", (error) => error.message);
 
   // The same pose with its volume kept: positions in the world.
   const deformer = skin.deformer(meshOfGeometry(skinned.geometry, skinned.matrixWorld), skeletonOfBones(skinned.skeleton), {

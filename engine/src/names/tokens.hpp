@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A joint's name, cut into words and numbers: every tool writes LeftHandIK, left_hand_ik or Bip01 L Hand IK in its own way.
+#ifndef SINEW_NAMES_TOKENS_HPP
+#define SINEW_NAMES_TOKENS_HPP
+
+#include <stdint.h>
+
+namespace sinew::names {
+
+constexpr int kMostNameBytes = 128;  // the last ones of a name are read
+constexpr int kMostTokens = 48;      // the first ones of these
+
+// A word in lower case, or a number. Not terminated.
+struct Text {
+  const char* at = nullptr;
+  int length = 0;
+
+  bool is(const char* word) const;
+  bool ends_with(const char* word) const;
+  bool begins_with(const char* word) const;
+  bool is_number() const { return length > 0 && at[0] >= '0' && at[0] <= '9'; }
+};
+
+// A new word begins at a capital behind a small letter, at the last of several capitals before a small letter, where letters
+// and digits meet, and behind anything else. Full-width letters of Japanese rigs are letters; other characters beyond ASCII
+// are words of their own. What stands before the last colon or bar is a maker's prefix.
+class Tokens {
+ public:
+  int count = 0;
+  Text token[kMostTokens];
+  int16_t begin[kMostTokens];  // bytes of the caller's name
+  int16_t end[kMostTokens];
+
+  // From UTF-8; null has no words.
+  explicit Tokens(const char* name);
+  Tokens(const Tokens&) = delete;
+  Tokens& operator=(const Tokens&) = delete;
+
+ private:
+  char buffer_[kMostNameBytes + 4];
+};
+
+uint32_t hash_of(const Text& text, uint32_t seed = 2166136261u);  // FNV-1a
+
+}  // namespace sinew::names
+#endif

@@ -1,0 +1,596 @@
+// SPDX-License-Identifier: MIT
+// Assimp's scene to glTF. Only where Assimp is: in the command, and in the module of WebAssembly that reads FBX and COLLADA alone.
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <optional>
+#include <set>
+#include <unordered_map>
+
+#include "files/picture_files.hpp"
+#include "gltf/gltf_container.hpp"
+#include "gltf/gltf_from_scene.hpp"
+#include "gltf/scene_animations.hpp"
+#include "gltf/scene_files.hpp"
+#include "gltf/scene_trial.hpp"
+#include "sinew_formats/error.hpp"
+#include "sinew_formats/file_kinds.hpp"
+#include "sinew_formats/file_names.hpp"
+#include "sinew_formats/io.hpp"
+#include "text/text_lines.hpp"
+
+namespace sinew {
+namespace {
+
+Affine affine_of(const aiMatrix4x4& m) {
+  return {static_cast<double>(m.a1), static_cast<double>(m.a2), static_cast<double>(m.a3), static_cast<double>(m.a4),
+          static_cast<double>(m.b1), static_cast<double>(m.b2), static_cast<double>(m.b3), static_cast<double>(m.b4),
+          static_cast<double>(m.c1), static_cast<double>(m.c2), static_cast<double>(m.c3), static_cast<double>(m.c4)};
+}
+
+bool is_finite(const Affine& m) {
+  return std::all_of(m.begin(), m.end(), [](double value) { return std::isfinite(value); });
+}
+
+// Column-major 4x4, as glTF has it.
+std::vector<float> columns_of(const Affine& m) {
+  std::vector<float> out;
+  for (size_t c = 0; c < 4; ++c)
+    for (size_t r = 0; r < 4; ++r) out.push_back(r < 3 ? static_cast<float>(m[r * 4 + c]) : c == 3 ? 1.0f : 0.0f);
+  return out;
+}
+
+// A node's numbers of Assimp's scene, parents before children.
+struct SceneNode {
+  const aiNode* node = nullptr;
+  int parent = -1;
+  Affine world = kIdentity;
+  bool bone = false;          // moves vertices
+  bool bones_below = false;   // itself not counted
+  bool meshes_below = false;  // itself counted
+  bool not_a_joint = false;   // a locator, a camera, a light; FBX says so, COLLADA does not
+  bool joint = false;
+  std::map<int, Affine> binds = {};  // by mesh node
+};
+
+class SceneConverter {
+ public:
+  SceneConverter(const std::string& path, const aiScene& scene)
+      : path_(path), scene_(scene), pictures_(path, &source_.notes) {}
+
+  // Bytes of a GLB.
+  std::vector<uint8_t> convert(std::vector<std::string>* notes) {
+    source_.document = {{"asset", {{"version", "2.0"}, {"generator", "sinew"}}}, {"scene", 0}};
+    collect_nodes();
+    find_bones();
+    find_joints();
+    for (unsigned m = 0; m < scene_.mNumMaterials; ++m) add_material(*scene_.mMaterials[m]);
+    for (size_t n = 0; n < nodes_.size(); ++n) add_node(n);
+    add_unused_skin();
+    document()["scenes"] = {{{"nodes", roots_}}};
+    add_scene_animations(path_, scene_, by_name_, &source_);
+    if (skipped_faces_ != 0)
+      source_.notes.push_back(std::to_string(skipped_faces_) + " points and lines were left out");
+    *notes = std::move(source_.notes);
+    return pack_glb(path_, &document(), std::move(source_.bytes));
+  }
+
+ private:
+  Json& document() { return source_.document; }
+
+  // FBX names its axes and counts in centimetres by a factor; Assimp leaves both to us. (COLLADA's and MD5's are in the
+  // root.)
+  Affine to_metres_and_y_up() const {
+    if (has_extension(path_, ".smd")) return {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0};  // Z is up
+    if (!has_extension(path_, ".fbx") || scene_.mMetaData == nullptr) return kIdentity;
+    float factor = 1;
+    double scale = 1;
+    if (scene_.mMetaData->Get("UnitScaleFactor", factor))
+      scale = static_cast<double>(factor);
+    else if (!scene_.mMetaData->Get("UnitScaleFactor", scale))
+      scale = 1;
+    scale = std::isfinite(scale) && scale > 0 ? scale * 0.01 : 0.01;
+    // Right, up and front of the file become +X, +Y and +Z.
+    const std::array<std::array<const char*, 2>, 3> names = {
+        {{"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}}};
+    Affine rotation{};
+    double determinant = 0;
+    std::array<size_t, 3> axes{};
+    std::array<double, 3> signs{};
+    for (size_t r = 0; r < 3; ++r) {
+      int32_t axis = static_cast<int32_t>(r), sign = 1;
+      (void)scene_.mMetaData->Get(names[r][0], axis);
+      (void)scene_.mMetaData->Get(names[r][1], sign);
+      axes[r] = axis >= 0 && axis < 3 ? static_cast<size_t>(axis) : r;
+      signs[r] = sign < 0 ? -1 : 1;
+      rotation[r * 4 + axes[r]] = signs[r] * scale;
+    }
+    const bool even = (axes[1] + 3 - axes[0]) % 3 == 1;
+    if (axes[0] != axes[1] && axes[1] != axes[2] && axes[0] != axes[2])
+      determinant = signs[0] * signs[1] * signs[2] * (even ? 1 : -1);
+    // Axes that mirror, or name one twice, are no axes.
+    return determinant > 0 ? rotation : Affine{scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0};
+  }
+
+  void collect_nodes() {
+    std::set<std::string> cameras_lights;
+    for (unsigned i = 0; i < scene_.mNumCameras; ++i) cameras_lights.insert(scene_.mCameras[i]->mName.C_Str());
+    for (unsigned i = 0; i < scene_.mNumLights; ++i) cameras_lights.insert(scene_.mLights[i]->mName.C_Str());
+    nodes_.push_back({scene_.mRootNode, -1});
+    for (size_t n = 0; n < nodes_.size(); ++n) {
+      const aiNode& node = *nodes_[n].node;
+      Affine local = affine_of(node.mTransformation);
+      if (n == 0) local = multiply(to_metres_and_y_up(), local);
+      if (!is_finite(local))
+        throw Error(path_ + ": node " + in_quotes(node.mName.C_Str()) + ": expected a finite transform, found another");
+      locals_.push_back(local);
+      nodes_[n].world =
+          nodes_[n].parent < 0 ? local : multiply(nodes_[static_cast<size_t>(nodes_[n].parent)].world, local);
+      bool null = false;
+      if (node.mMetaData != nullptr) (void)node.mMetaData->Get("IsNull", null);
+      nodes_[n].not_a_joint = null || cameras_lights.count(node.mName.C_Str()) != 0;
+      by_name_.emplace(node.mName.C_Str(), n);
+      for (unsigned c = 0; c < node.mNumChildren; ++c) nodes_.push_back({node.mChildren[c], static_cast<int>(n)});
+    }
+  }
+
+  void find_bones() {
+    for (size_t n = 0; n < nodes_.size(); ++n)
+      for (unsigned i = 0; i < nodes_[n].node->mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene_.mMeshes[nodes_[n].node->mMeshes[i]];
+        for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+          const auto at = by_name_.find(mesh.mBones[b]->mName.C_Str());
+          if (at == by_name_.end())
+            throw Error(path_ + ": mesh " + in_quotes(mesh.mName.C_Str()) + ": expected a node for its bone " +
+                        in_quotes(mesh.mBones[b]->mName.C_Str()) + ", found none");
+          nodes_[at->second].bone = true;
+          nodes_[at->second].binds.emplace(static_cast<int>(n), affine_of(mesh.mBones[b]->mOffsetMatrix));
+        }
+      }
+    for (size_t n = nodes_.size(); n-- > 0;) {
+      SceneNode& node = nodes_[n];
+      node.meshes_below = node.meshes_below || node.node->mNumMeshes != 0;
+      if (node.parent < 0) continue;
+      SceneNode& parent = nodes_[static_cast<size_t>(node.parent)];
+      parent.meshes_below = parent.meshes_below || node.meshes_below;
+      parent.bones_below = parent.bones_below || node.bone || node.bones_below;
+    }
+  }
+
+  // FBX marks its locators, so that all else without a mesh is a joint; the others mark nothing.
+  void find_joints() {
+    const bool fbx = has_extension(path_, ".fbx");
+    const bool has_bones = nodes_[0].bones_below || nodes_[0].bone;
+    std::vector<char> below_bone(nodes_.size(), 0);
+    std::vector<int> branches(nodes_.size(), 0);
+    for (size_t n = 1; n < nodes_.size(); ++n) {
+      const size_t parent = static_cast<size_t>(nodes_[n].parent);
+      below_bone[n] = below_bone[parent] != 0 || nodes_[parent].bone;
+      branches[parent] += nodes_[n].bone || nodes_[n].bones_below;
+    }
+    for (size_t n = 0; n < nodes_.size(); ++n) {
+      SceneNode& node = nodes_[n];
+      if (node.bone) node.joint = true;
+      if (node.joint || n == 0 || node.node->mNumMeshes != 0) continue;
+      if (!has_bones)
+        node.joint =
+            fbx && !node.not_a_joint &&
+            !(node.meshes_below && nodes_[static_cast<size_t>(node.parent)].parent < 0 && node.node->mNumChildren == 0);
+      else if (node.bones_below)  // hips without weights: the branches meet there
+        node.joint = below_bone[n] != 0 || (fbx ? !node.not_a_joint : branches[n] > 1 && !node.meshes_below);
+      else  // leaves, and what they hang on
+        node.joint = nodes_[static_cast<size_t>(node.parent)].joint && !node.meshes_below && !node.not_a_joint;
+    }
+    for (size_t n = 0; n < nodes_.size(); ++n)
+      if (nodes_[n].joint) {
+        joint_number_[n] = joint_nodes_.size();
+        joint_nodes_.push_back(n);
+      }
+  }
+
+  void add_node(size_t n) {
+    const SceneNode& from = nodes_[n];
+    Json node = Json::object();
+    node["name"] = from.node->mName.C_Str();
+    if (!stands_alone(n)) position(locals_[n], &node);
+    if (from.parent < 0 || stands_alone(n)) roots_.push_back(n);
+    for (size_t child = n + 1; child < nodes_.size(); ++child)
+      if (nodes_[child].parent == static_cast<int>(n) && !stands_alone(child)) node["children"].push_back(child);
+    if (from.node->mNumMeshes != 0) {
+      const int mesh = add_mesh(n);
+      if (mesh >= 0) {
+        node["mesh"] = mesh;
+        if (is_skinned(n)) node["skin"] = skin_of(n);
+      }
+    }
+    document()["nodes"].push_back(std::move(node));
+  }
+
+  // Translation, rotation and scale, as editors want them; a matrix where these cannot say it (shear).
+  static void position(const Affine& local, Json* node) {
+    if (local == kIdentity) return;
+    const auto f = [&](size_t i) { return static_cast<float>(local[i]); };
+    const aiMatrix4x4 matrix(f(0), f(1), f(2), f(3), f(4), f(5), f(6), f(7), f(8), f(9), f(10), f(11), 0, 0, 0, 1);
+    aiVector3D scale, at;
+    aiQuaternion rotation;
+    matrix.Decompose(scale, rotation, at);
+    rotation.Normalize();
+    const aiMatrix4x4 again(scale, rotation, at);
+    const float size = std::max({std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
+    bool same = size > 0 && std::isfinite(rotation.w);
+    for (unsigned r = 0; r < 3; ++r)
+      for (unsigned c = 0; c < 3; ++c) same = same && std::abs(again[r][c] - matrix[r][c]) <= 1e-5f * size;
+    if (!same) {
+      (*node)["matrix"] = columns_of(local);
+      return;
+    }
+    (*node)["translation"] = {at.x, at.y, at.z};
+    (*node)["rotation"] = {rotation.x, rotation.y, rotation.z, rotation.w};
+    (*node)["scale"] = {scale.x, scale.y, scale.z};
+  }
+
+  // Transforms above a skinned mesh have no effect in glTF, and validators warn about them.
+  bool stands_alone(size_t n) const {
+    return is_skinned(n) && nodes_[n].node->mNumChildren == 0 && !nodes_[n].joint && nodes_[n].parent >= 0;
+  }
+
+  bool is_skinned(size_t n) const {
+    for (unsigned i = 0; i < nodes_[n].node->mNumMeshes; ++i)
+      if (scene_.mMeshes[nodes_[n].node->mMeshes[i]]->mNumBones != 0) return true;
+    return false;
+  }
+
+  // All joints in every skin; those that move nothing of this mesh go with the nearest joint above that does.
+  int skin_of(size_t mesh_node) {
+    std::vector<std::optional<Affine> > positions(nodes_.size());  // world x bind, where known
+    std::optional<Affine> first;
+    for (size_t n = 0; n < nodes_.size(); ++n) {
+      const auto at = nodes_[n].binds.find(static_cast<int>(mesh_node));
+      if (at == nodes_[n].binds.end()) continue;
+      positions[n] = multiply(nodes_[n].world, at->second);
+      if (!first) first = positions[n];
+    }
+    std::vector<float> values;
+    for (const size_t n : joint_nodes_) {
+      Affine bind = kIdentity;
+      const auto at = nodes_[n].binds.find(static_cast<int>(mesh_node));
+      if (at != nodes_[n].binds.end()) {
+        bind = at->second;
+      } else {
+        std::optional<Affine> position;
+        for (int up = nodes_[n].parent; up >= 0 && !position; up = nodes_[static_cast<size_t>(up)].parent)
+          position = positions[static_cast<size_t>(up)];
+        const std::optional<Affine> back = inverse(nodes_[n].world);
+        if (back) bind = multiply(*back, position ? *position : *first);
+      }
+      if (!is_finite(bind))
+        throw Error(path_ + ": joint " + in_quotes(nodes_[n].node->mName.C_Str()) +
+                    ": expected a finite bind matrix, found another");
+      const std::vector<float> columns = columns_of(bind);
+      values.insert(values.end(), columns.begin(), columns.end());
+    }
+    const auto [known, is_new] = skins_.try_emplace(values, static_cast<int>(skins_.size()));
+    if (is_new) {
+      const int accessor = add_accessor(&source_, values.data(), values.size() * 4, "MAT4",
+                                        TINYGLTF_COMPONENT_TYPE_FLOAT, joint_nodes_.size(), false, false);
+      document()["skins"].push_back({{"joints", joint_nodes_}, {"inverseBindMatrices", accessor}});
+    }
+    return known->second;
+  }
+
+  // A skeleton that moves no mesh yet.
+  void add_unused_skin() {
+    if (skins_.empty() && !joint_nodes_.empty()) document()["skins"].push_back({{"joints", joint_nodes_}});
+  }
+
+  int add_mesh(size_t n) {
+    const aiNode& node = *nodes_[n].node;
+    Json primitives = Json::array();
+    std::set<unsigned> target_counts;
+    std::vector<std::string> target_names;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
+      const Json primitive = primitive_of(node.mMeshes[i]);
+      if (primitive.is_null()) continue;
+      target_counts.insert(mesh.mNumAnimMeshes);
+      target_names.clear();
+      for (unsigned t = 0; t < mesh.mNumAnimMeshes; ++t) target_names.push_back(mesh.mAnimMeshes[t]->mName.C_Str());
+      primitives.push_back(primitive);
+    }
+    if (primitives.empty()) return -1;
+    Json mesh = {{"name", node.mName.C_Str()}};
+    if (target_counts.size() > 1) {  // glTF: all primitives of a mesh have the same
+      for (Json& primitive : primitives) primitive.erase("targets");
+      source_.notes.push_back("blend shapes of " + in_quotes(node.mName.C_Str()) +
+                              " were left out: its parts have different ones");
+    } else if (!target_names.empty()) {
+      mesh["extras"] = {{"targetNames", target_names}};
+    }
+    mesh["primitives"] = std::move(primitives);
+    document()["meshes"].push_back(std::move(mesh));
+    return static_cast<int>(document()["meshes"].size()) - 1;
+  }
+
+  using Influences = std::vector<std::pair<uint16_t, float> >;
+
+  std::vector<Influences> influences_of(const aiMesh& mesh) const {
+    std::vector<Influences> rows(mesh.mNumBones == 0 ? 0 : mesh.mNumVertices);
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+      const aiBone& bone = *mesh.mBones[b];
+      const uint16_t joint = static_cast<uint16_t>(joint_number_.at(by_name_.at(bone.mName.C_Str())));
+      for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+        const aiVertexWeight& weight = bone.mWeights[w];
+        if (weight.mVertexId < mesh.mNumVertices && weight.mWeight > 0 && std::isfinite(weight.mWeight))
+          rows[weight.mVertexId].emplace_back(joint, weight.mWeight);
+      }
+    }
+    for (Influences& row : rows) {
+      std::stable_sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+      float sum = 0;
+      for (const auto& [joint, weight] : row) sum += weight;
+      for (auto& [joint, weight] : row) weight /= sum;
+    }
+    return rows;
+  }
+
+  // Corners that agree in everything are one vertex: Assimp hands out one vertex per corner.
+  struct Joined {
+    std::vector<unsigned> first;    // a corner of each vertex
+    std::vector<uint32_t> indices;  // of triangles
+  };
+
+  Joined join(const aiMesh& mesh, const std::vector<Influences>& rows) {
+    Joined joined;
+    std::unordered_map<std::string, uint32_t> numbers;
+    const auto add = [](std::string* key, const auto& value) {
+      key->append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+      const aiFace& face = mesh.mFaces[f];
+      if (face.mNumIndices != 3) {
+        ++skipped_faces_;
+        continue;
+      }
+      for (unsigned c = 0; c < 3; ++c) {
+        const unsigned v = face.mIndices[c];
+        if (v >= mesh.mNumVertices)
+          throw Error(path_ + ": mesh " + in_quotes(mesh.mName.C_Str()) + ": expected vertices below " +
+                      std::to_string(mesh.mNumVertices) + ", found " + std::to_string(v));
+        std::string key;
+        add(&key, mesh.mVertices[v]);
+        if (mesh.HasNormals()) add(&key, mesh.mNormals[v]);
+        if (mesh.HasTextureCoords(0)) add(&key, mesh.mTextureCoords[0][v]);
+        if (mesh.HasVertexColors(0)) add(&key, mesh.mColors[0][v]);
+        for (unsigned t = 0; t < mesh.mNumAnimMeshes; ++t)
+          if (mesh.mAnimMeshes[t]->HasPositions()) add(&key, mesh.mAnimMeshes[t]->mVertices[v]);
+        if (!rows.empty())
+          for (const auto& [joint, weight] : rows[v]) add(&key, joint), add(&key, weight);
+        const auto [at, is_new] = numbers.emplace(std::move(key), static_cast<uint32_t>(joined.first.size()));
+        if (is_new) joined.first.push_back(v);
+        joined.indices.push_back(at->second);
+      }
+    }
+    return joined;
+  }
+
+  int add_vectors(const std::vector<float>& values, int width, bool with_bounds) {
+    const size_t w = static_cast<size_t>(width);
+    const int accessor = add_accessor(&source_, values.data(), values.size() * 4,
+                                      width == 2   ? "VEC2"
+                                      : width == 3 ? "VEC3"
+                                                   : "VEC4",
+                                      TINYGLTF_COMPONENT_TYPE_FLOAT, values.size() / w, true, false);
+    if (!with_bounds) return accessor;
+    std::vector<float> low(values.begin(), values.begin() + width), high = low;
+    for (size_t i = 0; i < values.size(); ++i) {
+      low[i % w] = std::min(low[i % w], values[i]);
+      high[i % w] = std::max(high[i % w], values[i]);
+    }
+    document()["accessors"].back()["min"] = low;
+    document()["accessors"].back()["max"] = high;
+    return accessor;
+  }
+
+  Json primitive_of(unsigned mesh_index) {
+    const auto known = primitives_.find(mesh_index);
+    if (known != primitives_.end()) return known->second;
+    Json& primitive = primitives_[mesh_index];
+    const aiMesh& mesh = *scene_.mMeshes[mesh_index];
+    const std::vector<Influences> rows = influences_of(mesh);
+    const Joined joined = join(mesh, rows);
+    if (joined.first.empty()) return primitive;
+    Json attributes;
+    std::vector<float> positions, normals, uvs, colours;
+    for (const unsigned v : joined.first) {
+      const aiVector3D& p = mesh.mVertices[v];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        throw Error(path_ + ": mesh " + in_quotes(mesh.mName.C_Str()) + ": expected finite positions, found others");
+      positions.insert(positions.end(), {p.x, p.y, p.z});
+      if (mesh.HasNormals()) {
+        aiVector3D normal = mesh.mNormals[v];
+        const float length = normal.Length();
+        normal = std::isfinite(length) && length > 1e-20f ? normal / length : aiVector3D(0, 1, 0);
+        normals.insert(normals.end(), {normal.x, normal.y, normal.z});
+      }
+      const auto number = [](float value) { return std::isfinite(value) ? value : 0.0f; };
+      if (mesh.HasTextureCoords(0)) {
+        const aiVector3D& uv = mesh.mTextureCoords[0][v];
+        uvs.insert(uvs.end(), {number(uv.x), number(1 - uv.y)});
+      }
+      if (mesh.HasVertexColors(0)) {
+        const aiColor4D& colour = mesh.mColors[0][v];
+        for (const float channel : {colour.r, colour.g, colour.b, colour.a})
+          colours.push_back(std::clamp(number(channel), 0.0f, 1.0f));
+      }
+    }
+    attributes["POSITION"] = add_vectors(positions, 3, true);
+    if (!normals.empty()) attributes["NORMAL"] = add_vectors(normals, 3, false);
+    if (!uvs.empty()) attributes["TEXCOORD_0"] = add_vectors(uvs, 2, false);
+    if (!colours.empty()) attributes["COLOR_0"] = add_vectors(colours, 4, false);
+    add_weights(joined, rows, &attributes);
+    primitive = {{"attributes", attributes}};
+    primitive["indices"] = add_accessor(&source_, joined.indices.data(), joined.indices.size() * 4, "SCALAR",
+                                        TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, joined.indices.size(), false, false);
+    document()["bufferViews"].back()["target"] = TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER;
+    if (mesh.mMaterialIndex < scene_.mNumMaterials) primitive["material"] = mesh.mMaterialIndex;
+    for (unsigned t = 0; t < mesh.mNumAnimMeshes; ++t) {
+      const aiAnimMesh& target = *mesh.mAnimMeshes[t];
+      std::vector<float> differences;
+      for (const unsigned v : joined.first) {
+        const aiVector3D d = target.HasPositions() ? target.mVertices[v] - mesh.mVertices[v] : aiVector3D();
+        for (const float value : {d.x, d.y, d.z}) differences.push_back(std::isfinite(value) ? value : 0.0f);
+      }
+      primitive["targets"].push_back({{"POSITION", add_vectors(differences, 3, true)}});
+    }
+    return primitive;
+  }
+
+  void add_weights(const Joined& joined, const std::vector<Influences>& rows, Json* attributes) {
+    if (rows.empty()) return;
+    size_t longest = 1;
+    for (const unsigned v : joined.first) longest = std::max(longest, rows[v].size());
+    for (size_t set = 0; set * 4 < longest; ++set) {
+      std::vector<uint16_t> joints;
+      std::vector<float> weights;
+      for (const unsigned v : joined.first)
+        for (size_t k = set * 4; k < set * 4 + 4; ++k) {
+          joints.push_back(k < rows[v].size() ? rows[v][k].first : uint16_t{0});
+          weights.push_back(k < rows[v].size() ? rows[v][k].second : 0.0f);
+        }
+      (*attributes)["JOINTS_" + std::to_string(set)] =
+          add_accessor(&source_, joints.data(), joints.size() * 2, "VEC4", TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                       joints.size() / 4, true, false);
+      (*attributes)["WEIGHTS_" + std::to_string(set)] = add_vectors(weights, 4, false);
+    }
+  }
+
+  int texture_of(const aiMaterial& material, std::initializer_list<aiTextureType> kinds, bool normals) {
+    for (const aiTextureType kind : kinds) {
+      aiString name;
+      if (material.GetTexture(kind, 0, &name) != AI_SUCCESS || name.length == 0 || name == aiString(".")) continue;
+      const auto [at, is_new] = textures_.try_emplace(name.C_Str(), -1);
+      if (!is_new) return at->second;
+      Picture picture;
+      if (const aiTexture* inside = scene_.GetEmbeddedTexture(name.C_Str()); inside != nullptr) {
+        const uint8_t* bytes = reinterpret_cast<const uint8_t*>(inside->pcData);
+        if (inside->mHeight == 0 && png_or_jpeg(bytes, inside->mWidth) != nullptr)
+          picture = std::make_shared<std::vector<uint8_t> >(bytes, bytes + inside->mWidth);
+        else
+          source_.notes.push_back("embedded picture " + in_quotes(name.C_Str()) +
+                                  " is no PNG or JPEG and was left out");
+      } else {
+        picture = pictures_.find(name.C_Str());
+      }
+      if (!picture || (normals && is_grey(*picture))) return -1;
+      source_.bytes.resize((source_.bytes.size() + 3) / 4 * 4);
+      document()["bufferViews"].push_back(
+          {{"buffer", 0}, {"byteOffset", source_.bytes.size()}, {"byteLength", picture->size()}});
+      source_.bytes.insert(source_.bytes.end(), picture->begin(), picture->end());
+      if (!document().contains("buffers")) document()["buffers"] = Json::array({Json::object()});
+      document()["images"].push_back({{"bufferView", document()["bufferViews"].size() - 1},
+                                      {"mimeType", png_or_jpeg(picture->data(), picture->size())}});
+      document()["textures"].push_back({{"source", document()["images"].size() - 1}});
+      return at->second = static_cast<int>(document()["textures"].size()) - 1;
+    }
+    return -1;
+  }
+
+  void add_material(const aiMaterial& from) {
+    aiString name;
+    (void)from.Get(AI_MATKEY_NAME, name);
+    std::array<float, 4> base = {1, 1, 1, 1};
+    aiColor3D colour;
+    if (from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS) base = {colour.r, colour.g, colour.b, 1};
+    float opacity = 1;
+    // 0 is what exporters write who mean the opposite: nobody exports an invisible body.
+    if (from.Get(AI_MATKEY_OPACITY, opacity) == AI_SUCCESS && opacity > 0 && opacity < 1) base[3] = opacity;
+    Json material = {{"name", name.C_Str()}};
+    const int texture = texture_of(from, {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}, false);
+    Json& surface = material["pbrMetallicRoughness"];
+    surface = {{"metallicFactor", 0}, {"roughnessFactor", 0.9}};
+    if (texture >= 0) {
+      base[0] = base[1] = base[2] = 1;
+      surface["baseColorTexture"] = {{"index", texture}};
+    }
+    for (float& channel : base) channel = std::isfinite(channel) ? std::clamp(channel, 0.0f, 1.0f) : 1.0f;
+    surface["baseColorFactor"] = base;
+    if (base[3] < 1) material["alphaMode"] = "BLEND";
+    const int normal =
+        texture_of(from, {aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA, aiTextureType_HEIGHT}, true);
+    if (normal >= 0) material["normalTexture"] = {{"index", normal}};
+    document()["materials"].push_back(std::move(material));
+  }
+
+  std::string path_;
+  const aiScene& scene_;
+  GltfSource source_;
+  PictureFiles pictures_;
+  std::vector<SceneNode> nodes_;
+  std::vector<Affine> locals_;
+  std::vector<size_t> roots_;
+  std::map<std::string, size_t> by_name_;
+  std::vector<size_t> joint_nodes_;
+  std::map<size_t, size_t> joint_number_;
+  std::map<std::vector<float>, int> skins_;
+  std::map<unsigned, Json> primitives_;
+  std::map<std::string, int> textures_;
+  size_t skipped_faces_ = 0;
+};
+
+bool names_are_unique(const aiNode* root) {
+  std::set<std::string> seen;
+  std::vector<const aiNode*> open = {root};
+  while (!open.empty()) {
+    const aiNode* node = open.back();
+    open.pop_back();
+    if (!seen.insert(node->mName.C_Str()).second) return false;
+    open.insert(open.end(), node->mChildren, node->mChildren + node->mNumChildren);
+  }
+  return true;
+}
+
+const aiScene* import(const std::string& path, bool names_for_people, Assimp::Importer* importer) {
+  // Without this, a joint of FBX becomes a chain of up to ten nodes named $AssimpFbx$.
+  importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  importer->SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, names_for_people);
+#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 turns it itself unless told not to
+  importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION, true);
+#endif
+  const KeptOutput kept(has_extension(path, ".mesh.xml"));
+  const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
+  if (scene == nullptr || scene->mRootNode == nullptr)
+    throw Error(path + ": expected " + file_kind(path)->name +
+                ", found a file that Assimp does not read: " + one_line(importer->GetErrorString()));
+  return scene;
+}
+
+}  // namespace
+
+std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::string>* notes) {
+  const size_t bytes = read_file(path).size();
+  if (bytes == 0) throw Error(path + ": expected a scene, found an empty file");
+  const bool well_known = has_extension(path, ".fbx") || has_extension(path, ".dae");
+  if (!well_known && !survives(path, bytes))
+    throw Error(path + ": expected " + file_kind(path)->name + ", found a file that Assimp does not survive");
+  try {
+    Assimp::Importer importer;
+    importer.SetIOHandler(new SceneFiles);  // the importer deletes it
+    const aiScene* scene = import(path, true, &importer);
+    // COLLADA's bones are found by name: where two nodes share one, by identifier.
+    if (has_extension(path, ".dae") && !names_are_unique(scene->mRootNode)) scene = import(path, false, &importer);
+    return SceneConverter(path, *scene).convert(notes);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(path + ": expected a whole scene, found one that does not read: " + one_line(error.what()));
+  }
+}
+
+}  // namespace sinew

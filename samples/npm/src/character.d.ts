@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// What the command does with one character, with its defaults: sinew/character.h says more of each option.
+import type { Mesh, Progress, Skeleton, WasmSource } from "./index.js";
+export { SinewError } from "./index.js";
+
+export interface BindOptions {
+  method?: "model" | "heat" | "distance";
+  influences?: number;
+  /** y where it is missing */
+  up?: "x" | "y" | "z";
+  /** where it is known from which joints may get weight; auto: mesh by mesh those that have some, else by names */
+  joints?: "auto" | "own" | "names" | "all";
+  rigidParts?: "auto" | "always" | "never";
+  /** 0.25..4 */
+  softness?: number;
+  surfaceVertices?: number;
+  keepTips?: boolean;
+  /** meshes that hang on joints are bound too */
+  bindProps?: boolean;
+  /** a skeleton in other units or beside the mesh is brought into it */
+  fit?: boolean;
+  symmetric?: boolean;
+  keepConfidence?: boolean;
+  onProgress?: Progress;
+}
+export interface RigOptions {
+  method?: "auto" | "votes" | "shape" | "regions";
+  detail?: "body" | "hands" | "full";
+  mirror?: "auto" | "always" | "never";
+  /** y where it is missing */
+  up?: "x" | "y" | "z";
+  spine?: number;
+  toes?: boolean;
+  ends?: boolean;
+  /** false: the skeleton alone */
+  bind?: boolean;
+  keepLengths?: boolean;
+  influences?: number;
+  /** a bundled skeleton that is put into the mesh: "mixamo", "vrm", "unreal", "rigify", ... */
+  template?: string;
+  onProgress?: Progress;
+}
+export interface RetargetOptions {
+  method?: "auto" | "copy" | "contacts" | "reference-points";
+  inPlace?: boolean;
+  /** false: knees and elbows may leave their natural range */
+  range?: boolean;
+  targetUp?: "x" | "y" | "z";
+  motionUp?: "x" | "y" | "z";
+  /** every frame is corrected by morph targets */
+  deform?: "linear" | "volume" | "xpbd" | "delta-mush";
+  bodyContact?: boolean;
+  shapes?: number;
+  fps?: number;
+  /** seconds */
+  from?: number;
+  to?: number;
+  /** by name or number; all where it is missing */
+  clip?: string | number;
+  onProgress?: Progress;
+}
+export interface TransferOptions {
+  method?: "auto" | "nearest" | "biharmonic" | "rebind";
+  influences?: number;
+  targetUp?: "x" | "y" | "z";
+  sourceUp?: "x" | "y" | "z";
+  garment?: boolean;
+  heat?: boolean;
+  onProgress?: Progress;
+}
+
+export interface CharacterArrays {
+  name: string;
+  mesh: Mesh;
+  skeleton: Skeleton;
+  /** joint: that a mesh without a skin hangs on, or -1 */
+  meshes: { name: string; joint: number; skinned: boolean }[];
+  /** rows as CSR; null without weights */
+  weights: { rowOffsets: Uint32Array; joints: Uint32Array; weights: Float32Array } | null;
+  /** [V] of the last bind */
+  confidence: Uint8Array | null;
+}
+
+export class CharacterFile {
+  private constructor();
+  readonly notes: string[];
+  bind(options?: BindOptions): {
+    hash: string; seconds: number; symmetricVertices: number; keptMeshes: number; foldedTips: number; leftOut: { joint: number; why: string }[];
+  };
+  rig(options?: RigOptions): { mirrored: boolean; matched: number; spread: number; seconds: number };
+  retarget(motion: CharacterFile, options?: RetargetOptions): {
+    clipCount: number; mapped: number; rigged: boolean; shapeCount: number; certainty: number; mappedBy: string;
+  };
+  transfer(source: CharacterFile, options?: TransferOptions): { carried: number; fitted: boolean; bound: boolean };
+  view(): CharacterArrays;
+  /** bytes of a .glb, .vrm, .bvh or .rig.txt */
+  save(name: string): Uint8Array;
+  /** all files that the command would write, the named one first */
+  files(name: string): { name: string; bytes: Uint8Array }[];
+  close(): void;
+}
+
+export class CharacterModule {
+  private constructor();
+  open(bytes: ArrayBuffer | ArrayBufferView, name: string, beside?: Record<string, ArrayBuffer | ArrayBufferView>): Promise<CharacterFile>;
+}
+
+/** wasm, scenes: wasm/character.wasm and, for FBX and COLLADA, wasm/scenes.wasm, where the bundler does not know new URL(). */
+export function load(options?: { wasm?: WasmSource; scenes?: WasmSource }): Promise<CharacterModule>;

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+// Whole characters from and to files, as the command has them: its defaults, its bytes. `sinew/character.h` as WebAssembly.
+import { WORDS } from "./layouts.js";
+import { compile, hasSimd } from "./loader.js";
+import { SinewError } from "./memory.js";
+import { isScene, readScenesBy } from "./scenes.js";
+import { choice } from "./shapes.js";
+
+
+// Options by name to members of the C structs: a number or yes as it is, a word by its place in a list.
+const BIND = {
+  method: WORDS.method, influences: "influence_count", up: WORDS.up, joints: WORDS.jointsFrom, rigidParts: WORDS.rigidParts,
+  softness: "softness_percent", surfaceVertices: "surface_vertices", keepTips: "keep_tips", bindProps: "bind_props", fit: "fit", symmetric: "symmetric", keepConfidence: "keep_confidence",
+};
+const RIG = {
+  method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, spine: "spine_count",
+  toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", template: "skeleton",
+};
+const RETARGET = {
+  method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",
+  clip: "clip",
+};
+const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };
+const MEMBERS = { rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up" };
+
+function wishOf(call, known, options) {
+  const wish = {};
+  for (const [name, value] of Object.entries(options)) {
+    const member = known[name];
+    if (value === undefined || name === "onProgress") continue;
+    if (member === undefined) throw new SinewError(`${call}: options.${name}: expected ${Object.keys(known).join(", ")}, found another option`);
+    if (Array.isArray(member)) wish[MEMBERS[name] ?? name] = choice(value, member, `${call}: options.${name}`);
+    else if (member[0] === "!") wish[member.slice(1)] = value === false;
+    else if (name === "softness") wish[member] = Math.round(value * 100);
+    else if (name === "template") wish[member] = `template:${value}`;
+    else wish[member] = name === "clip" ? String(value) : value;
+  }
+  return JSON.stringify(wish);
+}
+
+/** A character in the module's memory; close() gives it back. Made by CharacterModule.open(). */
+export class CharacterFile {
+  #house;
+  #handle;
+  constructor(house, handle) {
+    this.#house = house;
+    this.#handle = handle;
+  }
+
+  #at(call) {
+    if (this.#handle === 0) throw new SinewError(`${call}: the character is closed`);
+    return this.#handle;
+  }
+
+  #job(call, known, options, run) {
+    const at = this.#at(call);
+    return this.#house.said(call, options.onProgress, () => this.#house.withText(wishOf(call, known, options), (text) => run(at, text)));
+  }
+
+  /** Remarks of the reader and of the jobs, a line each. */
+  get notes() {
+    return this.#house.said("notes", null, () => this.#house.module._character_notes(this.#at("notes"))).split("\n").filter(Boolean);
+  }
+
+  /** `sinew bind` */
+  bind(options = {}) {
+    return this.#job("bind", BIND, options, (at, text) => this.#house.module._character_bind(at, text));
+  }
+
+  /** `sinew rig`: a skeleton, and the mesh bound to it. */
+  rig(options = {}) {
+    return this.#job("rig", RIG, options, (at, text) => this.#house.module._character_rig(at, text));
+  }
+
+  /** `sinew animate`: adds the clips of another character or motion. @param {CharacterFile} motion */
+  retarget(motion, options = {}) {
+    if (!(motion instanceof CharacterFile)) throw new SinewError("retarget: expected what open() gave for the motion's file");
+    return this.#job("retarget", RETARGET, options, (at, text) => this.#house.module._character_animate(at, motion.#at("retarget"), text));
+  }
+
+  /** `sinew transfer`: carries the weights of a bound character to this one. @param {CharacterFile} source */
+  transfer(source, options = {}) {
+    if (!(source instanceof CharacterFile)) throw new SinewError("transfer: expected what open() gave for the bound character's file");
+    return this.#job("transfer", TRANSFER, options, (at, text) => this.#house.module._character_transfer(source.#at("transfer"), at, text));
+  }
+
+  /** Copies of its arrays: mesh, skeleton and, where it has weights, rows of them as CSR. */
+  view() {
+    const { module } = this.#house;
+    const told = this.#house.said("view", null, () => module._character_view(this.#at("view")));
+    const take = (type, at, length) => (at === 0 ? null : new type(module.HEAPU8.buffer, at, length).slice());
+    const { vertexCount: V, jointCount: J, faceCount: F, cornerCount: C, name, jointNames, meshes } = told;
+    const rowOffsets = take(Uint32Array, told.rowOffsets, V + 1);
+    const count = rowOffsets ? rowOffsets[V] : 0;
+    return {
+      name,
+      mesh: { positions: take(Float32Array, told.positions, 3 * V), faceOffsets: take(Uint32Array, told.faceOffsets, F + 1), faceVertices: take(Uint32Array, told.faceVertices, C) },
+      skeleton: { names: jointNames, positions: take(Float32Array, told.jointPositions, 3 * J), parents: take(Int32Array, told.parents, J) },
+      meshes,
+      weights: rowOffsets ? { rowOffsets, joints: take(Uint32Array, told.jointIndices, count), weights: take(Float32Array, told.weights, count) } : null,
+      confidence: take(Uint8Array, told.confidence, V),
+    };
+  }
+
+  /** The bytes of a file by its extension: .glb, .vrm, .bvh, .rig.txt; of .gltf and .obj what lies beside is in files. */
+  save(name) {
+    return this.files(name)[0].bytes;
+  }
+
+  /** All files that the command would write: [{name, bytes}], the named one first. */
+  files(name) {
+    const { module } = this.#house;
+    const list = this.#house.said("save", null, () => this.#house.withText(name, (text) => module._character_write(this.#at("save"), text)));
+    return list.map(({ name: one, at, size }) => ({ name: one, bytes: module.HEAPU8.slice(at, at + size) }));
+  }
+
+  close() {
+    if (this.#handle !== 0) this.#house.module._character_close(this.#handle);
+    this.#handle = 0;
+  }
+}
+
+/** The module. Made by load(). */
+export class CharacterModule {
+  #scenesFrom;
+  #scenes = null;
+
+  constructor(module, scenesFrom) {
+    /** Of emscripten. */
+    this.module = module;
+    this.#scenesFrom = scenesFrom;
+  }
+
+  /**
+   * Opens a file by its extension: OBJ, GLB, glTF, VRM, FBX, COLLADA, BVH, rig.txt. FBX and COLLADA fetch another module once.
+   * @param {ArrayBuffer | ArrayBufferView} bytes
+   * @param {string} name "hero.glb"
+   * @param {Record<string, ArrayBuffer | ArrayBufferView>} beside what lies beside it: a .bin, pictures, .mtl, NAME.rig.txt
+   * @returns {Promise<CharacterFile>}
+   */
+  async open(bytes, name, beside = {}) {
+    const { module } = this;
+    if (isScene(name)) await (this.#scenes ??= this.#scenesFrom(module));
+    const files = [[name, bytes], ...Object.entries(beside)];
+    const blocks = [];
+    const put = (data) => {
+      const at = module._malloc(Math.max(data.length, 1));
+      blocks.push(at);
+      module.HEAPU8.set(data, at);
+      return at;
+    };
+    try {
+      const rows = files.flatMap(([one, data]) => {
+        if (typeof one !== "string" || !(data instanceof ArrayBuffer || ArrayBuffer.isView(data))) throw new SinewError(`open: ${one}: expected a name and the file's bytes`);
+        const view = data instanceof ArrayBuffer ? new Uint8Array(data) : new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+        return [put(new TextEncoder().encode(`${one}\0`)), put(view), view.length];
+      });
+      const at = put(new Uint8Array(Uint32Array.from(rows).buffer));
+      const { handle } = this.said("open", null, () => module._character_open(at, files.length));
+      return new CharacterFile(this, handle);
+    } finally {
+      for (const at of blocks) module._free(at);
+    }
+  }
+
+  withText(value, use) {
+    const size = this.module.lengthBytesUTF8(value) + 1, at = this.module._malloc(size);
+    try {
+      this.module.stringToUTF8(value, at, size);
+      return use(at);
+    } finally {
+      this.module._free(at);
+    }
+  }
+
+  // What a call replies; its error is thrown.
+  said(call, onProgress, run) {
+    this.module.onProgress = onProgress ?? null;
+    try {
+      const reply = JSON.parse(this.module.UTF8ToString(run()));
+      if (reply?.error !== undefined) throw new SinewError(reply.error, reply.status);
+      return reply;
+    } finally {
+      this.module.onProgress = null;
+    }
+  }
+}
+
+const started = (glue, compiled) =>
+  glue({
+    instantiateWasm(imports, done) {
+      WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled));
+      return {};
+    },
+    print: () => {},
+    printErr: () => {},
+  });
+
+/**
+ * Starts the module.
+ * @param {{wasm?: import("./index.js").WasmSource, scenes?: import("./index.js").WasmSource}} options where wasm/character.wasm and wasm/scenes.wasm are,
+ * for bundlers that do not know `new URL(..., import.meta.url)`
+ * @returns {Promise<CharacterModule>}
+ */
+export async function load(options = {}) {
+  if (!hasSimd()) throw new SinewError("load: this browser has no SIMD for WebAssembly (before 2021; Safari before 2023)");
+  const wasm = options.wasm ?? new URL("../wasm/character.wasm", import.meta.url);
+  const scenesWasm = options.scenes ?? new URL("../wasm/scenes.wasm", import.meta.url);
+  const [glue, compiled] = await Promise.all([import("../wasm/character.js"), compile(wasm)]);
+  return new CharacterModule(await started(glue.default, compiled), async (module) => {
+    const [scenes, compiledScenes] = await Promise.all([import("../wasm/scenes.js"), compile(scenesWasm)]);
+    return readScenesBy(module, scenes.default, compiledScenes);
+  });
+}

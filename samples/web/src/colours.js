@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What the mesh's colours show, and the legend.
+import { lookText } from "./asking.js";
+import { run } from "./jobs.js";
+import { sureColour } from "./skeleton.js";
+import { $, at, engine, modes } from "./state.js";
+
+const asked = [240, 120, 20]; // sRGB of the part that a question is about, as in the command's pictures
+const dimmed = [52, 58, 67]; // and what the rest fades to
+
+export async function colour() {
+  if ((at.mode === modes.field || at.mode === modes.artistField) && at.view.selected < 0) at.mode = modes.joints;
+  const isArtists = at.mode === modes.artist || at.mode === modes.artistField;
+  if ((isArtists || at.mode === modes.difference) && !at.character?.hasReference) at.mode = modes.joints;
+  for (const input of document.querySelectorAll("#mode input, #artist input")) {
+    input.checked = Number(input.value) === (isArtists ? modes.artist : at.mode);
+    input.disabled = !at.character?.result || (Number(input.value) === modes.field && at.view.selected < 0);
+  }
+  showLegend();
+  showSure();
+  if (!at.character?.result) return;
+  await showLookOfFile();
+  const shown = at.mode === modes.material ? modes.joints : at.mode;
+  const { mean, buffers } = await engine.call("colour", { mode: shown, joint: Math.max(0, at.view.selected) });
+  at.shownMean = mean;
+  showLegend();
+  at.view.setColours(emphasised(buffers.colours));
+}
+
+// The GLB that would be saved now, with its materials, instead of the colours; read anew after each bind.
+async function showLookOfFile() {
+  if (at.mode !== modes.material) return at.view.setLook(null);
+  const { result, joints } = at.character;
+  if (at.view.look?.result === result) return;
+  const { Look } = await import("./look.js");
+  const { buffers } = await engine.call("glb", { name: at.character.name });
+  const look = await Look.of(buffers.bytes, joints.map(({ name }) => name));
+  look.result = result;
+  at.view.setLook(look);
+}
+
+// The part that is looked at, orange where it is only asked about, and the rest dimmed.
+function emphasised(colours) {
+  if (!at.shownLook) return colours;
+  const { of, number: wanted } = at.shownLook.question.members;
+  const { vertexOf } = at.character.buffers;
+  const isAsked = at.shownLook.answer === undefined;
+  return colours.map((c, i) => {
+    const axis = i % 3;
+    if (of[vertexOf[(i - axis) / 3]] !== wanted) return 0.15 * c + 0.85 * dimmed[axis];
+    return isAsked ? asked[axis] : c;
+  });
+}
+
+export function showLegend() {
+  const name = at.character?.joints[at.view.selected]?.name ?? "";
+  const [caption, low, high] = {
+    [modes.joints]: ["Each joint has its colour; vertices that joints share blend them.", "", ""],
+    [modes.field]: [`Weight of ${name}`, "0", "1"],
+    [modes.doubt]: ["Doubt about the strongest joint", "sure", "look here"],
+    [modes.artist]: ["The weights that the file had", "", ""],
+    [modes.artistField]: [`The file's weight of ${name}`, "0", "1"],
+    [modes.difference]: [`What moves otherwise than in the file: ${(100 * at.shownMean).toFixed(1)} % in the mean`, "alike", "otherwise"],
+    [modes.material]: [`As other programs show the file${at.bends.skinning > 0 ? ": by linear skinning" : ""}`, "", ""],
+  }[at.mode];
+  $("legend").hidden = !at.character;
+  $("legend").querySelector("figcaption").textContent = lookText() ?? caption;
+  $("legend").querySelector(".scale").hidden = [modes.joints, modes.artist, modes.material].includes(at.mode) || Boolean(at.shownLook && at.shownLook.answer === undefined);
+  $("legend").querySelector(".low").textContent = low;
+  $("legend").querySelector(".high").textContent = high;
+}
+
+// How sure a predicted skeleton is, as the colour of its joints, and what is to be said about the whole.
+export function showSure() {
+  const shown = Boolean(at.character?.predicted) && at.view.editing;
+  $("sure").hidden = !shown;
+  at.view.setJointColours(shown ? at.character.joints.map(({ confidence }) => sureColour(confidence)) : null);
+  $("notice").hidden = !at.character?.doubtful;
+}
+
+export function setMode(wanted) {
+  if (!at.character?.result || (wanted === modes.field && at.view.selected < 0)) return;
+  if ((wanted === modes.artist || wanted === modes.difference) && !at.character.hasReference) return;
+  at.mode = wanted === modes.artist && at.view.selected >= 0 ? modes.artistField : wanted;
+  run(colour);
+}

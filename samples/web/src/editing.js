@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The skeleton: predicted, edited, dragged.
+import { lookNowhere } from "./asking.js";
+import { asNumbers, bind, how, pending } from "./binding.js";
+import { showLegend, showSure } from "./colours.js";
+import { run, showError } from "./jobs.js";
+import { Latest } from "./latest.js";
+import { fetchModel } from "./loading.js";
+import { Pose } from "./pose.js";
+import { kinds } from "./questions.js";
+import { choose, listJoints, sendPose, showFacts, showPose } from "./showing.js";
+import { answersFor, editKinds, movedJoints } from "./skeleton.js";
+import { $, at, engine, models } from "./state.js";
+
+// Joints, their list and the panels, after any change of them.
+export function showSkeleton() {
+  at.view.draggable = at.character.editable;
+  listJoints();
+  showPose();
+  at.editor.show(at.character, at.view.selected);
+  showLegend();
+  showSure();
+}
+
+export function setEditing(editing) {
+  if (editing && !at.character) return;
+  at.view.editing = editing;
+  for (const input of document.querySelectorAll("#work input")) input.checked = (input.value === "skeleton") === editing;
+  $("edit").hidden = !editing;
+  $("ask").hidden = editing;
+  if (editing) at.player.pause();
+  showPose();
+}
+
+export function edit(editing) {
+  if (!at.character || at.view.editing === editing) return;
+  setEditing(editing);
+  showSkeleton();
+  run(sendPose);
+}
+
+// rig: as the module describes it. chosen: the name of the joint that is chosen then.
+function useRig({ joints, ...rig }, chosen) {
+  const { source } = at.character;
+  const isSame = joints.length === at.character.joints.length && joints.every(({ parent }, j) => parent === at.character.joints[j].parent);
+  source.answers = answersFor(source.answers, at.character.joints, joints, kinds.rigid);
+  Object.assign(at.character, { mirrored: false, doubtful: false }, rig, { joints });
+  lookNowhere();
+  if (isSame) {
+    at.view.moveSkeleton(joints); // and renamed
+  } else {
+    at.pose = new Pose(joints.length);
+    at.character.result = null;
+    at.view.setSkeleton(joints);
+    at.view.select(joints.findIndex(({ name }) => name === chosen));
+  }
+  showSkeleton();
+}
+
+const chosenName = () => at.character.joints[at.view.selected]?.name;
+
+export async function predict(wishes = at.editor.wishes) {
+  const chosen = chosenName();
+  if (!models.skeletons) await fetchModel("sinew_rig.sinew");
+  if (wishes.detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
+  const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: at.character.upAxis } });
+  setEditing(true);
+  useRig(rig, chosen);
+}
+
+export async function editSkeleton(edits, chosen) {
+  try {
+    useRig(await engine.call("edit", { edits, mirror: at.editor.alike, continues: false }), chosen);
+  } catch (error) {
+    at.editor.show(at.character, at.view.selected); // what was typed is not so
+    throw error;
+  }
+  await bind();
+  if (edits[0].kind === editKinds.add) {
+    $("rename").focus();
+    $("rename").select();
+  }
+}
+
+export async function undoEdit(forward) {
+  if (!(forward ? at.character?.canRedo : at.character?.canUndo)) return;
+  useRig(await engine.call("undoEdit", { forward }), chosenName());
+  await bind();
+}
+
+// Weights follow a dragged joint as fast as the worker binds.
+export const moves = new Latest(async ({ of, place, step }) => {
+  if (of !== at.character) return;
+  const edits = [{ kind: editKinds.move, joint: step.joint, place }];
+  const shown = { mode: at.mode, joint: Math.max(0, at.view.selected) };
+  const { rig, seconds, buffers } = await engine.call("move", {
+    edits, mirror: at.editor.alike, continues: step.moved, ...how(), answers: asNumbers(at.character.source.answers), ...shown,
+  });
+  if (of !== at.character) return;
+  step.moved = true;
+  if (!moves.pending) {
+    Object.assign(at.character, rig);
+    at.view.moveSkeleton(rig.joints);
+    at.editor.showPlace();
+  }
+  at.view.setColours(buffers.colours);
+  if (at.character.result) {
+    at.character.result = at.character.shown = { ...at.character.result, seconds, hash: pending };
+    showFacts();
+  }
+});
+
+export function dragJoint(joint, place) {
+  if (at.view.selected !== joint) choose(joint);
+  at.dragged ??= { joint: at.character.joints[joint].name, moved: false };
+  at.character.joints = movedJoints(at.character.joints, joint, place, at.character, at.editor.alike);
+  at.view.moveSkeleton(at.character.joints);
+  at.editor.showPlace();
+  moves.want({ of: at.character, place, step: at.dragged }).catch((error) => showError(error.message));
+}
+
+export function endDrag() {
+  const ended = at.dragged;
+  at.dragged = null;
+  if (!ended) return;
+  run(async () => {
+    while (moves.busy) await moves.idle().catch(() => {}); // said already
+    showSkeleton();
+    if (ended.moved) await bind();
+  });
+}
+
+export function toMiddle() {
+  if (!at.editor.canEdit || at.view.dragging) return;
+  at.editor.move(at.view.middleOf(at.view.selected));
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The pose, the chosen joint, the list of characters and the line of facts.
+import { isOff, showBrush } from "./binding.js";
+import { colour } from "./colours.js";
+import { factsOf } from "./facts.js";
+import { clearError, run, showError } from "./jobs.js";
+import { Latest } from "./latest.js";
+import { load } from "./loading.js";
+import { $, at, engine, models, modes } from "./state.js";
+
+export const poses = new Latest(async () => {
+  if (!at.character?.result) return;
+  const [posed, { motion }, { skinning }] = [at.pose, at.player, at.bends];
+  const plays = Boolean(motion) && !at.view.editing;
+  const turns = at.view.editing ? new Float32Array(at.pose.turns.length) : at.pose.turns; // a skeleton is edited at rest
+  const reply = plays ? await engine.call("frame", { clip: at.player.clip, seconds: at.player.seconds, skinning }) : await engine.call("pose", { turns, skinning });
+  if (posed !== at.pose) return; // another character by now
+  const { positions, normals, jointPositions, palette } = reply.buffers;
+  at.view.setPose(positions, normals, jointPositions, turns, palette, plays);
+  at.view.setSpots(plays && at.motions.methods.spotsShown ? reply.spots : []);
+  at.bends.show(reply.bends, at.character.joints, at.player.playing);
+});
+export const sendPose = () => poses.want();
+
+export function poseChanged() {
+  showPose();
+  sendPose().catch((error) => showError(error.message));
+}
+
+// more: beside the chosen joint, to turn with it.
+export function choose(joint, more = false) {
+  if (!at.character || joint >= at.character.joints.length) return;
+  if (more && joint >= 0 && at.view.selected >= 0 && joint !== at.view.selected) {
+    const also = new Set(at.view.also);
+    if (!also.delete(joint)) also.add(joint);
+    at.view.also = also;
+    showPose();
+    return markJoint();
+  }
+  at.view.select(joint);
+  if (at.mode === modes.artist || at.mode === modes.artistField) at.mode = joint >= 0 ? modes.artistField : modes.artist;
+  else if (at.mode !== modes.material && at.mode !== modes.difference) at.mode = joint >= 0 ? modes.field : modes.joints;
+  showPose();
+  at.editor.show(at.character, joint);
+  markJoint(); // into view: the panels may have taken room from the list
+  run(colour);
+}
+
+export function showPose() {
+  const joint = at.view.selected;
+  showBrush();
+  $("switch").disabled = $("lock").disabled = joint < 0 || !at.character?.result;
+  $("switch").textContent = isOff(joint) ? "Switch on" : "Switch off";
+  $("lock").ariaPressed = String(joint >= 0 && Boolean(at.character?.source.locked?.has(at.character.joints[joint].name)));
+  $("pose").hidden = at.view.editing || Boolean(at.player.motion);
+  $("motion").hidden = $("bending").hidden = at.view.editing;
+  at.view.turnable = !at.player.motion;
+  at.posePanel.show(at.character, at.pose, joint, at.view.also);
+}
+
+export function showCharacters() {
+  const tabs = $("characters");
+  tabs.hidden = at.open.length < 2;
+  tabs.replaceChildren(
+    ...at.open.map((one) => {
+      const tab = document.createElement("button");
+      tab.type = "button";
+      tab.role = "tab";
+      tab.textContent = one.name;
+      tab.title = one.name;
+      tab.ariaSelected = String(one.name === at.character?.name);
+      tab.onclick = () => run(async () => (clearError(), load(one)));
+      return tab;
+    }),
+  );
+}
+
+// result: what the line says of the bind, null while there is none.
+export function showFacts(result = at.character?.result) {
+  $("facts").replaceChildren(...factsOf({ character: at.character, result, engine: at.engineFacts, models }));
+  $("download").disabled = $("download-rig").disabled = $("download-fbx").disabled = !at.character?.result;
+}
+
+export const listJoints = () => at.jointList.show(at.character, at.view.selected, at.view.also);
+const markJoint = () => at.jointList.mark(at.view.selected, at.view.also);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What the page's parts know in common: what is open, what is chosen, and the panels.
+import { Engine } from "./engine.js";
+
+export const $ = (id) => document.getElementById(id);
+export const modes = { joints: 0, field: 1, doubt: 2, artist: 3, artistField: 4, difference: 5, material: -1 }; // ColourMode of web.cpp, and the file's own look
+export const views = { "view-front": [0, 0, 1], "view-side": [1, 0, 0], "view-top": [0, 1, 0.001] };
+
+export const engine = new Engine();
+export const models = {}; // by their task: {name, bytes, parameters, layers}
+
+export const at = {
+  view: null,
+  engineFacts: {}, // {kernel, version, moduleBytes}
+  open: [], // characters that were dropped together: {name, mesh, skeleton, number, answers, style}
+  waiting: {}, // a mesh or a rig that its other half may still follow
+  character: null, // what the module has loaded, with its bind result
+  lastNumber: 0, // of the characters that were opened
+  pose: null,
+  posePanel: null,
+  mode: modes.joints,
+  questions: null,
+  editor: null,
+  player: null,
+  motions: null, // the player among them
+  bends: null,
+  jointList: null,
+  options: null,
+  shownMean: 0, // of what the colours show, see web.cpp
+  style: null, // {name}: answers for the characters from now on
+  dragged: null, // {joint, moved}: the name of the joint that is being dragged, and whether the module knows
+  look: null, // what the pointer or the keyboard is on in the list of questions
+  shownLook: null, // what of that is shown
+  lookTimer: 0,
+  previewing: false, // the module shows a preview
+};

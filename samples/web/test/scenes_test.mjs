@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// FBX and COLLADA on the page are what the command makes of them, byte for byte: meshes that share a skeleton, clusters that move nothing, units,
+// axes, pictures beside the file, blend shapes, animations, files that cannot be read. In a headless Chromium.
+//   scenes_test.mjs DIST_DIR SOURCE_DIR WORK_DIR SINEW_COMMAND
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { launch, serve } from "./browser.mjs";
+import { made, newPage, pageTools } from "./page.mjs";
+import { strangeDae, strangeFbx } from "./scene_files.mjs";
+
+const [dist, source, work, sinew] = process.argv.slice(2).map((path) => resolve(path));
+const folder = join(work, "files");
+rmSync(folder, { recursive: true, force: true });
+mkdirSync(folder, { recursive: true });
+const picture = Buffer.from("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8/5+hHgAHggJ/PchI7wAAAABJRU5ErkJggg==", "base64");
+const line = (run) => {
+  try {
+    run();
+  } catch (error) {
+    return String(error.stderr).trim().replace(/^sinew: (error: )?/, "");
+  }
+  return "";
+};
+const command = (...args) => execFileSync(sinew, args, { cwd: folder, stdio: "pipe" });
+
+const server = await serve(dist);
+const browser = await launch();
+const troubles = [];
+const page = await newPage(browser, troubles);
+const asked = [];
+page.on("request", (request) => asked.push(request.url().split("/").pop()));
+const { settled, shoot, errorLine, joints, give, downloaded, step } = pageTools(() => page, { troubles, work, prefix: "scenes_" });
+const remarks = async () => ((await page.locator("#remarks").isVisible()) ? page.locator("#remarks").innerText() : "");
+
+// The page's GLB of a file is the command's, with what lies beside it.
+async function same(name, content, ...beside) {
+  for (const [one, bytes] of [[name, content], ...beside]) writeFileSync(join(folder, one), bytes);
+  command("bind", name, "-o", "command.glb");
+  await give(...[[name, content], ...beside].map(([one, bytes]) => made(one, bytes)));
+  assert.equal(await errorLine(), "", name);
+  await page.click("#close-motion").catch(() => {}); // its own clips are in the file anyway
+  await settled();
+  const { bytes } = await downloaded("#download");
+  const expected = readFileSync(join(folder, "command.glb"));
+  assert.ok(bytes.equals(expected), `${name}: ${bytes.length} bytes, the command's ${expected.length}`);
+  for (const [one] of beside) rmSync(join(folder, one));
+  return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
+}
+
+try {
+  await step("what reads them is fetched when the first one is there", async () => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.goto(`${server.address}?sample=biped__robot`);
+    await settled();
+    assert.deepEqual(asked.filter((name) => name.includes("scenes")), []);
+  });
+
+  await step("two meshes of one skeleton, one without weights, a blend shape, an animation, a picture that is not there", async () => {
+    const gltf = await same("strange.fbx", strangeFbx());
+    assert.ok(asked.includes("sinew-scenes.wasm"));
+    assert.deepEqual((await joints()).map(({ name }) => name).filter((name) => name !== "rig"), ["hip", "knee", "tip"], "shared joints stay one");
+    assert.deepEqual(gltf.meshes.map(({ name }) => name), ["body", "coat", "lamp"]);
+    assert.equal(gltf.meshes[0].primitives[0].targets.length, 1, "the blend shape");
+    assert.equal(gltf.animations?.length, 1, "the animation");
+    assert.equal(gltf.images, undefined);
+    assert.match(await remarks(), /strange\.fbx: picture 'skin\.png' was not found and was left out/);
+    await shoot("strange");
+  });
+
+  await step("the picture is used where it was dropped beside", async () => {
+    const gltf = await same("dressed.fbx", strangeFbx(), ["skin.png", picture]);
+    assert.equal(gltf.images.length, 1);
+    assert.equal(await remarks(), "");
+  });
+
+  await step("metres, Y up: 1.83 of them stay 1.83", async () => {
+    await same("metres.fbx", strangeFbx({ unit: 100, up: "y", size: 1.83 }));
+    const points = await page.evaluate(() => sinewPage.view.shownPositions());
+    assert.ok(Math.abs(Math.max(...points.filter((_, i) => i % 3 === 1)) - 1.83) < 1e-4);
+  });
+
+  await step("inches", () => same("inches.fbx", strangeFbx({ unit: 2.54, size: 72 })));
+  await step("COLLADA", () => same("strange.dae", strangeDae(), ["skin.png", picture]));
+
+  await step("the motion of an FBX for another character", async () => {
+    await page.selectOption("#sample", "biped__robed");
+    await settled();
+    writeFileSync(join(folder, "motion.fbx"), strangeFbx());
+    await page.setInputFiles("#motion-files", [made("motion.fbx", strangeFbx())]);
+    await settled();
+    const expected = line(() => command("animate", join(source, "samples/data/biped__robed.obj"), "--motion", "motion.fbx", "-o", "moved.glb"));
+    const found = await errorLine();
+    assert.equal(found === "", expected === "", `${found} / ${expected}`); // three joints may be too few for a map: then the page says so too
+    await page.keyboard.press("Escape");
+  });
+
+  await step("files that cannot be read say what the command says", async () => {
+    const before = (await joints()).map(({ name }) => name);
+    for (const [name, content] of [["broken.fbx", "no fbx"], ["empty.fbx", ""], ["broken.dae", "<COLLADA>"], ["cut.fbx", strangeFbx().slice(0, 3000)]]) {
+      writeFileSync(join(folder, name), content);
+      const expected = line(() => command("bind", name, "-o", "broken.glb"));
+      await give(made(name, content));
+      assert.notEqual(expected, "", name);
+      assert.equal(await errorLine(), expected, name);
+      await page.keyboard.press("Escape");
+    }
+    assert.deepEqual((await joints()).map(({ name }) => name), before, "the page is as it was");
+  });
+} finally {
+  await browser.close();
+  server.close();
+}
