@@ -18,6 +18,7 @@
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/scene_animations.hpp"
 #include "gltf/scene_files.hpp"
+#include "gltf/scene_trial.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -562,6 +563,7 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
 #ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 turns it itself unless told not to
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION, true);
 #endif
+  const KeptOutput kept(has_extension(path, ".mesh.xml"));
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw Error(path + ": expected " + file_kind(path)->name +
@@ -572,7 +574,11 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
 }  // namespace
 
 std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::string>* notes) {
-  if (read_file(path).empty()) throw Error(path + ": expected a scene, found an empty file");
+  const size_t bytes = read_file(path).size();
+  if (bytes == 0) throw Error(path + ": expected a scene, found an empty file");
+  const bool well_known = has_extension(path, ".fbx") || has_extension(path, ".dae");
+  if (!well_known && !survives(path, bytes))
+    throw Error(path + ": expected " + file_kind(path)->name + ", found a file that Assimp does not survive");
   try {
     Assimp::Importer importer;
     importer.SetIOHandler(new SceneFiles);  // the importer deletes it

@@ -42,12 +42,6 @@ double quantile(std::vector<double> values, double share) {
   return t < 0.5 ? a + (b - a) * t : b - (b - a) * (1 - t);
 }
 
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 double longest_side(const std::vector<Vec3>& vertices) {
   Point low = point(vertices[0]), high = low;
   for (const Vec3& v : vertices) {
