@@ -173,7 +173,7 @@ class ModelQuantizer {
       return;
     }
     if (!traits_of(output.kind).ends_network)
-      throw Error(layer_name(last) + ": a network cannot end with a layer of kind " + traits_of(output.kind).name);
+      throw Error(layer_name(last) + ": the last layer of a network cannot be of kind " + traits_of(output.kind).name);
     for (uint32_t channel = output.in.offset; channel < region_end(output.in);) {
       const Segment segment =
           segment_at(network_.layers.data(), inputs_, static_cast<uint32_t>(last), output.in, channel);

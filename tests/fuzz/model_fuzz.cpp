@@ -13,7 +13,8 @@ using namespace sinew;
 using namespace sinew::test;
 
 bool is_model_status(sinew_status status) {
-  return status == SINEW_OK || (status <= SINEW_ERROR_MODEL_MAGIC && status >= SINEW_ERROR_MODEL_ALIGNMENT);
+  return status == SINEW_OK || (status <= SINEW_ERROR_MODEL_MAGIC && status >= SINEW_ERROR_MODEL_ALIGNMENT) ||
+         status == SINEW_ERROR_MODEL_TASK;
 }
 
 void bind_with(const sinew_model& model) {

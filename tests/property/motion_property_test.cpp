@@ -88,6 +88,7 @@ TEST(MotionProperty, RandomRigsGiveFinitePosesOfTheirOwnBones) {
     std::vector<int32_t> place(order.size()), shuffled_map;
     for (size_t i = 0; i < order.size(); ++i) place[order[i]] = static_cast<int32_t>(i);
     MotionScene shuffled;
+    shuffled.up = target.up;
     for (const uint32_t t : order) {
       const int32_t parent = target.parents[t];
       shuffled.add(target.at(t), parent < 0 ? -1 : place[static_cast<size_t>(parent)], target.classes[t]);

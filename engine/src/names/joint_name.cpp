@@ -24,7 +24,7 @@ uint64_t add_text(uint64_t hash, const Text& text) {
 
 // What a name ends with, but for .001 and _021: a separator and at least two digits behind another number's digits or a word.
 int32_t number_at_end(const char* name) {
-  size_t end = strlen(name);
+  size_t end = static_cast<size_t>(length_of(name));
   for (size_t digits = 0; digits < end; ++digits) {
     const char c = name[end - 1 - digits];
     if (is_digit(c)) continue;
@@ -88,7 +88,7 @@ class Reader {
       const Text& token = tokens_.token[i];
       if (find_word(token) != nullptr) continue;
       for (const SideText& one : kSideTexts) {
-        const int length = static_cast<int>(strlen(one.text));
+        const int length = length_of(one.text);
         if (length >= token.length) continue;
         if (token.begins_with(one.text) && (length > 1 || i == 0) &&
             goes_with_sides({token.at + length, token.length - length}))
@@ -188,7 +188,7 @@ class Reader {
     const Word* found = nullptr;
     for (int i = 0; i < count; ++i) {
       const Word& word = all[i];
-      const int length = static_cast<int>(strlen(word.text));
+      const int length = length_of(word.text);
       const bool part = word.part != Part::kNone && (word.says & (kWhole | kSlot)) == 0 &&
                         ((word.says & kToeToo) == 0 || word.part == Part::kFingers);
       const bool behind = (part || (word.says & kOnSuffix) != 0) && token.ends_with(word.text);
@@ -346,7 +346,7 @@ bool other_side_name(const char* name, char* other, size_t room) {
   const JointName said = read_joint_name(name);
   if (said.side == 0 || said.side_begin >= said.side_end) return false;
   const size_t begin = static_cast<size_t>(said.side_begin), end = static_cast<size_t>(said.side_end);
-  const size_t all = strlen(name), length = end - begin;
+  const size_t all = static_cast<size_t>(length_of(name)), length = end - begin;
   const char first = name[begin];
   const bool capital = first >= 'A' && first <= 'Z';
   const bool capitals = capital && length > 1 && name[begin + 1] >= 'A' && name[begin + 1] <= 'Z';
@@ -359,7 +359,7 @@ bool other_side_name(const char* name, char* other, size_t room) {
     const bool wide_capital = static_cast<uint8_t>(name[begin + 1]) == 0xBC;
     word = wide_capital ? (left ? "\xEF\xBC\xAC" : "\xEF\xBC\xB2") : (left ? "\xEF\xBD\x8C" : "\xEF\xBD\x92");
   }
-  const size_t word_length = strlen(word);
+  const size_t word_length = static_cast<size_t>(length_of(word));
   if (all - length + word_length + 1 > room) return false;
   memcpy(other, name, begin);
   memcpy(other + begin, word, word_length);

@@ -11,6 +11,8 @@
 
 #include <string.h>
 
+#include "names/tokens.hpp"
+
 namespace sinew::names {
 namespace {
 
@@ -116,11 +118,13 @@ bool standard_name(uint32_t naming, uint32_t joint_class, int32_t side, uint32_t
     if (row.joint_class == joint_class) pattern = row.patterns[naming];
   }
   if (pattern == nullptr) return false;
-  const bool list = strchr(pattern, '|') != nullptr, counts = strpbrk(pattern, "#$%&") != nullptr;
+  bool counts = false;
+  for (const char* c = "#$%&"; *c != 0; ++c) counts = counts || find_letter(pattern, *c) != nullptr;
+  const bool list = find_letter(pattern, '|') != nullptr;
   if (!list && !counts && index > 0) return false;
-  if (naming != SINEW_NAMING_SINEW && side == 0 && strchr(pattern, '@') != nullptr) return false;
+  if (naming != SINEW_NAMING_SINEW && side == 0 && find_letter(pattern, '@') != nullptr) return false;
   for (uint32_t skipped = 0; list && skipped < index; ++skipped) {
-    pattern = strchr(pattern, '|');
+    pattern = find_letter(pattern, '|');
     if (pattern == nullptr) return false;
     ++pattern;
   }

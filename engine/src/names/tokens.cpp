@@ -40,12 +40,12 @@ bool Text::is(const char* word) const {
 }
 
 bool Text::ends_with(const char* word) const {
-  const int size = static_cast<int>(strlen(word));
+  const int size = length_of(word);
   return size <= length && memcmp(at + length - size, word, static_cast<size_t>(size)) == 0;
 }
 
 bool Text::begins_with(const char* word) const {
-  const int size = static_cast<int>(strlen(word));
+  const int size = length_of(word);
   return size <= length && memcmp(at, word, static_cast<size_t>(size)) == 0;
 }
 
@@ -59,7 +59,7 @@ Tokens::Tokens(const char* name) {
     start = c + 1;
     length = 0;
   }
-  const int all = static_cast<int>(strlen(start));
+  const int all = length_of(start);
   if (all > kMostNameBytes) start += all - kMostNameBytes;
   length = all < kMostNameBytes ? all : kMostNameBytes;
   const ptrdiff_t first = start - name;

@@ -10,6 +10,23 @@ namespace sinew::names {
 constexpr int kMostNameBytes = 128;  // the last ones of a name are read
 constexpr int kMostTokens = 48;      // the first ones of these
 
+constexpr int kMostTextBytes = 1 << 20;  // of a name or word; what lies behind is not read
+
+// strlen() without the C library.
+inline int length_of(const char* text) {
+  int length = 0;
+  while (length < kMostTextBytes && text[length] != 0) ++length;
+  return length;
+}
+
+// The first of `c` in `text`, or null.
+inline const char* find_letter(const char* text, char c) {
+  for (int i = 0; i < kMostTextBytes && text[i] != 0; ++i) {
+    if (text[i] == c) return text + i;
+  }
+  return nullptr;
+}
+
 // A word in lower case, or a number. Not terminated.
 struct Text {
   const char* at = nullptr;

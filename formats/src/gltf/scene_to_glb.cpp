@@ -18,7 +18,7 @@
 #include "gltf/gltf_from_scene.hpp"
 #include "gltf/scene_animations.hpp"
 #include "gltf/scene_files.hpp"
-#include "gltf/scene_trial.hpp"
+#include "gltf/scene_process.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_kinds.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -563,12 +563,28 @@ const aiScene* import(const std::string& path, bool names_for_people, Assimp::Im
 #ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION  // Assimp after 5.2 turns it itself unless told not to
   importer->SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_AXIS_DIRECTION, true);
 #endif
-  const KeptOutput kept(has_extension(path, ".mesh.xml"));
   const aiScene* scene = importer->ReadFile(path, aiProcess_Triangulate);
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw Error(path + ": expected " + file_kind(path)->name +
                 ", found a file that Assimp does not read: " + one_line(importer->GetErrorString()));
   return scene;
+}
+
+SceneBytes convert_scene(const std::string& path) {
+  try {
+    Assimp::Importer importer;
+    importer.SetIOHandler(new SceneFiles);  // the importer deletes it
+    const aiScene* scene = import(path, true, &importer);
+    // COLLADA's bones are found by name: where two nodes share one, by identifier.
+    if (has_extension(path, ".dae") && !names_are_unique(scene->mRootNode)) scene = import(path, false, &importer);
+    SceneBytes out;
+    out.glb = SceneConverter(path, *scene).convert(&out.notes);
+    return out;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(path + ": expected a whole scene, found one that does not read: " + one_line(error.what()));
+  }
 }
 
 }  // namespace
@@ -577,20 +593,11 @@ std::vector<uint8_t> scene_to_glb(const std::string& path, std::vector<std::stri
   const size_t bytes = read_file(path).size();
   if (bytes == 0) throw Error(path + ": expected a scene, found an empty file");
   const bool well_known = has_extension(path, ".fbx") || has_extension(path, ".dae");
-  if (!well_known && !survives(path, bytes))
-    throw Error(path + ": expected " + file_kind(path)->name + ", found a file that Assimp does not survive");
-  try {
-    Assimp::Importer importer;
-    importer.SetIOHandler(new SceneFiles);  // the importer deletes it
-    const aiScene* scene = import(path, true, &importer);
-    // COLLADA's bones are found by name: where two nodes share one, by identifier.
-    if (has_extension(path, ".dae") && !names_are_unique(scene->mRootNode)) scene = import(path, false, &importer);
-    return SceneConverter(path, *scene).convert(notes);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw Error(path + ": expected a whole scene, found one that does not read: " + one_line(error.what()));
-  }
+  SceneBytes scene = well_known
+                         ? convert_scene(path)
+                         : convert_in_child(path, file_kind(path)->name, bytes, [&] { return convert_scene(path); });
+  notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
+  return std::move(scene.glb);
 }
 
 }  // namespace sinew

@@ -56,7 +56,7 @@ class RigSource {
     bool symmetric = true;
   };
   Posed pose(uint64_t seed, double strength) const;
-  Placed position(const Posed& posed, uint64_t seed) const;
+  Placed place(const Posed& posed, uint64_t seed) const;
   RigSample sample(const Posed& posed, uint64_t seed) const;
 
   std::string name_, family_;

@@ -219,16 +219,16 @@ TEST(Interior, ASphereIsDeepInItsMiddleAndWaysGrowFromThere) {
   EXPECT_TRUE(in.solid_at(middle));
   // 32 cells to the outside, three units each, as far as chamfer steps are right.
   EXPECT_NEAR(in.depth[cell], 3 * 32, 6);
-  EXPECT_LE(in.way[cell], 10);
+  EXPECT_LE(in.distance[cell], 10);
   uint16_t farthest = 0;
   for (uint32_t c = 0; c < in.grid.cell_count; ++c) {
     if (in.depth[c] == 0) continue;
-    ASSERT_NE(in.way[c], kNoDistance);
-    farthest = std::max(farthest, in.way[c]);
+    ASSERT_NE(in.distance[c], kNoDistance);
+    farthest = std::max(farthest, in.distance[c]);
     const Vec3i d = in.grid.centre(c) - middle;
     const double straight = std::sqrt(static_cast<double>(dot(d, d))) / in.grid.cell_size;
-    EXPECT_GE(in.way[c], kDistanceUnits * (straight - 2) * 0.9);
-    EXPECT_LE(in.way[c], kDistanceUnits * (straight + 2) * 1.1 + 5);
+    EXPECT_GE(in.distance[c], kDistanceUnits * (straight - 2) * 0.9);
+    EXPECT_LE(in.distance[c], kDistanceUnits * (straight + 2) * 1.1 + 5);
   }
   EXPECT_GT(farthest, 5 * 28);
   EXPECT_FALSE(in.solid_at({kSide, kSide / 2, 0}));

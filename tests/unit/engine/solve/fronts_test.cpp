@@ -47,7 +47,7 @@ TEST(Fronts, SkipWhatARightHandSideDoesNotReach) {
   ASSERT_TRUE(c.fronts.factorise(c.matrix, FrontKernels()));
   const FrontSolve& solve = c.fronts.own_solve();
   c.fronts.begin(solve);
-  c.fronts.add(solve, c.ordering.place[0], 0, pulls[0]);
+  c.fronts.add(solve, c.ordering.position[0], 0, pulls[0]);
   c.fronts.eliminate(FrontKernels(), solve);
   uint32_t seen = 0;
   int32_t largest = 0;

@@ -30,7 +30,7 @@ TEST(Ordering, IsAPermutationAndKeepsFillSmall) {
   ordering.dissect(run.mesh, 0);
   std::set<uint32_t> seen(ordering.order, ordering.order + run.mesh.welded_count);
   EXPECT_EQ(seen.size(), run.mesh.welded_count);
-  for (uint32_t k = 0; k < run.mesh.welded_count; ++k) EXPECT_EQ(ordering.place[ordering.order[k]], k);
+  for (uint32_t k = 0; k < run.mesh.welded_count; ++k) EXPECT_EQ(ordering.position[ordering.order[k]], k);
   SparseMatrix matrix;
   matrix.mesh = &run.mesh;
   matrix.ordering = &ordering;

@@ -89,7 +89,7 @@ TEST(Alignment, UnmappedJointsGoWithTheirParents) {
   Aligned a(body(0.3, 0, 1), body(0, 0, 1));
   a.same[3] = -1;
   a.find();
-  for (int e = 0; e < 9; ++e) EXPECT_EQ(a.joints[3].turn.m[e], a.joints[2].turn.m[e]);
+  for (int e = 0; e < 9; ++e) EXPECT_EQ(a.joints[3].rotation.m[e], a.joints[2].rotation.m[e]);
   EXPECT_EQ(a.joints[3].shift.x, a.joints[2].shift.x);
 }
 
