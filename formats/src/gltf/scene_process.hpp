@@ -53,7 +53,7 @@ inline SceneBytes convert_in_child(const std::string& path, const std::string& k
     const int nowhere = open("/dev/null", O_WRONLY);
     (void)dup2(nowhere, STDOUT_FILENO);
     (void)dup2(nowhere, STDERR_FILENO);
-    const rlim_t seconds = 3 + bytes / 200000;  // of the processor
+    const rlim_t seconds = 1 + bytes / 100000;  // of the processor
     const rlimit time = {seconds, seconds};
     (void)setrlimit(RLIMIT_CPU, &time);
     // Texts end with a 0. First "ok" or the error's line, then the number of notes and these, then the bytes.

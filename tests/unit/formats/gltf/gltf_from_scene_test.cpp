@@ -7,6 +7,7 @@
 #include "expect_error.hpp"
 #include "glb_round.hpp"
 #include "scene_files.hpp"
+#include "sinew_formats/file_names.hpp"
 
 // Assimp 5.2.5 forgets parts of its own tree of an FBX: no leak of ours.
 #ifdef __SANITIZE_ADDRESS__
@@ -159,7 +160,9 @@ TEST(GltfFromScene, BrokenMotionsAreOneLine) {
   EXPECT_ERROR(read_motion(folder.write("nan.dae", wrong)), "nan.dae");
   for (const std::string& whole : {moving_fbx(), moving_dae()}) {
     const char* name = whole[0] == ';' ? "cut.fbx" : "cut.dae";
-    for (size_t length = 16; length < whole.size(); length += whole.size() / 40) {
+    // The rarer formats cost a process each, and a second where Assimp hangs.
+    const size_t steps = has_extension(name, ".fbx") || has_extension(name, ".dae") ? 40 : 8;
+    for (size_t length = 16; length < whole.size(); length += whole.size() / steps) {
       try {
         (void)read_motion(folder.write(name, whole.substr(0, length)));
       } catch (const Error& error) {
@@ -183,7 +186,9 @@ TEST(GltfFromScene, BrokenFilesAreOneLine) {
                                                        {"cut.smd", strip_smd()}, {"cut.mesh.xml", strip_mesh_xml()},
                                                        {"cut.b3d", strip_b3d()}, {"cut.ms3d", strip_ms3d()}};
   for (const auto& [name, whole] : files) {
-    for (size_t length = 16; length < whole.size(); length += whole.size() / 40) {
+    // The rarer formats cost a process each, and a second where Assimp hangs.
+    const size_t steps = has_extension(name, ".fbx") || has_extension(name, ".dae") ? 40 : 8;
+    for (size_t length = 16; length < whole.size(); length += whole.size() / steps) {
       try {
         (void)read_mesh(folder.write(name, whole.substr(0, length)));
       } catch (const Error& error) {
