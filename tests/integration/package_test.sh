@@ -36,7 +36,7 @@ done
 # What runs is in the one, what is built with in the other; no file is in both.
 files_of() { dpkg-deb --fsys-tarfile "$1" | tar t | grep -v '/$' | sort; }
 has() { files_of "$1" | grep -E "$2" >/dev/null || fail "$(basename "$1") has no file like $2"; }
-for name in bin/sinew 'lib/.*libsinew\.so\.[0-9.]*[0-9]' 'lib/.*libsinew_character\.so\.[0-9.]*[0-9]' share/sinew/sinew_default.sinew share/sinew/sinew_rig.sinew share/doc/sinew/copyright \
+for name in bin/sinew 'lib/.*libsinew\.so\.[0-9.]*[0-9]' 'lib/.*libsinew_character\.so\.[0-9.]*[0-9]' share/sinew/sinew_default.sinew share/sinew/sinew_rig.sinew share/sinew/sinew_hands.sinew share/doc/sinew/copyright \
             share/man/man1/sinew.1.gz share/bash-completion/completions/sinew; do has "$deb" "^./usr/$name\$"; done
 for name in include/sinew/sinew.h 'lib/.*libsinew\.a' 'lib/.*libsinew\.so' 'lib/.*cmake/sinew/sinewConfig.cmake' 'lib/.*pkgconfig/sinew.pc' include/sinew/character.h 'lib/.*libsinew_character\.so' 'lib/.*pkgconfig/sinew-character.pc' \
             share/doc/sinew-dev/copyright; do has "$dev" "^./usr/$name\$"; done
@@ -52,6 +52,7 @@ mv "$work/first" "$root"
 sinew=$root/usr/bin/sinew
 # Every library that the command loads comes from a package that Depends names.
 for library in $(objdump -p "$sinew" | awk '$1 == "NEEDED" { print $2 }'); do
+  case $library in ld-linux*) continue ;; esac  # the loader itself, libc6's
   path=$(ldd "$sinew" | awk -v name="$library" '$1 == name { print $3 }')
   # dpkg knows one of the two where /lib is a link to /usr/lib.
   owner=$({ dpkg -S "$path" "$(realpath "$path")" 2>/dev/null || true; } | sed -n '1s/:.*//p')

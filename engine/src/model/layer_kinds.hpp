@@ -60,7 +60,7 @@ struct LayerTraits {
 
 constexpr uint8_t kLayerKindCount = 11;
 // Row i is of kind i + 1.
-constexpr LayerTraits kLayerTraits[kLayerKindCount] = {
+inline constexpr LayerTraits kLayerTraits[kLayerKindCount] = {
     {LayerKind::kLinear, "linear", LayerShape::kWeights, LayerReads::kOwn, kLayerRelu | kLayerResidual, false, true},
     {LayerKind::kRingMean, "ring mean", LayerShape::kSame, LayerReads::kRing, kLayerFar, false, false},
     {LayerKind::kRingMax, "ring max", LayerShape::kSame, LayerReads::kRing, kLayerFar, false, false},

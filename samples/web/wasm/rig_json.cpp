@@ -73,7 +73,7 @@ std::vector<SkeletonEdit> read_edits(const Json& edits) {
     edit.other = one.value("other", std::string());
     if (one.contains("place")) {
       const Json& place = one.at("place");
-      edit.place = {place.at(0).get<float>(), place.at(1).get<float>(), place.at(2).get<float>()};
+      edit.position = {place.at(0).get<float>(), place.at(1).get<float>(), place.at(2).get<float>()};
     }
     list.push_back(std::move(edit));
   }

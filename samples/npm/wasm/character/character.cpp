@@ -14,7 +14,7 @@
 #include <vector>
 
 EM_JS(int, tell_progress, (uint32_t permille),
-      { return Module["onProgress"] && Module["onProgress"](permille / 1000) == = true ? 1 : 0; });
+      { return Module["onProgress"] && Object.is(Module["onProgress"](permille / 1000), true) ? 1 : 0; });
 
 namespace {
 
