@@ -17,7 +17,11 @@ struct Verdicts {
   sinew_status status = SINEW_OK;
 
   Verdicts(const sinew_skeleton& skeleton, const uint8_t* follows, uint8_t fill)
-      : classes(skeleton.joint_count), roles(classes), numbers(skeleton.joint_count), partners(numbers), images(numbers) {
+      : classes(skeleton.joint_count),
+        roles(classes),
+        numbers(skeleton.joint_count),
+        partners(numbers),
+        images(numbers) {
     size_t bytes = 0;
     demand(sinew_joint_classes_workspace_size(skeleton.joint_count, &bytes) == SINEW_OK, "a size for every count");
     sinew::Workspace workspace(bytes);

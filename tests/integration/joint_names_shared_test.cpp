@@ -24,30 +24,29 @@ std::string label_class(const std::string& label) {
 }
 
 // What a label's class may be called here; labels that are not in the list say nothing about classes.
-const std::map<std::string, std::vector<std::string>> kClasses = {
-    {"hips", {"pelvis", "spine"}},
-    {"spine", {"spine", "pelvis"}},
-    {"neck", {"neck", "spine"}},
-    {"head", {"head"}},
-    {"shoulder", {"clavicle"}},
-    {"upperarm", {"upperarm"}},
-    {"lowerarm", {"forearm"}},
-    {"hand", {"hand"}},
-    {"hipjoint", {"hip"}},
-    {"upleg", {"thigh"}},
-    {"lowleg", {"calf"}},
-    {"foot", {"foot"}},
-    {"toe", {"toe"}},
-    {"tail", {"tail"}},
-    {"wing", {"wing"}},
-    {"ear", {"ear"}},
-    {"thumb", {"thumb"}},
-    {"index", {"index"}},
-    {"middle", {"middle"}},
-    {"ring", {"ring"}},
-    {"pinky", {"pinky"}},
-    {"eye", {"eye"}},
-    {"jaw", {"jaw"}}};
+const std::map<std::string, std::vector<std::string>> kClasses = {{"hips", {"pelvis", "spine"}},
+                                                                  {"spine", {"spine", "pelvis"}},
+                                                                  {"neck", {"neck", "spine"}},
+                                                                  {"head", {"head"}},
+                                                                  {"shoulder", {"clavicle"}},
+                                                                  {"upperarm", {"upperarm"}},
+                                                                  {"lowerarm", {"forearm"}},
+                                                                  {"hand", {"hand"}},
+                                                                  {"hipjoint", {"hip"}},
+                                                                  {"upleg", {"thigh"}},
+                                                                  {"lowleg", {"calf"}},
+                                                                  {"foot", {"foot"}},
+                                                                  {"toe", {"toe"}},
+                                                                  {"tail", {"tail"}},
+                                                                  {"wing", {"wing"}},
+                                                                  {"ear", {"ear"}},
+                                                                  {"thumb", {"thumb"}},
+                                                                  {"index", {"index"}},
+                                                                  {"middle", {"middle"}},
+                                                                  {"ring", {"ring"}},
+                                                                  {"pinky", {"pinky"}},
+                                                                  {"eye", {"eye"}},
+                                                                  {"jaw", {"jaw"}}};
 
 TEST(SharedJointNames, AgreeWithLabels) {
   if (shared_folder().empty())

@@ -90,7 +90,7 @@ TEST(JointName, EveryRowOfTheTableIsRead) {
     EXPECT_EQ(static_cast<int>(got.part), static_cast<int>(word.part)) << word.text;
     if (word.part == Part::kNone || side) continue;
     for (const std::string& name : {std::string("Left_") + word.text, std::string("x:") + word.text + ".R",
-                                   std::string("Bip01_") + word.text + "_end"})
+                                    std::string("Bip01_") + word.text + "_end"})
       EXPECT_NE(static_cast<int>(read_joint_name(name.c_str()).part), static_cast<int>(Part::kNone)) << name;
   }
 }
