@@ -69,12 +69,6 @@ try {
     await shoot("strange");
   });
 
-  await step("the picture is used where it was dropped beside", async () => {
-    const gltf = await same("dressed.fbx", strangeFbx(), ["skin.png", picture]);
-    assert.equal(gltf.images.length, 1);
-    assert.equal(await remarks(), "");
-  });
-
   await step("metres, Y up: 1.83 of them stay 1.83", async () => {
     await same("metres.fbx", strangeFbx({ unit: 100, up: "y", size: 1.83 }));
     const points = await page.evaluate(() => sinewPage.view.shownPositions());
@@ -82,6 +76,14 @@ try {
   });
 
   await step("inches", () => same("inches.fbx", strangeFbx({ unit: 2.54, size: 72 })));
+
+  // Last: what was dropped stays there for later files.
+  await step("the picture is used where it was dropped beside", async () => {
+    const gltf = await same("dressed.fbx", strangeFbx(), ["skin.png", picture]);
+    assert.equal(gltf.images.length, 1);
+    assert.equal(await remarks(), "");
+  });
+
   await step("COLLADA", () => same("strange.dae", strangeDae(), ["skin.png", picture]));
 
   await step("the motion of an FBX for another character", async () => {
