@@ -7,7 +7,6 @@ cd "$(dirname "$0")/.."
 # shellcheck disable=SC2046  # several packages
 scripts/setup.sh $(scripts/conformance.sh --packages ci) $(samples/web/build.sh --packages) $(samples/python/build.sh --packages) \
   $(tests/integration/csharp_test.sh --packages) $(scripts/declarations.py --packages)
-scripts/setup.sh "libclang-rt-$(clang -dumpversion | cut -d . -f 1)-dev"  # clang's sanitizers
 jobs=$(nproc)
 
 # phase NAME COMMAND...: the end lists the seconds of each, also where one fails.

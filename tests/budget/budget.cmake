@@ -37,7 +37,6 @@ target_include_directories(sinew_engine_small PUBLIC ${CMAKE_SOURCE_DIR}/engine/
 target_compile_definitions(sinew_engine_small PRIVATE SINEW_SMALL_CODE)
 target_compile_options(sinew_engine_small PRIVATE -fno-exceptions -fno-rtti $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
 target_link_libraries(sinew_engine_small PRIVATE sinew_build_flags)
-sinew_plain_wide_kernels(sinew_engine_small)
 sinew_test(small_code_test SOURCES budget/small_code_test.cpp LIBS sinew_engine_small LABELS budget)
 
 # What SINEW_PUBLISHED_METHODS=OFF leaves out, and that nothing else needs it: what knows of the option is compiled anew and linked first, the
