@@ -209,6 +209,18 @@ def write_all(folder):
     foreign.rows = {v: [(w, renamed[n]) for w, n in row] for v, row in foreign.rows.items()}
     keep("names", skinned(foreign)[0])
 
+    mirrored = Body()  # modelled to the right, shown by a node of scale -1
+    out = Glb()
+    armature = out.node("Mirrored", scale=[-1, 1, 1])
+    nodes = mirrored.add_joints(out, armature)
+    out.node("body", armature, mesh=out.mesh("body", mirrored.positions, mirrored.triangles, *mirrored.influences(mirrored.names)),
+             skin=mirrored.add_skin(out, nodes, mirrored.names))
+    keep("mirrored_node", out)
+
+    inside = Body()  # faces look inwards
+    inside.triangles = [t[::-1] for t in inside.triangles]
+    keep("inside_out", skinned(inside)[0])
+
     for name in ("quadruped__tailed", "snake__long"):
         keep(name, skinned(Body(name))[0])
     files += [DATA / f"{n}.obj" for n in ("biped__robed", "biped__robot", "bird__winged", "many-legged__plated")] + [DATA / "biped__caped.gltf"]

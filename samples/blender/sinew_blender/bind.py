@@ -9,7 +9,7 @@ from . import groups, scene, sinew
 from .work import EngineOperator, Problem, thread_count
 
 
-_OPTIONS = ("method", "influences", "softness", "rigid_parts", "symmetric", "existing", "only_selected_bones", "questions",
+_OPTIONS = ("method", "joints", "influences", "softness", "rigid_parts", "symmetric", "existing", "only_selected_bones", "questions",
             "precision", "style")
 
 
@@ -39,6 +39,8 @@ class SINEW_OT_bind(EngineOperator, bpy.types.Operator):
 
     method: bpy.props.EnumProperty(name="Method", items=[("model", "Network", "What artists' characters taught"),
                                                          ("heat", "Heat", "Heat fields alone")])
+    joints: bpy.props.EnumProperty(name="Bones", items=[("names", "That Deform", "Not controls, slots, ends and what stands beside the mesh, as the command has it"),
+                                                        ("all", "All", "Every bone whose Deform is on")])
     influences: bpy.props.IntProperty(name="Influences", description="Most bones a vertex", default=4, min=1, max=12)
     symmetric: bpy.props.BoolProperty(name="Symmetric", description="Mirror images get mirrored weights, to the last bit; across the world's x")
     rigid_parts: bpy.props.EnumProperty(name="Loose Parts", description="Whether connected pieces move as a whole",
@@ -125,20 +127,17 @@ class SINEW_OT_bind(EngineOperator, bpy.types.Operator):
 
     def compute(self, gathered, progress):
         joined = gathered.mesh
-        options = dict(method=self.method, influences=self.influences, weight_format="unorm8" if self.precision == "8" else "unorm16",
-                       up="z", never=gathered.never, symmetric=self.symmetric, rigid_parts=self.rigid_parts, softness=self.softness,
-                       given=gathered.given, hints=gathered.hints, locked=gathered.locked, threads=thread_count(self.vertex_count))
-        answers, half = gathered.answers, 0.0
-        if self.style:
-            half = 0.5
-            asked = sinew.bind(joined.positions, joined.faces, gathered.skeleton, questions=sinew.binding.MAX_QUESTIONS,
-                               progress=lambda share: progress(share / 2), **options)
-            own = sinew.Skeleton(_y_up(gathered.skeleton.positions), gathered.skeleton.parents, gathered.skeleton.names)
-            answers = sinew.answers_by_style(gathered.style, _y_up(joined.positions), own, asked, gathered.never) + answers
-        return sinew.bind(joined.positions, joined.faces, gathered.skeleton, answers=answers, questions=self.questions,
-                          progress=lambda share: progress(half + (1 - half) * share), **options)
+        with sinew.create(sinew.Character(joined.positions, joined.faces, gathered.skeleton)) as one:
+            if gathered.given is not None:
+                one.set_skin(gathered.given)
+            told = one.bind(method=self.method, joints=self.joints, keep_tips=self.joints == "all", influences=self.influences, up="z",
+                            never=gathered.never, symmetric=self.symmetric, rigid_parts=self.rigid_parts, softness=self.softness,
+                            hints=gathered.hints, locked=gathered.locked, style=gathered.style or None, answers=gathered.answers,
+                            questions=self.questions, threads=thread_count(self.vertex_count), progress=progress)
+            return told, rounded(one.skin, self.influences, self.precision)
 
-    def apply(self, context, gathered, skin):
+    def apply(self, context, gathered, result):
+        told, skin = result
         names = list(gathered.skeleton.names)
         own = slice(0, gathered.mesh.own)
         weights = skin.weights[own].astype(np.float32) / np.float32(skin.unit())
@@ -153,17 +152,28 @@ class SINEW_OT_bind(EngineOperator, bpy.types.Operator):
                 fresh = _with_names(names, gathered.replaced)
                 groups.write(part.object, fresh, skin.joints[at], weights[at], rows[at])
             attach(part.object, gathered.armature)
-        remember(context, gathered, skin)
+        remember(context, gathered, told.questions)
         context.scene["sinew_bind"] = {name: getattr(self, name) for name in _OPTIONS}
         doubtful = int((skin.confidence[own] < 128).sum())
         self.report({"INFO"}, f"Bind: {gathered.mesh.own} vertices of {len(gathered.mesh.parts)} meshes, {len(names)} bones"
                     + (f"; {doubtful} vertices are doubtful" if doubtful else "")
-                    + ("; no mirror plane was found" if self.symmetric and skin.symmetric_vertices == 0 else ""))
+                    + ("; no mirror plane was found" if self.symmetric and told.symmetric_vertices == 0 else "")
+                    + left_out_line(told, gathered.never))
 
 
-def _y_up(points):
-    """Style files are about characters of the command, which have y up."""
-    return points[:, [0, 2, 1]] * np.array([1, 1, -1], np.float32)
+def left_out_line(told, never):
+    """Bones that get no weight though the armature lets them deform."""
+    others = [f"{name} ({why})" for name, why in told.left_out.items() if name not in set(never)]
+    if not others:
+        return ""
+    return f"; without weight by their names: {', '.join(others[:3])}{f' and {len(others) - 3} more' if len(others) > 3 else ''}; Bones: All binds them"
+
+
+def rounded(skin, influences, precision="8"):
+    """A skin in steps of 1/255 or 1/65535, as the engine rounds it."""
+    out = skin.rounded(influences, 255 if precision == "8" else 65535)
+    out.confidence = skin.confidence
+    return out
 
 
 def _with_names(names, replaced):
@@ -210,11 +220,11 @@ def answers_of(joined, names):
     return out
 
 
-def remember(context, gathered, skin):
+def remember(context, gathered, questions):
     """The questions of a bind, for the panel."""
     listed = context.scene.sinew_questions
     listed.clear()
-    for question in skin.questions:
+    for question in questions:
         part = next((p for p in gathered.mesh.parts if p.first <= question.vertex < p.first + p.count), None)
         if part is None:
             continue  # of a mirrored copy

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 from . import groups, scene, sinew
-from .bind import attach
+from .bind import attach, rounded
 from .work import EngineOperator, Problem, thread_count
 
 
@@ -27,12 +27,12 @@ class SINEW_OT_rig(EngineOperator, bpy.types.Operator):
     names: bpy.props.EnumProperty(name="Names", items=[("blender", "Arm.L", "For Blender's mirrored editing"),
                                                        ("sides", "LeftArm", "As game engines have them")])
     spine: bpy.props.IntProperty(name="Spine", description="Bones between hips and neck, 0: as predicted", default=0, min=0, max=16)
-    fingers: bpy.props.BoolProperty(name="Fingers", description="Where the mesh shows any")
-    face: bpy.props.BoolProperty(name="Face", description="Eyes that are balls of their own, and a jaw")
-    props: bpy.props.BoolProperty(name="Props", description="A bone for what hands hold, where it is a loose part")
+    detail: bpy.props.EnumProperty(name="Detail", items=[("body", "Body", "Down to the hands"), ("hands", "Hands", "With fingers, where the mesh shows any"),
+                                                         ("full", "Full", "With eyes, a jaw and what hands hold, too")])
     toes: bpy.props.BoolProperty(name="Toes", default=True)
     mirror: bpy.props.EnumProperty(name="Mirror", items=[("auto", "As the Mesh", ""), ("always", "Always", ""), ("never", "Never", "")])
-    method: bpy.props.EnumProperty(name="Method", items=[("votes", "Network", ""), ("shape", "Middle Line", "For what no model knows")])
+    method: bpy.props.EnumProperty(name="Method", items=[("auto", "Automatic", "The middle line for what the network does not know"), ("votes", "Network", ""),
+                                                         ("shape", "Middle Line", "For what no model knows")])
     bind: bpy.props.BoolProperty(name="Bind", description="Bind the meshes to the new armature as well", default=True)
 
     @classmethod
@@ -54,34 +54,29 @@ class SINEW_OT_rig(EngineOperator, bpy.types.Operator):
 
     def compute(self, gathered, progress):
         joined, armature, skeleton = gathered
-        found = sinew.rig(joined.positions, joined.faces, up="z", method=self.method, mirror=self.mirror, spine=self.spine,
-                          toes=self.toes, fingers=self.fingers and self.method == "votes", face=self.face, props=self.props,
-                          progress=lambda share: progress(share / 2 if self.bind else share))
-        if armature is None:
-            heads, _, parents = bones_of(found.skeleton)
-            number = {joint: i for i, joint in enumerate(parents)}
-            names = [self._name(found.skeleton.names[j]) for j in parents]
-            bones = sinew.Skeleton(heads[list(parents)], [number.get(p, -1) for p in parents.values()], names)
-            never = []
-        else:
-            bones = sinew.Skeleton(fitted(skeleton, found.skeleton), skeleton.parents, skeleton.names)
-            never = [b.name for b in armature.data.bones if not b.use_deform]
-        skin = None
-        if self.bind:
-            skin = sinew.bind(joined.positions, joined.faces, bones, weight_format="unorm8", up="z", never=never,
-                              threads=thread_count(self.vertex_count), progress=lambda share: progress(0.5 + share / 2))
-        return found, bones, skin
+        with sinew.create(sinew.Character(joined.positions, joined.faces)) as one:
+            own = None
+            if armature is not None:
+                skeleton.ends = np.array([not b.use_deform for b in armature.data.bones])
+                own = sinew.create(sinew.Character(np.zeros((0, 3), np.float32), [], skeleton, name=armature.name))
+            told = one.rig(method=self.method, detail=self.detail, mirror=self.mirror, spine=self.spine, toes=self.toes, up="z", bind=self.bind,
+                           skeleton=own, threads=thread_count(self.vertex_count), progress=progress)
+            found = one.skeleton
+            found.ends = told.ends if own is None else None
+            return told, found, rounded(one.skin, 4) if self.bind else None, one.notes
 
     def apply(self, context, gathered, result):
         joined, armature, skeleton = gathered
-        found, bones, skin = result
+        told, found, skin, notes = result
+        names = list(found.names) if armature is not None else [self._name(n) for n in found.names]
+        warnings = "".join(f"; {note.removeprefix('warning: ')}" for note in notes if note.startswith("warning: "))
         if armature is not None:
-            move_bones(context, armature, skeleton, bones.positions.astype(np.float64))
-            self.report({"INFO"}, f"Rig: {armature.name} fitted, {len(skeleton)} bones")
+            order = [found.index(n) for n in skeleton.names]
+            move_bones(context, armature, skeleton, found.positions[order].astype(np.float64))
+            self.report({"INFO"}, f"Rig: {armature.name} fitted, {told.matched} of {len(skeleton)} bones have a like in the mesh{warnings}")
         else:
-            armature = self._new_armature(context, joined, found.skeleton)
-            doubt = "; the mesh resembles nothing that the model knows, look at it" if found.spread > 0.08 else ""
-            self.report({"INFO"}, f"Rig: {len(armature.data.bones)} bones{doubt}")
+            armature = self._new_armature(context, joined, found)
+            self.report({"INFO"}, f"Rig: {len(armature.data.bones)} bones{warnings}")
         meshes = [part.object for part in joined.parts]
         for one in list(context.selected_objects):
             one.select_set(False)
@@ -92,7 +87,7 @@ class SINEW_OT_rig(EngineOperator, bpy.types.Operator):
             return
         for part in joined.parts:
             own = slice(part.first, part.first + part.count)
-            groups.write(part.object, list(bones.names), skin.joints[own], skin.weights[own] / np.float32(255), np.ones(part.count, bool))
+            groups.write(part.object, names, skin.joints[own], skin.weights[own] / np.float32(255), np.ones(part.count, bool))
             attach(part.object, armature)
 
     def _name(self, name):
@@ -155,42 +150,6 @@ def _turn_between(a, b):
         return None
     k = np.array([[0, -cross[2], cross[1]], [cross[2], 0, -cross[0]], [-cross[1], cross[0], 0]])
     return (np.eye(3) + k + k @ k / (1 + cosine)) * lb / la
-
-
-def fitted(skeleton, predicted):
-    """Places [j, 3] of a skeleton's joints in a mesh: those with a counterpart in the predicted skeleton go there, others between
-    and beyond them as they lay. Raises Problem."""
-    found = sinew.map(skeleton, predicted, target_up="z", source_up="z")
-    mapped = found.sources >= 0
-    if mapped.sum() < 2:
-        raise Problem("too few bones have a counterpart in the mesh; rig it without the armature selected")
-    old, new = skeleton.positions.astype(np.float64), skeleton.positions.astype(np.float64).copy()
-    new[mapped] = predicted.positions[found.sources[mapped]]
-    spread = [np.linalg.norm(p[mapped] - p[mapped].mean(0), axis=1).mean() for p in (old, new)]
-    turns = np.tile(np.eye(3) * spread[1] / max(spread[0], 1e-12), (len(skeleton), 1, 1))
-    order = skeleton.order()
-    below = np.full(len(skeleton), -1)  # the nearest mapped joint at or below
-    for joint in reversed(order):
-        if mapped[joint]:
-            below[joint] = joint
-        parent = skeleton.parents[joint]
-        if parent >= 0 and below[parent] < 0:
-            below[parent] = below[joint]
-    roots = [j for j in order if skeleton.parents[j] < 0]
-    for root in roots:
-        if not mapped[root]:
-            target = below[root] if below[root] >= 0 else int(np.flatnonzero(mapped)[0])
-            new[root] = new[target] + turns[root] @ (old[root] - old[target])
-    for joint in order:
-        parent = skeleton.parents[joint]
-        if parent < 0:
-            continue
-        end = below[joint]
-        turned = None if end < 0 else _turn_between(old[end] - old[parent], new[end] - new[parent])
-        turns[joint] = turned if turned is not None else turns[parent]
-        if not mapped[joint]:
-            new[joint] = new[parent] + turns[joint] @ (old[joint] - old[parent])
-    return new
 
 
 def move_bones(context, armature, skeleton, places):

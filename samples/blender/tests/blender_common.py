@@ -99,19 +99,6 @@ def state(item):
             item.parent.name if item.parent else None, [list(r) for r in item.matrix_world])
 
 
-def write_obj(path, positions, faces):
-    with open(path, "w", encoding="utf-8") as file:
-        file.writelines("v %.9g %.9g %.9g\n" % tuple(p) for p in positions)
-        file.writelines("f " + " ".join(str(int(v) + 1) for v in f) + "\n" for f in faces)
-
-
-def write_rig(path, skeleton):
-    with open(path, "w", encoding="utf-8") as file:
-        file.writelines("joints %s %.9g %.9g %.9g\n" % (n, *p) for n, p in zip(skeleton.names, skeleton.positions))
-        file.writelines(f"root {n}\n" for n, p in zip(skeleton.names, skeleton.parents) if p < 0)
-        file.writelines(f"hier {skeleton.names[p]} {n}\n" for n, p in zip(skeleton.names, skeleton.parents) if p >= 0)
-
-
 def run(module):
     result = unittest.TextTestRunner(verbosity=2).run(unittest.defaultTestLoader.loadTestsFromModule(sys.modules[module]))
     sys.stdout.flush()

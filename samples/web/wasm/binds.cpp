@@ -181,7 +181,7 @@ Json style_answers(Session& s, const Wish& wish) {
   Json list = Json::array();
   if (s.style.sheets.empty()) return {{"answers", std::move(list)}};
   CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
-  const AskedBind asked = {proposed.questions, proposed.vertex_parts};
+  const AskedBind asked = {proposed.questions, proposed.vertex_parts, wish.up_axis};
   for (const sinew_answer& answer : answer_by_style(s.style, s.character, asked, s.rigs().now().choice.flags)) {
     const uint32_t number = proposed.vertex_questions[answer.vertex];
     list.push_back({{"question", question_json(s.character.joints, proposed.questions[number])},
@@ -198,7 +198,7 @@ Json style_answers(Session& s, const Wish& wish) {
 void save_style(const Session& s, const Wish& wish, const std::vector<sinew_answer>& answers, const std::string& path) {
   const CharacterBind proposed = bind_with(s, wish, {}, SINEW_MAX_QUESTIONS).result;
   Style style = s.style;
-  style.sheets.push_back(learn_style(s.character, {proposed.questions, proposed.vertex_parts}, answers));
+  style.sheets.push_back(learn_style(s.character, {proposed.questions, proposed.vertex_parts, wish.up_axis}, answers));
   if (style.sheets.back().rules.empty()) throw Error("there is no answer to keep in a style; answer a question first");
   write_style(path, style);
 }

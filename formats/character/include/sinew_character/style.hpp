@@ -46,6 +46,7 @@ struct Style {
 struct AskedBind {
   const std::vector<sinew_question>& questions;
   const std::vector<uint32_t>& vertex_parts;  // [V]
+  uint32_t up_axis = 0;                       // of the character: 0 = y, 1 = z; a style has y up
 };
 
 // The rules that the answers about a character make; answers about parts that are no question make none.

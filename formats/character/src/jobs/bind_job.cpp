@@ -186,14 +186,14 @@ const CharacterBind& BindJob::proposed() {
 
 std::vector<sinew_answer> BindJob::answers_of(const Style& style) {
   const CharacterBind& asked = proposed();
-  return answer_by_style(style, *character_, {asked.questions, asked.vertex_parts}, choice_.flags);
+  return answer_by_style(style, *character_, {asked.questions, asked.vertex_parts, job_.up_axis}, choice_.flags);
 }
 
 Style BindJob::learnt(Style style, const std::vector<sinew_answer>& said, const std::string& path) {
   const JointChoice kept = choice_;
   const CharacterBind& asked = proposed();
   choice_ = kept;
-  style.sheets.push_back(learn_style(*character_, {asked.questions, asked.vertex_parts}, said));
+  style.sheets.push_back(learn_style(*character_, {asked.questions, asked.vertex_parts, job_.up_axis}, said));
   if (style.sheets.back().rules.empty())
     throw Error(path +
                 ": there is no answer to keep; give some with --ask or --answer, about parts "

@@ -42,7 +42,7 @@ FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string
   try {
     fitted = fit_into_mesh(own, found, options, mesh);
   } catch (const Error& error) {
-    throw Error("--skeleton " + source + ": " + error.what());
+    throw Error(source + ": " + error.what());
   }
   PredictedSkeleton result = skeleton_from_joints(fitted.joints);
   std::map<std::string, std::optional<bool>> deforms;

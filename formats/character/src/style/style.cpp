@@ -31,26 +31,32 @@ Place mirrored(Place position, bool mirror) {
   return position;
 }
 
-// Places in a character's box: from its middle, in longest sides.
+// Places in a character's box: from its middle, in longest sides, with y up.
 class Positions {
  public:
-  explicit Positions(const Character& character)
-      : box_(box_of(character.vertices)), side_(std::max(1e-20, static_cast<double>(box_.longest_side()))) {}
+  Positions(const Character& character, uint32_t up_axis)
+      : box_(box_of(character.vertices)),
+        side_(std::max(1e-20, static_cast<double>(box_.longest_side()))),
+        z_up_(up_axis == 1) {}
   Place of(const Vec3& p) const {
-    return {(p.x - 0.5 * (box_.low.x + box_.high.x)) / side_, (p.y - 0.5 * (box_.low.y + box_.high.y)) / side_,
-            (p.z - 0.5 * (box_.low.z + box_.high.z)) / side_};
+    const double x = (p.x - 0.5 * (box_.low.x + box_.high.x)) / side_;
+    const double y = (p.y - 0.5 * (box_.low.y + box_.high.y)) / side_;
+    const double z = (p.z - 0.5 * (box_.low.z + box_.high.z)) / side_;
+    return z_up_ ? Place{x, z, -y} : Place{x, y, z};
   }
 
  private:
   Box box_;
   double side_;
+  bool z_up_;
 };
 
 double away(const Place& a, const Place& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 // Looks of all parts; `joint` is left empty.
-std::vector<PartLook> look_at_parts(const Character& character, const std::vector<uint32_t>& vertex_parts) {
-  const Positions positions(character);
+std::vector<PartLook> look_at_parts(const Character& character, const AskedBind& asked) {
+  const std::vector<uint32_t>& vertex_parts = asked.vertex_parts;
+  const Positions positions(character, asked.up_axis);
   uint32_t count = 0;
   for (const uint32_t part : vertex_parts) count = std::max(count, part + 1);
   std::vector<PartLook> looks(count);
@@ -102,8 +108,8 @@ bool same_kind(const Joints& a, const Joints& b, double farthest) {
   return 3 * found >= 2 * std::max(a.size(), b.size());
 }
 
-Joints joints_of(const Character& character) {
-  const Positions positions(character);
+Joints joints_of(const Character& character, uint32_t up_axis) {
+  const Positions positions(character, up_axis);
   Joints joints;
   for (const Joint& joint : character.joints) joints.emplace_back(joint.name, positions.of(joint.position));
   return joints;
@@ -154,9 +160,9 @@ int steps_up(const Character& character, uint16_t from, uint16_t to) {
 
 StyleSheet learn_style(const Character& character, const AskedBind& asked, const std::vector<sinew_answer>& answers) {
   StyleSheet sheet;
-  sheet.joints = joints_of(character);
+  sheet.joints = joints_of(character, asked.up_axis);
   if (asked.questions.empty()) return sheet;
-  const std::vector<PartLook> looks = look_at_parts(character, asked.vertex_parts);
+  const std::vector<PartLook> looks = look_at_parts(character, asked);
   for (const sinew_answer& answer : answers) {
     const uint32_t part = asked.vertex_parts[answer.vertex];
     for (const sinew_question& question : asked.questions) {
@@ -180,14 +186,14 @@ std::vector<sinew_answer> answer_by_style(const Style& style, const Character& c
   std::vector<sinew_answer> answers;
   if (asked.questions.empty()) return answers;
   std::vector<StyleRule> rules;
-  const Joints joints = joints_of(character);
+  const Joints joints = joints_of(character, asked.up_axis);
   for (const StyleSheet& sheet : style.sheets) {
     const bool same_names = same_kind(sheet.joints, joints, HUGE_VAL);
     const bool same_positions = same_kind(sheet.joints, joints, kSamePosition);
     for (const StyleRule& rule : sheet.rules)
       if (rule.kind == SINEW_ANSWER_RIGID ? same_positions : same_names) rules.push_back(rule);
   }
-  const std::vector<PartLook> looks = look_at_parts(character, asked.vertex_parts);
+  const std::vector<PartLook> looks = look_at_parts(character, asked);
   std::vector<Match> matches;
   for (size_t q = 0; q < asked.questions.size(); ++q) {
     PartLook look = looks[asked.vertex_parts[asked.questions[q].vertex]];
