@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Creatures of every proportion for skeleton prediction: a few joints drawn freely around a body plan, every bone a
 // capsule from its joint to the next, both sides alike.
+// Draws stand in statements of their own: arguments of a call are evaluated in any order.
 #include "synth/creature.hpp"
 
 #include <algorithm>
@@ -152,18 +153,23 @@ void arms(Sketch* s, Point shoulder, int parent, double width, double length, do
     std::vector<std::string> names = {"upper_arm", "forearm", "hand"};
     if (s->chance(0.3)) names.pop_back();
     const double radius = s->range(0.05, 0.14);
-    s->chain(names, shoulder + Point{width, 0, 0}, parent,
-             {s->about({1, -down, forward * 0.3}), s->about({1, -down, forward}), s->about({1, -down, forward})},
-             {length * s->range(0.7, 1.2), length * s->range(0.7, 1.2), length * 0.4 * end}, radius,
-             radius * s->range(0.5, 1.3) * end);
+    const auto chain_r1 = radius * s->range(0.5, 1.3) * end;
+    const std::vector<double> chain_lengths = {length * s->range(0.7, 1.2), length * s->range(0.7, 1.2),
+                                               length * 0.4 * end};
+    const std::vector<Point> chain_directions = {s->about({1, -down, forward * 0.3}), s->about({1, -down, forward}),
+                                                 s->about({1, -down, forward})};
+    s->chain(names, shoulder + Point{width, 0, 0}, parent, chain_directions, chain_lengths, radius, chain_r1);
   });
 }
 
 void wings(Sketch* s, const std::string& name, Point base, int parent, double width, double length, Point direction) {
   s->both_sides([&] {
     const size_t first = s->nodes.size();
-    s->chain(numbered(name, s->integer(1, 3)), base + Point{width, 0, 0}, parent, {s->about(direction)}, {length},
-             s->range(0.08, 0.2), s->range(0.03, 0.1));
+    const auto chain_r1 = s->range(0.03, 0.1);
+    const auto chain_r0 = s->range(0.08, 0.2);
+    const std::vector<Point> chain_directions = {s->about(direction)};
+    const auto chain_names = numbered(name, s->integer(1, 3));
+    s->chain(chain_names, base + Point{width, 0, 0}, parent, chain_directions, {length}, chain_r0, chain_r1);
     const double flat = s->range(0.25, 1.0);
     for (size_t i = first + 1; i < s->nodes.size(); ++i) s->nodes[i].scale = {1, flat, 1};
   });
@@ -187,22 +193,30 @@ void head(Sketch* s, Body* body, int necks, double neck_length, Point direction,
   Point p = body->top;
   int parent = body->chest();
   if (necks > 0) {
-    parent = s->chain(numbered("neck", necks), p, parent, {s->about_plane(direction)}, {neck_length},
-                      body->radius * s->range(0.3, 0.7), body->radius * 0.4, false, &p)
+    const auto chain_r0 = body->radius * s->range(0.3, 0.7);
+    const std::vector<Point> chain_directions = {s->about_plane(direction)};
+    parent = s->chain(numbered("neck", necks), p, parent, chain_directions, {neck_length}, chain_r0, body->radius * 0.4,
+                      false, &p)
                  .back();
   }
   const bool level = direction.z > 0.5;
   const Point ahead = s->about_plane({0, level ? 0.1 : 0.4, 0.9}, 0.25), above = s->about_plane({0, 1, 0.1});
   const Point face = unit(s->chance(level ? 0.75 : 0.4) ? ahead : above);
   body->head = s->add("head", parent, p, radius);
-  if (s->chance(level ? 0.4 : 0.2))  // a snout
-    s->add("snout", body->head, p + unit({0, ahead.y - 0.3, ahead.z}) * (radius * s->range(1.0, 2.2)),
-           radius * s->range(0.3, 0.7), true);
-  s->add("head_end", body->head, p + face * (radius * s->range(0.5, 1.5)), radius * s->range(0.7, 1.2), true);
+  if (s->chance(level ? 0.4 : 0.2)) {
+    const double snout_radius = radius * s->range(0.3, 0.7);
+    const Point snout = p + unit({0, ahead.y - 0.3, ahead.z}) * (radius * s->range(1.0, 2.2));
+    s->add("snout", body->head, snout, snout_radius, true);
+  }
+  const double end_radius = radius * s->range(0.7, 1.2);
+  s->add("head_end", body->head, p + face * (radius * s->range(0.5, 1.5)), end_radius, true);
   if (!s->chance(ears)) return;
   s->both_sides([&] {
-    s->chain({"ear"}, p + Point{radius * 0.6, radius * 0.7, 0}, body->head, {s->about({0.5, 1, 0})},
-             {s->range(0.1, 0.5)}, s->range(0.04, 0.1), 0.03);
+    const auto chain_r0 = s->range(0.04, 0.1);
+    const std::vector<double> chain_lengths = {s->range(0.1, 0.5)};
+    const std::vector<Point> chain_directions = {s->about({0.5, 1, 0})};
+    s->chain({"ear"}, p + Point{radius * 0.6, radius * 0.7, 0}, body->head, chain_directions, chain_lengths, chain_r0,
+             0.03);
   });
 }
 
@@ -210,25 +224,50 @@ Body dinosaur(Sketch* s) {
   const bool upright = s->chance(0.3);
   const Point direction = unit(s->about_plane({0, upright ? 1.0 : s->range(-0.15, 0.5), upright ? 0.25 : 1.0}, 0.06));
   const double height = s->range(0.35, 1.2), radius = s->range(0.15, 0.4);
-  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.2, upright ? 0.35 : 0.45),
-                         s->integer(1, 4));
-  legs(s, {radius * s->range(0.5, 0.9), height - 0.03, -0.05}, body.trunk[0], hind_leg(s->integer(3, 4)),
-       s->range(-0.02, 0.2), height * 0.92, s->range(0.07, 0.2), s->range(-0.1, 0.5));
+  const auto trunk_spines = s->integer(1, 4);
+  const auto trunk_length = s->range(0.2, upright ? 0.35 : 0.45);
+  const auto trunk_first = s->range(0.1, 0.3);
+  Body body = make_trunk(s, height, radius, direction, trunk_first, trunk_length, trunk_spines);
+  const auto legs_forward = s->range(-0.1, 0.5);
+  const auto legs_radius = s->range(0.07, 0.2);
+  const auto legs_spread = s->range(-0.02, 0.2);
+  const auto legs_names = hind_leg(s->integer(3, 4));
+  const Point legs_hip = {radius * s->range(0.5, 0.9), height - 0.03, -0.05};
+  legs(s, legs_hip, body.trunk[0], legs_names, legs_spread, height * 0.92, legs_radius, legs_forward);
   if (s->chance(0.92)) {
-    arms(s, body.top - Point{0, s->range(0.05, 0.2), upright ? 0.0 : 0.1}, body.chest(), radius * s->range(0.5, 0.9),
-         s->range(0.1, 0.35), s->range(0.3, 2.0));
+    const auto arms_down = s->range(0.3, 2.0);
+    const auto arms_length = s->range(0.1, 0.35);
+    const auto arms_width = radius * s->range(0.5, 0.9);
+    const auto arms_shoulder = body.top - Point{0, s->range(0.05, 0.2), upright ? 0.0 : 0.1};
+    arms(s, arms_shoulder, body.chest(), arms_width, arms_length, arms_down);
   }
-  head(s, &body, s->integer(0, 3), s->range(0.08, 0.4), {0, s->range(0.2, 1.2), 1}, s->range(0.15, 0.45), 0.15);
-  if (s->chance(0.95)) any_tail(s, body, s->integer(1, 6), radius * s->range(0.3, 0.95), s->range(0.15, 0.5));
+  const auto head_radius = s->range(0.15, 0.45);
+  const Point head_direction = {0, s->range(0.2, 1.2), 1};
+  const auto head_neck_length = s->range(0.08, 0.4);
+  const auto head_necks = s->integer(0, 3);
+  head(s, &body, head_necks, head_neck_length, head_direction, head_radius, 0.15);
+  if (s->chance(0.95)) {
+    const auto tail_length = s->range(0.15, 0.5);
+    const auto tail_thickness = radius * s->range(0.3, 0.95);
+    const auto tail_joints = s->integer(1, 6);
+    any_tail(s, body, tail_joints, tail_thickness, tail_length);
+  }
   return body;
 }
 
 Body beast(Sketch* s) {
   const Point direction = unit(s->about_plane({0, s->range(-0.15, 0.35), 1}, 0.06));
   const double height = s->range(0.25, 1.2), radius = s->range(0.13, 0.4);
-  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.15, 0.5), s->integer(1, 4));
-  legs(s, {radius * s->range(0.5, 0.9), height - 0.03, -0.05}, body.trunk[0], hind_leg(s->integer(2, 4)),
-       s->range(-0.02, 0.2), height * 0.92, s->range(0.05, 0.2), s->range(-0.1, 0.5));
+  const auto trunk_spines = s->integer(1, 4);
+  const auto trunk_length = s->range(0.15, 0.5);
+  const auto trunk_first = s->range(0.1, 0.3);
+  Body body = make_trunk(s, height, radius, direction, trunk_first, trunk_length, trunk_spines);
+  const auto legs_forward = s->range(-0.1, 0.5);
+  const auto legs_radius = s->range(0.05, 0.2);
+  const auto legs_spread = s->range(-0.02, 0.2);
+  const auto legs_names = hind_leg(s->integer(2, 4));
+  const Point legs_hip = {radius * s->range(0.5, 0.9), height - 0.03, -0.05};
+  legs(s, legs_hip, body.trunk[0], legs_names, legs_spread, height * 0.92, legs_radius, legs_forward);
   const double shoulder = body.top.y - s->range(0, 0.1);
   const Point front = {radius * s->range(0.4, 0.8), shoulder, body.top.z - s->range(0, 0.15)};
   const double front_height = std::max(0.2, shoulder * 0.92), front_radius = s->range(0.05, 0.17);
@@ -239,98 +278,175 @@ Body beast(Sketch* s) {
   if (s->chance(0.25)) {
     s->both_sides([&] {
       const int blade = s->add("shoulder", parent, front + Point{-front.x * 0.4, 0.05, 0}, front_radius);
-      s->chain(names, front, blade, {s->about({spread, -1, forward}, 0.1), s->about({0, -1, -forward * 0.6}, 0.1)},
-               {front_height * 0.5, front_height * 0.45, front_height * 0.15}, front_radius,
-               front_radius * s->range(0.4, 0.8));
+      const auto chain_r1 = front_radius * s->range(0.4, 0.8);
+      const std::vector<Point> chain_directions = {s->about({spread, -1, forward}, 0.1),
+                                                   s->about({0, -1, -forward * 0.6}, 0.1)};
+      s->chain(names, front, blade, chain_directions, {front_height * 0.5, front_height * 0.45, front_height * 0.15},
+               front_radius, chain_r1);
     });
   } else {
     legs(s, front, parent, names, spread, front_height, front_radius, forward);
   }
-  head(s, &body, s->integer(0, 3), s->range(0.08, 0.45), {0, s->range(0.2, 1.5), 1}, s->range(0.13, 0.45), 0.5);
+  const auto head_radius = s->range(0.13, 0.45);
+  const Point head_direction = {0, s->range(0.2, 1.5), 1};
+  const auto head_neck_length = s->range(0.08, 0.45);
+  const auto head_necks = s->integer(0, 3);
+  head(s, &body, head_necks, head_neck_length, head_direction, head_radius, 0.5);
   const int tails = s->integer(0, 5);
-  if (tails > 0) any_tail(s, body, tails, radius * s->range(0.15, 0.7), s->range(0.08, 0.45));
+  if (tails > 0) {
+    const auto tail_length = s->range(0.08, 0.45);
+    const auto tail_thickness = radius * s->range(0.15, 0.7);
+    any_tail(s, body, tails, tail_thickness, tail_length);
+  }
   return body;
 }
 
 Body toy(Sketch* s) {
   const double height = s->range(0.25, 1.1), radius = s->range(0.13, 0.35);
   const Point up = unit(s->about_plane({0, 1, s->range(-0.1, 0.3)}, 0.06));
-  Body body = make_trunk(s, height, radius, up, s->range(0.08, 0.2), s->range(0.12, 0.35), s->integer(1, 4));
-  legs(s, {radius * s->range(0.4, 0.8), height - 0.05, 0}, body.trunk[0], hind_leg(s->integer(2, 4)),
-       s->range(-0.05, 0.25), height * 0.9, s->range(0.06, 0.18), s->range(-0.1, 0.25));
-  arms(s, body.top - Point{0, s->range(0, 0.15), 0}, body.chest(), radius * s->range(0.7, 1.1), s->range(0.2, 0.5),
-       s->range(-0.1, 1.5));
+  const auto trunk_spines = s->integer(1, 4);
+  const auto trunk_length = s->range(0.12, 0.35);
+  const auto trunk_first = s->range(0.08, 0.2);
+  Body body = make_trunk(s, height, radius, up, trunk_first, trunk_length, trunk_spines);
+  const auto legs_forward = s->range(-0.1, 0.25);
+  const auto legs_radius = s->range(0.06, 0.18);
+  const auto legs_spread = s->range(-0.05, 0.25);
+  const auto legs_names = hind_leg(s->integer(2, 4));
+  const Point legs_hip = {radius * s->range(0.4, 0.8), height - 0.05, 0};
+  legs(s, legs_hip, body.trunk[0], legs_names, legs_spread, height * 0.9, legs_radius, legs_forward);
+  const auto arms_down = s->range(-0.1, 1.5);
+  const auto arms_length = s->range(0.2, 0.5);
+  const auto arms_width = radius * s->range(0.7, 1.1);
+  const auto arms_shoulder = body.top - Point{0, s->range(0, 0.15), 0};
+  arms(s, arms_shoulder, body.chest(), arms_width, arms_length, arms_down);
   if (s->chance(0.1))
     wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, 0.3, {1, 0.4, -0.5});
-  head(s, &body, s->integer(0, 2), s->range(0.05, 0.2), {0, 1, 0.1}, s->range(0.12, 0.5), 0.25);
-  if (s->chance(0.2)) any_tail(s, body, s->integer(1, 5), radius * s->range(0.2, 0.6), s->range(0.1, 0.4));
+  const auto head_radius = s->range(0.12, 0.5);
+  const auto head_neck_length = s->range(0.05, 0.2);
+  const auto head_necks = s->integer(0, 2);
+  head(s, &body, head_necks, head_neck_length, {0, 1, 0.1}, head_radius, 0.25);
+  if (s->chance(0.2)) {
+    const auto tail_length = s->range(0.1, 0.4);
+    const auto tail_thickness = radius * s->range(0.2, 0.6);
+    const auto tail_joints = s->integer(1, 5);
+    any_tail(s, body, tail_joints, tail_thickness, tail_length);
+  }
   return body;
 }
 
 Body blob(Sketch* s) {
   const double leg = s->range(0.08, 0.35), radius = s->range(0.25, 0.5), height = leg + radius * s->range(0.5, 1.0);
   const Point up = unit(s->about_plane({0, 1, s->range(-0.1, 0.4)}, 0.06));
-  Body body = make_trunk(s, height, radius, up, s->range(0.08, 0.25), s->range(0.1, 0.25), s->integer(0, 2));
-  legs(s, {radius * s->range(0.35, 0.7), height - radius * s->range(0.3, 0.7), 0}, body.trunk[0],
-       hind_leg(s->integer(2, 3)), s->range(-0.05, 0.25), leg * s->range(0.8, 1.1), s->range(0.06, 0.18),
-       s->range(-0.1, 0.2), 2);
+  const auto trunk_spines = s->integer(0, 2);
+  const auto trunk_length = s->range(0.1, 0.25);
+  const auto trunk_first = s->range(0.08, 0.25);
+  Body body = make_trunk(s, height, radius, up, trunk_first, trunk_length, trunk_spines);
+  const auto legs_forward = s->range(-0.1, 0.2);
+  const auto legs_radius = s->range(0.06, 0.18);
+  const auto legs_height = leg * s->range(0.8, 1.1);
+  const auto legs_spread = s->range(-0.05, 0.25);
+  const auto legs_names = hind_leg(s->integer(2, 3));
+  const Point legs_hip = {radius * s->range(0.35, 0.7), height - radius * s->range(0.3, 0.7), 0};
+  legs(s, legs_hip, body.trunk[0], legs_names, legs_spread, legs_height, legs_radius, legs_forward, 2);
   if (s->chance(0.7)) {
-    arms(s, body.top - Point{0, s->range(0, 0.2), 0}, body.chest(), radius * s->range(0.8, 1.1), s->range(0.1, 0.35),
-         s->range(-0.6, 1.5));
+    const auto arms_down = s->range(-0.6, 1.5);
+    const auto arms_length = s->range(0.1, 0.35);
+    const auto arms_width = radius * s->range(0.8, 1.1);
+    const auto arms_shoulder = body.top - Point{0, s->range(0, 0.2), 0};
+    arms(s, arms_shoulder, body.chest(), arms_width, arms_length, arms_down);
   }
   if (s->chance(0.2))
     wings(s, "wing", body.top - Point{0, 0.05, radius * 0.6}, body.chest(), radius * 0.4, s->range(0.15, 0.4),
           {1, 0.5, -0.4});
-  head(s, &body, s->chance(0.2) ? 1 : 0, s->range(0.05, 0.12), {0, 1, 0.2}, radius * s->range(0.6, 1.3), 0.4);
-  if (s->chance(0.3)) any_tail(s, body, s->integer(1, 4), radius * s->range(0.15, 0.5), s->range(0.08, 0.3));
+  const auto head_radius = radius * s->range(0.6, 1.3);
+  const auto head_neck_length = s->range(0.05, 0.12);
+  const auto head_necks = s->chance(0.2) ? 1 : 0;
+  head(s, &body, head_necks, head_neck_length, {0, 1, 0.2}, head_radius, 0.4);
+  if (s->chance(0.3)) {
+    const auto tail_length = s->range(0.08, 0.3);
+    const auto tail_thickness = radius * s->range(0.15, 0.5);
+    const auto tail_joints = s->integer(1, 4);
+    any_tail(s, body, tail_joints, tail_thickness, tail_length);
+  }
   return body;
 }
 
 Body fowl(Sketch* s) {
   const double height = s->range(0.25, 1.1), radius = s->range(0.15, 0.4);
   const Point up = unit(s->about_plane({0, 1, s->range(0.2, 2.5)}, 0.06));
-  Body body = make_trunk(s, height, radius, up, s->range(0.08, 0.2), s->range(0.12, 0.3), s->integer(1, 3));
-  legs(s, {radius * s->range(0.4, 0.8), height - radius * 0.4, 0}, body.trunk[0], hind_leg(s->integer(2, 4)),
-       s->range(-0.05, 0.15), height * 0.9 - radius * 0.4, s->range(0.04, 0.13), s->range(-0.2, 0.4));
+  const auto trunk_spines = s->integer(1, 3);
+  const auto trunk_length = s->range(0.12, 0.3);
+  const auto trunk_first = s->range(0.08, 0.2);
+  Body body = make_trunk(s, height, radius, up, trunk_first, trunk_length, trunk_spines);
+  const auto legs_forward = s->range(-0.2, 0.4);
+  const auto legs_radius = s->range(0.04, 0.13);
+  const auto legs_spread = s->range(-0.05, 0.15);
+  const auto legs_names = hind_leg(s->integer(2, 4));
+  const Point legs_hip = {radius * s->range(0.4, 0.8), height - radius * 0.4, 0};
+  legs(s, legs_hip, body.trunk[0], legs_names, legs_spread, height * 0.9 - radius * 0.4, legs_radius, legs_forward);
   const Point out = {1, s->range(-0.9, 0.6), s->range(-0.6, 0.0)};
-  wings(s, "wing", body.top - Point{0, 0.05, 0}, body.chest(), radius * s->range(0.5, 0.9), s->range(0.15, 0.5), out);
-  head(s, &body, s->integer(0, 3), s->range(0.05, 0.3), {0, 1, s->range(0.0, 0.8)}, s->range(0.1, 0.4), 0.1);
-  if (s->chance(0.7)) any_tail(s, body, s->integer(1, 3), radius * s->range(0.2, 0.7), s->range(0.1, 0.3));
+  const auto wings_length = s->range(0.15, 0.5);
+  const auto wings_width = radius * s->range(0.5, 0.9);
+  wings(s, "wing", body.top - Point{0, 0.05, 0}, body.chest(), wings_width, wings_length, out);
+  const auto head_radius = s->range(0.1, 0.4);
+  const Point head_direction = {0, 1, s->range(0.0, 0.8)};
+  const auto head_neck_length = s->range(0.05, 0.3);
+  const auto head_necks = s->integer(0, 3);
+  head(s, &body, head_necks, head_neck_length, head_direction, head_radius, 0.1);
+  if (s->chance(0.7)) {
+    const auto tail_length = s->range(0.1, 0.3);
+    const auto tail_thickness = radius * s->range(0.2, 0.7);
+    const auto tail_joints = s->integer(1, 3);
+    any_tail(s, body, tail_joints, tail_thickness, tail_length);
+  }
   return body;
 }
 
 Body fish(Sketch* s) {
   const double radius = s->range(0.15, 0.4), height = radius * s->range(1.0, 1.6);
   const Point direction = unit(s->about_plane({0, s->range(-0.1, 0.15), 1}, 0.05));
-  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.12, 0.4), s->integer(1, 4));
+  const auto trunk_spines = s->integer(1, 4);
+  const auto trunk_length = s->range(0.12, 0.4);
+  const auto trunk_first = s->range(0.1, 0.3);
+  Body body = make_trunk(s, height, radius, direction, trunk_first, trunk_length, trunk_spines);
   const double wide = radius * s->range(0.5, 0.8);
   const size_t past_trunk = s->nodes.size();
   const double thin = s->range(0.45, 1.2);
   for (size_t i = 1; i < past_trunk; ++i) s->nodes[i].scale.x = thin;
   const std::string fin = s->chance(0.5) ? "flipper" : "fin";
-  if (s->chance(0.8))
-    wings(s, fin, s->at(body.trunk[1]), body.trunk[1], wide * thin, s->range(0.1, 0.35),
-          {1, s->range(-0.6, 0.3), -0.4});
+  if (s->chance(0.8)) {
+    const Point wings_direction = {1, s->range(-0.6, 0.3), -0.4};
+    const auto wings_length = s->range(0.1, 0.35);
+    wings(s, fin, s->at(body.trunk[1]), body.trunk[1], wide * thin, wings_length, wings_direction);
+  }
   if (s->chance(0.3))
     wings(s, "back_" + fin, s->at(body.trunk[0]), body.trunk[0], wide * thin, s->range(0.08, 0.2), {1, -0.4, -0.6});
   // The tail ends in a fin, upright as a fish's or flat as a whale's.
   const int joints = s->integer(1, 5);
   const Point lift = s->about_plane({0, 0.1, -1}, 0.1);
-  tail(s, body, joints, radius * s->range(0.4, 0.9), s->range(0.12, 0.35), lift, lift);
+  const auto tail_length = s->range(0.12, 0.35);
+  const auto tail_thickness = radius * s->range(0.4, 0.9);
+  tail(s, body, joints, tail_thickness, tail_length, lift, lift);
   if (s->chance(0.75)) {
     Node& end = s->nodes.back();
     end.radius = radius * s->range(0.5, 1.0);
     end.scale = s->chance(0.7) ? Point{0.2, 1, 1} : Point{1, 0.2, 1};
     end.start_share = 0.5;
   }
-  head(s, &body, s->chance(0.2) ? 1 : 0, s->range(0.05, 0.2), {0, 0.1, 1}, radius * s->range(0.6, 1.1), 0);
+  const auto head_radius = radius * s->range(0.6, 1.1);
+  const auto head_neck_length = s->range(0.05, 0.2);
+  const auto head_necks = s->chance(0.2) ? 1 : 0;
+  head(s, &body, head_necks, head_neck_length, {0, 0.1, 1}, head_radius, 0);
   return body;
 }
 
 Body crawler(Sketch* s) {
   const double height = s->range(0.2, 0.7), radius = s->range(0.12, 0.4);
   const Point direction = unit(s->about_plane({0, s->range(-0.1, 0.3), 1}, 0.05));
-  Body body = make_trunk(s, height, radius, direction, s->range(0.1, 0.3), s->range(0.12, 0.35), s->integer(1, 3));
+  const auto trunk_spines = s->integer(1, 3);
+  const auto trunk_length = s->range(0.12, 0.35);
+  const auto trunk_first = s->range(0.1, 0.3);
+  Body body = make_trunk(s, height, radius, direction, trunk_first, trunk_length, trunk_spines);
   const double length = body.top.z, spread = s->range(0.4, 2.0);
   const int pairs = s->integer(1, 4), joints = s->integer(2, 3);
   const double radius_of_legs = s->range(0.04, 0.11), fan = s->range(0.1, 0.6);
@@ -343,8 +459,11 @@ Body crawler(Sketch* s) {
   }
   const Point front = {0, height, body.top.z - 0.05};
   if (s->chance(0.5)) {  // claws
-    arms(s, front, body.chest(), radius * 0.8, s->range(0.2, 0.45), s->range(-0.3, 0.4), s->range(0.8, 2.5),
-         s->range(1.2, 2.2));
+    const auto arms_end = s->range(1.2, 2.2);
+    const auto arms_forward = s->range(0.8, 2.5);
+    const auto arms_down = s->range(-0.3, 0.4);
+    const auto arms_length = s->range(0.2, 0.45);
+    arms(s, front, body.chest(), radius * 0.8, arms_length, arms_down, arms_forward, arms_end);
   } else {
     std::vector<std::string> names = {"upper_arm", "forearm", "hand"};
     names.resize(static_cast<size_t>(joints));
@@ -352,7 +471,12 @@ Body crawler(Sketch* s) {
          s->range(0.0, 0.7), 0.8);
   }
   if (s->chance(0.8)) head(s, &body, 0, 0.1, {0, 0.1, 1}, radius * s->range(0.4, 0.9), 0.15);
-  if (s->chance(0.5)) any_tail(s, body, s->integer(1, 5), radius * s->range(0.2, 0.7), s->range(0.1, 0.4));
+  if (s->chance(0.5)) {
+    const auto tail_length = s->range(0.1, 0.4);
+    const auto tail_thickness = radius * s->range(0.2, 0.7);
+    const auto tail_joints = s->integer(1, 5);
+    any_tail(s, body, tail_joints, tail_thickness, tail_length);
+  }
   return body;
 }
 

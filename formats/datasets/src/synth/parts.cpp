@@ -349,8 +349,10 @@ class Wardrobe {
     below_the_waist();
     shirt();
     boots();
-    if (random_->chance(0.35))
-      out_.append(cape(plan_, body_, random_->chance(0.5) ? knee_ : 0.2, random_->chance(0.3)));
+    if (random_->chance(0.35)) {
+      const bool rigid = random_->chance(0.3), to_the_knee = random_->chance(0.5);  // drawn here: arguments have no order
+      out_.append(cape(plan_, body_, to_the_knee ? knee_ : 0.2, rigid));
+    }
     on_chest_and_shoulders();
     belt();
     hand_and_halo();
