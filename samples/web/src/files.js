@@ -9,7 +9,7 @@ export const isRig = (name) => lower(name).endsWith(".txt");
 export const isModel = (name) => lower(name).endsWith(".sinew");
 export const isStyle = (name) => lower(name).endsWith(".style");
 export const isMotion = (name) => lower(name).endsWith(".bvh"); // glTF files are characters, unless one says so
-const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
+export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
 
 export function stem(name) {
   return name.replace(/(\.rig\.txt|\.[^.]*)$/i, "");

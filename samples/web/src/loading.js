@@ -3,7 +3,7 @@
 import { listQuestions, lookNowhere, useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
 import { predict, setEditing, showSkeleton } from "./editing.js";
-import { pairFiles } from "./files.js";
+import { isBeside, pairFiles } from "./files.js";
 import { clearError, run, save } from "./jobs.js";
 import { Pose } from "./pose.js";
 import { sampleFiles } from "./samples.js";
@@ -24,13 +24,20 @@ export async function openFiles(list) {
   if (found.characters.length > 0) {
     const before = at.open;
     at.open = found.characters;
+    // What lay beside other characters is not theirs.
+    const anew = at.open.every(({ mesh }) => names.includes(mesh));
+    const old = anew ? at.beside.filter((name) => !names.includes(name)) : [];
+    await engine.call("setAside", { names: old, where: "aside" });
     try {
       await load(at.open[0]);
     } catch (error) {
       at.open = before;
+      await engine.call("setAside", { names: old, where: "back" });
       showCharacters();
       throw error;
     }
+    await engine.call("setAside", { names: old, where: "gone" });
+    at.beside = [...(anew ? [] : at.beside), ...names.filter(isBeside)];
     $("sample").value = "";
     const kept = new Set([...names, ...at.open.flatMap((c) => [c.mesh, c.skeleton])]);
     const isOld = (n) => n && !kept.has(n);

@@ -13,6 +13,7 @@ export const at = {
   view: null,
   engineFacts: {}, // {kernel, version, moduleBytes}
   open: [], // characters that were dropped together: {name, mesh, skeleton, number, answers, style}
+  beside: [], // names of what was dropped with them: pictures, .bin, .mtl
   waiting: {}, // a mesh or a rig that its other half may still follow
   character: null, // what the module has loaded, with its bind result
   lastNumber: 0, // of the characters that were opened

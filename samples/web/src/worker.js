@@ -43,6 +43,7 @@ async function start({ forceScalar }) {
     printErr: () => {},
   });
   module.FS.mkdir("/drop");
+  module.FS.mkdir("/aside");
   module.FS.chdir("/drop");
   return { kernel: text(module._web_kernel()), version: text(module._web_version()), moduleBytes };
 }
@@ -100,6 +101,15 @@ const calls = {
     for (const number of numbers) module._web_forget(number);
     for (const name of names) {
       if (module.FS.analyzePath(plain(name)).exists) module.FS.unlink(plain(name));
+    }
+  },
+  // Files that no character that is opened now may find; where: "aside", "back" or "gone".
+  setAside({ names, where }) {
+    const [from, to] = where === "aside" ? ["/drop", "/aside"] : ["/aside", "/drop"];
+    for (const name of names.map(plain)) {
+      if (!module.FS.analyzePath(`${from}/${name}`).exists) continue;
+      if (where === "gone") module.FS.unlink(`${from}/${name}`);
+      else module.FS.rename(`${from}/${name}`, `${to}/${name}`);
     }
   },
   model: ({ name }) => withText(plain(name), (at) => checked(module._web_model(at))),
