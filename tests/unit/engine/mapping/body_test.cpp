@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Hips, spine, chest, head and arms.
+#include "human_rig.hpp"
+
+namespace sinew::mapping {
+namespace {
+
+TEST(MapBody, TheSpineLeadsFromTheHipsToTheHead) {
+  HumanRig human;
+  const Read read(&human);
+  const Anatomy& a = read.anatomy;
+  EXPECT_EQ(a.hip, HumanRig::kHips);
+  ASSERT_EQ(a.spine_count, 4);
+  for (int32_t k = 0; k < 4; ++k) EXPECT_EQ(a.spine[k], HumanRig::kSpine + k);
+  EXPECT_EQ(a.spine[a.chest], HumanRig::kChest);
+  EXPECT_EQ(a.spine[a.head], HumanRig::kHead);
+  EXPECT_EQ(read.first(a.arms.a), HumanRig::kUpperArm);
+  EXPECT_EQ(read.first(a.arms.b), HumanRig::kUpperArm + HumanRig::kRightArm);
+  EXPECT_NEAR(a.trunk_position(a.at(HumanRig::kHips)), 0, 1e-6);
+}
+
+TEST(MapBody, ADogsSpineEndsInItsHeadNotInItsTail) {
+  DogRig dog;
+  const Read read(&dog);
+  const Anatomy& a = read.anatomy;
+  ASSERT_GT(a.spine_count, 0);
+  EXPECT_EQ(a.spine[a.spine_count - 1], DogRig::kHead);
+  ASSERT_EQ(a.others_count, 1);  // the tail
+  EXPECT_EQ(a.limbs.joint(a.limb(a.others_first), 0), DogRig::kTail);
+}
+
+TEST(MapBody, WhatHasNoLegsAndIsLongLies) {
+  SmallRig snake;
+  snake.positions.clear();
+  snake.parents.clear();
+  for (int32_t k = 0; k < 8; ++k) {
+    snake.positions.insert(snake.positions.end(), {0, k == 7 ? 0.15f : 0.1f, 0.3f * static_cast<float>(k)});
+    snake.parents.push_back(k - 1);
+  }
+  const Read read(&snake);
+  EXPECT_TRUE(read.anatomy.lying);
+  EXPECT_EQ(read.anatomy.leg_count, 0);
+}
+
+}  // namespace
+}  // namespace sinew::mapping
