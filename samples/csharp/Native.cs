@@ -546,7 +546,7 @@ namespace Sinew
         public static extern int sinew_model_open(IntPtr bytes, UIntPtr size_bytes, IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern UIntPtr sinew_model_pack_workspace_size(IntPtr model);
+        public static extern int sinew_model_pack_workspace_size(IntPtr model, out UIntPtr size_bytes);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_model_pack(IntPtr model, IntPtr memory, UIntPtr memory_bytes);

@@ -42,7 +42,9 @@ void bind_with(const sinew_model& model) {
     demand(sinew_bind_workspace_size(&model, 4, 4, 12, 3, &options, &need) == SINEW_OK, "an opened model has a size");
     if (need > size_t{1} << 28) return;  // channels by the ten thousand are legal and take their memory
     sinew_model used = model;
-    const sinew::Workspace packed(binding == &first ? 0 : sinew_model_pack_workspace_size(&model));
+    size_t packed_bytes = 0;
+    demand(sinew_model_pack_workspace_size(&model, &packed_bytes) == SINEW_OK, "an opened model has a packed size");
+    const sinew::Workspace packed(binding == &first ? 0 : packed_bytes);
     if (binding == &second) {
       demand(sinew_model_pack(&used, packed.data(), packed.size()) == SINEW_OK, "an opened model is packed");
     }

@@ -40,9 +40,15 @@ Bound bind_star(uint32_t kernel, uint32_t weights_in_place, const sinew_model* m
   return bound;
 }
 
+size_t pack_size(const sinew_model* model) {
+  size_t bytes = 0;
+  EXPECT_EQ(sinew_model_pack_workspace_size(model, &bytes), SINEW_OK);
+  return bytes;
+}
+
 // The bundled model with its weights packed once.
 const sinew_model* packed_model() {
-  static sinew::Workspace memory(sinew_model_pack_workspace_size(bundled_model()));
+  static sinew::Workspace memory(pack_size(bundled_model()));
   static const sinew_model packed = [] {
     sinew_model model = *bundled_model();
     EXPECT_EQ(sinew_model_pack(&model, memory.data(), memory.size()), SINEW_OK);
@@ -90,11 +96,11 @@ size_t bytes_of_many(const sinew_model* model) {
 
 TEST(KernelOption, APackedModelNeedsAsMuchLessAsReadingInPlace) {
   EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(packed_model()),
-            sinew_model_pack_workspace_size(bundled_model()));
+            pack_size(bundled_model()));
   const Bound bound = bind_star(SINEW_KERNEL_AUTO, 0, packed_model());
   EXPECT_EQ(bound.used, bound.bytes);
   // What is asked for is what is written, and binds read it alone.
-  const size_t bytes = sinew_model_pack_workspace_size(bundled_model());
+  const size_t bytes = pack_size(bundled_model());
   EXPECT_GT(bytes, size_t{2} * bundled_model()->parameter_count);
   EXPECT_LE(bytes, size_t{2} * 93808);
   sinew::Workspace memory(bytes + 64);
@@ -109,7 +115,7 @@ TEST(KernelOption, APackedModelNeedsAsMuchLessAsReadingInPlace) {
 }
 
 TEST(KernelOption, PackingRefusesWhatDoesNotFit) {
-  const size_t bytes = sinew_model_pack_workspace_size(bundled_model());
+  const size_t bytes = pack_size(bundled_model());
   sinew::Workspace memory(bytes + 64);
   sinew_model model = *bundled_model(), empty = {};
   EXPECT_EQ(sinew_model_pack(&model, memory.data(), bytes - 1), SINEW_ERROR_WORKSPACE);
@@ -118,8 +124,11 @@ TEST(KernelOption, PackingRefusesWhatDoesNotFit) {
   EXPECT_EQ(sinew_model_pack(nullptr, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(sinew_model_pack(&empty, memory.data(), bytes), SINEW_ERROR_ARGUMENT);
   EXPECT_EQ(model.packed, nullptr);
-  EXPECT_EQ(sinew_model_pack_workspace_size(&empty), size_t{0});
-  EXPECT_EQ(sinew_model_pack_workspace_size(nullptr), size_t{0});
+  size_t untouched = 7;
+  EXPECT_EQ(sinew_model_pack_workspace_size(&empty, &untouched), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_model_pack_workspace_size(nullptr, &untouched), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(sinew_model_pack_workspace_size(&model, nullptr), SINEW_ERROR_ARGUMENT);
+  EXPECT_EQ(untouched, size_t{7});
 }
 
 TEST(KernelOption, UnknownValuesAreRefused) {

@@ -42,8 +42,9 @@ typedef struct sinew_model {
 SINEW_API sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
 
 /* Bytes that sinew_model_pack() needs: about the model's size.
- * 0 in builds whose kernels all read the model's own bytes (SINEW_SMALL_CODE), and for a model that is not open. */
-SINEW_API size_t sinew_model_pack_workspace_size(const sinew_model* model);
+ *   size_bytes  out; 0 in builds whose kernels all read the model's own bytes (SINEW_SMALL_CODE). Untouched on failure
+ * Returns SINEW_OK, SINEW_ERROR_ARGUMENT (a pointer is null, or the model is not open). */
+SINEW_API sinew_status sinew_model_pack_workspace_size(const sinew_model* model, size_t* size_bytes);
 
 /* Packs an opened model's weights once, in the order that vector kernels read them.
  * A bind with a model that is not packed packs it anew, in its workspace, which is larger by as much.

@@ -100,7 +100,8 @@ class Model {
   // sinew_model_pack() with its memory taken care of.
   sinew_status pack() {
     if (get() == nullptr) return SINEW_ERROR_ARGUMENT;
-    const size_t bytes = sinew_model_pack_workspace_size(&model_);
+    size_t bytes = 0;
+    if (const sinew_status status = sinew_model_pack_workspace_size(&model_, &bytes); status != SINEW_OK) return status;
     if (bytes == 0 || model_.packed != nullptr) return SINEW_OK;
     if (!packed_.reserve(bytes)) return SINEW_ERROR_WORKSPACE;
     return sinew_model_pack(&model_, packed_.data(), packed_.size());

@@ -23,8 +23,10 @@ sinew_status sinew_model_open(const void* bytes, size_t size_bytes, sinew_model*
   return sinew::open_model(bytes, size_bytes, task, model);
 }
 
-size_t sinew_model_pack_workspace_size(const sinew_model* model) {
-  return model == nullptr || model->bytes == nullptr ? 0 : sinew::packed_bytes(*model);
+sinew_status sinew_model_pack_workspace_size(const sinew_model* model, size_t* size_bytes) {
+  if (model == nullptr || model->bytes == nullptr || size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  *size_bytes = sinew::packed_bytes(*model);
+  return SINEW_OK;
 }
 
 sinew_status sinew_model_pack(sinew_model* model, void* memory, size_t memory_bytes) {

@@ -28,7 +28,8 @@ export class Model {
     this.parameters = words[9];
     /** "weights", "skeletons" or "hands" */
     this.task = words[13] === 0 ? "weights" : words[6] === 2 ? "hands" : "skeletons";
-    const packed = wasm.sinew_model_pack_workspace_size(this.address) >>> 0;
+    const size = blocks.bytes(4, 4);
+    const packed = wasm.sinew_model_pack_workspace_size(this.address, size) === 0 ? blocks.view(Uint32Array, size, 1)[0] : 0;
     if (packed > 0) wasm.sinew_model_pack(this.address, blocks.bytes(packed, 64), packed);
   }
   free() {

@@ -24,8 +24,8 @@ sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model*
 
 // Once for all characters that it will bind.
 void pack_weights(LoadedModel* loaded) {
-  const size_t bytes = sinew_model_pack_workspace_size(&loaded->model);
-  if (loaded->packed.reserve(bytes)) (void)sinew_model_pack(&loaded->model, loaded->packed.data(), bytes);
+  size_t bytes = 0;
+  if (sinew_model_pack_workspace_size(&loaded->model, &bytes) == SINEW_OK && loaded->packed.reserve(bytes)) (void)sinew_model_pack(&loaded->model, loaded->packed.data(), bytes);
 }
 
 }  // namespace

@@ -415,7 +415,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_kernel_select": (c_uint32, [c_uint32]),
     "sinew_struct_size": (c_size_t, [c_char_p]),
     "sinew_model_open": (c_int, [c_void_p, c_size_t, POINTER(sinew_model)]),
-    "sinew_model_pack_workspace_size": (c_size_t, [POINTER(sinew_model)]),
+    "sinew_model_pack_workspace_size": (c_int, [POINTER(sinew_model), POINTER(c_size_t)]),
     "sinew_model_pack": (c_int, [POINTER(sinew_model), c_void_p, c_size_t]),
     "sinew_skin_linear": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),
     "sinew_skin_dual_quaternion": (c_int, [c_void_p, c_uint32, POINTER(sinew_skin), c_void_p, c_uint32, c_void_p]),

@@ -41,7 +41,9 @@ class Model:
         binding.check(open_model(self._bytes.ctypes.data, len(content), self.pointer()), self.name)
         if task != "weights":
             return
-        self._packed = binding.Block(library.sinew_model_pack_workspace_size(self.pointer()))
+        size = ctypes.c_size_t()
+        binding.check(library.sinew_model_pack_workspace_size(self.pointer(), ctypes.byref(size)), self.name)
+        self._packed = binding.Block(size.value)
         binding.check(library.sinew_model_pack(self.pointer(), self._packed.address, self._packed.size_bytes), self.name)
 
     def pointer(self):

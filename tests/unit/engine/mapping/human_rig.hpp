@@ -9,7 +9,21 @@
 namespace sinew::mapping {
 
 struct HumanRig : SmallRig {
-  enum { kHips, kSpine, kChest, kNeck, kHead, kUpperArm, kForearm, kHand, kThigh = 11, kCalf, kFoot, kToe, kCount = 19 };
+  enum {
+    kHips,
+    kSpine,
+    kChest,
+    kNeck,
+    kHead,
+    kUpperArm,
+    kForearm,
+    kHand,
+    kThigh = 11,
+    kCalf,
+    kFoot,
+    kToe,
+    kCount = 19
+  };
   static constexpr int kRightArm = 3, kRightLeg = 4;  // from a joint of the left side to its mirror image
 
   HumanRig() {
@@ -34,7 +48,8 @@ struct DogRig : SmallRig {
   enum { kHips, kSpine, kChest, kNeck, kHead, kTail, kTailEnd, kHindLeg, kForeLeg = 13 };
 
   DogRig() {
-    positions = {0, 0.6f, -0.4f, 0, 0.62f, 0, 0, 0.6f, 0.4f, 0, 0.75f, 0.55f, 0, 0.85f, 0.75f, 0, 0.6f, -0.55f, 0, 0.5f, -0.8f};
+    positions = {0,     0.6f, -0.4f, 0,     0.62f, 0,    0,      0.6f, 0.4f, 0,    0.75f,
+                 0.55f, 0,    0.85f, 0.75f, 0,     0.6f, -0.55f, 0,    0.5f, -0.8f};
     parents = {-1, 0, 1, 2, 3, 0, 5};
     for (const float z : {-0.4f, 0.4f}) {
       for (const float x : {1.0f, -1.0f}) {
