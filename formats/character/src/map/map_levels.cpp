@@ -83,10 +83,18 @@ void reduce(const std::vector<uint32_t>& target_into, const std::vector<uint32_t
   for (size_t t = 0; t < target_into.size(); ++t) {
     if (map->sources[t] < 0) continue;
     if (target_into[t] != t) {
+      const uint32_t stays = target_into[t];  // gets the source, if it has none of its own
+      if (map->sources[stays] < 0) {
+        map->sources[stays] = map->sources[t];
+        map->confidence[stays] = map->confidence[t];
+        map->reasons[stays] = map->reasons[t];
+      }
       drop(map, t);
-    } else if (source_into[static_cast<size_t>(map->sources[t])] == static_cast<uint32_t>(map->sources[t])) {
-      used[static_cast<size_t>(map->sources[t])] = 1;
     }
+  }
+  for (const int32_t from : map->sources) {
+    if (from >= 0 && source_into[static_cast<size_t>(from)] == static_cast<uint32_t>(from))
+      used[static_cast<size_t>(from)] = 1;
   }
   for (size_t t = 0; t < target_into.size(); ++t) {
     const int32_t from = map->sources[t];
