@@ -17,6 +17,7 @@ set(sinew_character_sources
   bind/round_influences
   bind/transfer
   map/map_file
+  map/map_levels
   map/map_skeleton
   map/motion_map
   motion/common_body

@@ -12,6 +12,7 @@
 #include "map_picture.hpp"
 #include "options.hpp"
 #include "sinew/published.h"
+#include "sinew_character/map_levels.hpp"
 #include "sinew_character/map_skeleton.hpp"
 #include "sinew_character/motion_map.hpp"
 #include "sinew_formats/file_names.hpp"
@@ -27,7 +28,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
 
 struct Settings {
-  std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file, png;
+  std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file, png,
+                                      level;
   std::vector<std::string> pins;
   bool no_names = false, json = false;
 };
@@ -156,7 +158,8 @@ MappedSkeleton map_joints(const Settings& s, const MapRig& target, const MapRig&
   options.target_up = s.up[0];
   options.source_up = s.source_up[0];
   options.pins = read_pins(s, target, source);
-  return map_skeleton(target, source, options);
+  return s.level.empty() ? map_skeleton(target, source, options)
+                         : map_at_level(target, source, options, s.level == "low");
 }
 
 void write_map(const Settings& s, const MapRig& target, const MapRig& source, const MappedSkeleton& map,
@@ -208,6 +211,11 @@ void add_inputs(CLI::App* sub, Settings* s) {
                 "nearly equal rigs without a body")
       ->check(CLI::IsMember({"auto", "sinew", "branches"}))
       ->capture_default_str();
+  sub->add_option(
+         "--level", s->level,
+         "Map what both skeletons keep at a level of sinew simplify. low: made at the high level, then reduced")
+      ->type_name("high|low")
+      ->check(CLI::IsMember({"high", "low"}));
   sub->add_flag("--no-names", s->no_names, "Do not read the joints' names");
   sub->add_option(
          "--ends", s->ends_file,

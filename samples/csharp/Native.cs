@@ -357,6 +357,7 @@ namespace Sinew
         public struct sinew_simplify_options
         {
             public uint struct_size, level, joint_count, reserved;
+            public IntPtr centroids;
         }
 
         [StructLayout(LayoutKind.Sequential)]

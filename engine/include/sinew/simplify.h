@@ -11,12 +11,15 @@
 extern "C" {
 #endif
 
-/* How much goes. A joint becomes part of its parent where one of these holds: it is a leaf of a parent with more bones than
- * `bones`; it moves less of the surface than `area`; its bone is shorter than `length` (share of the diagonal of the joints'
- * box). */
+/* How much goes. Conditions as published: a joint may become part of its parent where one of the two has three bones or more
+ * (`branch`), where it moves less of the surface than `area`, or where its bone is shorter than `length` (share of the
+ * diagonal of the joints' box). Ours is what joints are, see sinew_joint_classes(): pelvis, the first and the last joint of
+ * a spine, head, upper and lower arms and legs, hands and feet stay at both levels; bone ends, controls, slots, twists,
+ * helpers and faces go first, then fingers; and `branch` takes of other joints leaves alone, and only small ones. */
 typedef enum sinew_simplify_level {
-  SINEW_SIMPLIFY_HIGH = 0, /* detail: 5 bones, 0.1 % of the surface, 1.2 % of the size: helpers and end markers go */
-  SINEW_SIMPLIFY_LOW = 1   /* detail: 4 bones, 0.6 % of the surface, 4 % of the size: fingers, faces and twists go */
+  SINEW_SIMPLIFY_HIGH = 0, /* detail: `branch`, and bone ends. Small: below 1.2 % long and 0.1 % of the surface */
+  SINEW_SIMPLIFY_LOW = 1   /* detail: `branch`, `area` 0.6 %, `length` 4 %; twists, helpers, faces and fingers all go.
+                            * Small: below 8 % long and 2 % of the surface */
 } sinew_simplify_level;
 
 /* What a call is asked to do: inputs only. Start from sinew_simplify_options_init(). Later versions add members at the end;
@@ -24,8 +27,10 @@ typedef enum sinew_simplify_level {
 typedef struct sinew_simplify_options {
   uint32_t struct_size; /* sizeof(sinew_simplify_options) */
   uint32_t level;       /* sinew_simplify_level */
-  uint32_t joint_count; /* 0: as the level says; else so many stay, as far as roots and `keep` let */
-  uint32_t reserved;    /* 0 */
+  uint32_t
+      joint_count;   /* 0: as the level says; else so many stay, as far as roots and `keep` let; the body goes last */
+  uint32_t reserved; /* 0 */
+  const float* centroids; /* [J x 3] middle of the surface that moves with each joint; null = the joint's position */
 } sinew_simplify_options;
 
 /* Options that ask for every default. */
@@ -40,11 +45,12 @@ static inline sinew_simplify_options sinew_simplify_options_init(void) {
  * or SINEW_ERROR_COUNT; size_bytes is 0 then. */
 SINEW_API sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_t* size_bytes);
 
-/* Collapses bones into their parents, the cheapest first. A bone's cost is a + 0.1 b:
+/* Collapses bones into their parents: details, fingers, other joints, the body; among these the cheapest first. A bone's
+ * cost is a + 0.1 b:
  *   a  the squared distance of the bone's middle from the lines through the bones at its two ends
- *   b  the bone's length, times the sum of the lengths of the bones that meet at its joint
+ *   b  the distance of the centroids of its two joints, times the sum of such distances of the bones at its joint
  * Joints of equal cost go together, so that both sides of a symmetric skeleton stay alike; not so where joint_count is given.
- *   skeleton   in   J joints
+ *   skeleton   in   J joints. Names tell what joints are; where they tell of no limb, a body that is laid over up to 512
  *   areas      in   [J] share of the surface that moves with the joint (sums of weights will do), at least 0; null = not
  *                   known, no joint goes for it
  *   keep       in   [J] 1: the joint stays; null = none has to. Roots stay
@@ -62,7 +68,7 @@ SINEW_API sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_
  *   SINEW_ERROR_VERSION     a member behind those that this library knows, or a reserved one, is not 0
  *   SINEW_ERROR_COUNT       no joint, or more than SINEW_MAX_JOINTS
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
- *   SINEW_ERROR_NOT_FINITE  a position or an area is NaN or infinite
+ *   SINEW_ERROR_NOT_FINITE  a position, a centroid or an area is NaN or infinite
  *   SINEW_ERROR_RANGE       an area is below 0
  *   SINEW_ERROR_INDEX       a parent is no joint
  *   SINEW_ERROR_HIERARCHY   parents form a cycle

@@ -29,7 +29,8 @@ typedef enum sinew_up {
  *   sinew_bind(), sinew_transfer()  flags, up
  *   sinew_map()                     names, ends, up
  *   sinew_retarget_create()         rotations, up
- *   sinew_deform_create(), sinew_simplify()  nothing */
+ *   sinew_simplify()                names
+ *   sinew_deform_create()           nothing */
 typedef struct sinew_skeleton {
   uint32_t struct_size;   /* sizeof(sinew_skeleton) */
   uint32_t joint_count;   /* J, 1 .. SINEW_MAX_JOINTS */

@@ -5,7 +5,8 @@
 #include "api/arguments.hpp"
 #include "sinew/simplify.h"
 
-static_assert(sizeof(sinew_simplify_options) == 4 * sizeof(uint32_t), "a hole in sinew_simplify_options");
+static_assert(sizeof(sinew_simplify_options) == 4 * sizeof(uint32_t) + sizeof(void*),
+              "a hole in sinew_simplify_options");
 
 extern "C" {
 
@@ -29,8 +30,7 @@ sinew_status sinew_simplify(const sinew_skeleton* skeleton, const float* areas, 
   status = sinew::plan_simplify(joints.joint_count, options, &plan);
   if (status != SINEW_OK) return status;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
-  plan.positions = joints.positions;
-  plan.parents = joints.parents;
+  plan.skeleton = joints;
   plan.areas = areas;
   plan.keep = keep;
   sinew::Arena arena(workspace, workspace_bytes);

@@ -23,7 +23,9 @@ int32_t nearest_integer(double a) { return static_cast<int32_t>(a < 0 ? a - 0.5 
 
 struct Node {
   Vec3d at;
+  Vec3d sample;  // middle of the sampled surface
   double area = 0;
+  double apart = 0;  // samples' distances over its edges, sides of the grid
   bool alive = true;
   EdgesAtNode edges;
 };
@@ -146,6 +148,9 @@ class Regions {
     for (uint32_t s = 0; s < count_; ++s) {
       sample_counts_[s] = sizes[s] < kSamples ? sizes[s] : kSamples;
       nodes_[s].at = boxes_[s].middle();
+      for (uint32_t k = 0; k < sample_counts_[s]; ++k)
+        nodes_[s].sample = nodes_[s].sample + to_double(mesh_.positions[samples_[s * kSamples + k]]);
+      if (sample_counts_[s] > 0) nodes_[s].sample = (1.0 / sample_counts_[s]) * nodes_[s].sample;
     }
   }
 
@@ -182,10 +187,14 @@ class Regions {
   }
   void measure(uint32_t a) {
     nodes_[a].edges = EdgesAtNode();
+    nodes_[a].apart = 0;
     for (uint32_t b = 0; b < count_; ++b) {
-      if (joined(a, b)) nodes_[a].edges.add((1.0 / kSide) * (nodes_[b].at - nodes_[a].at));
+      if (!joined(a, b)) continue;
+      nodes_[a].edges.add((1.0 / kSide) * (nodes_[b].at - nodes_[a].at));
+      nodes_[a].apart += apart(a, b);
     }
   }
+  double apart(uint32_t a, uint32_t b) const { return (1.0 / kSide) * length(nodes_[b].sample - nodes_[a].sample); }
   bool share_neighbour(uint32_t a, uint32_t b) const {
     for (uint32_t c = 0; c < count_; ++c) {
       if (joined(a, c) && joined(b, c)) return true;
@@ -209,7 +218,8 @@ class Regions {
         for (uint32_t b = 0; b < count_; ++b) {
           if (!joined(a, b) || !may_go(a, b, left > kMaxFoldedJoints)) continue;
           const double cost =
-              collapse_cost(nodes_[a].edges, nodes_[b].edges, (1.0 / kSide) * (nodes_[b].at - nodes_[a].at));
+              collapse_cost(nodes_[a].edges, nodes_[b].edges, (1.0 / kSide) * (nodes_[b].at - nodes_[a].at),
+                            apart(a, b), nodes_[a].apart);
           if (from != kNone && cost >= least) continue;
           least = cost;
           from = a;
@@ -226,6 +236,7 @@ class Regions {
     const double area = nodes_[a].area + nodes_[b].area;
     const double share = area > 0 ? nodes_[a].area / area : 0.5;
     nodes_[b].at = nodes_[b].at + share * (nodes_[a].at - nodes_[b].at);
+    nodes_[b].sample = nodes_[b].sample + share * (nodes_[a].sample - nodes_[b].sample);
     nodes_[b].area = area;
     nodes_[a].alive = false;
     for (uint32_t c = 0; c < count_; ++c) {

@@ -13,12 +13,10 @@ constexpr double kSamplingWeight = 0.1;  // beside the shape's 1
 // sum over the edges is (p - n)^T A (p - n) with A = sum of (1 - a a^T), because every line goes through the node.
 struct EdgesAtNode {
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;  // A
-  double lengths = 0;
 
   void add(const Vec3d& along) {
     const double squared = dot(along, along);
     if (!(squared > 1e-24)) return;
-    lengths += root(squared);
     const double s = 1 / squared;
     xx += 1 - s * along.x * along.x;
     yy += 1 - s * along.y * along.y;
@@ -32,10 +30,11 @@ struct EdgesAtNode {
   }
 };
 
-// Of the edge from node a, which goes, to node b; `along` is b - a.
-inline double collapse_cost(const EdgesAtNode& a, const EdgesAtNode& b, const Vec3d& along) {
+// Of the edge from node a, which goes, to node b; `along` is b - a. The samples' part is the distance of both nodes'
+// samples, times the sum of those to all that node a has an edge to.
+inline double collapse_cost(const EdgesAtNode& a, const EdgesAtNode& b, const Vec3d& along, double apart, double sum) {
   const Vec3d half = 0.5 * along;
-  return a.error(half) + b.error(half) + kSamplingWeight * length(along) * a.lengths;
+  return a.error(half) + b.error(half) + kSamplingWeight * apart * sum;
 }
 
 }  // namespace sinew

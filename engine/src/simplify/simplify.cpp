@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The cheapest bone that may go goes, and with it the one of the same cost on the other side, until none may.
+// Of the lowest rank the cheapest bone that may go goes, and with it the one of the same cost on the other side, until none
+// may.
 #include "simplify/simplify.hpp"
+
+#include <stddef.h>
 
 #include "core/struct_size.hpp"
 #include "mapping/hierarchy.hpp"
 #include "simplify/collapse_cost.hpp"
+#include "simplify/joint_ranks.hpp"
 
 namespace sinew {
 namespace {
@@ -13,7 +17,8 @@ using mapping::Hierarchy;
 using mapping::Point;
 
 constexpr int32_t kNone = -1;
-constexpr double kSame = 1e-3;  // costs of mirrored joints differ by no more, as a share
+constexpr uint32_t kBranching = 3;  // bones
+constexpr double kSame = 1e-3;      // costs of mirrored joints differ by no more, as a share
 
 // A tree that loses joints: children in linked lists.
 class Shrinking {
@@ -21,6 +26,7 @@ class Shrinking {
   bool allocate(Arena& arena, uint32_t count) {
     n_ = static_cast<int32_t>(count);
     at_ = arena.alloc<Point>(count);
+    sample_ = arena.alloc<Point>(count);
     parent_ = arena.alloc<int32_t>(count);
     first_ = arena.alloc<int32_t>(count);
     next_ = arena.alloc<int32_t>(count);
@@ -29,14 +35,20 @@ class Shrinking {
     cost_ = arena.alloc<double>(count);
     length_ = arena.alloc<double>(count);
     edges_ = arena.alloc<EdgesAtNode>(count);
+    apart_ = arena.alloc<double>(count);
+    rank_ = arena.alloc<uint8_t>(count);
+    end_ = arena.alloc<uint8_t>(count);
     into_ = arena.alloc<int32_t>(count);
     return arena.ok();
   }
 
+  uint8_t* ranks() { return rank_; }
+  uint8_t* ends() { return end_; }
+
   sinew_status start(const SimplifyPlan& plan, const Hierarchy& rig) {
     left_ = 0;
     for (int32_t i = 0; i < n_; ++i) {
-      at_[i] = (1 / rig.size) * rig.at[i];
+      at_[i] = sample_[i] = (1 / rig.size) * rig.at[i];
       parent_[i] = rig.parent[i];
       first_[i] = next_[i] = kNone;
       bones_[i] = parent_[i] >= 0 ? 1 : 0;
@@ -46,6 +58,12 @@ class Shrinking {
       if (area < 0) return SINEW_ERROR_RANGE;
       area_[i] = area;
       whole_ += area;
+      if (plan.centroids != nullptr) {
+        const float* const c = plan.centroids + size_t{3} * static_cast<size_t>(i);
+        sample_[i] = {static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
+        if (!(dot(sample_[i], sample_[i]) - dot(sample_[i], sample_[i]) == 0)) return SINEW_ERROR_NOT_FINITE;
+        sample_[i] = (1 / rig.size) * sample_[i];
+      }
       ++left_;
     }
     if (!(whole_ - whole_ == 0)) return SINEW_ERROR_NOT_FINITE;
@@ -64,12 +82,12 @@ class Shrinking {
     for (;;) {
       int32_t best = kNone;
       for (int32_t i = 0; i < n_; ++i) {
-        if (may_go(plan, i) && (best == kNone || cost_[i] < cost_[best])) best = i;
+        if (may_go(plan, i) && (best == kNone || goes_before(i, best))) best = i;
       }
       if (best == kNone) return;
       int32_t twin = kNone;
       for (int32_t i = 0; i < n_ && plan.wanted == 0; ++i) {
-        if (i == best || cost_[i] > cost_[best] * (1 + kSame) || !may_go(plan, i)) continue;
+        if (i == best || rank_[i] != rank_[best] || cost_[i] > cost_[best] * (1 + kSame) || !may_go(plan, i)) continue;
         if (twin == kNone || cost_[i] < cost_[twin]) twin = i;
       }
       if (twin != kNone && (parent_[twin] == best || parent_[best] == twin)) twin = kNone;  // no mirror image
@@ -87,23 +105,43 @@ class Shrinking {
   }
 
  private:
+  bool goes_before(int32_t i, int32_t j) const {
+    return rank_[i] != rank_[j] ? rank_[i] < rank_[j] : cost_[i] < cost_[j];
+  }
+  // As published: the degree of a node of the edge is at least 3; the joint's surface; its length. (In a tree no two nodes
+  // have more than one edge.) Ours: the body stays, details go at the low level, and by its degree alone no limb does.
   bool may_go(const SimplifyPlan& plan, int32_t i) const {
     if (into_[i] != i || parent_[i] < 0 || (plan.keep != nullptr && plan.keep[i] != 0)) return false;
     if (plan.wanted > 0) return left_ > plan.wanted;
-    if (first_[i] == kNone && bones_[parent_[i]] > plan.most_bones) return true;
+    if (rank_[i] == kRankBody) return false;
+    const bool detail = rank_[i] == kRankDetail || (rank_[i] == kRankFinger && plan.low);
+    if (detail && (plan.low || end_[i] != 0)) return true;
+    const bool branches = bones_[i] >= kBranching || bones_[parent_[i]] >= kBranching;
+    if (branches && (detail || is_small_leaf(plan, i))) return true;
+    if (!plan.low) return false;
     if (plan.areas != nullptr && area_[i] < plan.least_area * whole_) return true;
     return length_[i] < plan.least_length;
   }
+  bool is_small_leaf(const SimplifyPlan& plan, int32_t i) const {
+    return first_[i] == kNone && length_[i] < plan.crowd_length &&
+           (plan.areas == nullptr || area_[i] < plan.crowd_area * whole_);
+  }
   void measure(int32_t i) {
     edges_[i] = EdgesAtNode();
-    if (parent_[i] >= 0) edges_[i].add(at_[parent_[i]] - at_[i]);
-    for (int32_t k = first_[i]; k != kNone; k = next_[k]) edges_[i].add(at_[k] - at_[i]);
+    apart_[i] = 0;
+    const auto add = [&](int32_t k) {
+      edges_[i].add(at_[k] - at_[i]);
+      apart_[i] += length(sample_[k] - sample_[i]);
+    };
+    if (parent_[i] >= 0) add(parent_[i]);
+    for (int32_t k = first_[i]; k != kNone; k = next_[k]) add(k);
   }
   void price(int32_t i) {
-    if (parent_[i] < 0) return;
-    const Point along = at_[parent_[i]] - at_[i];
+    const int32_t p = parent_[i];
+    if (p < 0) return;
+    const Point along = at_[p] - at_[i];
     length_[i] = length(along);
-    cost_[i] = collapse_cost(edges_[i], edges_[parent_[i]], along);
+    cost_[i] = collapse_cost(edges_[i], edges_[p], along, length(sample_[p] - sample_[i]), apart_[i]);
   }
   // Joint i becomes part of its parent, which gets its children at the end of its own.
   void collapse(int32_t i) {
@@ -119,11 +157,19 @@ class Shrinking {
       ++bones_[p];
       measure(k);
     }
+    const bool moves = area_[i] > 0;
+    if (moves) sample_[p] = sample_[p] + (area_[i] / (area_[p] + area_[i])) * (sample_[i] - sample_[p]);
     area_[p] += area_[i];
     into_[i] = p;
     --left_;
     measure(p);
     price(p);
+    for (int32_t k = moves ? first_[p] : kNone; k != kNone; k = next_[k]) measure(k);
+    if (moves && parent_[p] >= 0) {
+      measure(parent_[p]);
+      price(parent_[p]);
+      for (int32_t k = first_[parent_[p]]; k != kNone; k = next_[k]) price(k);
+    }
     for (int32_t k = first_[p]; k != kNone; k = next_[k]) {
       price(k);
       for (int32_t g = first_[k]; g != kNone && parent_[k] == p; g = next_[g]) price(g);
@@ -134,11 +180,14 @@ class Shrinking {
   uint32_t left_ = 0;
   double whole_ = 0;
   Point* at_ = nullptr;                                           // the joints' box has a diagonal of 1
+  Point* sample_ = nullptr;                                       // middle of the surface that moves with a joint
   int32_t* parent_ = nullptr;                                     // among those that are left
   int32_t *first_ = nullptr, *next_ = nullptr;                    // children
   uint32_t* bones_ = nullptr;                                     // to the parent and to children
   double *area_ = nullptr, *cost_ = nullptr, *length_ = nullptr;  // of roots only the area means something
   EdgesAtNode* edges_ = nullptr;
+  double* apart_ = nullptr;  // distances of a joint's sample from those that it has a bone to
+  uint8_t *rank_ = nullptr, *end_ = nullptr;
   int32_t* into_ = nullptr;
 };
 
@@ -146,7 +195,8 @@ class Shrinking {
 
 sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* options, SimplifyPlan* plan) {
   sinew_simplify_options o = sinew_simplify_options_init();
-  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, sizeof o, sizeof o, &o);
+  constexpr uint32_t kFirstOptions = offsetof(sinew_simplify_options, reserved) + sizeof(uint32_t);
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptions, sizeof o, &o);
   if (status != SINEW_OK) return status;
   if (o.reserved != 0) return SINEW_ERROR_VERSION;
   if (o.level > SINEW_SIMPLIFY_LOW) return SINEW_ERROR_ARGUMENT;
@@ -155,9 +205,12 @@ sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* o
   *plan = SimplifyPlan();
   plan->joint_count = joint_count;
   plan->wanted = o.joint_count;
-  plan->most_bones = low ? 4 : 5;
-  plan->least_area = low ? 0.006 : 0.001;
-  plan->least_length = low ? 0.04 : 0.012;
+  plan->centroids = o.centroids;
+  plan->low = low;
+  plan->least_area = 0.006;
+  plan->least_length = 0.04;
+  plan->crowd_area = low ? 0.02 : 0.001;
+  plan->crowd_length = low ? 0.08 : 0.012;
   return SINEW_OK;
 }
 
@@ -166,10 +219,16 @@ sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into
   Shrinking tree;
   (void)rig.allocate(arena, plan.joint_count);
   if (!tree.allocate(arena, plan.joint_count)) return SINEW_ERROR_WORKSPACE;
-  if (arena.measuring()) return SINEW_OK;
-  sinew_status status =
-      rig.build(sinew_skeleton_init(plan.positions, plan.parents, plan.joint_count), /*with_names=*/false);
-  if (status == SINEW_OK) status = tree.start(plan, rig);
+  sinew_skeleton skeleton = plan.skeleton;
+  skeleton.joint_count = plan.joint_count;
+  sinew_status status = SINEW_OK;
+  if (!arena.measuring()) {
+    status = rig.build(sinew_skeleton_init(skeleton.positions, skeleton.parents, plan.joint_count),
+                       /*with_names=*/false);
+    if (status == SINEW_OK) status = tree.start(plan, rig);
+  }
+  if (status == SINEW_OK) status = find_joint_ranks(skeleton, plan.areas, arena, tree.ranks(), tree.ends());
+  if (arena.measuring()) return status;
   if (status != SINEW_OK) return status;
   tree.run(plan);
   tree.write(into);

@@ -9,14 +9,15 @@
 namespace sinew {
 
 struct SimplifyPlan {
-  const float* positions = nullptr;
-  const int32_t* parents = nullptr;
-  const float* areas = nullptr;   // or null
-  const uint8_t* keep = nullptr;  // or null
+  sinew_skeleton skeleton = {};
+  const float* areas = nullptr;      // or null
+  const float* centroids = nullptr;  // or null
+  const uint8_t* keep = nullptr;     // or null
   uint32_t joint_count = 0;
-  uint32_t wanted = 0;  // joints, 0 = as the limits say
-  uint32_t most_bones = 0;
-  double least_area = 0, least_length = 0;
+  uint32_t wanted = 0;                      // joints, 0 = as the limits say
+  bool low = false;                         // the level
+  double least_area = 0, least_length = 0;  // of joints that stay
+  double crowd_area = 0, crowd_length = 0;  // of leaves that stay beside others
 };
 
 // Checks the options and makes a plan of them. SINEW_ERROR_ARGUMENT, SINEW_ERROR_VERSION, SINEW_ERROR_COUNT.

@@ -91,7 +91,7 @@ export const LAYOUTS = {
   referenceOptions: layout(32,
     "struct_size@0:u32 area_power@4:u32 no_own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
     "progress_user@28:u32"),
-  simplifyOptions: layout(16, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32"),
+  simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +

@@ -587,7 +587,7 @@ SINEW_API sinew_status sinew_character_transfer(const sinew_character* source, s
 /* `sinew simplify` */
 typedef struct sinew_character_simplify_options {
   uint32_t struct_size; /* sizeof(sinew_character_simplify_options) */
-  uint32_t low;         /* 0 = high: helpers go. 1: fingers, faces and twists too */
+  uint32_t low;         /* 0 = high: bone ends, helpers, faces, twists. 1: fingers and small parts too */
   uint32_t joint_count; /* not 0: so many are left */
   uint32_t keep_count;
   const char* const* keep; /* [keep_count] joints that stay; or null */
@@ -600,7 +600,8 @@ static inline sinew_character_simplify_options sinew_character_simplify_options_
   return options;
 }
 
-/* Leaves joints out; weights and the file's own animations follow.
+/* Leaves joints out; weights and the file's own animations follow. The body stays at both levels; at the high one vertices move
+ * by less than 1 % of the height in these animations.
  *   into  out [J before] the joint, of those before, that each is part of now; or null */
 SINEW_API sinew_status sinew_character_simplify(sinew_character* character,
                                                 const sinew_character_simplify_options* options, uint32_t* into);

@@ -17,7 +17,8 @@ struct SimplifiedCharacter {
 };
 
 //   motions  of the character's joints, as they were, first
-// Throws Error; the character is as it was then.
+// At the high level a joint stays where vertices would move by more than 1 % of the character's height without it, in
+// poses of the motions; without weights the joints' own positions count. Throws Error; the character is as it was then.
 SimplifiedCharacter simplify_character(const SimplifyOptions& options, const std::vector<const Motion*>& motions,
                                        Character* character);
 

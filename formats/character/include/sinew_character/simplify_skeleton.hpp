@@ -11,15 +11,19 @@
 namespace sinew {
 
 struct SimplifyOptions {
-  bool low = false;               // level of detail, see sinew/simplify.h
-  uint32_t joints = 0;            // 0: as the level says; else so many are left
-  std::vector<std::string> keep;  // joints that stay, by name
+  bool low = false;                   // level of detail, see sinew/simplify.h
+  uint32_t joints = 0;                // 0: as the level says; else so many are left
+  std::vector<std::string> keep;      // joints that stay, by name
+  std::vector<uint32_t> keep_joints;  // and by number
 };
 
 struct Simplified {
   std::vector<uint32_t> into;  // [J before] index of the joint that it is part of, among those that were there before
   std::vector<int> number;     // [J before] its number now, -1 where it is gone
 };
+
+// [J] what each joint is part of, without changing anything. Throws as simplify_skeleton().
+std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Character& character);
 
 // Leaves joints out of the skeleton; those below hang on what is left above, and its vertices move with what it became part
 // of. Where the character has weights, how much surface a joint moves counts. Joints keep their order and names.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Areas of the joints from weights and faces, the engine's answer, and the character put together anew.
+// Areas of the joints and their middles from weights and faces, the engine's answer, and the character put together anew.
 #include "sinew_character/simplify_skeleton.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -35,22 +36,39 @@ std::vector<double> vertex_areas(const Character& c) {
   return areas;
 }
 
-// [J] share of the surface, empty without weights.
-std::vector<float> joint_areas(const Character& c) {
+// Of the surface that moves with each joint.
+struct JointSurfaces {
+  std::vector<float> shares;     // [J]
+  std::vector<float> centroids;  // [J x 3] the joint's position where nothing moves with it
+};
+
+// Empty without weights. Vertices are the samples, each as large as the faces around it.
+JointSurfaces joint_surfaces(const Character& c) {
   if (c.influences.empty()) return {};
   const std::vector<double> areas = vertex_areas(c);
   std::vector<double> sums(c.joints.size(), 0.0);
+  std::vector<std::array<double, 3>> middles(c.joints.size());
   double whole = 0;
   for (size_t v = 0; v < c.influences.size(); ++v) {
+    const Vec3& p = c.vertices[v];
     for (const Influence& influence : c.influences[v]) {
-      sums.at(influence.joint) += areas[v] * influence.weight;
-      whole += areas[v] * influence.weight;
+      const double share = areas[v] * influence.weight;
+      sums.at(influence.joint) += share;
+      std::array<double, 3>& middle = middles[influence.joint];
+      middle = {middle[0] + share * p.x, middle[1] + share * p.y, middle[2] + share * p.z};
+      whole += share;
     }
   }
   if (!(whole > 0)) return {};
-  std::vector<float> shares;
-  for (const double sum : sums) shares.push_back(static_cast<float>(sum / whole));
-  return shares;
+  JointSurfaces surfaces;
+  for (size_t j = 0; j < sums.size(); ++j) {
+    surfaces.shares.push_back(static_cast<float>(sums[j] / whole));
+    const Vec3& at = c.joints[j].position;
+    const float own[3] = {at.x, at.y, at.z};
+    for (size_t axis = 0; axis < 3; ++axis)
+      surfaces.centroids.push_back(sums[j] > 0 ? static_cast<float>(middles[j][axis] / sums[j]) : own[axis]);
+  }
+  return surfaces;
 }
 
 void merge_weights(const Simplified& simplified, std::vector<Influence>* row) {
@@ -63,42 +81,57 @@ void merge_weights(const Simplified& simplified, std::vector<Influence>* row) {
                    [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
 }
 
-}  // namespace
-
-Simplified simplify_skeleton(const SimplifyOptions& options, Character* character) {
-  const std::vector<Joint>& joints = character->joints;
-  if (joints.empty()) throw Error(character->name + ": no joints to simplify");
-  std::vector<uint8_t> keep(joints.size(), 0);
+std::vector<uint8_t> kept_joints(const SimplifyOptions& options, const Character& c) {
+  std::vector<uint8_t> keep(c.joints.size(), 0);
   for (const std::string& name : options.keep) {
     bool found = false;
-    for (size_t j = 0; j < joints.size(); ++j) {
-      if (joints[j].name != name) continue;
+    for (size_t j = 0; j < c.joints.size(); ++j) {
+      if (c.joints[j].name != name) continue;
       found = true;
       keep[j] = 1;
     }
-    if (!found) throw Error(character->name + ": no joint is called " + name + ", which is to be kept");
+    if (!found) throw Error(c.name + ": no joint is called " + name + ", which is to be kept");
   }
+  for (const uint32_t j : options.keep_joints) keep.at(j) = 1;
+  return keep;
+}
+
+}  // namespace
+
+std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Character& character) {
+  const std::vector<Joint>& joints = character.joints;
+  if (joints.empty()) throw Error(character.name + ": no joints to simplify");
+  const std::vector<uint8_t> keep = kept_joints(options, character);
   std::vector<float> positions;
   std::vector<int32_t> parents;
+  std::vector<const char*> names;
   for (const Joint& joint : joints) {
     positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
     parents.push_back(joint.parent);
+    names.push_back(joint.name.c_str());
   }
-  const std::vector<float> areas = joint_areas(*character);
+  const JointSurfaces surfaces = joint_surfaces(character);
   SimplifySettings settings;
   settings.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
   settings.joint_count = options.joints;
-  const uint32_t count = static_cast<uint32_t>(joints.size());
+  if (!surfaces.centroids.empty()) settings.centroids = surfaces.centroids.data();
+  sinew_skeleton skeleton = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(joints.size()));
+  skeleton.names = names.data();
   Workspace workspace;
-  Simplified simplified;
-  const sinew_status status =
-      simplify(sinew_skeleton_init(positions.data(), parents.data(), count), areas.empty() ? nullptr : areas.data(),
-               keep.data(), settings, &workspace, &simplified.into);
+  std::vector<uint32_t> into;
+  const sinew_status status = simplify(skeleton, surfaces.shares.empty() ? nullptr : surfaces.shares.data(),
+                                       keep.data(), settings, &workspace, &into);
   if (status != SINEW_OK)
-    throw Error(character->name + ": the skeleton cannot be simplified: " + sinew_status_text(status));
+    throw Error(character.name + ": the skeleton cannot be simplified: " + sinew_status_text(status));
+  return into;
+}
 
+Simplified simplify_skeleton(const SimplifyOptions& options, Character* character) {
+  const std::vector<Joint>& joints = character->joints;
+  Simplified simplified;
+  simplified.into = joints_to_merge(options, *character);
   std::vector<Joint> left;
-  for (size_t j = 0; j < count; ++j) {
+  for (size_t j = 0; j < joints.size(); ++j) {
     simplified.number.push_back(simplified.into[j] == j ? static_cast<int>(left.size()) : -1);
     if (simplified.into[j] == j) left.push_back(joints[j]);
   }

@@ -269,7 +269,7 @@ class sinew_reference_options(Structure):
 
 
 class sinew_simplify_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32)]
+    _fields_ = [("struct_size", c_uint32), ("level", c_uint32), ("joint_count", c_uint32), ("reserved", c_uint32), ("centroids", c_void_p)]
 
 
 class sinew_file(Structure):

@@ -519,7 +519,7 @@ class OpenCharacter:
         return Carried(result.carried, result.mismatch, bool(result.fitted), result.mapped_joints, (result.mapped_by or b"").decode())
 
     def simplify(self, *, low: bool = False, joint_count: int = 0, keep: Sequence[str] = ()) -> np.ndarray:
-        """Leaves joints out: helpers; with `low` fingers, faces and twists too; or all but so many. Weights and motion follow.
+        """Leaves joints out: bone ends, helpers, faces, twists; with `low` fingers and small parts too; or all but so many. Weights and motion follow.
 
         Returns [j before] the joint, of those before, that each is part of now.
         """

@@ -2,9 +2,12 @@
 // sinew_simplify(): which joints become part of which.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "sinew/sinew.hpp"
@@ -16,6 +19,7 @@ struct Tree {
   std::vector<int32_t> parents;
   std::vector<float> areas;
   std::vector<uint8_t> keep;
+  std::vector<std::string> names;  // none, or [J]
 
   uint32_t add(float x, float y, float z, int32_t parent) {
     positions.insert(positions.end(), {x, y, z});
@@ -25,9 +29,13 @@ struct Tree {
   sinew_status run(const sinew_simplify_options& options, std::vector<uint32_t>* into) const {
     into->assign(parents.size(), 77777);
     sinew::Workspace workspace;
-    return sinew::simplify(sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size())),
-                           areas.empty() ? nullptr : areas.data(), keep.empty() ? nullptr : keep.data(), options,
-                           &workspace, into);
+    std::vector<const char*> texts;
+    for (const std::string& name : names) texts.push_back(name.c_str());
+    sinew_skeleton skeleton =
+        sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(parents.size()));
+    if (!names.empty()) skeleton.names = texts.data();
+    return sinew::simplify(skeleton, areas.empty() ? nullptr : areas.data(), keep.empty() ? nullptr : keep.data(),
+                           options, &workspace, into);
   }
   std::vector<uint32_t> simplify(uint32_t level, uint32_t joints = 0) const {
     sinew_simplify_options options = sinew_simplify_options_init();
@@ -67,8 +75,103 @@ Tree figure() {
   return t;
 }
 
+// A man with what rigs hang on one. Body joints begin with a capital letter.
+Tree man() {
+  Tree t;
+  const auto add = [&](const std::string& name, float x, float y, float z, uint32_t parent) {
+    t.names.push_back(name);
+    return t.add(x, y, z, t.parents.empty() ? -1 : static_cast<int32_t>(parent));
+  };
+  const uint32_t hips = add("Hips", 0, 1, 0, 0), spine = add("Spine", 0, 1.1f, 0, hips);
+  const uint32_t middle = add("spine_01", 0, 1.25f, 0, spine), chest = add("Spine_02", 0, 1.4f, 0, middle);
+  const uint32_t neck = add("neck", 0, 1.55f, 0, chest), head = add("Head", 0, 1.65f, 0, neck);
+  add("head_end", 0, 1.85f, 0, head);
+  add("jaw", 0, 1.68f, 0.06f, head);
+  for (const std::string side : {"_l", "_r"}) {
+    const float x = side == "_l" ? 1.0f : -1.0f;
+    add("eye" + side, 0.03f * x, 1.75f, 0.08f, head);
+    add("breast" + side, 0.1f * x, 1.35f, 0.15f, chest);
+    const uint32_t clavicle = add("clavicle" + side, 0.03f * x, 1.5f, 0, chest);
+    const uint32_t arm = add("Upperarm" + side, 0.18f * x, 1.5f, 0, clavicle);
+    add("upperarm_twist" + side, 0.3f * x, 1.5f, 0, arm);
+    const uint32_t forearm = add("Lowerarm" + side, 0.45f * x, 1.5f, -0.02f, arm);
+    add("lowerarm_twist" + side, 0.58f * x, 1.5f, 0, forearm);
+    const uint32_t hand = add("Hand" + side, 0.7f * x, 1.5f, 0, forearm);
+    for (const std::string finger : {"thumb", "index", "middle", "ring", "pinky"}) {
+      const float z = finger == "thumb" ? 0.06f : 0.02f - 0.015f * static_cast<float>(finger.size());
+      uint32_t at = hand;
+      for (const int k : {1, 2, 3})
+        at = add(finger + "_0" + std::to_string(k) + side, (0.76f + 0.03f * static_cast<float>(k)) * x, 1.5f, z, at);
+    }
+    const uint32_t thigh = add("Thigh" + side, 0.1f * x, 0.95f, 0, hips);
+    add("thigh_twist" + side, 0.1f * x, 0.7f, 0, thigh);
+    const uint32_t calf = add("Calf" + side, 0.1f * x, 0.5f, 0.02f, thigh);
+    const uint32_t foot = add("Foot" + side, 0.1f * x, 0.08f, 0, calf);
+    add("ball" + side, 0.1f * x, 0.02f, 0.12f, foot);
+  }
+  return t;
+}
+
+bool is_body(const std::string& name) { return name[0] >= 'A' && name[0] <= 'Z'; }
+
+TEST(Simplify, TheBodyGoesLast) {
+  const Tree t = man();
+  const size_t body = static_cast<size_t>(std::count_if(t.names.begin(), t.names.end(), is_body));
+  ASSERT_EQ(body, 16u);
+  for (uint32_t wanted = 1; wanted <= t.parents.size(); ++wanted) {
+    const std::vector<uint32_t> into = t.simplify(SINEW_SIMPLIFY_LOW, wanted);
+    EXPECT_EQ(left(into), wanted);
+    size_t stays = 0;
+    for (size_t j = 0; j < into.size(); ++j) stays += into[j] == j && is_body(t.names[j]) ? 1 : 0;
+    EXPECT_EQ(stays, std::min<size_t>(wanted, body)) << wanted;
+  }
+  for (const uint32_t level : {SINEW_SIMPLIFY_HIGH, SINEW_SIMPLIFY_LOW}) {
+    const std::vector<uint32_t> into = t.simplify(level);
+    for (size_t j = 0; j < into.size(); ++j) {
+      EXPECT_TRUE(into[j] == j || !is_body(t.names[j])) << t.names[j];
+      const bool detail = t.names[j].find("twist") != std::string::npos || t.names[j] == "jaw" ||
+                          t.names[j].find("eye") == 0 || t.names[j].find("breast") == 0 || t.names[j] == "head_end";
+      EXPECT_TRUE(into[j] != j || !detail) << t.names[j];
+    }
+    EXPECT_EQ(left(into) > 40, level == SINEW_SIMPLIFY_HIGH) << "fingers stay at the high level alone";
+  }
+}
+
+TEST(Simplify, ABodyWithoutNamesStaysToo) {
+  Tree t = man();
+  const std::vector<std::string> names = std::move(t.names);
+  t.names.clear();
+  const std::vector<uint32_t> into = t.simplify(SINEW_SIMPLIFY_LOW);
+  for (size_t j = 0; j < into.size(); ++j) {
+    const bool limb = names[j].find("Thigh") == 0 || names[j].find("Calf") == 0 || names[j].find("Upperarm") == 0 ||
+                      names[j].find("Lowerarm") == 0;
+    EXPECT_TRUE(into[j] == j || !limb) << names[j];
+  }
+}
+
+TEST(Simplify, SamplesOfTheSurfaceSayWhatIsNear) {
+  Tree t;
+  t.add(0, 0, 0, -1);
+  for (int i = 1; i < 6; ++i) t.add(0, static_cast<float>(i), 0, i - 1);  // straight: only the samples' distances count
+  sinew_simplify_options options = sinew_simplify_options_init();
+  options.joint_count = 5;
+  std::vector<uint32_t> into;
+  std::vector<float> centroids = t.positions;
+  centroids[3 * 3 + 1] = 2.1f;  // what moves with joint 3 lies beside what moves with joint 2
+  options.centroids = centroids.data();
+  ASSERT_EQ(t.run(options, &into), SINEW_OK);
+  EXPECT_EQ(into[3], 2u);
+  centroids[3 * 3 + 1] = 3;
+  centroids[3 * 4 + 1] = 3.1f;
+  ASSERT_EQ(t.run(options, &into), SINEW_OK);
+  EXPECT_EQ(into[4], 3u);
+  centroids[5] = NAN;
+  EXPECT_EQ(t.run(options, &into), SINEW_ERROR_NOT_FINITE);
+}
+
 TEST(Simplify, ShortBonesGoAndWhatHangsOnThemStays) {
-  const std::vector<uint32_t> into = figure().simplify(SINEW_SIMPLIFY_HIGH);
+  EXPECT_EQ(left(figure().simplify(SINEW_SIMPLIFY_HIGH)), 11u) << "by their degree alone";
+  const std::vector<uint32_t> into = figure().simplify(SINEW_SIMPLIFY_LOW);
   EXPECT_EQ(into, (std::vector<uint32_t>{0, 1, 2, 3, 3, 5, 6, 7, 7, 9, 10}));
 }
 
@@ -77,21 +180,28 @@ TEST(Simplify, JointsThatMoveNothingGoAndThoseThatAreKeptStay) {
   t.areas.assign(t.parents.size(), 1.0f);
   t.areas[2] = 0;
   t.areas[6] = t.areas[10] = 0.002f;  // 0.02 % of the whole
-  EXPECT_EQ(t.simplify(SINEW_SIMPLIFY_HIGH), (std::vector<uint32_t>{0, 1, 1, 3, 3, 5, 5, 7, 7, 9, 9}));
+  EXPECT_EQ(t.simplify(SINEW_SIMPLIFY_LOW), (std::vector<uint32_t>{0, 1, 1, 3, 3, 5, 5, 7, 7, 9, 9}));
   t.keep.assign(t.parents.size(), 0);
   t.keep[2] = t.keep[4] = 1;
-  EXPECT_EQ(t.simplify(SINEW_SIMPLIFY_HIGH), (std::vector<uint32_t>{0, 1, 2, 3, 4, 5, 5, 7, 7, 9, 9}));
+  EXPECT_EQ(t.simplify(SINEW_SIMPLIFY_LOW), (std::vector<uint32_t>{0, 1, 2, 3, 4, 5, 5, 7, 7, 9, 9}));
 }
 
 TEST(Simplify, LeavesOfACrowdGoUntilItIsNone) {
-  Tree t;
-  t.add(0, 0, 0, -1);
-  for (int i = 0; i < 9; ++i)
-    t.add(std::cos(0.7f * static_cast<float>(i)), std::sin(0.7f * static_cast<float>(i)), 0.1f * static_cast<float>(i),
-          0);
-  const size_t high = left(t.simplify(SINEW_SIMPLIFY_HIGH)), low = left(t.simplify(SINEW_SIMPLIFY_LOW));
-  EXPECT_EQ(high, 6u);
-  EXPECT_EQ(low, 5u);
+  // Nine small leaves beside a long bone.
+  const auto crowd = [](float size) {
+    Tree t;
+    t.add(0, 0, 0, -1);
+    t.add(0, -20, 0, 0);
+    for (int i = 0; i < 9; ++i) {
+      const float turn = 0.7f * static_cast<float>(i);
+      t.add(size * std::cos(turn), size * std::sin(turn), 0.1f * size * static_cast<float>(i), 0);
+    }
+    return t;
+  };
+  EXPECT_EQ(left(crowd(0.15f).simplify(SINEW_SIMPLIFY_HIGH)), 3u);
+  EXPECT_EQ(left(crowd(1.2f).simplify(SINEW_SIMPLIFY_HIGH)), 11u);
+  EXPECT_EQ(left(crowd(1.2f).simplify(SINEW_SIMPLIFY_LOW)), 3u);
+  EXPECT_EQ(left(crowd(5).simplify(SINEW_SIMPLIFY_LOW)), 11u) << "by its degree alone no limb goes";
 }
 
 TEST(Simplify, AStraightJointGoesBeforeABentOne) {
@@ -149,10 +259,10 @@ TEST(Simplify, LargeAndOddTrees) {
     chain.add(a, std::sin(a), 0, i - 1);
     points.add(1, 2, 3, i == 0 ? -1 : i / 2);
   }
-  EXPECT_EQ(left(star.simplify(SINEW_SIMPLIFY_HIGH)), 6u);
+  EXPECT_GT(left(star.simplify(SINEW_SIMPLIFY_HIGH)), 4000u) << "what lies on the root goes";
   EXPECT_EQ(left(star.simplify(SINEW_SIMPLIFY_HIGH, 100)), 100u);
-  EXPECT_LT(left(chain.simplify(SINEW_SIMPLIFY_HIGH)), 200u);
-  EXPECT_EQ(left(points.simplify(SINEW_SIMPLIFY_HIGH)), 1u);
+  EXPECT_LT(left(chain.simplify(SINEW_SIMPLIFY_LOW)), 200u);
+  EXPECT_EQ(left(points.simplify(SINEW_SIMPLIFY_LOW)), 1u);
   Tree one;
   one.add(1e30f, -1e30f, 0, -1);
   EXPECT_EQ(one.simplify(SINEW_SIMPLIFY_LOW), std::vector<uint32_t>{0});
