@@ -20,7 +20,7 @@ struct DeformSettings {
   unsigned cells = 0, rounds = 0;
   bool body_contact = false;
   double stiffness = 0;  // 0: the method's own
-  std::string tet_weights;
+  std::string tet_weights{};
   bool no_smoothing = false;
 };
 
