@@ -51,12 +51,12 @@ class PublishedPose {
     skin_nodes();
     find_moving();
     correct();
+    if (rest_.has_contact()) keep_apart();  // while the surface is where the lattice has it
     if (rest_.options.no_smoothing == 0) smooth_bends(posed_, moved_, smoothed, volumes, positions_);
     for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
       if (is_rigid(v)) continue;
       positions_[v] = positions_[v] - outside_by(spaces_[v], positions_[v]) * spaces_[v].normal;
     }
-    if (rest_.has_contact()) keep_apart();
     return SINEW_OK;
   }
 
