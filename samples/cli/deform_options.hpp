@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options --deform, --cells, --rounds and --body-contact of commands that pose characters.
+// The options --deform, --cells, --rounds, --body-contact and those of xpbd, of commands that pose characters.
 #ifndef SINEW_CLI_DEFORM_OPTIONS_HPP
 #define SINEW_CLI_DEFORM_OPTIONS_HPP
 
@@ -19,6 +19,9 @@ struct DeformSettings {
   std::string method;  // empty: what the command does by itself
   unsigned cells = 0, rounds = 0;
   bool body_contact = false;
+  double stiffness = 0;  // 0: the method's own
+  std::string tet_weights{};
+  bool no_smoothing = false;
 };
 
 // The engine's options for volume, xpbd and delta-mush; nullopt for plain skinning. UsageError for the others without one
@@ -28,7 +31,7 @@ std::optional<sinew_deform_options> deform_options(const DeformSettings& setting
 // Adds --deform with these methods. `what` comes before what they mean.
 void add_deform_options(CLI::App* sub, const std::vector<std::string>& methods, const std::string& what,
                         DeformSettings* settings);
-// Adds --cells, --rounds and --body-contact under a heading of their own.
+// Adds --cells, --rounds, --body-contact and those of xpbd alone under a heading of their own.
 void add_solver_options(CLI::App* sub, DeformSettings* settings);
 
 }  // namespace sinew::cli

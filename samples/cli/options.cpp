@@ -16,7 +16,7 @@ namespace {
 
 constexpr OptionWord kWords[] = {
     {"--animation", "NAME", "One of the file's own animations, by name or number"},
-    {"--body-contact", "", "Keep arms and thighs out of the body, for volume"},
+    {"--body-contact", "", "Keep arms and thighs out of the body, for volume and xpbd"},
     {"--cache", "DIR", "Folder for computed features"},
     {"--calibrate", "DIR", "Characters that the ranges of integers are measured on"},
     {"--category", "KIND", "With --method slots: what kind of body"},
@@ -39,6 +39,7 @@ constexpr OptionWord kWords[] = {
     {"--method", "METHOD", "Which method does it"},
     {"--minutes", "N", "Stop after so many minutes"},
     {"--model", "FILE", "Model file, or bundled = the one in the program"},
+    {"--no-smoothing", "", "Leave bends as they are solved, for xpbd"},
     {"--output", "OUT", "What to write"},
     {"--png", "FILE", "Also draw a picture"},
     {"--png-confidence", "FILE", "Also draw where to look: dark blue = sure, red = least sure"},
@@ -52,6 +53,8 @@ constexpr OptionWord kWords[] = {
     {"--shapes", "N", "Most morph targets, a bend or a clip"},
     {"--skeleton", "FILE", "Skeleton of another file"},
     {"--steps", "N", "Steps of training"},
+    {"--stiffness", "K", "Of the springs in the lattice's tetrahedra, for xpbd"},
+    {"--tet-weights", "SOURCE", "Where the lattice's tetrahedra have their weights from, for xpbd: skin, distance"},
     {"--threads", "N", "Threads at work"},
     {"--up", "AXIS", "Axis that points up"},
     {"--val", "DIR", "Characters for validation"},

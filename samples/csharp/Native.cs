@@ -15,6 +15,7 @@ namespace Sinew
     public enum Method { Model = 0, Heat = 1, Distance = 2 }
     public enum RigidParts { Auto = 0, Always = 1, Never = 2 }
     public enum DeformMethod { Volume = 0, Xpbd = 1, DeltaMush = 2 }
+    public enum TetWeights { Skin = 0, Distance = 1 }
     public enum MapMethod { Auto = 0, Sinew = 1, Branches = 2 }
     public enum MapReason { Found = 0, Pinned = 1, NoCounterpart = 2, FewerJoints = 3, End = 4, Outside = 5, Taken = 6, BesideLimits = 7 }
     public enum RetargetMethod { Auto = 0, Copy = 1 }
@@ -57,6 +58,7 @@ namespace Sinew
         public const uint JOINT_DEFORMS = 2;
         public const uint MAX_DEFORM_CELLS = 64;
         public const uint MAX_DEFORM_ROUNDS = 200;
+        public const uint MAX_DEFORM_ENERGY = 1000000;
         public const uint MAX_MAP_LIMBS = 1024;
         public const uint MAX_MOTION_LIMBS = 16;
         public const uint MAX_RIG_JOINTS = 192;
@@ -191,7 +193,7 @@ namespace Sinew
         {
             public uint struct_size, method, cell_count, round_count, softness, no_twist_spread, no_contact, no_smoothing;
             public IntPtr parallel_for, parallel_user;
-            public uint thread_count, body_contact;
+            public uint thread_count, body_contact, energy, tet_weights;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -15,6 +15,7 @@ extern "C" {
 
 #define SINEW_MAX_DEFORM_CELLS 64u
 #define SINEW_MAX_DEFORM_ROUNDS 200u
+#define SINEW_MAX_DEFORM_ENERGY 1000000u
 
 /* How a pose is corrected. Numbers are never reused. */
 typedef enum sinew_deform_method {
@@ -25,16 +26,22 @@ typedef enum sinew_deform_method {
   SINEW_DEFORM_DELTA_MUSH = 2
 } sinew_deform_method; /* 1: sinew/published.h */
 
+/* Where the tetrahedra of SINEW_DEFORM_XPBD, which is published.h's, have their weights from. Numbers are never reused. */
+typedef enum sinew_tet_weights {
+  SINEW_TET_WEIGHTS_SKIN = 0,    /* the skin around them */
+  SINEW_TET_WEIGHTS_DISTANCE = 1 /* distances to bones: the nearest one and those beside it */
+} sinew_tet_weights;
+
 /* What a deformer is asked to be: inputs only. Start from sinew_deform_options_init(), which asks for every default. Later
  * versions add members at the end, and 0 asks for what this version does; see struct_size in sinew/types.h.
  *   cell_count       not for delta mush
  *   round_count      more are slower and keep more volume
- *   softness         less is calmer over time and keeps less volume. SINEW_DEFORM_VOLUME alone
+ *   softness         less is calmer over time and keeps less volume. Not for delta mush
  *   no_twist_spread  0: the parent's bone takes a part of the twist, as twist joints do. SINEW_DEFORM_VOLUME alone
  *   body_contact     1: parts of the body that are no neighbours keep apart too, as far as they lie less than two cells in
  *                    each other: an arm and the torso, a thigh and the belly, two thighs, cloth on them as well. Takes
  *                    several times as long. Where a motion drives limbs through each other, dents come and go within a
- *                    frame. SINEW_DEFORM_VOLUME alone, on the calling thread
+ *                    frame. Not for delta mush; on the calling thread
  *   parallel_for     as in sinew_options. The result does not depend on it. Where several threads pose one deformer, each
  *                    calls it. SINEW_DEFORM_VOLUME alone
  *   thread_count     more than 1 is worth while for large lattices: at 64 cells, hardly at 32 */
@@ -42,7 +49,7 @@ typedef struct sinew_deform_options {
   uint32_t struct_size;            /* sizeof(sinew_deform_options) */
   uint32_t method;                 /* sinew_deform_method */
   uint32_t cell_count;             /* cells along the longest side, 8..SINEW_MAX_DEFORM_CELLS; 0 = 32 */
-  uint32_t round_count;            /* 1..SINEW_MAX_DEFORM_ROUNDS; 0 = 20, delta mush 5 */
+  uint32_t round_count;            /* 1..SINEW_MAX_DEFORM_ROUNDS; 0 = 20, SINEW_DEFORM_XPBD 60, delta mush 5 */
   uint32_t softness;               /* compliance of the stretch in 1/256, 1..65535; 0 = 1280 */
   uint32_t no_twist_spread;        /* 1: a joint's twist about its parent's bone stays at the joint */
   uint32_t no_contact;             /* 1: the two sides of a bend may pass through each other */
@@ -51,6 +58,9 @@ typedef struct sinew_deform_options {
   void* parallel_user;
   uint32_t thread_count; /* 1..SINEW_MAX_THREADS pieces that work is cut into; 0 = 1 */
   uint32_t body_contact; /* 1: contact between all parts of the body, not only in bends */
+  uint32_t energy; /* k of SINEW_DEFORM_XPBD's springs from a tetrahedron's centroid to its corners, in thousandths,
+                          * 1..SINEW_MAX_DEFORM_ENERGY; 0 = 200 */
+  uint32_t tet_weights; /* sinew_tet_weights, of SINEW_DEFORM_XPBD */
 } sinew_deform_options;
 
 /* Options that ask for every default. */

@@ -30,8 +30,8 @@ enum {
   /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints; several joints may get one
    * source. SINEW_MAP_AUTO takes it too where it is built and fits better */
   SINEW_MAP_BRANCHES = 2,
-  /* sinew_deform_options: linear blending, stretch, volume and energy (k = 0.2) constraints, contact, two rounds of
-   * smoothing over the bends. Keeps less volume than SINEW_DEFORM_VOLUME */
+  /* sinew_deform_options: linear blending, then stretch, energy (k = 0.2) and volume of the lattice's tetrahedra with
+   * contact by extended position-based dynamics, and smoothing of the bends in proportion to their angle */
   SINEW_DEFORM_XPBD = 1,
   /* sinew_transfer_options: vertices that have like biharmonic distances to reference points; needs no alike shape, and
    * less fits */

@@ -7,9 +7,8 @@
 namespace sinew::deform {
 namespace {
 
-constexpr uint16_t kRigidWeight = 64225;  // 0.98
-constexpr uint16_t kBoneWeight = 32768;   // a node goes with a bone that has more than half of it
-constexpr double kBoneReach = 0.6;        // cells
+constexpr uint16_t kBoneWeight = 32768;  // a node goes with a bone that has more than half of it
+constexpr double kBoneReach = 0.6;       // cells
 
 double square_to_segment(Vec3d p, Vec3d a, Vec3d b) {
   const Vec3d along = b - a, from = p - a;

@@ -159,6 +159,13 @@ sinew_status read_palette(const float* palette, PosedJoints* posed) {
   return SINEW_OK;
 }
 
+bool bends(const PosedJoints& posed) {
+  for (uint32_t j = 0; j < posed.rest->joint_count; ++j) {
+    if (posed.joints[j].twists || posed.joints[j].group != posed.joints[posed.rest->first_joint].group) return true;
+  }
+  return false;
+}
+
 bool is_strained(const PosedJoints& posed, const WeightRow& row) {
   const uint32_t group = posed.joints[row.joints[0]].group;
   for (uint32_t s = 0; s < kNodeSlots && row.weights[s] > kTold; ++s) {

@@ -31,6 +31,8 @@ struct PosedJoints {
 // half a turn against each other, by way of joints between them, blend as those do. Returns SINEW_OK or SINEW_ERROR_NOT_FINITE.
 sinew_status read_palette(const float* palette, PosedJoints* posed);
 
+// Whether joints move against each other.
+bool bends(const PosedJoints& posed);
 // Whether the joints of a row do not move as one rigid piece.
 bool is_strained(const PosedJoints& posed, const WeightRow& row);
 

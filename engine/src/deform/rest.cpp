@@ -9,6 +9,7 @@
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
 #include "deform/dual_quaternion.hpp"
+#include "deform/node_distances.hpp"
 #include "deform/pins.hpp"
 #include "deform/smoothing.hpp"
 #include "deform/solver.hpp"
@@ -167,7 +168,9 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
     if (status != SINEW_OK) return status;
   }
   sinew_deform_options& o = *options;
-  if (o.body_contact > 1) return SINEW_ERROR_ARGUMENT;
+  if (o.body_contact > 1 || o.tet_weights > SINEW_TET_WEIGHTS_DISTANCE || o.energy > SINEW_MAX_DEFORM_ENERGY) {
+    return SINEW_ERROR_ARGUMENT;
+  }
   if (o.method > SINEW_DEFORM_DELTA_MUSH || o.round_count > SINEW_MAX_DEFORM_ROUNDS || o.softness > 65535 ||
       (o.cell_count != 0 && (o.cell_count < 8 || o.cell_count > SINEW_MAX_DEFORM_CELLS)) || o.no_twist_spread > 1 ||
       o.no_contact > 1 || o.no_smoothing > 1 || o.thread_count > SINEW_MAX_THREADS) {
@@ -175,8 +178,10 @@ sinew_status read_deform_options(const sinew_deform_options* given, sinew_deform
   }
   if (o.cell_count == 0) o.cell_count = 32;
   if (!kHasPublished && o.method == SINEW_DEFORM_XPBD) return SINEW_ERROR_NOT_BUILT;
-  if (o.round_count == 0) o.round_count = o.method == SINEW_DEFORM_DELTA_MUSH ? 5 : 20;
+  if (o.round_count == 0)
+    o.round_count = o.method == SINEW_DEFORM_DELTA_MUSH ? 5 : o.method == SINEW_DEFORM_VOLUME ? 20 : 60;
   if (o.softness == 0) o.softness = 5 * 256;
+  if (o.energy == 0) o.energy = 200;
   return SINEW_OK;
 }
 
@@ -241,6 +246,12 @@ sinew_status build_rest(const RestInput& input, Arena& arena, DeformRest* rest) 
     }
   }
   status = Builder{input, counts, quantizer, *rest}.mesh_and_lattice(bounds, grid, arena);
+  if constexpr (kHasPublished) {
+    if (status == SINEW_OK && rest->options.method == SINEW_DEFORM_XPBD &&
+        rest->options.tet_weights == SINEW_TET_WEIGHTS_DISTANCE) {
+      status = weigh_nodes_by_distance(arena, rest);
+    }
+  }
   if (status != SINEW_OK || arena.measuring()) return status;
   if (rest->has_lattice()) {
     if (bounds.pairs == 0) {

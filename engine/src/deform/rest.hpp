@@ -46,7 +46,7 @@ struct DeformRest {
   Lattice lattice;
   uint8_t* node_flags = nullptr;  // [n]
   uint8_t* rigid = nullptr;       // [U] 1: of a part that belongs to one joint and has no soft skin around it
-  // Of a volume pose with contact of the whole body.
+  // Of a pose with contact of the whole body.
   SkinSurface surface;
   // For smoothing, as in Mesh, and whether a vertex has an edge of one triangle.
   uint32_t *triangles = nullptr, *row_offsets = nullptr, *col_indices = nullptr;
@@ -58,7 +58,7 @@ struct DeformRest {
     return {options.thread_count != 0 ? options.thread_count : 1, options.parallel_for, options.parallel_user};
   }
   bool has_lattice() const { return options.method != SINEW_DEFORM_DELTA_MUSH; }
-  bool has_contact() const { return options.method == SINEW_DEFORM_VOLUME && options.body_contact != 0; }
+  bool has_contact() const { return has_lattice() && options.body_contact != 0; }
   bool has_surface() const { return options.method != SINEW_DEFORM_VOLUME; }
   Vec3d position(uint32_t vertex) const {
     const float* const p = positions + 3 * static_cast<size_t>(vertex);

@@ -45,7 +45,7 @@ class VolumePose {
       for (uint32_t v = 0; v < rest_.vertex_count; ++v) spaces_[v] = {{0, 0, 0}, 0};
     }
     if (posed_.overturned) fade();
-    const bool solves = lattice_.tetrahedron_count > 0 && bends();
+    const bool solves = lattice_.tetrahedron_count > 0 && bends(posed_);
     if (solves) skin_nodes();
     if (solves && find_moving()) {
       list_constraints(lattice_, &state_);
@@ -125,14 +125,6 @@ class VolumePose {
   }
 
   static constexpr uint8_t kStrained = 1, kOutside = 2;
-
-  // Whether joints move against each other.
-  bool bends() const {
-    for (uint32_t j = 0; j < rest_.joint_count; ++j) {
-      if (posed_.joints[j].twists || posed_.joints[j].group != posed_.joints[rest_.first_joint].group) return true;
-    }
-    return false;
-  }
 
   // Free nodes near strained ones move, and those around vertices on the wrong side of a plane. False if none does.
   bool find_moving() {

@@ -16,8 +16,8 @@ inline std::optional<sinew_deform_options> corrections_of(uint32_t deform, uint3
   if (cells != 0 && (cells < 8 || cells > SINEW_MAX_DEFORM_CELLS))
     throw Failure(SINEW_ERROR_ARGUMENT, "cells: expected 8 to " + std::to_string(SINEW_MAX_DEFORM_CELLS));
   check_at_most("rounds", rounds, SINEW_MAX_DEFORM_ROUNDS);
-  if (body_contact != 0 && deform != SINEW_POSE_VOLUME)
-    throw Failure(SINEW_ERROR_ARGUMENT, "body_contact: is for SINEW_POSE_VOLUME");
+  if (body_contact != 0 && deform != SINEW_POSE_VOLUME && deform != SINEW_POSE_XPBD)
+    throw Failure(SINEW_ERROR_ARGUMENT, "body_contact: is for SINEW_POSE_VOLUME and SINEW_POSE_XPBD");
   if (deform < SINEW_POSE_VOLUME) {
     if (cells != 0 || rounds != 0)
       throw Failure(SINEW_ERROR_ARGUMENT, "cells and rounds: are for poses that are corrected");

@@ -40,9 +40,10 @@ export const LAYOUTS = {
   bindOutputs: layout(44,
     "struct_size@0:u32 symmetric_vertices@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 used_bytes@20:u32 " +
     "questions@24:u32 vertex_questions@28:u32 vertex_parts@32:u32 questions_written@36:u32 reserved@40:u32"),
-  deformOptions: layout(48,
+  deformOptions: layout(56,
     "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 no_twist_spread@20:u32 " +
-    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32"),
+    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32 " +
+    "energy@48:u32 tet_weights@52:u32"),
   deformer: layout(56,
     "memory@0:u32 pose_bytes@4:u32 vertex_count@8:u32 joint_count@12:u32 tetrahedron_count@16:u32 node_count@20:u32 " +
     "split_cell_count@24:u32 reserved@28:u32x7"),
@@ -173,6 +174,7 @@ export const JOINT_NEVER = 1;
 export const JOINT_DEFORMS = 2;
 export const MAX_DEFORM_CELLS = 64;
 export const MAX_DEFORM_ROUNDS = 200;
+export const MAX_DEFORM_ENERGY = 1000000;
 export const MAX_MAP_LIMBS = 1024;
 export const MAX_MOTION_LIMBS = 16;
 export const MAX_RIG_JOINTS = 192;
@@ -202,6 +204,7 @@ export const WORDS = {
   method: ["model", "heat", "distance"],
   rigidParts: ["auto", "always", "never"],
   deformMethod: ["volume", "xpbd", "delta-mush"],
+  tetWeights: ["skin", "distance"],
   mapMethod: ["auto", "sinew", "branches"],
   mapReason: ["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"],
   retargetMethod: ["auto", "copy"],

@@ -460,7 +460,7 @@ typedef struct sinew_character_animate_options {
   uint32_t target_up, motion_up;        /* sinew_up */
   uint32_t deform;            /* sinew_pose_deform: every frame is corrected by morph targets, VOLUME and above */
   uint32_t cells, rounds;     /* of the deformer; 0 = its own */
-  uint32_t body_contact;      /* 1: with SINEW_POSE_VOLUME, limbs keep out of the body */
+  uint32_t body_contact;      /* 1: with SINEW_POSE_VOLUME or SINEW_POSE_XPBD, limbs keep out of the body */
   uint32_t shapes;            /* most morph targets a clip; 0 = 16 */
   double fps;                 /* 0 = as the motion has */
   double from, to;            /* seconds; to 0 = the end */
@@ -513,7 +513,7 @@ typedef struct sinew_character_pose_options {
   uint32_t thread_count;
   uint32_t deform;         /* sinew_pose_deform */
   uint32_t cells, rounds;  /* of the deformer; 0 = its own */
-  uint32_t body_contact;   /* 1: with SINEW_POSE_VOLUME */
+  uint32_t body_contact;   /* 1: with SINEW_POSE_VOLUME or SINEW_POSE_XPBD */
   const double* angles;    /* [J x 3] joints turned about x, then y, then z, in degrees */
   const double* rotations; /* [J x 4] x y z w, local, against the rest pose */
   const double* matrices;  /* [J x 12] row-major 3x4, rest to posed space */

@@ -21,6 +21,7 @@ JOINT_NEVER = 1
 JOINT_DEFORMS = 2
 MAX_DEFORM_CELLS = 64
 MAX_DEFORM_ROUNDS = 200
+MAX_DEFORM_ENERGY = 1000000
 MAX_MAP_LIMBS = 1024
 MAX_MOTION_LIMBS = 16
 MAX_RIG_JOINTS = 192
@@ -61,6 +62,8 @@ RigidParts = Literal["auto", "always", "never"]
 RIGID_PARTS: Tuple[str, ...] = ("auto", "always", "never")
 DeformMethod = Literal["volume", "xpbd", "delta-mush"]
 DEFORM_METHOD: Tuple[str, ...] = ("volume", "xpbd", "delta-mush")
+TetWeights = Literal["skin", "distance"]
+TET_WEIGHTS: Tuple[str, ...] = ("skin", "distance")
 MapMethod = Literal["auto", "sinew", "branches"]
 MAP_METHOD: Tuple[str, ...] = ("auto", "sinew", "branches")
 MapReason = Literal["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"]
@@ -164,7 +167,8 @@ class sinew_bind_outputs(Structure):
 class sinew_deform_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("cell_count", c_uint32), ("round_count", c_uint32),
         ("softness", c_uint32), ("no_twist_spread", c_uint32), ("no_contact", c_uint32), ("no_smoothing", c_uint32),
-        ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p), ("thread_count", c_uint32), ("body_contact", c_uint32)]
+        ("parallel_for", sinew_parallel_for), ("parallel_user", c_void_p), ("thread_count", c_uint32), ("body_contact", c_uint32),
+        ("energy", c_uint32), ("tet_weights", c_uint32)]
 
 
 class sinew_deformer(Structure):

@@ -26,7 +26,7 @@ class Deformer:
     rounds     1 to 200, more are slower and keep more volume; 0: 20, delta-mush 5
     softness   1 to 65535; 0: 1280
     contact    whether the two sides of a bend keep out of each other
-    body_contact  whether other parts do, too: an arm and the torso, a thigh and the belly, two thighs. "volume" alone
+    body_contact  whether other parts do, too: an arm and the torso, a thigh and the belly, two thighs. "volume" and "xpbd"
     Raises ValueError and Error as bind() does.
     """
 

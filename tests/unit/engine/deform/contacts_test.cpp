@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bent_tube.hpp"
+#include "sinew/published.h"
 
 namespace {
 
@@ -55,8 +56,9 @@ struct Deformed {
   sinew::Deformer deformer;
   std::vector<float> at;
 
-  Deformed(const Body& body, bool contact) {
+  Deformed(const Body& body, bool contact, uint32_t method = SINEW_DEFORM_VOLUME) {
     sinew_deform_options options = sinew_deform_options_init();
+    options.method = method;
     options.body_contact = contact ? 1 : 0;
     EXPECT_EQ(deformer.create(body.tube.mesh(), body.tube.skeleton(), body.tube.skin(), options), SINEW_OK);
   }
@@ -97,6 +99,15 @@ TEST(Contacts, AnArmOnATorsoIsPressedFlatAndSoIsTheTorso) {
   };
   EXPECT_GT(moved(0, body.torso_vertices), 0.01f);
   EXPECT_GT(moved(body.torso_vertices, body.tube.vertex_count()), 0.01f);
+}
+
+TEST(Contacts, ThePublishedCorrectionKeepsPartsApartAsWell) {
+  const Body body;
+  const std::vector<float> palette = body.palette(10);
+  Deformed free(body, false, SINEW_DEFORM_XPBD), kept(body, true, SINEW_DEFORM_XPBD);
+  const double before = depth(body, free.pose(palette));
+  EXPECT_GT(before, 0.04);
+  EXPECT_LT(depth(body, kept.pose(palette)), 0.25 * before);
 }
 
 TEST(Contacts, WhatTouchesNothingStaysAsItIs) {

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// The published correction as it is shipped: volumes, its springs, its rounds, its smoothing, contact, weights of tetrahedra.
+#include "sinew/published.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bent_tube.hpp"
+
+namespace {
+
+using sinew_test::BentTube;
+
+sinew_deform_options shipped() {
+  sinew_deform_options options = sinew_deform_options_init();
+  options.method = SINEW_DEFORM_XPBD;
+  return options;
+}
+
+struct Posed {
+  std::vector<float> positions;
+  sinew_deform_outputs outputs = {};
+};
+
+Posed pose(const BentTube& tube, const sinew_deform_options& options, const std::vector<float>& palette) {
+  sinew::Deformer deformer;
+  EXPECT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), options), SINEW_OK);
+  Posed posed;
+  posed.positions.assign(size_t{3} * tube.vertex_count(), -77);
+  posed.outputs = sinew_deform_outputs_init(posed.positions.data());
+  EXPECT_EQ(deformer.pose(palette.data(), &posed.outputs), SINEW_OK);
+  return posed;
+}
+
+std::vector<float> skinned(const BentTube& tube, const std::vector<float>& palette, bool dual) {
+  std::vector<float> out(tube.positions.size());
+  const sinew_skin skin = tube.skin();
+  EXPECT_EQ((dual ? sinew_skin_dual_quaternion : sinew_skin_linear)(
+                tube.positions.data(), tube.vertex_count(), &skin, palette.data(),
+                static_cast<uint32_t>(tube.parents.size()), out.data()),
+            SINEW_OK);
+  return out;
+}
+
+float farthest(const std::vector<float>& a, const std::vector<float>& b) {
+  float most = 0;
+  for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+double volume_error(const BentTube& tube, const std::vector<float>& at) {
+  return std::abs(tube.volume(at) / tube.volume(tube.positions) - 1);
+}
+
+TEST(Published, ABendKeepsMoreVolumeThanSkinning) {
+  const BentTube tube(2, 0.5);
+  for (const double degrees : {60.0, 90.0, 150.0}) {
+    const std::vector<float> palette = tube.turned({0, 0, 1}, degrees);
+    const Posed posed = pose(tube, shipped(), palette);
+    EXPECT_LT(volume_error(tube, posed.positions), 0.5 * volume_error(tube, skinned(tube, palette, false))) << degrees;
+    EXPECT_LT(volume_error(tube, posed.positions), volume_error(tube, skinned(tube, palette, true))) << degrees;
+    EXPECT_GT(posed.outputs.active_tetrahedra, 0u) << degrees;
+  }
+}
+
+TEST(Published, ASmallBendIsASmallCorrection) {
+  const BentTube tube(2, 0.3);
+  float last = 1;
+  for (const double degrees : {10.0, 1.0, 0.1}) {
+    const std::vector<float> palette = tube.turned({0, 0, 1}, degrees);
+    const std::vector<float> posed = pose(tube, shipped(), palette).positions;
+    const float moved = farthest(posed, skinned(tube, palette, false));
+    EXPECT_LT(moved, 0.25f * last) << degrees;
+    EXPECT_LT(volume_error(tube, posed), 1e-4 * degrees) << degrees;
+    last = moved;
+  }
+  EXPECT_LT(last, 1e-4f);
+}
+
+TEST(Published, SmoothingIsOfBendsAndGrowsWithThem) {
+  const BentTube tube(2, 0.3);
+  sinew_deform_options plain = shipped();
+  plain.no_smoothing = 1;
+  float last = 0;
+  for (const double degrees : {0.0, 20.0, 60.0, 120.0}) {
+    const std::vector<float> palette = tube.turned({0, 0, 1}, degrees);
+    const std::vector<float> with = pose(tube, shipped(), palette).positions;
+    const std::vector<float> without = pose(tube, plain, palette).positions;
+    const float moved = farthest(with, without);
+    if (degrees == 0) {
+      EXPECT_EQ(moved, 0.0f);
+    } else {
+      EXPECT_GT(moved, last) << degrees;
+    }
+    last = moved;
+    for (size_t i = 0; i < 15 * BentTube::kAround; ++i) ASSERT_EQ(with[i], without[i]) << i;
+    EXPECT_LT(volume_error(tube, with), volume_error(tube, without) + 0.01) << degrees;
+  }
+}
+
+// How far tetrahedra are from their rest shape shows in the edges of the skin.
+double stretch(const BentTube& tube, const std::vector<float>& at) {
+  double sum = 0;
+  const auto length = [&](const std::vector<float>& of, size_t a, size_t b) {
+    return std::hypot(double{of[3 * a]} - of[3 * b], double{of[3 * a + 1]} - of[3 * b + 1],
+                      double{of[3 * a + 2]} - of[3 * b + 2]);
+  };
+  for (size_t t = 0; t < tube.corners.size(); t += 3) {
+    const size_t a = tube.corners[t], b = tube.corners[t + 1];
+    const double off = length(at, a, b) / length(tube.positions, a, b) - 1;
+    sum += off * off;
+  }
+  return std::sqrt(sum / (static_cast<double>(tube.corners.size()) / 3));
+}
+
+TEST(Published, StifferSpringsStretchLess) {
+  const BentTube tube(2, 0.3);
+  const std::vector<float> palette = tube.turned({0, 0, 1}, 90);
+  sinew_deform_options options = shipped();
+  std::vector<float> last;
+  double least = 1e9;
+  for (const uint32_t energy : {1u, 200u, 900u}) {
+    options.energy = energy;
+    const std::vector<float> posed = pose(tube, options, palette).positions;
+    EXPECT_NE(posed, last) << energy;
+    EXPECT_LT(stretch(tube, posed), least) << energy;
+    least = stretch(tube, posed);
+    last = posed;
+  }
+  options.energy = 200;
+  const std::vector<float> given = pose(tube, options, palette).positions;
+  EXPECT_EQ(pose(tube, shipped(), palette).positions, given);  // the default is 0.2
+}
+
+TEST(Published, RoundsComeNearerToOneSolution) {
+  const BentTube tube(2, 0.3);
+  const std::vector<float> palette = tube.turned({0, 0, 1}, 120);
+  sinew_deform_options options = shipped();
+  const auto posed = [&](uint32_t rounds) {
+    options.round_count = rounds;
+    return pose(tube, options, palette).positions;
+  };
+  const std::vector<float> end = posed(200);
+  const float one = farthest(posed(1), end), ten = farthest(posed(10), end), sixty = farthest(posed(60), end);
+  EXPECT_LT(ten, 0.8f * one);
+  EXPECT_LT(sixty, 0.6f * ten);
+  EXPECT_LT(volume_error(tube, end), volume_error(tube, posed(1)));
+}
+
+TEST(Published, TetrahedraTakeWeightsFromTheSkinOrFromDistances) {
+  const BentTube tube(3, 0.1);
+  const std::vector<float> palette = tube.turned({0, 0, 1}, 45);
+  sinew_deform_options options = shipped();
+  const std::vector<float> skin = pose(tube, options, palette).positions;
+  options.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
+  const std::vector<float> distance = pose(tube, options, palette).positions;
+  EXPECT_NE(skin, distance);
+  EXPECT_LT(farthest(skin, distance), 0.15f);
+  EXPECT_EQ(pose(tube, options, tube.turned({0, 0, 1}, 0)).positions, tube.positions);
+}
+
+TEST(Published, RefusesOptionsOutOfTheirRange) {
+  const BentTube tube(2);
+  sinew::Deformer deformer;
+  sinew_deform_options options = shipped();
+  options.tet_weights = 2;
+  EXPECT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), options), SINEW_ERROR_ARGUMENT);
+  options = shipped();
+  options.energy = SINEW_MAX_DEFORM_ENERGY + 1;
+  EXPECT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), options), SINEW_ERROR_ARGUMENT);
+}
+
+}  // namespace
