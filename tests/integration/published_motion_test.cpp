@@ -3,6 +3,7 @@
 // another mesh and from a skeleton alone.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -22,8 +23,11 @@ Quaternion turn_between(Direction a, Direction b) {
   };
   scaled(&a);
   scaled(&b);
-  return normalised({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
-                     1 + a[0] * b[0] + a[1] * b[1] + a[2] * b[2]});
+  Quaternion q = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0],
+                  1 + a[0] * b[0] + a[1] * b[1] + a[2] * b[2]};
+  const double size = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (double& x : q) x /= size;
+  return q;
 }
 Quaternion product(const Quaternion& a, const Quaternion& b) {
   return {a[3] * b[0] + a[0] * b[3] + a[1] * b[2] - a[2] * b[1], a[3] * b[1] - a[0] * b[2] + a[1] * b[3] + a[2] * b[0],
@@ -45,6 +49,7 @@ class PublishedMotion : public Cli {
     Motion motion = motion_of(biped.joints);
     motion.name = "hug";
     Clip clip = {"hug", 0.05, {}};
+    constexpr double kCloser = 0.02;
     for (int f = 0; f < 12; ++f) {
       MotionFrame frame;
       for (const MotionJoint& joint : motion.joints) {
@@ -55,8 +60,10 @@ class PublishedMotion : public Cli {
         const std::string& name = motion.joints[j].name;
         if (name.rfind("upper_arm", 0) != 0) continue;
         const double side = name.back() == 'L' ? 1 : -1;
-        const Quaternion upper = turn_between({side * 0.278, -0.145, 0}, {side * 0.25, -0.6 + 0.02 * f, 0.55});
-        const Quaternion fore = turn_between({side * 0.256, -0.133, 0.02}, {-side * 0.9, -0.25 + 0.04 * f, -0.1});
+        const Quaternion upper =
+            turn_between({side * 0.278, -0.145, 0}, {side * 0.25, -0.45 + 0.02 * f, 0.9 - kCloser * f});
+        const Quaternion fore =
+            turn_between({side * 0.256, -0.133, 0.02}, {-side * 0.8, -0.2 + 0.02 * f, 0.1 - kCloser * f});
         frame.rotations[j] = upper;
         frame.rotations[j + 1] = product({-upper[0], -upper[1], -upper[2], upper[3]}, fore);
       }
@@ -94,16 +101,30 @@ TEST_F(PublishedMotion, HandsTouchABroaderBodyBetterThanByCopying) {
   const std::string call = "broad.glb --motion hugging.glb" + kPoints;
   const Arms copied = arms(call, "before"), drawn = arms(call, "after");
   ASSERT_GE(copied.contacts, 6u);
-  EXPECT_LT(drawn.contact, 0.8 * copied.contact) << copied.contact;
-  EXPECT_LE(drawn.deep, copied.deep);
+  EXPECT_LT(drawn.contact, 0.9 * copied.contact) << copied.contact;
+  EXPECT_LE(drawn.deep, copied.deep + copied.frames / 20);
 }
 
-TEST_F(PublishedMotion, ABodyOfAnotherMeshIsNoWorseThanCopying) {
-  const std::string call = kCaped + " --motion hugging.glb" + kPoints;
+// The same surface with its faces in another order is another mesh: the points that correspond are found on it.
+TEST_F(PublishedMotion, ABodyOfAnotherMeshIsAsGood) {
+  Character other = read_character(in("broad.glb"));
+  std::vector<uint32_t> corners;
+  for (size_t f = other.face_count(); f-- > 0;)
+    corners.insert(corners.end(), other.face_vertices.begin() + static_cast<ptrdiff_t>(other.face_offsets[f]),
+                   other.face_vertices.begin() + static_cast<ptrdiff_t>(other.face_offsets[f + 1]));
+  std::vector<uint32_t> offsets = {0};
+  for (size_t f = other.face_count(); f-- > 0;)
+    offsets.push_back(offsets.back() + static_cast<uint32_t>(other.face_offsets[f + 1] - other.face_offsets[f]));
+  other.face_vertices.assign(corners.begin(), corners.end());
+  other.face_offsets.assign(offsets.begin(), offsets.end());
+  write_gltf(in("other.glb"), other);
+  const std::string call = "other.glb --motion hugging.glb" + kPoints;
+  const Outcome told = good("animate " + call + " -o out.glb");
+  EXPECT_NE(told.out.find("has a body of another mesh"), std::string::npos) << told.out;
   const Arms copied = arms(call, "before"), drawn = arms(call, "after");
   ASSERT_GE(copied.contacts, 6u);
-  EXPECT_LE(drawn.contact, copied.contact);
-  EXPECT_LE(drawn.deep, copied.deep);
+  EXPECT_LT(drawn.contact, 0.9 * copied.contact) << copied.contact;
+  EXPECT_LE(drawn.deep, copied.deep + copied.frames / 20);
 }
 
 TEST_F(PublishedMotion, ASkeletonAloneGetsABody) {
@@ -111,10 +132,12 @@ TEST_F(PublishedMotion, ASkeletonAloneGetsABody) {
     const std::string call = target + " --motion hug.bvh" + kPoints;
     const Arms copied = arms(call, "before"), drawn = arms(call, "after");
     EXPECT_LE(drawn.deep, copied.deep) << target;
-    good("animate " + call + " -o drawn.glb");
-    good("animate " + target + " --motion hug.bvh --method copy -o copied.glb");
-    EXPECT_NE(slurp(in("drawn.glb")), slurp(in("copied.glb"))) << target;
+    const Outcome told = good("animate " + call + " -o drawn.glb");
+    EXPECT_NE(told.out.find("capsules round both skeletons"), std::string::npos) << told.out;
   }
+  good("animate broad.glb --motion hug.bvh --method copy -o copied.glb");
+  good("animate broad.glb --motion hug.bvh" + kPoints + " -o drawn.glb");
+  EXPECT_TRUE(slurp(in("drawn.glb")) != slurp(in("copied.glb"))) << "arms come out of the body";
 }
 
 }  // namespace

@@ -54,8 +54,7 @@ double trunk_of(const sinew_retarget& plan, const MotionRig& rig, bool of_source
     if (low == kNone && (c == SINEW_CLASS_PELVIS || c == SINEW_CLASS_SPINE)) low = own;
     if (high == kNone && (c == SINEW_CLASS_NECK || c == SINEW_CLASS_HEAD)) high = own;
   }
-  const double trunk =
-      low != kNone && high != kNone ? length(rig.positions[high] - rig.positions[low]) : 0;
+  const double trunk = low != kNone && high != kNone ? length(rig.positions[high] - rig.positions[low]) : 0;
   return trunk > 0 ? trunk : plan.leg_length * (of_source ? 0.6 : 0.6 * plan.scale);
 }
 
@@ -69,6 +68,10 @@ void set(float* positions, Vec3d p) {
 
 bool CapsuleBodies::allocate(Arena& arena, uint32_t target_joints) {
   const size_t vertices = size_t{capacity(target_joints)} * kVertices;
+  source_bones_ = arena.alloc<Bone>(capacity(target_joints));
+  target_bones_ = arena.alloc<Bone>(capacity(target_joints));
+  sums_ = arena.alloc<double>(capacity(target_joints));
+  counts_ = arena.alloc<uint32_t>(capacity(target_joints));
   source_positions_ = arena.alloc<float>(3 * vertices);
   target_positions_ = arena.alloc<float>(3 * vertices);
   source_joints_ = arena.alloc<uint16_t>(vertices);
@@ -82,10 +85,54 @@ sinew_motion_body CapsuleBodies::view(const float* positions, const uint16_t* jo
   return {positions, triangles_, {joints, weights_, 1, SINEW_WEIGHT_UNORM16}, count_ * kVertices, count_ * kTriangles};
 }
 
-void CapsuleBodies::build(const sinew_retarget& plan) {
+void CapsuleBodies::build(const sinew_retarget& plan, const sinew_motion_body& mesh) {
+  find_bones(plan);
+  measure_target(mesh);
+  count_ = 0;
+  for (uint32_t b = 0; b < bone_count_; ++b) add(source_bones_[b], target_bones_[b], plan.rotation);
+}
+
+// The mean distance of the vertices that are moved most by the bone's joint and lie beside it, nearest of its bones; by proportions
+// where there are few.
+void CapsuleBodies::measure_target(const sinew_motion_body& mesh) {
+  constexpr uint32_t kFewest = 12;
+  constexpr double kThinnest = 0.5, kThickest = 2.5;  // of what proportions say
+  for (uint32_t b = 0; b < bone_count_; ++b) sums_[b] = counts_[b] = 0;
+  const uint32_t slots = mesh.skin.influence_count;
+  for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    const uint16_t* const row = static_cast<const uint16_t*>(mesh.skin.weights) + size_t{slots} * v;
+    uint32_t heaviest = 0;
+    for (uint32_t i = 1; i < slots; ++i) heaviest = row[i] > row[heaviest] ? i : heaviest;
+    const uint16_t joint = mesh.skin.joint_indices[size_t{slots} * v + heaviest];
+    const float* const p = mesh.positions + size_t{3} * v;
+    const Vec3d place = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+    uint32_t best = kNone;
+    double least = 0;
+    for (uint32_t b = 0; b < bone_count_; ++b) {
+      const Bone& bone = target_bones_[b];
+      if (bone.joint != joint) continue;
+      const Vec3d whole = bone.to - bone.from, offset = place - bone.from;
+      const double at = dot(offset, whole) / dot(whole, whole);
+      const double far = length(offset - (at < 0 ? 0 : at > 1 ? 1 : at) * whole);
+      if (at < 0 || at > 1 || (best != kNone && far >= least)) continue;
+      best = b;
+      least = far;
+    }
+    if (best == kNone) continue;
+    sums_[best] += least;
+    ++counts_[best];
+  }
+  for (uint32_t b = 0; b < bone_count_; ++b) {
+    if (counts_[b] < kFewest) continue;
+    double& radius = target_bones_[b].radius;
+    radius = clamped(sums_[b] / counts_[b], kThinnest * radius, kThickest * radius);
+  }
+}
+
+void CapsuleBodies::find_bones(const sinew_retarget& plan) {
   const MotionRig &from = plan.source, &to = plan.target;
   const double source_trunk = trunk_of(plan, from, true), target_trunk = trunk_of(plan, to, false);
-  count_ = 0;
+  bone_count_ = 0;
   const auto is_node = [&](uint32_t t) { return plan.map[t] >= 0 && is_body(plan.classes[t]); };
   for (uint32_t i = 0; i < to.count; ++i) {
     const uint32_t t = to.order[i];
@@ -99,10 +146,10 @@ void CapsuleBodies::build(const sinew_retarget& plan) {
       const Proportion own = proportion(plan.classes[joint]);
       const double bone = length(b - a), source_bone = length(source_b - source_a);
       if (!(bone > 0) || !(source_bone > 0)) return;
-      const Bone target = {a, b, own.of_bone * bone + own.of_trunk * target_trunk, static_cast<uint16_t>(joint)};
-      const Bone source = {source_a, source_b, own.of_bone * source_bone + own.of_trunk * source_trunk,
-                           static_cast<uint16_t>(source_joint)};
-      add(source, target, shortest_arc(b - a, rotate(plan.rotation, source_b - source_a)), plan.rotation);
+      target_bones_[bone_count_] = {a, b, own.of_bone * bone + own.of_trunk * target_trunk,
+                                    static_cast<uint16_t>(joint)};
+      source_bones_[bone_count_++] = {source_a, source_b, own.of_bone * source_bone + own.of_trunk * source_trunk,
+                                      static_cast<uint16_t>(source_joint)};
     };
     const Vec3d a = to.positions[up], b = to.positions[t];
     const Vec3d source_a = from.positions[source_up], source_b = from.positions[s];
@@ -119,7 +166,8 @@ void CapsuleBodies::build(const sinew_retarget& plan) {
 }
 
 // Rings of one direction in the target are turned as the bone is, and to the source's world.
-void CapsuleBodies::add(const Bone& source, const Bone& target, const Quat& source_from_target, const Quat& source_world) {
+void CapsuleBodies::add(const Bone& source, const Bone& target, const Quat& source_world) {
+  const Quat source_from_target = shortest_arc(target.to - target.from, rotate(source_world, source.to - source.from));
   constexpr double kHalf = 0.70710678118654752440;  // cosine of 45 degrees
   constexpr double kCosines[kSides] = {1, kHalf, 0, -kHalf, -1, -kHalf, 0, kHalf};
   const Vec3d along = unit(target.to - target.from), source_along = unit(source.to - source.from);

@@ -223,6 +223,7 @@ class ReferencePoints {
   struct Wish {
     Vec3d sum = {0, 0, 0};
     double all = 0, nearest = 0;
+    uint32_t triangle = 0;  // the nearest
   };
 
   // Where all triangles together want a joint; where it is, if none has a say. The parts of the body have one wish each, the mean of
@@ -253,7 +254,10 @@ class ReferencePoints {
         }
         const double own = influence(i, along, distance);
         Wish& wish = wishes[s_.parts_of[i]];
-        if (own > 0 && (wish.all == 0 || distance < wish.nearest)) wish.nearest = distance;
+        if (own > 0 && (wish.all == 0 || distance < wish.nearest)) {
+          wish.nearest = distance;
+          wish.triangle = i;
+        }
         wish.all += own;
         wish.sum = wish.sum + own * (point(i) + factor * v);
       }
@@ -261,14 +265,22 @@ class ReferencePoints {
     Vec3d sum = {0, 0, 0};
     double all = 0;
     const double least = 1e-3 * s_.source.height;
+    const Wish* nearest = nullptr;
     for (const Wish& wish : wishes) {
       if (wish.all <= kLeastSquare) continue;
+      if (nearest == nullptr || wish.nearest < nearest->nearest) nearest = &wish;
       const double near = 1 / (wish.nearest * wish.nearest + least * least);
       const double share = near * near;
       all += share;
       sum = sum + (share / wish.all) * wish.sum;
     }
-    return all > 0 ? (1 / all) * sum : plan_.target_positions[joint];
+    const Vec3d copied = plan_.target_positions[joint];
+    if (!(all > 0)) return copied;
+    const Vec3d shift = (1 / all) * sum - copied;
+    if (!options_.outwards) return copied + shift;
+    const Vec3d out = s_.target.normal(s_.body->triangles + size_t{3} * nearest->triangle);
+    const double along = dot(shift, out);
+    return copied + (along < 0 ? Vec3d{0, 0, 0} : along * out);
   }
 
   // The target's reference point; or the source's, where it lies when the bodies' middles are laid over each other.
@@ -340,9 +352,9 @@ sinew_status read_reference_options(const sinew_reference_options* options, Refe
   if (status != SINEW_OK) return status;
   const double falloff = static_cast<double>(o.falloff), least = static_cast<double>(o.least_cosine);
   if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.no_own_limb > 1 || o.own_limb > 1 ||
-      (o.no_own_limb != 0 && o.own_limb != 0) || o.legs > 1 || o.head > 1 || o.torso > 1 ||
-      o.source_points > 1 || !(falloff >= 0 || (falloff <= kNoFalloff && falloff >= kNoFalloff)) ||
-      !is_finite(falloff) || !(least >= 0 && least <= 1)) {
+      (o.no_own_limb != 0 && o.own_limb != 0) || o.legs > 1 || o.head > 1 || o.torso > 1 || o.source_points > 1 ||
+      !(falloff >= 0 || (falloff <= kNoFalloff && falloff >= kNoFalloff)) || !is_finite(falloff) ||
+      !(least >= 0 && least <= 1)) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = ReferenceOptions();
@@ -376,7 +388,7 @@ sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body*
                                   const ReferenceOptions& options, Arena& arena) {
   CapsuleBodies capsules;
   if (!capsules.allocate(arena, plan->target.count)) return SINEW_ERROR_WORKSPACE;
-  if (source_body == nullptr) capsules.build(*plan);
+  if (source_body == nullptr) capsules.build(*plan, target_body);
   const sinew_motion_body source = source_body != nullptr ? *source_body : capsules.source();
   const sinew_motion_body target = source_body != nullptr ? target_body : capsules.target();
   ReferenceScene scene;
@@ -385,7 +397,9 @@ sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body*
   if (target.vertex_count == 0) return SINEW_OK;  // no two mapped joints: nothing to look at
   const sinew_status status = scene.open(plan, &source, target, inputs);
   if (status != SINEW_OK || scene.is_same_body() || target.triangle_count == 0) return status;
-  return ReferencePoints(options, &scene).run();
+  ReferenceOptions own = options;
+  own.outwards = source_body == nullptr;
+  return ReferencePoints(own, &scene).run();
 }
 
 }  // namespace sinew::motion

@@ -13,6 +13,8 @@ namespace sinew::motion {
 struct ReferenceOptions {
   uint32_t area_power = 3;
   bool own_limb = false, legs = false, head = false, torso = false, source_points = false;
+  // Capsules are a guess (ours): they push joints away from the body, straight out, and do no more.
+  bool outwards = false;
   double falloff = 0.05;  // share of the source's height; 0 = none
   double least_cosine = 1e-5;
 };

@@ -46,7 +46,8 @@ void set_method(const AnimateOptions& s, const MotionInput& input, AnimatedChara
     const Retargeter::PointsOf points =
         retargeter->follow_reference_points(s.reference, out->character, source ? &*source : nullptr);
     if (points == Retargeter::PointsOf::kTwoMeshes)
-      out->motion.notes.push_back(file + ": has a body of another mesh; its reference points are those that correspond");
+      out->motion.notes.push_back(file +
+                                  ": has a body of another mesh; its reference points are those that correspond");
     if (points == Retargeter::PointsOf::kCapsules)
       out->motion.notes.push_back(file +
                                   ": has no body, so reference points are those of capsules round both skeletons, "

@@ -104,7 +104,11 @@ void Retargeter::check(sinew_status status) const {
 
 Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
                        const std::vector<uint8_t>& classes, const RetargetSettings& settings, UpAxes up)
-    : name_(source.name), source_count_(source.joints.size()), target_count_(target.size()), classes_(classes), map_(map) {
+    : name_(source.name),
+      source_count_(source.joints.size()),
+      target_count_(target.size()),
+      classes_(classes),
+      map_(map) {
   const RigArrays from(rest_joints(source)), to(target);
   const sinew_skeleton source_rig = from.view(up.source), target_rig = to.view(up.target);
   size_t bytes = 0;
