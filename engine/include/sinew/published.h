@@ -81,8 +81,9 @@ SINEW_API sinew_status sinew_retarget_reference_points_workspace_size(const sine
  * as seen along v, summed over the path through the skeleton from the joint nearest to c at rest. Where t is 0, t' / t is the
  * ratio of heights. Arms bend so that elbow and wrist come there, with bones of their length; all else stays as it was copied.
  *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at), as
- *           sinew_corresponding_points() makes one of any mesh; null: capsules round both skeletons stand for the bodies, as thick
- *           as limbs of such proportions are, and the target's own mesh is not looked at
+ *           sinew_corresponding_points() makes one of any mesh; null: capsules round both skeletons stand for the bodies,
+ *           the source's as thick as limbs of such proportions are, the target's as its mesh is there; they push elbows and wrists
+ *           straight out and do no more (ours)
  *   clip    `ground` is not looked at
  * Returns what sinew_retarget_contacts() does; SINEW_ERROR_ARGUMENT also for options out of their
  * range, and SINEW_ERROR_NOT_BUILT. */
