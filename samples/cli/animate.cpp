@@ -33,8 +33,8 @@ struct Settings {
   size_t shapes = 16;
   double fps = 0, from = 0, to = 1e9;
   uint32_t area_power = 3;
-  double falloff = 0;
-  bool own_limb = true, legs = false, range = true;
+  double falloff = 0.05;
+  bool own_limb = false, legs = false, head = false, torso = false, source_points = false, range = true;
   bool in_place = false, json = false, report = false;
 };
 
@@ -76,9 +76,12 @@ AnimateOptions animate_options(const Settings& s) {
   options.from = s.from;
   options.to = s.to;
   options.reference.area_power = s.area_power == 0 ? SINEW_NO_AREA : s.area_power;
-  options.reference.falloff = static_cast<float>(s.falloff);
-  options.reference.no_own_limb = s.own_limb ? 0 : 1;
+  options.reference.falloff = s.falloff == 0 ? SINEW_NO_FALLOFF : static_cast<float>(s.falloff);
+  options.reference.own_limb = s.own_limb ? 1 : 0;
   options.reference.legs = s.legs ? 1 : 0;
+  options.reference.head = s.head ? 1 : 0;
+  options.reference.torso = s.torso ? 1 : 0;
+  options.reference.source_points = s.source_points ? 1 : 0;
   return options;
 }
 
@@ -222,7 +225,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
       sub, "--method", s->method,
       "copy: every joint rotates as its source does, rest poses aligned; contacts: then feet stay where they "
       "stand, arms stay out of the body, and where the motion has a body of the same mesh, hands keep in touch "
-      "with it; reference-points: the published method for such a body, for comparison; auto: contacts")
+      "with it; reference-points: the published method, by points of both bodies, for comparison; auto: contacts")
       ->check(CLI::IsMember({"auto", "copy", "contacts", "reference-points"}))
       ->capture_default_str();
   sub->add_option("--sheet", s->sheet, "Also draw frames of every clip side by side")->type_name("FILE");
@@ -259,12 +262,16 @@ std::vector<CLI::Option*> add_reference_options(CLI::App* sub, Settings* s) {
           ->type_name("N")
           ->capture_default_str(),
       sub->add_option("--falloff", s->falloff,
-                      "Influence falls by exp(-(distance / so many heights of the body)^2). Not at all unless given")
-          ->check(CLI::Range(0.001, 100.0))
-          ->type_name("X"),
+                      "Influence falls by exp(-(distance / so many heights of the body)^2); 0: not at all, as drawn")
+          ->check(CLI::Range(0.0, 100.0))
+          ->type_name("X")
+          ->capture_default_str(),
       sub->add_flag("--own-limb,!--no-own-limb", s->own_limb,
-                    "Triangles of the limb itself count, or not. They do unless told"),
-      sub->add_flag("--legs", s->legs, "Legs as well. Feet leave the floor by it")};
+                    "Triangles of the limb itself count, or not. They do not unless told"),
+      sub->add_flag("--legs", s->legs, "Knees and ankles as well. Feet leave the floor by it"),
+      sub->add_flag("--head", s->head, "The head as well"),
+      sub->add_flag("--torso", s->torso, "Torso joints lie as the source's do, not as its turns bend them"),
+      sub->add_flag("--source-points", s->source_points, "Reference points of the source's body, not the target's")};
 }
 
 void add_corrections(CLI::App* sub, Settings* s) {

@@ -353,6 +353,7 @@ namespace Sinew
             public uint struct_size, area_power, no_own_limb, legs;
             public float falloff, least_cosine;
             public IntPtr progress, progress_user;
+            public uint own_limb, head, torso, source_points;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -469,6 +470,7 @@ namespace Sinew
             public IntPtr clip, map, sources;
             public uint area_power, no_own_limb, legs, report;
             public double falloff;
+            public uint own_limb, head, torso, source_points;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -685,6 +687,14 @@ namespace Sinew
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_retarget_reference_points(IntPtr plan, IntPtr source, IntPtr target, IntPtr clip, IntPtr options,
             IntPtr workspace, UIntPtr workspace_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_corresponding_points_workspace_size(IntPtr source, IntPtr target, IntPtr skeleton,
+            out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_corresponding_points(IntPtr source, IntPtr target, IntPtr skeleton, IntPtr workspace,
+            UIntPtr workspace_bytes, IntPtr vertices, IntPtr shares);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_simplify_workspace_size(uint joint_count, out UIntPtr size_bytes);

@@ -101,7 +101,9 @@ struct Call {
       options.in_place = in.below(8) == 7 ? 2 : in.below(2);
       contacts.fps = any_float(in, (extras & kRaw) != 0);
       points.area_power = in.below(8) == 7 ? SINEW_NO_AREA : in.below(6);
-      points.no_own_limb = in.below(8) == 7 ? 2 : in.below(2);
+      points.own_limb = in.below(8) == 7 ? 2 : in.below(2);
+      points.head = points.torso = points.own_limb & 1;
+      points.source_points = points.torso;
       points.legs = in.below(8) == 7 ? 2 : in.below(2);
       points.falloff = any_float(in, (extras & kRaw) != 0);
     }
@@ -262,7 +264,6 @@ void check_clip(Call& call, sinew_retarget* plan, const ClipResult& copied, floa
   const ClipResult drawn = on_clip(call, copied, 0xA5, points_size, points);
   demand(drawn.status == SINEW_ERROR_CANCELLED || drawn == on_clip(call, copied, 0x3C, points_size, points),
          "reference points give the same a second time");
-  demand(source != nullptr || drawn.status != SINEW_OK, "reference points need a body");
 }
 
 }  // namespace

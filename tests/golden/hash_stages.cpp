@@ -670,10 +670,17 @@ void hash_motion(const char* name, const SetLine& line, const Input& in) {
     add(out_rotations);
     add(out_positions);
     options.area_power = drawn ? SINEW_NO_AREA : 0;
-    options.no_own_limb = 1;
-    options.legs = 1;
-    options.falloff = 0.05f;
+    options.own_limb = 1;
+    options.legs = options.head = options.torso = options.source_points = 1;
+    options.falloff = SINEW_NO_FALLOFF;
   }
+  // Without a body of the source's: capsules.
+  options = sinew_reference_options_init();
+  out_rotations = copied_rotations;
+  out_positions = copied_positions;
+  check(sinew_retarget_reference_points(plan, nullptr, &own, &clip, &options, room.data, bytes));
+  add(out_rotations);
+  add(out_positions);
   print(name, "points", poses);
 }
 

@@ -118,16 +118,21 @@ struct PlayedClip {
                        return sinew_retarget_keep_range(plan, own, clip, block, bytes);
                      });
   }
-  sinew_status reference_points(const BoxBody& source_body, const BoxBody& target_body,
+  // source_body null: capsules.
+  sinew_status reference_points(const BoxBody* source_body, const BoxBody& target_body,
                                 const sinew_reference_options& options = sinew_reference_options_init()) {
     return on_bodies(
-        &source_body, target_body,
+        source_body, target_body,
         [&](const sinew_motion_body* own, size_t* bytes) {
           return sinew_retarget_reference_points_workspace_size(plan, own, bytes);
         },
         [&](const auto* from, const auto* own, const auto* clip, void* block, size_t bytes) {
           return sinew_retarget_reference_points(plan, from, own, clip, &options, block, bytes);
         });
+  }
+  sinew_status reference_points(const BoxBody& source_body, const BoxBody& target_body,
+                                const sinew_reference_options& options = sinew_reference_options_init()) {
+    return reference_points(&source_body, target_body, options);
   }
   // With `spots` frame by frame as well.
   std::vector<sinew_limb_measure> measure(const BoxBody* source_body, const BoxBody& target_body,

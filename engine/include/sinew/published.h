@@ -39,18 +39,23 @@ enum {
 };
 
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
+#define SINEW_NO_FALLOFF (-1.0f)  /* sinew_reference_options.falloff: none, as drawn; 0 asks for the default */
 
 /* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. Legs are
  * left as they are copied unless asked for, because feet leave the floor by it. */
 typedef struct sinew_reference_options {
   uint32_t struct_size;    /* sizeof(sinew_reference_options) */
   uint32_t area_power;     /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
-  uint32_t no_own_limb;    /* 1: triangles of the limb itself have no influence */
-  uint32_t legs;           /* 1: legs as well */
-  float falloff;           /* 0 = none; else d: influence also falls by exp(-(distance / (d * source's height))^2) */
+  uint32_t no_own_limb;    /* 1 says what 0 does: see own_limb */
+  uint32_t legs;           /* 1: knees and ankles move as well */
+  float falloff;           /* d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is ours */
   float least_cosine;      /* eps, up to 1; 0 = 1e-5 */
   sinew_progress progress; /* or null */
   void* progress_user;
+  uint32_t own_limb;      /* 1: triangles of the limb itself have influence as well; not with no_own_limb */
+  uint32_t head;          /* 1: the head moves as well */
+  uint32_t torso;         /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
+  uint32_t source_points; /* 1: reference points are the source's, in the size of the target; 0: the target's */
 } sinew_reference_options;
 
 static inline sinew_reference_options sinew_reference_options_init(void) {
@@ -68,13 +73,17 @@ SINEW_API sinew_status sinew_retarget_reference_points_workspace_size(const sine
                                                                       size_t* size_bytes);
 
 /* Retargeting by reference points on the mesh; sinew_retarget_contacts() is better. Changes arms of frames that
- * sinew_retarget_frame() made. Frames do not know of each other, so that a clip may be one live frame.
+ * sinew_retarget_frame() made, and what else the options name. Frames do not know of each other, so that a clip may be one live frame.
  *   Reference points are the middles c of the triangles. For elbows and wrists of the source v = joint - c. A triangle's
- * influence is (area / mean area)^n max(|cos(v, normal)|, eps), divided by the sum over all triangles. In the target the
- * joint's position is the sum of influence (c' + v t' / t). Here t and t' are lengths of the source's and the target's bones
+ * influence is (area / mean area)^n max(|cos(v, normal)|, eps). Torso, head and every limb wish apart: the sum of
+ * influence (c' + v t' / t) over the sum of influence; the joint's position is the mean of their wishes, which count (ours) by the
+ * fourth power of their nearness. Here t and t' are lengths of the source's and the target's bones
  * as seen along v, summed over the path through the skeleton from the joint nearest to c at rest. Where t is 0, t' / t is the
  * ratio of heights. Arms bend so that elbow and wrist come there, with bones of their length; all else stays as it was copied.
- *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at)
+ *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at), as
+ *           sinew_corresponding_points() makes one of any mesh; null: capsules round both skeletons stand for the bodies,
+ *           the source's as thick as limbs of such proportions are, the target's as its mesh is there; they push elbows and wrists
+ *           straight out and do no more (ours)
  *   clip    `ground` is not looked at
  * Returns what sinew_retarget_contacts() does; SINEW_ERROR_ARGUMENT also for options out of their
  * range, and SINEW_ERROR_NOT_BUILT. */
@@ -82,6 +91,22 @@ SINEW_API sinew_status sinew_retarget_reference_points(sinew_retarget* plan, con
                                                        const sinew_motion_body* target, const sinew_motion_clip* clip,
                                                        const sinew_reference_options* options, void* workspace,
                                                        size_t workspace_bytes);
+
+/* Bytes sinew_corresponding_points() needs, as sinew_transfer_workspace_size(). */
+SINEW_API sinew_status sinew_corresponding_points_workspace_size(const sinew_bound_character* source,
+                                                                 const sinew_mesh* target,
+                                                                 const sinew_skeleton* skeleton, size_t* size_bytes);
+
+/* Which point of a character's surface every vertex of another mesh is: what SINEW_TRANSFER_NEAREST carries weights by. With
+ * it the source has a body of the target's vertices and triangles for sinew_retarget_reference_points(): the points, with the
+ * weights of the three vertices by their shares.
+ *   source, target, skeleton, workspace  as in sinew_transfer()
+ *   vertices  out, [vertex_count of target x 3] vertices of the source
+ *   shares    out, the same, sums 1
+ * Returns what sinew_transfer() does for SINEW_TRANSFER_NEAREST, and SINEW_ERROR_NOT_BUILT; outputs are untouched on failure. */
+SINEW_API sinew_status sinew_corresponding_points(const sinew_bound_character* source, const sinew_mesh* target,
+                                                  const sinew_skeleton* skeleton, void* workspace,
+                                                  size_t workspace_bytes, uint32_t* vertices, float* shares);
 
 #ifdef __cplusplus
 }

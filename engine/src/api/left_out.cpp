@@ -106,6 +106,14 @@ sinew_status sinew_retarget_reference_points(sinew_retarget*, const sinew_motion
                                              const sinew_motion_clip*, const sinew_reference_options*, void*, size_t) {
   return SINEW_ERROR_NOT_BUILT;
 }
+sinew_status sinew_corresponding_points_workspace_size(const sinew_bound_character*, const sinew_mesh*,
+                                                       const sinew_skeleton*, size_t* size_bytes) {
+  return no_size(size_bytes);
+}
+sinew_status sinew_corresponding_points(const sinew_bound_character*, const sinew_mesh*, const sinew_skeleton*, void*,
+                                        size_t, uint32_t*, float*) {
+  return SINEW_ERROR_NOT_BUILT;
+}
 sinew_status sinew_retarget_contacts_workspace_size(const sinew_retarget*, const sinew_motion_body*, uint32_t,
                                                     size_t* size_bytes) {
   return no_size(size_bytes);

@@ -14,7 +14,7 @@
 static_assert(sizeof(sinew_retarget_options) == 4 * sizeof(uint32_t), "a hole in sinew_retarget_options");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
 static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
-static_assert(sizeof(sinew_reference_options) == 6 * sizeof(uint32_t) + 2 * sizeof(void*),
+static_assert(sizeof(sinew_reference_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*),
               "a hole in sinew_reference_options");
 
 namespace {
@@ -194,7 +194,6 @@ sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_m
                                              const sinew_motion_body* target, const sinew_motion_clip* clip,
                                              const sinew_reference_options* options, void* workspace,
                                              size_t workspace_bytes) {
-  if (source == nullptr) return SINEW_ERROR_ARGUMENT;
   if constexpr (sinew::kHasPublished) {
     sinew::motion::ReferenceOptions own;
     sinew::Progress progress = {};
@@ -203,7 +202,7 @@ sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_m
     if (status != SINEW_OK) return status;
     const sinew::motion::ClipInputs inputs = clip_inputs(*clip, 30, progress);
     sinew::Arena arena(workspace, workspace_bytes);
-    return sinew::motion::run_reference_points(plan, *source, *target, inputs, own, arena);
+    return sinew::motion::run_reference_points(plan, source, *target, inputs, own, arena);
   } else {
     return SINEW_ERROR_NOT_BUILT;
   }

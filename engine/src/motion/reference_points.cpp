@@ -2,7 +2,10 @@
 // Influences of triangles on joints, lengths of bones along the way, and limbs put where the sum is.
 #include "motion/reference_points.hpp"
 
+#include <stddef.h>
+
 #include "core/struct_size.hpp"
+#include "motion/capsule_body.hpp"
 #include "motion/retarget.hpp"
 #include "sinew/rig.h"
 
@@ -10,6 +13,9 @@ namespace sinew::motion {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
+constexpr double kNoFalloff = -1;  // SINEW_NO_FALLOFF
+// Parts of the body that reference points belong to.
+constexpr uint8_t kTorso = 0, kHead = 1, kFirstLimb = 2;
 constexpr double kLeastLength =
     1e-6;  // share of the source's height: bones that are shorter as seen along the way say nothing
 
@@ -26,7 +32,7 @@ struct ReferenceScene : ClipScene {
   uint32_t* groups = nullptr;   // [target joints + 1] first triangle in `order` of each nearest joint
   uint32_t* order = nullptr;    // [triangles] by nearest joint
   uint32_t* nearest = nullptr;  // [triangles] scratch
-  uint8_t* touches = nullptr;   // [triangles] bit per limb that has a corner
+  uint8_t* parts_of = nullptr;  // [triangles] kTorso, kHead, or kFirstLimb + limb
   double* areas = nullptr;      // [triangles] of the posed source, in shares of their mean
   Vec3d* normals = nullptr;     // [triangles] of the posed source
   uint32_t* above =
@@ -40,7 +46,7 @@ struct ReferenceScene : ClipScene {
     groups = arena.alloc<uint32_t>(size_t{target_joints} + 1);
     order = arena.alloc<uint32_t>(triangles);
     nearest = arena.alloc<uint32_t>(triangles);
-    touches = arena.alloc<uint8_t>(size_t{2} * triangles);
+    parts_of = arena.alloc<uint8_t>(triangles);
     areas = arena.alloc<double>(triangles);
     normals = arena.alloc<Vec3d>(triangles);
     above = arena.alloc<uint32_t>(target_joints);
@@ -63,6 +69,7 @@ class ReferencePoints {
         rig_(scene->plan->target),
         triangles_(scene->body->triangle_count) {
     find_nodes();
+    find_head();
     find_groups();
   }
 
@@ -72,14 +79,17 @@ class ReferencePoints {
       (void)s_.load_source(f, true);
       s_.source.find_middles(s_.body->triangles, triangles_);
       measure_triangles();
-      s_.pose_target(f);
+      s_.load(f);
+      if (options_.torso) take_torso();
+      s_.target.pose(plan_.target_rotations, plan_.target_positions);
       s_.target.find_middles(s_.body->triangles, triangles_);
       Vec3d middles[kMostLimbs], lasts[kMostLimbs];
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (!is_moved(l)) continue;
-        middles[l] = position(s_.limbs.limbs[l].middle, l);
-        lasts[l] = position(s_.limbs.limbs[l].last, l);
+        middles[l] = position(s_.limbs.limbs[l].middle, kFirstLimb + l);
+        lasts[l] = position(s_.limbs.limbs[l].last, kFirstLimb + l);
       }
+      if (options_.head && neck_ != kNone) move_head(position(head_, kHead));
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (is_moved(l)) move_limb(s_.limbs.limbs[l], lasts[l], middles[l], &plan_);
       }
@@ -106,6 +116,18 @@ class ReferencePoints {
     }
   }
 
+  // The first mapped head, and the first joint of its neck, else what it hangs on.
+  void find_head() {
+    for (uint32_t i = 0; i < rig_.count && head_ == kNone; ++i) {
+      const uint32_t t = rig_.order[i];
+      if (plan_.classes[t] != SINEW_CLASS_HEAD || s_.is_node[t] == 0 || rig_.parents[t] < 0) continue;
+      head_ = t;
+      neck_ = static_cast<uint32_t>(rig_.parents[t]);
+      for (int32_t up = rig_.parents[t]; up >= 0 && plan_.classes[up] == SINEW_CLASS_NECK; up = rig_.parents[up])
+        neck_ = static_cast<uint32_t>(up);
+    }
+  }
+
   // Triangles by the node that is nearest to their middle in the source's rest pose.
   void find_groups() {
     bool any_body = false;
@@ -128,18 +150,27 @@ class ReferencePoints {
       }
       s_.nearest[i] = best;
       ++s_.groups[best + 1];
-      uint32_t limbs = 0;
-      for (int c = 0; c < 3; ++c) {
-        const uint32_t limb = s_.limb_of[s_.body->triangles[size_t{3} * i + static_cast<size_t>(c)]];
-        if (limb < kMostLimbs) limbs |= 1u << limb;
-      }
-      s_.touches[size_t{2} * i] = static_cast<uint8_t>(limbs & 255);
-      s_.touches[size_t{2} * i + 1] = static_cast<uint8_t>(limbs >> 8);
+      s_.parts_of[i] = part_of(i);
     }
     for (uint32_t j = 0; j < rig_.count; ++j) s_.groups[j + 1] += s_.groups[j];
     for (uint32_t i = 0; i < triangles_; ++i) s_.order[s_.groups[s_.nearest[i]]++] = i;
     for (uint32_t j = rig_.count; j > 0; --j) s_.groups[j] = s_.groups[j - 1];
     s_.groups[0] = 0;
+  }
+
+  // A limb's where it has a corner there; the head's where most of a corner is.
+  uint8_t part_of(uint32_t triangle) const {
+    uint8_t part = kTorso;
+    const uint32_t slots = s_.body->skin.influence_count;
+    for (size_t c = 0; c < 3; ++c) {
+      const uint32_t v = s_.body->triangles[size_t{3} * triangle + c];
+      if (s_.limb_of[v] < kMostLimbs) return static_cast<uint8_t>(kFirstLimb + s_.limb_of[v]);
+      uint32_t best = 0;
+      for (uint32_t i = 1; i < slots; ++i)
+        if (weights_of(*s_.body)[size_t{slots} * v + i] > weights_of(*s_.body)[size_t{slots} * v + best]) best = i;
+      if (head_ != kNone && rig_.is_below(s_.body->skin.joint_indices[size_t{slots} * v + best], head_)) part = kHead;
+    }
+    return part;
   }
 
   void measure_triangles() {
@@ -173,8 +204,8 @@ class ReferencePoints {
     return count;
   }
 
-  bool is_left_out(uint32_t triangle, uint32_t limb) const {
-    return !options_.own_limb && (s_.touches[size_t{2} * triangle + limb / 8] >> (limb % 8) & 1) != 0;
+  bool is_left_out(uint32_t triangle, uint32_t own_part) const {
+    return (!options_.own_limb || own_part == kHead) && s_.parts_of[triangle] == own_part;
   }
 
   double influence(uint32_t triangle, Vec3d along, double distance) const {
@@ -188,12 +219,19 @@ class ReferencePoints {
     return own;
   }
 
-  // Where all triangles together want a joint; where it is, if none has a say.
-  Vec3d position(uint32_t joint, uint32_t limb) {
+  // Where the reference points of a part of the body want a joint, and how near the nearest of them is.
+  struct Wish {
+    Vec3d sum = {0, 0, 0};
+    double all = 0, nearest = 0;
+    uint32_t triangle = 0;  // the nearest
+  };
+
+  // Where all triangles together want a joint; where it is, if none has a say. The parts of the body have one wish each, the mean of
+  // which counts by nearness.
+  Vec3d position(uint32_t joint, uint32_t own_part) {
     const Vec3d goal = plan_.source_positions[source_of(joint)];
     const double heights = s_.source.height > 0 ? s_.target.height / s_.source.height : 1;
-    Vec3d sum = {0, 0, 0};
-    double all = 0;
+    Wish wishes[kFirstLimb + kMostLimbs];
     uint32_t node = joint;
     while (s_.is_node[node] == 0) node = s_.above[node];
     for (uint32_t group = 0; group < rig_.count; ++group) {
@@ -201,7 +239,7 @@ class ReferencePoints {
       const uint32_t bones = offset(group, node);
       for (uint32_t k = s_.groups[group]; k < s_.groups[group + 1]; ++k) {
         const uint32_t i = s_.order[k];
-        if (is_left_out(i, limb)) continue;
+        if (is_left_out(i, own_part)) continue;
         const Vec3d v = goal - s_.source.middles[i];
         const double distance = length(v);
         const Vec3d along = unit(v);
@@ -215,11 +253,85 @@ class ReferencePoints {
           factor = from > kLeastLength * s_.source.height ? to / from : heights;
         }
         const double own = influence(i, along, distance);
-        all += own;
-        sum = sum + own * (s_.target.middles[i] + factor * v);
+        Wish& wish = wishes[s_.parts_of[i]];
+        if (own > 0 && (wish.all == 0 || distance < wish.nearest)) {
+          wish.nearest = distance;
+          wish.triangle = i;
+        }
+        wish.all += own;
+        wish.sum = wish.sum + own * (point(i) + factor * v);
       }
     }
-    return all > kLeastSquare ? (1 / all) * sum : plan_.target_positions[joint];
+    Vec3d sum = {0, 0, 0};
+    double all = 0;
+    const double least = 1e-3 * s_.source.height;
+    const Wish* nearest = nullptr;
+    for (const Wish& wish : wishes) {
+      if (wish.all <= kLeastSquare) continue;
+      if (nearest == nullptr || wish.nearest < nearest->nearest) nearest = &wish;
+      const double near = 1 / (wish.nearest * wish.nearest + least * least);
+      const double share = near * near;
+      all += share;
+      sum = sum + (share / wish.all) * wish.sum;
+    }
+    const Vec3d copied = plan_.target_positions[joint];
+    if (!(all > 0)) return copied;
+    const Vec3d shift = (1 / all) * sum - copied;
+    if (!options_.outwards) return copied + shift;
+    const Vec3d out = s_.target.normal(s_.body->triangles + size_t{3} * nearest->triangle);
+    const double along = dot(shift, out);
+    return copied + (along < 0 ? Vec3d{0, 0, 0} : along * out);
+  }
+
+  // The target's reference point; or the source's, where it lies when the bodies' middles are laid over each other.
+  Vec3d point(uint32_t triangle) const {
+    if (!options_.source_points || plan_.mover < 0) return s_.target.middles[triangle];
+    const uint32_t hips = static_cast<uint32_t>(plan_.mover);
+    return plan_.target_positions[hips] +
+           plan_.scale * (s_.source.middles[triangle] - plan_.source_positions[source_of(hips)]);
+  }
+
+  // Brings the head to the direction of `goal` from the neck's beginning; it keeps its turn.
+  void move_head(Vec3d goal) {
+    const Vec3d pivot = plan_.target_positions[neck_];
+    const Quat turn = shortest_arc(plan_.target_positions[head_] - pivot, goal - pivot);
+    const Vec3d shift = pivot + rotate(turn, plan_.target_positions[head_] - pivot) - plan_.target_positions[head_];
+    for (uint32_t t = 0; t < rig_.count; ++t) {
+      if (!rig_.is_below(t, neck_)) continue;
+      if (rig_.is_below(t, head_)) {
+        plan_.target_positions[t] = plan_.target_positions[t] + shift;
+      } else {
+        plan_.target_positions[t] = pivot + rotate(turn, plan_.target_positions[t] - pivot);
+        plan_.target_rotations[t] = turn * plan_.target_rotations[t];
+      }
+    }
+  }
+
+  bool is_torso(uint32_t t) const {
+    const uint32_t c = plan_.classes[t];
+    return s_.is_node[t] != 0 && (c == SINEW_CLASS_PELVIS || c == SINEW_CLASS_SPINE || c == SINEW_CLASS_NECK);
+  }
+
+  // Torso joints go where the source's are, seen from the one before: bones keep their lengths, what hangs on them its turns.
+  void take_torso() {
+    for (uint32_t i = 0; i < rig_.count; ++i) {
+      const uint32_t t = rig_.order[i];
+      const uint32_t up = s_.above[t];
+      if (!is_torso(t) || up == kNone || !is_torso(up)) continue;
+      const Vec3d pivot = plan_.target_positions[up], now = plan_.target_positions[t] - pivot;
+      const Vec3d wanted = plan_.source_positions[source_of(t)] - plan_.source_positions[source_of(up)];
+      if (length(now) <= 0 || length(wanted) <= 0) continue;
+      const Vec3d shift = length(now) * unit(wanted) - now;
+      // Legs hang on the pelvis, which therefore keeps its turn.
+      const Quat turn = plan_.classes[up] == SINEW_CLASS_PELVIS ? kNoRotation : shortest_arc(now, wanted);
+      for (uint32_t below = 0; below < rig_.count; ++below) {
+        if (!rig_.is_below(below, up) || below == up) continue;
+        const bool beyond = rig_.is_below(below, t);
+        const Vec3d offset = plan_.target_positions[below] - pivot;
+        plan_.target_positions[below] = beyond ? plan_.target_positions[below] + shift : pivot + rotate(turn, offset);
+      }
+      plan_.target_rotations[up] = turn * plan_.target_rotations[up];
+    }
   }
 
   const ReferenceOptions& options_;
@@ -227,24 +339,33 @@ class ReferencePoints {
   sinew_retarget& plan_;
   const MotionRig& rig_;
   uint32_t triangles_;
+  uint32_t head_ = kNone, neck_ = kNone;  // target joints, and where the head turns
 };
 
 }  // namespace
 
 sinew_status read_reference_options(const sinew_reference_options* options, ReferenceOptions* out, Progress* progress) {
   sinew_reference_options o = sinew_reference_options_init();
-  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, sizeof o, sizeof o, &o);
+  // The struct of the first release, 0.1, ends with progress_user.
+  constexpr uint32_t kFirstSize = offsetof(sinew_reference_options, progress_user) + sizeof(void*);
+  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const double falloff = static_cast<double>(o.falloff), least = static_cast<double>(o.least_cosine);
-  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.no_own_limb > 1 || o.legs > 1 || !(falloff >= 0) ||
-      !is_finite(falloff) || !(least >= 0 && least <= 1)) {
+  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.no_own_limb > 1 || o.own_limb > 1 ||
+      (o.no_own_limb != 0 && o.own_limb != 0) || o.legs > 1 || o.head > 1 || o.torso > 1 || o.source_points > 1 ||
+      !(falloff >= 0 || (falloff <= kNoFalloff && falloff >= kNoFalloff)) || !is_finite(falloff) ||
+      !(least >= 0 && least <= 1)) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = ReferenceOptions();
   if (o.area_power != 0) out->area_power = o.area_power == SINEW_NO_AREA ? 0 : o.area_power;
-  out->own_limb = o.no_own_limb == 0;
+  out->own_limb = o.own_limb != 0;
   out->legs = o.legs != 0;
-  out->falloff = falloff;
+  out->head = o.head != 0;
+  out->torso = o.torso != 0;
+  out->source_points = o.source_points != 0;
+  if (falloff > 0) out->falloff = falloff;
+  if (falloff < 0) out->falloff = 0;
   if (least > 0) out->least_cosine = least;
   *progress = Progress{o.progress, o.progress_user};
   return SINEW_OK;
@@ -253,19 +374,32 @@ sinew_status read_reference_options(const sinew_reference_options* options, Refe
 size_t measure_reference_points(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles) {
   Arena arena;
   ReferenceScene scene;
-  (void)scene.allocate(arena, source_joints, target_joints, vertices, triangles);
+  CapsuleBodies capsules;
+  const uint32_t count = CapsuleBodies::capacity(target_joints);
+  (void)capsules.allocate(arena, target_joints);
+  const auto greater_of = [](uint32_t a, uint32_t b) { return a > b ? a : b; };
+  (void)scene.allocate(arena, source_joints, target_joints, greater_of(vertices, count * CapsuleBodies::kVertices),
+                       greater_of(triangles, count * CapsuleBodies::kTriangles));
   return arena.ok() ? arena.high_water() : 0;
 }
 
-sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body& source,
-                                  const sinew_motion_body& target, const ClipInputs& inputs,
+sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body* source_body,
+                                  const sinew_motion_body& target_body, const ClipInputs& inputs,
                                   const ReferenceOptions& options, Arena& arena) {
+  CapsuleBodies capsules;
+  if (!capsules.allocate(arena, plan->target.count)) return SINEW_ERROR_WORKSPACE;
+  if (source_body == nullptr) capsules.build(*plan, target_body);
+  const sinew_motion_body source = source_body != nullptr ? *source_body : capsules.source();
+  const sinew_motion_body target = source_body != nullptr ? target_body : capsules.target();
   ReferenceScene scene;
   if (!scene.allocate(arena, plan->source.count, plan->target.count, target.vertex_count, target.triangle_count))
     return SINEW_ERROR_WORKSPACE;
+  if (target.vertex_count == 0) return SINEW_OK;  // no two mapped joints: nothing to look at
   const sinew_status status = scene.open(plan, &source, target, inputs);
   if (status != SINEW_OK || scene.is_same_body() || target.triangle_count == 0) return status;
-  return ReferencePoints(options, &scene).run();
+  ReferenceOptions own = options;
+  own.outwards = source_body == nullptr;
+  return ReferencePoints(own, &scene).run();
 }
 
 }  // namespace sinew::motion

@@ -12,8 +12,10 @@ namespace sinew::motion {
 // The options of the interface, checked.
 struct ReferenceOptions {
   uint32_t area_power = 3;
-  bool own_limb = true, legs = false;
-  double falloff = 0;  // share of the source's height; 0 = none
+  bool own_limb = false, legs = false, head = false, torso = false, source_points = false;
+  // Capsules are a guess (ours): they push joints away from the body, straight out, and do no more.
+  bool outwards = false;
+  double falloff = 0.05;  // share of the source's height; 0 = none
   double least_cosine = 1e-5;
 };
 // Also reads progress into `progress`. Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_VERSION.
@@ -21,7 +23,8 @@ sinew_status read_reference_options(const sinew_reference_options* options, Refe
 
 // Behind sinew_retarget_reference_points(); the caller has checked pointers and the bodies.
 size_t measure_reference_points(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles);
-sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body& source,
+// source: or null, then capsules stand for both bodies.
+sinew_status run_reference_points(sinew_retarget* plan, const sinew_motion_body* source,
                                   const sinew_motion_body& target, const ClipInputs& inputs,
                                   const ReferenceOptions& options, Arena& arena);
 

@@ -38,7 +38,11 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   job.reference.area_power = options.area_power;
   job.reference.falloff = static_cast<float>(options.falloff);
   job.reference.no_own_limb = options.no_own_limb;
+  job.reference.own_limb = options.own_limb;
   job.reference.legs = options.legs;
+  job.reference.head = options.head;
+  job.reference.torso = options.torso;
+  job.reference.source_points = options.source_points;
   return job;
 }
 

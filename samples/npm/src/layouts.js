@@ -40,10 +40,9 @@ export const LAYOUTS = {
   bindOutputs: layout(44,
     "struct_size@0:u32 symmetric_vertices@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 used_bytes@20:u32 " +
     "questions@24:u32 vertex_questions@28:u32 vertex_parts@32:u32 questions_written@36:u32 reserved@40:u32"),
-  deformOptions: layout(56,
+  deformOptions: layout(48,
     "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 no_twist_spread@20:u32 " +
-    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32 " +
-    "energy@48:u32 tet_weights@52:u32"),
+    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32"),
   deformer: layout(56,
     "memory@0:u32 pose_bytes@4:u32 vertex_count@8:u32 joint_count@12:u32 tetrahedron_count@16:u32 node_count@20:u32 " +
     "split_cell_count@24:u32 reserved@28:u32x7"),
@@ -89,10 +88,10 @@ export const LAYOUTS = {
     "struct_size@0:u32 part_capacity@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 parts@20:u32 " +
     "vertex_parts@24:u32 part_count@28:u32 bound_by@32:u32 carried_q16@36:u32 style_q16@40:u32 mismatch_q16@44:u32 " +
     "reference_count@48:u32 used_bytes@52:u32"),
-  referenceOptions: layout(32,
+  referenceOptions: layout(48,
     "struct_size@0:u32 area_power@4:u32 no_own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
-    "progress_user@28:u32"),
-  simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
+    "progress_user@28:u32 own_limb@32:u32 head@36:u32 torso@40:u32 source_points@44:u32"),
+  simplifyOptions: layout(16, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
@@ -128,11 +127,12 @@ export const LAYOUTS = {
   characterMapResult: layout(48,
     "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 reserved@20:f32 seconds@24:f64 " +
     "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
-  characterAnimateOptions: layout(128,
+  characterAnimateOptions: layout(144,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 in_place@24:u32 " +
     "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
     "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
-    "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64"),
+    "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
+    "source_points@140:u32"),
   characterAnimateResult: layout(48,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),
@@ -174,7 +174,6 @@ export const JOINT_NEVER = 1;
 export const JOINT_DEFORMS = 2;
 export const MAX_DEFORM_CELLS = 64;
 export const MAX_DEFORM_ROUNDS = 200;
-export const MAX_DEFORM_ENERGY = 1000000;
 export const MAX_MAP_LIMBS = 1024;
 export const MAX_MOTION_LIMBS = 16;
 export const MAX_RIG_JOINTS = 192;
@@ -204,7 +203,6 @@ export const WORDS = {
   method: ["model", "heat", "distance"],
   rigidParts: ["auto", "always", "never"],
   deformMethod: ["volume", "xpbd", "delta-mush"],
-  tetWeights: ["skin", "distance"],
   mapMethod: ["auto", "sinew", "branches"],
   mapReason: ["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"],
   retargetMethod: ["auto", "copy"],

@@ -48,7 +48,8 @@ void Player::make(MotionMethod method, Opened* opened) {
                         {SINEW_UP_AUTO, opened->up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO});
   opened->has_body = retargeter.take_bodies(opened->character, opened->body ? &*opened->body : nullptr) > 0;
   if (method == MotionMethod::kReferencePoints) {
-    retargeter.follow_reference_points(sinew_reference_options_init());
+    retargeter.follow_reference_points(sinew_reference_options_init(), opened->character,
+                                       opened->body ? &*opened->body : nullptr);
   } else if (method == MotionMethod::kContacts) {
     retargeter.keep_contacts();
     retargeter.keep_range();

@@ -470,7 +470,8 @@ typedef struct sinew_character_animate_options {
   uint32_t area_power;        /* reference points: 1..4, or SINEW_NO_AREA; 0 = 3 */
   uint32_t no_own_limb, legs; /* reference points */
   uint32_t report;            /* 1: limbs are measured before and after */
-  double falloff;             /* reference points; 0 = none */
+  double falloff;             /* reference points; 0 = 0.05, SINEW_NO_FALLOFF: none */
+  uint32_t own_limb, head, torso, source_points; /* reference points, as in sinew_reference_options */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {

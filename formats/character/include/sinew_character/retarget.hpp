@@ -47,9 +47,12 @@ class Retargeter {
   size_t take_bodies(const Character& target, const Character* source);
   // From now on clips keep their contacts (sinew_retarget_contacts()), for which bodies are there.
   void keep_contacts();
-  // In place of contacts, arms go where reference points of the mesh want them (sinew_retarget_reference_points()). Throws
-  // Error where the two bodies are not one mesh.
-  void follow_reference_points(const sinew_reference_options& settings);
+  // In place of contacts, arms go where reference points want them (sinew_retarget_reference_points()): those of the body of one
+  // mesh that both have; else of the target's mesh and what corresponds to it on the source's, which is then the motion's body; else of
+  // capsules round both skeletons. After take_bodies(), with the same two.
+  enum class PointsOf { kOneMesh, kTwoMeshes, kCapsules };
+  PointsOf follow_reference_points(const sinew_reference_options& settings, const Character& target,
+                                   const Character* source);
 
   // From now on knees and elbows stay in their natural range (sinew_retarget_keep_range()), for which bodies are there.
   void keep_range() { range_ = true; }
@@ -69,16 +72,18 @@ class Retargeter {
   };
   static Body body_of(const Character& character, const std::vector<uint32_t>& vertices);
   sinew_motion_body view(const Body& body) const;
+  bool take_corresponding(const Character& target, const Character& source);
 
   std::string name_;
   size_t source_count_, target_count_;
   std::vector<uint8_t> classes_;
+  std::vector<int> map_;  // [target]
   Workspace memory_;
   sinew_retarget* plan_ = nullptr;  // in memory_
   bool has_source_ = false, contacts_ = false, range_ = false;
   std::optional<sinew_reference_options> reference_;
   Body target_body_, source_body_;
-  std::vector<uint32_t> triangles_;
+  std::vector<uint32_t> triangles_, vertices_;  // vertices of the target
   Workspace workspace_;
 };
 

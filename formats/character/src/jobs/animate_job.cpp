@@ -43,12 +43,15 @@ void set_method(const AnimateOptions& s, const MotionInput& input, AnimatedChara
   const size_t shared = retargeter->take_bodies(out->character, source ? &*source : nullptr);
   if (s.method == AnimateMethod::kCopy) return;
   if (s.method == AnimateMethod::kReferencePoints) {
-    if (shared == 0)
-      throw Error(
-          file +
-          ": has no body of the character's own mesh, which reference points need; give an animated .glb of that "
-          "mesh, or --method contacts");
-    retargeter->follow_reference_points(s.reference);
+    const Retargeter::PointsOf points =
+        retargeter->follow_reference_points(s.reference, out->character, source ? &*source : nullptr);
+    if (points == Retargeter::PointsOf::kTwoMeshes)
+      out->motion.notes.push_back(file +
+                                  ": has a body of another mesh; its reference points are those that correspond");
+    if (points == Retargeter::PointsOf::kCapsules)
+      out->motion.notes.push_back(file +
+                                  ": has no body, so reference points are those of capsules round both skeletons, "
+                                  "as thick as limbs of such lengths are");
     return;
   }
   retargeter->keep_contacts();

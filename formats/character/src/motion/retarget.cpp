@@ -2,9 +2,15 @@
 // Views of motions for the engine, frame by frame.
 #include "sinew_character/retarget.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
 #include "motion/common_body.hpp"
 #include "motion/turns.hpp"
 #include "pose/skin_arrays.hpp"
+#include "sinew_character/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -60,6 +66,27 @@ struct FrameArrays {
   }
 };
 
+// The eight strongest of a row, with sum 65535.
+void add_row(const std::map<uint16_t, double>& sums, std::vector<uint16_t>* joints, std::vector<uint16_t>* weights) {
+  constexpr size_t kSlots = 8;
+  std::vector<std::pair<double, uint16_t>> row;
+  for (const auto& [joint, weight] : sums) row.emplace_back(-weight, joint);
+  std::sort(row.begin(), row.end());
+  row.resize(std::min(row.size(), kSlots));
+  double whole = 0;
+  for (const auto& [weight, joint] : row) whole -= weight;
+  long left = 65535;
+  for (size_t i = 0; i < kSlots; ++i) {
+    long own = i < row.size() && whole > 0 ? std::lround(-row[i].first / whole * 65535) : 0;
+    own = std::min(own, left);
+    joints->push_back(i < row.size() ? row[i].second : uint16_t{0});
+    weights->push_back(static_cast<uint16_t>(own));
+    left -= own;
+  }
+  uint16_t& first = (*weights)[weights->size() - kSlots];
+  first = static_cast<uint16_t>(first + left);
+}
+
 }  // namespace
 
 std::optional<Character> body_of_motion(const std::string& path) {
@@ -77,7 +104,11 @@ void Retargeter::check(sinew_status status) const {
 
 Retargeter::Retargeter(const Motion& source, const std::vector<Joint>& target, const std::vector<int>& map,
                        const std::vector<uint8_t>& classes, const RetargetSettings& settings, UpAxes up)
-    : name_(source.name), source_count_(source.joints.size()), target_count_(target.size()), classes_(classes) {
+    : name_(source.name),
+      source_count_(source.joints.size()),
+      target_count_(target.size()),
+      classes_(classes),
+      map_(map) {
   const RigArrays from(rest_joints(source)), to(target);
   const sinew_skeleton source_rig = from.view(up.source), target_rig = to.view(up.target);
   size_t bytes = 0;
@@ -128,7 +159,8 @@ size_t Retargeter::take_bodies(const Character& target, const Character* source)
     in_hand.push_back(at >= 0);
   }
   keep_skin(target, in_hand, &common);
-  target_body_ = body_of(target, common.first);
+  vertices_ = common.first;
+  target_body_ = body_of(target, vertices_);
   triangles_ = std::move(common.triangles);
   return shared;
 }
@@ -138,13 +170,56 @@ void Retargeter::keep_contacts() {
   reference_.reset();
 }
 
-void Retargeter::follow_reference_points(const sinew_reference_options& settings) {
-  if (!has_source_)
-    throw Error(name_ +
-                ": has no body of the character's own mesh, which reference points need; give an animated .glb of that "
-                "mesh, or use the contacts method");
+// The source in the target's vertices: every one the point of the source's surface that is the same place of the body.
+bool Retargeter::take_corresponding(const Character& target, const Character& source) {
+  const EngineViews from(source, {}, 0), to(target, {}, 0);
+  const SkinArrays rows = skin_arrays(source);
+  std::vector<int32_t> joint_map(source.joints.size(), -1);
+  for (size_t t = map_.size(); t-- > 0;)
+    if (map_[t] >= 0 && static_cast<size_t>(map_[t]) < joint_map.size())
+      joint_map[static_cast<size_t>(map_[t])] = static_cast<int32_t>(t);
+  const sinew_bound_character bound = {&from.mesh,
+                                       &from.skeleton,
+                                       {rows.joints.data(), rows.weights.data(), rows.influences, SINEW_WEIGHT_UNORM16},
+                                       joint_map.data()};
+  size_t bytes = 0;
+  Workspace room;
+  std::vector<uint32_t> corners(3 * target.vertices.size());
+  std::vector<float> shares(corners.size());
+  if (sinew_corresponding_points_workspace_size(&bound, &to.mesh, &to.skeleton, &bytes) != SINEW_OK) return false;
+  check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
+  if (sinew_corresponding_points(&bound, &to.mesh, &to.skeleton, room.data(), room.size(), corners.data(),
+                                 shares.data()) != SINEW_OK)
+    return false;
+  source_body_ = Body();
+  source_body_.slots = 8;
+  for (const uint32_t v : vertices_) {
+    double place[3] = {0, 0, 0};
+    std::map<uint16_t, double> sums;
+    for (size_t k = 3 * size_t{v}; k < 3 * size_t{v} + 3; ++k) {
+      const Vec3& p = source.vertices[corners[k]];
+      const double share = static_cast<double>(shares[k]);
+      place[0] += share * static_cast<double>(p.x);
+      place[1] += share * static_cast<double>(p.y);
+      place[2] += share * static_cast<double>(p.z);
+      const size_t first = size_t{corners[k]} * rows.influences;
+      for (size_t i = first; i < first + rows.influences; ++i) sums[rows.joints[i]] += share * rows.weights[i];
+    }
+    for (const double x : place) source_body_.positions.push_back(static_cast<float>(x));
+    add_row(sums, &source_body_.joints, &source_body_.weights);
+  }
+  return true;
+}
+
+Retargeter::PointsOf Retargeter::follow_reference_points(const sinew_reference_options& settings,
+                                                         const Character& target, const Character* source) {
   contacts_ = false;
   reference_ = settings;
+  if (has_source_) return PointsOf::kOneMesh;
+  if (source == nullptr || source->influences.size() != source->vertices.size() || triangles_.empty())
+    return PointsOf::kCapsules;
+  has_source_ = take_corresponding(target, *source);
+  return has_source_ ? PointsOf::kTwoMeshes : PointsOf::kCapsules;
 }
 
 Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, ClipReport* report) {
@@ -192,11 +267,11 @@ Clip Retargeter::run(const Clip& clip, const std::function<bool()>& keep_going, 
     check(sinew_retarget_keep_range(plan_, &target, &whole, workspace_.data(), workspace_.size()));
   if (contacts_ && has_body)
     check(sinew_retarget_contacts(plan_, from_body, &target, &whole, &settings, workspace_.data(), workspace_.size()));
-  if (reference_) {
+  if (reference_ && has_body) {
     Workspace room;
     check(sinew_retarget_reference_points_workspace_size(plan_, &target, &bytes));
     check(room.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
-    check(sinew_retarget_reference_points(plan_, &source, &target, &whole, &*reference_, room.data(), room.size()));
+    check(sinew_retarget_reference_points(plan_, from_body, &target, &whole, &*reference_, room.data(), room.size()));
   }
   if (report != nullptr) measure(&report->after);
   go_on();

@@ -269,7 +269,8 @@ class sinew_transfer_outputs(Structure):
 
 class sinew_reference_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32), ("falloff", c_float),
-        ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p)]
+        ("least_cosine", c_float), ("progress", sinew_progress), ("progress_user", c_void_p), ("own_limb", c_uint32), ("head", c_uint32),
+        ("torso", c_uint32), ("source_points", c_uint32)]
 
 
 class sinew_simplify_options(Structure):
@@ -351,7 +352,8 @@ class sinew_character_animate_options(Structure):
         ("target_up", c_uint32), ("motion_up", c_uint32), ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32),
         ("body_contact", c_uint32), ("shapes", c_uint32), ("fps", c_double), ("from", c_double), ("to", c_double), ("clip", c_char_p),
         ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
-        ("report", c_uint32), ("falloff", c_double)]
+        ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
+        ("source_points", c_uint32)]
 
 
 class sinew_character_animate_result(Structure):
@@ -473,6 +475,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "sinew_retarget_reference_points_workspace_size": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(c_size_t)]),
     "sinew_retarget_reference_points": (c_int, [c_void_p, POINTER(sinew_motion_body), POINTER(sinew_motion_body),
         POINTER(sinew_motion_clip), POINTER(sinew_reference_options), c_void_p, c_size_t]),
+    "sinew_corresponding_points_workspace_size": (c_int, [POINTER(sinew_bound_character), POINTER(sinew_mesh), POINTER(sinew_skeleton),
+        POINTER(c_size_t)]),
+    "sinew_corresponding_points": (c_int, [POINTER(sinew_bound_character), POINTER(sinew_mesh), POINTER(sinew_skeleton), c_void_p, c_size_t,
+        c_void_p, c_void_p]),
     "sinew_simplify_workspace_size": (c_int, [c_uint32, POINTER(c_size_t)]),
     "sinew_simplify": (c_int, [POINTER(sinew_skeleton), c_void_p, c_void_p, POINTER(sinew_simplify_options), c_void_p, c_size_t, c_void_p]),
 }

@@ -48,8 +48,8 @@ bool is_below(const MotionScene& scene, uint32_t joint, uint32_t ancestor) {
 
 struct Wish {
   int power = 3;
-  double falloff = 0, eps = 1e-5;
-  bool own_limb = true;
+  double falloff = 0.05, eps = 1e-5;
+  bool own_limb = false;
 };
 
 // The place of a joint by the equations, in double with the maths library.
@@ -70,12 +70,18 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
   };
   double mean = 0;
   for (const Triangle& t : source_triangles) mean += t.area / static_cast<double>(source_triangles.size());
-  Vec3d sum = {0, 0, 0};
-  double all = 0;
+  // Torso, head, arms and legs wish apart. A box is one joint's.
+  struct Part {
+    Vec3d sum = {0, 0, 0};
+    double all = 0, near = 1e9;
+  };
+  Part parts[6];
+  const uint32_t tops[6] = {0, kHead, kLeftUpperArm, kRightUpperArm, kLeftThigh, kRightThigh};
   for (size_t i = 0; i < source_triangles.size(); ++i) {
-    bool of_limb = false;
-    for (size_t c = 0; c < 3; ++c) of_limb = of_limb || is_below(source, a.joints[a.triangles[3 * i + c]], shoulder);
-    if (of_limb && !wish.own_limb) continue;
+    size_t part = 0;
+    for (size_t k = 1; k < 6; ++k)
+      if (is_below(source, a.joints[a.triangles[3 * i]], tops[k])) part = k;
+    if (tops[part] == shoulder && !wish.own_limb) continue;
     uint32_t nearest = 0;
     for (uint32_t j = 1; j < source.count(); ++j)
       if (j != kLeftFinger &&
@@ -98,8 +104,17 @@ Vec3d expected_position(const MotionScene& source, const MotionScene& target, co
       other += std::abs(dot(along, copied.places[j] - copied.places[up]));
     }
     const double factor = !any ? 1 : way < 1e-6 * height(a) ? height(b) / height(a) : other / way;
-    all += own;
-    sum = sum + own * (target_triangles[i].middle + factor * v);
+    parts[part].all += own;
+    parts[part].sum = parts[part].sum + own * (target_triangles[i].middle + factor * v);
+    parts[part].near = std::min(parts[part].near, far);
+  }
+  Vec3d sum = {0, 0, 0};
+  double all = 0;
+  for (const Part& part : parts) {
+    if (part.all <= 0) continue;
+    const double share = std::pow(part.near * part.near + std::pow(1e-3 * height(a), 2), -2);
+    all += share;
+    sum = sum + (share / part.all) * part.sum;
   }
   return (1 / all) * sum;
 }
@@ -127,7 +142,7 @@ Pose arms_forward(const MotionScene& scene, double amount) {
 
 TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
   const Bodies bodies;
-  for (const Wish& wish : {Wish{}, Wish{4, 0, 1e-5, true}, Wish{0, 0, 1e-5, true}, Wish{1, 0, 0.3, true},
+  for (const Wish& wish : {Wish{}, Wish{4, 0, 1e-5, true}, Wish{0, 0, 1e-5, false}, Wish{1, 0, 0.3, true},
                            Wish{2, 0.2, 1e-5, true}, Wish{0, 0.1, 1e-5, false}}) {
     PlayedClip clip(bodies.source, bodies.target);
     const Pose pose = arms_forward(bodies.source, 0.6);
@@ -135,8 +150,8 @@ TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
     const Placed from = placed(bodies.source, pose), copied = clip.frame(0);
     sinew_reference_options settings = sinew_reference_options_init();
     settings.area_power = wish.power == 0 ? SINEW_NO_AREA : static_cast<uint32_t>(wish.power);
-    settings.falloff = static_cast<float>(wish.falloff);
-    settings.no_own_limb = wish.own_limb ? 0 : 1;
+    settings.falloff = wish.falloff > 0 ? static_cast<float>(wish.falloff) : SINEW_NO_FALLOFF;
+    settings.own_limb = wish.own_limb ? 1 : 0;
     settings.least_cosine = static_cast<float>(wish.eps);
     ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
     const Placed made = clip.frame(0);
@@ -159,7 +174,7 @@ TEST(ReferencePoints, ArmsGoWhereTheEquationsSay) {
       EXPECT_NEAR(distance(made.places[arm], made.places[arm + 1]), upper, 1e-5);
       EXPECT_NEAR(distance(made.places[arm + 1], made.places[arm + 2]), lower, 1e-5);
     }
-    EXPECT_GT(moved, 0.005) << "it does something";
+    EXPECT_GT(moved, 0.001) << "it does something";
     for (const uint32_t joint : {kHead, kLeftFoot, kRightCalf, kLeftUpperArm})
       EXPECT_LT(distance(made.places[joint], copied.places[joint]), 1e-5) << "all else stays";
   }
@@ -203,6 +218,76 @@ TEST(ReferencePoints, TheSameBodyIsLeftAsItIs) {
   EXPECT_EQ(clip.rotations, before);
 }
 
+TEST(ReferencePoints, AHeadAndATorsoMoveWhereAskedAndKeepTheirBones) {
+  const Bodies bodies;
+  for (const bool torso : {false, true}) {
+    PlayedClip clip(bodies.source, bodies.target);
+    const Pose pose = arms_forward(bodies.source, 0.6);
+    clip.add(pose);
+    const Placed from = placed(bodies.source, pose), copied = clip.frame(0);
+    sinew_reference_options settings = sinew_reference_options_init();
+    (torso ? settings.torso : settings.head) = 1;
+    ASSERT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
+    const Placed made = clip.frame(0);
+    if (!torso) {
+      EXPECT_GT(distance(made.places[kHead], copied.places[kHead]), 1e-4);
+    }
+    const auto up = [&](uint32_t j) { return static_cast<size_t>(bodies.target.parents[j]); };
+    EXPECT_NEAR(distance(made.places[kHead], made.places[up(kHead)]),
+                distance(copied.places[kHead], copied.places[up(kHead)]), 1e-5);
+    EXPECT_LT(distance(made.places[kLeftFoot], copied.places[kLeftFoot]), 1e-5) << "legs stay";
+    if (!torso) continue;
+    // The spine points where the source's does.
+    const Vec3d own = sinew::unit(made.places[kSpine] - made.places[up(kSpine)]);
+    const Vec3d wanted = sinew::unit(from.places[kSpine] - from.places[up(kSpine)]);
+    EXPECT_LT(distance(own, wanted), 1e-5);
+  }
+}
+
+// The source's points, in the target's size: of a body that is only scaled they are the target's.
+TEST(ReferencePoints, TheSourcesPointsOfAScaledBodyAreTheTargets) {
+  const MotionScene source = body(20), target = body(20, 2);
+  const BoxBody a(source, 0.1), b(target, 0.1, 2);
+  PlayedClip own(source, target), others(source, target);
+  for (PlayedClip* clip : {&own, &others}) clip->add(arms_forward(source, 0.6));
+  sinew_reference_options settings = sinew_reference_options_init();
+  ASSERT_EQ(own.reference_points(a, b, settings), SINEW_OK);
+  settings.source_points = 1;
+  ASSERT_EQ(others.reference_points(a, b, settings), SINEW_OK);
+  EXPECT_LT(distance(own.frame(0).places[kLeftHand], others.frame(0).places[kLeftHand]), 1e-4);
+  const Bodies bodies;  // of another it is not
+  PlayedClip first(bodies.source, bodies.target), second(bodies.source, bodies.target);
+  for (PlayedClip* clip : {&first, &second}) clip->add(arms_forward(bodies.source, 0.6));
+  ASSERT_EQ(first.reference_points(bodies.a, bodies.b), SINEW_OK);
+  ASSERT_EQ(second.reference_points(bodies.a, bodies.b, settings), SINEW_OK);
+  EXPECT_GT(distance(first.frame(0).places[kLeftHand], second.frame(0).places[kLeftHand]), 1e-3);
+}
+
+// A motion without a mesh: both skeletons get the same capsules, so that a skeleton that is only scaled stays nearly as copied.
+TEST(ReferencePoints, CapsulesStandForABodyThatIsNotThere) {
+  const Bodies bodies;
+  const BoxBody thick(bodies.target, 0.3, 0.7);
+  PlayedClip clip(bodies.source, bodies.target);
+  for (uint32_t f = 0; f < 6; ++f) clip.add(arms_forward(bodies.source, 0.1 * f));
+  std::vector<Placed> copied;
+  for (uint32_t f = 0; f < 6; ++f) copied.push_back(clip.frame(f));
+  ASSERT_EQ(clip.reference_points(nullptr, thick), SINEW_OK);
+  double moved = 0;
+  for (uint32_t f = 0; f < 6; ++f) {
+    for (const uint32_t hand : {kLeftHand, kRightHand})
+      moved = std::max(moved, distance(clip.frame(f).places[hand], copied[f].places[hand]));
+    EXPECT_LT(distance(clip.frame(f).places[kHead], copied[f].places[kHead]), 1e-5);
+  }
+  EXPECT_GT(moved, 1e-3) << "a thick body pushes hands out";
+  const MotionScene source = body(20), larger = body(20, 2);
+  PlayedClip scaled(source, larger);
+  scaled.add(arms_forward(source, 0.6));
+  const Placed before = scaled.frame(0);
+  ASSERT_EQ(scaled.reference_points(nullptr, BoxBody(larger, 0.1, 2)), SINEW_OK);
+  for (const uint32_t joint : {kLeftForearm, kLeftHand, kRightHand})
+    EXPECT_LT(distance(scaled.frame(0).places[joint], before.places[joint]), 0.02);
+}
+
 // Live: a frame alone gives what it gives in a clip.
 TEST(ReferencePoints, FramesDoNotKnowOfEachOther) {
   const Bodies bodies;
@@ -226,11 +311,16 @@ TEST(ReferencePoints, WhatIsWrongIsRefused) {
     change(&settings);
     EXPECT_EQ(clip.reference_points(bodies.a, bodies.b, settings), SINEW_ERROR_ARGUMENT);
   };
-  refused([](sinew_reference_options* s) { s->struct_size -= 1; });
+  refused([](sinew_reference_options* s) { s->struct_size = 8; });
   refused([](sinew_reference_options* s) { s->area_power = 5; });
   refused([](sinew_reference_options* s) { s->no_own_limb = 2; });
   refused([](sinew_reference_options* s) { s->legs = 2; });
-  refused([](sinew_reference_options* s) { s->falloff = -1; });
+  refused([](sinew_reference_options* s) { s->own_limb = 2; });
+  refused([](sinew_reference_options* s) { s->own_limb = s->no_own_limb = 1; });
+  refused([](sinew_reference_options* s) { s->head = 2; });
+  refused([](sinew_reference_options* s) { s->torso = 2; });
+  refused([](sinew_reference_options* s) { s->source_points = 2; });
+  refused([](sinew_reference_options* s) { s->falloff = -2; });
   refused([](sinew_reference_options* s) { s->falloff = std::numeric_limits<float>::infinity(); });
   refused([](sinew_reference_options* s) { s->least_cosine = 2; });
   refused([](sinew_reference_options* s) { s->least_cosine = std::numeric_limits<float>::quiet_NaN(); });
