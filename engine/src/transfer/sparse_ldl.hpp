@@ -34,6 +34,15 @@ class SparseLdl {
   bool factorise(uint32_t rows, const Row& row);
   // in/out [rows x kBatch]
   void solve(double* x) const;
+  // Memory for inverse_diagonal(): as many entries again.
+  bool allocate_inverse(Arena& arena) {
+    inverse_ = arena.alloc<double>(capacity_);
+    return arena.ok();
+  }
+  // The diagonal of the inverse (Takahashi, Fagan and Chin 1973): entries of the inverse where L has some, last row first.
+  // Uses up what factorise() needs as scratch, not the factor.
+  //   out  [rows]
+  void inverse_diagonal(double* out);
 
  private:
   static constexpr uint32_t kNone = 0xFFFFFFFFu;
@@ -42,6 +51,7 @@ class SparseLdl {
   uint32_t *parent_ = nullptr, *mark_ = nullptr, *pattern_ = nullptr, *fill_ = nullptr, *row_ = nullptr;
   uint32_t* start_ = nullptr;  // entries are below 2^32 by what is reserved
   double *diagonal_ = nullptr, *work_ = nullptr, *value_ = nullptr;
+  double* inverse_ = nullptr;  // [entries]
 };
 
 template <class Row>
@@ -119,6 +129,35 @@ inline void SparseLdl::solve(double* x) const {
       const double* const from = x + static_cast<size_t>(row_[p]) * kBatch;
       for (uint32_t m = 0; m < kBatch; ++m) to[m] -= value_[p] * from[m];
     }
+  }
+}
+
+inline void SparseLdl::inverse_diagonal(double* out) {
+  uint32_t* const entry = mark_;  // of the column at hand, by row
+  for (uint32_t k = 0; k < rows_; ++k) entry[k] = kNone;
+  for (uint32_t k = rows_; k-- > 0;) {
+    const uint32_t begin = start_[k], end = start_[k + 1];
+    for (uint32_t p = begin; p < end; ++p) {
+      entry[row_[p]] = p;
+      inverse_[p] = 0;
+    }
+    for (uint32_t p = begin; p < end; ++p) {
+      const uint32_t j = row_[p];
+      double own = value_[p] * out[j];
+      for (uint32_t q = start_[j]; q < start_[j + 1]; ++q) {
+        const uint32_t s = entry[row_[q]];
+        if (s == kNone) continue;
+        inverse_[s] -= value_[p] * inverse_[q];
+        own += value_[s] * inverse_[q];
+      }
+      inverse_[p] -= own;
+    }
+    double d = 1 / diagonal_[k];
+    for (uint32_t p = begin; p < end; ++p) {
+      d -= value_[p] * inverse_[p];
+      entry[row_[p]] = kNone;
+    }
+    out[k] = d;
   }
 }
 
