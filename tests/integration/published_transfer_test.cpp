@@ -35,7 +35,8 @@ class PublishedTransfer : public Cli {
  protected:
   double moved(const Character& expected, const std::string& sample, const std::string& target,
                const std::string& method) {
-    good("transfer " + kData + "/" + sample + ".obj " + target + " --method " + method + " --influences 8 -o out.rig.txt");
+    good("transfer " + kData + "/" + sample + ".obj " + target + " --method " + method +
+         " --influences 8 -o out.rig.txt");
     return l1(expected, bound(in(target), in("out.rig.txt")));
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One factorisation a mesh, one solve for eight reference points, one pass for the inverse's diagonal.
+// One factorisation a mesh, two solves for eight reference points, one pass for the diagonal.
 #include "transfer/surface_distances.hpp"
 
 #include <string.h>
@@ -11,13 +11,13 @@ namespace {
 
 constexpr uint32_t kBatch = SparseLdl::kBatch;
 constexpr uint32_t kMostTies = 24;  // of a part
-constexpr double kTieWeight = 1;    // L is in cotangents and A in mean areas: a tie is about as stiff as an edge
+constexpr double kTieWeight = 1;    // L is in cotangents: a tie is about as stiff as an edge
 
-// Three times what solve/factor.hpp reserves for a Laplacian, as in inpaint.cpp, and ties.
+// Twice what solve/factor.hpp reserves for a Laplacian, for ties.
 size_t entries_for(uint32_t vertices) {
   size_t levels = 0;
   for (uint32_t v = vertices; v > 1; v = (v + 1) / 2) ++levels;
-  return (60 + levels * levels * 3 / 4) * vertices;
+  return (40 + levels * levels / 2) * vertices;
 }
 
 const TrianglePosition& place_of(const References& references, uint32_t i, bool on_source) {
@@ -47,12 +47,13 @@ bool SurfaceDistances::allocate(Arena& arena, const Counts& counts) {
   ties_.other = arena.alloc<uint32_t>(size_t{2} * vertices);
   ties_.first = arena.alloc<uint32_t>(vertices);
   (void)ldl_.allocate(arena, vertices, entries_for(vertices));
-  (void)ldl_.allocate_inverse(arena);
+  (void)ldl_.allocate_rates(arena, vertices);
   uint32_t** const arrays[] = {&position_, &order_, &host_, &host_distance_};
   for (uint32_t** array : arrays) *array = arena.alloc<uint32_t>(vertices);
   keys_ = arena.alloc<uint64_t>(vertices);
   x_ = arena.alloc<double>(size_t{kBatch} * vertices);
   diagonal_ = arena.alloc<double>(vertices);
+  area_ = arena.alloc<double>(vertices);
   return arena.ok();
 }
 
@@ -64,10 +65,14 @@ sinew_status SurfaceDistances::find(const Mesh& mesh, const References& referenc
   tie_parts(mesh);
   order_vertices(mesh);
   if (!factorise(mesh)) return SINEW_ERROR_COUNT;
+  area_sum_ = 0;
+  for (uint32_t k = 0; k < mesh.welded_count; ++k) {
+    area_[k] = plate_.area[order_[k]];
+    area_sum_ += area_[k];
+  }
   for (uint32_t first = 0; first < references.count; first += kBatch)
     solve_columns(mesh, references, on_source, first, out);
-  ldl_.inverse_diagonal(diagonal_);
-  diagonal_[mesh.welded_count - 1] = 0;  // the vertex that is held
+  find_diagonal(mesh.welded_count);
   turn_to_distances(mesh, references, on_source, out);
   return SINEW_OK;
 }
@@ -107,12 +112,36 @@ void SurfaceDistances::order_vertices(const Mesh& mesh) {
 bool SurfaceDistances::factorise(const Mesh& mesh) {
   return ldl_.factorise(mesh.welded_count - 1, [&](uint32_t k, const auto& visit) {
     const uint32_t v = order_[k];
-    plate_.bilaplacian(v, [&](uint32_t w, double value) { visit(position_[w], value); });
+    plate_.laplacian(v, [&](uint32_t w, double value) { visit(position_[w], value); });
     for (uint32_t e = ties_.first[v]; e != kNoVertex; e = ties_.next[e]) {
       visit(k, kTieWeight);
       visit(position_[ties_.other[e]], -kTieWeight);
     }
   });
+}
+
+// Takes the mean by area off each column of x_, whose last row is that of the vertex that is held.
+void SurfaceDistances::centre(uint32_t count) {
+  double sums[kBatch] = {};
+  for (uint32_t k = 0; k < count; ++k)
+    for (uint32_t m = 0; m < kBatch; ++m) sums[m] += area_[k] * x_[size_t{kBatch} * k + m];
+  for (uint32_t k = 0; k < count; ++k)
+    for (uint32_t m = 0; m < kBatch; ++m) x_[size_t{kBatch} * k + m] -= sums[m] / area_sum_;
+}
+
+// K is the inverse with a row and column of zeros for the vertex that is held. Without its means K's row at x has the square
+// (K A K)(x, x) - (K a)(x)^2 / sum of a.
+void SurfaceDistances::find_diagonal(uint32_t count) {
+  const uint32_t held = count - 1;
+  for (uint32_t k = 0; k < held; ++k)
+    for (uint32_t m = 0; m < kBatch; ++m) x_[size_t{kBatch} * k + m] = m == 0 ? area_[k] : 0;
+  ldl_.solve(x_);
+  ldl_.square_diagonal(area_, diagonal_);
+  for (uint32_t k = 0; k < held; ++k) {
+    const double mean = x_[size_t{kBatch} * k];
+    diagonal_[k] -= mean * mean / area_sum_;
+  }
+  diagonal_[held] = 0;
 }
 
 void SurfaceDistances::solve_columns(const Mesh& mesh, const References& references, bool on_source, uint32_t first,
@@ -127,6 +156,11 @@ void SurfaceDistances::solve_columns(const Mesh& mesh, const References& referen
       if (k != held) x_[size_t{kBatch} * k + m] += p.shares[c];
     }
   }
+  ldl_.solve(x_);
+  centre(mesh.welded_count);
+  for (uint32_t k = 0; k < held; ++k)
+    for (uint32_t m = 0; m < kBatch; ++m) x_[size_t{kBatch} * k + m] *= area_[k];
+  for (uint32_t m = 0; m < kBatch; ++m) x_[size_t{kBatch} * held + m] = 0;
   ldl_.solve(x_);
   for (uint32_t m = 0; m < size; ++m) {
     double* const column = out + size_t{first + m} * mesh.welded_count;

@@ -10,10 +10,10 @@
 
 namespace sinew {
 
-// The operator is B = L A^-1 L + T: the thin plate of every part, and T, springs between parts: each part hangs by the quarter of
-// its vertices that is nearest to larger parts, at most 24, on its hosts there. One vertex is held. B is factorised
-// once; d(x, i)^2 = g(x, x) + g(i, i) - 2 g(x, i) where g is B's inverse. A reference point costs one solve, and all g(x, x)
-// come from the factor's sparse inverse. What the held vertex is does not matter to d.
+// L is the cotangent Laplacian with ties: each part hangs by the quarter of its vertices that is nearest to larger parts, at most
+// 24, on its hosts there. One vertex is held, and L is factorised once. d(x, i)^2 = g(x, x) + g(i, i) - 2 g(x, i) where g is the
+// pseudo-inverse of L A^-1 L, which is the inverse of L, its means by area taken off, twice with A between. A reference point costs two
+// solves, and all g(x, x) come from the factor and its rate. Which vertex is held does not matter to d.
 class SurfaceDistances {
  public:
   bool allocate(Arena& arena, const Counts& counts);
@@ -35,6 +35,8 @@ class SurfaceDistances {
   void tie_parts(const Mesh& mesh);
   void order_vertices(const Mesh& mesh);
   bool factorise(const Mesh& mesh);
+  void centre(uint32_t count);
+  void find_diagonal(uint32_t count);
   void solve_columns(const Mesh& mesh, const References& references, bool on_source, uint32_t first, double* out);
   void turn_to_distances(const Mesh& mesh, const References& references, bool on_source, double* g) const;
 
@@ -42,10 +44,12 @@ class SurfaceDistances {
   Ordering ordering_;
   Ties ties_;
   SparseLdl ldl_;
-  uint32_t *position_ = nullptr, *order_ = nullptr;        // [U] place in the elimination, and back
-  uint32_t *host_ = nullptr, *host_distance_ = nullptr;    // [U]
-  uint64_t* keys_ = nullptr;                               // [U]
-  double *x_ = nullptr, *diagonal_ = nullptr;              // [U x kBatch], [U] g(x, x) by place
+  uint32_t *position_ = nullptr, *order_ = nullptr;      // [U] place in the elimination, and back
+  uint32_t *host_ = nullptr, *host_distance_ = nullptr;  // [U]
+  uint64_t* keys_ = nullptr;                             // [U]
+  double* x_ = nullptr;                                  // [U x kBatch]
+  double *diagonal_ = nullptr, *area_ = nullptr;         // [U] g(x, x), and the vertex' area, by place
+  double area_sum_ = 0;
 };
 
 }  // namespace sinew

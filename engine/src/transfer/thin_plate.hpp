@@ -49,11 +49,6 @@ struct ThinPlate {
   template <class Visit>
   void plate(uint32_t v, const Visit& visit) const {
     laplacian(v, visit);
-    bilaplacian(v, visit);
-  }
-  // Row of L A^-1 L; a vertex comes more than once.
-  template <class Visit>
-  void bilaplacian(uint32_t v, const Visit& visit) const {
     laplacian(v, [&](uint32_t k, double first) {
       const double scaled = first / area[k];
       laplacian(k, [&](uint32_t w, double second) { visit(w, scaled * second); });
