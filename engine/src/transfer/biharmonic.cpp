@@ -47,6 +47,7 @@ struct Columns {
   const References& references;
   double *source, *target;  // [references x U]
   uint32_t source_count, target_count;
+  const uint32_t *source_part, *target_part;  // [U]
   const uint8_t* of_use;  // [source U]
   bool as_drawn;
 
@@ -70,9 +71,16 @@ struct Columns {
     }
   }
 
-  void find(uint32_t vertex, uint32_t* vertices, double* shares) const {
-    Least<kCompared> compared;
-    for (uint32_t i = 0; i < references.count; ++i) compared.add(target[size_t{i} * target_count + vertex], i);
+  bool lies_beside(const Least<kCompared>& compared, uint32_t source_vertex) const {
+    for (uint32_t k = 0; k < compared.count; ++k) {
+      const uint32_t corner = references.points[compared.numbers[k]].source.corners[0];
+      if (source_part[corner] == source_part[source_vertex]) return true;
+    }
+    return false;
+  }
+
+  // The source's vertices with the least squared difference of distances; of the compared references' parts alone, if asked.
+  Least<kNearest> most_alike(const Least<kCompared>& compared, bool of_their_parts) const {
     double weights[kCompared];
     for (uint32_t k = 0; k < compared.count; ++k) {
       const double d = compared.keys[k] + kNearDistance;
@@ -89,9 +97,26 @@ struct Columns {
         for (uint32_t s = 0; s < size; ++s) sums[s] += weight * ((column[s] - own) * (column[s] - own));
       }
       for (uint32_t s = 0; s < size; ++s) {
-        if (of_use[first + s] != 0) best.add(sums[s], first + s);
+        if (of_use[first + s] == 0 || sums[s] >= best.limit()) continue;
+        if (!of_their_parts || lies_beside(compared, first + s)) best.add(sums[s], first + s);
       }
     }
+    return best;
+  }
+
+  void find(uint32_t vertex, uint32_t* vertices, double* shares) const {
+    // How far parts are from each other is what ties make of it: a vertex is compared at references of its own part, with vertices
+    // of the parts where those lie on the source. A part without such references is compared at all.
+    Least<kCompared> compared, own;
+    for (uint32_t i = 0; i < references.count; ++i) {
+      const double d = target[size_t{i} * target_count + vertex];
+      compared.add(d, i);
+      if (target_part[references.points[i].target.corners[0]] == target_part[vertex]) own.add(d, i);
+    }
+    const bool has_own = own.count >= kFewest;
+    if (has_own) compared = own;
+    Least<kNearest> best = most_alike(compared, has_own);
+    if (best.count == 0) best = most_alike(compared, false);
     double sum = 0;
     const double farthest = best.keys[best.count - 1];
     for (uint32_t i = 0; i < best.count; ++i) {
@@ -155,8 +180,8 @@ sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, cons
   }
   if (arena.measuring()) return SINEW_OK;
   match->reference_count = references.count;
-  const Columns columns = {references, source,       target, pair.source.welded_count, pair.target.welded_count,
-                           of_use,     plan.as_drawn};
+  const Columns columns = {references, source, target, pair.source.welded_count, pair.target.welded_count,
+                           pair.source.part, pair.target.part, of_use, plan.as_drawn};
   columns.scale();
   constexpr uint32_t kVertexPiece = 64;
   plan.target.threads.ranges(pair.target.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {

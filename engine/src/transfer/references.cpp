@@ -14,6 +14,9 @@ constexpr double kLeastCosine = 0.5;                        // between the two s
 constexpr double kLayers = 0.06;                            // the same along the normal: cloth and the skin below it
 constexpr double kOtherPart = 0.01;                         // added to distances between points of two parts
 constexpr double kLeastSpacing = 0.004;                     // of reference points
+constexpr double kLeastOfPart = 1e-4;     // the same inside a part
+constexpr uint32_t kOfPart = 8, kMostParts = 256;
+constexpr uint32_t kAnyPart = 0xFFFFFFFFu;
 constexpr double kHalfRoot = 0.70710678118654752440;        // the cosine of 45 degrees
 
 // The first triangle that the ray hits. False where there is none.
@@ -215,23 +218,38 @@ class Choice {
     }
   }
 
-  // The first ray, then the candidate that is farthest from those chosen, again and again.
+  uint32_t target_part(const Candidate& one) const {
+    return pair_.target.part[one.reference.target.corners[0]];
+  }
+
+  // Adds the candidate that is farthest from those chosen, of one part of the target or of all. False where there is none.
+  bool choose(uint32_t part, uint32_t* chosen, Reference* points) {
+    uint32_t next = count_;
+    for (uint32_t i = 0; i < count_; ++i) {
+      if (part != kAnyPart && target_part(candidates_[i]) != part) continue;
+      if (next == count_ || candidates_[i].distance > candidates_[next].distance) next = i;
+    }
+    if (next == count_ || candidates_[next].distance < (part == kAnyPart ? kLeastSpacing : kLeastOfPart)) return false;
+    const Candidate one = candidates_[next];
+    points[(*chosen)++] = one.reference;
+    const uint32_t source = pair_.source.part[one.reference.source.corners[0]], target = target_part(one);
+    for (uint32_t i = 0; i < count_; ++i) {
+      Candidate& other = candidates_[i];
+      const bool same = pair_.source.part[other.reference.source.corners[0]] == source && target_part(other) == target;
+      other.distance = lesser(other.distance, length(other.position - one.position) + (same ? 0 : kOtherPart));
+    }
+    return true;
+  }
+
+  // Some in every larger part of the target, to half of all, then those that are farthest from each other anywhere.
   uint32_t spread(Reference* points) {
-    uint32_t chosen = 0, next = 0;
-    while (chosen < kFoundReferences && count_ > 0) {
-      for (uint32_t i = 0; i < count_ && chosen > 0; ++i)
-        next = candidates_[i].distance > candidates_[next].distance ? i : next;
-      if (candidates_[next].distance < kLeastSpacing) break;
-      const Candidate one = candidates_[next];
-      points[chosen++] = one.reference;
-      const uint32_t source = pair_.source.part[one.reference.source.corners[0]];
-      const uint32_t target = pair_.target.part[one.reference.target.corners[0]];
-      for (uint32_t i = 0; i < count_; ++i) {
-        Candidate& other = candidates_[i];
-        const bool same = pair_.source.part[other.reference.source.corners[0]] == source &&
-                          pair_.target.part[other.reference.target.corners[0]] == target;
-        other.distance = lesser(other.distance, length(other.position - one.position) + (same ? 0 : kOtherPart));
-      }
+    uint32_t chosen = 0;
+    const uint32_t parts = pair_.target.part_count < kMostParts ? pair_.target.part_count : kMostParts;
+    for (uint32_t part = 0; part < parts; ++part) {
+      for (uint32_t i = 0; i < kOfPart && chosen < kFoundReferences / 2; ++i)
+        if (!choose(part, &chosen, points)) break;
+    }
+    while (chosen < kFoundReferences && choose(kAnyPart, &chosen, points)) {
     }
     return chosen;
   }

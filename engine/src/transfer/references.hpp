@@ -31,7 +31,7 @@ struct References {
   //   what four rays across every mapped bone hit first at its beginning and at its middle on both surfaces (joints' surface
   //   points; beyond a leaf half of its parent's bone is the end of the limb), where the two hits come to lie together, and
   //   all vertices of both surfaces whose nearest point of the other surface leads back to them or to a layer above or below,
-  // always the one that is farthest from those chosen. Both meshes are asked alike, so that both directions are.
+  // always the one that is farthest from those chosen: up to eight in every larger part of the target, then anywhere. Both meshes are asked alike, so that both directions are.
   //   source_rows, of_use  [source U] in the source's joints; which vertices have weight
   // Returns SINEW_OK, SINEW_ERROR_WORKSPACE or SINEW_ERROR_RANGE for a pair of vertices that do not exist.
   sinew_status find(const TransferPlan& plan, const Pair& pair, const Rows& source_rows, const uint8_t* of_use,
