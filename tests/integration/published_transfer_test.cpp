@@ -10,7 +10,7 @@
 namespace sinew {
 namespace {
 
-constexpr const char* kSamples[] = {"biped__robed", "biped__robot", "quadruped__tailed", "snake__long"};
+constexpr const char* kSamples[] = {"biped__robot", "snake__long"};
 constexpr const char* kWays[] = {"", " --as-drawn"};
 
 Character bound(const std::string& mesh, const std::string& rig) {

@@ -10,13 +10,12 @@ namespace {
 
 constexpr uint32_t kNearest = DistanceMatch::kNearest;
 constexpr uint32_t kFewest = 4;         // references
-constexpr uint32_t kCompared = 6;       // references of a vertex: those that are nearest to it
+constexpr uint32_t kCompared = 8;       // references of a vertex, those that are nearest to it: of a caller's few pairs
+constexpr uint32_t kComparedFound = 5;  // and of those that were found
 constexpr uint32_t kNeighbours = 6;     // references around one, for its scale
 constexpr double kMostScale = 2;        // of one reference's distances
 constexpr double kNearDistance = 0.02;  // added to distances before they are inverted
 constexpr double kLeastShare = 1e-6;    // of the farthest's squared difference: what is the same takes all
-
-uint32_t most_references(const TransferPlan& plan) { return plan.pair_count > 0 ? plan.pair_count : kFoundReferences; }
 
 // Numbers with the smallest keys, ascending; of equal keys the first ones.
 template <uint32_t kMost>
@@ -48,8 +47,9 @@ struct Columns {
   double *source, *target;  // [references x U]
   uint32_t source_count, target_count;
   const uint32_t *source_part, *target_part;  // [U]
-  const uint8_t* of_use;  // [source U]
+  const uint8_t* of_use;                      // [source U]
   bool as_drawn;
+  uint32_t most_compared;
 
   // One mesh may be thicker here and thinner there: the distances of each reference on the source are scaled so that those to
   // the references around it are the target's.
@@ -115,6 +115,7 @@ struct Columns {
     }
     const bool has_own = own.count >= kFewest;
     if (has_own) compared = own;
+    if (compared.count > most_compared) compared.count = most_compared;
     Least<kNearest> best = most_alike(compared, has_own);
     if (best.count == 0) best = most_alike(compared, false);
     double sum = 0;
@@ -150,8 +151,8 @@ sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, cons
                                 DistanceMatch* match) {
   const ArenaScope scope(arena);
   References references;
-  const uint32_t most = most_references(plan);
-  (void)references.allocate(arena, most);
+  const uint32_t most = References::most(plan);
+  (void)references.allocate(arena, plan);
   uint8_t* const of_use = arena.alloc<uint8_t>(plan.source.vertices);
   double* const source = arena.alloc<double>(size_t{most} * plan.source.vertices);
   double* const target = arena.alloc<double>(size_t{most} * plan.target.vertices);
@@ -180,8 +181,16 @@ sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, cons
   }
   if (arena.measuring()) return SINEW_OK;
   match->reference_count = references.count;
-  const Columns columns = {references, source, target, pair.source.welded_count, pair.target.welded_count,
-                           pair.source.part, pair.target.part, of_use, plan.as_drawn};
+  const Columns columns = {references,
+                           source,
+                           target,
+                           pair.source.welded_count,
+                           pair.target.welded_count,
+                           pair.source.part,
+                           pair.target.part,
+                           of_use,
+                           plan.as_drawn,
+                           plan.pair_count > 0 ? kCompared : kComparedFound};
   columns.scale();
   constexpr uint32_t kVertexPiece = 64;
   plan.target.threads.ranges(pair.target.welded_count, kVertexPiece, [&](uint32_t begin, uint32_t end, uint32_t) {

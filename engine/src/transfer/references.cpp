@@ -14,10 +14,10 @@ constexpr double kLeastCosine = 0.5;                        // between the two s
 constexpr double kLayers = 0.06;                            // the same along the normal: cloth and the skin below it
 constexpr double kOtherPart = 0.01;                         // added to distances between points of two parts
 constexpr double kLeastSpacing = 0.004;                     // of reference points
-constexpr double kLeastOfPart = 1e-4;     // the same inside a part
+constexpr double kLeastOfPart = 1e-4;                       // the same inside a part
 constexpr uint32_t kOfPart = 8, kMostParts = 256;
 constexpr uint32_t kAnyPart = 0xFFFFFFFFu;
-constexpr double kHalfRoot = 0.70710678118654752440;        // the cosine of 45 degrees
+constexpr double kHalfRoot = 0.70710678118654752440;  // the cosine of 45 degrees
 
 // The first triangle that the ray hits. False where there is none.
 bool first_hit(const Mesh& mesh, Vec3d origin, Vec3d direction, TrianglePosition* position, double* distance) {
@@ -218,9 +218,7 @@ class Choice {
     }
   }
 
-  uint32_t target_part(const Candidate& one) const {
-    return pair_.target.part[one.reference.target.corners[0]];
-  }
+  uint32_t target_part(const Candidate& one) const { return pair_.target.part[one.reference.target.corners[0]]; }
 
   // Adds the candidate that is farthest from those chosen, of one part of the target or of all. False where there is none.
   bool choose(uint32_t part, uint32_t* chosen, Reference* points) {
@@ -243,13 +241,14 @@ class Choice {
 
   // Some in every larger part of the target, to half of all, then those that are farthest from each other anywhere.
   uint32_t spread(Reference* points) {
+    const uint32_t most = References::most(plan_);
     uint32_t chosen = 0;
     const uint32_t parts = pair_.target.part_count < kMostParts ? pair_.target.part_count : kMostParts;
     for (uint32_t part = 0; part < parts; ++part) {
-      for (uint32_t i = 0; i < kOfPart && chosen < kFoundReferences / 2; ++i)
+      for (uint32_t i = 0; i < kOfPart && chosen < most / 2; ++i)
         if (!choose(part, &chosen, points)) break;
     }
-    while (chosen < kFoundReferences && choose(kAnyPart, &chosen, points)) {
+    while (chosen < most && choose(kAnyPart, &chosen, points)) {
     }
     return chosen;
   }
@@ -268,6 +267,13 @@ class Choice {
 };
 
 }  // namespace
+
+uint32_t References::most(const TransferPlan& plan) {
+  constexpr uint32_t kFound = 1200, kNumbers = 1u << 24;
+  if (plan.pair_count > 0) return plan.pair_count;
+  const uint32_t larger = plan.source.vertices > plan.target.vertices ? plan.source.vertices : plan.target.vertices;
+  return kNumbers / larger < kFound ? kNumbers / larger : kFound;
+}
 
 sinew_status References::find(const TransferPlan& plan, const Pair& pair, const Rows& source_rows,
                               const uint8_t* of_use, Arena& arena) {

@@ -7,9 +7,6 @@
 
 namespace sinew {
 
-// Most of those that are found; a caller may give SINEW_MAX_TRANSFER_PAIRS.
-constexpr uint32_t kFoundReferences = 800;
-
 // A place on a triangle of welded vertices, or on one vertex.
 struct TrianglePosition {
   uint32_t corners[3];
@@ -23,8 +20,10 @@ struct References {
   Reference* points = nullptr;  // [most]
   uint32_t count = 0;
 
-  bool allocate(Arena& arena, uint32_t most) {
-    points = arena.alloc<Reference>(most);
+  // As many as the caller gives; else at most 1200, and so few that distances of the larger mesh take no more than 128 MiB.
+  static uint32_t most(const TransferPlan& plan);
+  bool allocate(Arena& arena, const TransferPlan& plan) {
+    points = arena.alloc<Reference>(most(plan));
     return arena.ok();
   }
   // The caller's pairs. Or, with the source's surface brought to the target's by the skeletons (align.hpp), of
