@@ -56,7 +56,7 @@ typedef struct sinew_transfer_options {
   uint32_t thread_count;     /* 1..64 pieces that work is cut into; 0 = 1 */
   uint32_t pair_count;       /* 0 .. SINEW_MAX_TRANSFER_PAIRS */
   const uint8_t* locked;     /* [vertex_count of the target] non-zero: keeps the row already in the outputs; or null */
-  /* [pair_count] reference points of SINEW_TRANSFER_BIHARMONIC; without any they are found around the mapped bones */
+  /* [pair_count] reference points of SINEW_TRANSFER_BIHARMONIC; without any they are found on both surfaces */
   const sinew_vertex_pair* pairs;
   sinew_parallel_for parallel_for; /* as in sinew_options; the result does not depend on it */
   void* parallel_user;

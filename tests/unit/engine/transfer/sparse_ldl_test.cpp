@@ -67,6 +67,29 @@ TEST(SparseLdl, SolvesItsEquations) {
   }
 }
 
+TEST(SparseLdl, TheSquaresDiagonalIsWhatSolvesGive) {
+  for (const double held : {1.0, 1e-2}) {
+    const Grid grid(held);
+    Block block(size_t{1} << 22);
+    SparseLdl ldl;
+    ASSERT_TRUE(ldl.allocate(block.arena, Grid::kRows, 20000));
+    ASSERT_TRUE(ldl.allocate_rates(block.arena, Grid::kRows));
+    ASSERT_TRUE(ldl.factorise(Grid::kRows, grid.rows()));
+    std::vector<double> expected(Grid::kRows, 0), weights(Grid::kRows), x(Grid::kRows * SparseLdl::kBatch);
+    for (uint32_t k = 0; k < Grid::kRows; ++k) weights[k] = 0.5 + 0.01 * k;
+    for (uint32_t k = 0; k < Grid::kRows; ++k) {
+      x.assign(x.size(), 0);
+      x[k * SparseLdl::kBatch] = 1;
+      ldl.solve(x.data());
+      for (uint32_t i = 0; i < Grid::kRows; ++i)
+        expected[k] += weights[i] * x[i * SparseLdl::kBatch] * x[i * SparseLdl::kBatch];
+    }
+    std::vector<double> found(Grid::kRows);
+    ldl.square_diagonal(weights.data(), found.data());
+    for (uint32_t k = 0; k < Grid::kRows; ++k) ASSERT_NEAR(found[k], expected[k], 1e-7 * expected[k]) << k;
+  }
+}
+
 TEST(SparseLdl, TooFewEntriesAreNoFactor) {
   const Grid grid(1);
   Block block(size_t{1} << 22);

@@ -49,8 +49,7 @@ TEST(Transfer, TheSameMeshKeepsItsWeights) {
        {uint32_t{SINEW_TRANSFER_AUTO}, uint32_t{SINEW_TRANSFER_NEAREST}, uint32_t{SINEW_TRANSFER_BIHARMONIC}}) {
     const TransferRun run = run_transfer(scene, rows, scene, method(m));
     ASSERT_EQ(run.status, SINEW_OK) << m;
-    // Distances are like at vertices beside one another, too.
-    EXPECT_LT(sinew_test::distance(run, rows, 3), m == SINEW_TRANSFER_BIHARMONIC ? 0.03 : 0.01) << m;
+    EXPECT_LT(sinew_test::distance(run, rows, 3), m == SINEW_TRANSFER_BIHARMONIC ? 0.001 : 0.01) << m;
     EXPECT_LE(run.outputs.used_bytes, run.bytes);
     expect_rows(run, 3);
   }
