@@ -69,21 +69,24 @@ void Branches::settle_crossings(bool target_first, int32_t* sources, double* cos
   }
 }
 
-// A source joint that moves and has more than three bones, and that nothing follows, gets the target that costs least and crosses nothing.
+// A source joint that moves and has more than three bones, and that nothing follows, gets the target that costs least, crosses
+// nothing and does not follow another such joint.
 void Branches::serve_crossroads(const uint8_t* animated, int32_t* sources, double* costs) {
   const Hierarchy &a = *a_.rig, &b = *b_.rig;
+  const auto is_crossroad = [&](int32_t s) {
+    return b_.node[s] != 0 && b_.degree(s) > kCrossroad && (animated == nullptr || animated[s] != 0);
+  };
   for (int32_t k = 0; k < b.n; ++k) {
     const int32_t s = b.order[k];
-    if (b_.node[s] == 0 || b_.degree(s) <= kCrossroad || (animated != nullptr && animated[s] == 0)) continue;
+    if (!is_crossroad(s)) continue;
     bool served = false;
     for (int32_t t = 0; t < a.n && !served; ++t) served = sources[t] == s;
     if (served) continue;
     int32_t best = -1;
     double least = 0;
     for (int32_t t = 0; t < a.n; ++t) {
-      if (a_.node[t] == 0) continue;
+      if (a_.node[t] == 0 || t == a_.root || (sources[t] >= 0 && is_crossroad(sources[t]))) continue;
       const double cost = stored_cost(t, s);
-      if (sources[t] >= 0 && !(cost < costs[t])) continue;
       if ((best >= 0 && !(cost < least)) || crosses(t, s, sources)) continue;
       best = t;
       least = cost;
