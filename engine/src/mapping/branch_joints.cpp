@@ -30,7 +30,7 @@ void Branches::each_pair(bool target_first, const Body& body) {
 void Branches::keep_pairs(bool target_first, int32_t* sources, double* costs) {
   each_pair(target_first, [&](int32_t t, int32_t s) {
     const double cost = stored_cost(t, s);
-    if (sources[t] >= 0 && !(cost < costs[t])) return;
+    if (!same_side(t, s) || (sources[t] >= 0 && !(cost < costs[t]))) return;
     sources[t] = s;
     costs[t] = cost;
   });
@@ -54,7 +54,7 @@ void Branches::settle_crossings(bool target_first, int32_t* sources, double* cos
   }
   if (!any) return;
   each_pair(target_first, [&](int32_t t, int32_t s) {
-    if (open_[t] == 0) return;
+    if (open_[t] == 0 || !same_side(t, s)) return;
     const double cost = stored_cost(t, s);
     if (sources[t] >= 0 && !(cost < costs[t])) return;
     if (crosses(t, s, sources)) return;
@@ -87,7 +87,7 @@ void Branches::serve_crossroads(const uint8_t* animated, int32_t* sources, doubl
     for (int32_t t = 0; t < a.n; ++t) {
       if (a_.node[t] == 0 || t == a_.root || (sources[t] >= 0 && is_crossroad(sources[t]))) continue;
       const double cost = stored_cost(t, s);
-      if ((best >= 0 && !(cost < least)) || crosses(t, s, sources)) continue;
+      if (!same_side(t, s) || (best >= 0 && !(cost < least)) || crosses(t, s, sources)) continue;
       best = t;
       least = cost;
     }
@@ -171,7 +171,7 @@ void Branches::fill_in(int32_t* sources, double* costs) {
     if (p < 0 || sources[t] < 0 || sources[p] != sources[t]) continue;
     for (int32_t c = 0; c < b.kid_count(sources[p]); ++c) {
       const int32_t idle = b.kid(sources[p], c);
-      if (used_[idle] != 0 || b_.node[idle] == 0 || crosses(t, idle, sources)) continue;
+      if (used_[idle] != 0 || b_.node[idle] == 0 || !same_side(t, idle) || crosses(t, idle, sources)) continue;
       sources[t] = idle;
       costs[t] = stored_cost(t, idle);
       used_[idle] = 1;

@@ -51,6 +51,7 @@ bool Branches::Rig::allocate(Arena& arena, uint32_t joints) {
 
 void Branches::Rig::prepare(const Anatomy& anatomy, const float* areas) {
   rig = anatomy.rig;
+  joint_side = anatomy.side;
   const Frame& frame = anatomy.frame;
   root = first_branching(*rig);
   const Point root_at = rig->at[anatomy.hip];

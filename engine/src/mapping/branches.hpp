@@ -29,15 +29,16 @@ class Branches {
     uint8_t* node = nullptr;  // [n]
     Point* at = nullptr;      // [n] relative to the hips, the farthest at 1
     double* area = nullptr;   // [n] share of the surface
-    double* root_distance = nullptr;  // [n] from the root
-    int32_t* depth = nullptr;         // [n] below the root
-    int32_t* kids = nullptr;          // [n] how many nodes hang on it
-    int32_t* leaves = nullptr;        // [n] a branch each
-    int32_t* mirror = nullptr;        // [n] of a branch, -1 = none
-    int32_t* through = nullptr;       // [n] branches through a joint
-    int32_t* chain = nullptr;         // [n] of the branch in hand, from the root on
-    double* ratio = nullptr;          // [n] of the branch in hand: way to the root over the branch's
-    int8_t* side = nullptr;           // [n] of a branch
+    double* root_distance = nullptr;     // [n] from the root
+    int32_t* depth = nullptr;            // [n] below the root
+    int32_t* kids = nullptr;             // [n] how many nodes hang on it
+    int32_t* leaves = nullptr;           // [n] a branch each
+    int32_t* mirror = nullptr;           // [n] of a branch, -1 = none
+    int32_t* through = nullptr;          // [n] branches through a joint
+    int32_t* chain = nullptr;            // [n] of the branch in hand, from the root on
+    double* ratio = nullptr;             // [n] of the branch in hand: way to the root over the branch's
+    int8_t* side = nullptr;              // [n] of a branch
+    const int8_t* joint_side = nullptr;  // [n] left, right or between
     int32_t branches = 0, length = 0;
 
     bool allocate(Arena& arena, uint32_t joints);
@@ -61,6 +62,7 @@ class Branches {
   void give(int32_t i, int32_t k);
   int32_t cheapest(int32_t i, bool free) const;
   bool is_outbid(int32_t i) const;
+  bool same_side(int32_t t, int32_t s) const { return a_.joint_side[t] == b_.joint_side[s]; }
   double compare(bool mean);
   double choose(bool target_first);
   template <class Body>

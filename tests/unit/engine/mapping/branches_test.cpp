@@ -166,7 +166,8 @@ TEST(Branches, WrongCallsAreRefused) {
             SINEW_ERROR_NOT_FINITE);
   EXPECT_EQ(with([&](MapCall& c) { c.source_areas = but(-1); }), SINEW_ERROR_RANGE);
   EXPECT_EQ(with([&](MapCall& c) { c.target_areas = c.source_areas = std::vector<float>(a.count(), 0.0f); }), SINEW_OK);
-  EXPECT_EQ(with([&](MapCall& c) { c.target_areas = c.source_areas = std::vector<float>(a.count(), 3e38f); }), SINEW_OK);
+  EXPECT_EQ(with([&](MapCall& c) { c.target_areas = c.source_areas = std::vector<float>(a.count(), 3e38f); }),
+            SINEW_OK);
 }
 
 }  // namespace
