@@ -97,6 +97,9 @@ TEST(PublishedMapping, SamplesFindTheirLike) {
       const std::string &name = target->joints[t].name, &found = source_name(*source, map, t);
       EXPECT_FALSE(is_of_side(name, ".L") && is_of_side(found, ".R")) << name << " from " << found;
       EXPECT_FALSE(is_of_side(name, ".R") && is_of_side(found, ".L")) << name << " from " << found;
+      if (!is_of_side(name, ".L") && !is_of_side(name, ".R")) {
+        EXPECT_FALSE(is_of_side(found, ".L") || is_of_side(found, ".R")) << name << " from " << found;
+      }
       for (const char* part : {"hips", "head", "upper_arm", "forearm", "hand", "thigh", "shin"}) {
         if (name.rfind(part, 0) != 0 || name.find("end") != std::string::npos) continue;
         EXPECT_EQ(found, name) << target->name;
