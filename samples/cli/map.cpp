@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -28,8 +29,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kNoEnds = "none";  // of --ends, in place of a file
 
 struct Settings {
-  std::string target, source, preset, output = "-", method = "auto", up = "y", source_up, pins_file, ends_file, png,
-                                      level;
+  std::string target, source, preset, output = "-", method = "auto", cost = "mean", first = "both", up = "y", source_up,
+                                      pins_file, ends_file, png, level;
   std::vector<std::string> pins;
   bool no_names = false, json = false;
 };
@@ -144,6 +145,9 @@ Settings settled(Settings s) {
     throw UsageError("give the other skeleton with --from FILE, or the names of a standard rig with --to NAME");
   if (!s.preset.empty()) s.source = "template:" + s.preset;
   if (s.source_up.empty()) s.source_up = s.source.rfind("template:", 0) == 0 ? "y" : s.up;
+  for (const auto& [option, changed] : {std::pair("--cost", s.cost != "mean"), std::pair("--first", s.first != "both")})
+    if (changed && s.method != "branches")
+      throw UsageError(std::string(option) + " is for --method branches; found --method " + s.method);
   if (s.output != "-") check_output(s.output, {".txt", ".map", ".json"});
   if (!s.png.empty()) check_output(s.png, {".png"});
   return s;
@@ -153,6 +157,9 @@ MappedSkeleton map_joints(const Settings& s, const MapRig& target, const MapRig&
   MapSkeletonOptions options;
   options.method = s.method == "sinew" ? SINEW_MAP_SINEW : SINEW_MAP_AUTO;
   if (s.method == "branches") options.method = SINEW_MAP_BRANCHES;
+  options.branches_cost = s.cost == "sum" ? SINEW_BRANCHES_SUM : SINEW_BRANCHES_MEAN;
+  if (s.first == "target") options.branches_first = SINEW_BRANCHES_TARGET;
+  if (s.first == "source") options.branches_first = SINEW_BRANCHES_SOURCE;
   options.names = !s.no_names;
   options.ends = s.ends_file != kNoEnds;
   options.target_up = s.up[0];
@@ -216,6 +223,13 @@ void add_inputs(CLI::App* sub, Settings* s) {
          "Map what both skeletons keep at a level of sinew simplify. low: made at the high level, then reduced")
       ->type_name("high|low")
       ->check(CLI::IsMember({"high", "low"}));
+  sub->add_option("--cost", s->cost, "--method branches: two branches cost the mean or the sum of their joints' costs")
+      ->check(CLI::IsMember({"mean", "sum"}))
+      ->capture_default_str();
+  sub->add_option("--first", s->first,
+                  "--method branches: whose branches choose one of the other skeleton's each; both: the cheaper way")
+      ->check(CLI::IsMember({"both", "target", "source"}))
+      ->capture_default_str();
   sub->add_flag("--no-names", s->no_names, "Do not read the joints' names");
   sub->add_option(
          "--ends", s->ends_file,

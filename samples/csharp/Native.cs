@@ -30,6 +30,8 @@ namespace Sinew
     public enum Naming { Sinew = 0, Mixamo = 1, Vrm = 2, Unreal = 3, Rigify = 4, Makehuman = 5 }
     public enum TransferMethod { Auto = 0, Nearest = 1, Biharmonic = 2, Rebind = 3 }
     public enum TransferReason { Asked = 0, Style = 1, Mismatch = 2, Plain = 3, Near = 4, Far = 5, NoMatch = 6, Kept = 7 }
+    public enum BranchesFirst { Both = 0, Target = 1, Source = 2 }
+    public enum BranchesCost { Mean = 0, Sum = 1 }
     public enum SimplifyLevel { High = 0, Low = 1 }
     public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3 }
@@ -225,6 +227,8 @@ namespace Sinew
         {
             public uint struct_size, method, pin_count, reserved;
             public IntPtr pins;
+            public uint branches_first, branches_cost;
+            public IntPtr target_areas, source_areas, source_animated;
         }
 
         [StructLayout(LayoutKind.Sequential)]

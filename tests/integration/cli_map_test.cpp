@@ -81,6 +81,11 @@ TEST_F(CliMap, FilesOfOtherKindsAndPresets) {
   EXPECT_EQ(good("map template:unreal --from template:unreal").out.find(" -\n"), std::string::npos);
   for (const char* method : {"auto", "sinew", "branches"})
     EXPECT_GT(lines(good("map " + kRobed + " --from " + kRobot + " --no-names --up auto --method " + method).out), 10u);
+  for (const char* option : {"--cost mean", "--cost sum", "--first both", "--first target", "--first source"})
+    EXPECT_GT(lines(good("map " + kRobed + " --from " + kRobot + " --method branches " + option).out), 10u);
+  EXPECT_NE(bad(2, "map " + kRobed + " --from " + kRobot + " --cost sum").error.find("--method branches"),
+            std::string::npos);
+  bad(2, "map " + kRobed + " --from " + kRobot + " --method branches --first none");
   put(in("ends.tsv"), "biped__robed\tno such\n");
   EXPECT_NE(
       bad(1, "map " + kRobed + " --from " + kRobot + " --ends ends.tsv").error.find("ends.tsv:1: expected a joint"),

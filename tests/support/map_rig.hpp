@@ -71,7 +71,10 @@ struct MapCall {
   bool names = false, ends = true, up_known = true;
   uint32_t method = SINEW_MAP_AUTO;
   std::vector<sinew_map_pin> pins;
-  int fill = 0xCD;  // what the workspace holds before
+  uint32_t first = 0, cost = 0;                   // of branches
+  std::vector<float> target_areas, source_areas;  // empty: not known
+  std::vector<uint8_t> animated;                  // empty: all are
+  int fill = 0xCD;                                // what the workspace holds before
 
   sinew_status status = SINEW_OK;
   std::vector<int32_t> sources;
@@ -94,6 +97,11 @@ struct MapCall {
     options.method = method;
     options.pins = pins.data();
     options.pin_count = static_cast<uint32_t>(pins.size());
+    options.branches_first = first;
+    options.branches_cost = cost;
+    if (!target_areas.empty()) options.target_areas = target_areas.data();
+    if (!source_areas.empty()) options.source_areas = source_areas.data();
+    if (!animated.empty()) options.source_animated = animated.data();
     size_t bytes = 0;
     status = sinew_map_workspace_size(to.joint_count, from.joint_count, &bytes);
     if (status != SINEW_OK) return *this;

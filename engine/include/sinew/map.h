@@ -46,6 +46,12 @@ typedef struct sinew_map_options {
   uint32_t pin_count;        /* pins: kept as they are, and the rest follows them */
   uint32_t reserved;         /* 0 */
   const sinew_map_pin* pins; /* [pin_count] every target once, every source once; null for none */
+  /* The rest is for SINEW_MAP_BRANCHES alone (sinew/published.h). */
+  uint32_t branches_first;        /* sinew_branches_first */
+  uint32_t branches_cost;         /* sinew_branches_cost */
+  const float* target_areas;      /* [target J] share of the surface that moves with the joint, at least 0 */
+  const float* source_areas;      /* [source J] the same; where one of both is null no surface is compared */
+  const uint8_t* source_animated; /* [source J] 1: it moves; null = all do */
 } sinew_map_options;
 
 /* Options that ask for every default. */
@@ -99,10 +105,10 @@ SINEW_API sinew_status sinew_map_workspace_size(uint32_t target_count, uint32_t 
  *   SINEW_ERROR_COUNT       no joint or more than SINEW_MAX_JOINTS in a skeleton; with SINEW_MAP_BRANCHES more than 2^18 pairs
  *                           of branches, or more than 2^30 pairs of joints in them
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
- *   SINEW_ERROR_NOT_FINITE  a position is NaN or infinite
+ *   SINEW_ERROR_NOT_FINITE  a position or an area is NaN or infinite
  *   SINEW_ERROR_INDEX       a parent is no joint
  *   SINEW_ERROR_HIERARCHY   parents form a cycle
- *   SINEW_ERROR_RANGE       a pin names a joint that does not exist, or a joint twice */
+ *   SINEW_ERROR_RANGE       a pin names a joint that does not exist, or a joint twice; an area is below 0 */
 SINEW_API sinew_status sinew_map(const sinew_skeleton* target, const sinew_skeleton* source,
                                  const sinew_map_options* options, void* workspace, size_t workspace_bytes,
                                  sinew_map_outputs* outputs);

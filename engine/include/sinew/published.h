@@ -27,8 +27,10 @@ enum {
   /* sinew_rig_options: as SINEW_RIG_SHAPE, but from regions of the surface, their boxes and contacts, as published for
    * mapping skeletons. Nothing is mirrored */
   SINEW_RIG_REGIONS = 2,
-  /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints; several joints may get one
-   * source. SINEW_MAP_AUTO takes it too where it is built and fits better */
+  /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints (place, place in the branch,
+   * branches through it, bones, surface); several joints may get one source. Mirrored branches only get mirrored ones; what
+   * can only cross another's way gets the other root; every source joint that moves and has more than three bones is given to
+   * a joint. SINEW_MAP_AUTO takes it too where it is built and fits better */
   SINEW_MAP_BRANCHES = 2,
   /* sinew_deform_options: linear blending, then stretch, energy (k = 0.2) and volume of the lattice's tetrahedra with
    * contact by extended position-based dynamics, and smoothing of the bends in proportion to their angle */
@@ -37,6 +39,19 @@ enum {
    * less fits */
   SINEW_TRANSFER_BIHARMONIC = 2
 };
+
+/* sinew_map_options.branches_first: whose branches choose one of the other skeleton's each. Numbers are never reused. */
+typedef enum sinew_branches_first {
+  SINEW_BRANCHES_BOTH = 0, /* both ways are tried: the cheaper one */
+  SINEW_BRANCHES_TARGET = 1,
+  SINEW_BRANCHES_SOURCE = 2
+} sinew_branches_first;
+
+/* sinew_map_options.branches_cost: of two branches. Numbers are never reused. */
+typedef enum sinew_branches_cost {
+  SINEW_BRANCHES_MEAN = 0, /* of their pairs of joints */
+  SINEW_BRANCHES_SUM = 1   /* favours short branches */
+} sinew_branches_cost;
 
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
 #define SINEW_NO_FALLOFF (-1.0f)  /* sinew_reference_options.falloff: none, as drawn; 0 asks for the default */

@@ -8,7 +8,7 @@
 #include "sinew/map.h"
 #include "sinew/names.h"
 
-static_assert(sizeof(sinew_map_options) == 4 * sizeof(uint32_t) + sizeof(void*), "a hole in sinew_map_options");
+static_assert(sizeof(sinew_map_options) == 6 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_options");
 static_assert(sizeof(sinew_map_outputs) == 4 * sizeof(uint32_t) + 4 * sizeof(void*), "a hole in sinew_map_outputs");
 
 extern "C" {

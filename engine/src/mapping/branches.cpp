@@ -1,57 +1,96 @@
 // SPDX-License-Identifier: MIT
-// Node costs, the cheapest order-preserving assignment of two branches, mirrored branches together, fill-in.
+// Node costs, the cheapest order-preserving assignment of two branches, and which branch goes with which.
 #include "mapping/branches.hpp"
 
 namespace sinew::mapping {
 namespace {
 
-constexpr double kPosition = 10, kRatio = 2, kCentrality = 0.2, kDegree = 1;  // weights as published
-constexpr double kMirrored = 0.1;  // branches that are less alike are no pair
+// Weights as published; that of the surface is ours.
+constexpr double kPosition = 10, kRatio = 2, kCentrality = 0.2, kDegree = 1, kArea = 10;
+constexpr double kUsualBranches = 25;  // of these, because rigs with and without fingers have to be compared
+constexpr double kMirrored = 0.1;      // branches that are less alike are no pair
+constexpr double kSecondBest = 2;      // times the cost: what a branch pays for one of its own
+constexpr int32_t kMostRounds = 20;
 
 uint64_t table_cells(uint64_t target, uint64_t source) {
   return target * source < kMostBranchPairs ? target * source : kMostBranchPairs;
 }
 
+// The first joint below the root, or the root, on which two or more hang that are no ends; the root where none is.
+int32_t first_branching(const Hierarchy& rig) {
+  for (int32_t joint = rig.first_root(), only = joint; only >= 0; joint = only) {
+    int32_t count = 0;
+    only = -1;
+    each_kid(rig, joint, [&](int32_t kid) {
+      if (rig.end[kid] != 0) return;
+      only = kid;
+      ++count;
+    });
+    if (count > 1) return joint;
+  }
+  return rig.first_root();
+}
+
 }  // namespace
 
 bool Branches::Rig::allocate(Arena& arena, uint32_t joints) {
+  node = arena.alloc<uint8_t>(joints);
   at = arena.alloc<Point>(joints);
+  area = arena.alloc<double>(joints);
   root_distance = arena.alloc<double>(joints);
+  depth = arena.alloc<int32_t>(joints);
+  kids = arena.alloc<int32_t>(joints);
   leaves = arena.alloc<int32_t>(joints);
   mirror = arena.alloc<int32_t>(joints);
   through = arena.alloc<int32_t>(joints);
   chain = arena.alloc<int32_t>(joints);
   ratio = arena.alloc<double>(joints);
+  side = arena.alloc<int8_t>(joints);
   return arena.ok();
 }
 
-void Branches::Rig::prepare(const Hierarchy& hierarchy, const Frame& frame) {
-  rig = &hierarchy;
-  const Point root_at = rig->at[rig->first_root()];
-  double farthest = 0;
-  for (int32_t i = 0; i < rig->n; ++i) farthest = greater(farthest, distance(rig->at[i], root_at));
-  branches = 0;
+void Branches::Rig::prepare(const Anatomy& anatomy, const float* areas) {
+  rig = anatomy.rig;
+  joint_side = anatomy.side;
+  const Frame& frame = anatomy.frame;
+  root = first_branching(*rig);
+  const Point root_at = rig->at[anatomy.hip];
+  double farthest = 0, whole = 0;
   for (int32_t i = 0; i < rig->n; ++i) {
-    const Point p = (1 / greater(farthest, 1e-9)) * (rig->at[i] - root_at);
-    at[i] = {dot(p, frame.across), dot(p, frame.up), dot(p, frame.front)};
+    node[i] = i == root || (rig->holds(root, i) && rig->end[i] == 0) ? 1 : 0;
+    kids[i] = 0;
     through[i] = 0;
-    if (rig->kid_count(i) == 0) leaves[branches++] = i;
+    area[i] = areas != nullptr ? static_cast<double>(areas[i]) : 0;
+    whole += area[i];
+    if (node[i] != 0) farthest = greater(farthest, distance(rig->at[i], root_at));
   }
   for (int32_t k = 0; k < rig->n; ++k) {
     const int32_t i = rig->order[k], p = rig->parent[i];
-    root_distance[i] = p >= 0 ? root_distance[p] + rig->bone(i, p) : 0;
+    const Point q = (1 / greater(farthest, 1e-9)) * (rig->at[i] - root_at);
+    at[i] = {dot(q, frame.across), dot(q, frame.up), dot(q, frame.front)};
+    if (whole > 0) area[i] /= whole;
+    if (p >= 0 && node[i] != 0 && i != root && node[p] == 0) node[i] = 0;  // below an end
+    depth[i] = i == root || node[i] == 0 ? 0 : depth[p] + 1;
+    root_distance[i] = i == root || node[i] == 0 ? 0 : root_distance[p] + rig->bone(i, p);
+    if (i != root && node[i] != 0) ++kids[p];
+  }
+  branches = 0;
+  for (int32_t i = 0; i < rig->n; ++i) {
+    if (node[i] != 0 && kids[i] == 0) leaves[branches++] = i;
   }
   for (int32_t k = rig->n - 1; k >= 0; --k) {
     const int32_t i = rig->order[k];
-    if (rig->kid_count(i) == 0) through[i] = 1;
-    if (rig->parent[i] >= 0) through[rig->parent[i]] += through[i];
+    if (node[i] == 0) continue;
+    if (kids[i] == 0) through[i] = 1;
+    if (i != root) through[rig->parent[i]] += through[i];
   }
+  for (int32_t k = 0; k < branches; ++k) side[k] = anatomy.side[leaves[k]];
   find_mirrors();
 }
 
 void Branches::Rig::take(int32_t branch) {
   const int32_t leaf = leaves[branch];
-  length = rig->depth[leaf] + 1;
+  length = depth[leaf] + 1;
   const double whole = greater(root_distance[leaf], 1e-9);
   for (int32_t i = leaf, k = length; k > 0; i = rig->parent[i]) {
     chain[--k] = i;
@@ -66,13 +105,16 @@ void Branches::Rig::find_mirrors() {
     double least = 0;
     int32_t best = -1;
     for (int32_t j = 0; j < branches; ++j) {
-      const int32_t longer = rig->depth[leaves[j]] - rig->depth[leaves[i]];
+      const int32_t longer = depth[leaves[j]] - depth[leaves[i]];
       const double own = distance(image, at[leaves[j]]) + (longer < 0 ? -longer : longer);
       if (best >= 0 && !(own < least)) continue;
       best = j;
       least = own;
     }
     mirror[i] = least < kMirrored && best != i ? best : -1;
+  }
+  for (int32_t i = 0; i < branches; ++i) {  // both ways
+    if (mirror[i] >= 0 && mirror[mirror[i]] != i) mirror[i] = -1;
   }
 }
 
@@ -85,36 +127,38 @@ bool Branches::allocate(Arena& arena, uint32_t target_joints, uint32_t source_jo
   const size_t longest = target_joints > source_joints ? target_joints : source_joints;
   row_ = arena.alloc<double>(2 * (longest + 1));
   better_ = arena.alloc<uint8_t>((size_t{target_joints} + 1) * (size_t{source_joints} + 1));
-  choice_ = arena.alloc<int32_t>(target_joints);
+  choice_ = arena.alloc<int32_t>(longest);
+  holders_ = arena.alloc<int32_t>(longest);
   used_ = arena.alloc<uint8_t>(source_joints);
+  open_ = arena.alloc<uint8_t>(target_joints);
   return arena.ok();
 }
 
 double Branches::joint_cost(int32_t i, int32_t j) const {
-  const int32_t through = a_.through[i] - b_.through[j], degree = a_.degree(i) - b_.degree(j);
-  return kPosition * distance(a_.at[i], b_.at[j]) + kCentrality * (through < 0 ? -through : through) +
-         kDegree * (degree < 0 ? -degree : degree);
+  const int32_t degree = a_.degree(i) - b_.degree(j);
+  const double central =
+      absolute(static_cast<double>(a_.through[i]) / a_.branches - static_cast<double>(b_.through[j]) / b_.branches);
+  return kPosition * distance(a_.at[i], b_.at[j]) + kCentrality * kUsualBranches * central +
+         kDegree * (degree < 0 ? -degree : degree) + kArea * absolute(a_.area[i] - b_.area[j]);
 }
 
-uint64_t Branches::prepare(const Hierarchy& target, const Frame& target_frame, const Hierarchy& source,
-                           const Frame& source_frame) {
-  uint64_t lengths[2] = {0, 0}, leaves[2] = {0, 0};
+uint64_t Branches::prepare(const Anatomy& target, const float* target_areas, const Anatomy& source,
+                           const float* source_areas) {
+  const bool areas = target_areas != nullptr && source_areas != nullptr;
+  a_.prepare(target, areas ? target_areas : nullptr);
+  b_.prepare(source, areas ? source_areas : nullptr);
+  uint64_t lengths[2] = {0, 0};
   for (int r = 0; r < 2; ++r) {
-    const Hierarchy& rig = r == 0 ? target : source;
-    for (int32_t i = 0; i < rig.n; ++i) {
-      if (rig.kid_count(i) > 0) continue;
-      ++leaves[r];
-      lengths[r] += static_cast<uint64_t>(rig.depth[i]) + 1;
-    }
+    const Rig& rig = r == 0 ? a_ : b_;
+    for (int32_t k = 0; k < rig.branches; ++k) lengths[r] += static_cast<uint64_t>(rig.depth[rig.leaves[k]]) + 1;
   }
-  if (leaves[0] * leaves[1] > kMostBranchPairs || lengths[0] * lengths[1] > kMostBranchCells) return UINT64_MAX;
-  a_.prepare(target, target_frame);
-  b_.prepare(source, source_frame);
+  const uint64_t pairs = static_cast<uint64_t>(a_.branches) * static_cast<uint64_t>(b_.branches);
+  if (pairs > kMostBranchPairs || lengths[0] * lengths[1] > kMostBranchCells) return UINT64_MAX;
   return lengths[0] * lengths[1];
 }
 
 // Of the two branches in hand: every joint of the shorter gets one of the longer. Leaves where a later place is better.
-double Branches::compare() {
+double Branches::compare(bool mean) {
   const bool turned = a_.length > b_.length;
   const Rig &s = turned ? b_ : a_, &l = turned ? a_ : b_;
   const int32_t n = s.length, m = l.length;
@@ -137,126 +181,88 @@ double Branches::compare() {
     before = now;
     now = swap;
   }
-  return before[m];
+  return mean ? before[m] / n : before[m];
 }
 
-// The pairs of what compare() left, where they are cheaper than those of other branches.
-void Branches::keep_pairs(int32_t* sources, double* costs) {
-  const bool turned = a_.length > b_.length;
-  const int32_t n = turned ? b_.length : a_.length, m = turned ? a_.length : b_.length;
-  for (int32_t i = n, j = m; i > 0; --i, --j) {
-    while (better_[static_cast<size_t>(i) * (static_cast<size_t>(m) + 1) + static_cast<size_t>(j)] == 0) --j;
-    const int32_t t = turned ? a_.chain[j - 1] : a_.chain[i - 1], s = turned ? b_.chain[i - 1] : b_.chain[j - 1];
-    const double cost = stored_cost(t, s);
-    if (sources[t] >= 0 && !(cost < costs[t])) continue;
-    sources[t] = s;
-    costs[t] = cost;
-  }
+// Mirrored branches only to mirrored ones, of the same side.
+bool Branches::may_pair(int32_t i, int32_t k) const {
+  return (first_->mirror[i] >= 0) == (second_->mirror[k] >= 0) && first_->side[i] == second_->side[k];
 }
 
-double Branches::run(int32_t* sources, double* costs) {
-  const Hierarchy &a = *a_.rig, &b = *b_.rig;
-  const uint64_t cells = static_cast<uint64_t>(a.n) * static_cast<uint64_t>(b.n);
-  use_table_ = cells <= kMostBranchPairs;
-  for (int32_t i = 0; i < a.n; ++i) {
-    sources[i] = -1;
-    costs[i] = 0;
-    for (int32_t j = 0; j < b.n && use_table_; ++j) table_[i * b.n + j] = joint_cost(i, j);
-  }
-  for (int32_t i = 0; i < a_.branches; ++i) {
-    a_.take(i);
-    choice_[i] = 0;
-    double* const row = costs_ + static_cast<size_t>(i) * static_cast<size_t>(b_.branches);
-    for (int32_t j = 0; j < b_.branches; ++j) {
-      b_.take(j);
-      row[j] = compare();
-      if (row[j] < row[choice_[i]]) choice_[i] = j;
-    }
-  }
-  for (int32_t i = 0; i < a_.branches; ++i) {  // mirrored branches together
-    const int32_t other = a_.mirror[i];
-    if (other <= i) continue;
+// What it costs that branch i of the first rig gets branch k of the other, and i's mirror image that of k.
+double Branches::mirrored_cost(int32_t i, int32_t k) const {
+  const Rig &one = *first_, &other = *second_;
+  const int32_t twin = one.mirror[i], image = other.mirror[k];
+  return choice_cost(i, k) + (twin >= 0 && image >= 0 ? choice_cost(twin, image) : 0);
+}
+
+void Branches::take_over(int32_t i, int32_t k) {
+  if (choice_[i] >= 0) --holders_[choice_[i]];
+  choice_[i] = k;
+  ++holders_[k];
+}
+
+void Branches::give(int32_t i, int32_t k) {
+  const int32_t twin = first_->mirror[i], image = second_->mirror[k];
+  take_over(i, k);
+  if (twin >= 0) take_over(twin, image >= 0 ? image : k);
+}
+
+// The cheapest branch of the other rig for branch i of the first: one of its kind, else any. `free`: that nobody has.
+int32_t Branches::cheapest(int32_t i, bool free) const {
+  for (int pass = 0; pass < 2; ++pass) {
     double least = 0;
     int32_t best = -1;
-    for (int32_t k = 0; k < b_.branches; ++k) {
-      if (b_.mirror[k] < 0) continue;
-      const double own =
-          costs_[static_cast<size_t>(i) * static_cast<size_t>(b_.branches) + static_cast<size_t>(k)] +
-          costs_[static_cast<size_t>(other) * static_cast<size_t>(b_.branches) + static_cast<size_t>(b_.mirror[k])];
+    for (int32_t k = 0; k < second_->branches; ++k) {
+      if ((pass == 0 && !may_pair(i, k)) || (free && holders_[k] > 0)) continue;
+      const double own = mirrored_cost(i, k);
       if (best >= 0 && !(own < least)) continue;
       best = k;
       least = own;
     }
-    if (best < 0) continue;
-    choice_[i] = best;
-    choice_[other] = b_.mirror[best];
+    if (best >= 0 || free) return best;
   }
-  for (int32_t i = 0; i < a_.branches; ++i) {
-    a_.take(i);
-    b_.take(choice_[i]);
-    (void)compare();
-    keep_pairs(sources, costs);
-  }
-  const int32_t top = a.first_root();
-  if (sources[top] != b.first_root()) {
-    sources[top] = b.first_root();
-    costs[top] = stored_cost(top, sources[top]);
-  }
-  double sum = 0;
-  int32_t pairs = 0;
-  for (int32_t i = 0; i < a.n; ++i) {
-    if (sources[i] < 0) continue;
-    sum += costs[i];
-    ++pairs;
-  }
-  fill_in(sources, costs);
-  return sum / pairs;
+  return -1;
 }
 
-// Whether t -> s would cross the way of an ancestor or of a joint below.
-bool Branches::crosses(int32_t t, int32_t s, const int32_t* sources) const {
-  const Hierarchy &a = *a_.rig, &b = *b_.rig;
-  for (int32_t i = a.parent[t]; i >= 0; i = a.parent[i]) {
-    if (sources[i] >= 0 && sources[i] != s && b.holds(s, sources[i])) return true;
+// A branch of the other rig for each of the first one's. Returns the mean of their costs.
+double Branches::choose(bool target_first) {
+  first_ = target_first ? &a_ : &b_;
+  second_ = target_first ? &b_ : &a_;
+  const int32_t count = first_->branches;
+  for (int32_t i = 0; i < count; ++i) choice_[i] = -1;
+  for (int32_t k = 0; k < second_->branches; ++k) holders_[k] = 0;
+  const auto leads = [&](int32_t i) {
+    return first_->mirror[i] < 0 || first_->mirror[i] > i;
+  };  // of two that go together
+  for (int32_t i = 0; i < count; ++i) {
+    if (leads(i)) give(i, cheapest(i, false));
   }
-  for (int32_t k = a.position[t] + 1; k < a.position[t] + a.count[t]; ++k) {
-    const int32_t below = sources[a.order[k]];
-    if (below >= 0 && below != s && b.holds(below, s)) return true;
-  }
-  return false;
-}
-
-void Branches::fill_in(int32_t* sources, double* costs) {
-  const Hierarchy &a = *a_.rig, &b = *b_.rig;
-  for (int32_t k = a.n - 1; k >= 0; --k) {  // a child's, else the parent's
-    const int32_t t = a.order[k];
-    if (sources[t] >= 0) continue;
-    int32_t taken = -1;
-    each_kid(a, t, [&](int32_t kid) {
-      if (taken < 0 && sources[kid] >= 0 && !crosses(t, sources[kid], sources)) taken = sources[kid];
-    });
-    const int32_t p = a.parent[t];
-    if (taken < 0 && p >= 0 && sources[p] >= 0 && !crosses(t, sources[p], sources)) taken = sources[p];
-    if (taken < 0) continue;
-    sources[t] = taken;
-    costs[t] = stored_cost(t, taken);
-  }
-  for (int32_t j = 0; j < b.n; ++j) used_[j] = 0;
-  for (int32_t i = 0; i < a.n; ++i) {
-    if (sources[i] >= 0) used_[sources[i]] = 1;
-  }
-  for (int32_t k = 0; k < a.n; ++k) {  // an idle joint for one of two on the same source
-    const int32_t t = a.order[k], p = a.parent[t];
-    if (p < 0 || sources[t] < 0 || sources[p] != sources[t]) continue;
-    for (int32_t c = 0; c < b.kid_count(sources[p]); ++c) {
-      const int32_t idle = b.kid(sources[p], c);
-      if (used_[idle] != 0 || crosses(t, idle, sources)) continue;
-      sources[t] = idle;
-      costs[t] = stored_cost(t, idle);
-      used_[idle] = 1;
-      break;
+  bool changed = true;
+  for (int32_t round = 0; changed && round < kMostRounds; ++round) {
+    changed = false;
+    for (int32_t i = 0; i < count; ++i) {
+      if (!leads(i) || !is_outbid(i)) continue;
+      const int32_t other = cheapest(i, true);
+      if (other < 0 || !(mirrored_cost(i, other) < kSecondBest * mirrored_cost(i, choice_[i]))) continue;
+      give(i, other);
+      changed = true;
     }
   }
+  double sum = 0;
+  for (int32_t i = 0; i < count; ++i) sum += choice_cost(i, choice_[i]);
+  return sum / count;
+}
+
+// Whether another branch has the same one more cheaply.
+bool Branches::is_outbid(int32_t i) const {
+  for (int32_t j = 0; j < first_->branches; ++j) {
+    if (j != i && j != first_->mirror[i] && choice_[j] == choice_[i] &&
+        choice_cost(j, choice_[j]) < choice_cost(i, choice_[i])) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace sinew::mapping

@@ -20,6 +20,14 @@ constexpr double kGuess = 0.08;                         // how much more alike r
 constexpr double kNearlyEqual = 0.5;                    // mean cost of a pair of joints by branches
 constexpr uint64_t kMostAutoCells = uint64_t{1} << 22;  // pairs of joints that are compared without being asked
 
+sinew_status check_areas(const float* areas, uint32_t joints) {
+  for (uint32_t j = 0; j < joints && areas != nullptr; ++j) {
+    if (!(areas[j] - areas[j] == 0)) return SINEW_ERROR_NOT_FINITE;
+    if (areas[j] < 0) return SINEW_ERROR_RANGE;
+  }
+  return SINEW_OK;
+}
+
 // A rig with what is known of it.
 struct Side {
   Hierarchy rig;
@@ -213,6 +221,8 @@ class MapRun {
     const bool names = plan_.target.names != nullptr && plan_.source.names != nullptr;
     sinew_status status = target_.rig.build(plan_.target, names);
     if (status == SINEW_OK) status = source_.rig.build(plan_.source, names);
+    if (status == SINEW_OK) status = check_areas(plan_.options.target_areas, n_);
+    if (status == SINEW_OK) status = check_areas(plan_.options.source_areas, m_);
     if (status != SINEW_OK) return status;
     target_.read_up(plan_.target);
     source_.read_up(plan_.source);
@@ -264,12 +274,14 @@ class MapRun {
       // Rigs of which little could be read, such as an animal of a thousand spines, may be nearly equal all the same.
       const bool odd =
           automatic && !pins_.any && !same_ && 10 * mapped_count(own_.sources, n_) < 6 * (n_ < m_ ? n_ : m_);
-      const uint64_t cells =
-          asked || odd ? branches.prepare(target_.rig, target_.anatomy.frame, source_.rig, source_.anatomy.frame)
-                       : UINT64_MAX;
+      const uint64_t cells = asked || odd ? branches.prepare(target_.anatomy, plan_.options.target_areas,
+                                                             source_.anatomy, plan_.options.source_areas)
+                                          : UINT64_MAX;
       if (asked && cells == UINT64_MAX) return SINEW_ERROR_COUNT;
       if (asked || cells < kMostAutoCells) {
-        const double cost = branches.run(published_.sources, published_.costs);
+        const double cost =
+            branches.run(plan_.options.branches_first, plan_.options.branches_cost == SINEW_BRANCHES_MEAN,
+                         plan_.options.source_animated, published_.sources, published_.costs);
         if (asked || cost < kNearlyEqual) method_ = SINEW_MAP_BRANCHES;
       }
     }
@@ -327,7 +339,7 @@ class MapRun {
 
 sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source, const sinew_map_options* options,
                       MapPlan* plan) {
-  constexpr uint32_t kFirstOptions = sizeof(sinew_map_options);
+  constexpr uint32_t kFirstOptions = offsetof(sinew_map_options, branches_first);
   sinew_status status = read_skeleton(target, &plan->target);
   if (status == SINEW_OK) status = read_skeleton(source, &plan->source);
   plan->options = sinew_map_options_init();
@@ -342,6 +354,7 @@ sinew_status plan_map(const sinew_skeleton* target, const sinew_skeleton* source
   for (const sinew_skeleton* rig : rigs) {
     if (rig->joint_count == 0 || rig->joint_count > SINEW_MAX_JOINTS) return SINEW_ERROR_COUNT;
   }
+  if (o.branches_first > SINEW_BRANCHES_SOURCE || o.branches_cost > SINEW_BRANCHES_SUM) return SINEW_ERROR_ARGUMENT;
   for (uint32_t k = 0; k < o.pin_count; ++k) {
     if (o.pins[k].target >= plan->target.joint_count || o.pins[k].source < -1 ||
         o.pins[k].source >= static_cast<int32_t>(plan->source.joint_count)) {

@@ -109,6 +109,8 @@ export class Skin extends Binder {
       const outputs = blocks.struct("mapOutputs", arrays);
       const settings = blocks.struct("mapOptions", {
         method: choice(options.method, WORDS.mapMethod, "map: options.method"),
+        branches_first: choice(options.branchesFirst, WORDS.branchesFirst, "map: options.branchesFirst"),
+        branches_cost: choice(options.branchesCost, WORDS.branchesCost, "map: options.branchesCost"),
         pin_count: pins.length,
         pins: pins.length > 0 ? blocks.copy(Int32Array.from(pins.flatMap((pin) => [pin.target, pin.source]))) : 0,
       });

@@ -290,7 +290,12 @@ export class Skin {
   openModel(bytes: ArrayBuffer | ArrayBufferView): Model;
   bind(mesh: Mesh, skeleton: Skeleton, options?: BindOptions): Bound;
   rig(mesh: Mesh, options?: RigOptions): Rig;
-  map(target: MapRig, source: MapRig, options?: { method?: "auto" | "sinew" | "branches"; pins?: { target: number; source: number }[] }): JointMap;
+  map(target: MapRig, source: MapRig, options?: {
+    method?: "auto" | "sinew" | "branches";
+    /** branches alone: whose branches choose, and what two of them cost */
+    branchesFirst?: "both" | "target" | "source";
+    branchesCost?: "mean" | "sum";
+    pins?: { target: number; source: number }[] }): JointMap;
   retarget(source: MotionRig, target: MotionRig, options?: RetargetOptions): Retarget;
   deformer(mesh: Mesh, skeleton: Skeleton, skin: SkinRows, options?: DeformOptions): Deformer;
   pose(positions: Numbers<Float32Array>, skin: SkinRows, palette: Numbers<Float32Array>, options?: { dualQuaternion?: boolean }): Float32Array;

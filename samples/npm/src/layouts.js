@@ -49,7 +49,9 @@ export const LAYOUTS = {
   deformOutputs: layout(20,
     "struct_size@0:u32 corrected@4:u32 positions@8:u32 active_tetrahedra@12:u32 inverted_tetrahedra@16:u32"),
   mapPin: layout(8, "target@0:u32 source@4:i32"),
-  mapOptions: layout(20, "struct_size@0:u32 method@4:u32 pin_count@8:u32 reserved@12:u32 pins@16:u32"),
+  mapOptions: layout(40,
+    "struct_size@0:u32 method@4:u32 pin_count@8:u32 reserved@12:u32 pins@16:u32 branches_first@20:u32 branches_cost@24:u32 " +
+    "target_areas@28:u32 source_areas@32:u32 source_animated@36:u32"),
   mapOutputs: layout(32,
     "struct_size@0:u32 method@4:u32 sources@8:u32 confidence@12:u32 reasons@16:u32 mapped@20:u32 certainty@24:u32 " +
     "used_bytes@28:u32"),
@@ -216,6 +218,8 @@ export const WORDS = {
   naming: ["sinew", "mixamo", "vrm", "unreal", "rigify", "makehuman"],
   transferMethod: ["auto", "nearest", "biharmonic", "rebind"],
   transferReason: ["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"],
+  branchesFirst: ["both", "target", "source"],
+  branchesCost: ["mean", "sum"],
   simplifyLevel: ["high", "low"],
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions"],

@@ -19,6 +19,9 @@ struct MapRig {
   std::string name;           // the file, for messages
   std::vector<Joint> joints;  // at least one
   std::vector<uint8_t> ends;  // [J] 1: only says where a bone ends; empty = not known
+  // For SINEW_MAP_BRANCHES.
+  std::vector<float> areas;       // [J] share of the surface that moves with the joint; empty = no mesh is bound
+  std::vector<uint8_t> animated;  // [J] 1: a clip moves it; empty = not known
 };
 
 // From .rig.txt, .txt, .obj with its .rig.txt, .gltf, .glb, .vrm, .fbx, .dae, .bvh, or template:NAME. Where the file has skin
@@ -31,6 +34,7 @@ MapRig map_rig_of(const Motion& motion);
 
 struct MapSkeletonOptions {
   uint32_t method = SINEW_MAP_AUTO;
+  uint32_t branches_first = SINEW_BRANCHES_BOTH, branches_cost = SINEW_BRANCHES_MEAN;
   bool names = true, ends = true;         // whether they are read
   char target_up = 'y', source_up = 'y';  // x, y, z, or a for not known
   std::vector<sinew_map_pin> pins;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include "sinew/names.h"
@@ -52,6 +54,55 @@ sinew_skeleton view_of(const MapRig& rig, char up, std::vector<float>* positions
   return view;
 }
 
+// [J] each face's area, shared by the joints that its corners follow; vertices alike where there is no face. Empty without
+// weights.
+std::vector<float> bound_areas(const Character& c) {
+  std::vector<double> sums(c.joints.size(), 0.0);
+  double whole = 0;
+  for (size_t f = 0; f + 1 < c.face_offsets.size() && !c.influences.empty(); ++f) {
+    const uint32_t first = c.face_offsets[f], end = c.face_offsets[f + 1];
+    double normal[3] = {0, 0, 0};
+    for (uint32_t k = first; k < end; ++k) {
+      const Vec3 &p = c.vertices[c.face_vertices[k]], &q = c.vertices[c.face_vertices[k + 1 < end ? k + 1 : first]];
+      normal[0] += double{p.y} * q.z - double{p.z} * q.y;
+      normal[1] += double{p.z} * q.x - double{p.x} * q.z;
+      normal[2] += double{p.x} * q.y - double{p.y} * q.x;
+    }
+    const double area = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]) / 2;
+    for (uint32_t k = first; k < end; ++k) {
+      for (const Influence& influence : c.influences[c.face_vertices[k]]) {
+        const double own = area / (end - first) * influence.weight;
+        sums[influence.joint] += own;
+        whole += own;
+      }
+    }
+  }
+  for (size_t v = 0; v < c.influences.size() && !(whole > 0); ++v)  // a rig.txt without its mesh
+    for (const Influence& influence : c.influences[v]) sums[influence.joint] += influence.weight;
+  if (!(whole > 0)) whole = std::accumulate(sums.begin(), sums.end(), 0.0);
+  if (!(whole > 0) || !std::isfinite(whole)) return {};
+  std::vector<float> areas;
+  for (const double sum : sums) areas.push_back(static_cast<float>(sum / whole));
+  return areas;
+}
+
+// [J] what some frame of some clip turns or moves away from its first; empty without clips.
+std::vector<uint8_t> animated_joints(const Motion& motion) {
+  if (motion.clips.empty()) return {};
+  std::vector<uint8_t> animated(motion.joints.size(), 0);
+  for (const Clip& clip : motion.clips) {
+    for (const MotionFrame& frame : clip.frames) {
+      for (size_t j = 0; j < animated.size(); ++j) {
+        const MotionFrame& first = clip.frames[0];
+        const bool turns = j < frame.rotations.size() && frame.rotations[j] != first.rotations[j];
+        const bool moves = j < frame.translations.size() && frame.translations[j] != first.translations[j];
+        if (turns || moves) animated[j] = 1;
+      }
+    }
+  }
+  return animated;
+}
+
 }  // namespace
 
 MapRig map_rig_of(const Character& character) {
@@ -67,6 +118,7 @@ MapRig map_rig_of(const Character& character) {
     }
   }
   if (!any) return rig;
+  rig.areas = bound_areas(character);
   rig.ends.assign(rig.joints.size(), 1);
   for (size_t j = 0; j < rig.joints.size(); ++j) {
     if (weight[j] > kSomeWeight) rig.ends[j] = 0;
@@ -79,6 +131,7 @@ MapRig map_rig_of(const Motion& motion) {
   MapRig rig;
   rig.name = motion.name;
   rig.joints = rest_joints(motion);
+  rig.animated = animated_joints(motion);
   std::vector<size_t> children(motion.joints.size(), 0);
   for (const MotionJoint& joint : motion.joints)
     if (joint.parent >= 0) ++children[static_cast<size_t>(joint.parent)];
@@ -126,6 +179,13 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
   settings.method = options.method;
   settings.pins = options.pins.data();
   settings.pin_count = static_cast<uint32_t>(options.pins.size());
+  if (options.method == SINEW_MAP_BRANCHES) {
+    settings.branches_first = options.branches_first;
+    settings.branches_cost = options.branches_cost;
+    if (!target.areas.empty()) settings.target_areas = target.areas.data();
+    if (!source.areas.empty()) settings.source_areas = source.areas.data();
+    if (!source.animated.empty()) settings.source_animated = source.animated.data();
+  }
   const auto check = [&](sinew_status status) {
     if (status != SINEW_OK)
       throw Error(target.name + " from " + source.name + ": cannot map, " + sinew_status_text(status));

@@ -91,6 +91,10 @@ TransferMethod = Literal["auto", "nearest", "biharmonic", "rebind"]
 TRANSFER_METHOD: Tuple[str, ...] = ("auto", "nearest", "biharmonic", "rebind")
 TransferReason = Literal["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"]
 TRANSFER_REASON: Tuple[str, ...] = ("asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept")
+BranchesFirst = Literal["both", "target", "source"]
+BRANCHES_FIRST: Tuple[str, ...] = ("both", "target", "source")
+BranchesCost = Literal["mean", "sum"]
+BRANCHES_COST: Tuple[str, ...] = ("mean", "sum")
 SimplifyLevel = Literal["high", "low"]
 SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
 FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
@@ -187,7 +191,8 @@ class sinew_map_pin(Structure):
 
 class sinew_map_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("pin_count", c_uint32), ("reserved", c_uint32),
-        ("pins", POINTER(sinew_map_pin))]
+        ("pins", POINTER(sinew_map_pin)), ("branches_first", c_uint32), ("branches_cost", c_uint32), ("target_areas", c_void_p),
+        ("source_areas", c_void_p), ("source_animated", c_void_p)]
 
 
 class sinew_map_outputs(Structure):
