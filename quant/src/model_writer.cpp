@@ -101,6 +101,17 @@ std::vector<uint8_t> write_model(const IntegerModel& model) {
   return bytes;
 }
 
+std::vector<uint8_t> with_second_network(std::vector<uint8_t> first, const std::vector<uint8_t>& second) {
+  const size_t end = first.size();
+  first.resize(end + kSecondHeader, 0);
+  first.insert(first.end(), second.begin(), second.end());
+  store_u32(first.data() + end, kSecondTag);
+  store_u32(first.data() + end + 4, static_cast<uint32_t>(first.size() - end));
+  store_u64(first.data() + kHeaderSize, first.size());
+  seal_model(&first);
+  return first;
+}
+
 std::vector<uint8_t> write_confidence(const std::vector<uint8_t>& model, size_t parameters_end,
                                       const std::vector<ConfidenceEntry>& entries) {
   std::vector<uint8_t> bytes(model.begin(), model.begin() + static_cast<std::ptrdiff_t>(parameters_end));

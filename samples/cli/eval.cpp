@@ -122,7 +122,7 @@ void add_rig_study(CLI::App* parent) {
   add_folder(sub, &s->folder, &s->jobs);
   shared_option(sub, "--model", s->model, "Of skeletons")->default_str("bundled");
   shared_option(sub, "--method", s->method,
-                "shape and regions need no model; slots: the published method, of --model CKPT; votes unless given")
+                "shape and regions need no model; slots: the published method, by its own model; votes unless given")
       ->check(CLI::IsMember({"votes", "shape", "regions", "slots"}));
   shared_option(sub, "--checkpoint", s->checkpoint, "Measured beside the model that was made of it");
   sub->add_option("--predictions", s->predictions, "Folder to read the predicted NAME.rig.txt of every character from")

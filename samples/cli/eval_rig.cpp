@@ -74,7 +74,6 @@ double measure_owned(const Character& character, const TargetSkeleton& target, c
 struct Predictor {
   uint32_t method = SINEW_RIG_VOTES;
   std::unique_ptr<LoadedModel> model;
-  std::optional<FloatNetwork> slots;
   std::string folder;                    // of predictions
   std::optional<FloatNetwork> in_float;  // measured beside the model
 
@@ -86,7 +85,6 @@ struct Predictor {
   }
 
   PredictedSkeleton skeleton(const Character& character, const FoundCharacter& found) const {
-    if (slots) return predict_slots(character, *slots, {});
     if (!folder.empty()) return skeleton_from_joints(read_prediction(prediction_of(found, folder)));
     return predict_skeleton(character, options());
   }
@@ -161,9 +159,10 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
     throw Error(evaluation.predictions + ": expected a folder of predicted NAME.rig.txt, found no such folder");
   Predictor predictor;
   predictor.folder = evaluation.predictions;
-  if (evaluation.method == "slots")
-    predictor.slots = load_slots(evaluation.model);
-  else if (evaluation.method == "shape")
+  if (evaluation.method == "slots") {
+    predictor.method = SINEW_RIG_SLOTS;
+    predictor.model = load_model(evaluation.model, ModelUse::kSlotJoints);
+  } else if (evaluation.method == "shape")
     predictor.method = SINEW_RIG_SHAPE;
   else if (evaluation.method == "regions")
     predictor.method = SINEW_RIG_REGIONS;

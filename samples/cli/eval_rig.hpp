@@ -13,11 +13,11 @@ struct RigEvaluation {
   std::string folder;       // rigged characters
   std::string predictions;  // NAME.rig.txt of each of them, of which only joints are read; empty: the model predicts
   std::string model;        // of skeletons; empty: the bundled one
-  std::string method;  // "" or "votes"; "shape" needs no model; "slots": the model is a checkpoint of the published one
-  std::string output;  // file for all figures; may be empty
-  bool json = false;   // all figures on standard output instead of the table
-  bool bind = false;   // with the bundled model of weights: what moves the surface
-  std::string report;  // HTML page with a picture of every character; may be empty
+  std::string method;       // "" or "votes"; "shape" and "regions" need no model; "slots": the model is one of those
+  std::string output;       // file for all figures; may be empty
+  bool json = false;        // all figures on standard output instead of the table
+  bool bind = false;        // with the bundled model of weights: what moves the surface
+  std::string report;       // HTML page with a picture of every character; may be empty
   std::vector<std::pair<std::string, std::string>> facts;  // of the report: how its numbers were made
   unsigned jobs = 1;
   std::string checkpoint;  // of the float network that the model was made of, to measure beside it; may be empty

@@ -18,9 +18,11 @@
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/print.hpp"
+#include "sinew_quant/model_writer.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
 #include "sinew_trainer/network.hpp"
+#include "sinew_trainer/slot_difference.hpp"
 #include "sinew_trainer/train.hpp"
 #include "sinew_trainer/vote_difference.hpp"
 #include "sinew_trainer/weight_difference.hpp"
@@ -30,7 +32,12 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string checkpoint, folder, output, release, confidence;
+  std::string checkpoint, folder, compared, output, release, confidence;
+  // What the integers are measured on beside float, and a remark where ranges are of the same characters.
+  const std::string& measured_on() const { return compared.empty() ? folder : compared; }
+  const char* remark() const {
+    return compared.empty() ? ", the calibrated ones among them (--compare DIR: others)" : "";
+  }
   unsigned characters = 40;
   double correction = 0;  // 0 = the checkpoint's
   QuantizeOptions options;
@@ -48,11 +55,11 @@ std::string add_confidence(const Settings& s, std::vector<uint8_t>* bytes) {
   return print("confidence fitted on %zu characters: %zu entries\n", judged.size(), entries.size());
 }
 
-std::vector<Sample> load_calibration(const Settings& s, const FloatNetwork& network) {
+std::vector<Sample> load_samples_of(const std::string& folder, unsigned characters, const FloatNetwork& network) {
   std::optional<Progress> progress;
-  return calibration_samples(s.folder, s.characters, network.candidate_count, network.grid_size, network.feature_set,
+  return calibration_samples(folder, characters, network.candidate_count, network.grid_size, network.feature_set,
                              [&](size_t, size_t total) {
-                               if (!progress) progress.emplace(total, "characters to calibrate on");
+                               if (!progress) progress.emplace(total, "characters read");
                                progress->step();
                              });
 }
@@ -103,7 +110,8 @@ void say(const Settings& s, const QuantizedModel& model, size_t calibrated, cons
       "%.2f %% of the weights differ by more than 1/255\n",
       s.output.c_str(), model.bytes.size(), 100 * loss.all.flip_share(), 100 * loss.worst_flips, loss.worst.c_str(),
       100 * (1 - loss.all.close_share()));
-  std::printf("calibrated on %zu characters, compared on %zu\n%s\n", calibrated, loss.characters, confidence.c_str());
+  std::printf("calibrated on %zu characters, compared on %zu%s\n%s\n", calibrated, loss.characters, s.remark(),
+              confidence.c_str());
   show_layers(model);
   std::printf("\nnext: sinew eval %s --model %s\n", s.confidence.empty() ? s.folder.c_str() : s.confidence.c_str(),
               s.output.c_str());
@@ -116,15 +124,34 @@ void release(const Settings& s, const FloatNetwork& network) {
   write_checkpoint(s.release, weights);
 }
 
+// Both networks of the published method become one file.
+void quantize_slots(const Settings& s, const FloatNetwork& network) {
+  const SlotNetworks networks = calibrate_slots(network, s.folder, s.characters);
+  const QuantizedModel joints = quantize(networks.joints, networks.joint_ranges, s.options),
+                       connections = quantize(networks.connections, networks.connection_ranges, s.options);
+  const std::vector<uint8_t> bytes = with_second_network(joints.bytes, connections.bytes);
+  write_file(s.output, bytes);
+  release(s, network);
+  if (s.quiet) return;
+  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(bytes, s.output, ModelUse::kSlotJoints);
+  constexpr size_t kCompared = 16;
+  const SlotDifference d = compare_slots(network, loaded->model, s.measured_on(), kCompared);
+  std::printf(
+      "%s: %zu bytes; beside the float network joints move by %.5f of the longest side (at most %.5f), %.2f %% of the "
+      "slots and %.2f %% of the connections stay as they are; %zu characters compared%s\n",
+      s.output.c_str(), bytes.size(), d.mean, d.most, 100 * d.same_presence, 100 * d.same_connections, d.characters,
+      s.remark());
+  show_layers(joints);
+  show_layers(connections);
+  std::printf("\nnext: sinew rig MESH.obj --method slots --model %s\n", s.output.c_str());
+}
+
 // A network of skeletons: no confidences, and votes instead of weights to compare.
 void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
-  if (checkpoint.network.architecture == "slots")
-    throw Error(s.checkpoint +
-                ": a network of slots stays in float; use it as it is: sinew rig MESH --method slots --model " +
-                s.checkpoint);
   if (!s.confidence.empty() || s.correction > 0)
     throw UsageError(s.checkpoint +
                      " predicts skeletons: --calibrate-confidence and --correction are for skin weights");
+  if (checkpoint.network.architecture == "slots") return quantize_slots(s, checkpoint.network);
   const QuantizedModel model =
       quantize(checkpoint.network, calibrate_rig(checkpoint.network, s.folder, s.characters), s.options);
   write_file(s.output, model.bytes);
@@ -133,12 +160,12 @@ void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
   const std::unique_ptr<LoadedModel> loaded = model_from_bytes(
       model.bytes, s.output, checkpoint.network.feature_set == kHandsFeatureSet ? ModelUse::kHands : ModelUse::kRig);
   constexpr size_t kCompared = 16;
-  const VoteDifference d = compare_votes(checkpoint.network, loaded->model, s.folder, kCompared);
+  const VoteDifference d = compare_votes(checkpoint.network, loaded->model, s.measured_on(), kCompared);
   std::printf(
       "%s: %zu bytes; beside the float network votes move by %.5f of the longest side (at most %.5f), %.2f %% keep "
       "their "
-      "class; %zu characters compared\n",
-      s.output.c_str(), model.bytes.size(), d.mean, d.most, 100 * d.same_class, d.characters);
+      "class; %zu characters compared%s\n",
+      s.output.c_str(), model.bytes.size(), d.mean, d.most, 100 * d.same_class, d.characters, s.remark());
   show_layers(model);
   std::printf("\nnext: sinew rig MESH.obj --model %s\n", s.output.c_str());
 }
@@ -162,7 +189,7 @@ void run(const Settings& s) {
   Checkpoint checkpoint = read_checkpoint(s.checkpoint);
   if (checkpoint.network.task == kTaskRig) return quantize_rig(s, checkpoint);
   if (s.correction > 0) change_correction(s.correction, s.checkpoint, &checkpoint);
-  const std::vector<Sample> samples = load_calibration(s, checkpoint.network);
+  const std::vector<Sample> samples = load_samples_of(s.folder, s.characters, checkpoint.network);
   QuantizedModel model = quantize(checkpoint.network, calibrate(checkpoint.network, samples), s.options);
   std::string confidence;
   if (!s.confidence.empty()) confidence = add_confidence(s, &model.bytes);
@@ -170,7 +197,10 @@ void run(const Settings& s) {
   release(s, checkpoint.network);
   if (s.quiet) return;
   const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output);
-  say(s, model, samples.size(), measure_loss(checkpoint.network, loaded->model, samples), confidence);
+  const std::vector<Sample> others =
+      s.compared.empty() ? std::vector<Sample>() : load_samples_of(s.compared, s.characters, checkpoint.network);
+  say(s, model, samples.size(), measure_loss(checkpoint.network, loaded->model, s.compared.empty() ? samples : others),
+      confidence);
 }
 
 }  // namespace
@@ -184,6 +214,11 @@ void add_quantize(CLI::App& app) {
       ->type_name("CKPT");
   shared_option(sub, "-o,--output", s->output, "A model (.sinew)")->required();
   shared_option(sub, "--calibrate", s->folder);
+  sub->add_option(
+         "--compare", s->compared,
+         "Characters to measure the integers on beside float; those of --calibrate unless given, whose ranges are "
+         "known")
+      ->type_name("DIR");
   sub->add_option("--calibrate-confidence", s->confidence,
                   "Characters outside the training data, of many families, for the table of confidence. The model "
                   "learns from them how often its strongest joint is right (sinew eval confidence tells how well that "

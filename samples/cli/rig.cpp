@@ -44,15 +44,12 @@ struct Settings {
 
 struct Models {
   std::unique_ptr<LoadedModel> rig, bind, hands;
-  FloatNetwork slots;  // in place of rig, with --method slots
 };
 
 Models load_models(const Settings& s) {
   Models models;
-  if (s.method.slots())
-    models.slots = load_slots(s.model);
-  else if (s.prediction.empty() && !s.method.extracts())
-    models.rig = load_model(s.model, ModelUse::kRig);
+  if (s.prediction.empty() && !s.method.extracts())
+    models.rig = load_model(s.model, s.method.slots() ? ModelUse::kSlotJoints : ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   if (s.detail != "body") models.hands = load_model(s.hands_model, ModelUse::kHands);
   return models;
@@ -63,6 +60,7 @@ using Rigged = RiggedCharacter;
 RigJobOptions job_options(const Settings& s) {
   RigJobOptions job;
   job.method = s.method.job_method();
+  job.category = category_number(s.method.category);
   job.detail = s.detail == "full"    ? SkeletonDetail::kFull
                : s.detail == "hands" ? SkeletonDetail::kHands
                                      : SkeletonDetail::kBody;
@@ -85,15 +83,6 @@ RigJobOptions job_options(const Settings& s) {
   return job;
 }
 
-PredictedSkeleton predict_by_slots(const Settings& s, const FloatNetwork& network, const Character& mesh) {
-  SlotSkeletonOptions options;
-  options.category = slot_category(s.method.category);
-  options.up_axis = s.up == "z" ? 1 : 0;
-  options.toes = !s.no_toes;
-  options.ends = !s.no_ends;
-  return predict_slots(mesh, network, options);
-}
-
 Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
   const auto opened = [](const std::unique_ptr<LoadedModel>& model) { return model ? &model->model : nullptr; };
   const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands)};
@@ -103,9 +92,7 @@ Rigged rig_one(const Settings& s, const Models& models, const std::string& path)
     read_skeleton(s.prediction, false, &file);
     return rig_character(std::move(mesh), skeleton_from_joints(file.joints), true, job_options(s), ready);
   }
-  if (!s.method.slots()) return rig_character(std::move(mesh), job_options(s), ready);
-  PredictedSkeleton slots = predict_by_slots(s, models.slots, mesh);
-  return rig_character(std::move(mesh), std::move(slots), false, job_options(s), ready);
+  return rig_character(std::move(mesh), job_options(s), ready);
 }
 
 Json summary_json(const Settings& s, const Rigged& rigged, const std::string& mesh, const std::string& output) {
@@ -301,7 +288,7 @@ void add_rig(CLI::App& app) {
       "Edits apply in their order, to both sides alike where the skeleton is symmetric (--no-mirror: to one),\n"
       "before the mesh is bound.");
   sub->callback([s, edits, sub] {
-    check_method(*sub, s->method, s->model);
+    check_method(*sub, s->method);
     s->edits = edits->in_order();
     run(*s);
   });

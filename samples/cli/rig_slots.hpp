@@ -6,8 +6,6 @@
 #include <string>
 
 #include "sinew_character/rig_job.hpp"
-#include "sinew_formats/float_network.hpp"
-#include "sinew_trainer/slot_skeleton.hpp"
 
 namespace CLI {
 class App;
@@ -24,17 +22,16 @@ struct MethodOptions {
   RigMethod job_method() const {
     return method == "shape"     ? RigMethod::kShape
            : method == "regions" ? RigMethod::kRegions
+           : method == "slots"   ? RigMethod::kSlots
            : method == "votes"   ? RigMethod::kVotes
                                  : RigMethod::kAuto;
   }
 };
 void add_method_options(CLI::App* sub, MethodOptions* options);
 // Throws UsageError for options that the method does not take. Called before any work.
-//   model  file of --model, empty: none given
-void check_method(const CLI::App& sub, const MethodOptions& options, const std::string& model);
-
-// Of a checkpoint, which has to be given: none is built into the program. Throws UsageError, Error.
-FloatNetwork load_slots(const std::string& path);
+void check_method(const CLI::App& sub, const MethodOptions& options);
+// Number of a category that is one.
+uint32_t category_number(const std::string& name);
 
 }  // namespace sinew::cli
 #endif

@@ -58,10 +58,6 @@ void say_next(const TrainOptions& options) {
                            static_cast<unsigned long long>(state.step), state.seconds);
   if (state.best_score < 1e9) line += print(", best score %.4f on val", state.best_score);
   std::printf("%s; log %s.csv\n", line.c_str(), options.output.c_str());
-  if (checkpoint.network.architecture == "slots") {
-    std::printf("next: sinew rig MESH.obj --method slots --model %s\n", options.output.c_str());
-    return;
-  }
   const std::string model = std::filesystem::path(options.output).replace_extension(".sinew").string();
   std::printf("next: sinew quantize %s --calibrate %s -o %s\n", options.output.c_str(), options.data_dir.c_str(),
               model.c_str());

@@ -33,6 +33,8 @@ TEST(PublishedMethods, AreNotBuilt) {
   sinew::RigSettings rig;
   rig.method = SINEW_RIG_REGIONS;
   EXPECT_EQ(sinew_rig_workspace_size(nullptr, 4, 4, 12, &rig, &bytes), SINEW_ERROR_NOT_BUILT);
+  rig.method = SINEW_RIG_SLOTS;
+  EXPECT_EQ(sinew_rig_workspace_size(nullptr, 4, 4, 12, &rig, &bytes), SINEW_ERROR_NOT_BUILT);
   EXPECT_EQ(bytes, 0u);
 
   sinew::MapSettings map;

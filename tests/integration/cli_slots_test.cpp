@@ -30,14 +30,16 @@ class CliSlots : public Cli {
 
 TEST_F(CliSlots, TrainsRigsAndIsMeasured) {
   const std::string said = good(train("--release alone.ckpt")).out;
-  EXPECT_NE(said.find("next: sinew rig MESH.obj --method slots --model slots.ckpt"), std::string::npos) << said;
+  EXPECT_NE(said.find("next: sinew quantize slots.ckpt"), std::string::npos) << said;
+  const std::string layers = good("quantize alone.ckpt --calibrate set -o slots.sinew").out;
+  EXPECT_NE(layers.find("beside the float network joints move by"), std::string::npos) << layers;
   EXPECT_LT(fs::file_size(in("alone.ckpt")) * 3, fs::file_size(in("slots.ckpt")));
   const std::string log = slurp(in("slots.ckpt.csv"));
   EXPECT_EQ(log.rfind("step,seconds,total,joints,connections,distance,presence,", 0), 0u) << log;
 
   fs::copy(in("set/biped__robot.obj"), in("figure.obj"));
   const auto told = nlohmann::json::parse(
-      good("rig figure.obj --method slots --model alone.ckpt --no-bind -o figure.rig.txt --json").out);
+      good("rig figure.obj --method slots --model slots.sinew --no-bind -o figure.rig.txt --json").out);
   ASSERT_GE(told["joints"].size(), 3u);
   EXPECT_EQ(told["joints"][0]["parent"], "");
   EXPECT_EQ(told["symmetric"], false);
@@ -47,16 +49,16 @@ TEST_F(CliSlots, TrainsRigsAndIsMeasured) {
 
   // Display, edits and the bind are those of any skeleton.
   const std::string root = told["joints"][0]["name"];
-  good("rig figure.obj --method slots --model slots.ckpt --category biped --move " + root +
+  good("rig figure.obj --method slots --model slots.sinew --category biped --move " + root +
        "=0.25,0.5,0 -o figure.glb --png figure.png");
   EXPECT_GT(fs::file_size(in("figure.png")), 1000u);
   const Character bound = read_gltf(in("figure.glb"));
   expect_bound(bound, 4);
   EXPECT_FLOAT_EQ(bound.joints[0].position.x, 0.25f);
 
-  const std::string table = good("eval rig set --method slots --model alone.ckpt").out;
+  const std::string table = good("eval rig set --method slots --model slots.sinew").out;
   EXPECT_NE(table.find("| mean of families | 2 |"), std::string::npos) << table;
-  good("rig set --method slots --model alone.ckpt -o predicted --format rig.txt --no-bind");
+  good("rig set --method slots --model slots.sinew -o predicted --format rig.txt --no-bind");
   EXPECT_EQ(good("eval rig set --predictions predicted").out, table);
   EXPECT_NE(good("eval rig set --method votes").out, table);
 }
@@ -82,34 +84,42 @@ TEST_F(CliSlots, TrainingStopsWhenTheTotalNoLongerFalls) {
       R"({"architecture": "slots", "width": 8, "variants": 0, "synthetic": 0, "batch": 1, "steps": 400,
           "validate_every": 5, "learning_rate": 1e-12, "patience": 2})");
   const Outcome run = good(train("--val set"));
-  EXPECT_NE(run.error.find("total no longer falls: stopped at step 15"), std::string::npos) << run.error;
+  EXPECT_NE(run.error.find("total no longer falls (patience 2): stopped at step 15"), std::string::npos) << run.error;
   const std::string log = slurp(in("slots.ckpt.csv"));
   EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 4) << log;
   EXPECT_NE(good(train("--val set --resume")).error.find("no longer falls"), std::string::npos);
   EXPECT_EQ(slurp(in("slots.ckpt.csv")), log);
 }
 
+TEST_F(CliSlots, TrainingStopsBelowAPresetTotal) {
+  put(in("slots.json"),
+      R"({"architecture": "slots", "width": 8, "variants": 0, "synthetic": 0, "batch": 1, "steps": 400,
+          "validate_every": 5, "stop_below": 100})");
+  const Outcome run = good(train("--val set"));
+  EXPECT_NE(run.error.find("is below 100 (stop_below): stopped at step 5"), std::string::npos) << run.error;
+  put(in("slots.json"), R"({"architecture": "slots", "stop_below": -1})");
+  EXPECT_NE(bad(1, train("--val set")).error.find("stop_below: expected 0 (off) or more"), std::string::npos);
+}
+
 TEST_F(CliSlots, WrongUsage) {
   const std::string rig = "rig set/biped__robot.obj --method slots ";
-  EXPECT_NE(bad(2, rig).error.find("needs --model CKPT"), std::string::npos);
-  EXPECT_NE(bad(2, rig + "--model bundled").error.find("needs --model CKPT"), std::string::npos);
-  EXPECT_NE(bad(2, rig + "--model x.ckpt --spine 3").error.find("--spine does not go with"), std::string::npos);
-  EXPECT_NE(bad(2, rig + "--model x.ckpt --category crab").error.find("--category"), std::string::npos);
+  EXPECT_NE(bad(2, rig + "--model x.sinew --spine 3").error.find("--spine does not go with"), std::string::npos);
+  EXPECT_NE(bad(2, rig + "--model x.sinew --category crab").error.find("--category"), std::string::npos);
   EXPECT_NE(bad(2, "rig set/biped__robot.obj --category biped").error.find("--category is for"), std::string::npos);
-  EXPECT_NE(bad(1, rig + "--model x.ckpt").error.find("x.ckpt"), std::string::npos);
-  const std::string default_model = "--model " + kData + "/sinew_default.";
-  EXPECT_NE(bad(1, rig + default_model + "ckpt").error.find("expected a network of slots, found field"),
-            std::string::npos);
-  EXPECT_NE(bad(1, rig + default_model + "sinew").error.find("expected a sinew checkpoint"), std::string::npos);
-  EXPECT_NE(bad(2, "eval rig set --method slots").error.find("needs --model CKPT"), std::string::npos);
+  EXPECT_NE(bad(1, rig + "--model x.sinew").error.find("x.sinew"), std::string::npos);
+  for (const char* other : {"sinew_default", "sinew_rig", "sinew_hands"})
+    EXPECT_NE(bad(1, rig + "--model " + kData + "/" + other + ".sinew").error.find(other), std::string::npos);
   bad(2, "eval set --method slots");
   EXPECT_NE(bad(2, "eval rig set --method slots --predictions set").error.find("--predictions and --method"),
             std::string::npos);
   put(in("bad.json"), R"({"architecture": "slots", "balance": 2})");
   EXPECT_NE(bad(1, "train set --task rig --config bad.json -o b.ckpt").error.find("balance: expected 0 to 1"),
             std::string::npos);
+  put(in("bad.json"), R"({"architecture": "slots", "losses": "mine"})");
+  EXPECT_NE(bad(1, "train set --task rig --config bad.json -o b.ckpt").error.find("losses: expected"),
+            std::string::npos);
   good(train("--quiet --steps 1"));
-  EXPECT_NE(bad(1, "quantize slots.ckpt --calibrate set -o m.sinew").error.find("stays in float"), std::string::npos);
+  EXPECT_NE(bad(1, rig + "--model slots.ckpt").error.find("slots.ckpt"), std::string::npos);
   EXPECT_NE(bad(2, train("--release slots.ckpt")).error.find("--release"), std::string::npos);
   EXPECT_FALSE(fs::exists(in("set/biped__robot.rigged.glb")));
 }

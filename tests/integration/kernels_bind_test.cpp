@@ -95,8 +95,7 @@ size_t bytes_of_many(const sinew_model* model) {
 }
 
 TEST(KernelOption, APackedModelNeedsAsMuchLessAsReadingInPlace) {
-  EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(packed_model()),
-            pack_size(bundled_model()));
+  EXPECT_EQ(bytes_of_many(bundled_model()) - bytes_of_many(packed_model()), pack_size(bundled_model()));
   const Bound bound = bind_star(SINEW_KERNEL_AUTO, 0, packed_model());
   EXPECT_EQ(bound.used, bound.bytes);
   // What is asked for is what is written, and binds read it alone.

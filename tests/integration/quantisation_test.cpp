@@ -10,8 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "features/features.hpp"
 #include "open_bundled_model.hpp"
 #include "sinew_character/bind.hpp"
+#include "sinew_character/models.hpp"
+#include "sinew_datasets/synthesize.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_quant/quantize.hpp"
 #include "sinew_trainer/calibrate.hpp"
@@ -24,9 +27,24 @@ namespace {
 
 const std::string kData = SINEW_SOURCE_DIR "/samples/data";
 
+// One synthetic character of each plan, of a seed that no sample has.
+std::vector<Sample> calibration_characters(const FloatNetwork& network) {
+  std::vector<Sample> samples;
+  for (const BodyPlan plan : kBodyPlans) {
+    SynthesizeOptions options;
+    options.plan = plan;
+    options.seed = 501;
+    options.resolution = 28;
+    samples.push_back(
+        make_sample(synthesize(options), network.candidate_count, network.grid_size, network.feature_set));
+  }
+  return samples;
+}
+
 struct Scene {
   std::vector<Character> characters;
   std::vector<Sample> samples;
+  std::vector<Sample> others;  // that ranges are calibrated on and nothing is measured on
   FloatNetwork network;
   std::vector<std::vector<float>> logits;  // of the float network
 
@@ -38,6 +56,7 @@ struct Scene {
           make_sample(characters.back(), network.candidate_count, network.grid_size, network.feature_set));
       logits.push_back(forward(network, samples.back()));
     }
+    others = calibration_characters(network);
   }
 };
 
@@ -81,7 +100,7 @@ std::vector<std::vector<float>> logits_of(const sinew_model& model) {
 }
 
 TEST(Quantisation, TableOfBits) {
-  const Calibration calibration = calibrate(scene().network, scene().samples);
+  const Calibration calibration = calibrate(scene().network, scene().others);
   std::map<int, Row> rows;
   rows[32] = compare(scene().logits);
   std::printf("| bits | L1 | logit SNR dB | mean dp | max dp |\n|---|---|---|---|---|\n");
@@ -129,6 +148,33 @@ TEST(Quantisation, BundledModelIsWithinThreeThousandthsOfItsWeights) {
     bundled += b;
   }
   EXPECT_NEAR(exact, bundled, 0.003 * static_cast<double>(scene().samples.size()));
+}
+
+// What a shipped model computes, as float, quantised again with ranges of other characters: signal to noise on trained
+// weights, of the network as published for weights.
+TEST(Quantisation, SignalToNoiseOfTrainedClassicWeights) {
+  FloatNetwork network = make_classic(8, 64, 1, kSpectralFlag);
+  read_model_weights(kData + "/sinew_classic.sinew", &network);
+  const Calibration calibration = calibrate(network, calibration_characters(network));
+  double last = 1000;
+  std::printf("| classic, bits | logit SNR dB |\n|---|---|\n");
+  for (const int bits : {16, 12, 8}) {
+    QuantizeOptions options;
+    options.weight_bits = bits;
+    options.activation_bits = std::min(bits, 14);
+    const auto model = model_from_bytes(quantize(network, calibration, options).bytes, "classic");
+    LogitNoise noise;
+    for (const char* name : {"snake__long", "bird__winged"}) {
+      const Sample sample = make_sample(read_character(kData + "/" + name + ".obj"), 8, 64, kSpectralFlag);
+      noise.add(sample, forward(network, sample), engine_logits(model->model, sample));
+    }
+    std::printf("| %d | %.1f |\n", bits, noise.decibels());
+    if (bits == 16) {
+      EXPECT_GE(noise.decibels(), 50);
+    }
+    EXPECT_LT(noise.decibels(), last) << "fewer bits must show";
+    last = noise.decibels();
+  }
 }
 
 }  // namespace

@@ -27,6 +27,9 @@ enum {
   /* sinew_rig_options: as SINEW_RIG_SHAPE, but from regions of the surface, their boxes and contacts, as published for
    * mapping skeletons. Nothing is mirrored */
   SINEW_RIG_REGIONS = 2,
+  /* sinew_rig_options: joints in 44 fixed slots and a matrix of connections, by two networks; the model has both. Nothing is
+   * mirrored. Slots that the body's `category` has not stay empty */
+  SINEW_RIG_SLOTS = 3,
   /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints (place, place in the branch,
    * branches through it, bones, surface); several joints may get one source. Mirrored branches only get mirrored ones; what
    * can only cross another's way gets the other root; every source joint that moves and has more than three bones is given to
@@ -53,23 +56,33 @@ typedef enum sinew_branches_cost {
   SINEW_BRANCHES_SUM = 1   /* favours short branches */
 } sinew_branches_cost;
 
+/* sinew_rig_options.category with SINEW_RIG_SLOTS. ANY: all slots. BIPED: trunk, arms, legs. QUADRUPED: these, tail, ears. BIRD:
+ * trunk, legs, wings, tail. FISH, and snakes: trunk, tail, wings for fins. */
+typedef enum sinew_slot_category {
+  SINEW_CATEGORY_ANY = 0,
+  SINEW_CATEGORY_BIPED = 1,
+  SINEW_CATEGORY_QUADRUPED = 2,
+  SINEW_CATEGORY_BIRD = 3,
+  SINEW_CATEGORY_FISH = 4
+} sinew_slot_category;
+
 #define SINEW_NO_AREA 0xFFFFFFFFu /* sinew_reference_options.area_power: 0, which as a number asks for the default */
 #define SINEW_NO_FALLOFF (-1.0f)  /* sinew_reference_options.falloff: none, as drawn; 0 asks for the default */
 
 /* Start from sinew_reference_options_init(). Later versions add members at the end, as in sinew_retarget_options. Legs are
  * left as they are copied unless asked for, because feet leave the floor by it. */
 typedef struct sinew_reference_options {
-  uint32_t struct_size;    /* sizeof(sinew_reference_options) */
-  uint32_t area_power;     /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
-  uint32_t no_own_limb;    /* 1 says what 0 does: see own_limb */
-  uint32_t legs;           /* 1: knees and ankles move as well */
-  float falloff;           /* d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is ours */
+  uint32_t struct_size; /* sizeof(sinew_reference_options) */
+  uint32_t area_power;  /* n, 1 .. 4, or SINEW_NO_AREA for 0; 0 = 3 */
+  uint32_t no_own_limb; /* 1 says what 0 does: see own_limb */
+  uint32_t legs;        /* 1: knees and ankles move as well */
+  float falloff; /* d: influence also falls by exp(-(distance / (d * source's height))^2); 0 = 0.05, which is ours */
   float least_cosine;      /* eps, up to 1; 0 = 1e-5 */
   sinew_progress progress; /* or null */
   void* progress_user;
-  uint32_t own_limb;      /* 1: triangles of the limb itself have influence as well; not with no_own_limb */
-  uint32_t head;          /* 1: the head moves as well */
-  uint32_t torso;         /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
+  uint32_t own_limb; /* 1: triangles of the limb itself have influence as well; not with no_own_limb */
+  uint32_t head;     /* 1: the head moves as well */
+  uint32_t torso;    /* 1: torso joints lie as the source's do, each seen from the one before; 0: they turn as copied */
   uint32_t source_points; /* 1: reference points are the source's, in the size of the target; 0: the target's */
 } sinew_reference_options;
 

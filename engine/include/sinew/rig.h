@@ -72,8 +72,8 @@ typedef struct sinew_rig_options {
   uint32_t kernel;           /* sinew_kernel; another than AUTO is for tests and measurements */
   sinew_progress progress;   /* or null */
   void* progress_user;
-  uint32_t method; /* sinew_rig_method */
-  uint32_t reserved;
+  uint32_t method;   /* sinew_rig_method */
+  uint32_t category; /* of SINEW_RIG_SLOTS in published.h; else 0 */
 } sinew_rig_options;
 
 /* Options that ask for every default. */

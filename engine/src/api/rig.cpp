@@ -10,6 +10,7 @@
 #include "model/reader.hpp"
 #include "rig/details.hpp"
 #include "rig/rig_task.hpp"
+#include "rig/slots_model.hpp"
 #include "sinew/rig.h"
 
 // The struct of the first release, 0.1.
@@ -26,6 +27,16 @@ sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_mo
   if (status != SINEW_OK) return status;
   sinew::ModelTask task;
   if (header.task != sinew::kTaskRig) return SINEW_ERROR_MODEL_TASK;
+  if constexpr (sinew::kHasPublished) {
+    if (header.feature_set == sinew::kSlotsFeatureSet && sinew::slots_task(header.feature_set, &task)) {
+      size_t second = 0;
+      sinew_model opened, connections;
+      sinew_status both = sinew::open_model(bytes, size_bytes, task, &opened, &second);
+      if (both == SINEW_OK) both = sinew::open_connections(opened, &connections);
+      if (both == SINEW_OK) *model = opened;
+      return both;
+    }
+  }
   if (!sinew::rig_task(header.feature_set, &task)) return SINEW_ERROR_MODEL_VERSION;
   return sinew::open_model(bytes, size_bytes, task, model);
 }

@@ -13,7 +13,7 @@ bool bind_task(uint32_t feature_set, ModelTask* task) {
   task->input_count = 2;
   task->inputs[kVertexInput] = {input_name("vert"),
                                 {Domain::kVertex, static_cast<uint16_t>(vertex_channels(feature_set))}};
-  task->inputs[kPairInput] = {input_name("pair"), {Domain::kPair, static_cast<uint16_t>(kPairFeatures)}};
+  task->inputs[kPairInput] = {input_name("pair"), {Domain::kPair, static_cast<uint16_t>(pair_channels(feature_set))}};
   task->output = {Domain::kPair, 1};
   return true;
 }

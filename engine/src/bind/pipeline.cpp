@@ -6,6 +6,7 @@
 
 #include "bind/progress.hpp"
 #include "candidates/own_parts.hpp"
+#include "features/attributes.hpp"
 #include "heat/distances.hpp"
 #include "heat/source_joints.hpp"
 #include "spectral/spectral.hpp"
@@ -20,13 +21,17 @@ void move_features(const Mesh& mesh, const Counts& counts, Arena& arena, Feature
   if (arena.measuring()) return;
   const size_t vertices = mesh.welded_count, pairs = vertices * counts.candidates;
   memmove(features->vertex, from.vertex, vertices * from.vertex_channels * sizeof(int16_t));
-  memmove(features->pair, from.pair, pairs * kPairFeatures * sizeof(int16_t));
+  memmove(features->pair, from.pair, pairs * pair_channels(counts.feature_flags) * sizeof(int16_t));
   memmove(features->joints, from.joints, pairs * sizeof(uint16_t));
 }
 
+// The network reads attributes as published, and no heat.
+bool has_attributes(const Counts& counts) { return kHasPublished && (counts.feature_flags & kAttributesFlag) != 0; }
+
 // The search's voxels are most of the workspace of a small mesh: nothing but the mesh is beside them.
-sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, bool network, const Kernels& kernels,
-                                       const Progress& progress, Arena& arena, Prepared* out) {
+sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, PrepareFor purpose,
+                                       const Kernels& kernels, const Progress& progress, Arena& arena, Prepared* out) {
+  const bool network = purpose != PrepareFor::kHeat;
   if (network) {
     if (!out->candidates.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
     const sinew_status status =
@@ -34,6 +39,7 @@ sinew_status find_candidates_then_heat(const Mesh& mesh, const Counts& surface, 
                         &out->candidates);
     if (status != SINEW_OK) return status;
   }
+  if (purpose == PrepareFor::kNetworkAlone && has_attributes(surface)) return SINEW_OK;
   if (!out->heat.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
   const Progress heat_progress = network ? progress.part(ends_at::kCandidates, ends_at::kHeat)
                                          : progress.part(ends_at::kReduction, ends_at::kHeatAlone);
@@ -150,19 +156,26 @@ sinew_status prepare(const sinew_mesh& mesh, const sinew_skeleton& skeleton, uin
   }
   const bool network = purpose != PrepareFor::kHeat;
   const size_t mark = arena.mark();
-  if (network && kHasThreads && surface.threads.lanes > 1) {
+  if (network && kHasThreads && !has_attributes(surface) && surface.threads.lanes > 1) {
     status = find_candidates_beside_heat(mesh_of_stages, surface, kernels, progress, arena, out);
   } else {
-    status = find_candidates_then_heat(mesh_of_stages, surface, network, kernels, progress, arena, out);
+    status = find_candidates_then_heat(mesh_of_stages, surface, purpose, kernels, progress, arena, out);
   }
   if (status != SINEW_OK || !network) return status;
 
   if (!out->features.allocate(arena, surface)) return SINEW_ERROR_WORKSPACE;
-  status = build_features(mesh_of_stages, out->skeleton, out->candidates, out->heat, surface, arena, &out->features);
+  if (has_attributes(surface)) {
+    if constexpr (kHasPublished) {
+      if (!arena.measuring()) build_attributes(mesh_of_stages, out->skeleton, out->candidates, &out->features);
+    }
+  } else {
+    status = build_features(mesh_of_stages, out->skeleton, out->candidates, out->heat, surface, arena, &out->features);
+  }
   if (status != SINEW_OK) return status;
   if ((counts.feature_flags & kFeatureFlags & kSpectralFlag) != 0) {
     // Their channels lie behind the others of a vertex.
-    int16_t* const spectral = arena.measuring() ? nullptr : out->features.vertex + kVertexFeatures;
+    int16_t* const spectral =
+        arena.measuring() ? nullptr : out->features.vertex + plain_vertex_channels(counts.feature_flags);
     status = compute_spectral(mesh_of_stages, surface, progress.part(ends_at::kFeatures, ends_at::kSpectral), arena,
                               spectral, out->features.vertex_channels);
     if (status != SINEW_OK) return status;

@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "features/attributes.hpp"
 #include "features/part_tables.hpp"
 #include "skeleton/bones.hpp"
 
@@ -391,15 +392,23 @@ const uint32_t kPairFeatures = features::kPairFeatureCount;
 const uint32_t kPairLogRule = features::kP_rule_log;
 const uint32_t kPairLogParts = features::kP_parts_log;
 
+uint32_t plain_vertex_channels(uint32_t feature_flags) {
+  return kHasPublished && (feature_flags & kAttributesFlag) != 0 ? uint32_t{kVertexAttributes}
+                                                                 : uint32_t{features::kVertexFeatureCount};
+}
+uint32_t pair_channels(uint32_t feature_flags) {
+  return kHasPublished && (feature_flags & kAttributesFlag) != 0 ? uint32_t{kPairAttributes}
+                                                                 : uint32_t{features::kPairFeatureCount};
+}
 uint32_t vertex_channels(uint32_t feature_flags) {
-  return features::kVertexFeatureCount + ((feature_flags & kSpectralFlag) != 0 ? kSpectralChannels : 0);
+  return plain_vertex_channels(feature_flags) + ((feature_flags & kSpectralFlag) != 0 ? kSpectralChannels : 0);
 }
 
 bool Features::allocate(Arena& arena, const Counts& counts) {
   const size_t pairs = static_cast<size_t>(counts.vertices) * counts.candidates;
   vertex_channels = sinew::vertex_channels(counts.feature_flags);
   vertex = arena.alloc<int16_t>(static_cast<size_t>(counts.vertices) * vertex_channels);
-  pair = arena.alloc<int16_t>(pairs * features::kPairFeatureCount);
+  pair = arena.alloc<int16_t>(pairs * pair_channels(counts.feature_flags));
   joints = arena.alloc<uint16_t>(pairs);
   return arena.ok();
 }

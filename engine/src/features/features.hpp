@@ -15,7 +15,10 @@ namespace sinew {
 constexpr uint32_t kFeatureSet = 1;  // grows whenever a feature changes its meaning; models name the set they need
 // A model's feature set is kFeatureSet in its low 16 bits and flags of what it wants beside it in the high ones.
 constexpr uint32_t kSpectralFlag = 1u << 16;  // the channels of spectral/spectral.hpp, behind the others of a vertex
-constexpr uint32_t kFeatureFlags = kHasExtras ? kSpectralFlag : 0;  // that this build knows
+constexpr uint32_t kAttributesFlag =
+    1u << 17;  // those of features/attributes.hpp in place of all others but the spectral ones
+constexpr uint32_t kFeatureFlags =
+    (kHasExtras ? kSpectralFlag : 0) | (kHasPublished ? kAttributesFlag : 0);  // that this build knows
 constexpr int kFeatureBits = 13;
 // Buffers of the network that the rows are for.
 constexpr uint16_t kVertexInput = 0;
@@ -26,13 +29,15 @@ extern const uint32_t kPairFeatures;    // channels of a pair
 extern const uint32_t kPairLogRule;
 extern const uint32_t kPairLogParts;
 constexpr int kLogFeatureDivisor = 8;
-// Channels of a vertex for a feature set or its flags alone.
+// Channels of a vertex for a feature set or its flags alone, those in front of the spectral ones, and channels of a pair.
 uint32_t vertex_channels(uint32_t feature_flags);
+uint32_t plain_vertex_channels(uint32_t feature_flags);
+uint32_t pair_channels(uint32_t feature_flags);
 
 struct Features {
   int16_t* vertex = nullptr;  // [U x vertex_channels]
   uint32_t vertex_channels = 0;
-  int16_t* pair = nullptr;  // [U x K x kPairFeatures]; absent slots are all 0
+  int16_t* pair = nullptr;  // [U x K x pair_channels()]; absent slots are all 0
   // The final candidates: the voxel candidates with heat joints merged in. kNoJoint at the end.
   uint16_t* joints = nullptr;  // [U x K]
 

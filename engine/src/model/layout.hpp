@@ -86,6 +86,11 @@ inline uint64_t confidence_bytes(uint32_t entries) {
   return kConfidenceHeader + padded8(static_cast<uint64_t>(entries) * 4);
 }
 
+// Optional section in its place, of a file with a second network: uint32 tag, uint32 bytes of the section, uint64 0, then the
+// whole file of that network, which has no section itself.
+constexpr uint32_t kSecondTag = 0x444E4F43u;  // "COND"
+constexpr size_t kSecondHeader = 16;
+
 inline uint64_t tables_bytes(uint32_t buffers, uint32_t layers, uint32_t linears) {
   return kHeaderBytes + static_cast<uint64_t>(buffers) * kBufferBytes + static_cast<uint64_t>(layers) * kLayerBytes +
          static_cast<uint64_t>(linears) * kLinearBytes;

@@ -184,6 +184,17 @@ bool legal_confidence(const uint8_t* bytes, uint64_t offset, size_t size_bytes) 
 
 }  // namespace
 
+namespace {
+
+[[maybe_unused]] bool legal_second(const uint8_t* bytes, uint64_t offset, size_t size_bytes) {
+  const uint64_t rest = size_bytes - offset;
+  const uint8_t* const section = bytes + offset;
+  return rest > kSecondHeader && load_u32(section) == kSecondTag && load_u32(section + 4) == rest &&
+         all_zero(section + 8, 8);
+}
+
+}  // namespace
+
 sinew_status read_header(const void* data, size_t size_bytes, ModelHeader* header) {
   if (reinterpret_cast<uintptr_t>(data) % 8 != 0) return SINEW_ERROR_MODEL_ALIGNMENT;
   const uint8_t* bytes = static_cast<const uint8_t*>(data);
@@ -199,7 +210,8 @@ sinew_status read_header(const void* data, size_t size_bytes, ModelHeader* heade
   return SINEW_OK;
 }
 
-sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& task, sinew_model* model) {
+sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& task, sinew_model* model,
+                        size_t* second_offset) {
   const uint8_t* bytes = static_cast<const uint8_t*>(data);
   sinew_status status = check_counts(bytes, size_bytes, task);
   if (status != SINEW_OK) return status;
@@ -219,7 +231,16 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
     if (status != SINEW_OK) return status;
   }
   if (linear_index != tables.linear_count()) return SINEW_ERROR_MODEL_LAYOUT;
-  const bool has_confidence = offset < size_bytes;
+  bool has_confidence = offset < size_bytes;
+  if constexpr (kHasPublished) {
+    if (second_offset != nullptr) {
+      *second_offset = 0;
+      if (has_confidence && legal_second(bytes, offset, size_bytes)) {
+        *second_offset = static_cast<size_t>(offset + kSecondHeader);
+        has_confidence = false;
+      }
+    }
+  }
   if (has_confidence && !legal_confidence(bytes, offset, size_bytes)) return SINEW_ERROR_MODEL_LAYOUT;
 
   const uint32_t last = tables.layer_count() - 1;

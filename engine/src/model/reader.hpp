@@ -28,7 +28,9 @@ sinew_status read_header(const void* bytes, size_t size_bytes, ModelHeader* head
 //   SINEW_ERROR_MODEL_LAYOUT    a table contradicts itself: shapes, domains, order, offsets, shifts, reserved bytes; or the
 //                               last layer does not write the task's output
 //   SINEW_ERROR_MODEL_OVERFLOW  an accumulator could leave its type for some input
-sinew_status open_model(const void* bytes, size_t size_bytes, const ModelTask& task, sinew_model* model);
+//   second_offset  out  where the file of a second network begins, which is not looked at; 0: none. Null: there must be none
+sinew_status open_model(const void* bytes, size_t size_bytes, const ModelTask& task, sinew_model* model,
+                        size_t* second_offset = nullptr);
 
 }  // namespace sinew
 #endif

@@ -14,7 +14,9 @@ Side side_of(const RigJoint& joint, uint32_t index) {
   const bool mirrored = joint.partner >= 0;
   const bool sided = mirrored ? joint.partner != static_cast<int16_t>(index)
                               : is_paired_class(joint.joint_class) || joint.joint_class == kClassWing;
-  return !sided ? kNoSide : joint.position.x >= 0 ? kLeft : kRight;
+  if (!sided) return kNoSide;
+  if (joint.side != 0) return joint.side > 0 ? kLeft : kRight;
+  return joint.position.x >= 0 ? kLeft : kRight;
 }
 
 SINEW_RARE char* append(char* to, const char* text) {

@@ -15,6 +15,7 @@
 #include "rig/read_votes.hpp"
 #include "rig/regions.hpp"
 #include "rig/rig_task.hpp"
+#include "rig/slots_model.hpp"
 #include "rig/wishes.hpp"
 #include "sinew/published.h"
 
@@ -116,8 +117,15 @@ sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, Mir
   return SINEW_OK;
 }
 
-// Without a network: the mesh's own middle line, or the regions that its surface falls into.
-sinew_status follow_shape(const RigPlan& plan, const MirrorFrame& frame, const Mesh& mesh, Arena& arena, Rig* rig) {
+// By other means than votes: both networks of slots; without a network the mesh's own middle line, or the regions that its surface falls into.
+sinew_status follow_shape(const RigPlan& plan, const Kernels& kernels, const MirrorFrame& frame, const Mesh& mesh,
+                          Arena& arena, Rig* rig) {
+  if constexpr (kHasPublished) {
+    if (plan.method == SINEW_RIG_SLOTS) {
+      const Progress progress = arena.measuring() ? Progress() : plan.progress.part(kMeshEnds, 1000);
+      return find_slots(plan.slots, plan.tree, mesh, kernels, progress, arena, rig);
+    }
+  }
   const ArenaScope scope(arena);
   Interior interior;
   FoldedTree* const tree = arena.alloc<FoldedTree>(1);
@@ -161,6 +169,19 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
 
 }  // namespace
 
+namespace {
+
+// Both networks of a file that sinew_rig_model_open() has proved whole.
+[[maybe_unused]] sinew_status open_slots(const sinew_model* model, SlotsPlan* plan) {
+  if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
+  if (model->task != kTaskRig || model->feature_set != kSlotsFeatureSet) return SINEW_ERROR_MODEL_TASK;
+  plan->joints = *model;
+  if constexpr (kHasPublished) return open_connections(*model, &plan->connections);
+  return SINEW_ERROR_NOT_BUILT;
+}
+
+}  // namespace
+
 sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t faces, uint32_t corners,
                       const sinew_rig_options* options, RigPlan* plan, uint32_t feature_set) {
   sinew_rig_options o = sinew_rig_options_init();
@@ -169,14 +190,22 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   uint32_t up_axis = 0;
   if (read_up_axis(o.up, &up_axis) != SINEW_OK || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine ||
       o.no_toes > 1 || o.no_ends > 1 || o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr ||
-      o.method > SINEW_RIG_REGIONS) {
+      o.method > SINEW_RIG_SLOTS || o.category >= kSlotCategories || (o.category != 0 && o.method != SINEW_RIG_SLOTS)) {
     return SINEW_ERROR_ARGUMENT;
   }
-  if (!kHasPublished && o.method == SINEW_RIG_REGIONS) return SINEW_ERROR_NOT_BUILT;
+  const bool published = o.method == SINEW_RIG_REGIONS || o.method == SINEW_RIG_SLOTS;
+  if (!kHasPublished && published) return SINEW_ERROR_NOT_BUILT;
   if (o.method == SINEW_RIG_VOTES) {
     if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
     if (model->task != kTaskRig || model->feature_set != feature_set) return SINEW_ERROR_MODEL_TASK;
     plan->model = *model;
+  }
+  if constexpr (kHasPublished) {
+    if (o.method == SINEW_RIG_SLOTS) {
+      const sinew_status opened = open_slots(model, &plan->slots);
+      if (opened != SINEW_OK) return opened;
+      plan->slots.category = static_cast<SlotCategory>(o.category);
+    }
   }
   if (vertices == 0 || vertices > SINEW_MAX_VERTICES || corners > 24u * SINEW_MAX_VERTICES || faces > corners / 2)
     return SINEW_ERROR_COUNT;
@@ -186,11 +215,12 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->counts.corners = corners;
   plan->network = NetworkOptions();
   plan->network.weights_in_place = o.weights_in_place != 0 || o.kernel == SINEW_KERNEL_REF;
+  plan->slots.network = plan->network;
   plan->tree = RigOptions();
   plan->tree.spine = o.spine_count == 0 ? -1 : static_cast<int32_t>(o.spine_count);
   plan->tree.toes = o.no_toes == 0;
   plan->tree.ends = o.no_ends == 0;
-  plan->mirroring = o.method == SINEW_RIG_REGIONS ? Mirroring::kNever : static_cast<Mirroring>(o.mirror);
+  plan->mirroring = published ? Mirroring::kNever : static_cast<Mirroring>(o.mirror);
   plan->method = o.method;
   plan->up_axis = up_axis;
   plan->kernel = o.kernel;
@@ -241,7 +271,7 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
     status = find_rig(votes, plan.tree, arena, &rig);
     if (sheet && rig.spread < kSheetSpread) rig.spread = kSheetSpread;
   } else {
-    status = follow_shape(plan, frame, mesh, arena, &rig);
+    status = follow_shape(plan, kernels, frame, mesh, arena, &rig);
   }
   if (status != SINEW_OK || arena.measuring()) return status;
   write_outputs(mesh_input, plan, frame, rig, outputs);

@@ -11,6 +11,7 @@
 #include "rig/mirror_frame.hpp"
 #include "rig/point_voter.hpp"
 #include "rig/rig_task.hpp"
+#include "rig/slots.hpp"
 #include "rig/tree.hpp"
 
 namespace sinew {
@@ -29,6 +30,7 @@ struct RigPlan {
   RigOptions tree;
   Mirroring mirroring = Mirroring::kAuto;
   uint32_t method = SINEW_RIG_VOTES;
+  SlotsPlan slots;  // with SINEW_RIG_SLOTS
   uint32_t up_axis = 0, kernel = 0;
   Progress progress;
   OtherNetwork other;  // of a body's points; the model still says what memory it takes

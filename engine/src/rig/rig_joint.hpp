@@ -19,6 +19,7 @@ struct RigJoint {
   uint8_t tip;                 // 1 for a bone end
   uint16_t confidence;         // Q15: how sure the votes are of the joint's place
   uint16_t parent_confidence;  // Q15: how sure they are of its parent
+  int8_t side;                 // 1 left, -1 right, 0: its position says
 };
 
 }  // namespace sinew

@@ -42,5 +42,8 @@ std::vector<uint8_t> write_model(const IntegerModel& model);
 // Recomputes the checksum of a file of at least kHeaderBytes after its bytes were changed.
 void seal_model(std::vector<uint8_t>* bytes);
 
+// One file of two networks: `second`, a whole file, behind the first one's parameters. Both without a section of their own.
+std::vector<uint8_t> with_second_network(std::vector<uint8_t> first, const std::vector<uint8_t>& second);
+
 }  // namespace sinew
 #endif

@@ -40,9 +40,10 @@ export const LAYOUTS = {
   bindOutputs: layout(44,
     "struct_size@0:u32 symmetric_vertices@4:u32 joint_indices@8:u32 weights@12:u32 confidence@16:u32 used_bytes@20:u32 " +
     "questions@24:u32 vertex_questions@28:u32 vertex_parts@32:u32 questions_written@36:u32 reserved@40:u32"),
-  deformOptions: layout(48,
+  deformOptions: layout(56,
     "struct_size@0:u32 method@4:u32 cell_count@8:u32 round_count@12:u32 softness@16:u32 no_twist_spread@20:u32 " +
-    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32"),
+    "no_contact@24:u32 no_smoothing@28:u32 parallel_for@32:u32 parallel_user@36:u32 thread_count@40:u32 body_contact@44:u32 " +
+    "energy@48:u32 tet_weights@52:u32"),
   deformer: layout(56,
     "memory@0:u32 pose_bytes@4:u32 vertex_count@8:u32 joint_count@12:u32 tetrahedron_count@16:u32 node_count@20:u32 " +
     "split_cell_count@24:u32 reserved@28:u32x7"),
@@ -68,7 +69,7 @@ export const LAYOUTS = {
   contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
   rigOptions: layout(48,
     "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
-    "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 reserved@44:u32"),
+    "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 category@44:u32"),
   rigOutputs: layout(60,
     "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 joint_classes@20:u32 partners@24:u32 " +
     "confidence@28:u32 parent_confidence@32:u32 names@36:u32 mirrored@40:u32 facing@44:u32 plane@48:f32 spread@52:f32 " +
@@ -93,7 +94,7 @@ export const LAYOUTS = {
   referenceOptions: layout(48,
     "struct_size@0:u32 area_power@4:u32 no_own_limb@8:u32 legs@12:u32 falloff@16:f32 least_cosine@20:f32 progress@24:u32 " +
     "progress_user@28:u32 own_limb@32:u32 head@36:u32 torso@40:u32 source_points@44:u32"),
-  simplifyOptions: layout(16, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32"),
+  simplifyOptions: layout(20, "struct_size@0:u32 level@4:u32 joint_count@8:u32 reserved@12:u32 centroids@16:u32"),
   file: layout(12, "name@0:u32 bytes@4:u32 size_bytes@8:u32"),
   characterArrays: layout(92,
     "struct_size@0:u32 vertex_count@4:u32 face_count@8:u32 corner_count@12:u32 joint_count@16:u32 mesh_count@20:u32 " +
@@ -176,6 +177,7 @@ export const JOINT_NEVER = 1;
 export const JOINT_DEFORMS = 2;
 export const MAX_DEFORM_CELLS = 64;
 export const MAX_DEFORM_ROUNDS = 200;
+export const MAX_DEFORM_ENERGY = 1000000;
 export const MAX_MAP_LIMBS = 1024;
 export const MAX_MOTION_LIMBS = 16;
 export const MAX_RIG_JOINTS = 192;
@@ -205,6 +207,7 @@ export const WORDS = {
   method: ["model", "heat", "distance"],
   rigidParts: ["auto", "always", "never"],
   deformMethod: ["volume", "xpbd", "delta-mush"],
+  tetWeights: ["skin", "distance"],
   mapMethod: ["auto", "sinew", "branches"],
   mapReason: ["found", "pinned", "no-counterpart", "fewer-joints", "end", "outside", "taken", "beside-limits"],
   retargetMethod: ["auto", "copy"],
@@ -212,7 +215,7 @@ export const WORDS = {
   jointClass: ["pelvis", "spine", "neck", "head", "clavicle", "upper-arm", "forearm", "hand", "hip", "thigh", "calf", "foot",
     "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop"],
   mirror: ["auto", "always", "never"],
-  rigMethod: ["votes", "shape", "regions"],
+  rigMethod: ["votes", "shape", "regions", "slots"],
   jointRole: ["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"],
   follows: ["unknown", "some", "none"],
   naming: ["sinew", "mixamo", "vrm", "unreal", "rigify", "makehuman"],
@@ -220,6 +223,7 @@ export const WORDS = {
   transferReason: ["asked", "style", "mismatch", "plain", "near", "far", "no-match", "kept"],
   branchesFirst: ["both", "target", "source"],
   branchesCost: ["mean", "sum"],
+  slotCategory: ["any", "biped", "quadruped", "bird", "fish"],
   simplifyLevel: ["high", "low"],
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions"],

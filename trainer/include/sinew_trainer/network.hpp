@@ -24,7 +24,8 @@ struct FieldOptions {
 FloatNetwork make_field(const FieldOptions& options, uint64_t seed, uint32_t feature_flags = 0);
 // The network of patent CN110288681A, figures 7 and 8: N x 64 first feature, graph convolution, graph pooling, N x 576
 // second feature, global and local branches, softmax over K distance-sorted candidates.
-FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed, uint32_t feature_flags = 0);
+FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed, uint32_t feature_flags = 0,
+                          uint32_t block_layers = 1);
 
 // Throws Error unless the network is bind's: one logit per pair.
 void require_bind_network(const FloatNetwork& network, const std::string& source);

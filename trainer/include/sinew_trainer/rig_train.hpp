@@ -15,7 +15,7 @@ namespace sinew {
 struct RigTrainConfig : RunConfig {
   RigTrainConfig();
   std::string architecture = "votes";  // or "slots", the published method
-  uint32_t width = 64;                 // channels; of slots: of the first graph convolution
+  uint32_t width = 64;                 // channels
   uint32_t rounds = 4;                 // of neighbours
   // "body": skeletons without fingers; "hands": the fingers of hands that were cut out (votes only).
   std::string part = "body";
@@ -25,6 +25,8 @@ struct RigTrainConfig : RunConfig {
   uint32_t synthetic = 20;
   // Slots: what the error of joints counts, 0 to 1; that of connections counts the rest.
   double balance = 0.7;
+  // Slots: "published", plain mean absolute errors; or "balanced" (src/run/slot_loss.hpp).
+  std::string losses = "published";
   // Characters that are not trained on, by name (a * at the end stands for any rest), and why.
   std::map<std::string, std::string> leave_out;
 };

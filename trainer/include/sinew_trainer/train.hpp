@@ -35,6 +35,9 @@ struct RunConfig {
   // Stop after so many validations without a new best: of the score, or without validation samples of the mean loss since
   // the one before; 0 = off.
   uint32_t patience = 0;
+  // Stop as soon as a validation's score, or without validation samples the mean loss since the one before, is below this;
+  // 0 = off.
+  double stop_below = 0;
   double variant_share = 0.4;  // how often one of a character's variants is drawn instead of the original
   double family_power = 0.5;   // a family of n characters is drawn in proportion to n^power
   std::map<std::string, double> family_shares;  // of all draws, for families that are not to follow that rule
@@ -45,7 +48,11 @@ struct RunConfig {
 struct TrainConfig : RunConfig {
   std::string architecture = "field";
   FieldOptions field;
-  bool spectral = false;  // heat-kernel and wave-kernel signatures as vertex features as well
+  // What a vertex and its candidates are described by: "own", all features, heat weights among them; "published" (classic
+  // only), positions, normals, Laplacian, distances to joints and, with `spectral`, signatures.
+  std::string attributes = "own";
+  uint32_t block_layers = 1;  // of classic: linear layers with ReLU in each of its multi-layer perceptrons
+  bool spectral = false;      // heat-kernel and wave-kernel signatures as vertex features as well
   // Input channels that the network does without (field only): "vertex.NAME", "pair.NAME", NAME as in
   // engine/src/features/channels.hpp; a * at the end stands for any rest. The finished network's weights for them are
   // 0.

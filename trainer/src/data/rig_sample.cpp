@@ -291,9 +291,7 @@ RigSource::Placed RigSource::place(const Posed& posed, uint64_t seed) const {
   return placed;
 }
 
-RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
-  const Placed placed = place(posed, seed);
-  const EngineMesh& engine = placed.engine;
+void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function<void(const PointSet&)>& use) {
   Interior interior;
   PointSet set;
   const auto run = [&](Arena& arena) {
@@ -307,7 +305,17 @@ RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
   Workspace block(measuring.high_water());
   Arena arena(block.data(), block.size());
   run(arena);
+  use(set);
+}
 
+RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
+  const Placed placed = place(posed, seed);
+  RigSample s;
+  with_point_set(placed.engine, seed, [&](const PointSet& set) { s = label(placed, set); });
+  return s;
+}
+
+RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
   std::vector<Vector3d> joints;
   for (const Point& p : placed.joints) joints.push_back(vec(p));
 

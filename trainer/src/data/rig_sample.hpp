@@ -5,10 +5,12 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "data/engine_mesh.hpp"
+#include "rig/rig_points.hpp"
 #include "sinew_datasets/target_skeleton.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_trainer/network_sample.hpp"
@@ -24,6 +26,9 @@ struct RigSample : NetworkSample {
   std::vector<float> class_weight;              // [N] the same for classes; empty: as weight
   std::vector<uint8_t> start_class, end_class;  // [N] JointClass; of ends also kClassTip
 };
+
+// Makes a set of points of a mesh that is in its mirror frame, with the interior behind them, and hands it to `use`.
+void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function<void(const PointSet&)>& use);
 
 // A character in its mirror frame, ready to be posed, stretched and sampled. What a point learns follows its joints, so that
 // labels stay exact.
@@ -58,6 +63,7 @@ class RigSource {
   Posed pose(uint64_t seed, double strength) const;
   Placed place(const Posed& posed, uint64_t seed) const;
   RigSample sample(const Posed& posed, uint64_t seed) const;
+  RigSample label(const Placed& placed, const PointSet& set) const;
 
   std::string name_, family_;
   std::vector<Point> vertices_;  // [V] mirror frame, side 1

@@ -103,7 +103,7 @@ Sample make_sample(const Character& character, uint32_t candidates, uint32_t gri
   NetworkSample::Input &vertex = s.inputs[kVertexInput], &pair = s.inputs[kPairInput];
   vertex.channels = p.features.vertex_channels;
   vertex.rows = copy(p.features.vertex, static_cast<size_t>(s.vertices) * vertex.channels);
-  pair.channels = kPairFeatures;
+  pair.channels = pair_channels(counts.feature_flags);
   pair.rows = copy(p.features.pair, pairs * pair.channels);
   s.candidate = copy(p.features.joints, pairs);
   s.row_offsets = copy(p.mesh.row_offsets, static_cast<size_t>(s.vertices) + 1);

@@ -34,9 +34,10 @@ class NetworkBuilder {
   }
   Region fresh(Domain domain, uint32_t channels) { return all(add_buffer(domain, channels)); }
 
-  void apply(LayerKind kind, const Region& in, const Region& out) {
+  void apply(LayerKind kind, const Region& in, const Region& out, uint8_t flags = 0) {
     Layer layer;
     layer.kind = kind;
+    layer.flags = flags;
     layer.in = in;
     layer.out = out;
     network_.layers.push_back(layer);

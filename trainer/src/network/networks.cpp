@@ -29,6 +29,16 @@ class Builder : public NetworkBuilder {
     vertex_input_ = all(add_buffer(Domain::kVertex, inputs.vertex_features));
     pair_input_ = all(add_buffer(Domain::kPair, inputs.pair_features));
   }
+  // `layers` linear layers with ReLU, all as wide as the output.
+  void perceptron(const Region& in, const Region& out, uint32_t layers) {
+    Region state = in;
+    for (uint32_t i = 1; i < layers; ++i) {
+      const Region next = fresh(Domain::kVertex, out.channels);
+      relu(state, next);
+      state = next;
+    }
+    relu(state, out);
+  }
   const Region& vertex_input() const { return vertex_input_; }
   const Region& pair_input() const { return pair_input_; }
 
@@ -88,7 +98,8 @@ FloatNetwork build_field(const FieldOptions& options, const InputShape& inputs, 
   return b.take();
 }
 
-FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape& inputs, uint64_t seed) {
+FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape& inputs, uint64_t seed,
+                           uint32_t block_layers) {
   Builder b("classic", candidates, grid, inputs, seed);
   // Figure 7: attributes of the vertex and its distances to the K nearest joints -> MLP -> N x 64 first feature.
   const uint32_t attributes = inputs.vertex_features + inputs.pair_features * candidates;
@@ -97,7 +108,7 @@ FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape&
   b.apply(LayerKind::kPairToVertex, b.pair_input(),
           b.part(input, inputs.vertex_features, inputs.pair_features * candidates));
   const Region hidden = b.fresh(Domain::kVertex, 128);
-  b.relu(b.all(input), hidden);
+  b.perceptron(b.all(input), hidden, block_layers);
   // A graph convolution is a linear layer over the vertex and the mean of its one-ring.
   const uint16_t first_ring = b.add_buffer(Domain::kVertex, 128);
   const Region first = b.part(first_ring, 0, 64);
@@ -116,7 +127,7 @@ FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape&
   // Figure 8: MLP + global max pool = global feature, handed to every vertex; two graph convolutions = local feature.
   const uint16_t merged = b.add_buffer(Domain::kVertex, 256 + 128);
   const Region deep = b.fresh(Domain::kVertex, 256);
-  b.relu(second, deep);
+  b.perceptron(second, deep, block_layers);
   b.apply(LayerKind::kGlobalMax, deep, b.part(merged, 0, 256));
   b.apply(LayerKind::kRingMean, second, b.part(second_ring, 576, 576));
   const uint16_t local_ring = b.add_buffer(Domain::kVertex, 512);
@@ -127,7 +138,7 @@ FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape&
 
   // concat -> MLP -> target feature -> softmax over the K slots.
   const Region target = b.fresh(Domain::kVertex, 256);
-  b.relu(b.all(merged), target);
+  b.perceptron(b.all(merged), target, block_layers);
   const Region scores = b.fresh(Domain::kVertex, candidates);
   b.linear(target, scores, 0, {}, 0.1);
   const Region logits = b.fresh(Domain::kPair, 1);
@@ -153,9 +164,10 @@ FloatNetwork make_field(const FieldOptions& options, uint64_t seed, uint32_t fea
   return build_field(options, {vertex_channels(feature_flags), kPairFeatures, kPairLogRule, feature_flags}, seed);
 }
 
-FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed, uint32_t feature_flags) {
-  const InputShape inputs{vertex_channels(feature_flags), kPairFeatures, kPairLogRule, feature_flags};
-  return build_classic(candidates, grid, inputs, seed);
+FloatNetwork make_classic(uint32_t candidates, uint32_t grid, uint64_t seed, uint32_t feature_flags,
+                          uint32_t block_layers) {
+  const InputShape inputs{vertex_channels(feature_flags), pair_channels(feature_flags), kPairLogRule, feature_flags};
+  return build_classic(candidates, grid, inputs, seed, block_layers);
 }
 
 }  // namespace sinew

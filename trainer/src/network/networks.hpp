@@ -13,7 +13,8 @@ struct InputShape {
   uint32_t feature_flags = 0;
 };
 FloatNetwork build_field(const FieldOptions& options, const InputShape& inputs, uint64_t seed);
-FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape& inputs, uint64_t seed);
+FloatNetwork build_classic(uint32_t candidates, uint32_t grid, const InputShape& inputs, uint64_t seed,
+                           uint32_t block_layers = 1);
 
 // The network whose logits are prior + strength * (logits - prior), where prior is the untrained `field`, the heat
 // binder. Other architectures have no prior: they are returned as they are.

@@ -13,29 +13,33 @@
 
 namespace sinew {
 
-constexpr uint32_t kSlotFeatureSet = 2;  // of the rig task; 1 is that of votes
 // What the runner returns: [kSlots x kSlotNumbers], then the probability of every pair to hang together [kSlotPairs].
 constexpr uint32_t kSlotOutputs = kSlots * kSlotNumbers + kSlotPairs;
 
 struct SlotNetworkOptions {
-  uint32_t width = 24;  // of the first graph convolution; the next has twice as many channels, the others four times
-  uint32_t rounds = 4;  // graph convolutions
+  uint32_t width = 48;  // of graph convolutions
+  uint32_t rounds = 4;  // graph convolutions of the first network; the second has two of its own, of half the width
 };
 
-// Seeded initial weights. The layer list is the graph part alone, over a mesh's vertices and edges:
-//   h = relu(L [h, mean of h over neighbours]) per round; output: the largest of each round's h over all vertices, side by
-//   side, g, the same row for every vertex.
-// Five blocks of parameters follow those of the list:
-//   first network   joint vectors = L relu(L g)
-//   second network  for slots i < j: L relu(L relu(L [d, |d|, i, j, g])), d the offset vector from joint i to joint j, i and
-//                   j as 1 among kSlots zeros
+// Seeded initial weights. The layer list has both networks' graph part, over points of the surface; its output is written in
+// the engine's rig/joint_slots.hpp:
+//   first network   h = relu(L [h, mean of h over near points, largest h of far ones]) per round; g = relu(L of the largest
+//                   h of all rounds over all points); of every point L relu(L [h of the first and last round, g, its input])
+//   second network  its own two rounds h = relu(L [h, mean of h over near points]); L of the largest h over all points
+// A joint is the mean of all points and their offsets, by the slot's softmax over the points. Three blocks of parameters follow
+// those of the list: for slots i < j, L relu(L relu(L [d, |d|, i, j, mesh's row])), d the offset vector from joint i to
+// joint j, i and j as 1 among kSlots zeros.
 FloatNetwork make_slot_network(const SlotNetworkOptions& options, uint64_t seed);
+
+// The layer list alone, and the blocks behind it as a list, each a network that the quantizer takes.
+FloatNetwork joint_network(const FloatNetwork& both);
+FloatNetwork connection_network(const FloatNetwork& both);
 
 // Throws Error unless the list is sound and the blocks behind it fit together.
 void check_slot_network(const FloatNetwork& network, const std::string& source);
 
-// Both networks on one sample; gradients of the second flow on through the joints' places. `shape` has passed
-// check_slot_network(). Dropout is for the hidden row of the first network alone.
+// Both networks on one sample; gradients of the second flow on through the joints' positions. `shape` has passed
+// check_slot_network(). Dropout is the layer list's.
 template <class Scalar>
 class SlotRunner : public SampleRunner<Scalar> {
  public:

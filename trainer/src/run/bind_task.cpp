@@ -22,7 +22,7 @@ BindTask::BindTask(const TrainConfig& config)
 FloatNetwork BindTask::make_network() const {
   const uint32_t flags = feature_flags(config_);
   return config_.architecture == "classic"
-             ? make_classic(config_.field.candidates, config_.field.grid, config_.seed, flags)
+             ? make_classic(config_.field.candidates, config_.field.grid, config_.seed, flags, config_.block_layers)
              : make_field(config_.field, config_.seed, flags);
 }
 
@@ -39,7 +39,7 @@ FloatNetwork BindTask::finished(const FloatNetwork& trained) const {
 DropoutOptions BindTask::channels() const {
   DropoutOptions dropout;
   dropout.kept.resize(2);
-  dropout.kept[kPairInput] = {kPairLogRule, kPairLogParts};  // the heat prior
+  if (config_.attributes == "own") dropout.kept[kPairInput] = {kPairLogRule, kPairLogParts};  // the heat prior
   dropout.absent.resize(2);
   dropout.absent[kVertexInput] = absent_.vertex;
   dropout.absent[kPairInput] = absent_.pair;

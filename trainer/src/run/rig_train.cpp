@@ -35,6 +35,7 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("variants", c.variants);
   visit("synthetic", c.synthetic);
   visit("balance", c.balance);
+  visit("losses", c.losses);
   visit("leave_out", c.leave_out);
   visit_run_settings(c, visit);
 }
@@ -71,7 +72,7 @@ Samples hand_samples_of(const Character& character, uint32_t variants, uint64_t 
 Samples samples_of(const Character& character, const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
   if (is_hands(config)) return hand_samples_of(character, variants, seed);
   if (config.architecture == "slots") {
-    const RigSource source(for_slots(character));
+    const RigSource source(character);
     return samples_of(variants, seed,
                       [&](uint64_t own, double strength) { return make_slot_sample(source, own, strength); });
   }
@@ -147,6 +148,7 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
   check_run_settings(config, require);
   require(config.architecture == "votes" || config.architecture == "slots", "architecture", "\"votes\" or \"slots\"");
   require(config.balance >= 0 && config.balance <= 1, "balance", "0 to 1");
+  require(config.losses == "published" || config.losses == "balanced", "losses", "\"published\" or \"balanced\"");
   require(config.width >= 1 && config.width <= 256, "width", "1 to 256");
   require(config.rounds >= 2 && config.rounds <= 8, "rounds", "2 to 8");
   require(config.part == "body" || config.part == "hands", "part", "body or hands");

@@ -80,6 +80,7 @@ void check_run_settings(const RunConfig& c, const Requirement& require) {
   require(c.average_decay >= 0 && c.average_decay < 1, "average_decay", "0 (off) or more and below 1");
   require(c.init_share >= 0 && c.init_share < 1, "init_share", "from 0, below 1");
   require(c.validate_every >= 1, "validate_every", "1 or more");
+  require(c.stop_below >= 0 && std::isfinite(c.stop_below), "stop_below", "0 (off) or more");
   require(c.variant_share >= 0 && c.variant_share <= 1, "variant_share", "0 to 1");
   require(c.family_power >= 0 && c.family_power <= 2, "family_power", "0 to 2");
   double shares = 0;

@@ -78,6 +78,7 @@ void visit_run_settings(Config& c, Visitor&& visit) {
   visit("init_share", c.init_share);
   visit("validate_every", c.validate_every);
   visit("patience", c.patience);
+  visit("stop_below", c.stop_below);
   visit("variant_share", c.variant_share);
   visit("family_power", c.family_power);
   visit("family_shares", c.family_shares);

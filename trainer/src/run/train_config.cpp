@@ -21,6 +21,8 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("field.candidates", c.field.candidates);
   visit("field.grid", c.field.grid);
   visit("spectral", c.spectral);
+  visit("attributes", c.attributes);
+  visit("block_layers", c.block_layers);
   visit("without", c.without);
   visit("leave_out", c.leave_out);
   visit("optimizer", c.optimizer);
@@ -42,6 +44,8 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("correction", c.correction);
   visit("init_share", c.init_share);
   visit("validate_every", c.validate_every);
+  visit("patience", c.patience);
+  visit("stop_below", c.stop_below);
   visit("variants", c.variants);
   visit("variant_share", c.variant_share);
   visit("vertex_limit", c.vertex_limit);
@@ -53,6 +57,9 @@ void check(const TrainConfig& c, const std::string& source) {
   const Requirement require{source};
   check_run_settings(c, require);
   require(c.architecture == "field" || c.architecture == "classic", "architecture", "\"field\" or \"classic\"");
+  require(c.attributes == "own" || (c.attributes == "published" && c.architecture == "classic"), "attributes",
+          "\"own\", or with the architecture \"classic\" \"published\"");
+  require(c.block_layers >= 1 && c.block_layers <= 4, "block_layers", "1 to 4");
   require(c.without.empty() || c.architecture == "field", "without", "nothing unless architecture is \"field\"");
   absent_channels(c.without, source);
   require(c.field.width >= 1 && c.field.width <= 256, "field.width", "1 to 256");
@@ -71,7 +78,9 @@ void check(const TrainConfig& c, const std::string& source) {
 
 }  // namespace
 
-uint32_t feature_flags(const TrainConfig& config) { return config.spectral ? kSpectralFlag : 0; }
+uint32_t feature_flags(const TrainConfig& config) {
+  return (config.spectral ? kSpectralFlag : 0) | (config.attributes == "published" ? kAttributesFlag : 0);
+}
 
 TrainConfig parse_train_config(const std::string& json, const std::string& source) {
   TrainConfig config;

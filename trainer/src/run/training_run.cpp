@@ -81,22 +81,27 @@ void require_same_config(const std::string& saved, const std::string& given, con
               "); use --init to start a new run from its weights");
 }
 
-// Lines of the log behind its best one, by the mean of some columns.
-size_t lines_since_best(const std::string& log, const std::vector<size_t>& columns) {
+// What a run's log says of when to stop: by the mean of some columns.
+struct Course {
+  size_t since_best = 0;  // lines behind the best one
+  double last = 1e30;
+};
+Course course_of(const std::string& log, const std::vector<size_t>& columns) {
   std::istringstream lines(log);
   std::string line, cell;
   std::getline(lines, line);  // names
+  Course course;
   double best = 1e30;
-  size_t since = 0;
   while (std::getline(lines, line)) {
     std::istringstream cells(line);
     double sum = 0;
     for (size_t column = 0; std::getline(cells, cell, ','); ++column)
       sum += std::count(columns.begin(), columns.end(), column) > 0 ? std::stod(cell) : 0;
-    since = sum < best ? 0 : since + 1;
+    course.since_best = sum < best ? 0 : course.since_best + 1;
     best = std::min(best, sum);
+    course.last = sum / static_cast<double>(columns.size());
   }
-  return since;
+  return course;
 }
 
 }  // namespace
@@ -175,7 +180,7 @@ void TrainingRun::start() {
 
 void TrainingRun::go() {
   TrainingState& state = checkpoint_.state;
-  if (options_.resume && (progress() >= 1 || settled())) {
+  if (options_.resume && (progress() >= 1 || !settled().empty())) {
     say_finished();
     return;
   }
@@ -185,7 +190,7 @@ void TrainingRun::go() {
   bool validated = false;
   gradient_ = std::make_unique<BatchGradient>(task_, config_, options_.threads, options_.ranks);
   agree();
-  while (progress() < 1 && !settled() && !stopping_ && (options_.stop_after == 0 || steps_left-- > 0)) {
+  while (progress() < 1 && settled().empty() && !stopping_ && (options_.stop_after == 0 || steps_left-- > 0)) {
     const double rate = config_.learning_rate * schedule(progress());
     step(rate);
     state.seconds = now() - started;
@@ -196,9 +201,8 @@ void TrainingRun::go() {
   }
   if (!validated && (progress() >= 1)) validate(config_.learning_rate * schedule(1));
   save();
-  if (!options_.quiet && settled())
-    std::fprintf(stderr, "%s%s no longer falls: stopped at step %llu\n", options_.label.c_str(),
-                 val_.empty() ? task_.loss_names()[0].c_str() : task_.score_name().c_str(),
+  if (!options_.quiet && !settled().empty())
+    std::fprintf(stderr, "%s%s: stopped at step %llu\n", options_.label.c_str(), settled().c_str(),
                  static_cast<unsigned long long>(state.step));
   if (!options_.quiet && options_.label.empty()) std::fprintf(stderr, "\n");
   show_speed(state.step - first_step);
@@ -207,10 +211,10 @@ void TrainingRun::go() {
 // A resumed run whose time or steps are used up is left as it is.
 void TrainingRun::say_finished() const {
   if (options_.quiet) return;
-  char text[160];
-  if (settled()) {
-    std::snprintf(text, sizeof text, "its loss no longer falls (patience %u); use --init to train on from its weights",
-                  config_.patience);
+  char text[240];
+  const std::string why = settled();
+  if (!why.empty()) {
+    std::snprintf(text, sizeof text, "%s; use --init to train on from its weights", why.c_str());
   } else if (options_.minutes > 0) {
     std::snprintf(text, sizeof text, "its %.4g minutes are used up (%.1f spent, %llu steps); give more --minutes",
                   options_.minutes, checkpoint_.state.seconds / 60,
@@ -260,12 +264,21 @@ double TrainingRun::progress() const {
   return static_cast<double>(checkpoint_.state.step) / static_cast<double>(config_.steps);
 }
 
-// By the log, which a resumed run has too.
-bool TrainingRun::settled() const {
-  if (config_.patience == 0) return false;
+// Why the run is over before its time, or nothing. By the log, which a resumed run has too.
+std::string TrainingRun::settled() const {
   const size_t score = 2 + task_.loss_names().size() + 2;  // behind step, seconds, the losses, norm and rate
   const std::vector<size_t> columns = val_.empty() ? std::vector<size_t>{2} : std::vector<size_t>{score, score + 1};
-  return lines_since_best(checkpoint_.state.log_csv, columns) >= config_.patience;
+  const Course course = course_of(checkpoint_.state.log_csv, columns);
+  const std::string what = val_.empty() ? task_.loss_names()[0] : task_.score_name();
+  char text[160];
+  if (config_.stop_below > 0 && course.last < config_.stop_below) {
+    std::snprintf(text, sizeof text, "%s %.4g is below %.4g (stop_below)", what.c_str(), course.last,
+                  config_.stop_below);
+    return text;
+  }
+  if (config_.patience == 0 || course.since_best < config_.patience) return "";
+  std::snprintf(text, sizeof text, "%s no longer falls (patience %u)", what.c_str(), config_.patience);
+  return text;
 }
 
 const std::vector<const NetworkSample*>& TrainingRun::draw() {

@@ -45,7 +45,7 @@ class TrainingRun {
   void show_speed(uint64_t steps);
   uint32_t threads() const;
   double progress() const;
-  bool settled() const;
+  std::string settled() const;
   const std::vector<const NetworkSample*>& draw();
   void step(double rate);
   void validate(double rate);

@@ -15,6 +15,7 @@ namespace sinew {
 struct SkeletonOptions {
   uint32_t method = SINEW_RIG_VOTES;   // sinew_rig_method
   const sinew_model* model = nullptr;  // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
+  uint32_t category = 0;               // of SINEW_RIG_SLOTS
   uint32_t up_axis = 0;
   uint32_t mirror = SINEW_MIRROR_AUTO;
   uint32_t spine_count = 0;  // 0 = as the model says

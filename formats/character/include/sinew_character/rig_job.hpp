@@ -20,13 +20,15 @@ enum class RigMethod {
   kAuto,  // votes, or shape where the votes know nothing
   kVotes,
   kShape,
-  kRegions
+  kRegions,
+  kSlots
 };
 
 struct RigJobOptions {
   RigMethod method = RigMethod::kAuto;
   SkeletonDetail detail = SkeletonDetail::kBody;
   uint32_t mirror = SINEW_MIRROR_AUTO, up_axis = 0, spine_count = 0;
+  uint32_t category = 0;  // SINEW_CATEGORY_*, of slots
   bool toes = true, ends = true, bind = true, keep_lengths = false;
   uint32_t influence_count = 4, thread_count = 1;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;

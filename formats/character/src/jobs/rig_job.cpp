@@ -16,6 +16,7 @@ namespace sinew {
 namespace {
 
 uint32_t engine_method(RigMethod method) {
+  if (method == RigMethod::kSlots) return SINEW_RIG_SLOTS;
   if (method == RigMethod::kRegions) return SINEW_RIG_REGIONS;
   return method == RigMethod::kShape ? SINEW_RIG_SHAPE : SINEW_RIG_VOTES;
 }
@@ -23,7 +24,8 @@ uint32_t engine_method(RigMethod method) {
 PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Character* character) {
   SkeletonOptions options;
   options.method = engine_method(job.method);
-  if (options.method == SINEW_RIG_VOTES) options.model = models.rig;
+  if (options.method == SINEW_RIG_VOTES || options.method == SINEW_RIG_SLOTS) options.model = models.rig;
+  options.category = job.category;
   options.up_axis = job.up_axis;
   options.mirror = job.mirror;
   options.spine_count = job.spine_count;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "models/bundled_models.hpp"
+#include "rig/joint_slots.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -17,15 +18,18 @@ namespace {
 sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model* model) {
   if (use == ModelUse::kBind) return sinew_model_open(bytes, size, model);
   const sinew_status status = sinew_rig_model_open(bytes, size, model);
-  // Bodies and hands have models of their own.
-  const bool hands = status == SINEW_OK && model->feature_set == kHandsFeatureSet;
-  return status == SINEW_OK && hands != (use == ModelUse::kHands) ? SINEW_ERROR_MODEL_TASK : status;
+  // Bodies, hands and slots have models of their own.
+  const uint32_t wanted = use == ModelUse::kHands        ? kHandsFeatureSet
+                          : use == ModelUse::kSlotJoints ? kSlotsFeatureSet
+                                                         : kRigFeatureSet;
+  return status == SINEW_OK && model->feature_set != wanted ? SINEW_ERROR_MODEL_TASK : status;
 }
 
 // Once for all characters that it will bind.
 void pack_weights(LoadedModel* loaded) {
   size_t bytes = 0;
-  if (sinew_model_pack_workspace_size(&loaded->model, &bytes) == SINEW_OK && loaded->packed.reserve(bytes)) (void)sinew_model_pack(&loaded->model, loaded->packed.data(), bytes);
+  if (sinew_model_pack_workspace_size(&loaded->model, &bytes) == SINEW_OK && loaded->packed.reserve(bytes))
+    (void)sinew_model_pack(&loaded->model, loaded->packed.data(), bytes);
 }
 
 }  // namespace
@@ -65,6 +69,8 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
           ? Bundled{kBundledRigModel, kBundledRigModelSize, "no bundled model of skeletons: give --model"}
       : use == ModelUse::kHands
           ? Bundled{kBundledHandsModel, kBundledHandsModelSize, "no bundled model of hands: give --hands-model"}
+      : use == ModelUse::kSlotJoints
+          ? Bundled{kBundledSlotsModel, kBundledSlotsModelSize, "no bundled model of slots: give --model"}
           : Bundled{kBundledModel, kBundledModelSize, "no bundled model: give --model or --method heat"};
   if (bundled.size == 0) throw Error(bundled.missing);
   auto loaded = std::make_unique<LoadedModel>();

@@ -18,6 +18,7 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   const EngineViews views(character, {});
   RigSettings engine_options;
   engine_options.method = options.method;
+  engine_options.category = options.category;
   engine_options.up = engine_up(options.up_axis);
   engine_options.mirror = options.mirror;
   engine_options.spine_count = options.spine_count;

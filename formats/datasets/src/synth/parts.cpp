@@ -350,7 +350,8 @@ class Wardrobe {
     shirt();
     boots();
     if (random_->chance(0.35)) {
-      const bool rigid = random_->chance(0.3), to_the_knee = random_->chance(0.5);  // drawn here: arguments have no order
+      const bool rigid = random_->chance(0.3),
+                 to_the_knee = random_->chance(0.5);  // drawn here: arguments have no order
       out_.append(cape(plan_, body_, to_the_knee ? knee_ : 0.2, rigid));
     }
     on_chest_and_shoulders();

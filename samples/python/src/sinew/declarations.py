@@ -78,8 +78,8 @@ JOINT_CLASS: Tuple[str, ...] = ("pelvis", "spine", "neck", "head", "clavicle", "
     "foot", "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop")
 Mirror = Literal["auto", "always", "never"]
 MIRROR: Tuple[str, ...] = ("auto", "always", "never")
-RigMethod = Literal["votes", "shape", "regions"]
-RIG_METHOD: Tuple[str, ...] = ("votes", "shape", "regions")
+RigMethod = Literal["votes", "shape", "regions", "slots"]
+RIG_METHOD: Tuple[str, ...] = ("votes", "shape", "regions", "slots")
 RIG_DETAIL: Dict[str, int] = {"DETAIL_HANDS": 1, "DETAIL_FACE": 2, "DETAIL_PROPS": 4}
 JointRole = Literal["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"]
 JOINT_ROLE: Tuple[str, ...] = ("deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper")
@@ -95,6 +95,8 @@ BranchesFirst = Literal["both", "target", "source"]
 BRANCHES_FIRST: Tuple[str, ...] = ("both", "target", "source")
 BranchesCost = Literal["mean", "sum"]
 BRANCHES_COST: Tuple[str, ...] = ("mean", "sum")
+SlotCategory = Literal["any", "biped", "quadruped", "bird", "fish"]
+SLOT_CATEGORY: Tuple[str, ...] = ("any", "biped", "quadruped", "bird", "fish")
 SimplifyLevel = Literal["high", "low"]
 SIMPLIFY_LEVEL: Tuple[str, ...] = ("high", "low")
 FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4, "READ_WHOLE": 8, "WRITE_CHARACTER": 16,
@@ -231,7 +233,7 @@ class sinew_contact_spot(Structure):
 class sinew_rig_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32), ("no_toes", c_uint32),
         ("no_ends", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("progress", sinew_progress),
-        ("progress_user", c_void_p), ("method", c_uint32), ("reserved", c_uint32)]
+        ("progress_user", c_void_p), ("method", c_uint32), ("category", c_uint32)]
 
 
 class sinew_rig_outputs(Structure):

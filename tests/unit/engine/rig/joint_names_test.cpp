@@ -43,17 +43,17 @@ TEST(JointNames, SidesOfJointsThatNothingMirrors) {
   std::vector<RigJoint> joints(5);
   const uint8_t classes[] = {kClassPelvis, kClassThigh, kClassThigh, kClassWing, kClassTail};
   for (size_t i = 0; i < 5; ++i) {
-    joints[i] = {place(i == 2 ? -0.1 : 0.1, 0, 0), static_cast<int16_t>(i == 0 ? -1 : 0), -1, classes[i], 0, 0, 0};
+    joints[i] = {place(i == 2 ? -0.1 : 0.1, 0, 0), static_cast<int16_t>(i == 0 ? -1 : 0), -1, classes[i], 0, 0, 0, 0};
   }
   EXPECT_EQ(names_of(joints), (std::vector<std::string>{"Hips", "LeftUpLeg", "RightUpLeg", "LeftWing", "Tail"}));
 }
 
 TEST(JointNames, TwoEndsOfOneJointHaveNumbers) {
   std::vector<RigJoint> joints(4);
-  joints[0] = {place(0, 0, 0), -1, 0, kClassHead, 0, 0, 0};
-  joints[1] = {place(0.1, 0, 0), 0, 2, kClassHead, 1, 0, 0};
-  joints[2] = {place(-0.1, 0, 0), 0, 1, kClassHead, 1, 0, 0};
-  joints[3] = {place(0, 0.1, 0), 0, 3, kClassHead, 0, 0, 0};
+  joints[0] = {place(0, 0, 0), -1, 0, kClassHead, 0, 0, 0, 0};
+  joints[1] = {place(0.1, 0, 0), 0, 2, kClassHead, 1, 0, 0, 0};
+  joints[2] = {place(-0.1, 0, 0), 0, 1, kClassHead, 1, 0, 0, 0};
+  joints[3] = {place(0, 0.1, 0), 0, 3, kClassHead, 0, 0, 0, 0};
   EXPECT_EQ(names_of(joints), (std::vector<std::string>{"Head", "Head_end", "Head_end1", "Head1"}));
 }
 
@@ -72,6 +72,7 @@ TEST(JointNames, NoneComesTwiceAndAllFit) {
                  -1,
                  kClassToe,
                  static_cast<uint8_t>(tip ? 1 : 0),
+                 0,
                  0,
                  0};
   }

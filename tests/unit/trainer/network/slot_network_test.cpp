@@ -21,18 +21,20 @@ NetworkSample ring(uint32_t vertices, uint64_t seed) {
   s.name = "ring";
   s.vertices = vertices;
   s.candidates = s.part_count = s.joints = 1;
-  s.inputs = {{kSlotChannels, {}}};
+  s.inputs = {{kRigChannels, {}}};
   s.row_offsets = {0};
   s.part_offsets = {0, vertices};
   for (uint32_t v = 0; v < vertices; ++v) {
-    for (uint32_t c = 0; c < kSlotChannels; ++c)
+    for (uint32_t c = 0; c < kRigChannels; ++c)
       s.inputs[0].rows.push_back(static_cast<int16_t>(static_cast<int>(random() % 16001) - 8000));
     s.col_indices.insert(s.col_indices.end(), {(v + 1) % vertices, (v + vertices - 1) % vertices});
     s.row_offsets.push_back(static_cast<uint32_t>(s.col_indices.size()));
-    s.candidate.push_back(0xFFFF);
+    s.candidate.push_back(0);
+    s.far_indices.insert(s.far_indices.end(), {(v + 5) % vertices, (v + 9) % vertices});
     s.part.push_back(0);
     s.part_vertices.push_back(v);
   }
+  s.far_offsets = s.row_offsets;
   return s;
 }
 
@@ -49,7 +51,7 @@ double mix(const std::vector<double>& outputs, std::vector<double>* d) {
 }
 
 TEST(SlotNetwork, GradientsOfAllBlocks) {
-  FloatNetwork network = make_slot_network({4, 3}, 3);
+  FloatNetwork network = make_slot_network({6, 2}, 3);
   std::mt19937_64 random(9);
   for (LinearParameters& p : network.parameters)
     for (float& b : p.bias) b = static_cast<float>(random() % 2001) / 5000.0f - 0.2f;
@@ -67,7 +69,7 @@ TEST(SlotNetwork, GradientsOfAllBlocks) {
     size_t moved = 0;
     const auto check = [&](std::vector<double>& values, const std::vector<double>& analytic, const char* what) {
       for (size_t i = 0; i < values.size(); i += 1 + values.size() / 25) {
-        constexpr double kStep = 1e-6;
+        constexpr double kStep = 1e-8;  // 60,000 units of pairs: at a longer one some pass their kink
         const double kept = values[i];
         values[i] = kept + kStep;
         const double up = mix(runner.forward(network, parameters, sample, dropout), nullptr);
@@ -87,13 +89,13 @@ TEST(SlotNetwork, GradientsOfAllBlocks) {
 }
 
 TEST(SlotNetwork, VerticesInAnotherOrderGiveTheSame) {
-  const FloatNetwork network = make_slot_network({4, 4}, 3);
+  const FloatNetwork network = make_slot_network({4, 3}, 3);
   const NetworkSample sample = ring(20, 6);
   NetworkSample turned = sample;  // vertex v is now v + 3
   for (uint32_t v = 0; v < 20; ++v) {
     const uint32_t to = (v + 3) % 20;
-    std::copy_n(sample.inputs[0].rows.begin() + v * kSlotChannels, kSlotChannels,
-                turned.inputs[0].rows.begin() + to * kSlotChannels);
+    std::copy_n(sample.inputs[0].rows.begin() + v * kRigChannels, kRigChannels,
+                turned.inputs[0].rows.begin() + to * kRigChannels);
   }
   SlotRunner<double> a, b;
   const auto parameters = copy_blocks<double>(network);
@@ -107,13 +109,13 @@ TEST(SlotNetwork, DamagedFilesAreRefused) {
   check_slot_network(good, "good");
   size_t parameters = 0;
   for (const LinearParameters& p : good.parameters) parameters += p.weights.size() + p.bias.size();
-  EXPECT_LT(4 * parameters, 500000u) << "the default network is to fit into a repository";
+  EXPECT_LT(2 * parameters, 290000u) << "the default network is to be bundled";
   FloatNetwork other = good;
   other.architecture = "votes";
   EXPECT_ERROR(check_slot_network(other, "x"), "x: expected a network of slots, found votes");
   other = good;
   other.parameters.pop_back();
-  EXPECT_ERROR(check_slot_network(other, "x"), "x: damaged: 8 weight blocks, expected 9");
+  EXPECT_ERROR(check_slot_network(other, "x"), "weight blocks, expected");
   other = good;
   LinearParameters& last = other.parameters.back();
   last.in = 3;

@@ -10,10 +10,11 @@ namespace sinew {
 namespace {
 
 TEST(RigTrainConfig, ShippedFilesAreValid) {
-  for (const char* name : {"votes", "votes_more", "votes_left_out", "hands", "hands_more", "slots"}) {
+  for (const char* name :
+       {"votes", "votes_more", "votes_left_out", "hands", "hands_more", "slots", "slots_first", "slots_more"}) {
     const std::string path = std::string(SINEW_SOURCE_DIR) + "/trainer/configs/" + name + ".json";
     const RigTrainConfig config = parse_rig_config(read_text_file(path), path);
-    EXPECT_EQ(config.architecture, std::string(name) == "slots" ? "slots" : "votes");
+    EXPECT_EQ(config.architecture, std::string(name).rfind("slots", 0) == 0 ? "slots" : "votes");
     EXPECT_EQ(rig_config_json(parse_rig_config(rig_config_json(config), "again")), rig_config_json(config));
   }
 }

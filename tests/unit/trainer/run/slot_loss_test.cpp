@@ -30,7 +30,9 @@ struct Scene {
   }
   float& number(uint32_t slot, uint32_t n) { return outputs[slot * kSlotNumbers + n]; }
   float& connection(uint32_t i, uint32_t j) { return outputs[kSlots * kSlotNumbers + slot_pair(i, j)]; }
-  SlotLoss loss(double balance) const { return slot_loss(sample, balance, outputs, nullptr); }
+  SlotLoss loss(double balance, bool balanced = true) const {
+    return slot_loss(sample, {balance, balanced}, outputs, nullptr);
+  }
 };
 
 TEST(SlotLoss, EachErrorCountsAsItIsSaidTo) {
@@ -59,12 +61,23 @@ TEST(SlotLoss, EachErrorCountsAsItIsSaidTo) {
   EXPECT_NEAR(s.loss(1).total, 0, 1e-12);
 }
 
+TEST(SlotLoss, AsPublishedBothArePlainMeans) {
+  Scene s;
+  EXPECT_EQ(s.loss(0.7, false).total, 0);
+  s.number(1, 0) += 0.03f;
+  s.number(7, kSlotPresence) = 0.6f;
+  EXPECT_NEAR(s.loss(0.7, false).joints, (0.03 + 0.6) / (3 * 4 + kSlots), 1e-8) << "every number counts the same";
+  s.connection(0, 1) = 0.75f;
+  s.connection(1, 5) = 0.5f;
+  EXPECT_NEAR(s.loss(0.7, false).connections, (0.25 + 0.5) / 3, 1e-8) << "and so does every pair";
+}
+
 TEST(SlotLoss, GradientIsThatOfTheTotal) {
   Scene s;
   std::mt19937 random(3);
   for (float& o : s.outputs) o = static_cast<float>(random() % 1000) / 1000.0f;
   std::vector<float> d;
-  slot_loss(s.sample, 0.6, s.outputs, &d);
+  slot_loss(s.sample, {0.6, true}, s.outputs, &d);
   ASSERT_EQ(d.size(), s.outputs.size());
   size_t moved = 0;
   for (size_t i = 0; i < d.size(); ++i) {
