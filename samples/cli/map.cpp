@@ -219,7 +219,7 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->check(CLI::IsMember({"auto", "sinew", "branches"}))
       ->capture_default_str();
   sub->add_option(
-         "--level", s->level,
+         "--at-level", s->level,
          "Map what both skeletons keep at a level of sinew simplify. low: made at the high level, then reduced")
       ->type_name("high|low")
       ->check(CLI::IsMember({"high", "low"}));

@@ -36,7 +36,7 @@ struct Settings {
   // What the integers are measured on beside float, and a remark where ranges are of the same characters.
   const std::string& measured_on() const { return compared.empty() ? folder : compared; }
   const char* remark() const {
-    return compared.empty() ? ", the calibrated ones among them (--compare DIR: others)" : "";
+    return compared.empty() ? ", the calibrated ones among them (--held-out DIR: others)" : "";
   }
   unsigned characters = 40;
   double correction = 0;  // 0 = the checkpoint's
@@ -215,7 +215,7 @@ void add_quantize(CLI::App& app) {
   shared_option(sub, "-o,--output", s->output, "A model (.sinew)")->required();
   shared_option(sub, "--calibrate", s->folder);
   sub->add_option(
-         "--compare", s->compared,
+         "--held-out", s->compared,
          "Characters to measure the integers on beside float; those of --calibrate unless given, whose ranges are "
          "known")
       ->type_name("DIR");

@@ -406,8 +406,10 @@ TEST(SkeletonOfAMesh, WrongCallsAreRefused) {
   options.spine_count = 17;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
   options = sinew_rig_options_init();
-  options.method = 3;
+  options.method = SINEW_RIG_SLOTS + 1;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
+  options.method = SINEW_RIG_SLOTS;  // with the votes' model
+  EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_MODEL_TASK);
   options = sinew_rig_options_init();
   options.struct_size = 0;
   EXPECT_EQ(RiggedScene(scene, options).status, SINEW_ERROR_ARGUMENT);
