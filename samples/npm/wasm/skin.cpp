@@ -26,12 +26,12 @@ static_assert(sizeof(sinew_map_options) == 4 * 10 && sizeof(sinew_map_outputs) =
 static_assert(sizeof(sinew_retarget_options) == 4 * 4);
 static_assert(sizeof(sinew_motion_body) == 4 * 8 && sizeof(sinew_motion_clip) == 4 * 6 &&
               sizeof(sinew_contact_options) == 4 * 4);
-static_assert(sizeof(sinew_skin) == 4 * 4 && sizeof(sinew_deform_options) == 4 * 12 &&
+static_assert(sizeof(sinew_skin) == 4 * 4 && sizeof(sinew_deform_options) == 4 * 14 &&
               sizeof(sinew_deformer) == 4 * 14 && sizeof(sinew_deform_outputs) == 4 * 5);
 static_assert(sizeof(sinew_bound_character) == 4 * 7 && sizeof(sinew_transfer_part) == 4 * 8);
 static_assert(offsetof(sinew_transfer_options, progress_user) == 4 * 15 &&
               offsetof(sinew_transfer_outputs, used_bytes) == 4 * 13);
-static_assert(sizeof(sinew_simplify_options) == 4 * 4);
+static_assert(sizeof(sinew_simplify_options) == 4 * 5);
 
 // JavaScript's; 1 cancels.
 extern "C" __attribute__((import_module("sinew"), import_name("progress"))) int tell_progress(uint32_t permille);
