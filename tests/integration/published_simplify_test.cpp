@@ -143,6 +143,13 @@ TEST(PublishedSimplify, TheLowLevelTakesNoLimbsOff) {
                         c == SINEW_CLASS_CALF || c == SINEW_CLASS_FOOT;
       EXPECT_TRUE(!limb || stays(s, j)) << name << " " << before.joints[j].name;
     }
+    for (size_t j = 0; j < before.joints.size(); ++j) {  // both sides alike
+      std::string other = before.joints[j].name;
+      const size_t side = other.find(".L");
+      if (side == std::string::npos) continue;
+      other[side + 1] = 'R';
+      EXPECT_EQ(stays(s, j), stays(s, find(before, other))) << name << " " << other;
+    }
     for (const auto& row : after.influences)
       for (const Influence& one : row) EXPECT_LT(one.joint, after.joints.size());
   }

@@ -18,7 +18,8 @@ using mapping::Point;
 
 constexpr int32_t kNone = -1;
 constexpr uint32_t kBranching = 3;  // bones
-constexpr double kSame = 1e-3;      // costs of mirrored joints differ by no more, as a share
+// Mirrored joints: bones of one length, as a share, and like costs, in which the surface counts that is not so exact.
+constexpr double kSame = 1e-2, kLikeCost = 0.1;
 
 // A tree that loses joints: children in linked lists.
 class Shrinking {
@@ -87,7 +88,7 @@ class Shrinking {
       if (best == kNone) return;
       int32_t twin = kNone;
       for (int32_t i = 0; i < n_ && plan.wanted == 0; ++i) {
-        if (i == best || rank_[i] != rank_[best] || cost_[i] > cost_[best] * (1 + kSame) || !may_go(plan, i)) continue;
+        if (i == best || !is_twin(best, i) || !may_go(plan, i)) continue;
         if (twin == kNone || cost_[i] < cost_[twin]) twin = i;
       }
       if (twin != kNone && (parent_[twin] == best || parent_[best] == twin)) twin = kNone;  // no mirror image
@@ -107,6 +108,10 @@ class Shrinking {
  private:
   bool goes_before(int32_t i, int32_t j) const {
     return rank_[i] != rank_[j] ? rank_[i] < rank_[j] : cost_[i] < cost_[j];
+  }
+  bool is_twin(int32_t i, int32_t j) const {
+    return rank_[i] == rank_[j] && cost_[j] <= cost_[i] * (1 + kLikeCost) &&
+           absolute(length_[i] - length_[j]) <= kSame * length_[i];
   }
   // As published: the degree of a node of the edge is at least 3; the joint's surface; its length. (In a tree no two nodes
   // have more than one edge.) Ours: the body stays, details go at the low level, and by its degree alone no limb does.
