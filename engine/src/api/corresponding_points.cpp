@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The C API: the match of a transfer by itself, in the caller's vertices.
 #include "api/arguments.hpp"
-#include "bind/pipeline.hpp"
 #include "sinew/published.h"
 #include "transfer/match.hpp"
 #include "transfer/rebind.hpp"
@@ -28,39 +27,20 @@ struct Arguments {
   }
 };
 
-// The source's joints exist: of the map and of the rows.
-bool is_in_range(const sinew_bound_character& source, uint32_t target_joints) {
-  for (uint32_t j = 0; j < source.skeleton->joint_count; ++j)
-    if (source.joint_map[j] < -1 || source.joint_map[j] >= static_cast<int32_t>(target_joints)) return false;
-  const size_t slots = size_t{source.skin.influence_count} * source.mesh->vertex_count;
-  for (size_t i = 0; i < slots; ++i)
-    if (source.skin.joint_indices[i] >= source.skeleton->joint_count) return false;
-  return true;
-}
-
 sinew_status find_points(const TransferPlan& plan, const TransferInput& input, Arena& arena, uint32_t* vertices,
                          float* shares) {
   Pair pair;
   OwnRows rows;
   Match match;
-  (void)pair.source.allocate(arena, plan.source);
-  (void)pair.target.allocate(arena, plan.target);
-  (void)pair.source_joints.allocate(arena, plan.source);
-  (void)pair.target_joints.allocate(arena, plan.target);
-  (void)pair.map.allocate(arena, plan.source.joints, plan.target.joints);
+  (void)pair.allocate(arena, plan);
   uint32_t* const scratch = arena.alloc<uint32_t>(size_t{2} * plan.source.joints);
   uint32_t* const caller = arena.alloc<uint32_t>(plan.source.vertices);  // [welded] a vertex of the caller's
   (void)rows.allocate(arena, plan.source);
   if (!match.allocate(arena, plan.target)) return SINEW_ERROR_WORKSPACE;
   const sinew_bound_character& source = input.source;
-  sinew_status status = build_mesh_and_skeleton(*source.mesh, *source.skeleton, plan.source_up_axis, plan.source, arena,
-                                                &pair.source, &pair.source_joints);
-  if (status == SINEW_OK)
-    status = build_mesh_and_skeleton(input.target, input.skeleton, plan.up_axis, plan.target, arena, &pair.target,
-                                     &pair.target_joints);
+  sinew_status status = pair.build(plan, input, arena);
   if (status != SINEW_OK) return status;
   if (!arena.measuring()) {
-    if (!is_in_range(source, plan.target.joints)) return SINEW_ERROR_RANGE;
     pair.map.complete(source.joint_map, pair.source_joints, pair.target_joints, scratch);
     rows.gather(pair.source, source.skin.joint_indices, source.skin.weights, source.skin.weight_format,
                 source.skin.influence_count);

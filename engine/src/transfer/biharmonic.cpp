@@ -37,10 +37,6 @@ struct Least {
   }
 };
 
-double at(const TrianglePosition& p, const double* column) {
-  return p.shares[0] * column[p.corners[0]] + p.shares[1] * column[p.corners[1]] + p.shares[2] * column[p.corners[2]];
-}
-
 // Both meshes' distances, a column a reference point.
 struct Columns {
   const References& references;
@@ -58,13 +54,13 @@ struct Columns {
       const double* const column = target + size_t{i} * target_count;
       Least<kNeighbours> around;
       for (uint32_t j = 0; j < references.count; ++j) {
-        if (j != i) around.add(at(references.points[j].target, column), j);
+        if (j != i) around.add(mean_at(references.points[j].target, column), j);
       }
       double* const other = source + size_t{i} * source_count;
       double own = 0, sum = 0;
       for (uint32_t k = 0; k < around.count; ++k) {
         own += around.keys[k];
-        sum += at(references.points[around.numbers[k]].source, other);
+        sum += mean_at(references.points[around.numbers[k]].source, other);
       }
       const double factor = sum > 0 ? clamped(own / sum, 1 / kMostScale, kMostScale) : 1;
       for (uint32_t v = 0; v < source_count; ++v) other[v] *= factor;

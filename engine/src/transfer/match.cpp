@@ -2,9 +2,46 @@
 // Alignment, then the tree of the aligned source, then one query a vertex.
 #include "transfer/match.hpp"
 
+#include "bind/pipeline.hpp"
 #include "grid/caller_units.hpp"
 
 namespace sinew {
+namespace {
+
+// Rows of the source and its map name joints that exist.
+sinew_status check_source(const TransferInput& input) {
+  const sinew_bound_character& source = input.source;
+  for (uint32_t j = 0; j < source.skeleton->joint_count; ++j) {
+    const int32_t to = source.joint_map[j];
+    if (to < -1 || to >= static_cast<int32_t>(input.skeleton.joint_count)) return SINEW_ERROR_RANGE;
+  }
+  const size_t n = source.skin.influence_count;
+  for (size_t v = 0; v < source.mesh->vertex_count; ++v) {
+    for (size_t i = v * n; i < (v + 1) * n; ++i)
+      if (source.skin.joint_indices[i] >= source.skeleton->joint_count) return SINEW_ERROR_RANGE;
+  }
+  return SINEW_OK;
+}
+
+}  // namespace
+
+bool Pair::allocate(Arena& arena, const TransferPlan& plan) {
+  (void)source.allocate(arena, plan.source);
+  (void)target.allocate(arena, plan.target);
+  (void)source_joints.allocate(arena, plan.source);
+  (void)target_joints.allocate(arena, plan.target);
+  (void)map.allocate(arena, plan.source.joints, plan.target.joints);
+  return arena.ok();
+}
+
+sinew_status Pair::build(const TransferPlan& plan, const TransferInput& input, Arena& arena) {
+  sinew_status status = build_mesh_and_skeleton(*input.source.mesh, *input.source.skeleton, plan.source_up_axis,
+                                                plan.source, arena, &source, &source_joints);
+  if (status == SINEW_OK)
+    status = build_mesh_and_skeleton(input.target, input.skeleton, plan.up_axis, plan.target, arena, &target,
+                                     &target_joints);
+  return status != SINEW_OK || arena.measuring() ? status : check_source(input);
+}
 
 uint32_t row_distance(const Rows& a, uint32_t a_vertex, const Rows& b, uint32_t b_vertex) {
   const uint16_t *const aj = a.joints_of(a_vertex), *const bj = b.joints_of(b_vertex);

@@ -15,6 +15,11 @@ struct Pair {
   Mesh source, target;
   Skeleton source_joints, target_joints;
   JointCounterparts map;
+
+  bool allocate(Arena& arena, const TransferPlan& plan);
+  // Meshes and skeletons of an input, whose map and rows of the source are checked. Works with a measuring arena. Returns SINEW_OK,
+  // what build_mesh_and_skeleton() refuses, or SINEW_ERROR_RANGE for a joint that does not exist.
+  sinew_status build(const TransferPlan& plan, const TransferInput& input, Arena& arena);
 };
 
 // How far two rows are from each other: sum of the differences, 0 .. 2 * kWholeRow.

@@ -140,9 +140,6 @@ class Choice {
     }
   }
 
-  static Vec3d mean_of(const TrianglePosition& p, const Vec3d* values) {
-    return p.shares[0] * values[p.corners[0]] + p.shares[1] * values[p.corners[1]] + p.shares[2] * values[p.corners[2]];
-  }
   Vec3d target_normal(const TrianglePosition& p) const {
     Vec3d sum;
     for (uint32_t k = 0; k < 3; ++k) sum = sum + p.shares[k] * to_double(pair_.target.normals[p.corners[k]]);
@@ -150,7 +147,7 @@ class Choice {
   }
 
   void add(const Reference& reference) {
-    candidates_[count_++] = {reference, mean_of(reference.target, target_), 1e300};
+    candidates_[count_++] = {reference, mean_at(reference.target, target_), 1e300};
   }
 
   void add_rays(uint32_t joint) {
@@ -181,7 +178,7 @@ class Choice {
           continue;
         const double ratio = target_length / (source_length * alignment_.scale);
         if (ratio < kLeastRatio || ratio > kMostRatio) continue;
-        if (length(mean_of(found.source, brought_) - mean_of(found.target, target_)) < kFarthestApart) add(found);
+        if (length(mean_at(found.source, brought_) - mean_at(found.target, target_)) < kFarthestApart) add(found);
       }
     }
   }
@@ -199,8 +196,8 @@ class Choice {
       const TrianglePosition on_target = position_at(there);
       if (there.cosine < kLeastCosine) continue;
       const MatchedPoint back =
-          source_tree_.nearest(mean_of(on_target, target_), target_normal(on_target), Facing::kSame);
-      if (returns(mean_of(position_at(back), brought_) - brought_[v], brought_normals_[v]))
+          source_tree_.nearest(mean_at(on_target, target_), target_normal(on_target), Facing::kSame);
+      if (returns(mean_at(position_at(back), brought_) - brought_[v], brought_normals_[v]))
         add({{{v, v, v}, {1, 0, 0}}, on_target});
     }
   }
@@ -212,8 +209,8 @@ class Choice {
       const TrianglePosition on_source = position_at(there);
       if (there.cosine < kLeastCosine) continue;
       const MatchedPoint back =
-          target_tree_.nearest(mean_of(on_source, brought_), unit(mean_of(on_source, brought_normals_)), Facing::kSame);
-      if (returns(mean_of(position_at(back), target_) - target_[v], unit(to_double(pair_.target.normals[v]))))
+          target_tree_.nearest(mean_at(on_source, brought_), unit(mean_at(on_source, brought_normals_)), Facing::kSame);
+      if (returns(mean_at(position_at(back), target_) - target_[v], unit(to_double(pair_.target.normals[v]))))
         add({on_source, {{v, v, v}, {1, 0, 0}}});
     }
   }

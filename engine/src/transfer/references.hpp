@@ -12,6 +12,11 @@ struct TrianglePosition {
   uint32_t corners[3];
   double shares[3];
 };
+// The mean of values of its corners.
+template <class Value>
+Value mean_at(const TrianglePosition& p, const Value* values) {
+  return p.shares[0] * values[p.corners[0]] + p.shares[1] * values[p.corners[1]] + p.shares[2] * values[p.corners[2]];
+}
 struct Reference {
   TrianglePosition source, target;
 };

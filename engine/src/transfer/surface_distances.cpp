@@ -24,10 +24,6 @@ const TrianglePosition& place_of(const References& references, uint32_t i, bool 
   return on_source ? references.points[i].source : references.points[i].target;
 }
 
-double at(const TrianglePosition& p, const double* column) {
-  return p.shares[0] * column[p.corners[0]] + p.shares[1] * column[p.corners[1]] + p.shares[2] * column[p.corners[2]];
-}
-
 }  // namespace
 
 void SurfaceDistances::Ties::add(uint32_t a, uint32_t b) {
@@ -174,10 +170,10 @@ void SurfaceDistances::turn_to_distances(const Mesh& mesh, const References& ref
   double mean = 0;
   for (uint32_t i = 0; i < n; ++i) {
     double* const column = g + size_t{i} * mesh.welded_count;
-    const double own = at(place_of(references, i, on_source), column);
+    const double own = mean_at(place_of(references, i, on_source), column);
     for (uint32_t v = 0; v < mesh.welded_count; ++v)
       column[v] = root(greater(diagonal_[position_[v]] + own - 2 * column[v], 0));
-    for (uint32_t j = 0; j < n; ++j) mean += at(place_of(references, j, on_source), column);
+    for (uint32_t j = 0; j < n; ++j) mean += mean_at(place_of(references, j, on_source), column);
   }
   mean /= static_cast<double>(n) * n;
   const double scale = mean > 1e-150 ? 1 / mean : 0;

@@ -19,21 +19,6 @@ constexpr double kKnownDistance = 0.05, kKnownCosine = 0.5;
 // Ends of the stages, permille.
 constexpr uint32_t kMeshesEnd = 50, kMatchEnds = 200, kSourceBindsEnd = 550, kTargetBindEnds = 900, kRowsEnd = 1000;
 
-// Rows of the source name joints that exist.
-sinew_status check_source(const TransferInput& input) {
-  const sinew_bound_character& source = input.source;
-  for (uint32_t j = 0; j < source.skeleton->joint_count; ++j) {
-    const int32_t to = source.joint_map[j];
-    if (to < -1 || to >= static_cast<int32_t>(input.skeleton.joint_count)) return SINEW_ERROR_RANGE;
-  }
-  const size_t n = source.skin.influence_count;
-  for (size_t v = 0; v < source.mesh->vertex_count; ++v) {
-    for (size_t i = v * n; i < (v + 1) * n; ++i)
-      if (source.skin.joint_indices[i] >= source.skeleton->joint_count) return SINEW_ERROR_RANGE;
-  }
-  return SINEW_OK;
-}
-
 class Transfer {
  public:
   Transfer(const TransferPlan& plan, const TransferInput& input, Arena& arena)
@@ -70,11 +55,7 @@ class Transfer {
 
  private:
   bool allocate() {
-    (void)pair_.source.allocate(arena_, plan_.source);
-    (void)pair_.target.allocate(arena_, plan_.target);
-    (void)pair_.source_joints.allocate(arena_, plan_.source);
-    (void)pair_.target_joints.allocate(arena_, plan_.target);
-    (void)pair_.map.allocate(arena_, plan_.source.joints, plan_.target.joints);
+    (void)pair_.allocate(arena_, plan_);
     map_scratch_ = arena_.alloc<uint32_t>(size_t{2} * plan_.source.joints);
     source_flags_ = arena_.alloc<uint8_t>(plan_.source.joints);
     target_flags_ = arena_.alloc<uint8_t>(plan_.target.joints);
@@ -98,14 +79,8 @@ class Transfer {
 
   sinew_status read_both() {
     const sinew_bound_character& source = input_.source;
-    sinew_status status = build_mesh_and_skeleton(*source.mesh, *source.skeleton, plan_.source_up_axis, plan_.source,
-                                                  arena_, &pair_.source, &pair_.source_joints);
-    if (status == SINEW_OK)
-      status = build_mesh_and_skeleton(input_.target, input_.skeleton, plan_.up_axis, plan_.target, arena_,
-                                       &pair_.target, &pair_.target_joints);
+    const sinew_status status = pair_.build(plan_, input_, arena_);
     if (status != SINEW_OK || arena_.measuring()) return status;
-    status = check_source(input_);
-    if (status != SINEW_OK) return status;
     pair_.map.complete(source.joint_map, pair_.source_joints, pair_.target_joints, map_scratch_);
     source_rows_.gather(pair_.source, source.skin.joint_indices, source.skin.weights, source.skin.weight_format,
                         source.skin.influence_count);
