@@ -2,6 +2,7 @@
 // Capsules along mapped bones, ring by ring.
 #include "motion/capsule_body.hpp"
 
+#include "motion/posed_body.hpp"
 #include "sinew/rig.h"
 
 namespace sinew::motion {
@@ -98,12 +99,8 @@ void CapsuleBodies::measure_target(const sinew_motion_body& mesh) {
   constexpr uint32_t kFewest = 12;
   constexpr double kThinnest = 0.5, kThickest = 2.5;  // of what proportions say
   for (uint32_t b = 0; b < bone_count_; ++b) sums_[b] = counts_[b] = 0;
-  const uint32_t slots = mesh.skin.influence_count;
   for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
-    const uint16_t* const row = static_cast<const uint16_t*>(mesh.skin.weights) + size_t{slots} * v;
-    uint32_t heaviest = 0;
-    for (uint32_t i = 1; i < slots; ++i) heaviest = row[i] > row[heaviest] ? i : heaviest;
-    const uint16_t joint = mesh.skin.joint_indices[size_t{slots} * v + heaviest];
+    const uint32_t joint = heaviest_joint(mesh, v);
     const float* const p = mesh.positions + size_t{3} * v;
     const Vec3d place = {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
     uint32_t best = kNone;

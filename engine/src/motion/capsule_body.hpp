@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies of capsules around the two skeletons of a plan, for motions that have no mesh: the same capsules with the same triangles round
-// both. The source's
-// are as thick as limbs of such length are, the target's (ours) as thick as its mesh is there.
+// both. The source's are as thick as limbs of such length are, the target's (ours) as thick as its mesh is there.
 #ifndef SINEW_MOTION_CAPSULE_BODY_HPP
 #define SINEW_MOTION_CAPSULE_BODY_HPP
 

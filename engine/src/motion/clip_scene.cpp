@@ -36,13 +36,8 @@ void find_parts(ClipScene* scene) {
     }
   }
   const sinew_motion_body& body = *scene->body;
-  const uint32_t slots = body.skin.influence_count;
   for (uint32_t v = 0; v < body.vertex_count; ++v) {
-    uint32_t best = 0;
-    for (uint32_t i = 1; i < slots; ++i) {
-      if (weights_of(body)[size_t{slots} * v + i] > weights_of(body)[size_t{slots} * v + best]) best = i;
-    }
-    const uint32_t joint = body.skin.joint_indices[size_t{slots} * v + best];
+    const uint32_t joint = heaviest_joint(body, v);
     scene->parts[v] = scene->joint_parts[joint];
     scene->limb_of[v] = scene->joint_limbs[joint];
   }

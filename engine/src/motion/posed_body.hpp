@@ -43,6 +43,14 @@ struct PosedBody {
 inline const uint16_t* weights_of(const sinew_motion_body& body) {
   return static_cast<const uint16_t*>(body.skin.weights);
 }
+// The joint that a vertex has most of; of equal ones the first of its row.
+inline uint32_t heaviest_joint(const sinew_motion_body& body, uint32_t v) {
+  const size_t first = size_t{body.skin.influence_count} * v;
+  size_t best = first;
+  for (size_t i = first + 1; i < first + body.skin.influence_count; ++i)
+    if (weights_of(body)[i] > weights_of(body)[best]) best = i;
+  return body.skin.joint_indices[best];
+}
 // Counts, indices and numbers of a body. SINEW_OK, SINEW_ERROR_ARGUMENT, SINEW_ERROR_COUNT, SINEW_ERROR_RANGE for a joint
 // that does not exist, SINEW_ERROR_NOT_FINITE, SINEW_ERROR_INDEX for a triangle's vertex.
 sinew_status check_body(const sinew_motion_body& body, uint32_t joint_count);

@@ -26,8 +26,6 @@ double falling(double x) {
   return 1 / d;
 }
 
-double magnitude(double x) { return x < 0 ? -x : x; }
-
 struct ReferenceScene : ClipScene {
   uint32_t* groups = nullptr;   // [target joints + 1] first triangle in `order` of each nearest joint
   uint32_t* order = nullptr;    // [triangles] by nearest joint
@@ -161,14 +159,10 @@ class ReferencePoints {
   // A limb's where it has a corner there; the head's where most of a corner is.
   uint8_t part_of(uint32_t triangle) const {
     uint8_t part = kTorso;
-    const uint32_t slots = s_.body->skin.influence_count;
     for (size_t c = 0; c < 3; ++c) {
       const uint32_t v = s_.body->triangles[size_t{3} * triangle + c];
       if (s_.limb_of[v] < kMostLimbs) return static_cast<uint8_t>(kFirstLimb + s_.limb_of[v]);
-      uint32_t best = 0;
-      for (uint32_t i = 1; i < slots; ++i)
-        if (weights_of(*s_.body)[size_t{slots} * v + i] > weights_of(*s_.body)[size_t{slots} * v + best]) best = i;
-      if (head_ != kNone && rig_.is_below(s_.body->skin.joint_indices[size_t{slots} * v + best], head_)) part = kHead;
+      if (head_ != kNone && rig_.is_below(heaviest_joint(*s_.body, v), head_)) part = kHead;
     }
     return part;
   }
@@ -209,7 +203,7 @@ class ReferencePoints {
   }
 
   double influence(uint32_t triangle, Vec3d along, double distance) const {
-    const double cosine = magnitude(dot(along, s_.normals[triangle]));
+    const double cosine = absolute(dot(along, s_.normals[triangle]));
     double own = cosine > options_.least_cosine ? cosine : options_.least_cosine;
     for (uint32_t i = 0; i < options_.area_power; ++i) own *= s_.areas[triangle];
     if (options_.falloff > 0 && s_.source.height > 0) {
@@ -247,8 +241,8 @@ class ReferencePoints {
         if (bones > 0) {
           double from = 0, to = 0;
           for (uint32_t b = 0; bones != kNone && b < bones; ++b) {
-            from += magnitude(dot(along, s_.source_bones[b]));
-            to += magnitude(dot(along, s_.target_bones[b]));
+            from += absolute(dot(along, s_.source_bones[b]));
+            to += absolute(dot(along, s_.target_bones[b]));
           }
           factor = from > kLeastLength * s_.source.height ? to / from : heights;
         }
