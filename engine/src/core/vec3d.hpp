@@ -54,6 +54,13 @@ inline Vec3d unit(Vec3d v) {
   const double square = dot(v, v);
   return square > kLeastSquare ? reciprocal_root(square) * v : Vec3d{0, 0, 0};
 }
+// Squared distance of p from the segment from a to b.
+inline double square_to_segment(Vec3d p, Vec3d a, Vec3d b) {
+  const Vec3d along = b - a, from = p - a;
+  const double square = dot(along, along);
+  const Vec3d off = from - (square > kLeastSquare ? clamped(dot(from, along) / square, 0, 1) : 0) * along;
+  return dot(off, off);
+}
 
 }  // namespace sinew
 #endif

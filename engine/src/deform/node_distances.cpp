@@ -7,14 +7,6 @@ namespace {
 
 constexpr double kLeastSquare = 1e-4;  // of a distance, cells
 
-double square_to_segment(Vec3d p, Vec3d a, Vec3d b) {
-  const Vec3d along = b - a;
-  const double whole = dot(along, along);
-  const double share = whole > kLeastSquare * kLeastSquare ? clamped(dot(p - a, along) / whole, 0, 1) : 0;
-  const Vec3d off = p - (a + share * along);
-  return dot(off, off);
-}
-
 class NodeDistances {
  public:
   NodeDistances(DeformRest* rest, double* squares, uint8_t* weighted)

@@ -10,15 +10,6 @@ namespace {
 constexpr uint16_t kBoneWeight = 32768;  // a node goes with a bone that has more than half of it
 constexpr double kBoneReach = 0.6;       // cells
 
-double square_to_segment(Vec3d p, Vec3d a, Vec3d b) {
-  const Vec3d along = b - a, from = p - a;
-  const double length = dot(along, along);
-  double share = length > 1e-280 ? dot(from, along) / length : 0;
-  share = share < 0 ? 0 : share > 1 ? 1 : share;
-  const Vec3d off = from - share * along;
-  return dot(off, off);
-}
-
 }  // namespace
 
 void grow_nodes(const Lattice& lattice, uint8_t mask, uint32_t rounds, uint8_t* flags) {
