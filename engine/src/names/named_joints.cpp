@@ -9,7 +9,7 @@ constexpr int kMostShared = 4;  // words
 
 // Bip01_, J_Bip_, DEF-: words that at least four of five names begin with, of five or more.
 int shared_words(const sinew_skeleton& joints, uint32_t* shared) {
-  if (joints.joint_count < 5) return 0;
+  if (joints.joint_count < 5 || joints.names == nullptr) return 0;
   int count = 0;
   const auto begins_so = [&](const Tokens& tokens, int words) {
     if (tokens.count <= words) return false;
@@ -83,7 +83,7 @@ sinew_status NamedJoints::build(const sinew_skeleton& joints, const uint8_t* fol
       for (int k = 0; k < shared_count && k + 1 < tokens.count && hash_of(tokens.token[k]) == shared[k]; ++k) ++skipped;
       if (skipped < shared_count) skipped = 0;
     }
-    names[j] = read_joint_name(joints.names[j], skipped);
+    names[j] = read_joint_name(joints.names != nullptr ? joints.names[j] : nullptr, skipped);
     roles[j] = SINEW_ROLE_DEFORMS;
     classes[j] = SINEW_CLASS_OTHER;
   }

@@ -81,23 +81,19 @@ sinew_status find_joint_ranks(const sinew_skeleton& skeleton, const float* areas
   uint8_t* const roles = arena.alloc<uint8_t>(n);
   uint8_t* const laid = arena.alloc<uint8_t>(n);  // classes of the body that is laid over; a spine goes on below
   uint8_t* const follows = arena.alloc<uint8_t>(n);
-  const char** const no_names = arena.alloc<const char*>(n);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-  sinew_skeleton own = skeleton;
   sinew_joint_verdicts verdicts = sinew_joint_verdicts_init();
   if (!arena.measuring()) {
     double whole = 0;
     for (uint32_t j = 0; j < n && areas != nullptr; ++j) whole += static_cast<double>(areas[j]);
     for (uint32_t j = 0; j < n; ++j) {
-      no_names[j] = nullptr;
       follows[j] = areas != nullptr && static_cast<double>(areas[j]) > kNoSurface * whole ? SINEW_FOLLOWS_SOME
                                                                                           : SINEW_FOLLOWS_NONE;
     }
-    if (own.names == nullptr) own.names = no_names;
     verdicts.classes = classes;
     verdicts.roles = roles;
   }
-  sinew_status status = names::find_joint_verdicts(own, areas != nullptr ? follows : nullptr, arena, &verdicts);
+  sinew_status status = names::find_joint_verdicts(skeleton, areas != nullptr ? follows : nullptr, arena, &verdicts);
   if (status != SINEW_OK) return status;
   bool any = false;
   for (uint32_t j = 0; j < n && !arena.measuring(); ++j)

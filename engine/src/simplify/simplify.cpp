@@ -233,8 +233,7 @@ sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into
     if (status == SINEW_OK) status = tree.start(plan, rig);
   }
   if (status == SINEW_OK) status = find_joint_ranks(skeleton, plan.areas, arena, tree.ranks(), tree.ends());
-  if (arena.measuring()) return status;
-  if (status != SINEW_OK) return status;
+  if (status != SINEW_OK || arena.measuring()) return status;
   tree.run(plan);
   tree.write(into);
   return SINEW_OK;
