@@ -32,7 +32,7 @@ sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_mo
       size_t second = 0;
       sinew_model opened, connections;
       sinew_status both = sinew::open_model(bytes, size_bytes, task, &opened, &second);
-      if (both == SINEW_OK) both = sinew::open_connections(opened, &connections);
+      if (both == SINEW_OK) both = sinew::open_connections(opened, second, &connections);
       if (both == SINEW_OK) *model = opened;
       return both;
     }
