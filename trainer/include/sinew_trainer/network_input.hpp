@@ -3,7 +3,14 @@
 #ifndef SINEW_TRAINER_NETWORK_INPUT_HPP
 #define SINEW_TRAINER_NETWORK_INPUT_HPP
 
+#include <string>
+#include <vector>
+
+#include "kernels/select.hpp"
 #include "network/network.hpp"
+#include "sinew/sinew.hpp"
+#include "sinew_character/bind.hpp"
+#include "sinew_formats/error.hpp"
 #include "sinew_trainer/network_sample.hpp"
 
 namespace sinew {
@@ -33,6 +40,19 @@ inline size_t network_workspace(const sinew_model& model, const NetworkSample& s
   Arena measuring;
   (void)run_network(model, network_input(sample), Kernels(), {}, measuring, nullptr, options);
   return measuring.high_water();
+}
+
+// What the engine's network writes for the sample: `count` numbers, by the kernel of the environment. Throws Error with the sample's
+// name.
+inline std::vector<int16_t> engine_rows(const sinew_model& model, const NetworkSample& sample, size_t count) {
+  Kernels kernels;
+  if (!select_kernels(kernel_from_environment(), &kernels)) throw Error(sinew_status_text(SINEW_ERROR_KERNEL));
+  const Workspace block(network_workspace(model, sample));
+  Arena arena(block.data(), block.size());
+  std::vector<int16_t> rows(count);
+  const sinew_status status = run_network(model, network_input(sample), kernels, {}, arena, rows.data());
+  if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
+  return rows;
 }
 
 }  // namespace sinew

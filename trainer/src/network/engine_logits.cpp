@@ -4,23 +4,13 @@
 
 #include <cmath>
 
-#include "kernels/select.hpp"
-#include "sinew/sinew.hpp"
-#include "sinew_character/bind.hpp"
-#include "sinew_formats/error.hpp"
 #include "sinew_trainer/network_input.hpp"
 
 namespace sinew {
 
 std::vector<float> engine_logits(const sinew_model& model, const Sample& sample) {
-  Kernels kernels;
-  if (!select_kernels(kernel_from_environment(), &kernels)) throw Error(sinew_status_text(SINEW_ERROR_KERNEL));
-  const Workspace block(network_workspace(model, sample));
-  Arena arena(block.data(), block.size());
-  std::vector<int16_t> logits(static_cast<size_t>(sample.vertices) * sample.candidates);
-  const sinew_status status = run_network(model, network_input(sample), kernels, {}, arena, logits.data());
-  if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
-
+  const std::vector<int16_t> logits =
+      engine_rows(model, sample, static_cast<size_t>(sample.vertices) * sample.candidates);
   constexpr float kLn2 = 0.69314718056f;
   std::vector<float> natural(logits.size());
   for (size_t i = 0; i < logits.size(); ++i) natural[i] = static_cast<float>(logits[i]) * (kLn2 / 1024.0f);

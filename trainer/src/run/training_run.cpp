@@ -266,7 +266,8 @@ double TrainingRun::progress() const {
 
 // Why the run is over before its time, or nothing. By the log, which a resumed run has too.
 std::string TrainingRun::settled() const {
-  const size_t score = 2 + task_.loss_names().size() + 2;  // behind step, seconds, the losses, norm and rate
+  if (config_.patience == 0 && !(config_.stop_below > 0)) return "";  // asked before every step
+  const size_t score = 2 + task_.loss_names().size() + 2;             // behind step, seconds, the losses, norm and rate
   const std::vector<size_t> columns = val_.empty() ? std::vector<size_t>{2} : std::vector<size_t>{score, score + 1};
   const Course course = course_of(checkpoint_.state.log_csv, columns);
   const std::string what = val_.empty() ? task_.loss_names()[0] : task_.score_name();

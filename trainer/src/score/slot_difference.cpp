@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "data/slot_sample.hpp"
-#include "kernels/select.hpp"
 #include "network/slot_network.hpp"
 #include "rig/slots.hpp"
 #include "rig/slots_model.hpp"
-#include "sinew/sinew.hpp"
-#include "sinew_character/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/calibrate.hpp"
@@ -67,23 +64,12 @@ SlotJoints float_joints(const std::vector<float>& outputs, const std::vector<flo
   return joints;
 }
 
-std::vector<int16_t> engine_rows(const sinew_model& model, const NetworkSample& sample, uint32_t channels) {
-  Kernels kernels;
-  if (!select_kernels(kernel_from_environment(), &kernels)) throw Error(sinew_status_text(SINEW_ERROR_KERNEL));
-  const Workspace block(network_workspace(model, sample));
-  Arena arena(block.data(), block.size());
-  std::vector<int16_t> rows(size_t{sample.vertices} * channels);
-  const sinew_status status = run_network(model, network_input(sample), kernels, {}, arena, rows.data());
-  if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
-  return rows;
-}
-
 SlotJoints engine_joints(const sinew_model& model, const sinew_model& connections, const PointSet& set) {
-  const std::vector<int16_t> rows = engine_rows(model, slot_points(set), kSlotRow);
+  const std::vector<int16_t> rows = engine_rows(model, slot_points(set), size_t{kSetPoints} * kSlotRow);
   std::vector<int64_t> attention(kSetPoints);
   SlotJoints joints = {};
   add_slot_joints(set.points, rows.data(), attention.data(), &joints);
-  const std::vector<int16_t> logits = engine_rows(connections, pair_sample(joints), 1);
+  const std::vector<int16_t> logits = engine_rows(connections, pair_sample(joints), kSlotPairs);
   std::copy(logits.begin(), logits.end(), joints.connection);
   return joints;
 }

@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "data/hand_sample.hpp"
-#include "kernels/select.hpp"
 #include "rig/rig_task.hpp"
-#include "sinew/sinew.hpp"
-#include "sinew_character/bind.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_trainer/calibrate.hpp"
@@ -45,17 +42,6 @@ std::vector<RigSample> some_samples(const FloatNetwork& network, const std::stri
   return samples;
 }
 
-std::vector<int16_t> engine_rows(const sinew_model& model, const RigSample& sample) {
-  Kernels kernels;
-  if (!select_kernels(kernel_from_environment(), &kernels)) throw Error(sinew_status_text(SINEW_ERROR_KERNEL));
-  const Workspace block(network_workspace(model, sample));
-  Arena arena(block.data(), block.size());
-  std::vector<int16_t> rows(size_t{sample.vertices} * kRigOutputs);
-  const sinew_status status = run_network(model, network_input(sample), kernels, {}, arena, rows.data());
-  if (status != SINEW_OK) throw Error(sample.name + ": " + sinew_status_text(status));
-  return rows;
-}
-
 template <class T>
 uint32_t most_likely(const T* logits, uint32_t count) {
   return static_cast<uint32_t>(std::max_element(logits, logits + count) - logits);
@@ -77,7 +63,7 @@ VoteDifference compare_votes(const FloatNetwork& network, const sinew_model& mod
   size_t votes = 0;
   for (const RigSample& sample : some_samples(network, folder, limit)) {
     const std::vector<float>& exact = runner.forward(network, sample);
-    const std::vector<int16_t> rows = engine_rows(model, sample);
+    const std::vector<int16_t> rows = engine_rows(model, sample, size_t{sample.vertices} * kRigOutputs);
     ++difference.characters;
     for (uint32_t i = 0; i < sample.vertices; ++i) {
       const float* const a = &exact[size_t{i} * kRigOutputs];
