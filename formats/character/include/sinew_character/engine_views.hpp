@@ -25,6 +25,18 @@ struct EngineViews {
   sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
 };
 
+// Joints as the engine's skeleton, with their names. Holds pointers into `joints` and into itself, as above.
+struct SkeletonView {
+  explicit SkeletonView(const std::vector<Joint>& joints);
+  SkeletonView(const SkeletonView&) = delete;
+  SkeletonView& operator=(const SkeletonView&) = delete;
+
+  std::vector<float> positions;
+  std::vector<int32_t> parents;
+  std::vector<const char*> names;
+  sinew_skeleton skeleton = sinew_skeleton_init(nullptr, nullptr, 0);
+};
+
 // 0 = Y, 1 = Z, as the engine says it.
 inline uint32_t engine_up(uint32_t up_axis) { return up_axis == 0 ? SINEW_UP_Y : SINEW_UP_Z; }
 // Throws Error when there is nothing to bind or a limit of the engine is exceeded.

@@ -25,6 +25,11 @@ struct Simplified {
 // [J] what each joint is part of, without changing anything. Throws as simplify_skeleton().
 std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Character& character);
 
+// The joints that stay, in their order, below what is left above them; `number` as in Simplified.
+//   into  [J] of joints_to_merge()
+std::vector<Joint> joints_left(const std::vector<Joint>& joints, const std::vector<uint32_t>& into,
+                               std::vector<int>* number);
+
 // Leaves joints out of the skeleton; those below hang on what is left above, and its vertices move with what it became part
 // of. Where the character has weights, how much surface a joint moves counts. Joints keep their order and names.
 // Throws Error for a skeleton without joints, one that the engine refuses, or a name in `keep` that no joint has; the

@@ -29,6 +29,16 @@ EngineViews::EngineViews(const Character& character, const std::vector<uint8_t>&
   skeleton.joint_count = static_cast<uint32_t>(character.joints.size());
 }
 
+SkeletonView::SkeletonView(const std::vector<Joint>& joints) {
+  for (const Joint& joint : joints) {
+    positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
+    parents.push_back(joint.parent);
+    names.push_back(joint.name.c_str());
+  }
+  skeleton = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(joints.size()));
+  skeleton.names = names.data();
+}
+
 void check_bindable(const Character& character) {
   if (character.vertices.empty()) throw Error(character.name + ": the mesh has no vertices");
   if (character.joints.empty()) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "map/map_rig_view.hpp"
 #include "sinew/sinew.hpp"
+#include "sinew_character/simplify_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -14,45 +16,31 @@ namespace {
 // What each joint of a rig is part of at a level.
 std::vector<uint32_t> merged(const MapRig& rig, const MapSkeletonOptions& options, const std::vector<uint8_t>& keep,
                              bool low) {
-  std::vector<float> positions;
-  std::vector<int32_t> parents;
-  std::vector<const char*> names;
-  for (const Joint& joint : rig.joints) {
-    positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
-    parents.push_back(joint.parent);
-    names.push_back(joint.name.c_str());
-  }
-  sinew_skeleton view = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(rig.joints.size()));
-  if (options.names) view.names = names.data();
-  if (options.ends && !rig.ends.empty()) view.ends = rig.ends.data();
+  const MapRigView view(rig, 'a', options);
   SimplifySettings settings;
   settings.level = low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
   Workspace workspace;
   std::vector<uint32_t> into;
-  const sinew_status status = simplify(view, nullptr, keep.data(), settings, &workspace, &into);
+  const sinew_status status = simplify(view.skeleton, nullptr, keep.data(), settings, &workspace, &into);
   if (status != SINEW_OK) throw Error(rig.name + ": cannot be simplified for a map, " + sinew_status_text(status));
   return into;
 }
 
 struct Reduced {
   MapRig rig;
-  std::vector<int32_t> number;  // [J before] -1 where it is gone
+  std::vector<int> number;      // [J before] -1 where it is gone
   std::vector<uint32_t> joint;  // [J now] which it was
 };
 
 Reduced reduced(const MapRig& rig, const std::vector<uint32_t>& into) {
   Reduced out;
   out.rig.name = rig.name;
-  for (size_t j = 0; j < into.size(); ++j) {
-    const bool stays = into[j] == j;
-    out.number.push_back(stays ? static_cast<int32_t>(out.joint.size()) : -1);
-    if (!stays) continue;
-    out.joint.push_back(static_cast<uint32_t>(j));
-    out.rig.joints.push_back(rig.joints[j]);
+  out.rig.joints = joints_left(rig.joints, into, &out.number);
+  for (uint32_t j = 0; j < into.size(); ++j) {
+    if (into[j] != j) continue;
+    out.joint.push_back(j);
     if (!rig.ends.empty()) out.rig.ends.push_back(rig.ends[j]);
   }
-  for (Joint& joint : out.rig.joints)
-    if (joint.parent >= 0) joint.parent = out.number[into[static_cast<size_t>(joint.parent)]];
   return out;
 }
 

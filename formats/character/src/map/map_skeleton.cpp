@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "map/map_rig_view.hpp"
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
@@ -37,21 +39,6 @@ size_t skin_vertices(const std::string& path) {
     count = std::max(count, static_cast<size_t>(*vertex) + 1);
   }
   return count;
-}
-
-sinew_skeleton view_of(const MapRig& rig, char up, std::vector<float>* positions, std::vector<int32_t>* parents,
-                       std::vector<const char*>* names, const MapSkeletonOptions& options) {
-  for (const Joint& joint : rig.joints) {
-    positions->insert(positions->end(), {joint.position.x, joint.position.y, joint.position.z});
-    parents->push_back(joint.parent);
-    names->push_back(joint.name.c_str());
-  }
-  sinew_skeleton view =
-      sinew_skeleton_init(positions->data(), parents->data(), static_cast<uint32_t>(rig.joints.size()));
-  if (options.names) view.names = names->data();
-  if (options.ends && !rig.ends.empty()) view.ends = rig.ends.data();
-  view.up = up == 'x' ? SINEW_UP_X : up == 'y' ? SINEW_UP_Y : up == 'z' ? SINEW_UP_Z : SINEW_UP_AUTO;
-  return view;
 }
 
 // [J] each face's area, shared by the joints that its corners follow; vertices alike where there is no face. Empty without
@@ -170,11 +157,8 @@ MapRig read_map_rig(const std::string& path) {
 }
 
 MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const MapSkeletonOptions& options) {
-  std::vector<float> positions[2];
-  std::vector<int32_t> parents[2];
-  std::vector<const char*> names[2];
-  const sinew_skeleton to = view_of(target, options.target_up, &positions[0], &parents[0], &names[0], options);
-  const sinew_skeleton from = view_of(source, options.source_up, &positions[1], &parents[1], &names[1], options);
+  const MapRigView target_view(target, options.target_up, options), source_view(source, options.source_up, options);
+  const sinew_skeleton &to = target_view.skeleton, &from = source_view.skeleton;
   MapSettings settings;
   settings.method = options.method;
   settings.pins = options.pins.data();
@@ -215,23 +199,22 @@ MappedSkeleton map_skeleton(const MapRig& target, const MapRig& source, const Ma
 
 std::vector<uint8_t> limb_classes(const MapRig& target, char target_up, const MapRig* source,
                                   const std::vector<int>& sources) {
-  std::vector<float> positions[2];
-  std::vector<int32_t> parents[2];
-  std::vector<const char*> names[2];
   const MapSkeletonOptions options;
-  const sinew_skeleton to = view_of(target, target_up, &positions[0], &parents[0], &names[0], options);
-  sinew_skeleton from = {};
-  if (source != nullptr) from = view_of(*source, 'a', &positions[1], &parents[1], &names[1], options);
+  const MapRigView target_view(target, target_up, options);
+  std::optional<MapRigView> source_view;
+  if (source != nullptr) source_view.emplace(*source, 'a', options);
+  const sinew_skeleton& to = target_view.skeleton;
+  const sinew_skeleton* const from = source_view ? &source_view->skeleton : nullptr;
   std::vector<uint8_t> classes(target.joints.size());
   const auto check = [&](sinew_status status) {
     if (status != SINEW_OK) throw Error(target.name + ": cannot tell arms from legs, " + sinew_status_text(status));
   };
   size_t bytes = 0;
-  check(sinew_limb_classes_workspace_size(to.joint_count, from.joint_count, &bytes));
+  check(sinew_limb_classes_workspace_size(to.joint_count, from != nullptr ? from->joint_count : 0, &bytes));
   Workspace workspace;
   check(workspace.reserve(bytes) ? SINEW_OK : SINEW_ERROR_WORKSPACE);
-  check(sinew_limb_classes(&to, source != nullptr ? &from : nullptr, source != nullptr ? sources.data() : nullptr,
-                           workspace.data(), workspace.size(), classes.data()));
+  check(sinew_limb_classes(&to, from, source != nullptr ? sources.data() : nullptr, workspace.data(), workspace.size(),
+                           classes.data()));
   return classes;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "sinew/sinew.hpp"
+#include "sinew_character/engine_views.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew {
@@ -102,42 +103,39 @@ std::vector<uint32_t> joints_to_merge(const SimplifyOptions& options, const Char
   const std::vector<Joint>& joints = character.joints;
   if (joints.empty()) throw Error(character.name + ": no joints to simplify");
   const std::vector<uint8_t> keep = kept_joints(options, character);
-  std::vector<float> positions;
-  std::vector<int32_t> parents;
-  std::vector<const char*> names;
-  for (const Joint& joint : joints) {
-    positions.insert(positions.end(), {joint.position.x, joint.position.y, joint.position.z});
-    parents.push_back(joint.parent);
-    names.push_back(joint.name.c_str());
-  }
+  const SkeletonView view(joints);
   const JointSurfaces surfaces = joint_surfaces(character);
   SimplifySettings settings;
   settings.level = options.low ? SINEW_SIMPLIFY_LOW : SINEW_SIMPLIFY_HIGH;
   settings.joint_count = options.joints;
   if (!surfaces.centroids.empty()) settings.centroids = surfaces.centroids.data();
-  sinew_skeleton skeleton = sinew_skeleton_init(positions.data(), parents.data(), static_cast<uint32_t>(joints.size()));
-  skeleton.names = names.data();
   Workspace workspace;
   std::vector<uint32_t> into;
-  const sinew_status status = simplify(skeleton, surfaces.shares.empty() ? nullptr : surfaces.shares.data(),
+  const sinew_status status = simplify(view.skeleton, surfaces.shares.empty() ? nullptr : surfaces.shares.data(),
                                        keep.data(), settings, &workspace, &into);
   if (status != SINEW_OK)
     throw Error(character.name + ": the skeleton cannot be simplified: " + sinew_status_text(status));
   return into;
 }
 
-Simplified simplify_skeleton(const SimplifyOptions& options, Character* character) {
-  const std::vector<Joint>& joints = character->joints;
-  Simplified simplified;
-  simplified.into = joints_to_merge(options, *character);
+std::vector<Joint> joints_left(const std::vector<Joint>& joints, const std::vector<uint32_t>& into,
+                               std::vector<int>* number) {
+  number->clear();
   std::vector<Joint> left;
   for (size_t j = 0; j < joints.size(); ++j) {
-    simplified.number.push_back(simplified.into[j] == j ? static_cast<int>(left.size()) : -1);
-    if (simplified.into[j] == j) left.push_back(joints[j]);
+    number->push_back(into[j] == j ? static_cast<int>(left.size()) : -1);
+    if (into[j] == j) left.push_back(joints[j]);
   }
   for (Joint& joint : left) {
-    if (joint.parent >= 0) joint.parent = simplified.number[simplified.into[static_cast<size_t>(joint.parent)]];
+    if (joint.parent >= 0) joint.parent = (*number)[into[static_cast<size_t>(joint.parent)]];
   }
+  return left;
+}
+
+Simplified simplify_skeleton(const SimplifyOptions& options, Character* character) {
+  Simplified simplified;
+  simplified.into = joints_to_merge(options, *character);
+  std::vector<Joint> left = joints_left(character->joints, simplified.into, &simplified.number);
   for (std::vector<Influence>& row : character->influences) merge_weights(simplified, &row);
   character->joints = std::move(left);
   return simplified;
