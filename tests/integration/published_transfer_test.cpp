@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What weight relocation by biharmonic distances promises, on the samples: a mesh keeps its own weights, as drawn and as shipped,
 // and a body of another build gets like ones. By the command.
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -19,25 +18,13 @@ Character bound(const std::string& mesh, const std::string& rig) {
   return character;
 }
 
-// Mean over vertices of the sum over joints of differences, 0..2.
-double l1(const Character& a, const Character& b) {
-  double sum = 0;
-  for (size_t v = 0; v < a.vertices.size(); ++v) {
-    std::vector<double> row(a.joints.size(), 0);
-    for (const Influence& i : a.influences[v]) row[i.joint] += static_cast<double>(i.weight);
-    for (const Influence& i : b.influences[v]) row[i.joint] -= static_cast<double>(i.weight);
-    for (const double difference : row) sum += std::fabs(difference);
-  }
-  return sum / static_cast<double>(a.vertices.size());
-}
-
 class PublishedTransfer : public Cli {
  protected:
   double moved(const Character& expected, const std::string& sample, const std::string& target,
                const std::string& method) {
     good("transfer " + kData + "/" + sample + ".obj " + target + " --method " + method +
          " --influences 8 -o out.rig.txt");
-    return l1(expected, bound(in(target), in("out.rig.txt")));
+    return mean_l1(expected, bound(in(target), in("out.rig.txt")));
   }
 };
 

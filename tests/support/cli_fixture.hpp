@@ -8,12 +8,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "sinew_formats/io.hpp"
 
@@ -39,6 +41,18 @@ inline std::string slurp(const fs::path& path) {
 }
 
 inline void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+// Mean over vertices of the sum over joints of the weights' differences, 0..2. Both have the same joints.
+inline double mean_l1(const Character& a, const Character& b) {
+  double sum = 0;
+  for (size_t v = 0; v < a.vertices.size(); ++v) {
+    std::vector<double> row(a.joints.size(), 0);
+    for (const Influence& i : a.influences[v]) row[i.joint] += static_cast<double>(i.weight);
+    for (const Influence& i : b.influences[v]) row[i.joint] -= static_cast<double>(i.weight);
+    for (const double x : row) sum += std::fabs(x);
+  }
+  return sum / static_cast<double>(a.vertices.size());
+}
 
 class Cli : public ::testing::Test {
  protected:

@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bent_tube.hpp"
+#include "posed_tube.hpp"
 
 namespace {
 
-using sinew_test::BentTube;
+using sinew_test::BentTube, sinew_test::Posed, sinew_test::farthest, sinew_test::pose, sinew_test::skinned,
+    sinew_test::stretch;
 
 sinew_deform_options shipped() {
   sinew_deform_options options = sinew_deform_options_init();
@@ -19,36 +20,6 @@ sinew_deform_options shipped() {
   return options;
 }
 
-struct Posed {
-  std::vector<float> positions;
-  sinew_deform_outputs outputs = {};
-};
-
-Posed pose(const BentTube& tube, const sinew_deform_options& options, const std::vector<float>& palette) {
-  sinew::Deformer deformer;
-  EXPECT_EQ(deformer.create(tube.mesh(), tube.skeleton(), tube.skin(), options), SINEW_OK);
-  Posed posed;
-  posed.positions.assign(size_t{3} * tube.vertex_count(), -77);
-  posed.outputs = sinew_deform_outputs_init(posed.positions.data());
-  EXPECT_EQ(deformer.pose(palette.data(), &posed.outputs), SINEW_OK);
-  return posed;
-}
-
-std::vector<float> skinned(const BentTube& tube, const std::vector<float>& palette, bool dual) {
-  std::vector<float> out(tube.positions.size());
-  const sinew_skin skin = tube.skin();
-  EXPECT_EQ((dual ? sinew_skin_dual_quaternion : sinew_skin_linear)(
-                tube.positions.data(), tube.vertex_count(), &skin, palette.data(),
-                static_cast<uint32_t>(tube.parents.size()), out.data()),
-            SINEW_OK);
-  return out;
-}
-
-float farthest(const std::vector<float>& a, const std::vector<float>& b) {
-  float most = 0;
-  for (size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
-  return most;
-}
 double volume_error(const BentTube& tube, const std::vector<float>& at) {
   return std::abs(tube.volume(at) / tube.volume(tube.positions) - 1);
 }
@@ -97,21 +68,6 @@ TEST(Published, SmoothingIsOfBendsAndGrowsWithThem) {
     for (size_t i = 0; i < 15 * BentTube::kAround; ++i) ASSERT_EQ(with[i], without[i]) << i;
     EXPECT_LT(volume_error(tube, with), volume_error(tube, without) + 0.01) << degrees;
   }
-}
-
-// How far tetrahedra are from their rest shape shows in the edges of the skin.
-double stretch(const BentTube& tube, const std::vector<float>& at) {
-  double sum = 0;
-  const auto length = [&](const std::vector<float>& of, size_t a, size_t b) {
-    return std::hypot(double{of[3 * a]} - of[3 * b], double{of[3 * a + 1]} - of[3 * b + 1],
-                      double{of[3 * a + 2]} - of[3 * b + 2]);
-  };
-  for (size_t t = 0; t < tube.corners.size(); t += 3) {
-    const size_t a = tube.corners[t], b = tube.corners[t + 1];
-    const double off = length(at, a, b) / length(tube.positions, a, b) - 1;
-    sum += off * off;
-  }
-  return std::sqrt(sum / (static_cast<double>(tube.corners.size()) / 3));
 }
 
 TEST(Published, StifferSpringsStretchLess) {
