@@ -21,7 +21,10 @@ set(sinew_character_sources
   map/map_skeleton
   map/motion_map
   motion/common_body
+  motion/moving_joints
   motion/retarget
+  motion/stance
+  motion/upright_body
   pose/bend_volume
   pose/deform
   pose/pose

@@ -126,7 +126,7 @@ class Planner {
   }
 
   // Up to up, then the quarter turn about it after which mapped joints lie nearest to their sources, as seen from their
-  // middles.
+  // middles, then what is left to turn.
   void find_worlds() {
     plan_.up = up_of(options_.target_up, false);
     const Quat raise = shortest_arc(up_of(options_.source_up, true), plan_.up);
@@ -157,6 +157,37 @@ class Planner {
       best = score;
       plan_.rotation = rotation;
     }
+    face_front();
+  }
+
+  // Turns about up so that where limbs begin lies as in the target, for a file that stands at no quarter. Poses that are their own
+  // mirror images, whatever they are, are not turned; measured bodies are that within a degree or two.
+  void face_front() {
+    constexpr double kStraight = 0.05;  // tangent of what is no turn
+    Vec3d middle_s = {0, 0, 0}, middle_t = {0, 0, 0};
+    double limbs = 0;
+    const auto each_limb = [&](const auto& body) {
+      for (uint32_t t = 0; t < target_.count; ++t) {
+        if (plan_.long_ends[t] >= 0 && (class_of(t) == SINEW_CLASS_THIGH || class_of(t) == SINEW_CLASS_UPPER_ARM))
+          body(rotate(plan_.rotation, source_position(t)), target_.positions[t]);
+      }
+    };
+    each_limb([&](Vec3d s, Vec3d t) {
+      middle_s = middle_s + s;
+      middle_t = middle_t + t;
+      limbs += 1;
+    });
+    if (limbs < 2) return;
+    double along = 0, across = 0;
+    each_limb([&](Vec3d s, Vec3d t) {
+      const Vec3d from = s - (1 / limbs) * middle_s, to = t - (1 / limbs) * middle_t;
+      along += dot(from, to) - dot(plan_.up, from) * dot(plan_.up, to);
+      across += dot(plan_.up, cross(from, to));
+    });
+    const double off = across < 0 ? -across : across;
+    if (off <= kStraight * along) return;
+    const Vec3d side = plan_.up.x > 0.5 || plan_.up.x < -0.5 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+    plan_.rotation = shortest_arc(side, along * side + across * cross(plan_.up, side)) * plan_.rotation;
   }
 
   // A mapped joint just above the one that carries the legs: it has skin of its own and goes where they go.

@@ -154,8 +154,8 @@ class GltfMotionReader {
       throw Error(where + ": expected " + std::to_string(rows) + " values for " + std::to_string(track->times.size()) +
                   " keys, found " + std::to_string(track->values.size() / width));
     for (size_t k = 0; k < track->times.size(); ++k)
-      if (track->times[k] < 0 || (k > 0 && !(track->times[k] > track->times[k - 1])))
-        throw Error(where + ": expected times that rise from 0, found another order at key " + std::to_string(k));
+      if (track->times[k] < 0 || (k > 0 && !(track->times[k] >= track->times[k - 1])))
+        throw Error(where + ": expected times from 0 that do not fall, found another order at key " + std::to_string(k));
   }
 
   // The skin's joints first; then animated nodes above or below them. Without a skin all animated nodes and what hangs on
@@ -228,10 +228,11 @@ class GltfMotionReader {
     double least = 0, fps = kPlainFps;
     for (const auto& [node, tracks] : animated)
       for (const Track* track : {tracks.translation, tracks.rotation, tracks.scale}) {
-        if (track == nullptr || track->times.size() < 2) continue;
+        if (track == nullptr || !(track->times.back() > track->times.front())) continue;
         double shortest = 1e30, longest = 0;
         for (size_t k = 1; k < track->times.size(); ++k) {
           const double gap = static_cast<double>(track->times[k]) - static_cast<double>(track->times[k - 1]);
+          if (!(gap > 0)) continue;  // two keys at one time: a jump
           shortest = std::min(shortest, gap);
           longest = std::max(longest, gap);
         }

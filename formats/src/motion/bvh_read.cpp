@@ -164,21 +164,21 @@ class BvhReader {
     Clip clip;
     clip.name = motion_.name;
     clip.frame_time = number(time_apart ? 3 : 2, "the time of a frame");
+    if (clip.frame_time < 0) lines_.fail("a time of a frame of at least 0", lines_.line());
     if (!(clip.frame_time > 0)) {
-      if (*count > 1) lines_.fail("a time of a frame above 0", lines_.line());
       clip.frame_time = Clip().frame_time;
+      if (*count > 1) motion_.notes.push_back("'Frame Time:' is 0, so all frames are at one time; read as 30 a second");
     }
     while (lines_.next()) {
       words_ = lines_.words();
-      if (words_.empty()) continue;
-      if (clip.frames.size() == static_cast<size_t>(*count))
-        lines_.fail("no more than the " + std::to_string(*count) + " frames that line 'Frames:' promises",
-                    lines_.line());
-      clip.frames.push_back(read_frame(clip.frames.size()));
+      if (!words_.empty()) clip.frames.push_back(read_frame(clip.frames.size()));
     }
-    if (clip.frames.size() != static_cast<size_t>(*count))
-      throw Error(path_ + ": truncated BVH, expected " + std::to_string(*count) + " frames, found " +
-                  std::to_string(clip.frames.size()));
+    const size_t found = clip.frames.size(), promised = static_cast<size_t>(*count);
+    if (found == 0 && promised > 0)
+      throw Error(path_ + ": truncated BVH, expected " + std::to_string(promised) + " frames, found none");
+    if (found != promised)
+      motion_.notes.push_back("warning: 'Frames:' promises " + std::to_string(promised) + " frames, the file has " +
+                              std::to_string(found) + "; all of them are read");
     put_back_in_place(&clip);
     if (!clip.frames.empty()) motion_.clips.push_back(std::move(clip));
   }

@@ -7,6 +7,7 @@
 
 #include "sinew_character/motion_map.hpp"
 #include "sinew_character/rig_job.hpp"
+#include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/print.hpp"
 
@@ -17,18 +18,19 @@ uint32_t up_of(const std::string& text) {
   return text == "x" ? SINEW_UP_X : text == "y" ? SINEW_UP_Y : text == "z" ? SINEW_UP_Z : SINEW_UP_AUTO;
 }
 
-std::vector<Clip> chosen_clips(const AnimateOptions& s, const MotionInput& choice) {
-  if (choice.motion->clips.empty()) throw Error(choice.file + ": expected a motion, found a skeleton without frames");
+std::vector<Clip> chosen_clips(const AnimateOptions& s, const std::string& file, const std::string& name,
+                               const Motion& motion) {
+  if (motion.clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
   std::vector<Clip> chosen;
-  if (choice.clip.empty())
-    chosen = choice.motion->clips;
+  if (name.empty())
+    chosen = motion.clips;
   else
-    chosen.push_back(find_clip(*choice.motion, choice.file, choice.clip));
+    chosen.push_back(find_clip(motion, file, name));
   for (Clip& clip : chosen) {
     const double seconds = static_cast<double>(clip.frames.size() - 1) * clip.frame_time;
     clip = cut(clip, s.from, s.to);
     if (clip.frames.empty())
-      throw Error(choice.file + ": clip " + clip.name +
+      throw Error(file + ": clip " + clip.name +
                   print(" has no frame between --start %g and --end %g; it lasts %g seconds", s.from, s.to, seconds));
     if (s.fps > 0 && clip.frame_time * s.fps != 1) clip = resample(clip, s.fps);
   }
@@ -88,8 +90,9 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
 }
 
 void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsOf& steps, AnimatedCharacter* out) {
-  const Motion& source = *choice.motion;
-  const std::vector<Clip> clips = chosen_clips(s, choice);
+  const std::optional<Motion> standing = standing_motion(*choice.motion, s.motion_up);
+  const Motion& source = standing ? *standing : *choice.motion;
+  const std::vector<Clip> clips = chosen_clips(s, choice.file, choice.clip, source);
   MapRig target = map_rig_of(out->character), from = map_rig_of(source);
   target.name = s.character;
   from.name = choice.file;

@@ -129,6 +129,23 @@ TEST(GltfMotion, NodesWithoutASkinAreJoints) {
   EXPECT_EQ(motion.clips[0].frames.size(), 25u);
 }
 
+TEST(GltfMotion, TwoKeysAtOneTimeAreAJump) {
+  const TempFolder folder;
+  GlbBuilder builder = two_joint_strip();
+  nlohmann::json animation = named("a");
+  const std::vector<float> still = {0, 0, 0, 1}, turned = {0, 0, kHalf, kHalf};
+  std::vector<float> values;
+  for (const std::vector<float>& key : {still, still, turned, turned}) values.insert(values.end(), key.begin(), key.end());
+  add_channel(&builder, &animation, 1, "rotation", {0, 0.5f, 0.5f, 1}, values, "LINEAR");
+  builder.add("animations", animation);
+  const Clip clip = read(folder, builder).clips.at(0);
+  ASSERT_GE(clip.frames.size(), 3u);
+  size_t jumps = 0;
+  for (size_t f = 1; f < clip.frames.size(); ++f)
+    jumps += clip.frames[f].rotations != clip.frames[f - 1].rotations ? 1 : 0;
+  EXPECT_EQ(jumps, 1u);
+}
+
 TEST(GltfMotion, WhatIsWrongIsOneLine) {
   const TempFolder folder;
   EXPECT_ERROR(read(folder, two_joint_strip()), "a.glb: expected an animation, found none");
@@ -148,14 +165,14 @@ TEST(GltfMotion, WhatIsWrongIsOneLine) {
   expect([](Animation a, GlbBuilder*) { (*a)["samplers"][0]["interpolation"] = "CUBICSPLINE"; }, "expected 6 values");
   expect(
       [](Animation a, GlbBuilder* b) {
-        (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{1, 1}, "SCALAR");
+        (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{1, 0.5f}, "SCALAR");
       },
-      "times that rise");
+      "times from 0 that do not fall");
   expect(
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{-1, 1}, "SCALAR");
       },
-      "times that rise");
+      "times from 0 that do not fall");
   expect(
       [](Animation a, GlbBuilder* b) {
         (*a)["samplers"][0]["input"] = b->accessor(std::vector<float>{0, 1e30f}, "SCALAR");

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+// A stance from a motion: the body's own frame where it stands most upright, limbs stretched along their bones, what is left by its
+// mean rotation; then the clips against it.
+#include "sinew_character/stance.hpp"
+
+#include <algorithm>
+
+#include "motion/moving_joints.hpp"
+#include "motion/points.hpp"
+#include "motion/upright_body.hpp"
+#include "sinew_character/map_skeleton.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kStanding = 0.1, kOnFloor = 0.2, kTall = 0.3;  // shares of frames
+
+struct WorldAxes {
+  Point3 up, left, front;
+};
+WorldAxes axes_of(size_t up) {
+  WorldAxes axes = {};
+  axes.up[up] = 1;
+  axes.left[up == 0 ? 1 : 0] = 1;
+  axes.front = cross(axes.left, axes.up);
+  return axes;
+}
+
+std::vector<Point3> positions_of(const std::vector<Joint>& joints) {
+  std::vector<Point3> positions;
+  for (const Joint& joint : joints)
+    positions.push_back({double{joint.position.x}, double{joint.position.y}, double{joint.position.z}});
+  return positions;
+}
+
+// How far mirror images are off, of the mean distance from their middle, for the best plane between them.
+double asymmetry(const std::vector<std::pair<int, int>>& pairs, const std::vector<Point3>& positions) {
+  const auto at = [&](int joint) { return positions[static_cast<size_t>(joint)]; };
+  Point3 normal{}, middle{};
+  for (const auto& [a, b] : pairs) {
+    const Point3 d = at(a) - at(b);
+    normal = normal + (dot(d, normal) < 0 ? -1.0 : 1.0) * d;
+    middle = middle + at(a) + at(b);
+  }
+  normal = unit(normal);
+  middle = (0.5 / static_cast<double>(pairs.size())) * middle;
+  double off = 0, size = 0, apart = 0;
+  for (const auto& [a, b] : pairs) {
+    const Point3 from = at(a) - middle;
+    off += length(from - 2 * dot(from, normal) * normal - (at(b) - middle));
+    size += length(from) + length(at(b) - middle);
+    apart += length(at(a) - at(b));
+  }
+  return apart > 0.05 * size ? 2 * off / size : 1;
+}
+
+class StanceFinder {
+ public:
+  StanceFinder(const Motion& motion, const std::string& up) : motion_(motion), moving_(motion), up_(up) {}
+
+  // What the body is that the rest pose does not show; false where nobody can tell.
+  bool find_body() {
+    const MapRig rig = map_rig_of(motion_);
+    joints_ = rig.joints;
+    const std::optional<UprightBody> named = find_upright_body(joints_, limb_classes(rig, 'a'));
+    axes_ = axes_of(0);
+    if (named && named->sided) {
+      body_ = *named;
+      axes_ = axes_of(up_axis());
+      return true;
+    }
+    const std::vector<std::pair<int, int>> pairs = moving_.mirror_pairs();
+    if (pairs.size() < 4 || asymmetry(pairs, positions_of(joints_)) < 0.1) return false;
+    axes_ = axes_of(up_ == "x" ? 0 : up_ == "z" ? 2 : 1);
+    MapRig typical = rig;
+    const std::vector<Point3> positions = moving_.posed(typical_pose(pairs));
+    for (size_t j = 0; j < positions.size(); ++j)
+      typical.joints[j].position = {static_cast<float>(positions[j][0]), static_cast<float>(positions[j][1]),
+                                    static_cast<float>(positions[j][2])};
+    const std::optional<UprightBody> seen =
+        find_upright_body(typical.joints, limb_classes(typical, up_ == "x" ? 'x' : up_ == "z" ? 'z' : 'y'));
+    if (!seen) return false;
+    body_ = *seen;
+    if (!body_.sided) find_sides();
+    return true;
+  }
+
+  Motion run() {
+    find_standing_frames();
+    turns_.assign(motion_.joints.size(), kNoRotation4);
+    turn_hips();
+    for (const size_t j : moving_.order()) turn_joint(static_cast<int>(j));
+    return against_stance();
+  }
+
+ private:
+  const UprightLimb& leg(size_t k) const { return body_.legs[k]; }
+  Quaternion& turn(int joint) { return turns_[static_cast<size_t>(joint)]; }
+  std::vector<size_t> all_frames() const {
+    return moving_.best_frames(1, [](size_t) { return 0.0; });
+  }
+  Point3 leg_roots(size_t f) const {
+    return 0.5 * (moving_.position(f, leg(0).upper) + moving_.position(f, leg(1).upper));
+  }
+  int top() const { return body_.head >= 0 ? body_.head : body_.chest; }
+
+  // From feet to head in the mean, the nearest axis.
+  size_t up_axis() const {
+    if (up_ == "x" || up_ == "y" || up_ == "z") return static_cast<size_t>(up_[0] - 'x');
+    Point3 sum{};
+    for (size_t f = 0; f < moving_.frame_count(); ++f)
+      sum = sum + moving_.position(f, top()) -
+            0.5 * (moving_.position(f, leg(0).end) + moving_.position(f, leg(1).end));
+    return sum[2] > std::max(sum[0], sum[1]) ? 2 : sum[0] > sum[1] ? 0 : 1;
+  }
+
+  // The mean pose of the tallest frames, seen from the root, upright and its own mirror image.
+  std::vector<Quaternion> typical_pose(const std::vector<std::pair<int, int>>& pairs) {
+    const int root = moving_.trunk_root();
+    const std::vector<size_t> frames = moving_.best_frames(kTall, [&](size_t f) {
+      double low = 0, high = 0;
+      for (size_t j = 0; j < motion_.joints.size(); ++j) {
+        const double own = dot(moving_.position(f, static_cast<int>(j)) - moving_.position(f, root), axes_.up);
+        low = std::min(low, own);
+        high = std::max(high, own);
+      }
+      return high - low;
+    });
+    const Quaternion raise = rotation_between(moving_.mean_direction(frames, root, axes_.up), axes_.up);
+    std::vector<Quaternion> pose;
+    for (size_t j = 0; j < motion_.joints.size(); ++j)
+      pose.push_back(multiply(raise, moving_.mean_rotation(frames, root, static_cast<int>(j))));
+    std::vector<Point3> positions = moving_.posed(pose);
+    Point3 normal{};
+    for (const auto& [a, b] : pairs) {
+      const Point3 d = positions[static_cast<size_t>(a)] - positions[static_cast<size_t>(b)];
+      normal = normal + (dot(d, normal) < 0 ? -1.0 : 1.0) * d;
+    }
+    normal = unit(across(normal, axes_.up));
+    for (const auto& [a, b] : pairs) {  // parents first
+      const int up_a = moving_.parent(a), up_b = moving_.parent(b);
+      const Point3 x = rotate(pose[static_cast<size_t>(up_a)], moving_.offset(a));
+      const Point3 y = rotate(pose[static_cast<size_t>(up_b)], moving_.offset(b));
+      if (up_a == up_b) continue;
+      const Point3 mean = 0.5 * (x + y - 2 * dot(y, normal) * normal);
+      const Point3 image = mean - 2 * dot(mean, normal) * normal;
+      const Quaternion swing_a = rotation_between(x, mean), swing_b = rotation_between(y, image);
+      pose[static_cast<size_t>(up_a)] = multiply(swing_a, pose[static_cast<size_t>(up_a)]);
+      pose[static_cast<size_t>(up_b)] = multiply(swing_b, pose[static_cast<size_t>(up_b)]);
+    }
+    return pose;
+  }
+
+  // Knees and toes lie ahead, elbows behind, and bodies go ahead.
+  void find_sides() {
+    double ahead = 0;
+    for (size_t f = 0; f < moving_.frame_count(); ++f) {
+      const Point3 trunk = moving_.position(f, top()) - leg_roots(f);
+      const Point3 side = moving_.position(f, leg(0).upper) - moving_.position(f, leg(1).upper);
+      const Point3 front = unit(cross(side, trunk));
+      const auto bend = [&](const UprightLimb& limb) {
+        const Point3 line = moving_.position(f, limb.end) - moving_.position(f, limb.upper);
+        return dot(across(moving_.position(f, limb.middle) - moving_.position(f, limb.upper), unit(line)), front) /
+               (length(line) + 1e-12);
+      };
+      for (const UprightLimb& limb : body_.legs) {
+        ahead += bend(limb);
+        if (limb.tip < 0) continue;
+        const Point3 toes = moving_.position(f, limb.tip) - moving_.position(f, limb.end);
+        ahead += 0.3 * dot(unit(toes), front);
+      }
+      for (const UprightLimb& limb : body_.arms)
+        if (body_.has_arms) ahead -= 0.5 * bend(limb);
+    }
+    if (ahead < 0) std::swap(body_.legs[0], body_.legs[1]);
+    double same = 0;
+    for (size_t f = 0; f < moving_.frame_count() && body_.has_arms; ++f)
+      same += dot(moving_.position(f, body_.arms[0].upper) - moving_.position(f, body_.arms[1].upper),
+                  moving_.position(f, leg(0).upper) - moving_.position(f, leg(1).upper));
+    if (same < 0) std::swap(body_.arms[0], body_.arms[1]);
+  }
+
+  // Legs stretched below the body, the head above it.
+  void find_standing_frames() {
+    frames_ = moving_.best_frames(kStanding, [&](size_t f) {
+      double value = dot(unit(moving_.position(f, top()) - leg_roots(f)), axes_.up);
+      for (const UprightLimb& limb : body_.legs) {
+        const Point3 from = moving_.position(f, limb.upper), knee = moving_.position(f, limb.middle),
+                     to = moving_.position(f, limb.end);
+        value += dot(from - to, axes_.up) / (length(knee - from) + length(to - knee) + 1e-12);
+      }
+      return value;
+    });
+  }
+
+  void turn_hips() {
+    const Point3 side = moving_.mean_difference(frames_, body_.hips, leg(1).upper, leg(0).upper);
+    const Point3 up = moving_.mean_direction(frames_, body_.hips, axes_.up);
+    turn(body_.hips) = rotation_between(side, up, axes_.left, axes_.up);
+  }
+
+  void turn_joint(int joint) {
+    const int parent = moving_.parent(joint);
+    if (joint == body_.hips) return;
+    if (!is_below(joint, body_.hips)) {  // what carries the body, and what lies beside it
+      const Quaternion mean = moving_.is_still(joint) ? moving_.rotation(0, joint)
+                                                      : multiply(turn(body_.hips), moving_.mean_rotation(frames_, body_.hips, joint));
+      turn(joint) = mean;
+      return;
+    }
+    turn(joint) = multiply(turn(parent), moving_.mean_rotation(frames_, parent, joint));
+    if (joint == body_.chest && body_.has_arms) {
+      const Point3 side = moving_.mean_difference(frames_, joint, body_.arms[1].upper, body_.arms[0].upper);
+      swing(joint, side, axes_.left);
+    } else if (const int next = next_in_trunk(joint); next >= 0) {
+      const Point3 bone = moving_.offset(next);
+      swing(joint, bone, across(rotate(turn(joint), bone), axes_.left));
+    }
+    for (size_t k = 0; k < 2; ++k) {
+      const double sign = k == 0 ? 1 : -1;
+      stretch(joint, leg(k), -1.0 * axes_.up, false);
+      if (joint == leg(k).end) stand(joint, leg(k));
+      if (!body_.has_arms) continue;
+      stretch(joint, body_.arms[k], sign * axes_.left, true);
+    }
+  }
+
+  bool is_below(int joint, int above) const {
+    while (joint >= 0 && joint != above) joint = moving_.parent(joint);
+    return joint >= 0;
+  }
+
+  // Of a trunk's joint the next one up to the head, where it is not where the joint is.
+  int next_in_trunk(int joint) const {
+    int at = top();
+    if (!is_below(at, joint) || at == joint) return -1;
+    while (moving_.parent(at) != joint) at = moving_.parent(at);
+    return length(moving_.offset(at)) > 0 ? at : -1;
+  }
+
+  // Turns a joint so that what lies along `own` in its axes lies along `wanted` in the world.
+  void swing(int joint, const Point3& own, const Point3& wanted) {
+    turn(joint) = multiply(rotation_between(rotate(turn(joint), own), wanted), turn(joint));
+  }
+
+  void stretch(int joint, const UprightLimb& limb, const Point3& along, bool with_end) {
+    const auto bone = [&](int from, int to) {
+      if (joint == from && to >= 0) swing(joint, moving_.mean_difference(frames_, joint, from, to), along);
+    };
+    bone(limb.upper, limb.middle);
+    bone(limb.middle, limb.end);
+    if (with_end) bone(limb.end, limb.tip);
+  }
+
+  // Flat, as where it is lowest, and ahead.
+  void stand(int foot, const UprightLimb& limb) {
+    if (limb.tip < 0) return;
+    const std::vector<size_t> low =
+        moving_.best_frames(kOnFloor, [&](size_t f) { return -dot(moving_.position(f, foot), axes_.up); });
+    const Point3 toes = moving_.mean_difference(low, foot, foot, limb.tip);
+    turn(foot) = rotation_between(moving_.mean_direction(low, foot, axes_.up), toes, axes_.up, axes_.front);
+  }
+
+  Motion against_stance() const {
+    Motion out = motion_;
+    const auto above = [&](size_t j) {
+      const int parent = motion_.joints[j].parent;
+      return parent < 0 ? kNoRotation4 : turns_[static_cast<size_t>(parent)];
+    };
+    for (size_t j = 0; j < out.joints.size(); ++j)
+      out.joints[j].offset = out.joints[j].parent < 0 ? Point3{} : rotate(above(j), motion_.joints[j].offset);
+    for (Clip& clip : out.clips)
+      for (MotionFrame& frame : clip.frames)
+        for (size_t j = 0; j < out.joints.size(); ++j) {
+          frame.rotations[j] = normalised(multiply(above(j), multiply(frame.rotations[j], conjugate(turns_[j]))));
+          frame.translations[j] = rotate(above(j), frame.translations[j]);
+        }
+    return out;
+  }
+
+  const Motion& motion_;
+  const MovingJoints moving_;
+  const std::string up_;
+  std::vector<Joint> joints_;
+  UprightBody body_;
+  WorldAxes axes_ = {};
+  std::vector<size_t> frames_;
+  std::vector<Quaternion> turns_;  // [J] from the old rest pose to the stance, in the world
+};
+
+}  // namespace
+
+std::optional<Motion> standing_motion(const Motion& motion, const std::string& up) {
+  if (motion.clips.empty() || motion.joints.empty()) return std::nullopt;
+  const MapRig rig = map_rig_of(motion);
+  const std::optional<UprightBody> body = find_upright_body(rig.joints, limb_classes(rig, 'a'));
+  if (body && stands(*body, positions_of(rig.joints))) return std::nullopt;
+  StanceFinder finder(motion, up);
+  if (!finder.find_body()) return std::nullopt;
+  return finder.run();
+}
+
+}  // namespace sinew

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Two legs, two arms and a trunk among the joints of a skeleton, and whether they stand.
+#ifndef SINEW_CHARACTER_MOTION_UPRIGHT_BODY_HPP
+#define SINEW_CHARACTER_MOTION_UPRIGHT_BODY_HPP
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sinew_formats/character.hpp"
+#include "sinew_formats/motion.hpp"
+
+namespace sinew {
+
+// Joints of an arm or a leg; -1 where there is none.
+struct UprightLimb {
+  int upper = -1, middle = -1, end = -1;  // shoulder or hip, elbow or knee, hand or foot
+  int tip = -1;                           // a joint beyond the end, such as the toes
+};
+
+// Left first, where `sided`.
+struct UprightBody {
+  std::array<UprightLimb, 2> legs, arms;
+  bool has_arms = false;
+  int hips = -1, chest = -1;  // where legs meet, where arms meet; without arms the head's parent
+  int head = -1;
+  bool sided = false;  // names told left and right
+};
+
+// By classes [J] (sinew_joint_class); nullopt without two legs below one joint, or without a head or arms above it.
+std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes);
+
+// Whether a body stands in a pose: legs below it, head above, left and right apart and mirrored.
+bool stands(const UprightBody& body, const std::vector<Point3>& positions);
+
+}  // namespace sinew
+#endif
