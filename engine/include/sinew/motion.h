@@ -60,8 +60,8 @@ SINEW_API sinew_status sinew_retarget_create_workspace_size(uint32_t source_join
  *   memory          64-byte aligned, size from sinew_retarget_create_workspace_size(); the plan's until the last call with it
  *   plan            out; untouched on failure
  * The two skeletons' up axes may differ. Of the rotations by quarters that bring one up axis to the other, the one is taken
- * that brings mapped joints nearest to each other at rest. Where arms and legs begin elsewhere round the up axis even so, by more
- * than 3 degrees, the source is turned by that as well: it may face any direction.
+ * that brings mapped joints nearest to each other at rest. Where legs begin elsewhere round the up axis even so, by more than 3 degrees,
+ * the source is turned by that as well: it may face any direction.
  *
  * Returns SINEW_OK, or
  *   SINEW_ERROR_ARGUMENT    a pointer that must be set is null, struct_size is too small or above 4096, an option is out

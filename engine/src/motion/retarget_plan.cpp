@@ -160,30 +160,24 @@ class Planner {
     face_front();
   }
 
-  // Turns about up so that where limbs begin lies as in the target, for a file that stands at no quarter. Poses that are their own
-  // mirror images, whatever they are, are not turned; measured bodies are that within a degree or two.
+  // Turns about up so that where legs begin lies as in the target, for a file that stands at no quarter. Legs begin at mirror images
+  // whatever the pose; within 3 degrees bodies are as they were measured.
   void face_front() {
     constexpr double kStraight = 0.05;  // tangent of what is no turn
+    if (!plan_.has_legs) return;
     Vec3d middle_s = {0, 0, 0}, middle_t = {0, 0, 0};
-    double limbs = 0;
-    const auto each_limb = [&](const auto& body) {
-      for (uint32_t t = 0; t < target_.count; ++t) {
-        if (plan_.long_ends[t] >= 0 && (class_of(t) == SINEW_CLASS_THIGH || class_of(t) == SINEW_CLASS_UPPER_ARM))
-          body(rotate(plan_.rotation, source_position(t)), target_.positions[t]);
-      }
-    };
-    each_limb([&](Vec3d s, Vec3d t) {
-      middle_s = middle_s + s;
-      middle_t = middle_t + t;
-      limbs += 1;
-    });
-    if (limbs < 2) return;
+    const double share = 1.0 / plan_.anchor_count;
+    for (uint32_t i = 0; i < plan_.anchor_count; ++i) {
+      middle_s = middle_s + share * rotate(plan_.rotation, source_position(plan_.anchors[i]));
+      middle_t = middle_t + share * target_.positions[plan_.anchors[i]];
+    }
     double along = 0, across = 0;
-    each_limb([&](Vec3d s, Vec3d t) {
-      const Vec3d from = s - (1 / limbs) * middle_s, to = t - (1 / limbs) * middle_t;
+    for (uint32_t i = 0; i < plan_.anchor_count; ++i) {
+      const Vec3d from = rotate(plan_.rotation, source_position(plan_.anchors[i])) - middle_s;
+      const Vec3d to = target_.positions[plan_.anchors[i]] - middle_t;
       along += dot(from, to) - dot(plan_.up, from) * dot(plan_.up, to);
       across += dot(plan_.up, cross(from, to));
-    });
+    }
     const double off = across < 0 ? -across : across;
     if (off <= kStraight * along) return;
     const Vec3d side = plan_.up.x > 0.5 || plan_.up.x < -0.5 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};

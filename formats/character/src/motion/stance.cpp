@@ -14,6 +14,7 @@ namespace sinew {
 namespace {
 
 constexpr double kStanding = 0.1, kOnFloor = 0.2, kTall = 0.3;  // shares of frames
+constexpr double kUpright = 0.7;                                // cosine of the most that a standing trunk leans
 
 struct WorldAxes {
   Point3 up, left, front;
@@ -58,8 +59,25 @@ class StanceFinder {
  public:
   StanceFinder(const Motion& motion, const std::string& up) : motion_(motion), moving_(motion), up_(up) {}
 
-  // What the body is that the rest pose does not show; false where nobody can tell.
+  // What the body is that the rest pose does not show; false where nobody can tell, and for what does not go upright.
   bool find_body() {
+    if (!find_limbs()) return false;
+    find_standing_frames();
+    double upright = 0;
+    for (const size_t f : frames_)
+      upright += dot(unit(moving_.position(f, body_.chest) - leg_roots(f)), axes_.up) / static_cast<double>(frames_.size());
+    return upright > kUpright;
+  }
+
+  Motion run() {
+    turns_.assign(motion_.joints.size(), kNoRotation4);
+    turn_hips();
+    for (const size_t j : moving_.order()) turn_joint(static_cast<int>(j));
+    return against_stance();
+  }
+
+ private:
+  bool find_limbs() {
     const MapRig rig = map_rig_of(motion_);
     joints_ = rig.joints;
     const std::optional<UprightBody> named = find_upright_body(joints_, limb_classes(rig, 'a'));
@@ -85,15 +103,6 @@ class StanceFinder {
     return true;
   }
 
-  Motion run() {
-    find_standing_frames();
-    turns_.assign(motion_.joints.size(), kNoRotation4);
-    turn_hips();
-    for (const size_t j : moving_.order()) turn_joint(static_cast<int>(j));
-    return against_stance();
-  }
-
- private:
   const UprightLimb& leg(size_t k) const { return body_.legs[k]; }
   Quaternion& turn(int joint) { return turns_[static_cast<size_t>(joint)]; }
   std::vector<size_t> all_frames() const {
@@ -218,10 +227,10 @@ class StanceFinder {
     }
     for (size_t k = 0; k < 2; ++k) {
       const double sign = k == 0 ? 1 : -1;
-      stretch(joint, leg(k), -1.0 * axes_.up, false);
+      stretch(joint, leg(k), -1.0 * axes_.up);
       if (joint == leg(k).end) stand(joint, leg(k));
       if (!body_.has_arms) continue;
-      stretch(joint, body_.arms[k], sign * axes_.left, true);
+      stretch(joint, body_.arms[k], sign * axes_.left);
     }
   }
 
@@ -243,13 +252,12 @@ class StanceFinder {
     turn(joint) = multiply(rotation_between(rotate(turn(joint), own), wanted), turn(joint));
   }
 
-  void stretch(int joint, const UprightLimb& limb, const Point3& along, bool with_end) {
+  void stretch(int joint, const UprightLimb& limb, const Point3& along) {
     const auto bone = [&](int from, int to) {
       if (joint == from && to >= 0) swing(joint, moving_.mean_difference(frames_, joint, from, to), along);
     };
     bone(limb.upper, limb.middle);
     bone(limb.middle, limb.end);
-    if (with_end) bone(limb.end, limb.tip);
   }
 
   // Flat, as where it is lowest, and ahead.

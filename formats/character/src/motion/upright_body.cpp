@@ -15,8 +15,24 @@ class BodyFinder {
  public:
   BodyFinder(const std::vector<Joint>& joints, const std::vector<uint8_t>& classes)
       : joints_(joints), classes_(classes), children_(joints.size()) {
-    for (size_t j = 0; j < joints.size(); ++j)
-      if (joints[j].parent >= 0) children_[static_cast<size_t>(joints[j].parent)].push_back(static_cast<int>(j));
+    std::vector<int> order;
+    for (size_t j = 0; j < joints.size(); ++j) {
+      if (joints[j].parent >= 0)
+        children_[static_cast<size_t>(joints[j].parent)].push_back(static_cast<int>(j));
+      else
+        order.push_back(static_cast<int>(j));
+    }
+    for (size_t next = 0; next < order.size(); ++next) {
+      const std::vector<int>& below = children_[static_cast<size_t>(order[next])];
+      order.insert(order.end(), below.begin(), below.end());
+    }
+    reach_.assign(joints.size(), 0);
+    for (size_t k = order.size(); k-- > 0;) {
+      const int joint = order[k], up = parent(joint);
+      if (up < 0) continue;
+      double& own = reach_[static_cast<size_t>(up)];
+      own = std::max(own, reach_from_parent(joint));
+    }
   }
 
   std::optional<UprightBody> find() const {
@@ -27,6 +43,7 @@ class BodyFinder {
     body.legs = {legs[0], legs[1]};
     body.hips = common(legs[0].upper, legs[1].upper);
     if (body.hips < 0) return std::nullopt;
+    for (UprightLimb& leg : body.legs) leave_hips(body.hips, &leg);
     body.has_arms = arms.size() == 2;
     if (body.has_arms) body.arms = {arms[0], arms[1]};
     for (size_t j = 0; j < joints_.size() && body.head < 0; ++j)
@@ -50,10 +67,10 @@ class BodyFinder {
     return false;
   }
   int common(int a, int b) const {
-    for (int x = a; x >= 0; x = parent(x))
-      for (int y = b; y >= 0; y = parent(y))
-        if (x == y) return x;
-    return -1;
+    std::vector<char> above(joints_.size(), 0);
+    for (int x = a; x >= 0; x = parent(x)) above[static_cast<size_t>(x)] = 1;
+    while (b >= 0 && above[static_cast<size_t>(b)] == 0) b = parent(b);
+    return b;
   }
   // The nearest joint below of a class, -1 = none.
   int first_below(int joint, uint8_t wanted) const {
@@ -65,17 +82,31 @@ class BodyFinder {
     }
     return -1;
   }
-  // The farthest child.
+  // The first joint that lies elsewhere on the longest way down.
   int tip_of(int joint) const {
-    int best = -1;
-    double longest = 0;
-    for (const int child : children_[static_cast<size_t>(joint)]) {
-      const Vec3 &a = joints_[static_cast<size_t>(joint)].position, &b = joints_[static_cast<size_t>(child)].position;
-      const double own = length({double{b.x} - double{a.x}, double{b.y} - double{a.y}, double{b.z} - double{a.z}});
-      if (own > longest) best = child;
-      longest = std::max(longest, own);
+    int at = joint;
+    while (at >= 0 && !(distance(joint, at) > 0)) {
+      int best = -1;
+      for (const int child : children_[static_cast<size_t>(at)])
+        if (best < 0 || reach_from_parent(child) > reach_from_parent(best)) best = child;
+      at = best;
     }
-    return best;
+    return at;
+  }
+  double distance(int from, int to) const {
+    const Vec3 &a = joints_[static_cast<size_t>(from)].position, &b = joints_[static_cast<size_t>(to)].position;
+    return length({double{b.x} - double{a.x}, double{b.y} - double{a.y}, double{b.z} - double{a.z}});
+  }
+  // A leg that begins where the hips are begins at its next joint.
+  void leave_hips(int hips, UprightLimb* leg) const {
+    double way = 0;
+    for (int at = leg->upper; at != hips; at = parent(at)) way += distance(parent(at), at);
+    int next = leg->middle;
+    while (parent(next) != leg->upper) next = parent(next);
+    if (!(way > 0) && next != leg->middle) leg->upper = next;
+  }
+  double reach_from_parent(int joint) const {
+    return reach_[static_cast<size_t>(joint)] + distance(parent(joint), joint);
   }
   std::vector<UprightLimb> limbs(uint8_t upper, uint8_t middle, uint8_t end) const {
     std::vector<UprightLimb> found;
@@ -106,6 +137,7 @@ class BodyFinder {
   const std::vector<Joint>& joints_;
   const std::vector<uint8_t>& classes_;
   std::vector<std::vector<int>> children_;
+  std::vector<double> reach_;  // [J] length of the longest way down
 };
 
 }  // namespace
@@ -116,8 +148,9 @@ std::optional<UprightBody> find_upright_body(const std::vector<Joint>& joints, c
 
 bool stands(const UprightBody& body, const std::vector<Point3>& positions) {
   constexpr double kStretched = 0.5;  // of a limb's length, the least that it reaches
+  constexpr double kAbove = 0.4;      // of a leg, the chest or the head over the hips
   constexpr double kApart = 0.03;     // of a leg, where legs begin
-  constexpr double kMirrored = 0.12;  // of a leg, mean distance from mirror images
+  constexpr double kMirrored = 0.08;  // of a leg, mean distance from mirror images
   const auto at = [&](int joint) { return positions[static_cast<size_t>(joint)]; };
   const auto span = [&](int a, int b) { return length(at(b) - at(a)); };
   const auto limb_length = [&](const UprightLimb& l) { return span(l.upper, l.middle) + span(l.middle, l.end); };
@@ -132,7 +165,8 @@ bool stands(const UprightBody& body, const std::vector<Point3>& positions) {
   for (const UprightLimb& limb : body.legs)
     if (dot(at(limb.upper) - at(limb.end), up) < kStretched * limb_length(limb)) return false;
   const Point3 middle = 0.5 * (at(body.legs[0].upper) + at(body.legs[1].upper));
-  if (dot(at(body.head >= 0 ? body.head : body.chest) - middle, up) < 0.4 * leg) return false;
+  const double top = dot(at(body.chest) - middle, up);
+  if (std::max(top, body.head >= 0 ? dot(at(body.head) - middle, up) : top) < kAbove * leg) return false;
   const Point3 side = at(body.legs[0].upper) - at(body.legs[1].upper);
   if (length(across(side, up)) < kApart * leg || std::abs(dot(unit(side), up)) > 0.3) return false;
   const Point3 normal = unit(across(side, up));
