@@ -16,6 +16,7 @@ set(sinew_character_sources
   bind/mesh_neighbours
   bind/round_influences
   bind/transfer
+  map/map_cover
   map/map_file
   map/map_levels
   map/map_skeleton

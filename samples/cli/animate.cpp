@@ -35,7 +35,7 @@ struct Settings {
   uint32_t area_power = 3;
   double falloff = 0.05;
   bool own_limb = false, legs = false, head = false, torso = false, source_points = false, range = true;
-  bool in_place = false, json = false, report = false;
+  bool in_place = false, json = false, report = false, force = false;
 };
 
 // FILE or FILE#CLIP; a file whose own name has a # is one.
@@ -72,6 +72,7 @@ AnimateOptions animate_options(const Settings& s) {
   options.in_place = s.in_place;
   options.range = s.range;
   options.report = s.report;
+  options.force = s.force;
   options.fps = s.fps;
   options.from = s.from;
   options.to = s.to;
@@ -238,6 +239,8 @@ void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_flag("--measure", s->report,
                 "Say for every limb what the method changed. Copied and then: frames in the body or under the floor, "
                 "contacts, sliding, frames out of the natural range");
+  sub->add_flag("--force", s->force,
+                "Play a motion that does not fit the character, such as a person's on a horse. Refused unless given");
   shared_flag(sub, "--json", s->json);
 }
 

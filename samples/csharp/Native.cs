@@ -475,7 +475,7 @@ namespace Sinew
             public IntPtr clip, map, sources;
             public uint area_power, no_own_limb, legs, report;
             public double falloff;
-            public uint own_limb, head, torso, source_points;
+            public uint own_limb, head, torso, source_points, force, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -45,6 +45,8 @@ export interface RetargetOptions {
   inPlace?: boolean;
   /** false: knees and elbows may leave their natural range */
   range?: boolean;
+  /** true: plays a motion that does not fit, such as a person's on a horse; else an error */
+  force?: boolean;
   targetUp?: "x" | "y" | "z";
   motionUp?: "x" | "y" | "z";
   /** every frame is corrected by morph targets */

@@ -472,6 +472,8 @@ typedef struct sinew_character_animate_options {
   uint32_t report;            /* 1: limbs are measured before and after */
   double falloff;             /* reference points; 0 = 0.05, SINEW_NO_FALLOFF: none */
   uint32_t own_limb, head, torso, source_points; /* reference points, as in sinew_reference_options */
+  uint32_t force;    /* 1: plays a motion that does not fit, such as a person's on a horse; else an error */
+  uint32_t reserved; /* 0 */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {
@@ -488,7 +490,7 @@ typedef struct sinew_character_animate_result {
   uint32_t mapped;      /* joints that move */
   uint32_t rigged;      /* 1: was a bare mesh */
   uint32_t shape_count; /* morph targets that were added */
-  float certainty;      /* of front and sides */
+  float certainty;      /* 0..1, of front and sides, and no more than how much of both bodies the map reaches */
   uint32_t limb_count;  /* with report: [clip_count x limb_count] of both below */
   const sinew_limb_measure* limbs_before;
   const sinew_limb_measure* limbs_after;

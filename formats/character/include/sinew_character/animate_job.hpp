@@ -25,6 +25,7 @@ struct AnimateOptions {
   std::vector<int> sources;                     // [J] joint of the motion or -1, in place of a map; or empty
   AnimateMethod method = AnimateMethod::kAuto;
   bool in_place = false, range = true, report = false;
+  bool force = false;           // plays a motion whose map reaches less than kLeastCover, which is an Error else
   double fps = 0, from = 0, to = 1e9;  // seconds
   sinew_reference_options reference = sinew_reference_options_init();
 };
@@ -54,7 +55,7 @@ struct AnimatedCharacter {
   Morphs morphs;                   // of bake_clips()
   bool rigged = false;             // was a bare mesh
   std::vector<int> sources;        // [J] map of the last motion
-  float certainty = 1;             // and how sure its front and sides are
+  float certainty = 1;             // how sure its front and sides are, and no more than what it covers of both bodies
 };
 
 // Told how many steps there are, gives what is asked before each; that says false to stop, which ends the work with an Error.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sinew_character/map_cover.hpp"
 #include "sinew_character/map_skeleton.hpp"
 
 namespace sinew {
@@ -19,6 +20,7 @@ struct MotionMap {
   std::vector<uint8_t> reasons;  // [target] sinew_map_reason; of a file's map pinned
   std::string how;               // "anatomy and names", for the user
   float certainty = 1;           // of front and sides, see MappedSkeleton
+  MapCover cover;                // of a found map
 };
 
 // From a file where `map_file` is not empty: what has no line there has no source. Else by map_skeleton(). The rigs' names are

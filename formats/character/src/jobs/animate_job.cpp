@@ -3,6 +3,8 @@
 #include "sinew_character/animate_job.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "sinew_character/motion_map.hpp"
@@ -64,6 +66,33 @@ void set_method(const AnimateOptions& s, const MotionInput& input, AnimatedChara
                                 "body, but what hands touched is not known");
 }
 
+// Whether a motion was made on the character: most of its joints stand from their parents as the character's of the same names do.
+bool has_rest_of(const Motion& motion, const std::vector<Joint>& target) {
+  const Motion own = motion_of(target);
+  std::map<std::string, size_t> named;
+  for (size_t j = 0; j < own.joints.size(); ++j) named[own.joints[j].name] = j;
+  size_t same = 0;
+  for (const MotionJoint& joint : motion.joints) {
+    const auto found = named.find(joint.name);
+    if (found == named.end() || joint.parent < 0) continue;
+    const Point3 &a = joint.offset, &b = own.joints[found->second].offset;
+    const double off = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), size = std::hypot(b[0], b[1], b[2]);
+    same += off <= 0.01 * size ? 1 : 0;
+  }
+  return 2 * same > motion.joints.size();
+}
+
+// The motion from a stance where it is at rest in none. With a body the rest pose is the body's, which makes it one.
+std::optional<Motion> find_standing(const AnimateOptions& s, const MotionInput& input, AnimatedCharacter* out) {
+  if (has_rest_of(*input.motion, out->character.joints)) return std::nullopt;
+  std::optional<Motion> standing = standing_motion(*input.motion, s.motion_up);
+  if (!standing) return std::nullopt;
+  const std::optional<Character> body = input.body ? input.body() : std::nullopt;
+  if (body && !body->influences.empty()) return std::nullopt;
+  out->motion.notes.push_back(input.file + ": its rest pose is no stance, so one was guessed from how it moves");
+  return standing;
+}
+
 // The caller's map, a file's, or a found one.
 MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& from) {
   if (s.sources.empty()) return map_motion(target, from, s.up, s.motion_up, s.map);
@@ -72,6 +101,14 @@ MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& fr
   map.reasons.assign(s.sources.size(), SINEW_MAP_PINNED);
   map.how = "what was given";
   return map;
+}
+
+void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const MotionMap& map, const MapRig& target) {
+  if (s.force || map.cover.share >= kLeastCover) return;
+  const auto mapped = std::count_if(map.sources.begin(), map.sources.end(), [](int joint) { return joint >= 0; });
+  throw Error(input.file + ": does not fit " + target.name + ": " + map.cover.missing + ", " + std::to_string(mapped) +
+              " of its " + std::to_string(target.joints.size()) +
+              " joints would move; --map FILE says which move as which, --force plays it as it is");
 }
 
 }  // namespace
@@ -90,13 +127,14 @@ AnimatedCharacter animated_character(Character character, const std::string& pat
 }
 
 void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsOf& steps, AnimatedCharacter* out) {
-  const std::optional<Motion> standing = standing_motion(*choice.motion, s.motion_up);
+  const std::optional<Motion> standing = find_standing(s, choice, out);
   const Motion& source = standing ? *standing : *choice.motion;
   const std::vector<Clip> clips = chosen_clips(s, choice.file, choice.clip, source);
   MapRig target = map_rig_of(out->character), from = map_rig_of(source);
   target.name = s.character;
   from.name = choice.file;
   const MotionMap map = map_of(s, target, from);
+  refuse_misfit(s, choice, map, target);
   RetargetSettings settings;
   settings.method = s.method == AnimateMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
   settings.in_place = s.in_place ? 1 : 0;
@@ -117,7 +155,7 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
     out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
   }
   out->sources = map.sources;
-  out->certainty = map.certainty;
+  out->certainty = std::min(map.certainty, map.cover.share);
   if (map.certainty < kDoubtfulSides)
     out->motion.notes.push_back(
         choice.file +

@@ -15,6 +15,7 @@
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
 #include "sinew_character/skeleton_template.hpp"
+#include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -90,6 +91,26 @@ std::vector<uint8_t> animated_joints(const Motion& motion) {
   return animated;
 }
 
+MapRig rig_in_stance(const Motion& motion) {
+  const std::optional<Motion> standing = standing_motion(motion);
+  return map_rig_of(standing ? *standing : motion);
+}
+
+// Of a file with a mesh, or with moving nodes alone.
+MapRig rig_of_scene(const std::string& path) {
+  try {
+    Character character;
+    read_skeleton(path, false, &character);  // says what is wrong with a file without joints
+    return map_rig_of(read_gltf(path));
+  } catch (const Error&) {
+    try {
+      return rig_in_stance(read_motion(path));
+    } catch (const Error&) {  // what is wrong with it as a skeleton is told
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 MapRig map_rig_of(const Character& character) {
@@ -141,16 +162,14 @@ MapRig read_map_rig(const std::string& path) {
   } else if (has_extension(path, ".obj")) {
     rig = map_rig_of(read_character(path));
   } else if (has_extension(path, ".bvh")) {
-    rig = map_rig_of(read_bvh(path));
+    rig = rig_in_stance(read_bvh(path));
   } else if (has_extension(path, ".txt")) {
     Character character;
     character.vertices.resize(skin_vertices(path));
     read_skeleton(path, !character.vertices.empty(), &character);
     rig = map_rig_of(character);
   } else {
-    Character character;
-    read_skeleton(path, false, &character);  // says what is wrong with a file without joints
-    rig = map_rig_of(read_gltf(path));
+    rig = rig_of_scene(path);
   }
   rig.name = path;
   return rig;

@@ -34,6 +34,7 @@ MotionMap map_motion(const MapRig& target, const MapRig& source, const std::stri
     map.reasons = found.reasons;
     map.how = found.method == SINEW_MAP_BRANCHES ? "branches" : "anatomy and names";
     map.certainty = found.certainty;
+    map.cover = map_cover(target, options.target_up, source, options.source_up, map.sources);
   }
   if (std::all_of(map.sources.begin(), map.sources.end(), [](int s) { return s < 0; }))
     throw Error(target.name + ": no joint moves as one of " + source.name + " by " + map.how +

@@ -123,18 +123,33 @@ class StanceFinder {
     return sum[2] > std::max(sum[0], sum[1]) ? 2 : sum[0] > sum[1] ? 0 : 1;
   }
 
-  // The mean pose of the tallest frames, seen from the root, upright and its own mirror image.
-  std::vector<Quaternion> typical_pose(const std::vector<std::pair<int, int>>& pairs) {
-    const int root = moving_.trunk_root();
-    const std::vector<size_t> frames = moving_.best_frames(kTall, [&](size_t f) {
+  // Of the frames in which the root stands as it mostly does, the tallest.
+  std::vector<size_t> typical_frames(int root) const {
+    constexpr double kSame = 0.9;  // cosine
+    std::vector<Point3> ups;
+    for (size_t f = 0; f < moving_.frame_count(); ++f)
+      ups.push_back(rotate(conjugate(moving_.rotation(f, root)), axes_.up));
+    const auto same = [&](size_t f) {
+      return std::count_if(ups.begin(), ups.end(), [&](const Point3& up) { return dot(up, ups[f]) > kSame; });
+    };
+    size_t most = 0;
+    for (size_t f = 1; f < ups.size(); ++f) most = same(f) > same(most) ? f : most;
+    const double share = kTall * static_cast<double>(same(most)) / static_cast<double>(ups.size());
+    return moving_.best_frames(share, [&](size_t f) {
       double low = 0, high = 0;
       for (size_t j = 0; j < motion_.joints.size(); ++j) {
         const double own = dot(moving_.position(f, static_cast<int>(j)) - moving_.position(f, root), axes_.up);
         low = std::min(low, own);
         high = std::max(high, own);
       }
-      return high - low;
+      return dot(ups[f], ups[most]) > kSame ? high - low : 0;
     });
+  }
+
+  // The mean pose of typical frames, seen from the root, upright and its own mirror image.
+  std::vector<Quaternion> typical_pose(const std::vector<std::pair<int, int>>& pairs) {
+    const int root = moving_.trunk_root();
+    const std::vector<size_t> frames = typical_frames(root);
     const Quaternion raise = rotation_between(moving_.mean_direction(frames, root, axes_.up), axes_.up);
     std::vector<Quaternion> pose;
     for (size_t j = 0; j < motion_.joints.size(); ++j)

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// A stance is found whatever the rest pose says, and rest poses that are one are left alone.
+#include "sinew_character/stance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/points.hpp"
+#include "walking_motion.hpp"
+
+namespace sinew {
+namespace {
+
+Point3 rest_of(const std::vector<Joint>& joints, const std::string& name) {
+  for (const Joint& joint : joints)
+    if (joint.name == name) return {double{joint.position.x}, double{joint.position.y}, double{joint.position.z}};
+  ADD_FAILURE() << name;
+  return {};
+}
+
+// Mean distance of joints at rest, of lengths of about 1.7.
+double mean_distance(const std::vector<Joint>& a, const std::vector<Joint>& b) {
+  double sum = 0;
+  for (size_t j = 0; j < a.size(); ++j)
+    sum += std::hypot(a[j].position.x - b[j].position.x, a[j].position.y - b[j].position.y,
+                      a[j].position.z - b[j].position.z);
+  return sum / static_cast<double>(a.size());
+}
+
+void expect_same_motion(const Motion& a, const Motion& b) {
+  for (size_t f = 0; f < a.clips[0].frames.size(); ++f) {
+    const WorldPose x = world_pose(a, a.clips[0].frames[f]), y = world_pose(b, b.clips[0].frames[f]);
+    for (size_t j = 0; j < a.joints.size(); ++j) ASSERT_LT(length(x.positions[j] - y.positions[j]), 1e-9) << f << j;
+  }
+}
+
+TEST(Stance, ARestPoseThatIsOneStays) {
+  const Motion walk = walking_person();
+  EXPECT_FALSE(standing_motion(walk));
+  EXPECT_FALSE(standing_motion(numbered(walk)));
+  EXPECT_FALSE(standing_motion(turned_world(walk, axis_rotation(0, std::acos(0.0))))) << "z up";
+  EXPECT_FALSE(standing_motion(turned_world(walk, axis_rotation(1, 2.4))));
+  Motion still = walk;
+  still.clips.clear();
+  EXPECT_FALSE(standing_motion(with_random_axes(still)));
+}
+
+TEST(Stance, IsFoundInTheMotionWhateverTheRestPoseIs) {
+  const Motion walk = walking_person();
+  const std::vector<Motion> written = {with_random_axes(walk), with_random_axes(walk, 2), with_rest_of_frame(walk, 7),
+                                       with_random_axes(numbered(walk))};
+  for (size_t k = 0; k < written.size(); ++k) {
+    const std::optional<Motion> found = standing_motion(written[k]);
+    ASSERT_TRUE(found) << k;
+    expect_same_motion(*found, walk);
+    EXPECT_LT(mean_distance(rest_joints(*found), rest_joints(walk)), 0.04) << k;
+    EXPECT_FALSE(standing_motion(*found)) << "it stands now";
+  }
+}
+
+TEST(Stance, IsInTheMotionsOwnWorld) {
+  const Motion upright = turned_world(walking_person(), axis_rotation(0, std::acos(0.0)));  // y to z
+  const std::optional<Motion> found = standing_motion(with_random_axes(upright));
+  ASSERT_TRUE(found);
+  const std::vector<Joint> rest = rest_joints(*found);
+  EXPECT_GT(rest_of(rest, "Head")[2], 0.5);
+  EXPECT_LT(rest_of(rest, "LeftFoot")[2], -0.7);
+  EXPECT_GT(rest_of(rest, "LeftArm")[0], 0.1);
+  EXPECT_LT(rest_of(rest, "LeftToeBase")[1], -0.05) << "ahead is -y";
+}
+
+TEST(Stance, NamesSayLeftAndRight) {
+  Motion mirrored = walking_person();
+  for (MotionJoint& joint : mirrored.joints) {
+    const bool left = joint.name.rfind("Left", 0) == 0, right = joint.name.rfind("Right", 0) == 0;
+    if (left) joint.name = "Right" + joint.name.substr(4);
+    if (right) joint.name = "Left" + joint.name.substr(5);
+  }
+  const std::optional<Motion> found = standing_motion(with_random_axes(mirrored));
+  ASSERT_TRUE(found);
+  EXPECT_GT(rest_of(rest_joints(*found), "LeftUpLeg")[0], 0.05);
+}
+
+// A body on four legs is never set upright.
+TEST(Stance, WhatDoesNotGoUprightIsLeftAlone) {
+  Motion animal = walking_person();
+  const Quaternion down = axis_rotation(0, std::acos(0.0));
+  for (MotionFrame& frame : animal.clips[0].frames)
+    for (size_t j = 0; j < animal.joints.size(); ++j) {
+      const std::string& name = animal.joints[j].name;
+      if (name == "Spine") frame.rotations[j] = down;
+      if (name == "LeftUpLeg" || name == "RightUpLeg") frame.rotations[j] = axis_rotation(0, 0.1);
+    }
+  EXPECT_FALSE(standing_motion(with_random_axes(animal)));
+}
+
+}  // namespace
+}  // namespace sinew
