@@ -13,6 +13,7 @@
 #include "scene_files.hpp"
 #include "sinew_formats/io.hpp"
 #include "sinew_formats/motion.hpp"
+#include "walking_motion.hpp"
 
 namespace sinew {
 namespace {
@@ -85,6 +86,50 @@ TEST_F(CliAnimate, TheSameRigPlaysAsItWasRecorded) {
               world_pose(still, still.clips[0].frames[0]).positions[0][2], 0.02);
   const std::vector<std::string> written = {in("moved.glb"), in("both.gltf"), in("still.glb")};
   SINEW_EXPECT_VALID_GLTF(written);
+}
+
+// The same walk with a rest pose that is none: joints in frames of their own, with and without names, a frame of the clip, facing elsewhere.
+TEST_F(CliAnimate, AMotionPlaysTheSameHoweverItIsWritten) {
+  const Motion walk = walking_person();
+  const std::string robot = kData + "/biped__robot.obj";
+  const auto play = [&](const Motion& motion, bool told) {
+    write_bvh(in("walk.bvh"), motion, motion.clips[0]);
+    const Outcome outcome = good("animate " + robot + " --motion walk.bvh -o moved.glb");
+    EXPECT_EQ(outcome.out.find("its rest pose is no stance") != std::string::npos, told) << outcome.out;
+    const Motion moved = read_gltf_motion(in("moved.glb"), 30);
+    std::vector<Point3> positions;
+    for (const MotionFrame& frame : moved.clips.at(0).frames)
+      for (const Point3& p : world_pose(moved, frame).positions) positions.push_back(p);
+    return positions;
+  };
+  const std::vector<Point3> wanted = play(walk, false);
+  const double height = 1.42;  // of the robot
+  const auto expect = [&](const Motion& motion, bool told, double most) {
+    const std::vector<Point3> found = play(motion, told);
+    ASSERT_EQ(found.size(), wanted.size());
+    double sum = 0;
+    for (size_t i = 0; i < found.size(); ++i)
+      sum += std::hypot(found[i][0] - wanted[i][0], found[i][1] - wanted[i][1], found[i][2] - wanted[i][2]);
+    EXPECT_LT(sum / static_cast<double>(found.size()), most * height);
+  };
+  expect(numbered(walk), false, 0.005);
+  expect(with_random_axes(walk), true, 0.04);
+  expect(with_rest_of_frame(walk, 10), true, 0.04);
+  expect(with_random_axes(numbered(walk)), true, 0.04);
+  good("map " + robot + " --from walk.bvh -o map.txt");
+  good("animate " + robot + " --motion walk.bvh --map map.txt -o again.glb");
+}
+
+TEST_F(CliAnimate, AMotionThatDoesNotFitIsRefusedUnlessForced) {
+  const Motion walk = walking_person(8);
+  write_bvh(in("walk.bvh"), walk, walk.clips[0]);
+  const std::string animal = kData + "/quadruped__tailed.obj";
+  const size_t before = files();
+  const Outcome refused = bad(1, "animate " + animal + " --motion walk.bvh -o out.glb");
+  EXPECT_NE(refused.error.find("does not fit"), std::string::npos) << refused.error;
+  EXPECT_NE(refused.error.find("one goes upright, the other does not"), std::string::npos) << refused.error;
+  EXPECT_EQ(files(), before);
+  good("animate " + animal + " --motion walk.bvh -o out.glb --force");
 }
 
 TEST_F(CliAnimate, AMapSaysWhichJointMovesAsWhich) {

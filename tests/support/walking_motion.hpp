@@ -53,8 +53,7 @@ inline Motion walking_person(size_t frames = 60) {
       if (part == "Spine") turn = axis_rotation(0, 0.03);
       if (part == "UpLeg") turn = axis_rotation(0, -0.45 * swing);
       if (part == "Leg") turn = axis_rotation(0, 0.25 - 0.25 * std::cos(phase + (left ? 0 : 3.14)));
-      if (part == "Arm")
-        turn = multiply(axis_rotation(0, 0.3 * swing), axis_rotation(2, left ? -1.3 : 1.3));
+      if (part == "Arm") turn = multiply(axis_rotation(0, 0.3 * swing), axis_rotation(2, left ? -1.3 : 1.3));
       if (part == "ForeArm") turn = axis_rotation(1, left ? -0.35 : 0.35);
       frame.rotations.push_back(turn);
     }

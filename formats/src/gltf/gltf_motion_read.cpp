@@ -155,7 +155,8 @@ class GltfMotionReader {
                   " keys, found " + std::to_string(track->values.size() / width));
     for (size_t k = 0; k < track->times.size(); ++k)
       if (track->times[k] < 0 || (k > 0 && !(track->times[k] >= track->times[k - 1])))
-        throw Error(where + ": expected times from 0 that do not fall, found another order at key " + std::to_string(k));
+        throw Error(where + ": expected times from 0 that do not fall, found another order at key " +
+                    std::to_string(k));
   }
 
   // The skin's joints first; then animated nodes above or below them. Without a skin all animated nodes and what hangs on

@@ -11,12 +11,13 @@
 
 namespace sinew {
 
-// Below it a motion is not for a character. Of the 840 public pairs of skeletons it refuses all 60 of people and four-legged
-// animals and none of the others.
+// Below it a motion is not for a character. Of 840 pairs of skeletons it refuses all 60 of people and four-legged animals, and of the
+// others 8 between animals whose legs the map does not find.
 constexpr float kLeastCover = 0.5f;
 
 struct MapCover {
-  float share = 1;      // 0..1: the least of legs, of arms with the head, of the trunk, and of how alike both go upright
+  float share =
+      1;  // 0..1: the least of legs, of arms or the head, of the trunk, and of how alike both go upright; 1 where neither has legs
   std::string missing;  // what is least, for the user: "no legs"
 };
 

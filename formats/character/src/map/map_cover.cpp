@@ -74,7 +74,8 @@ class BodyParts {
     std::vector<char> ends(classes_.size(), 0);
     for (size_t j = 0; j < classes_.size(); ++j) ends[j] = part_of(classes_[j]) == kLegs ? 1 : 0;
     for (size_t j = 0; j < classes_.size(); ++j)
-      if (part_of(classes_[j]) == kLegs && rig_.joints[j].parent >= 0) ends[static_cast<size_t>(rig_.joints[j].parent)] = 0;
+      if (part_of(classes_[j]) == kLegs && rig_.joints[j].parent >= 0)
+        ends[static_cast<size_t>(rig_.joints[j].parent)] = 0;
     Point3 sum{};
     double count = 0;
     for (size_t j = 0; j < classes_.size(); ++j) {
@@ -126,9 +127,10 @@ MapCover map_cover(const MapRig& target, char target_up, const MapRig& source, c
     cover.share = static_cast<float>(share);
     cover.missing = missing;
   };
+  if (!to.has(kLegs) && !from.has(kLegs)) return cover;  // fish, snakes
   least(reached(kLegs), "no legs");
-  least((reached(kArms) + reached(kHead)) / 2, "no arms or no head");
-  least(reached(kTrunk), "no trunk");
+  least(std::max(reached(kArms), reached(kHead)), "no arms and no head");
+  least(reached(kTrunk) > 0 ? 1 : 0, "no trunk");
   if (to.lean() && from.lean()) {
     const double a = *to.lean(), b = *from.lean();
     const double cosine = a * b + std::sqrt(std::max(0.0, 1 - a * a)) * std::sqrt(std::max(0.0, 1 - b * b));

@@ -74,7 +74,8 @@ Quaternion MovingJoints::mean_rotation(const std::vector<size_t>& frames, int fr
 
 Point3 MovingJoints::mean_difference(const std::vector<size_t>& frames, int from, int first, int last) const {
   Point3 sum{};
-  for (const size_t f : frames) sum = sum + rotate(conjugate(rotation(f, from)), position(f, last) - position(f, first));
+  for (const size_t f : frames)
+    sum = sum + rotate(conjugate(rotation(f, from)), position(f, last) - position(f, first));
   return (1.0 / static_cast<double>(frames.size())) * sum;
 }
 
@@ -96,8 +97,8 @@ std::vector<Point3> MovingJoints::posed(const std::vector<Quaternion>& rotations
   for (const size_t j : order_) {
     const int up = motion_.joints[j].parent;
     if (up >= 0)
-      positions[j] = positions[static_cast<size_t>(up)] +
-                     rotate(rotations[static_cast<size_t>(up)], motion_.joints[j].offset);
+      positions[j] =
+          positions[static_cast<size_t>(up)] + rotate(rotations[static_cast<size_t>(up)], motion_.joints[j].offset);
   }
   return positions;
 }

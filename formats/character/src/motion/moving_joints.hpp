@@ -45,8 +45,8 @@ class MovingJoints {
   std::vector<WorldPose> poses_;
   std::vector<size_t> order_;
   std::vector<std::vector<int>> children_;
-  std::vector<int> below_;        // [J] joints of the subtree
-  std::vector<double> lengths_;   // [J] of its bones, the joint's own included
+  std::vector<int> below_;       // [J] joints of the subtree
+  std::vector<double> lengths_;  // [J] of its bones, the joint's own included
 };
 
 }  // namespace sinew

@@ -14,7 +14,9 @@ namespace sinew {
 namespace {
 
 constexpr double kStanding = 0.1, kOnFloor = 0.2, kTall = 0.3;  // shares of frames
-constexpr double kUpright = 0.7;                                // cosine of the most that a standing trunk leans
+constexpr double kMirrored =
+    0.1;  // of their distance from the middle, how far mirror images of a pose that is one are off
+constexpr double kUpright = 0.7;  // cosine of the most that a standing trunk leans
 
 struct WorldAxes {
   Point3 up, left, front;
@@ -57,16 +59,23 @@ double asymmetry(const std::vector<std::pair<int, int>>& pairs, const std::vecto
 
 class StanceFinder {
  public:
-  StanceFinder(const Motion& motion, const std::string& up) : motion_(motion), moving_(motion), up_(up) {}
+  StanceFinder(const Motion& motion, const std::string& up)
+      : motion_(motion), moving_(motion), up_(up), all_(moving_.best_frames(1, [](size_t) { return 0.0; })) {}
 
   // What the body is that the rest pose does not show; false where nobody can tell, and for what does not go upright.
   bool find_body() {
-    if (!find_limbs()) return false;
-    find_standing_frames();
-    double upright = 0;
-    for (const size_t f : frames_)
-      upright += dot(unit(moving_.position(f, body_.chest) - leg_roots(f)), axes_.up) / static_cast<double>(frames_.size());
-    return upright > kUpright;
+    const MapRig rig = map_rig_of(motion_);
+    const std::optional<UprightBody> named = find_upright_body(rig.joints, limb_classes(rig, 'a'));
+    if (named && named->sided) {
+      body_ = *named;
+      axes_ = axes_of(up_axis());
+      return goes_upright();
+    }
+    const std::vector<std::pair<int, int>> pairs = moving_.mirror_pairs();
+    if (pairs.size() < 4 || asymmetry(pairs, positions_of(rig.joints)) < kMirrored) return false;
+    for (const char up : {'y', 'z', 'x'})
+      if ((up_ == "auto" || up_[0] == up) && find_seen_body(rig, pairs, up) && goes_upright()) return true;
+    return false;
   }
 
   Motion run() {
@@ -77,37 +86,29 @@ class StanceFinder {
   }
 
  private:
-  bool find_limbs() {
-    const MapRig rig = map_rig_of(motion_);
-    joints_ = rig.joints;
-    const std::optional<UprightBody> named = find_upright_body(joints_, limb_classes(rig, 'a'));
-    axes_ = axes_of(0);
-    if (named && named->sided) {
-      body_ = *named;
-      axes_ = axes_of(up_axis());
-      return true;
-    }
-    const std::vector<std::pair<int, int>> pairs = moving_.mirror_pairs();
-    if (pairs.size() < 4 || asymmetry(pairs, positions_of(joints_)) < 0.1) return false;
-    axes_ = axes_of(up_ == "x" ? 0 : up_ == "z" ? 2 : 1);
-    MapRig typical = rig;
+  // Without names: what a typical pose looks like.
+  bool find_seen_body(MapRig rig, const std::vector<std::pair<int, int>>& pairs, char up) {
+    axes_ = axes_of(static_cast<size_t>(up - 'x'));
     const std::vector<Point3> positions = moving_.posed(typical_pose(pairs));
     for (size_t j = 0; j < positions.size(); ++j)
-      typical.joints[j].position = {static_cast<float>(positions[j][0]), static_cast<float>(positions[j][1]),
-                                    static_cast<float>(positions[j][2])};
-    const std::optional<UprightBody> seen =
-        find_upright_body(typical.joints, limb_classes(typical, up_ == "x" ? 'x' : up_ == "z" ? 'z' : 'y'));
+      rig.joints[j].position = {static_cast<float>(positions[j][0]), static_cast<float>(positions[j][1]),
+                                static_cast<float>(positions[j][2])};
+    const std::optional<UprightBody> seen = find_upright_body(rig.joints, limb_classes(rig, up));
     if (!seen) return false;
     body_ = *seen;
     if (!body_.sided) find_sides();
     return true;
   }
 
+  bool goes_upright() {
+    find_standing_frames();
+    double upright = 0;
+    for (const size_t f : frames_) upright += dot(unit(moving_.position(f, body_.chest) - leg_roots(f)), axes_.up);
+    return upright > kUpright * static_cast<double>(frames_.size());
+  }
+
   const UprightLimb& leg(size_t k) const { return body_.legs[k]; }
   Quaternion& turn(int joint) { return turns_[static_cast<size_t>(joint)]; }
-  std::vector<size_t> all_frames() const {
-    return moving_.best_frames(1, [](size_t) { return 0.0; });
-  }
   Point3 leg_roots(size_t f) const {
     return 0.5 * (moving_.position(f, leg(0).upper) + moving_.position(f, leg(1).upper));
   }
@@ -118,8 +119,8 @@ class StanceFinder {
     if (up_ == "x" || up_ == "y" || up_ == "z") return static_cast<size_t>(up_[0] - 'x');
     Point3 sum{};
     for (size_t f = 0; f < moving_.frame_count(); ++f)
-      sum = sum + moving_.position(f, top()) -
-            0.5 * (moving_.position(f, leg(0).end) + moving_.position(f, leg(1).end));
+      sum =
+          sum + moving_.position(f, top()) - 0.5 * (moving_.position(f, leg(0).end) + moving_.position(f, leg(1).end));
     return sum[2] > std::max(sum[0], sum[1]) ? 2 : sum[0] > sum[1] ? 0 : 1;
   }
 
@@ -227,12 +228,15 @@ class StanceFinder {
     const int parent = moving_.parent(joint);
     if (joint == body_.hips) return;
     if (!is_below(joint, body_.hips)) {  // what carries the body, and what lies beside it
-      const Quaternion mean = moving_.is_still(joint) ? moving_.rotation(0, joint)
-                                                      : multiply(turn(body_.hips), moving_.mean_rotation(frames_, body_.hips, joint));
+      const Quaternion mean = moving_.is_still(joint)
+                                  ? moving_.rotation(0, joint)
+                                  : multiply(turn(body_.hips), moving_.mean_rotation(frames_, body_.hips, joint));
       turn(joint) = mean;
       return;
     }
-    turn(joint) = multiply(turn(parent), moving_.mean_rotation(frames_, parent, joint));
+    // Arms and heads do what they like while legs stand: over the whole clip they are straighter.
+    const std::vector<size_t>& frames = is_below(joint, body_.chest) ? all_ : frames_;
+    turn(joint) = multiply(turn(parent), moving_.mean_rotation(frames, parent, joint));
     if (joint == body_.chest && body_.has_arms) {
       const Point3 side = moving_.mean_difference(frames_, joint, body_.arms[1].upper, body_.arms[0].upper);
       swing(joint, side, axes_.left);
@@ -304,10 +308,10 @@ class StanceFinder {
   const Motion& motion_;
   const MovingJoints moving_;
   const std::string up_;
-  std::vector<Joint> joints_;
   UprightBody body_;
   WorldAxes axes_ = {};
-  std::vector<size_t> frames_;
+  const std::vector<size_t> all_;
+  std::vector<size_t> frames_;     // in which it stands
   std::vector<Quaternion> turns_;  // [J] from the old rest pose to the stance, in the world
 };
 

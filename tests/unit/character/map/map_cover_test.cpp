@@ -64,7 +64,7 @@ TEST(MapCover, HalvesAndOtherBodiesDoNotFit) {
   const MapRig bust = without(person, {"UpLeg"}), legs = without(person, {"Shoulder", "Neck"});
   expect(person, bust, "no legs");
   expect(bust, person, "no legs");
-  expect(person, legs, "no arms or no head");
+  expect(person, legs, "no arms and no head");
   EXPECT_GE(cover_of(person, without(person, {"Shoulder"})).share, kLeastCover) << "a head is enough";
   expect(on_four_legs(walking_person()), person, "one goes upright, the other does not");
 }

@@ -21,7 +21,8 @@ TEST(MovingJoints, MeansAreSeenFromAJoint) {
   EXPECT_NEAR(std::abs(dot(moving.mean_rotation(frames, 0, 1), axis_rotation(2, 0.2))), 1, 1e-12);
   EXPECT_NEAR(std::abs(dot(moving.mean_rotation(frames, 1, 0), axis_rotation(2, -0.2))), 1, 1e-12);
   EXPECT_LT(length(moving.mean_difference(frames, 0, 0, 1) - Point3{0, 1, 0}), 1e-12);
-  EXPECT_LT(length(moving.mean_direction(frames, 1, {1, 0, 0}) - rotate(axis_rotation(2, -0.2), Point3{1, 0, 0})), 1e-12);
+  EXPECT_LT(length(moving.mean_direction(frames, 1, {1, 0, 0}) - rotate(axis_rotation(2, -0.2), Point3{1, 0, 0})),
+            1e-12);
   EXPECT_TRUE(moving.is_still(0));
   EXPECT_FALSE(moving.is_still(1));
   const std::vector<size_t> last = moving.best_frames(0.5, [](size_t f) { return static_cast<double>(f); });
