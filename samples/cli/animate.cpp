@@ -35,7 +35,7 @@ struct Settings {
   uint32_t area_power = 3;
   double falloff = 0.05;
   bool own_limb = false, legs = false, head = false, torso = false, source_points = false, range = true;
-  bool in_place = false, json = false, report = false, force = false;
+  bool in_place = false, json = false, report = false, force = false, translations = false;
 };
 
 // FILE or FILE#CLIP; a file whose own name has a # is one.
@@ -73,6 +73,7 @@ AnimateOptions animate_options(const Settings& s) {
   options.range = s.range;
   options.report = s.report;
   options.force = s.force;
+  options.translations = s.translations;
   options.fps = s.fps;
   options.from = s.from;
   options.to = s.to;
@@ -247,6 +248,10 @@ void add_inputs(CLI::App* sub, Settings* s) {
 void add_clip_options(CLI::App* sub, Settings* s) {
   section(sub, "The clip");
   sub->add_flag("--in-place", s->in_place, "Stay above where the character stands at rest");
+  sub->add_flag(
+      "--translations", s->translations,
+      "Spine, arms and legs stretch as the motion's do. Elsewhere than between equal rigs they keep their lengths "
+      "unless given");
   sub->add_option("--fps", s->fps, "Frames a second. As many as the motion has unless given")
       ->check(CLI::Range(0.1, 1000.0))
       ->type_name("N");

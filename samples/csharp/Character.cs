@@ -77,7 +77,7 @@ namespace Sinew
     public sealed class AnimateSettings : JobSettings
     {
         public AnimateMethod Method;
-        public bool InPlace, NoRange, BodyContact, Force;
+        public bool InPlace, NoRange, BodyContact, Force, Translations;
         public Up TargetUp, MotionUp;
         /// <summary>Volume and above: every frame is corrected by morph targets.</summary>
         public PoseDeform Deform;
@@ -503,7 +503,7 @@ namespace Sinew
                 int status = Native.sinew_character_animate(Handle, motion.Handle, pins.Of(new Native.sinew_character_animate_options
                 {
                     struct_size = Size<Native.sinew_character_animate_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    method = (uint)settings.Method, in_place = One(settings.InPlace), no_range = One(settings.NoRange), force = One(settings.Force),
+                    method = (uint)settings.Method, in_place = One(settings.InPlace), no_range = One(settings.NoRange), force = One(settings.Force), translations = One(settings.Translations),
                     target_up = (uint)settings.TargetUp, motion_up = (uint)settings.MotionUp, deform = (uint)settings.Deform,
                     body_contact = One(settings.BodyContact), shapes = (uint)settings.Shapes, fps = settings.Fps, from = settings.From,
                     to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map)

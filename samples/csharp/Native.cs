@@ -246,6 +246,7 @@ namespace Sinew
         {
             public uint struct_size, method, in_place;
             public float scale;
+            public uint translations;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -475,7 +476,7 @@ namespace Sinew
             public IntPtr clip, map, sources;
             public uint area_power, no_own_limb, legs, report;
             public double falloff;
-            public uint own_limb, head, torso, source_points, force, reserved;
+            public uint own_limb, head, torso, source_points, force, translations;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -20,7 +20,7 @@ typedef enum sinew_retarget_method {
   SINEW_RETARGET_AUTO = 0, /* the best that this library has for the inputs */
   /* A mapped joint rotates as its source does. Upper and lower arms and legs point in the directions of the source's,
    * whatever the rest poses are. Joints without a source follow their parents. Translations of the hips, and of joints that
-   * move against their parents, are scaled by the ratio of the legs. Contacts come after it: sinew_retarget_contacts() */
+   * move against their parents but are no bone of trunk, arms or legs, are scaled by the ratio of the legs. Contacts come after it: sinew_retarget_contacts() */
   SINEW_RETARGET_COPY = 1
 } sinew_retarget_method;
 
@@ -32,6 +32,9 @@ typedef struct sinew_retarget_options {
   uint32_t in_place;    /* 1: the target stays above where it stands at rest */
   float scale;          /* lengths of the target per length of the source; 0 = by their legs, else by all mapped
                          * bones */
+  uint32_t
+      translations; /* 1: bones of trunk, arms and legs stretch as the source's do. Between rigs that lie alike they do
+                          * anyway */
 } sinew_retarget_options;
 
 /* Options that ask for every default. */

@@ -11,7 +11,7 @@
 #include "sinew/motion_clips.h"
 #include "sinew/published.h"
 
-static_assert(sizeof(sinew_retarget_options) == 4 * sizeof(uint32_t), "a hole in sinew_retarget_options");
+static_assert(sizeof(sinew_retarget_options) == 5 * sizeof(uint32_t), "a hole in sinew_retarget_options");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
 static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
 static_assert(sizeof(sinew_reference_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*),

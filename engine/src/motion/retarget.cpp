@@ -3,6 +3,7 @@
 #include "motion/retarget.hpp"
 
 #include "core/sort.hpp"
+#include "sinew/rig.h"
 
 namespace sinew::motion {
 namespace {
@@ -33,9 +34,38 @@ Vec3d wanted_middle(const sinew_retarget& plan, double ground) {
   return wanted;
 }
 
-// How far a joint's source has left its place in its parent, where the two parents belong together: bones that stretch, feet
-// that hang on the root.
+// A bone of a trunk, an arm or a leg, which keeps its length: rigs have other ideas of how long they are, or move joints that the
+// target's skin does not follow. Hands and feet that hang elsewhere than on their limbs are none.
+bool keeps_length(const sinew_retarget& plan, uint32_t t) {
+  const uint32_t own = plan.classes[t], above = plan.classes[plan.target.parents[t]];
+  switch (own) {
+    case SINEW_CLASS_SPINE:
+    case SINEW_CLASS_NECK:
+    case SINEW_CLASS_HEAD:
+    case SINEW_CLASS_CLAVICLE:
+    case SINEW_CLASS_UPPER_ARM:
+    case SINEW_CLASS_HIP:
+    case SINEW_CLASS_THIGH:
+      return true;
+    case SINEW_CLASS_FOREARM:
+      return above == SINEW_CLASS_UPPER_ARM || above == own;
+    case SINEW_CLASS_HAND:
+      return above == SINEW_CLASS_FOREARM || above == own;
+    case SINEW_CLASS_CALF:
+      return above == SINEW_CLASS_THIGH || above == own;
+    case SINEW_CLASS_FOOT:
+      return above == SINEW_CLASS_CALF || above == own;
+    case SINEW_CLASS_TOE:
+      return above == SINEW_CLASS_FOOT || above == own;
+    default:
+      return false;
+  }
+}
+
+// How far a joint's source has left its place in its parent, where the two parents belong together: feet that hang on the root,
+// and bones that stretch.
 Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
+  if (!plan.translations && !plan.same_rig && keeps_length(plan, t)) return {0, 0, 0};
   const int32_t joint = plan.map[t], parent = plan.map[plan.target.parents[t]];
   if (joint < 0 || parent < 0 || plan.source.parents[joint] != parent) return {0, 0, 0};
   const Vec3d rest = rotate(plan.rotation, plan.source.positions[joint] - plan.source.positions[parent]);

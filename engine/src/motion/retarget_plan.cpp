@@ -2,6 +2,8 @@
 // Makes a plan: worlds, limbs, rest poses, lengths, floor.
 #include "motion/retarget_plan.hpp"
 
+#include <stddef.h>
+
 #include "core/struct_size.hpp"
 #include "sinew/rig.h"
 
@@ -9,7 +11,7 @@ namespace sinew::motion {
 namespace {
 
 // The struct of the first release.
-constexpr uint32_t kFirstOptionsSize = sizeof(sinew_retarget_options);
+constexpr uint32_t kFirstOptionsSize = offsetof(sinew_retarget_options, translations);
 
 // Whose long bone ends at a joint of this class; SINEW_CLASS_OTHER: none does.
 uint32_t class_before(uint32_t joint_class) {
@@ -329,11 +331,12 @@ sinew_status read_retarget_options(const sinew_retarget_options* options, Retarg
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
   const double scale = static_cast<double>(o.scale);
-  if (o.method > SINEW_RETARGET_COPY || o.in_place > 1 || !is_finite(scale) || scale < 0) {
+  if (o.method > SINEW_RETARGET_COPY || o.in_place > 1 || o.translations > 1 || !is_finite(scale) || scale < 0) {
     return SINEW_ERROR_ARGUMENT;
   }
   *out = RetargetOptions();
   out->in_place = o.in_place != 0;
+  out->translations = o.translations != 0;
   out->scale = scale;
   return SINEW_OK;
 }
@@ -395,6 +398,7 @@ sinew_status create_plan(const sinew_skeleton& source, const sinew_skeleton& tar
   }
   if (!any) return SINEW_ERROR_NO_JOINT;
   made.in_place = options.in_place;
+  made.translations = options.translations;
   RetargetOptions with_up = options;
   with_up.source_up = source.up;
   with_up.target_up = target.up;

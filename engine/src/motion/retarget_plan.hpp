@@ -27,6 +27,7 @@ struct sinew_retarget {
   double leg_length = 0;                      // of the source; without legs its extent
   double target_floor = 0;                    // height of the floor joints at rest
   bool in_place = false;
+  bool translations = false;
   bool same_rig = false;  // mapped joints lie as their sources do: nothing is left to be mended
   // Scratch of a frame: turned against the rest pose, and where; the source's in the target's world.
   sinew::Quat* source_rotations = nullptr;
@@ -39,7 +40,7 @@ namespace sinew::motion {
 
 // The options of the interface, checked.
 struct RetargetOptions {
-  bool in_place = false;
+  bool in_place = false, translations = false;
   double scale = 0;
   uint32_t source_up = SINEW_UP_AUTO, target_up = SINEW_UP_AUTO;  // create_plan() takes them from the skeletons
 };

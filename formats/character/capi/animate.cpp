@@ -33,6 +33,7 @@ AnimateOptions job_of(const sinew_character_animate_options& options, const sine
   job.range = options.no_range == 0;
   job.report = options.report != 0;
   job.force = options.force != 0;
+  job.translations = options.translations != 0;
   job.fps = options.fps;
   job.from = options.from;
   if (options.to != 0) job.to = options.to;

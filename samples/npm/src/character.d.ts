@@ -47,6 +47,8 @@ export interface RetargetOptions {
   range?: boolean;
   /** true: plays a motion that does not fit, such as a person's on a horse; else an error */
   force?: boolean;
+  /** true: bones stretch as the motion's do */
+  translations?: boolean;
   targetUp?: "x" | "y" | "z";
   motionUp?: "x" | "y" | "z";
   /** every frame is corrected by morph targets */

@@ -17,7 +17,7 @@ const RIG = {
   toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", template: "skeleton",
 };
 const RETARGET = {
-  method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",
+  method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", translations: "translations", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",
   clip: "clip",
 };
 const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };

@@ -56,7 +56,7 @@ export const LAYOUTS = {
   mapOutputs: layout(32,
     "struct_size@0:u32 method@4:u32 sources@8:u32 confidence@12:u32 reasons@16:u32 mapped@20:u32 certainty@24:u32 " +
     "used_bytes@28:u32"),
-  retargetOptions: layout(16, "struct_size@0:u32 method@4:u32 in_place@8:u32 scale@12:f32"),
+  retargetOptions: layout(20, "struct_size@0:u32 method@4:u32 in_place@8:u32 scale@12:f32 translations@16:u32"),
   motionBody: layout(32,
     "positions@0:u32 triangles@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 " +
     "vertex_count@24:u32 triangle_count@28:u32"),
@@ -135,7 +135,7 @@ export const LAYOUTS = {
     "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
     "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
     "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
-    "source_points@140:u32 force@144:u32 reserved@148:u32"),
+    "source_points@140:u32 force@144:u32 translations@148:u32"),
   characterAnimateResult: layout(48,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),

@@ -472,8 +472,8 @@ typedef struct sinew_character_animate_options {
   uint32_t report;            /* 1: limbs are measured before and after */
   double falloff;             /* reference points; 0 = 0.05, SINEW_NO_FALLOFF: none */
   uint32_t own_limb, head, torso, source_points; /* reference points, as in sinew_reference_options */
-  uint32_t force;    /* 1: plays a motion that does not fit, such as a person's on a horse; else an error */
-  uint32_t reserved; /* 0 */
+  uint32_t force;        /* 1: plays a motion that does not fit, such as a person's on a horse; else an error */
+  uint32_t translations; /* 1: bones stretch as the source's do, as in sinew_retarget_options */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {

@@ -25,6 +25,7 @@ struct AnimateOptions {
   std::vector<int> sources;                     // [J] joint of the motion or -1, in place of a map; or empty
   AnimateMethod method = AnimateMethod::kAuto;
   bool in_place = false, range = true, report = false;
+  bool translations = false;           // bones of the body stretch as the source's do
   bool force = false;                  // plays a motion whose map reaches less than kLeastCover, which is an Error else
   double fps = 0, from = 0, to = 1e9;  // seconds
   sinew_reference_options reference = sinew_reference_options_init();

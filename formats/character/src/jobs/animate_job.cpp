@@ -138,6 +138,7 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   RetargetSettings settings;
   settings.method = s.method == AnimateMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
   settings.in_place = s.in_place ? 1 : 0;
+  settings.translations = s.translations ? 1 : 0;
   Retargeter retargeter(source, out->character.joints, map.sources, motion_classes(target, from, s.up, map.sources),
                         settings, {up_of(s.motion_up), up_of(s.up)});
   set_method(s, choice, out, &retargeter);

@@ -227,6 +227,7 @@ EMSCRIPTEN_KEEPALIVE const char* character_animate(sinew_character* character, s
         wish.take("in_place", &o.in_place);
         wish.take("no_range", &o.no_range);
         wish.take("force", &o.force);
+        wish.take("translations", &o.translations);
         wish.take("target_up", &o.target_up);
         wish.take("motion_up", &o.motion_up);
         wish.take("deform", &o.deform);

@@ -203,7 +203,7 @@ class sinew_map_outputs(Structure):
 
 
 class sinew_retarget_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("in_place", c_uint32), ("scale", c_float)]
+    _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("in_place", c_uint32), ("scale", c_float), ("translations", c_uint32)]
 
 
 class sinew_motion_body(Structure):
@@ -360,7 +360,7 @@ class sinew_character_animate_options(Structure):
         ("body_contact", c_uint32), ("shapes", c_uint32), ("fps", c_double), ("from", c_double), ("to", c_double), ("clip", c_char_p),
         ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
         ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
-        ("source_points", c_uint32), ("force", c_uint32), ("reserved", c_uint32)]
+        ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32)]
 
 
 class sinew_character_animate_result(Structure):

@@ -449,7 +449,7 @@ class OpenCharacter:
                  natural_range: bool = True, target_up: MotionUp = "auto", motion_up: MotionUp = "auto", correct: Correction = "none",
                  cells: int = 0, rounds: int = 0, body_contact: bool = False, shapes: int = 0, fps: float = 0, start: float = 0, end: float = 0,
                  clip: Union[None, str, int] = None, map_file: Union[None, str, os.PathLike] = None, joint_map: Any = None,
-                 force: bool = False, threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
+                 force: bool = False, translations: bool = False, threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
         """Adds clips of another skeleton. A bare mesh is rigged first.
 
         natural_range  knees and elbows stay in theirs
@@ -457,6 +457,7 @@ class OpenCharacter:
         start, end     seconds of the motion; end 0: to its end
         clip           by name or number; None: all
         map_file, joint_map  a file of `sinew map`, or [j] integers of the motion's joints, -1 for none; else the map is found
+        translations   bones stretch as the motion's do
         force          plays a motion that does not fit, such as a person's on a horse; else an error
         """
         options = binding.init(declarations.sinew_character_animate_options)
@@ -466,7 +467,7 @@ class OpenCharacter:
         options.cells, options.rounds, options.body_contact, options.shapes = cells, rounds, int(body_contact), shapes
         options.fps, options.to = fps, end
         setattr(options, "from", start)  # a word of Python
-        options.force = int(force)
+        options.force, options.translations = int(force), int(translations)
         options.clip = None if clip is None else str(clip).encode()
         options.map = None if map_file is None else os.fsencode(map_file)
         given = None if joint_map is None else whole(joint_map, (self._view().joint_count,), "joint_map", np.int32, -1, motion._view().joint_count)

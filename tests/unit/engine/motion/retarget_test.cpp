@@ -61,8 +61,24 @@ TEST(Retarget, JointsThatLeaveTheirPlacesDoSo) {
       pose.translations[i] += 0.1f * std::sin(static_cast<float>(i) + static_cast<float>(seed));
     const Placed wanted = placed(scene, pose);
     EXPECT_LT(farthest(placed(scene, play(scene, scene, one_to_one(17), pose)), wanted), 1e-6 * kHeight);
-    const Placed small = placed(half, play(scene, half, one_to_one(17), pose));
+    RetargetSettings stretch;
+    stretch.translations = 1;
+    const Placed small = placed(half, play(scene, half, one_to_one(17), pose, stretch));
     for (uint32_t j = 0; j < 17; ++j) EXPECT_LT(distance(small.places[j], 0.5 * wanted.places[j]), 1e-6 * kHeight);
+  }
+}
+
+// Between other rigs a source that moves its spine, as some programs write it, does not pull the target's torso.
+TEST(Retarget, BonesOfTheBodyKeepTheirLengthsUnlessAsked) {
+  const MotionScene scene = body(10), half = body(10, 0.5);
+  Pose pose = rest_pose(scene);
+  for (size_t i = 3; i < pose.translations.size(); ++i) pose.translations[i] += 0.4f;
+  const Placed found = placed(half, play(scene, half, one_to_one(17), pose));
+  for (uint32_t j = 0; j < 17; ++j) {
+    const int32_t parent = half.parents[j];
+    if (parent < 0) continue;
+    const uint32_t p = static_cast<uint32_t>(parent);
+    EXPECT_NEAR(distance(found.places[j], found.places[p]), distance(half.at(j), half.at(p)), 1e-6) << j;
   }
 }
 
