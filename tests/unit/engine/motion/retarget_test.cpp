@@ -76,7 +76,7 @@ TEST(Retarget, BonesOfTheBodyKeepTheirLengthsUnlessAsked) {
   const Placed found = placed(half, play(scene, half, one_to_one(17), pose));
   for (uint32_t j = 0; j < 17; ++j) {
     const int32_t parent = half.parents[j];
-    if (parent < 0) continue;
+    if (parent < 0 || half.classes[j] == SINEW_CLASS_INDEX) continue;
     const uint32_t p = static_cast<uint32_t>(parent);
     EXPECT_NEAR(distance(found.places[j], found.places[p]), distance(half.at(j), half.at(p)), 1e-6) << j;
   }
