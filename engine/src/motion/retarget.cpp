@@ -65,11 +65,14 @@ bool keeps_length(const sinew_retarget& plan, uint32_t t) {
 // How far a joint's source has left its place in its parent, where the two parents belong together: feet that hang on the root,
 // and bones that stretch.
 Vec3d left_position(const sinew_retarget& plan, uint32_t t) {
-  if (!plan.translations && !plan.same_rig && keeps_length(plan, t)) return {0, 0, 0};
+  constexpr double kRounding = 1e-4;  // of a leg: what numbers in files leave, which is no stretching
   const int32_t joint = plan.map[t], parent = plan.map[plan.target.parents[t]];
   if (joint < 0 || parent < 0 || plan.source.parents[joint] != parent) return {0, 0, 0};
   const Vec3d rest = rotate(plan.rotation, plan.source.positions[joint] - plan.source.positions[parent]);
-  return plan.source_positions[joint] - plan.source_positions[parent] - rotate(plan.source_rotations[parent], rest);
+  const Vec3d left =
+      plan.source_positions[joint] - plan.source_positions[parent] - rotate(plan.source_rotations[parent], rest);
+  const bool stretches = length(left) > kRounding * plan.leg_length;
+  return stretches && !plan.translations && !plan.same_rig && keeps_length(plan, t) ? Vec3d{0, 0, 0} : left;
 }
 
 void pose_target(sinew_retarget* plan, double ground) {
