@@ -43,6 +43,7 @@ set(sinew_character_sources
   predict/turn
   rig/infer_parents
   rig/joint_mirror
+  rig/joint_surfaces
   rig/joint_verdicts
   rig/joints_beside_mesh
   rig/label_skeleton

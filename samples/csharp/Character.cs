@@ -47,7 +47,9 @@ namespace Sinew
         public bool ZUp, NoToes, NoEnds, NoBind, KeepLengths;
         /// <summary>A file or template:NAME that is put into the mesh; or null.</summary>
         public string Skeleton;
-        /// <summary>Bytes of .sinew files in place of the bundled models; or null.</summary>
+        /// <summary>Which slots a body may have, for CharacterRigMethod.Slots.</summary>
+        public SlotCategory Category;
+        /// <summary>Bytes of .sinew files in place of the bundled models; or null. Model: of the method.</summary>
         public byte[] Model, HandsModel;
     }
 
@@ -57,6 +59,9 @@ namespace Sinew
         public MapMethod Method;
         public bool NoNames, NoEnds, GuessUp;
         public Up TargetUp, SourceUp;
+        /// <summary>Of MapMethod.Branches: whose branches choose, and what two branches cost.</summary>
+        public BranchesFirst First;
+        public BranchesCost Cost;
         /// <summary>A map whose lines are kept; or null.</summary>
         public string PinsFile;
     }
@@ -81,6 +86,10 @@ namespace Sinew
         public Up TargetUp, MotionUp;
         /// <summary>Volume and above: every frame is corrected by morph targets.</summary>
         public PoseDeform Deform;
+        /// <summary>Of PoseDeform.Xpbd: of its springs, 0 = 0.2; where its tetrahedra have weights from; without smoothing.</summary>
+        public double Stiffness;
+        public TetWeights TetWeights;
+        public bool NoSmoothing;
         public int Shapes;
         public double Fps, From, To;
         /// <summary>By name or number; null: all.</summary>
@@ -95,6 +104,10 @@ namespace Sinew
         public int Threads = 1;
         public PoseDeform Deform;
         public bool BodyContact;
+        /// <summary>Of PoseDeform.Xpbd: of its springs, 0 = 0.2; where its tetrahedra have weights from; without smoothing.</summary>
+        public double Stiffness;
+        public TetWeights TetWeights;
+        public bool NoSmoothing;
         /// <summary>[joints x 3] turned about x, then y, then z, degrees.</summary>
         public double[] Angles;
         /// <summary>[joints x 4] x y z w, local, against the rest pose.</summary>
@@ -119,6 +132,10 @@ namespace Sinew
     public sealed class BakeSettings
     {
         public PoseDeform Deform;
+        /// <summary>Of PoseDeform.Xpbd: of its springs, 0 = 0.2; where its tetrahedra have weights from; without smoothing.</summary>
+        public double Stiffness;
+        public TetWeights TetWeights;
+        public bool NoSmoothing;
         public int Poses, Shapes;
         public ulong Seed;
         public double Limit;
@@ -431,7 +448,7 @@ namespace Sinew
                 int status = Native.sinew_character_bind(Handle, pins.Of(new Native.sinew_character_bind_options
                 {
                     struct_size = Size<Native.sinew_character_bind_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    models = Models(pins, settings.Model, null, null), method = (uint)settings.Method, joints = (uint)settings.Joints,
+                    models = Models(pins, settings.Model, null, null, null), method = (uint)settings.Method, joints = (uint)settings.Joints,
                     rigid_parts = (uint)settings.RigidParts, influence_count = (uint)settings.Influences,
                     softness_percent = (uint)settings.SoftnessPercent, surface_vertices = (uint)settings.SurfaceVertices,
                     up = Axis(settings.ZUp), keep_tips = One(settings.KeepTips), bind_props = One(settings.BindProps), fit = One(settings.Fit),
@@ -452,11 +469,13 @@ namespace Sinew
             using (var pins = new Pins())
             {
                 var watch = new Watch(settings.Progress);
+                bool slots = settings.Method == CharacterRigMethod.Slots;
                 IntPtr result = pins.Of(new Native.sinew_character_rig_result { struct_size = Size<Native.sinew_character_rig_result>() });
                 int status = Native.sinew_character_rig(Handle, pins.Of(new Native.sinew_character_rig_options
                 {
                     struct_size = Size<Native.sinew_character_rig_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
-                    models = Models(pins, null, settings.Model, settings.HandsModel), method = (uint)settings.Method,
+                    models = Models(pins, null, slots ? null : settings.Model, settings.HandsModel, slots ? settings.Model : null),
+                    method = (uint)settings.Method, category = (uint)settings.Category,
                     detail = (uint)settings.Detail, mirror = (uint)settings.Mirror, up = Axis(settings.ZUp),
                     spine_count = (uint)settings.SpineCount, no_toes = One(settings.NoToes), no_ends = One(settings.NoEnds),
                     no_bind = One(settings.NoBind), keep_lengths = One(settings.KeepLengths), influence_count = (uint)settings.Influences,
@@ -478,7 +497,8 @@ namespace Sinew
                 {
                     struct_size = Size<Native.sinew_character_map_options>(), method = (uint)settings.Method, no_names = One(settings.NoNames),
                     no_ends = One(settings.NoEnds), guess_up = One(settings.GuessUp), target_up = (uint)settings.TargetUp,
-                    source_up = (uint)settings.SourceUp, pins_file = pins.Of(settings.PinsFile)
+                    source_up = (uint)settings.SourceUp, pins_file = pins.Of(settings.PinsFile), branches_first = (uint)settings.First,
+                    branches_cost = (uint)settings.Cost
                 }), at), handle_, "map");
                 GC.KeepAlive(source);
                 var result = Read<Native.sinew_character_map_result>(at);
@@ -505,7 +525,8 @@ namespace Sinew
                     struct_size = Size<Native.sinew_character_animate_options>(), thread_count = (uint)settings.Threads, progress = watch.Callback,
                     method = (uint)settings.Method, in_place = One(settings.InPlace), no_range = One(settings.NoRange), force = One(settings.Force), translations = One(settings.Translations),
                     target_up = (uint)settings.TargetUp, motion_up = (uint)settings.MotionUp, deform = (uint)settings.Deform,
-                    body_contact = One(settings.BodyContact), shapes = (uint)settings.Shapes, fps = settings.Fps, from = settings.From,
+                    body_contact = One(settings.BodyContact), shapes = (uint)settings.Shapes, stiffness = settings.Stiffness,
+                    tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing), fps = settings.Fps, from = settings.From,
                     to = settings.To, clip = pins.Of(settings.Clip), map = pins.Of(settings.Map)
                 }), result);
                 Check(status, handle_, "animate", watch);
@@ -527,7 +548,8 @@ namespace Sinew
                 {
                     struct_size = Size<Native.sinew_character_pose_options>(), thread_count = (uint)settings.Threads, deform = (uint)settings.Deform,
                     body_contact = One(settings.BodyContact), angles = pins.Of(settings.Angles), rotations = pins.Of(settings.Rotations),
-                    matrices = pins.Of(settings.Matrices), clip = pins.Of(settings.Clip), time = settings.Time
+                    matrices = pins.Of(settings.Matrices), clip = pins.Of(settings.Clip), time = settings.Time, stiffness = settings.Stiffness,
+                    tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing)
                 }), out posed), handle_, "pose");
             return new Character(posed);
         }
@@ -579,7 +601,8 @@ namespace Sinew
                 {
                     struct_size = Size<Native.sinew_character_bake_options>(), progress = watch.Callback, deform = (uint)settings.Deform,
                     poses = (uint)settings.Poses, shapes = (uint)settings.Shapes, seed = settings.Seed, limit = settings.Limit,
-                    clip = pins.Of(settings.Clip)
+                    clip = pins.Of(settings.Clip), stiffness = settings.Stiffness,
+                    tet_weights = (uint)settings.TetWeights, no_smoothing = One(settings.NoSmoothing)
                 }), result);
                 Check(status, handle_, "bake", watch);
                 return (int)Read<Native.sinew_character_bake_result>(result).shape_count;
@@ -607,13 +630,14 @@ namespace Sinew
             if (array != null && array.Length != expected) throw new ArgumentException(what);
         }
 
-        static IntPtr Models(Pins pins, byte[] bind, byte[] rig, byte[] hands)
+        static IntPtr Models(Pins pins, byte[] bind, byte[] rig, byte[] hands, byte[] slots)
         {
-            if (bind == null && rig == null && hands == null) return IntPtr.Zero;
+            if (bind == null && rig == null && hands == null && slots == null) return IntPtr.Zero;
             return pins.Of(new Native.sinew_character_models
             {
                 struct_size = Size<Native.sinew_character_models>(), bind = pins.Of(bind), bind_size = Bytes(bind), rig = pins.Of(rig),
-                rig_size = Bytes(rig), hands = pins.Of(hands), hands_size = Bytes(hands)
+                rig_size = Bytes(rig), hands = pins.Of(hands), hands_size = Bytes(hands), slots = pins.Of(slots),
+                slots_size = Bytes(slots)
             });
         }
 

@@ -35,7 +35,7 @@ namespace Sinew
     public enum SlotCategory { Any = 0, Biped = 1, Quadruped = 2, Bird = 3, Fish = 4 }
     public enum SimplifyLevel { High = 0, Low = 1 }
     public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
-    public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3 }
+    public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3, Slots = 4 }
     public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
     public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4 }
     public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3 }
@@ -402,6 +402,8 @@ namespace Sinew
             public UIntPtr rig_size;
             public IntPtr hands;
             public UIntPtr hands_size;
+            public IntPtr slots;
+            public UIntPtr slots_size;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -439,6 +441,7 @@ namespace Sinew
             public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
                 softness_percent, surface_vertices, edit_count;
             public IntPtr edits, skeleton, skeleton_character;
+            public uint category, reserved;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -455,6 +458,7 @@ namespace Sinew
         {
             public uint struct_size, method, no_names, no_ends, target_up, source_up, guess_up, pin_count;
             public IntPtr pins, pins_file;
+            public uint branches_first, branches_cost;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -477,6 +481,8 @@ namespace Sinew
             public uint area_power, no_own_limb, legs, report;
             public double falloff;
             public uint own_limb, head, torso, source_points, force, translations;
+            public double stiffness;
+            public uint tet_weights, no_smoothing;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -493,7 +499,8 @@ namespace Sinew
         {
             public uint struct_size, thread_count, deform, cells, rounds, body_contact;
             public IntPtr angles, rotations, matrices, clip;
-            public double time;
+            public double time, stiffness;
+            public uint tet_weights, no_smoothing;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -529,6 +536,8 @@ namespace Sinew
             public ulong seed;
             public double limit;
             public IntPtr clip;
+            public double stiffness;
+            public uint tet_weights, no_smoothing;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "cli_fixture.hpp"
@@ -282,6 +283,84 @@ TEST_F(CharacterC, PosesAsTheCommand) {
     good_call(sinew_character_pose(caped.get(), &options, &posed), caped);
     const Handle owner(posed);
     EXPECT_TRUE(written(owner, "ours.obj") == slurp(in("command.obj"))) << name;
+  }
+}
+
+TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
+  const Handle robed = open(kRobed), caped = open(kCaped);
+  good("rig " + kRobed + " --method slots --category biped --no-bind -o command.rig.txt");
+  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  rig.method = SINEW_CHARACTER_RIG_SLOTS;
+  rig.category = SINEW_CATEGORY_BIPED;
+  rig.no_bind = 1;
+  good_call(sinew_character_rig(robed.get(), &rig, nullptr), robed);
+  save(robed, "ours.rig.txt");
+  expect_same("ours.rig.txt", "command.rig.txt");
+
+  const Handle source = open(kRobed);
+  sinew_character_map_result mapped = sinew_character_map_result_init();
+  for (const auto& [words, first, cost] :
+       {std::tuple("--first source --cost sum", SINEW_BRANCHES_SOURCE, SINEW_BRANCHES_SUM),
+        std::tuple("--first target --cost mean", SINEW_BRANCHES_TARGET, SINEW_BRANCHES_MEAN)}) {
+    good("map " + kCaped + " --from " + kRobed + " --no-names --method branches " + words + " -o command.map");
+    sinew_character_map_options map = sinew_character_map_options_init();
+    map.method = SINEW_MAP_BRANCHES;
+    map.no_names = 1;
+    map.branches_first = static_cast<uint32_t>(first);
+    map.branches_cost = static_cast<uint32_t>(cost);
+    good_call(sinew_character_map(caped.get(), source.get(), &map, &mapped), caped);
+    EXPECT_EQ(mapped.text, slurp(in("command.map"))) << words;
+  }
+
+  std::vector<double> angles(3 * size_t{view(caped.get()).joint_count}, 20);
+  sinew_character_pose_options pose = sinew_character_pose_options_init();
+  pose.angles = angles.data();
+  pose.deform = SINEW_POSE_XPBD;
+  pose.cells = 16;
+  pose.stiffness = 0.003;
+  pose.tet_weights = SINEW_TET_WEIGHTS_DISTANCE;
+  pose.no_smoothing = 1;
+  std::string joints;
+  for (uint32_t j = 0; j < view(caped.get()).joint_count; ++j)
+    joints += std::string(" --joint '") + view(caped.get()).joint_names[j] + "=20,20,20'";
+  good("pose " + kCaped + joints +
+       " --deform xpbd --cells 16 --stiffness 0.003 --tet-weights distance --no-smoothing -o command.obj");
+  sinew_character* posed = nullptr;
+  good_call(sinew_character_pose(caped.get(), &pose, &posed), caped);
+  EXPECT_TRUE(written(Handle(posed), "ours.obj") == slurp(in("command.obj")));
+}
+
+// What only one method takes is refused by the others, in place of being left out.
+TEST_F(CharacterC, RefusesWhatAnotherMethodTakes) {
+  const Handle caped = open(kCaped), source = open(kRobed);
+  const auto refused = [&](sinew_status status, const std::string& beginning) {
+    EXPECT_EQ(status, SINEW_ERROR_ARGUMENT);
+    EXPECT_EQ(std::string(sinew_character_error(caped.get())).rfind(beginning, 0), 0u)
+        << sinew_character_error(caped.get());
+  };
+  sinew_character_rig_options rig = sinew_character_rig_options_init();
+  rig.category = SINEW_CATEGORY_BIRD;
+  refused(sinew_character_rig(caped.get(), &rig, nullptr), "category: ");
+  rig.method = SINEW_CHARACTER_RIG_SLOTS + 1;
+  refused(sinew_character_rig(caped.get(), &rig, nullptr), "method: ");
+  sinew_character_map_options map = sinew_character_map_options_init();
+  sinew_character_map_result mapped = sinew_character_map_result_init();
+  map.branches_cost = SINEW_BRANCHES_SUM;
+  refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first and branches_cost: ");
+  map.method = SINEW_MAP_BRANCHES;
+  map.branches_first = SINEW_BRANCHES_SOURCE + 1;
+  refused(sinew_character_map(caped.get(), source.get(), &map, &mapped), "branches_first: ");
+  std::vector<double> angles(3 * size_t{view(caped.get()).joint_count}, 0);
+  sinew_character_pose_options pose = sinew_character_pose_options_init();
+  sinew_character* posed = nullptr;
+  pose.angles = angles.data();
+  pose.deform = SINEW_POSE_VOLUME;
+  pose.stiffness = 0.2;
+  refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness, tet_weights and no_smoothing: ");
+  pose.deform = SINEW_POSE_XPBD;
+  for (const double wrong : {1001.0, 0.0001, -1.0}) {
+    pose.stiffness = wrong;
+    refused(sinew_character_pose(caped.get(), &pose, &posed), "stiffness: ");
   }
 }
 

@@ -7,9 +7,6 @@ if(TARGET sinew_cli)
     integration/cli_bake_test.cpp integration/cli_like_test.cpp integration/cli_readme_test.cpp integration/cli_options_test.cpp integration/cli_convert_test.cpp
     LIBS sinew::character nlohmann_json::nlohmann_json LABELS integration)
   add_dependencies(cli_test sinew_cli)
-  sinew_test(published_motion_test SOURCES integration/published_motion_test.cpp
-    LIBS sinew::character nlohmann_json::nlohmann_json LABELS integration)
-  add_dependencies(published_motion_test sinew_cli)
   if(SINEW_HAS_ASSIMP)
     target_compile_definitions(cli_test PRIVATE SINEW_HAS_ASSIMP)
   endif()

@@ -29,10 +29,9 @@ sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_mo
   if (header.task != sinew::kTaskRig) return SINEW_ERROR_MODEL_TASK;
   if constexpr (sinew::kHasPublished) {
     if (header.feature_set == sinew::kSlotsFeatureSet && sinew::slots_task(header.feature_set, &task)) {
-      size_t second = 0;
-      sinew_model opened, connections;
-      sinew_status both = sinew::open_model(bytes, size_bytes, task, &opened, &second);
-      if (both == SINEW_OK) both = sinew::open_connections(opened, second, &connections);
+      sinew_model opened;
+      sinew_status both = sinew::open_model(bytes, size_bytes, task, &opened, true);
+      if (both == SINEW_OK) both = sinew::prove_connections(opened);
       if (both == SINEW_OK) *model = opened;
       return both;
     }

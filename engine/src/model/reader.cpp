@@ -166,6 +166,18 @@ sinew_status check_layer(const ModelTables& tables, uint32_t index, size_t size_
   return proven(tables, *decoded, index) ? SINEW_OK : SINEW_ERROR_MODEL_OVERFLOW;
 }
 
+// Where the parameters of a file end whose records are legal: what follows is a section, if anything.
+uint64_t parameters_end(const ModelTables& tables) {
+  if (tables.linear_count() == 0)
+    return tables_bytes(tables.buffer_count(), tables.layer_count(), tables.linear_count());
+  const LinearRecord last = tables.linear(tables.linear_count() - 1);
+  return last.shifts + shift_bytes(last);
+}
+
+bool has_second(const uint8_t* bytes, uint64_t offset, size_t size_bytes) {
+  return size_bytes - offset > kSecondHeader && load_u32(bytes + offset) == kSecondTag;
+}
+
 // The section at `offset`, which must reach to the end of the file.
 bool legal_confidence(const uint8_t* bytes, uint64_t offset, size_t size_bytes) {
   const uint64_t rest = size_bytes - offset;
@@ -182,15 +194,9 @@ bool legal_confidence(const uint8_t* bytes, uint64_t offset, size_t size_bytes) 
   return all_zero(entry + 4 * count, rest - kConfidenceHeader - 4 * count);
 }
 
-}  // namespace
-
-namespace {
-
-[[maybe_unused]] bool legal_second(const uint8_t* bytes, uint64_t offset, size_t size_bytes) {
-  const uint64_t rest = size_bytes - offset;
+bool legal_second(const uint8_t* bytes, uint64_t offset, size_t size_bytes) {
   const uint8_t* const section = bytes + offset;
-  return rest > kSecondHeader && load_u32(section) == kSecondTag && load_u32(section + 4) == rest &&
-         all_zero(section + 8, 8);
+  return load_u32(section + 4) == size_bytes - offset && all_zero(section + 8, kSecondHeader - 8);
 }
 
 }  // namespace
@@ -211,7 +217,7 @@ sinew_status read_header(const void* data, size_t size_bytes, ModelHeader* heade
 }
 
 sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& task, sinew_model* model,
-                        size_t* second_offset) {
+                        bool with_second) {
   const uint8_t* bytes = static_cast<const uint8_t*>(data);
   sinew_status status = check_counts(bytes, size_bytes, task);
   if (status != SINEW_OK) return status;
@@ -225,23 +231,17 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
   if (status != SINEW_OK) return status;
 
   uint64_t offset = tables_bytes(tables.buffer_count(), tables.layer_count(), tables.linear_count());
-  uint32_t linear_index = 0, parameter_count = 0;
+  uint32_t linear_index = 0;
   for (uint32_t i = 0; i < tables.layer_count(); ++i) {
     status = check_layer(tables, i, size_bytes, &decoded, &linear_index, &offset);
     if (status != SINEW_OK) return status;
   }
   if (linear_index != tables.linear_count()) return SINEW_ERROR_MODEL_LAYOUT;
-  bool has_confidence = offset < size_bytes;
-  if constexpr (kHasPublished) {
-    if (second_offset != nullptr) {
-      *second_offset = 0;
-      if (has_confidence && legal_second(bytes, offset, size_bytes)) {
-        *second_offset = static_cast<size_t>(offset + kSecondHeader);
-        has_confidence = false;
-      }
-    }
+  if (offset < size_bytes) {
+    const bool second = kHasPublished && with_second && has_second(bytes, offset, size_bytes);
+    if (!(second ? legal_second(bytes, offset, size_bytes) : legal_confidence(bytes, offset, size_bytes)))
+      return SINEW_ERROR_MODEL_LAYOUT;
   }
-  if (has_confidence && !legal_confidence(bytes, offset, size_bytes)) return SINEW_ERROR_MODEL_LAYOUT;
 
   const uint32_t last = tables.layer_count() - 1;
   if (!traits_of(decoded.layers[last].kind).ends_network || !writes_output(list, last, task.output) ||
@@ -249,28 +249,40 @@ sinew_status open_model(const void* data, size_t size_bytes, const ModelTask& ta
     return SINEW_ERROR_MODEL_LAYOUT;
   }
 
+  *model = proven_model(bytes, size_bytes, task);
+  return SINEW_OK;
+}
+
+sinew_model proven_model(const uint8_t* bytes, size_t size_bytes, const ModelTask& task) {
+  const ModelTables tables(bytes);
+  sinew_model model = {};
+  model.bytes = bytes;
+  model.size_bytes = size_bytes;
+  model.format_version = kModelFormat;
+  model.candidate_count = load_u32(bytes + kHeaderCandidates);
+  model.grid_size = load_u32(bytes + kHeaderGrid);
+  model.feature_set = load_u32(bytes + kHeaderFeatureSet);
+  for (uint32_t i = 0; i < tables.layer_count(); ++i)
+    if (fixes_candidates(tables.layer(i).kind)) model.fixed_candidates = 1;
+  model.layer_count = tables.layer_count();
   for (uint32_t i = 0; i < tables.linear_count(); ++i) {
     const LinearRecord record = tables.linear(i);
-    parameter_count += static_cast<uint32_t>(record.out) * (static_cast<uint32_t>(record.in) + 1);
+    model.parameter_count += static_cast<uint32_t>(record.out) * (static_cast<uint32_t>(record.in) + 1);
   }
-  *model = {};
-  model->bytes = bytes;
-  model->size_bytes = size_bytes;
-  model->format_version = kModelFormat;
-  model->candidate_count = list.candidates;
-  model->grid_size = load_u32(bytes + kHeaderGrid);
-  model->feature_set = load_u32(bytes + kHeaderFeatureSet);
-  for (uint32_t i = 0; i < tables.layer_count(); ++i) {
-    if (fixes_candidates(decoded.layers[i].kind)) model->fixed_candidates = 1;
+  model.checksum = load_u32(bytes + kHeaderChecksum);
+  const uint64_t end = parameters_end(tables);
+  if (end < size_bytes && !has_second(bytes, end, size_bytes)) {
+    model.confidence_offset = static_cast<uint32_t>(end + kConfidenceHeader);
+    model.confidence_count = load_u32(bytes + end + 8);
   }
-  model->layer_count = tables.layer_count();
-  model->parameter_count = parameter_count;
-  model->checksum = load_u32(bytes + kHeaderChecksum);
-  model->confidence_offset = has_confidence ? static_cast<uint32_t>(offset + kConfidenceHeader) : 0;
-  model->confidence_count = has_confidence ? load_u32(bytes + offset + 8) : 0;
-  model->task = task.id;
-  model->input_count = task.input_count;
-  return SINEW_OK;
+  model.task = task.id;
+  model.input_count = task.input_count;
+  return model;
+}
+
+size_t second_network(const sinew_model& model) {
+  const uint64_t end = parameters_end(ModelTables(model.bytes));
+  return has_second(model.bytes, end, model.size_bytes) ? static_cast<size_t>(end + kSecondHeader) : 0;
 }
 
 }  // namespace sinew

@@ -28,9 +28,15 @@ sinew_status read_header(const void* bytes, size_t size_bytes, ModelHeader* head
 //   SINEW_ERROR_MODEL_LAYOUT    a table contradicts itself: shapes, domains, order, offsets, shifts, reserved bytes; or the
 //                               last layer does not write the task's output
 //   SINEW_ERROR_MODEL_OVERFLOW  an accumulator could leave its type for some input
-//   second_offset  out  where the file of a second network begins, which is not looked at; 0: none. Null: there must be none
+//   with_second  the file may have a second network, which is not looked at
 sinew_status open_model(const void* bytes, size_t size_bytes, const ModelTask& task, sinew_model* model,
-                        size_t* second_offset = nullptr);
+                        bool with_second = false);
+
+// What open_model() fills of bytes that it accepted before; nothing is proved again.
+sinew_model proven_model(const uint8_t* bytes, size_t size_bytes, const ModelTask& task);
+
+// Where the file of a second network begins in an opened model's bytes; 0: none.
+size_t second_network(const sinew_model& model);
 
 }  // namespace sinew
 #endif

@@ -171,13 +171,13 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
 
 namespace {
 
-// Both networks of a file that sinew_rig_model_open() has proved whole.
+// Both networks of a file that sinew_rig_model_open() has proved whole: its models alone have this feature set.
 [[maybe_unused]] sinew_status open_slots(const sinew_model* model, SlotsPlan* plan) {
   if (model == nullptr || model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   if (model->task != kTaskRig || model->feature_set != kSlotsFeatureSet) return SINEW_ERROR_MODEL_TASK;
   plan->joints = *model;
-  if constexpr (kHasPublished) return open_connections(*model, &plan->connections);
-  return SINEW_ERROR_NOT_BUILT;
+  if constexpr (kHasPublished) plan->connections = connections_of(*model);
+  return SINEW_OK;
 }
 
 }  // namespace

@@ -6,25 +6,25 @@
 
 namespace sinew {
 
-sinew_status open_connections(const sinew_model& model, sinew_model* connections) {
-  ModelTask task;
-  sinew_model again;
-  size_t second = 0;
-  if (!slots_task(kSlotsFeatureSet, &task)) return SINEW_ERROR_MODEL_TASK;
-  const sinew_status status = open_model(model.bytes, model.size_bytes, task, &again, &second);
-  return status == SINEW_OK ? open_connections(model, second, connections) : status;
-}
-
-sinew_status open_connections(const sinew_model& model, size_t second, sinew_model* connections) {
+sinew_status prove_connections(const sinew_model& model) {
+  const size_t second = second_network(model);
   if (second == 0) return SINEW_ERROR_MODEL_LAYOUT;
-  ModelHeader header;
   const size_t size = model.size_bytes - second;
+  ModelHeader header;
   const sinew_status status = read_header(model.bytes + second, size, &header);
   if (status != SINEW_OK) return status;
-  if (header.task != kTaskRig || header.feature_set != kConnectionsFeatureSet) return SINEW_ERROR_MODEL_TASK;
   ModelTask task;
-  if (!slots_task(kConnectionsFeatureSet, &task)) return SINEW_ERROR_MODEL_TASK;
-  return open_model(model.bytes + second, size, task, connections);
+  if (header.task != kTaskRig || header.feature_set != kConnectionsFeatureSet || !slots_task(header.feature_set, &task))
+    return SINEW_ERROR_MODEL_TASK;
+  sinew_model connections;
+  return open_model(model.bytes + second, size, task, &connections);
+}
+
+sinew_model connections_of(const sinew_model& model) {
+  ModelTask task;
+  (void)slots_task(kConnectionsFeatureSet, &task);
+  const size_t second = second_network(model);
+  return proven_model(model.bytes + second, model.size_bytes - second, task);
 }
 
 }  // namespace sinew

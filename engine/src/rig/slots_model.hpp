@@ -7,11 +7,12 @@
 
 namespace sinew {
 
-// The second network of a file whose first one is `model`. Returns what read_header() and open_model() do;
+// Proves the second network of a file whose first one open_model() gave. Returns what read_header() and open_model() do;
 // SINEW_ERROR_MODEL_LAYOUT where there is none.
-sinew_status open_connections(const sinew_model& model, sinew_model* connections);
-// The same where it is known that it begins at `second`, 0 for none: of open_model().
-sinew_status open_connections(const sinew_model& model, size_t second, sinew_model* connections);
+sinew_status prove_connections(const sinew_model& model);
+
+// It, of a file that was proved so.
+sinew_model connections_of(const sinew_model& model);
 
 }  // namespace sinew
 #endif

@@ -36,7 +36,7 @@ void bake(const sinew_character_bake_options& options, ProgressOfCaller* progres
   BakeJobOptions job;
   job.character = file_of(*character);
   const uint32_t deform = options.deform == 0 ? uint32_t{SINEW_POSE_VOLUME} : options.deform;
-  const auto corrections = corrections_of(deform, options.cells, options.rounds, options.body_contact);
+  const auto corrections = corrections_of(deform, options);
   if (!corrections) throw Failure(SINEW_ERROR_ARGUMENT, "deform: expected a correction, SINEW_POSE_VOLUME or above");
   job.deform = *corrections;
   check_at_most("poses", options.poses, 10000);

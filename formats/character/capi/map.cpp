@@ -30,12 +30,18 @@ char up_of(uint32_t up, char usual) {
 void map(const sinew_character_map_options& options, bool from_template, const MapRig& source,
          sinew_character* character, sinew_character_map_result* result) {
   check_at_most("method", options.method, SINEW_MAP_BRANCHES);
+  check_at_most("branches_first", options.branches_first, SINEW_BRANCHES_SOURCE);
+  check_at_most("branches_cost", options.branches_cost, SINEW_BRANCHES_SUM);
+  if (options.method != SINEW_MAP_BRANCHES && (options.branches_first != 0 || options.branches_cost != 0))
+    throw Failure(SINEW_ERROR_ARGUMENT, "branches_first and branches_cost: are for SINEW_MAP_BRANCHES");
   check_at_most("target_up", options.target_up, SINEW_UP_Z);
   check_at_most("source_up", options.source_up, SINEW_UP_Z);
   need(options.pins != nullptr || options.pin_count == 0, "pins");
   const MapRig target = rig_of_handle(*character);
   MapSkeletonOptions job;
   job.method = options.method;
+  job.branches_first = options.branches_first;
+  job.branches_cost = options.branches_cost;
   job.names = options.no_names == 0;
   job.ends = options.no_ends == 0;
   job.target_up = options.guess_up != 0 ? 'a' : up_of(options.target_up, 'y');

@@ -68,7 +68,7 @@ void pose(const sinew_character_pose_options& options, sinew_character* from, si
   const int said = (options.angles != nullptr ? 1 : 0) + (options.rotations != nullptr ? 1 : 0) +
                    (options.matrices != nullptr ? 1 : 0) + (options.clip != nullptr ? 1 : 0);
   if (said != 1) throw Failure(SINEW_ERROR_ARGUMENT, "pose: expected one of angles, rotations, matrices and clip");
-  const auto corrections = corrections_of(options.deform, options.cells, options.rounds, options.body_contact);
+  const auto corrections = corrections_of(options.deform, options);
   const std::vector<Affine> palette = options.angles != nullptr      ? by_angles(character, options.angles)
                                       : options.rotations != nullptr ? by_rotations(character, options.rotations)
                                       : options.matrices != nullptr  ? by_matrices(character, options.matrices)

@@ -9,7 +9,10 @@ namespace sinew {
 namespace {
 
 RigJobOptions job_of(const sinew_character_rig_options& options) {
-  check_at_most("method", options.method, SINEW_CHARACTER_RIG_REGIONS);
+  check_at_most("method", options.method, SINEW_CHARACTER_RIG_SLOTS);
+  check_at_most("category", options.category, SINEW_CATEGORY_FISH);
+  if (options.category != 0 && options.method != SINEW_CHARACTER_RIG_SLOTS)
+    throw Failure(SINEW_ERROR_ARGUMENT, "category: is for SINEW_CHARACTER_RIG_SLOTS");
   check_at_most("detail", options.detail, SINEW_CHARACTER_DETAIL_FULL);
   check_at_most("mirror", options.mirror, SINEW_MIRROR_NEVER);
   check_at_most("thread_count", options.thread_count, SINEW_MAX_THREADS);
@@ -17,6 +20,7 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   need(options.edits != nullptr || options.edit_count == 0, "edits");
   RigJobOptions job;
   job.method = static_cast<RigMethod>(options.method);
+  job.category = options.category;
   job.detail = static_cast<SkeletonDetail>(options.detail);
   job.mirror = options.mirror;
   job.up_axis = up_axis_of("up", options.up);
@@ -89,6 +93,7 @@ RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_op
   job.progress_user = progress->user();
   std::unique_ptr<LoadedModel> rig, bind, hands;
   if (job.method == RigMethod::kAuto || job.method == RigMethod::kVotes) rig = model_of(options.models, ModelUse::kRig);
+  if (job.method == RigMethod::kSlots) rig = model_of(options.models, ModelUse::kSlotJoints);
   if (job.bind) bind = model_of(options.models, ModelUse::kBind);
   if (job.detail != SkeletonDetail::kBody) hands = model_of(options.models, ModelUse::kHands);
   RigModels models;

@@ -24,7 +24,7 @@ export interface BindOptions {
   onProgress?: Progress;
 }
 export interface RigOptions {
-  method?: "auto" | "votes" | "shape" | "regions";
+  method?: "auto" | "votes" | "shape" | "regions" | "slots";
   detail?: "body" | "hands" | "full";
   mirror?: "auto" | "always" | "never";
   /** y where it is missing */
@@ -36,6 +36,8 @@ export interface RigOptions {
   bind?: boolean;
   keepLengths?: boolean;
   influences?: number;
+  /** which slots a body may have, for method "slots" */
+  category?: "any" | "biped" | "quadruped" | "bird" | "fish";
   /** a bundled skeleton that is put into the mesh: "mixamo", "vrm", "unreal", "rigify", ... */
   template?: string;
   onProgress?: Progress;
@@ -54,6 +56,10 @@ export interface RetargetOptions {
   /** every frame is corrected by morph targets */
   deform?: "linear" | "volume" | "xpbd" | "delta-mush";
   bodyContact?: boolean;
+  /** of "xpbd": of its springs, 0.2 where it is missing; where its tetrahedra have weights from; false: bends are not smoothed */
+  stiffness?: number;
+  tetWeights?: "skin" | "distance";
+  smoothing?: boolean;
   shapes?: number;
   fps?: number;
   /** seconds */

@@ -14,14 +14,14 @@ const BIND = {
 };
 const RIG = {
   method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, spine: "spine_count",
-  toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", template: "skeleton",
+  toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", category: WORDS.slotCategory, template: "skeleton",
 };
 const RETARGET = {
   method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", translations: "translations", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",
-  clip: "clip",
+  clip: "clip", stiffness: "stiffness", tetWeights: WORDS.tetWeights, smoothing: "!no_smoothing",
 };
 const TRANSFER = { method: WORDS.transferMethod, influences: "influence_count", targetUp: WORDS.up, sourceUp: WORDS.up, garment: "garment", heat: "heat" };
-const MEMBERS = { rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up" };
+const MEMBERS = { rigidParts: "rigid_parts", targetUp: "target_up", sourceUp: "source_up", motionUp: "motion_up", tetWeights: "tet_weights" };
 
 function wishOf(call, known, options) {
   const wish = {};

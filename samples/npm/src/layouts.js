@@ -104,8 +104,9 @@ export const LAYOUTS = {
   characterClip: layout(48,
     "struct_size@0:u32 frame_count@4:u32 joint_count@8:u32 reserved@12:u32 frame_time@16:f64 name@24:u32 rotations@28:u32 " +
     "translations@32:u32 joint_names@36:u32 parents@40:u32"),
-  characterModels: layout(32,
-    "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32"),
+  characterModels: layout(40,
+    "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32 " +
+    "slots@32:u32 slots_size@36:u32"),
   characterBindOptions: layout(104,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
     "influence_count@24:u32 up@28:u32 joints@32:u32 rigid_parts@36:u32 softness_percent@40:u32 surface_vertices@44:u32 " +
@@ -116,32 +117,32 @@ export const LAYOUTS = {
     "question_count@20:u32 answers_by_style@24:u32 reserved@28:u32 seconds@32:f64 workspace_bytes@40:u32 left_out@44:u32 " +
     "left_out_why@48:u32 questions@52:u32 vertex_questions@56:u32 hash@60:u32"),
   skeletonEdit: layout(12, "kind@0:u32 reserved@4:u32 text@8:u32"),
-  characterRigOptions: layout(88,
+  characterRigOptions: layout(96,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +
     "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
     "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
-    "skeleton@80:u32 skeleton_character@84:u32"),
+    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 reserved@92:u32"),
   characterRigResult: layout(64,
     "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
     "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32"),
-  characterMapOptions: layout(40,
+  characterMapOptions: layout(48,
     "struct_size@0:u32 method@4:u32 no_names@8:u32 no_ends@12:u32 target_up@16:u32 source_up@20:u32 guess_up@24:u32 " +
-    "pin_count@28:u32 pins@32:u32 pins_file@36:u32"),
+    "pin_count@28:u32 pins@32:u32 pins_file@36:u32 branches_first@40:u32 branches_cost@44:u32"),
   characterMapResult: layout(48,
     "struct_size@0:u32 method@4:u32 joint_count@8:u32 mapped@12:u32 certainty@16:f32 reserved@20:f32 seconds@24:f64 " +
     "sources@32:u32 confidence@36:u32 reasons@40:u32 text@44:u32"),
-  characterAnimateOptions: layout(152,
+  characterAnimateOptions: layout(168,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 in_place@24:u32 " +
     "no_range@28:u32 target_up@32:u32 motion_up@36:u32 deform@40:u32 cells@44:u32 rounds@48:u32 body_contact@52:u32 " +
     "shapes@56:u32 fps@64:f64 from@72:f64 to@80:f64 clip@88:u32 map@92:u32 sources@96:u32 area_power@100:u32 " +
     "no_own_limb@104:u32 legs@108:u32 report@112:u32 falloff@120:f64 own_limb@128:u32 head@132:u32 torso@136:u32 " +
-    "source_points@140:u32 force@144:u32 translations@148:u32"),
+    "source_points@140:u32 force@144:u32 translations@148:u32 stiffness@152:f64 tet_weights@160:u32 no_smoothing@164:u32"),
   characterAnimateResult: layout(48,
     "struct_size@0:u32 clip_count@4:u32 first_clip@8:u32 mapped@12:u32 rigged@16:u32 shape_count@20:u32 certainty@24:f32 " +
     "limb_count@28:u32 limbs_before@32:u32 limbs_after@36:u32 mapped_by@40:u32 sources@44:u32"),
-  characterPoseOptions: layout(48,
+  characterPoseOptions: layout(64,
     "struct_size@0:u32 thread_count@4:u32 deform@8:u32 cells@12:u32 rounds@16:u32 body_contact@20:u32 angles@24:u32 " +
-    "rotations@28:u32 matrices@32:u32 clip@36:u32 time@40:f64"),
+    "rotations@28:u32 matrices@32:u32 clip@36:u32 time@40:f64 stiffness@48:f64 tet_weights@56:u32 no_smoothing@60:u32"),
   characterTransferOptions: layout(64,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
     "influence_count@24:u32 target_up@28:u32 source_up@32:u32 garment@36:u32 as_drawn@40:u32 heat@44:u32 pair_count@48:u32 " +
@@ -150,9 +151,10 @@ export const LAYOUTS = {
     "struct_size@0:u32 mapped_joints@4:u32 fitted@8:u32 bound@12:u32 bound_by@16:u32 part_count@20:u32 carried@24:f64 " +
     "style@32:f64 mismatch@40:f64 seconds@48:f64 mapped_by@56:u32 parts@60:u32"),
   characterSimplifyOptions: layout(20, "struct_size@0:u32 low@4:u32 joint_count@8:u32 keep_count@12:u32 keep@16:u32"),
-  characterBakeOptions: layout(64,
+  characterBakeOptions: layout(80,
     "struct_size@0:u32 reserved@4:u32 progress@8:u32 progress_user@12:u32 deform@16:u32 cells@20:u32 rounds@24:u32 " +
-    "body_contact@28:u32 poses@32:u32 shapes@36:u32 seed@40:u64 limit@48:f64 clip@56:u32"),
+    "body_contact@28:u32 poses@32:u32 shapes@36:u32 seed@40:u64 limit@48:f64 clip@56:u32 stiffness@64:f64 tet_weights@72:u32 " +
+    "no_smoothing@76:u32"),
   characterBakeResult: layout(56,
     "struct_size@0:u32 shape_count@4:u32 bend_count@8:u32 moved_vertices@12:u32 learnt_poses@16:u32 held_out_poses@20:u32 " +
     "linear_error@24:f64 baked_error@32:f64 held_out_linear_error@40:f64 held_out_baked_error@48:f64"),
@@ -226,7 +228,7 @@ export const WORDS = {
   slotCategory: ["any", "biped", "quadruped", "bird", "fish"],
   simplifyLevel: ["high", "low"],
   jointsFrom: ["auto", "own", "names", "all"],
-  characterRigMethod: ["auto", "votes", "shape", "regions"],
+  characterRigMethod: ["auto", "votes", "shape", "regions", "slots"],
   characterDetail: ["body", "hands", "full"],
   editKind: ["move", "add", "remove", "parent", "rename"],
   animateMethod: ["auto", "copy", "contacts", "reference-points"],

@@ -49,24 +49,20 @@ export class MethodPanel {
     return $("show-spots").checked;
   }
 
-  // The next method that the motion can be retargeted by.
+  // The next method.
   next() {
     if ($("motion-method").hidden) return;
-    const inputs = [...document.querySelectorAll("#motion-method input:enabled")];
+    const inputs = [...document.querySelectorAll("#motion-method input")];
     const at = inputs.findIndex(({ checked }) => checked);
     this.onMethod(Number(inputs[(at + 1) % inputs.length].value));
   }
 
-  // motion: as MotionPlayer has it, with {own, method, hasBody}, or null; clip: the one that plays.
+  // motion: as MotionPlayer has it, with {own, method}, or null; clip: the one that plays.
   show(motion, clip) {
     $("methods").hidden = !motion;
     if (!motion) return;
     $("motion-method").hidden = motion.own; // its file's own frames are as they are
-    for (const input of document.querySelectorAll("#motion-method input")) {
-      const needsBody = Number(input.value) === motionMethods.referencePoints;
-      input.checked = Number(input.value) === motion.method;
-      input.disabled = needsBody && !motion.hasBody;
-    }
+    for (const input of document.querySelectorAll("#motion-method input")) input.checked = Number(input.value) === motion.method;
     $("motion-report").textContent = clipText(motion.clips[clip]);
   }
 }

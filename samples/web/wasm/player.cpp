@@ -46,10 +46,10 @@ void Player::make(MotionMethod method, Opened* opened) {
   settings.method = method == MotionMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
   Retargeter retargeter(opened->source, opened->character.joints, opened->map.sources, opened->classes, settings,
                         {SINEW_UP_AUTO, opened->up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO});
-  opened->has_body = retargeter.take_bodies(opened->character, opened->body ? &*opened->body : nullptr) > 0;
+  const Character* const body = opened->body ? &*opened->body : nullptr;
+  retargeter.take_bodies(opened->character, body);
   if (method == MotionMethod::kReferencePoints) {
-    retargeter.follow_reference_points(sinew_reference_options_init(), opened->character,
-                                       opened->body ? &*opened->body : nullptr);
+    retargeter.follow_reference_points(sinew_reference_options_init(), opened->character, body);
   } else if (method == MotionMethod::kContacts) {
     retargeter.keep_contacts();
     retargeter.keep_range();
@@ -107,7 +107,6 @@ Json Player::open(const std::string& file, const Character& character, uint32_t 
   const std::vector<int>& sources = opened->map.sources;
   reply["mapped"] = sources.size() - static_cast<size_t>(std::count(sources.begin(), sources.end(), -1));
   reply["how"] = opened->map.how;
-  reply["hasBody"] = opened->has_body;
   reply["sourceJoints"] = joints_json(opened->source);
   reply["map"] = map_json(opened->map);
   reply["notes"] = opened->source.notes;

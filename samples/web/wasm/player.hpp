@@ -24,7 +24,7 @@ class Player {
   //   up    0 = Y, 1 = Z, the character's
   //   own   the file is the character's own
   //   pins  of the map, which the rest follows
-  // Returns {clips: [{name, frames, seconds, limbs}], joints, mapped, how, hasBody, sourceJoints: [{name, parent}], map: [{source,
+  // Returns {clips: [{name, frames, seconds, limbs}], joints, mapped, how, sourceJoints: [{name, parent}], map: [{source,
   // why}], notes: [one line each]}.
   nlohmann::ordered_json open(const std::string& file, const Character& character, uint32_t up, bool own,
                               MotionMethod method, const std::vector<sinew_map_pin>& pins);
@@ -52,7 +52,7 @@ class Player {
     MotionMap map;
     std::vector<uint8_t> classes;
     uint32_t up = 0;
-    bool own = false, has_body = false;
+    bool own = false;
     std::map<MotionMethod, Made> made;
     const Made* now = nullptr;
   };

@@ -101,9 +101,7 @@ SlotNetworks calibrate_slots(const FloatNetwork& both, const std::string& folder
 SlotDifference compare_slots(const FloatNetwork& both, const sinew_model& model, const std::string& folder,
                              size_t limit) {
   SlotDifference difference;
-  sinew_model connections;
-  const sinew_status status = open_connections(model, &connections);
-  if (status != SINEW_OK) throw Error(std::string("the model of slots: ") + sinew_status_text(status));
+  const sinew_model connections = connections_of(model);
   SlotRunner<float> runner;
   const auto parameters = copy_blocks<float>(both);
   size_t joints = 0, pairs = 0;

@@ -204,6 +204,8 @@ typedef struct sinew_character_models {
   size_t rig_size;
   const void* hands; /* of fingers */
   size_t hands_size;
+  const void* slots; /* of SINEW_CHARACTER_RIG_SLOTS */
+  size_t slots_size;
 } sinew_character_models;
 
 static inline sinew_character_models sinew_character_models_init(void) {
@@ -297,7 +299,8 @@ typedef enum sinew_character_rig_method {
   SINEW_CHARACTER_RIG_AUTO = 0,   /* votes, or shape where the votes know nothing */
   SINEW_CHARACTER_RIG_VOTES = 1,  /* by the model */
   SINEW_CHARACTER_RIG_SHAPE = 2,  /* along the middle line of the mesh */
-  SINEW_CHARACTER_RIG_REGIONS = 3 /* as published, for comparison */
+  SINEW_CHARACTER_RIG_REGIONS = 3, /* as published, for comparison */
+  SINEW_CHARACTER_RIG_SLOTS = 4    /* by the two networks of another publication, for comparison */
 } sinew_character_rig_method;
 
 typedef enum sinew_character_detail {
@@ -344,6 +347,8 @@ typedef struct sinew_character_rig_options {
   const sinew_skeleton_edit* edits;          /* [edit_count] */
   const char* skeleton;                      /* a file, or template:NAME, that is put into the mesh; or null */
   const sinew_character* skeleton_character; /* the same of a character; or null */
+  uint32_t category;                         /* sinew_slot_category of SINEW_CHARACTER_RIG_SLOTS */
+  uint32_t reserved;                         /* 0 */
 } sinew_character_rig_options;
 
 static inline sinew_character_rig_options sinew_character_rig_options_init(void) {
@@ -392,6 +397,8 @@ typedef struct sinew_character_map_options {
   uint32_t pin_count;
   const sinew_map_pin* pins; /* [pin_count] pairs that are kept; or null */
   const char* pins_file;     /* a map whose lines are kept; or null */
+  uint32_t branches_first;   /* sinew_branches_first, of SINEW_MAP_BRANCHES */
+  uint32_t branches_cost;    /* sinew_branches_cost, of SINEW_MAP_BRANCHES */
 } sinew_character_map_options;
 
 static inline sinew_character_map_options sinew_character_map_options_init(void) {
@@ -474,6 +481,9 @@ typedef struct sinew_character_animate_options {
   uint32_t own_limb, head, torso, source_points; /* reference points, as in sinew_reference_options */
   uint32_t force;        /* 1: plays a motion that does not fit, such as a person's on a horse; else an error */
   uint32_t translations; /* 1: bones stretch as the source's do, as in sinew_retarget_options */
+  double stiffness;      /* SINEW_POSE_XPBD: of the springs in the lattice's tetrahedra, 0.001 to 1000; 0 = 0.2 */
+  uint32_t tet_weights;  /* SINEW_POSE_XPBD: sinew_tet_weights */
+  uint32_t no_smoothing; /* SINEW_POSE_XPBD: 1: bends are not smoothed */
 } sinew_character_animate_options;
 
 static inline sinew_character_animate_options sinew_character_animate_options_init(void) {
@@ -522,6 +532,9 @@ typedef struct sinew_character_pose_options {
   const double* matrices;  /* [J x 12] row-major 3x4, rest to posed space */
   const char* clip;        /* of the character's own, by name or number */
   double time;             /* second of the clip */
+  double stiffness;        /* SINEW_POSE_XPBD, as in sinew_character_animate_options; and the two below */
+  uint32_t tet_weights;
+  uint32_t no_smoothing;
 } sinew_character_pose_options;
 
 static inline sinew_character_pose_options sinew_character_pose_options_init(void) {
@@ -623,6 +636,9 @@ typedef struct sinew_character_bake_options {
   uint64_t seed;    /* of the poses; 0 = 1 */
   double limit;     /* largest angle, degrees; 0 = 60 */
   const char* clip; /* learn from a clip of the character's own; null: random poses */
+  double stiffness; /* SINEW_POSE_XPBD, as in sinew_character_animate_options; and the two below */
+  uint32_t tet_weights;
+  uint32_t no_smoothing;
 } sinew_character_bake_options;
 
 static inline sinew_character_bake_options sinew_character_bake_options_init(void) {

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "map/map_rig_view.hpp"
+#include "rig/joint_surfaces.hpp"
 #include "sinew/names.h"
 #include "sinew/sinew.hpp"
 #include "sinew_character/bind.hpp"
@@ -40,38 +39,6 @@ size_t skin_vertices(const std::string& path) {
     count = std::max(count, static_cast<size_t>(*vertex) + 1);
   }
   return count;
-}
-
-// [J] each face's area, shared by the joints that its corners follow; vertices alike where there is no face. Empty without
-// weights.
-std::vector<float> bound_areas(const Character& c) {
-  std::vector<double> sums(c.joints.size(), 0.0);
-  double whole = 0;
-  for (size_t f = 0; f + 1 < c.face_offsets.size() && !c.influences.empty(); ++f) {
-    const uint32_t first = c.face_offsets[f], end = c.face_offsets[f + 1];
-    double normal[3] = {0, 0, 0};
-    for (uint32_t k = first; k < end; ++k) {
-      const Vec3 &p = c.vertices[c.face_vertices[k]], &q = c.vertices[c.face_vertices[k + 1 < end ? k + 1 : first]];
-      normal[0] += double{p.y} * q.z - double{p.z} * q.y;
-      normal[1] += double{p.z} * q.x - double{p.x} * q.z;
-      normal[2] += double{p.x} * q.y - double{p.y} * q.x;
-    }
-    const double area = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]) / 2;
-    for (uint32_t k = first; k < end; ++k) {
-      for (const Influence& influence : c.influences[c.face_vertices[k]]) {
-        const double own = area / (end - first) * influence.weight;
-        sums[influence.joint] += own;
-        whole += own;
-      }
-    }
-  }
-  for (size_t v = 0; v < c.influences.size() && !(whole > 0); ++v)  // a rig.txt without its mesh
-    for (const Influence& influence : c.influences[v]) sums[influence.joint] += influence.weight;
-  if (!(whole > 0)) whole = std::accumulate(sums.begin(), sums.end(), 0.0);
-  if (!(whole > 0) || !std::isfinite(whole)) return {};
-  std::vector<float> areas;
-  for (const double sum : sums) areas.push_back(static_cast<float>(sum / whole));
-  return areas;
 }
 
 // [J] what some frame of some clip turns or moves away from its first; empty without clips.
@@ -126,7 +93,7 @@ MapRig map_rig_of(const Character& character) {
     }
   }
   if (!any) return rig;
-  rig.areas = bound_areas(character);
+  rig.areas = joint_surfaces(character).shares;
   rig.ends.assign(rig.joints.size(), 1);
   for (size_t j = 0; j < rig.joints.size(); ++j) {
     if (weight[j] > kSomeWeight) rig.ends[j] = 0;

@@ -2,7 +2,6 @@
 // Views of motions for the engine, frame by frame.
 #include "sinew_character/retarget.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -65,27 +64,6 @@ struct FrameArrays {
     return out;
   }
 };
-
-// The eight strongest of a row, with sum 65535.
-void add_row(const std::map<uint16_t, double>& sums, std::vector<uint16_t>* joints, std::vector<uint16_t>* weights) {
-  constexpr size_t kSlots = 8;
-  std::vector<std::pair<double, uint16_t>> row;
-  for (const auto& [joint, weight] : sums) row.emplace_back(-weight, joint);
-  std::sort(row.begin(), row.end());
-  row.resize(std::min(row.size(), kSlots));
-  double whole = 0;
-  for (const auto& [weight, joint] : row) whole -= weight;
-  long left = 65535;
-  for (size_t i = 0; i < kSlots; ++i) {
-    long own = i < row.size() && whole > 0 ? std::lround(-row[i].first / whole * 65535) : 0;
-    own = std::min(own, left);
-    joints->push_back(i < row.size() ? row[i].second : uint16_t{0});
-    weights->push_back(static_cast<uint16_t>(own));
-    left -= own;
-  }
-  uint16_t& first = (*weights)[weights->size() - kSlots];
-  first = static_cast<uint16_t>(first + left);
-}
 
 }  // namespace
 
@@ -191,23 +169,22 @@ bool Retargeter::take_corresponding(const Character& target, const Character& so
   if (sinew_corresponding_points(&bound, &to.mesh, &to.skeleton, room.data(), room.size(), corners.data(),
                                  shares.data()) != SINEW_OK)
     return false;
-  source_body_ = Body();
-  source_body_.slots = 8;
-  for (const uint32_t v : vertices_) {
-    double place[3] = {0, 0, 0};
-    std::map<uint16_t, double> sums;
-    for (size_t k = 3 * size_t{v}; k < 3 * size_t{v} + 3; ++k) {
-      const Vec3& p = source.vertices[corners[k]];
-      const double share = static_cast<double>(shares[k]);
-      place[0] += share * static_cast<double>(p.x);
-      place[1] += share * static_cast<double>(p.y);
-      place[2] += share * static_cast<double>(p.z);
-      const size_t first = size_t{corners[k]} * rows.influences;
-      for (size_t i = first; i < first + rows.influences; ++i) sums[rows.joints[i]] += share * rows.weights[i];
+  Character points;
+  points.name = source.name;
+  points.joints = source.joints;
+  for (size_t k = 0; k < corners.size(); k += 3) {
+    Vec3 place = {0, 0, 0};
+    std::map<uint32_t, float> sums;
+    for (size_t c = k; c < k + 3; ++c) {
+      const Vec3& p = source.vertices[corners[c]];
+      place = {place.x + shares[c] * p.x, place.y + shares[c] * p.y, place.z + shares[c] * p.z};
+      for (const Influence& one : source.influences[corners[c]]) sums[one.joint] += shares[c] * one.weight;
     }
-    for (const double x : place) source_body_.positions.push_back(static_cast<float>(x));
-    add_row(sums, &source_body_.joints, &source_body_.weights);
+    points.vertices.push_back(place);
+    points.influences.emplace_back();
+    for (const auto& [joint, weight] : sums) points.influences.back().push_back({joint, weight});
   }
+  source_body_ = body_of(points, vertices_);
   return true;
 }
 

@@ -202,6 +202,7 @@ EMSCRIPTEN_KEEPALIVE const char* character_rig(sinew_character* character, const
         wish.take("no_bind", &o.no_bind);
         wish.take("keep_lengths", &o.keep_lengths);
         wish.take("influence_count", &o.influence_count);
+        wish.take("category", &o.category);
         wish.take("skeleton", &o.skeleton);
         wish.take_array("skeleton_character", &o.skeleton_character);
       },
@@ -232,6 +233,9 @@ EMSCRIPTEN_KEEPALIVE const char* character_animate(sinew_character* character, s
         wish.take("motion_up", &o.motion_up);
         wish.take("deform", &o.deform);
         wish.take("body_contact", &o.body_contact);
+        wish.take("stiffness", &o.stiffness);
+        wish.take("tet_weights", &o.tet_weights);
+        wish.take("no_smoothing", &o.no_smoothing);
         wish.take("shapes", &o.shapes);
         wish.take("fps", &o.fps);
         wish.take("from", &o.from);

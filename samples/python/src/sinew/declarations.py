@@ -103,8 +103,8 @@ FILE_USE: Dict[str, int] = {"READ_MESH": 1, "READ_SKELETON": 2, "READ_MOTION": 4
     "WRITE_MOTION": 32, "WRITE_MESH": 64}
 JointsFrom = Literal["auto", "own", "names", "all"]
 JOINTS_FROM: Tuple[str, ...] = ("auto", "own", "names", "all")
-CharacterRigMethod = Literal["auto", "votes", "shape", "regions"]
-CHARACTER_RIG_METHOD: Tuple[str, ...] = ("auto", "votes", "shape", "regions")
+CharacterRigMethod = Literal["auto", "votes", "shape", "regions", "slots"]
+CHARACTER_RIG_METHOD: Tuple[str, ...] = ("auto", "votes", "shape", "regions", "slots")
 CharacterDetail = Literal["body", "hands", "full"]
 CHARACTER_DETAIL: Tuple[str, ...] = ("body", "hands", "full")
 EditKind = Literal["move", "add", "remove", "parent", "rename"]
@@ -305,7 +305,7 @@ class sinew_character_clip(Structure):
 
 class sinew_character_models(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("bind", c_void_p), ("bind_size", c_size_t), ("rig", c_void_p),
-        ("rig_size", c_size_t), ("hands", c_void_p), ("hands_size", c_size_t)]
+        ("rig_size", c_size_t), ("hands", c_void_p), ("hands_size", c_size_t), ("slots", c_void_p), ("slots_size", c_size_t)]
 
 
 class sinew_character_bind_options(Structure):
@@ -333,7 +333,8 @@ class sinew_character_rig_options(Structure):
         ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("detail", c_uint32), ("mirror", c_uint32), ("up", c_uint32),
         ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
         ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
-        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p)]
+        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p),
+        ("category", c_uint32), ("reserved", c_uint32)]
 
 
 class sinew_character_rig_result(Structure):
@@ -344,7 +345,8 @@ class sinew_character_rig_result(Structure):
 
 class sinew_character_map_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("method", c_uint32), ("no_names", c_uint32), ("no_ends", c_uint32), ("target_up", c_uint32),
-        ("source_up", c_uint32), ("guess_up", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)), ("pins_file", c_char_p)]
+        ("source_up", c_uint32), ("guess_up", c_uint32), ("pin_count", c_uint32), ("pins", POINTER(sinew_map_pin)), ("pins_file", c_char_p),
+        ("branches_first", c_uint32), ("branches_cost", c_uint32)]
 
 
 class sinew_character_map_result(Structure):
@@ -360,7 +362,8 @@ class sinew_character_animate_options(Structure):
         ("body_contact", c_uint32), ("shapes", c_uint32), ("fps", c_double), ("from", c_double), ("to", c_double), ("clip", c_char_p),
         ("map", c_char_p), ("sources", c_void_p), ("area_power", c_uint32), ("no_own_limb", c_uint32), ("legs", c_uint32),
         ("report", c_uint32), ("falloff", c_double), ("own_limb", c_uint32), ("head", c_uint32), ("torso", c_uint32),
-        ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32)]
+        ("source_points", c_uint32), ("force", c_uint32), ("translations", c_uint32), ("stiffness", c_double), ("tet_weights", c_uint32),
+        ("no_smoothing", c_uint32)]
 
 
 class sinew_character_animate_result(Structure):
@@ -372,7 +375,7 @@ class sinew_character_animate_result(Structure):
 class sinew_character_pose_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("thread_count", c_uint32), ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32),
         ("body_contact", c_uint32), ("angles", c_void_p), ("rotations", c_void_p), ("matrices", c_void_p), ("clip", c_char_p),
-        ("time", c_double)]
+        ("time", c_double), ("stiffness", c_double), ("tet_weights", c_uint32), ("no_smoothing", c_uint32)]
 
 
 class sinew_character_transfer_options(Structure):
@@ -396,7 +399,8 @@ class sinew_character_simplify_options(Structure):
 class sinew_character_bake_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("progress", sinew_progress), ("progress_user", c_void_p),
         ("deform", c_uint32), ("cells", c_uint32), ("rounds", c_uint32), ("body_contact", c_uint32), ("poses", c_uint32),
-        ("shapes", c_uint32), ("seed", c_uint64), ("limit", c_double), ("clip", c_char_p)]
+        ("shapes", c_uint32), ("seed", c_uint64), ("limit", c_double), ("clip", c_char_p), ("stiffness", c_double),
+        ("tet_weights", c_uint32), ("no_smoothing", c_uint32)]
 
 
 class sinew_character_bake_result(Structure):

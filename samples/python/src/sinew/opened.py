@@ -378,14 +378,15 @@ class OpenCharacter:
     def rig(self, *, method: declarations.CharacterRigMethod = "auto", detail: declarations.CharacterDetail = "body",
             mirror: declarations.Mirror = "auto", up: UpAxis = "y", spine: int = 0, toes: bool = True, ends: bool = True, bind: bool = True,
             skeleton: Union[None, str, os.PathLike, "OpenCharacter"] = None, keep_lengths: bool = False,
-            edits: Sequence[Tuple[declarations.EditKind, str]] = (), influences: int = 0, model: ModelFile = None,
-            hands_model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> Rigged:
+            edits: Sequence[Tuple[declarations.EditKind, str]] = (), influences: int = 0, category: declarations.SlotCategory = "any",
+            model: ModelFile = None, hands_model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> Rigged:
         """A skeleton for the mesh, and weights for it. A skeleton that the character has is left out.
 
         detail    "body": down to the hands; "hands": with fingers; "full": with eyes, a jaw and props
         skeleton  a file, "template:NAME" (see templates()) or an OpenCharacter whose skeleton is put into the mesh
         edits     ("move", "JOINT=X,Y,Z"), ("add", "NAME=PARENT:X,Y,Z"), ("remove", "JOINT"), ("parent", "JOINT=OTHER"),
                   ("rename", "JOINT=NAME")
+        category  of method "slots": which slots a body may have
         Other arguments are those of sinew.rig().
         """
         options = binding.init(declarations.sinew_character_rig_options)
@@ -394,6 +395,7 @@ class OpenCharacter:
         options.up, options.spine_count = UP_AXES[chosen(up, UP, "up")], spine
         options.no_toes, options.no_ends, options.no_bind = int(not toes), int(not ends), int(not bind)
         options.keep_lengths, options.influence_count = int(keep_lengths), influences
+        options.category = chosen(category, declarations.SLOT_CATEGORY, "category")
         listed = (declarations.sinew_skeleton_edit * len(edits))()
         for one, (kind, text) in zip(listed, edits):
             one.kind, one.text = chosen(kind, declarations.EDIT_KIND, "edits"), text.encode()
@@ -403,24 +405,29 @@ class OpenCharacter:
         elif skeleton is not None:
             options.skeleton = os.fsencode(skeleton)
         result = binding.init(declarations.sinew_character_rig_result)
-        self._job("rig", "sinew_character_rig", [], options, result, threads, progress, _Models(rig=model, hands=hands_model))
+        self._job("rig", "sinew_character_rig", [], options, result, threads, progress,
+                  _Models(**{"slots" if method == "slots" else "rig": model}, hands=hands_model))
         count = (result.joint_count,)
         return Rigged(bool(result.mirrored), result.matched, result.spread, result.scale,
                       _array(result.ends, np.uint8, count).astype(bool) if result.ends else np.zeros(count, bool),
                       *(_array(a, np.float32, count) if a else np.zeros(count, np.float32) for a in (result.confidence, result.parent_confidence)))
 
     def map(self, source: Union[str, os.PathLike, "OpenCharacter"], *, method: declarations.MapMethod = "auto", names: bool = True,
-            ends: bool = True, target_up: MotionUp = "auto", source_up: MotionUp = "auto", guess_up: bool = False,
+            ends: bool = True, first: declarations.BranchesFirst = "both", cost: declarations.BranchesCost = "mean",
+            target_up: MotionUp = "auto", source_up: MotionUp = "auto", guess_up: bool = False,
             pins: Union[None, str, os.PathLike, Mapping[Union[str, int], Union[str, int, None]]] = None) -> FileMap:
         """Which joint of the source (a file, "template:NAME", an OpenCharacter) stands for which of this character. Changes neither.
 
         pins  {target joint: source joint or None}, by name or number, or a map file whose lines are kept
+        first, cost  of method "branches": whose branches choose, and what two branches cost
         target_up, source_up  "auto": y, and as the target's
         """
         options = binding.init(declarations.sinew_character_map_options)
         options.method, options.no_names, options.no_ends = chosen(method, declarations.MAP_METHOD, "method"), int(not names), int(not ends)
         options.target_up, options.source_up = chosen(target_up, declarations.UP, "target_up"), chosen(source_up, declarations.UP, "source_up")
         options.guess_up = int(guess_up)
+        options.branches_first = chosen(first, declarations.BRANCHES_FIRST, "first")
+        options.branches_cost = chosen(cost, declarations.BRANCHES_COST, "cost")
         if isinstance(pins, Mapping):
             target, of = self.skeleton, source.skeleton if isinstance(source, OpenCharacter) else None
             if target is None:
@@ -447,13 +454,15 @@ class OpenCharacter:
 
     def retarget(self, motion: "OpenCharacter", *, method: declarations.AnimateMethod = "auto", in_place: bool = False,
                  natural_range: bool = True, target_up: MotionUp = "auto", motion_up: MotionUp = "auto", correct: Correction = "none",
-                 cells: int = 0, rounds: int = 0, body_contact: bool = False, shapes: int = 0, fps: float = 0, start: float = 0, end: float = 0,
+                 cells: int = 0, rounds: int = 0, body_contact: bool = False, stiffness: float = 0, tet_weights: declarations.TetWeights = "skin",
+                 smoothing: bool = True, shapes: int = 0, fps: float = 0, start: float = 0, end: float = 0,
                  clip: Union[None, str, int] = None, map_file: Union[None, str, os.PathLike] = None, joint_map: Any = None,
                  force: bool = False, translations: bool = False, threads: int = 1, progress: ProgressFunction = None) -> Retargeted:
         """Adds clips of another skeleton. A bare mesh is rigged first.
 
         natural_range  knees and elbows stay in theirs
         correct        every frame is corrected by morph targets, at most `shapes` a clip
+        stiffness, tet_weights, smoothing  of the correction "xpbd": of its springs, 0 = 0.2; where its tetrahedra have weights from; of bends
         start, end     seconds of the motion; end 0: to its end
         clip           by name or number; None: all
         map_file, joint_map  a file of `sinew map`, or [j] integers of the motion's joints, -1 for none; else the map is found
@@ -465,6 +474,7 @@ class OpenCharacter:
         options.target_up, options.motion_up = chosen(target_up, declarations.UP, "target_up"), chosen(motion_up, declarations.UP, "motion_up")
         options.deform = _correction(correct, "correct")
         options.cells, options.rounds, options.body_contact, options.shapes = cells, rounds, int(body_contact), shapes
+        _set_springs(options, stiffness, tet_weights, smoothing)
         options.fps, options.to = fps, end
         setattr(options, "from", start)  # a word of Python
         options.force, options.translations = int(force), int(translations)
@@ -479,17 +489,20 @@ class OpenCharacter:
                           (result.mapped_by or b"").decode(), _array(result.sources, np.int32, (count,)) if result.sources else np.zeros(0, np.int32))
 
     def pose(self, *, angles: Any = None, rotations: Any = None, matrices: Any = None, clip: Union[None, str, int] = None, time: float = 0,
-             method: PoseDeform = "linear", cells: int = 0, rounds: int = 0, body_contact: bool = False, threads: int = 1) -> "OpenCharacter":
+             method: PoseDeform = "linear", cells: int = 0, rounds: int = 0, body_contact: bool = False, stiffness: float = 0,
+             tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, threads: int = 1) -> "OpenCharacter":
         """A copy in a pose, to save as .obj or to take positions of. One of four says it:
 
         angles     [j, 3] joints turned about x, then y, then z, degrees
         rotations  [j, 4] x y z w, local, against the rest pose
         matrices   [j, 3, 4] or [j, 4, 4], rest to posed space
         clip       of the character's own, by name or number, at `time` seconds
+        stiffness, tet_weights, smoothing  of method "xpbd", as in retarget()
         """
         options = binding.init(declarations.sinew_character_pose_options)
         options.thread_count, options.deform = threads, chosen(method, declarations.POSE_DEFORM, "method")
         options.cells, options.rounds, options.body_contact, options.time = cells, rounds, int(body_contact), time
+        _set_springs(options, stiffness, tet_weights, smoothing)
         count, kept = self._view().joint_count, []
         if matrices is not None and np.shape(matrices)[1:] == (4, 4):
             matrices = np.asarray(matrices)[:, :3]
@@ -534,15 +547,18 @@ class OpenCharacter:
         return into
 
     def bake(self, *, method: Literal["volume", "xpbd", "delta-mush"] = "volume", cells: int = 0, rounds: int = 0, body_contact: bool = False,
-             poses: int = 0, shapes: int = 0, seed: int = 0, limit: float = 0, clip: Union[None, str, int] = None,
+             stiffness: float = 0, tet_weights: declarations.TetWeights = "skin", smoothing: bool = True, poses: int = 0,
+             shapes: int = 0, seed: int = 0, limit: float = 0, clip: Union[None, str, int] = None,
              progress: ProgressFunction = None) -> Tuple[float, float]:
         """Morph targets that correct bends, with what drives them; they are saved with the character.
 
+        stiffness, tet_weights, smoothing  of method "xpbd", as in retarget()
         Returns the errors of linear blending and of the baked shapes in poses that were not learnt, shares of the size.
         """
         options = binding.init(declarations.sinew_character_bake_options)
         options.deform = _correction(method, "method")
         options.cells, options.rounds, options.body_contact = cells, rounds, int(body_contact)
+        _set_springs(options, stiffness, tet_weights, smoothing)
         options.poses, options.shapes, options.seed, options.limit = poses, shapes, seed, limit
         options.clip = None if clip is None else str(clip).encode()
         result = binding.init(declarations.sinew_character_bake_result)
@@ -585,6 +601,12 @@ class _Models:
             setattr(self.struct, name, aligned.ctypes.data)
             setattr(self.struct, name + "_size", len(content))
         self.any = bool(self._kept)
+
+
+def _set_springs(options: Any, stiffness: float, tet_weights: declarations.TetWeights, smoothing: bool) -> None:
+    """What the published correction alone takes."""
+    options.stiffness, options.no_smoothing = stiffness, int(not smoothing)
+    options.tet_weights = chosen(tet_weights, declarations.TET_WEIGHTS, "tet_weights")
 
 
 def templates() -> List[str]:

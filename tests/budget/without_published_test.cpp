@@ -18,7 +18,7 @@ const int32_t kParents[] = {-1, 0};
 const sinew_mesh kMesh = {kPositions, 4, nullptr, kCorners, 4, 12};
 sinew_skeleton skeleton() { return sinew_skeleton_init(kJoints, kParents, 2); }
 
-TEST(PublishedMethods, AreNotBuilt) {
+TEST(WithoutPublishedMethods, TheyAreNotBuilt) {
   sinew::Workspace workspace(size_t{1} << 24);
   const sinew_skeleton joints = skeleton();
   size_t bytes = 7;
@@ -74,7 +74,7 @@ TEST(PublishedMethods, AreNotBuilt) {
 }
 
 // Names in two parts: whole ones would be found in this file's own strings.
-TEST(PublishedMethods, AreNotLinked) {
+TEST(WithoutPublishedMethods, TheyAreNotLinked) {
   std::ifstream file(SINEW_TEST_PROGRAM, std::ios::binary);
   const std::string program((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const auto is_linked = [&](const std::string& begin, const std::string& end) {

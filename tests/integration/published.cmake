@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# What the published methods promise, on the samples: a file a method, one program. The command and the networks where they are built.
+if(TARGET sinew_character AND SINEW_PUBLISHED_METHODS)
+  set(published mapping simplify xpbd)
+  set(published_libs sinew::character)
+  if(TARGET sinew_cli)
+    find_package(nlohmann_json REQUIRED)
+    list(APPEND published methods motion networks transfer)
+    list(APPEND published_libs sinew::trainer sinew::quant nlohmann_json::nlohmann_json)
+  endif()
+  list(TRANSFORM published REPLACE "(.+)" "integration/published/\\1_test.cpp")
+  list(TRANSFORM published REPLACE ".*/methods_test" "integration/published_methods_test")
+  sinew_test(published_methods_test SOURCES ${published} LIBS ${published_libs} LABELS integration)
+  if(TARGET sinew_cli)
+    target_include_directories(published_methods_test PRIVATE ${CMAKE_SOURCE_DIR}/trainer/src)
+    add_dependencies(published_methods_test sinew_cli)
+  endif()
+endif()
