@@ -151,10 +151,14 @@ void bind(const sinew_character_bind_options& options, ProgressOfCaller* progres
 std::unique_ptr<LoadedModel> model_of(const sinew_character_models* models, ModelUse use) {
   if (models == nullptr) return load_model("", use);
   const sinew_character_models given = options_of(models);
-  const void* bytes = use == ModelUse::kBind ? given.bind : use == ModelUse::kRig ? given.rig : given.hands;
-  const size_t size = use == ModelUse::kBind  ? given.bind_size
-                      : use == ModelUse::kRig ? given.rig_size
-                                              : given.hands_size;
+  const void* bytes = use == ModelUse::kBind    ? given.bind
+                      : use == ModelUse::kRig   ? given.rig
+                      : use == ModelUse::kFront ? given.front
+                                                : given.hands;
+  const size_t size = use == ModelUse::kBind    ? given.bind_size
+                      : use == ModelUse::kRig   ? given.rig_size
+                      : use == ModelUse::kFront ? given.front_size
+                                                : given.hands_size;
   if (bytes == nullptr) return load_model("", use);
   const auto* first = static_cast<const uint8_t*>(bytes);
   return model_from_bytes({first, first + size}, "the model that was given", use);

@@ -204,6 +204,8 @@ typedef struct sinew_character_models {
   size_t rig_size;
   const void* hands; /* of fingers */
   size_t hands_size;
+  const void* front; /* of where a mesh faces */
+  size_t front_size;
 } sinew_character_models;
 
 static inline sinew_character_models sinew_character_models_init(void) {
@@ -331,7 +333,7 @@ typedef struct sinew_character_rig_options {
   uint32_t method;                      /* sinew_character_rig_method */
   uint32_t detail;                      /* sinew_character_detail */
   uint32_t mirror;                      /* sinew_mirror */
-  uint32_t up;                          /* sinew_up; 0 = Y */
+  uint32_t up;                          /* sinew_up; 0 = found, or as the file's format says */
   uint32_t spine_count;                 /* 1..16; 0 = as the model says */
   uint32_t no_toes, no_ends;            /* 1: without */
   uint32_t no_bind;                     /* 1: the skeleton alone */
@@ -344,6 +346,8 @@ typedef struct sinew_character_rig_options {
   const sinew_skeleton_edit* edits;          /* [edit_count] */
   const char* skeleton;                      /* a file, or template:NAME, that is put into the mesh; or null */
   const sinew_character* skeleton_character; /* the same of a character; or null */
+  uint32_t front;                            /* sinew_front; 0 = found */
+  uint32_t reserved;                         /* 0 */
 } sinew_character_rig_options;
 
 static inline sinew_character_rig_options sinew_character_rig_options_init(void) {
@@ -365,6 +369,10 @@ typedef struct sinew_character_rig_result {
   const uint8_t* ends;            /* [N] 1: a bone end */
   const float* confidence;        /* [N] 0..1 */
   const float* parent_confidence; /* [N] 0..1 */
+  float front[3];                 /* the direction that it faces, unit vector */
+  uint32_t up;                    /* sinew_up, Y or Z */
+  float front_confidence;         /* 0..1, see sinew_rig_outputs; below 0.7 a coin toss */
+  float up_confidence;
 } sinew_character_rig_result;
 
 static inline sinew_character_rig_result sinew_character_rig_result_init(void) {

@@ -19,7 +19,7 @@ struct LoadedModel {
   sinew_model model{};
 };
 // What a model is opened for.
-enum class ModelUse { kBind, kRig, kHands, kSlotJoints };
+enum class ModelUse { kBind, kRig, kHands, kSlotJoints, kFront };
 // `path` empty or "bundled": the model built into the program. Throws Error.
 std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use = ModelUse::kBind);
 std::string model_label(const std::string& path);  // "bundled model" or the file's name
