@@ -156,9 +156,10 @@ void quantize_front(const Settings& s, const FloatNetwork& network) {
   const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output, ModelUse::kFront);
   constexpr size_t kCompared = 16;
   const FrontDifference d = compare_fronts(network, loaded->model, s.measured_on(), kCompared);
-  std::printf("%s: %zu bytes; beside the float network answers of length 1 move by %.5f (at most %.5f); %zu characters "
-              "compared%s\n",
-              s.output.c_str(), model.bytes.size(), d.mean, d.most, d.characters, s.remark());
+  std::printf(
+      "%s: %zu bytes; beside the float network answers of length 1 move by %.5f (at most %.5f); %zu characters "
+      "compared%s\n",
+      s.output.c_str(), model.bytes.size(), d.mean, d.most, d.characters, s.remark());
   show_layers(model);
   std::printf("\nnext: sinew rig MESH.obj --front-model %s\n", s.output.c_str());
 }

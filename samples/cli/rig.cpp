@@ -54,8 +54,7 @@ Models load_models(const Settings& s) {
     models.rig = load_model(s.model, s.method.slots() ? ModelUse::kSlotJoints : ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   if (s.detail != "body") models.hands = load_model(s.hands_model, ModelUse::kHands);
-  if (s.prediction.empty() && (s.front == "auto" || s.up == "auto"))
-    models.front = load_model(s.front_model, ModelUse::kFront);
+  if (s.prediction.empty() && (s.front == "auto" || s.up == "auto")) models.front = load_front_model(s.front_model);
   return models;
 }
 

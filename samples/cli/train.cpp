@@ -90,7 +90,8 @@ void run_rig(const Settings& s, TrainOptions options, Ranks* ranks) {
     if (ranks->rank() == 0) std::printf("%s\n", rig_config_json(config).c_str());
     return;
   }
-  if (s.cache_only) throw UsageError("--cache-only: samples of --task " + s.task + " are made in the run, there is no cache");
+  if (s.cache_only)
+    throw UsageError("--cache-only: samples of --task " + s.task + " are made in the run, there is no cache");
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train_rig(config, options);
@@ -144,7 +145,8 @@ void run(const Settings& s) {
 void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
       ->type_name("DIR");
-  sub->add_option("--task", s->task, "What is learnt: bind = skin weights, rig = a skeleton for a bare mesh, front = where a mesh faces")
+  sub->add_option("--task", s->task,
+                  "What is learnt: bind = skin weights, rig = a skeleton for a bare mesh, front = where a mesh faces")
       ->type_name("TASK")
       ->check(CLI::IsMember({"bind", "rig", "front"}))
       ->capture_default_str();

@@ -23,9 +23,7 @@ class KeptSkeleton {
   }
   void keep(const sinew_rig_outputs& outputs) { copy(outputs, true); }
   void restore(const sinew_rig_outputs& outputs) { copy(outputs, false); }
-  const float* position(uint32_t joint) const {
-    return reinterpret_cast<const float*>(kept_[0]) + size_t{3} * joint;
-  }
+  const float* position(uint32_t joint) const { return reinterpret_cast<const float*>(kept_[0]) + size_t{3} * joint; }
 
  private:
   static constexpr int kArrays = 8;

@@ -11,14 +11,15 @@ namespace sinew {
 namespace {
 
 constexpr uint64_t kSeed = 7;
-constexpr int64_t kOne = 1 << 28;  // of a Heading
+constexpr uint32_t kFrontSets = 2;  // of points, whose answers are added up
+constexpr int64_t kOne = 1 << 28;   // of a Heading
 // What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
-constexpr int32_t kUsualUp = 512;  // the same of y, logit in Q10
-// Logit of an answer of length 1, Q10.
-constexpr int64_t kSureness = 4096;
-constexpr int64_t kSnap = kOne / 96;        // sine of 0.6 degrees: the axis itself
-constexpr int64_t kKnownSnap = kOne / 3;    // of 20 degrees, where the file's axes are known
+constexpr int32_t kUsualUp = 1536;  // the same of y, logit in Q10: five of six meshes have it up
+// Logit of an answer of length 1, Q10; fitted on makers that a network trained without.
+constexpr int64_t kSureness = 2816;
+constexpr int64_t kSnap = kOne / 96;      // sine of 0.6 degrees: the axis itself
+constexpr int64_t kKnownSnap = kOne / 3;  // of 20 degrees, where the file's axes are known
 
 // What the network wants beside the points' rows: no neighbours, one part.
 struct FrontMemory {
@@ -89,7 +90,7 @@ int64_t dot(Heading a, Heading b) { return round_shift(a.x * b.x + a.z * b.z, 28
 
 // 1 / (1 + e^-x) of x in Q10, as a float of Q15.
 float likelihood(int64_t x) {
-  constexpr int64_t kLog2E = 94548;  // Q16
+  constexpr int64_t kLog2E = 94548;                                // Q16
   const int64_t power = exp2_negative((abs64(x) * kLog2E) >> 10);  // Q30
   const int64_t small = (power << 15) / ((int64_t{1} << 30) + power);
   return static_cast<float>(x >= 0 ? (1 << 15) - small : small) / 32768.0f;
@@ -168,7 +169,9 @@ sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32
   } else {
     found = snapped(nearest_step(long_axis(mesh, grid_up), wanted));
   }
-  const auto to_unit = [](int64_t q28) { return static_cast<float>(static_cast<double>(q28) / static_cast<double>(kOne)); };
+  const auto to_unit = [](int64_t q28) {
+    return static_cast<float>(static_cast<double>(q28) / static_cast<double>(kOne));
+  };
   front->turn.sine = to_unit(found.x);
   front->turn.cosine = to_unit(found.z);
   // How much farther the answer reaches to this end than to the other.
@@ -190,8 +193,7 @@ sinew_status ask_front(const sinew_model& model, const NetworkOptions& options, 
   *answer = FrontAnswer();
   for (uint32_t frame = 0; frame < kFrontFrames; ++frame) {
     front_rows(view, frame, rows.features);
-    const sinew_status status =
-        run_network(model, rows.input(), kernels, Progress(), arena, rows.outputs, options);
+    const sinew_status status = run_network(model, rows.input(), kernels, Progress(), arena, rows.outputs, options);
     if (status != SINEW_OK) return status;
     add_rows(view, rows.outputs, answer);
   }
@@ -208,18 +210,24 @@ sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, c
   const ArenaScope scope(arena);
   SurfacePoint* const points = arena.alloc<SurfacePoint>(kFrontPoints);
   if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
-  if (!arena.measuring()) spread_points(mesh, kFrontPoints, kSeed, points);
   FrontAnswer answers[2];
-  const uint32_t candidates = question.find_up && !arena.measuring() ? 2 : 1;
-  for (uint32_t up = 0; up < candidates; ++up) {
-    const sinew_status status = ask_front(*question.model, question.network, kernels, points, up, arena, &answers[up]);
-    if (status != SINEW_OK) return status;
+  const uint32_t candidates = question.find_up ? 2 : 1;
+  for (uint32_t set = 0; set < kFrontSets; ++set) {
+    if (!arena.measuring()) spread_points(mesh, kFrontPoints, kSeed + set, points);
+    for (uint32_t up = 0; up < candidates; ++up) {
+      FrontAnswer answer;
+      const sinew_status status = ask_front(*question.model, question.network, kernels, points, up, arena, &answer);
+      if (status != SINEW_OK) return status;
+      answers[up].x += answer.x / kFrontSets;
+      answers[up].z += answer.z / kFrontSets;
+      answers[up].upright += answer.upright / static_cast<int32_t>(kFrontSets);
+    }
   }
   // The grid has the caller's up axis at y already where that is known.
   uint32_t grid_up = 0;
   *front = Front();
   front->turn.up_axis = question.up_axis;
-  if (candidates == 2) {
+  if (question.find_up) {
     const int64_t by = int64_t{answers[1].upright} - answers[0].upright - kUsualUp;
     grid_up = by > 0 ? 1 : 0;
     front->turn.up_axis = grid_up;

@@ -18,13 +18,13 @@ constexpr uint32_t kFrontFrames = 4;
 // Channels of a point, Q13. Lengths are shares of the longest side. "Along" is along the frame's axis, "across" is counted away
 // from it, so that a mesh and its mirror image look the same.
 enum FrontChannel : uint32_t {
-  kFrontHeight = 0,    // 2 (y - middle of the box)
-  kFrontAlong = 1,     // 2 from the mean
-  kFrontAcross = 2,    // 2
-  kFrontNormal = 3,    // 3: up, along, across
-  kFrontRadius = 6,    // 2 from the upright axis through the mean
-  kFrontRaised = 7,    // 2 (y - mean y)
-  kFrontBody = 8,      // 3: 3 rms radius, 1.5 box height, how much longer than wide; the same for all points
+  kFrontHeight = 0,  // 2 (y - middle of the box)
+  kFrontAlong = 1,   // 2 from the mean
+  kFrontAcross = 2,  // 2
+  kFrontNormal = 3,  // 3: up, along, across
+  kFrontRadius = 6,  // 2 from the upright axis through the mean
+  kFrontRaised = 7,  // 2 (y - mean y)
+  kFrontBody = 8,    // 3: 3 rms radius, 1.5 box height, how much longer than wide; the same for all points
   kFrontChannels = 11
 };
 
@@ -44,10 +44,10 @@ struct FrontPoint {
 struct FrontView {
   FrontPoint* points = nullptr;  // [kFrontPoints]
   Vec3i mean = {0, 0, 0};
-  int32_t middle = 0, height = 0;     // of the box, upright
-  int32_t radius = 0;                 // rms, in the plane
+  int32_t middle = 0, height = 0;        // of the box, upright
+  int32_t radius = 0;                    // rms, in the plane
   int32_t axis_x = 1 << 14, axis_z = 0;  // unit vector along the points, Q14
-  int32_t elongation = 0;             // 0 round .. 2^13 a line
+  int32_t elongation = 0;                // 0 round .. 2^13 a line
 
   bool allocate(Arena& arena) {
     points = arena.alloc<FrontPoint>(kFrontPoints);
@@ -69,7 +69,10 @@ inline FrontOffset front_offset(const FrontView& view, uint32_t i) {
 // The frame's axis, Q14: the long axis turned by `frame` quarters.
 inline FrontOffset frame_axis(const FrontView& view, uint32_t frame) {
   const int64_t x = view.axis_x, z = view.axis_z;
-  return frame == 0 ? FrontOffset{x, z} : frame == 1 ? FrontOffset{-z, x} : frame == 2 ? FrontOffset{-x, -z} : FrontOffset{z, -x};
+  return frame == 0   ? FrontOffset{x, z}
+         : frame == 1 ? FrontOffset{-z, x}
+         : frame == 2 ? FrontOffset{-x, -z}
+                      : FrontOffset{z, -x};
 }
 
 //   rows  out  [kFrontPoints x kFrontChannels]

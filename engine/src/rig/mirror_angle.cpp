@@ -11,8 +11,7 @@ namespace {
 
 constexpr uint32_t kPoints = 4096, kAsked = 512;
 constexpr uint64_t kSeed = 11;
-constexpr uint32_t kAngles = 8, kRounds = 4, kVertexRounds = 3, kMostVertices = 1u << 15,
-                   kAskedVertices = 2048;
+constexpr uint32_t kAngles = 8, kRounds = 4, kVertexRounds = 3, kMostVertices = 1u << 15, kAskedVertices = 2048;
 constexpr uint32_t kFoldError = kSide * 3 / 100;  // as of find_mirror_frame()
 // What a plane across the expected front costs beside one along it.
 constexpr int64_t kTurnCost = kSide / 50;
@@ -129,7 +128,8 @@ void match_vertices(const Scratch& s, const Mesh& mesh, uint32_t up_axis, Plane*
 
 }  // namespace
 
-bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal, bool* found) {
+bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal,
+                       bool* found) {
   const ArenaScope scope(arena);
   Scratch s;
   if (!s.allocate(arena)) return false;
@@ -144,8 +144,8 @@ bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Are
   }
   s.grid.build(kPoints, [&](uint32_t i) { return s.upright[i]; });
   // Eighths of half a turn: cosines and sines, Q28.
-  constexpr int64_t kTable[kAngles][2] = {{268435456, 0},          {248002075, 102725825},  {189812531, 189812531},
-                                          {102725825, 248002075},  {0, 268435456},          {-102725825, 248002075},
+  constexpr int64_t kTable[kAngles][2] = {{268435456, 0},          {248002075, 102725825}, {189812531, 189812531},
+                                          {102725825, 248002075},  {0, 268435456},         {-102725825, 248002075},
                                           {-189812531, 189812531}, {-248002075, 102725825}};
   const Heading first = expected.x == 0 && expected.z == 0 ? Heading{1 << 28, 0} : Heading{expected.z, -expected.x};
   Plane best;

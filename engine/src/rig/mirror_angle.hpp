@@ -18,7 +18,8 @@ struct Heading {
 //   normal    out  unit vector, untouched where no plane mirrors the mesh
 // Where the mesh's vertices mirror each other the plane is theirs, exact to the grid. Scratch is taken from the arena and
 // released. Returns arena.ok().
-bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal, bool* found);
+bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal,
+                       bool* found);
 
 }  // namespace sinew
 #endif

@@ -28,7 +28,8 @@ sinew_status build(const sinew_mesh& input, uint32_t up_axis, const Counts& coun
 
 sinew_status plan_front(const sinew_rig_options& options, FrontPlan* plan) {
   *plan = FrontPlan();
-  if (read_up_axis(options.up, &plan->up_axis) != SINEW_OK || options.front > SINEW_FRONT_MINUS_Y || options.axes_known > 1)
+  if (read_up_axis(options.up, &plan->up_axis) != SINEW_OK || options.front > SINEW_FRONT_MINUS_Y ||
+      options.axes_known > 1)
     return SINEW_ERROR_ARGUMENT;
   if (options.front_model != nullptr) {
     if (options.front_model->bytes == nullptr) return SINEW_ERROR_ARGUMENT;

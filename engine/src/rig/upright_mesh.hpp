@@ -23,8 +23,8 @@ struct FrontPlan {
 sinew_status plan_front(const sinew_rig_options& options, FrontPlan* plan);
 
 struct UprightMesh {
-  sinew_mesh mesh = {};   // the caller's, or with turned positions
-  uint32_t up_axis = 0;   // of `mesh`
+  sinew_mesh mesh = {};  // the caller's, or with turned positions
+  uint32_t up_axis = 0;  // of `mesh`
   GridQuantizer quantizer;
   Front front;
   bool known = false;  // the front was given, or found and no coin toss

@@ -22,7 +22,9 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   job.method = static_cast<RigMethod>(options.method);
   job.detail = static_cast<SkeletonDetail>(options.detail);
   job.mirror = options.mirror;
-  job.up = options.up == SINEW_UP_AUTO ? UpChoice::kFound : up_axis_of("up", options.up) == 1 ? UpChoice::kZ : UpChoice::kY;
+  job.up = options.up == SINEW_UP_AUTO         ? UpChoice::kFound
+           : up_axis_of("up", options.up) == 1 ? UpChoice::kZ
+                                               : UpChoice::kY;
   check_at_most("front", options.front, SINEW_FRONT_MINUS_Y);
   job.front = options.front;
   job.spine_count = options.spine_count;
@@ -100,7 +102,9 @@ RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_op
   if (job.method == RigMethod::kAuto || job.method == RigMethod::kVotes) rig = model_of(options.models, ModelUse::kRig);
   if (job.bind) bind = model_of(options.models, ModelUse::kBind);
   if (job.detail != SkeletonDetail::kBody) hands = model_of(options.models, ModelUse::kHands);
-  if (job.method != RigMethod::kRegions) front = model_of(options.models, ModelUse::kFront);
+  front = options.models != nullptr && options_of(options.models).front != nullptr
+              ? model_of(options.models, ModelUse::kFront)
+              : load_front_model();
   RigModels models;
   if (front) models.front = &front->model;
   if (rig) models.rig = &rig->model;

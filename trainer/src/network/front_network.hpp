@@ -10,8 +10,8 @@
 namespace sinew {
 
 struct FrontNetworkOptions {
-  uint32_t width = 64;   // channels
-  uint32_t rounds = 2;   // of all points' largest and mean values
+  uint32_t width = 64;  // channels
+  uint32_t rounds = 2;  // of all points' largest and mean values
 };
 FloatNetwork make_front_network(const FrontNetworkOptions& options, uint64_t seed);
 

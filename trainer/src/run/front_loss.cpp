@@ -18,9 +18,10 @@ FrontLoss front_loss(const FrontSample& sample, const std::vector<float>& output
   for (size_t i = 0; i < sample.vertices; ++i) {
     const float* const row = &outputs[i * kFrontOutputs];
     for (size_t axis = 0; axis < 2; ++axis) {
-      loss.answer[axis] += (kFrontPositionScale * static_cast<double>(row[kFrontPosition] * sample.positions[2 * i + axis]) +
-                            kFrontNormalScale * static_cast<double>(row[kFrontNormalShare] * sample.normals[2 * i + axis])) /
-                           count;
+      loss.answer[axis] +=
+          (kFrontPositionScale * static_cast<double>(row[kFrontPosition] * sample.positions[2 * i + axis]) +
+           kFrontNormalScale * static_cast<double>(row[kFrontNormalShare] * sample.normals[2 * i + axis])) /
+          count;
     }
     logit += static_cast<double>(row[kFrontUpright]) / count;
   }

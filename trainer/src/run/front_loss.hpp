@@ -11,10 +11,10 @@
 namespace sinew {
 
 struct FrontLoss {
-  double total = 0;       // of an upright sample front, and kUprightShare upright
-  double front = 0;       // squared distance of the answer, cut to the length kLongestFront, from the true front
-  double upright = 0;     // cross entropy
-  double angle = 0;       // (1 - cosine) / 2 of the answer, 1 where it is exactly behind; 0 of samples that are not upright
+  double total = 0;    // of an upright sample front, and kUprightShare upright
+  double front = 0;    // squared distance of the answer, cut to the length kLongestFront, from the true front
+  double upright = 0;  // cross entropy
+  double angle = 0;  // (1 - cosine) / 2 of the answer, 1 where it is exactly behind; 0 of samples that are not upright
   std::array<double, 2> answer{};
 };
 constexpr double kUprightShare = 0.3, kLongestFront = 1.5;

@@ -13,7 +13,9 @@ const FrontSample& as_sample(const NetworkSample& sample) { return static_cast<c
 
 }  // namespace
 
-FloatNetwork FrontTask::make_network() const { return make_front_network({config_.width, config_.rounds}, config_.seed); }
+FloatNetwork FrontTask::make_network() const {
+  return make_front_network({config_.width, config_.rounds}, config_.seed);
+}
 
 void FrontTask::check(const FloatNetwork& network, const std::string& source) const {
   check_network(network, source);

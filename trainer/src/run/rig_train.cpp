@@ -179,7 +179,8 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
   require(config.width >= 1 && config.width <= 256, "width", "1 to 256");
   require(config.rounds >= 2 && config.rounds <= 8, "rounds", "2 to 8");
   require(config.part == "body" || config.part == "hands", "part", "body or hands");
-  require(config.part == "body" || config.architecture == "votes", "part", "body with the architectures slots and front");
+  require(config.part == "body" || config.architecture == "votes", "part",
+          "body with the architectures slots and front");
   require(config.variants <= 64, "variants", "0 to 64");
   require(config.synthetic <= 1000, "synthetic", "0 to 1000");
   return config;

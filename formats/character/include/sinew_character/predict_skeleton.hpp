@@ -14,9 +14,9 @@ namespace sinew {
 
 // What sinew_rig_options says.
 struct SkeletonOptions {
-  uint32_t method = SINEW_RIG_VOTES;   // sinew_rig_method
-  const sinew_model* model = nullptr;  // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
-  uint32_t category = 0;               // of SINEW_RIG_SLOTS
+  uint32_t method = SINEW_RIG_VOTES;         // sinew_rig_method
+  const sinew_model* model = nullptr;        // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
+  uint32_t category = 0;                     // of SINEW_RIG_SLOTS
   uint32_t up_axis = 0;                      // where up is not found
   const sinew_model* front_model = nullptr;  // finds the front; null: by the votes
   bool find_up = false;                      // with front_model: y or z
@@ -34,7 +34,7 @@ struct PredictedSkeleton {
   std::vector<int32_t> partners;                     // [J] mirror image or -1
   std::vector<float> confidence, parent_confidence;  // [J] 0..1
   bool mirrored = false;
-  uint32_t facing = 0;          // where it faces, see sinew_rig_outputs
+  uint32_t facing = 0;  // where it faces, see sinew_rig_outputs
   std::array<float, 3> front = {0, 0, 1};
   uint32_t up_axis = 0;
   float front_confidence = 0, up_confidence = 0;

@@ -24,12 +24,14 @@ uint32_t engine_method(RigMethod method) {
 // Where up or front was found and might as well be another, one line.
 void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, std::vector<std::string>* notes) {
   const bool up = job.up == UpChoice::kFound && skeleton.up_confidence < kCoinToss;
-  const bool front = job.front == SINEW_FRONT_AUTO && skeleton.front_confidence > 0 && skeleton.front_confidence < kCoinToss;
+  const bool front =
+      job.front == SINEW_FRONT_AUTO && skeleton.front_confidence > 0 && skeleton.front_confidence < kCoinToss;
   if (!up && !front) return;
   notes->push_back(std::string("warning: ") + (up ? "which axis is up" : "which way is front") +
                    (up && front ? ", and which way is front," : "") +
                    " is a coin toss for this mesh, so left and right may be exchanged; say it with " +
-                   (up ? "--up y or z" : "") + (up && front ? " and " : "") + (front ? "--front, as in --front +z" : ""));
+                   (up ? "--up y or z" : "") + (up && front ? " and " : "") +
+                   (front ? "--front, as in --front +z" : ""));
 }
 
 PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Character* character) {
@@ -142,8 +144,9 @@ RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const Ri
 
 Character rig_bare_mesh(Character mesh) {
   const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model(""),
-                                     front = load_model("", ModelUse::kFront);
-  return rig_character(std::move(mesh), {}, {&rig->model, &bind->model, nullptr, &front->model}).character;
+                                     front = load_front_model();
+  const RigModels models = {&rig->model, &bind->model, nullptr, front ? &front->model : nullptr};
+  return rig_character(std::move(mesh), {}, models).character;
 }
 
 }  // namespace sinew

@@ -59,6 +59,10 @@ std::string model_label(const std::string& path) {
   return is_bundled(path) ? "bundled model" : std::filesystem::path(path).filename().string();
 }
 
+std::unique_ptr<LoadedModel> load_front_model(const std::string& path) {
+  return is_bundled(path) && kBundledFrontModelSize == 0 ? nullptr : load_model(path, ModelUse::kFront);
+}
+
 std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
   if (!is_bundled(path)) return model_from_bytes(read_file(path), path, use);
   struct Bundled {

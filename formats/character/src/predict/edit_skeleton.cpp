@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Edits of a predicted skeleton, one after the other on a copy.
-#include "predict/mirror_plane.hpp"
 #include "sinew_character/edit_skeleton.hpp"
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "predict/mirror_plane.hpp"
 #include "sinew_character/joint_mirror.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
