@@ -92,9 +92,11 @@ endfunction()
 sinew_embed_model(BundledModel sinew_default.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_model.cpp)
 sinew_embed_model(BundledRigModel sinew_rig.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_rig_model.cpp)
 sinew_embed_model(BundledHandsModel sinew_hands.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp)
+sinew_embed_model(BundledFrontModel sinew_front.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_front_model.cpp)
 sinew_embed_model(BundledSlotsModel sinew_slots.sinew ${CMAKE_CURRENT_BINARY_DIR}/bundled_slots_model.cpp)
 list(APPEND sinew_job_sources ${CMAKE_CURRENT_BINARY_DIR}/bundled_model.cpp ${CMAKE_CURRENT_BINARY_DIR}/bundled_rig_model.cpp
-  ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp ${CMAKE_CURRENT_BINARY_DIR}/bundled_slots_model.cpp)
+  ${CMAKE_CURRENT_BINARY_DIR}/bundled_hands_model.cpp ${CMAKE_CURRENT_BINARY_DIR}/bundled_front_model.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/bundled_slots_model.cpp)
 
 list(TRANSFORM sinew_character_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/src/)
 list(TRANSFORM sinew_character_sources APPEND .cpp)

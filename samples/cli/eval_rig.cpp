@@ -73,7 +73,7 @@ double measure_owned(const Character& character, const TargetSkeleton& target, c
 // What predicts; one of them.
 struct Predictor {
   uint32_t method = SINEW_RIG_VOTES;
-  std::unique_ptr<LoadedModel> model;
+  std::unique_ptr<LoadedModel> model, front;
   std::string folder;                    // of predictions
   std::optional<FloatNetwork> in_float;  // measured beside the model
 
@@ -81,6 +81,8 @@ struct Predictor {
     SkeletonOptions result;
     result.method = method;
     if (model) result.model = &model->model;
+    if (front) result.front_model = &front->model;
+    result.find_up = front != nullptr;
     return result;
   }
 
@@ -168,6 +170,8 @@ void evaluate_rigs(const RigEvaluation& evaluation) {
     predictor.method = SINEW_RIG_REGIONS;
   else if (evaluation.predictions.empty())
     predictor.model = load_model(evaluation.model, ModelUse::kRig);
+  if (predictor.folder.empty() && (predictor.method == SINEW_RIG_VOTES || predictor.method == SINEW_RIG_SHAPE))
+    predictor.front = load_front_model();
   if (!evaluation.checkpoint.empty()) predictor.in_float = votes_of(evaluation.checkpoint);
   std::unique_ptr<LoadedModel> weights;
   if (evaluation.bind) weights = load_model("");

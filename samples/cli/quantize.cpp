@@ -14,6 +14,7 @@
 #include "eval_studies.hpp"
 #include "options.hpp"
 #include "progress.hpp"
+#include "rig/front_points.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -21,6 +22,7 @@
 #include "sinew_quant/model_writer.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/engine_logits.hpp"
+#include "sinew_trainer/front_difference.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/slot_difference.hpp"
 #include "sinew_trainer/train.hpp"
@@ -146,12 +148,29 @@ void quantize_slots(const Settings& s, const FloatNetwork& network) {
   std::printf("\nnext: sinew rig MESH.obj --method slots --model %s\n", s.output.c_str());
 }
 
+void quantize_front(const Settings& s, const FloatNetwork& network) {
+  const QuantizedModel model = quantize(network, calibrate_front(network, s.folder, s.characters), s.options);
+  write_file(s.output, model.bytes);
+  release(s, network);
+  if (s.quiet) return;
+  const std::unique_ptr<LoadedModel> loaded = model_from_bytes(model.bytes, s.output, ModelUse::kFront);
+  constexpr size_t kCompared = 16;
+  const FrontDifference d = compare_fronts(network, loaded->model, s.measured_on(), kCompared);
+  std::printf(
+      "%s: %zu bytes; beside the float network answers of length 1 move by %.5f (at most %.5f); %zu characters "
+      "compared%s\n",
+      s.output.c_str(), model.bytes.size(), d.mean, d.most, d.characters, s.remark());
+  show_layers(model);
+  std::printf("\nnext: sinew rig MESH.obj --front-model %s\n", s.output.c_str());
+}
+
 // A network of skeletons: no confidences, and votes instead of weights to compare.
 void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
   if (!s.confidence.empty() || s.correction > 0)
     throw UsageError(s.checkpoint +
                      " predicts skeletons: --calibrate-confidence and --correction are for skin weights");
   if (checkpoint.network.architecture == "slots") return quantize_slots(s, checkpoint.network);
+  if (checkpoint.network.feature_set == kFrontFeatureSet) return quantize_front(s, checkpoint.network);
   const QuantizedModel model =
       quantize(checkpoint.network, calibrate_rig(checkpoint.network, s.folder, s.characters), s.options);
   write_file(s.output, model.bytes);

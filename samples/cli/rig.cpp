@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sinew rig: a bare mesh in, a skeleton with weights out.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -32,8 +34,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string detail = "body", hands_model;
-  std::string mesh, output, model, bind_model, png, up = "y", format = "glb", prediction, skeleton;
+  std::string detail = "body", hands_model, front_model;
+  std::string mesh, output, model, bind_model, png, up = "auto", front = "auto", format = "glb", prediction, skeleton;
   MethodOptions method;
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
@@ -43,7 +45,7 @@ struct Settings {
 };
 
 struct Models {
-  std::unique_ptr<LoadedModel> rig, bind, hands;
+  std::unique_ptr<LoadedModel> rig, bind, hands, front;
 };
 
 Models load_models(const Settings& s) {
@@ -52,10 +54,18 @@ Models load_models(const Settings& s) {
     models.rig = load_model(s.model, s.method.slots() ? ModelUse::kSlotJoints : ModelUse::kRig);
   if (!s.no_bind) models.bind = load_model(s.bind_model);
   if (s.detail != "body") models.hands = load_model(s.hands_model, ModelUse::kHands);
+  if (s.prediction.empty() && (s.front == "auto" || s.up == "auto")) models.front = load_front_model(s.front_model);
   return models;
 }
 
 using Rigged = RiggedCharacter;
+
+constexpr std::array<const char*, 7> kFronts = {"auto", "+z", "-z", "+x", "-x", "+y", "-y"};
+
+uint32_t front_number(const std::string& front) {
+  const auto found = std::find(kFronts.begin(), kFronts.end(), front);
+  return static_cast<uint32_t>(found - kFronts.begin());  // in the order of sinew_front
+}
 
 RigJobOptions job_options(const Settings& s) {
   RigJobOptions job;
@@ -65,7 +75,8 @@ RigJobOptions job_options(const Settings& s) {
                : s.detail == "hands" ? SkeletonDetail::kHands
                                      : SkeletonDetail::kBody;
   job.mirror = s.mirror ? SINEW_MIRROR_ALWAYS : s.no_mirror ? SINEW_MIRROR_NEVER : SINEW_MIRROR_AUTO;
-  job.up_axis = s.up == "z" ? 1 : 0;
+  job.up = s.up == "z" ? UpChoice::kZ : s.up == "y" ? UpChoice::kY : UpChoice::kFound;
+  job.front = front_number(s.front);
   job.spine_count = s.spine;
   job.toes = !s.no_toes;
   job.ends = !s.no_ends;
@@ -85,12 +96,14 @@ RigJobOptions job_options(const Settings& s) {
 
 Rigged rig_one(const Settings& s, const Models& models, const std::string& path) {
   const auto opened = [](const std::unique_ptr<LoadedModel>& model) { return model ? &model->model : nullptr; };
-  const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands)};
+  const RigModels ready = {opened(models.rig), opened(models.bind), opened(models.hands), opened(models.front)};
   Character mesh = read_mesh(path);
   if (!s.prediction.empty()) {
     Character file;
     read_skeleton(s.prediction, false, &file);
-    return rig_character(std::move(mesh), skeleton_from_joints(file.joints), true, job_options(s), ready);
+    PredictedSkeleton given = skeleton_from_joints(file.joints);
+    given.up_axis = s.up == "z" ? 1 : 0;
+    return rig_character(std::move(mesh), std::move(given), true, job_options(s), ready);
   }
   return rig_character(std::move(mesh), job_options(s), ready);
 }
@@ -103,6 +116,12 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   json["vertices"] = rigged.character.vertices.size();
   json["symmetric"] = skeleton.mirrored;
   json["spread"] = skeleton.spread;
+  if (s.prediction.empty()) {
+    json["up"] = skeleton.up_axis == 1 ? "z" : "y";
+    json["up_certainty"] = skeleton.up_confidence;
+    json["front"] = skeleton.front;
+    json["front_certainty"] = skeleton.front_confidence;
+  }
   json["seconds"] = skeleton.seconds;
   json["workspace_bytes"] = skeleton.workspace_bytes;
   if (rigged.fitted) {
@@ -149,7 +168,7 @@ void write_rigged(const Settings& s, const Rigged& rigged, const std::string& ou
   write_character(output, rigged.character);
   if (s.png.empty()) return;
   RenderOptions view;
-  view.up_z = s.up == "z";
+  view.up_z = rigged.skeleton.up_axis == 1;
   const auto colours = rigged.character.influences.empty()
                            ? heat_colours(std::vector<float>(rigged.character.vertices.size(), 0.0f), 1.0f)
                            : weight_colours(rigged.character);
@@ -188,6 +207,8 @@ void run(Settings s) {
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
   if (!s.hands_model.empty() && s.detail == "body")
     throw UsageError("--hands-model is for fingers: give --detail hands or full");
+  if (s.front.size() == 2 && s.front[1] == s.up[0])
+    throw UsageError("--front " + s.front + " is up by --up " + s.up + ": give an axis across it");
   if (!s.prediction.empty() && !s.model.empty())
     throw UsageError("--prediction and --model: a skeleton that is given is not predicted");
   std::error_code ignored;
@@ -234,7 +255,13 @@ void add_inputs(CLI::App* sub, Settings* s) {
   add_method_options(sub, &s->method);
   sub->add_flag("--no-bind", s->no_bind, "The skeleton alone, without weights");
   add_influences(sub, s->influences);
-  shared_option(sub, "--up", s->up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  shared_option(sub, "--up", s->up, "auto: y for glTF, else found")
+      ->check(CLI::IsMember({"auto", "y", "z"}))
+      ->capture_default_str();
+  sub->add_option("--front", s->front, "Where the mesh faces, in its own axes; auto: found, at any angle")
+      ->type_name("AXIS")
+      ->check(CLI::IsMember({"auto", "+z", "-z", "+x", "-x", "+y", "-y"}))
+      ->capture_default_str();
   shared_option(sub, "--png", s->png, "The mesh with its joints, coloured by weight");
   shared_flag(sub, "--json", s->json, "Joints with confidences; with a folder one line for every mesh");
 }
@@ -262,6 +289,7 @@ void add_models(CLI::App* sub, Settings* s) {
   sub->add_option("--hands-model", s->hands_model, "With --detail hands or full: model of hands")
       ->type_name("FILE")
       ->default_str("bundled");
+  sub->add_option("--front-model", s->front_model, "Model of fronts")->type_name("FILE")->default_str("bundled");
   shared_option(sub, "--format", s->format, "With a folder")
       ->check(CLI::IsMember({"glb", "gltf", "rig.txt"}))
       ->capture_default_str();

@@ -79,15 +79,19 @@ void say_end(const Settings& s, const TrainOptions& options, const Ranks& ranks)
 
 void run_rig(const Settings& s, TrainOptions options, Ranks* ranks) {
   RigTrainConfig config;
+  if (s.task == "front") config = front_train_config();
   if (!s.config.empty()) config = parse_rig_config(read_text_file(s.config), s.config);
   if (options.resume && s.config.empty())
     config = parse_rig_config(read_checkpoint(options.output).state.config_json, options.output);
   if (s.steps > 0) config.steps = s.steps;
+  if ((config.architecture == "front") != (s.task == "front"))
+    throw UsageError("--task " + s.task + ": the configuration is of the architecture " + config.architecture);
   if (s.print_config) {
     if (ranks->rank() == 0) std::printf("%s\n", rig_config_json(config).c_str());
     return;
   }
-  if (s.cache_only) throw UsageError("--cache-only: samples of --task rig are made in the run, there is no cache");
+  if (s.cache_only)
+    throw UsageError("--cache-only: samples of --task " + s.task + " are made in the run, there is no cache");
   check_output(options.output, {".sinewckpt", ".ckpt"});
   options.stop = &stop_on_signals();
   train_rig(config, options);
@@ -96,7 +100,7 @@ void run_rig(const Settings& s, TrainOptions options, Ranks* ranks) {
 
 // Under mpirun every rank comes here with the same command line.
 void run_ranks(const Settings& s, Ranks* ranks) {
-  if (s.task == "rig") {
+  if (s.task != "bind") {
     TrainOptions options = s.options;
     options.ranks = ranks;
     if (!s.threads_given) options.threads = std::max(1u, options.threads / ranks->local_size());
@@ -141,9 +145,10 @@ void run(const Settings& s) {
 void add_inputs(CLI::App* sub, Settings* s) {
   sub->add_option("dir", s->options.data_dir, "Folder of NAME.obj + NAME.rig.txt pairs and .glb files, sub-folders too")
       ->type_name("DIR");
-  sub->add_option("--task", s->task, "What is learnt: bind = skin weights, rig = a skeleton for a bare mesh")
+  sub->add_option("--task", s->task,
+                  "What is learnt: bind = skin weights, rig = a skeleton for a bare mesh, front = where a mesh faces")
       ->type_name("TASK")
-      ->check(CLI::IsMember({"bind", "rig"}))
+      ->check(CLI::IsMember({"bind", "rig", "front"}))
       ->capture_default_str();
   shared_option(sub, "-o,--output", s->options.output,
                 "A checkpoint (.sinewckpt or .ckpt); the log goes beside it as .csv");

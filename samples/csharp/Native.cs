@@ -24,6 +24,7 @@ namespace Sinew
         Thigh = 9, Calf = 10, Foot = 11, Toe = 12, Tail = 13, Wing = 14, Ear = 15, Hair = 16, Other = 17, Thumb = 19, Index = 20,
         Middle = 21, Ring = 22, Pinky = 23, Eye = 24, Jaw = 25, Prop = 26 }
     public enum Mirror { Auto = 0, Always = 1, Never = 2 }
+    public enum Front { Auto = 0, PlusZ = 1, MinusZ = 2, PlusX = 3, MinusX = 4, PlusY = 5, MinusY = 6 }
     public enum RigMethod { Votes = 0, Shape = 1, Regions = 2, Slots = 3 }
     public enum JointRole { Deforms = 0, Root = 1, Control = 2, Slot = 3, End = 4, Twist = 5, Face = 6, Finger = 7, Helper = 8 }
     public enum Follows { Unknown = 0, Some = 1, None = 2 }
@@ -295,6 +296,8 @@ namespace Sinew
             public uint struct_size, up, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
             public IntPtr progress, progress_user;
             public uint method, category;
+            public IntPtr front_model;
+            public uint front, axes_known;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -305,6 +308,9 @@ namespace Sinew
             public uint mirrored, facing;
             public float plane, spread;
             public UIntPtr used_bytes;
+            public float front_0, front_1, front_2;
+            public uint up;
+            public float front_confidence, up_confidence;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -404,6 +410,8 @@ namespace Sinew
             public UIntPtr hands_size;
             public IntPtr slots;
             public UIntPtr slots_size;
+            public IntPtr front;
+            public UIntPtr front_size;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -441,7 +449,7 @@ namespace Sinew
             public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
                 softness_percent, surface_vertices, edit_count;
             public IntPtr edits, skeleton, skeleton_character;
-            public uint category, reserved;
+            public uint category, front;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -451,6 +459,9 @@ namespace Sinew
             public float spread, reserved;
             public double scale, seconds, bind_seconds;
             public IntPtr ends, confidence, parent_confidence;
+            public float front_0, front_1, front_2;
+            public uint up;
+            public float front_confidence, up_confidence;
         }
 
         [StructLayout(LayoutKind.Sequential)]

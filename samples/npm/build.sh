@@ -28,7 +28,7 @@ for module in "$build/character/character" "$scenes/scenes"; do
 done
 
 step "scripts and models"
-for model in default:weights rig:skeletons hands:hands; do
+for model in default:weights rig:skeletons hands:hands front:fronts; do
   cp "$root/samples/data/sinew_${model%:*}.sinew" "$out/package/models/${model#*:}.sinew"
   embed "$out/package/models/${model#*:}.sinew" "$out/package/models/${model#*:}.js"
 done

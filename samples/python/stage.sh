@@ -36,7 +36,7 @@ cp "$root"/samples/python/src/sinew/{*.py,py.typed} "$folder"
 name=$(basename "$library")
 case $name in *.so*) name=${name%%.so*}.so ;; esac
 cp -L "$library" "$folder/data/$name"
-cp "$root"/samples/data/sinew_{default,rig,hands}.{sinew,md} "$folder/data"
+cp "$root"/samples/data/sinew_{default,rig,hands,front}.{sinew,md} "$folder/data"
 # What the library needs and not every Linux has, with its licences; the library's RPATH is the folder that it is in.
 if [ "$name" = libsinew_character.so ]; then
   ldd "$library" | awk '$2 == "=>" && $3 ~ /^\// { print $1, $3 }' | while read -r needed path; do

@@ -27,7 +27,7 @@ node_modules/.bin/esbuild src/main.js src/worker.js --bundle --splitting --minif
   --alias:@sinew/skin/loader="$root/samples/npm/src/loader.js" --alias:@sinew/skin/scenes="$root/samples/npm/src/scenes.js" --alias:sinew-scenes="$scenes/scenes.mjs" \
   --alias:sinew-simd="$build/simd/sinew_web.mjs" --alias:sinew-scalar="$build/scalar/sinew_web.mjs"
 cp src/index.html src/style.css "$out"
-cp "$root"/samples/data/sinew_{default,rig,hands}.sinew "$out"
+cp "$root"/samples/data/sinew_{default,rig,hands,front}.sinew "$out"
 mkdir -p "$out/samples"
 cp "$root"/samples/data/*.{obj,rig.txt,gltf} "$out/samples"
 echo "web: built $out"

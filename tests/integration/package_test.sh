@@ -36,7 +36,7 @@ done
 # What runs is in the one, what is built with in the other; no file is in both.
 files_of() { dpkg-deb --fsys-tarfile "$1" | tar t | grep -v '/$' | sort; }
 has() { files_of "$1" | grep -E "$2" >/dev/null || fail "$(basename "$1") has no file like $2"; }
-for name in bin/sinew 'lib/.*libsinew\.so\.[0-9.]*[0-9]' 'lib/.*libsinew_character\.so\.[0-9.]*[0-9]' share/sinew/sinew_default.sinew share/sinew/sinew_rig.sinew share/sinew/sinew_hands.sinew share/doc/sinew/copyright \
+for name in bin/sinew 'lib/.*libsinew\.so\.[0-9.]*[0-9]' 'lib/.*libsinew_character\.so\.[0-9.]*[0-9]' share/sinew/sinew_default.sinew share/sinew/sinew_rig.sinew share/sinew/sinew_hands.sinew share/sinew/sinew_front.sinew share/doc/sinew/copyright \
             share/man/man1/sinew.1.gz share/bash-completion/completions/sinew; do has "$deb" "^./usr/$name\$"; done
 for name in include/sinew/sinew.h 'lib/.*libsinew\.a' 'lib/.*libsinew\.so' 'lib/.*cmake/sinew/sinewConfig.cmake' 'lib/.*pkgconfig/sinew.pc' include/sinew/character.h 'lib/.*libsinew_character\.so' 'lib/.*pkgconfig/sinew-character.pc' \
             share/doc/sinew-dev/copyright; do has "$dev" "^./usr/$name\$"; done
@@ -102,6 +102,8 @@ rig_model=$(pkg-config --variable=rig_model sinew)
 cmp "$rig_model" "$source_dir/samples/data/sinew_rig.sinew" || fail "pkg-config's rig_model is '$rig_model'"
 hands_model=$(pkg-config --variable=hands_model sinew)
 cmp "$hands_model" "$source_dir/samples/data/sinew_hands.sinew" || fail "pkg-config's hands_model is '$hands_model'"
+front_model=$(pkg-config --variable=front_model sinew)
+cmp "$front_model" "$source_dir/samples/data/sinew_front.sinew" || fail "pkg-config's front_model is '$front_model'"
 bind "$sinew" file.glb --model "$model"
 cmp bundled.glb file.glb
 bind "$build/sinew" built.glb

@@ -19,6 +19,13 @@ inline const sinew_model* bundled_rig_model() {
   return opened.ok ? &opened.model : nullptr;
 }
 
+inline const sinew_model* bundled_front_model() {
+  static const sinew_test::BundledModel opened(SINEW_SOURCE_DIR "/samples/data/sinew_front.sinew",
+                                               sinew_rig_model_open);
+  EXPECT_TRUE(opened.ok) << "samples/data/sinew_front.sinew is missing or refused";
+  return opened.ok ? &opened.model : nullptr;
+}
+
 inline const sinew_model* bundled_hands_model() {
   static const sinew_test::BundledModel opened(SINEW_SOURCE_DIR "/samples/data/sinew_hands.sinew",
                                                sinew_rig_model_open);

@@ -52,6 +52,17 @@ typedef enum sinew_mirror {
   SINEW_MIRROR_NEVER = 2
 } sinew_mirror;
 
+/* Where a mesh's front is, in its own axes. An axis that is up is SINEW_ERROR_ARGUMENT. Numbers are never reused. */
+typedef enum sinew_front {
+  SINEW_FRONT_AUTO = 0, /* found */
+  SINEW_FRONT_PLUS_Z = 1,
+  SINEW_FRONT_MINUS_Z = 2,
+  SINEW_FRONT_PLUS_X = 3,
+  SINEW_FRONT_MINUS_X = 4,
+  SINEW_FRONT_PLUS_Y = 5, /* this and the next: with z up */
+  SINEW_FRONT_MINUS_Y = 6
+} sinew_front;
+
 /* Where the skeleton comes from. */
 typedef enum sinew_rig_method {
   SINEW_RIG_VOTES = 0, /* from what the model has learnt */
@@ -74,6 +85,11 @@ typedef struct sinew_rig_options {
   void* progress_user;
   uint32_t method;   /* sinew_rig_method */
   uint32_t category; /* of SINEW_RIG_SLOTS in published.h; else 0 */
+  /* Of sinew_rig_model_open(), made for fronts: which way the mesh faces is found at any angle, and with SINEW_UP_AUTO which
+   * of y and z is up. Null: SINEW_UP_AUTO is y, and the front is one of four, by where the votes are surest */
+  const sinew_model* front_model;
+  uint32_t front;      /* sinew_front */
+  uint32_t axes_known; /* 1: the mesh's file says that y is up and +z front, which counts where the mesh itself does not tell */
 } sinew_rig_options;
 
 /* Options that ask for every default. */
@@ -101,15 +117,22 @@ typedef struct sinew_rig_outputs {
   /* [J] Hips, Spine, LeftArm, ... Head_end; every name once; null = not wanted */
   char (*names)[SINEW_JOINT_NAME_BYTES];
   uint32_t mirrored; /* written: 1 when the skeleton is its own mirror image */
-  /* written: where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x, by where the votes are surest. Left is to the left of that.
-   * For 0 and 2 the mirror plane is across x, else across z */
+  /* written: the nearest of where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x, in axes with y up. Left is to the left of that.
+   * Where it faces exactly so the mirror plane is across x for 0 and 2, else across z */
   uint32_t facing;
-  float plane; /* written: where the plane is on that axis, the mesh's units */
+  /* written: where the plane is on that axis, the mesh's units; where `front` is between the axes, on the horizontal axis
+   * across it that has positive x */
+  float plane;
   /* written: how far off the votes think they are, in the mean, share of the longest side. Below about 0.03 the whole
    * skeleton is good, above 0.09 the votes are no better than SINEW_RIG_SHAPE. At least 0.1 for a sheet: nearly all of its
    * surface faces one direction or the opposite one */
   float spread;
   size_t used_bytes; /* written: high-water mark of the workspace */
+  float front[3];    /* written: unit vector, the mesh's axes */
+  uint32_t up;       /* written: sinew_up of the mesh, Y or Z */
+  /* written: how likely `front` is right within 60 degrees, and `up`, 0..1: with sinew_rig_options::front_model, fitted on
+   * makers that it had not seen; below 0.7 it is a coin toss. 1 where it was given; front_confidence is 0 without the model */
+  float front_confidence, up_confidence;
 } sinew_rig_outputs;
 
 /* Outputs with the two arrays that every call fills. */
@@ -122,7 +145,7 @@ static inline sinew_rig_outputs sinew_rig_outputs_init(float* positions, int32_t
   return outputs;
 }
 
-/* Checks a model for sinew_rig() or, made for hands, for sinew_rig_details(), as sinew_model_open() checks one for
+/* Checks a model for sinew_rig(), made for bodies or for fronts, or, made for hands, for sinew_rig_details(), as sinew_model_open() checks one for
  * sinew_bind(), with the same results. */
 SINEW_API sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_model* model);
 
@@ -148,7 +171,8 @@ SINEW_API sinew_status sinew_rig_workspace_size(const sinew_model* model, uint32
  *                           4096, or an option is out of its range
  *   SINEW_ERROR_NOT_BUILT   the library was built without what is asked for
  *   SINEW_ERROR_VERSION     a member behind those that this library knows is not 0
- *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 1, or feature_set is 2 (hands)
+ *   SINEW_ERROR_MODEL_TASK  the model is made for another task: sinew_model::task is not 1, or feature_set is 2 (hands); or
+ *                           front_model is not made for fronts: feature_set 5
  *   SINEW_ERROR_COUNT       no vertex, more of anything than the limits in sinew/types.h, or fewer than two corners a face
  *   SINEW_ERROR_KERNEL      this library or this processor lacks sinew_rig_options::kernel
  *   SINEW_ERROR_WORKSPACE   the workspace is too small or not aligned
@@ -190,7 +214,7 @@ SINEW_API sinew_status sinew_rig_details_workspace_size(const sinew_model* hands
  *   wanted       sinew_rig_detail bits, at least one
  *   options      those of sinew_rig(): up, weights_in_place, kernel and progress are looked at; null = all defaults
  *   outputs      in: joint_count, positions, parents and joint_classes as sinew_rig() gave them or the caller changed them;
- *                mirrored, facing and plane as they were; partners, flags and names too where they are set. Each array has
+ *                mirrored, facing, plane, front and up as they were (front all 0: by `facing`); partners, flags and names too where they are set. Each array has
  *                room for SINEW_MAX_RIG_JOINTS.
  *                out: the same with new joints behind the others, or in place of a hand's bone end; used_bytes
  *

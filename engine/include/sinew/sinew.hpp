@@ -258,6 +258,9 @@ struct RiggedSkeleton {
   bool mirrored = false;
   uint32_t facing = 0;
   float plane = 0, spread = 0;
+  float front[3] = {0, 0, 1};
+  uint32_t up = SINEW_UP_Y;
+  float front_confidence = 0, up_confidence = 0;
 
   uint32_t joint_count() const { return static_cast<uint32_t>(parents.size()); }
   // For bind(); valid as long as the arrays are.
@@ -303,6 +306,10 @@ inline sinew_status rig(const sinew_model* model, const sinew_mesh& mesh, const 
   made.facing = outputs.facing;
   made.plane = outputs.plane;
   made.spread = outputs.spread;
+  for (int axis = 0; axis < 3; ++axis) made.front[axis] = outputs.front[axis];
+  made.up = outputs.up;
+  made.front_confidence = outputs.front_confidence;
+  made.up_confidence = outputs.up_confidence;
   *skeleton = std::move(made);
   return SINEW_OK;
 }

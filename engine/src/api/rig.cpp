@@ -9,14 +9,15 @@
 #include "kernels/select.hpp"
 #include "model/reader.hpp"
 #include "rig/details.hpp"
+#include "rig/front_points.hpp"
 #include "rig/rig_task.hpp"
 #include "rig/slots_model.hpp"
 #include "sinew/rig.h"
 
 // The struct of the first release, 0.1.
 static constexpr uint32_t kFirstSize = offsetof(sinew_rig_outputs, used_bytes) + sizeof(size_t);
-static_assert(sizeof(sinew_rig_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*), "a hole in sinew_rig_options");
-static_assert(sizeof(sinew_rig_outputs) == 6 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
+static_assert(sizeof(sinew_rig_options) == 12 * sizeof(uint32_t) + 3 * sizeof(void*), "a hole in sinew_rig_options");
+static_assert(sizeof(sinew_rig_outputs) == 12 * sizeof(uint32_t) + 9 * sizeof(void*), "a hole in sinew_rig_outputs");
 
 extern "C" {
 
@@ -36,7 +37,8 @@ sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_mo
       return both;
     }
   }
-  if (!sinew::rig_task(header.feature_set, &task)) return SINEW_ERROR_MODEL_VERSION;
+  if (!sinew::rig_task(header.feature_set, &task) && !sinew::front_task(header.feature_set, &task))
+    return SINEW_ERROR_MODEL_VERSION;
   return sinew::open_model(bytes, size_bytes, task, model);
 }
 

@@ -41,9 +41,10 @@ struct MirrorFrame {
 
 // Looks across x at `middle` (where the caller's x is 0), at the box's middle, at the points' median and mean, and near
 // these; and the same across z, which has to be clearly better. Scratch is taken from the arena and released.
-//   middle  grid units; the caller's x = 0, and z = 0
+//   middle   grid units; the caller's x = 0, and z = 0
+//   upright  the mesh faces along z already: the plane is across x
 // Returns arena.ok(); frame is only written by a real arena.
-bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&middle)[2], Arena& arena,
+bool find_mirror_frame(const Mesh& mesh, Mirroring mirroring, const int32_t (&middle)[2], bool upright, Arena& arena,
                        MirrorFrame* frame);
 // Moves the mesh's vertices and normals into the frame.
 void apply_mirror_frame(const MirrorFrame& frame, Mesh* mesh);

@@ -94,15 +94,17 @@ sinew_status choose_facing(const RigPlan& plan, const Kernels& kernels, Arena& a
   return build_interior(*mesh, arena, &voter->interior) ? SINEW_OK : SINEW_ERROR_WORKSPACE;
 }
 
-sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, MirrorFrame* frame, Mesh* mesh,
-                  VoteStore* store, bool* sheet) {
+sinew_status vote(const RigPlan& plan, const Kernels& kernels, Arena& arena, bool front_known, MirrorFrame* frame,
+                  Mesh* mesh, VoteStore* store, bool* sheet) {
   const ArenaScope scope(arena);
   PointVoter voter;
   voter.other = plan.other;
   if (!voter.allocate(arena)) return SINEW_ERROR_WORKSPACE;
   const Progress progress = arena.measuring() ? Progress() : plan.progress;  // the size query is silent
-  bool turned = false;
-  sinew_status status = choose_facing(plan, kernels, arena, &voter, frame, mesh, &turned);
+  bool turned = front_known;
+  sinew_status status = front_known && !arena.measuring()
+                            ? (build_interior(*mesh, arena, &voter.interior) ? SINEW_OK : SINEW_ERROR_WORKSPACE)
+                            : choose_facing(plan, kernels, arena, &voter, frame, mesh, &turned);
   if (status != SINEW_OK) return status;
   if (!progress.report(kPointsEnd)) return SINEW_ERROR_CANCELLED;
   for (uint32_t i = 0; i < kRigSets; ++i) {
@@ -145,14 +147,20 @@ sinew_status follow_shape(const RigPlan& plan, const Kernels& kernels, const Mir
   return status;
 }
 
-void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFrame& frame, const Rig& rig,
-                   sinew_rig_outputs* out) {
-  const Units units(mesh, plan.up_axis);
-  const Placer placer(units, frame, plan.up_axis);
+void write_outputs(const UprightMesh& upright, const MirrorFrame& frame, const Rig& rig, sinew_rig_outputs* out) {
+  const Units units(upright.mesh, upright.up_axis);
+  const Placer placer(units, frame, upright.up_axis);
+  const Turn& turn = upright.front.turn;
   out->joint_count = rig.count;
   for (uint32_t j = 0; j < rig.count; ++j) {
     const RigJoint& joint = rig.joints[j];
-    placer.place(joint.position, out->positions + size_t{3} * j);
+    float* const position = out->positions + size_t{3} * j;
+    placer.place(joint.position, position);
+    if (!turn.nothing()) {
+      const double at[3] = {static_cast<double>(position[0]), static_cast<double>(position[1]),
+                            static_cast<double>(position[2])};
+      turn.from(at, position);
+    }
     out->parents[j] = joint.parent;
     if (out->flags != nullptr) out->flags[j] = joint.tip != 0 ? SINEW_JOINT_NEVER : 0;
     if (out->joint_classes != nullptr) out->joint_classes[j] = joint.joint_class;
@@ -162,8 +170,7 @@ void write_outputs(const sinew_mesh& mesh, const RigPlan& plan, const MirrorFram
   }
   if (out->names != nullptr) name_joints(rig.joints, rig.count, out->names);
   out->mirrored = frame.folded ? 1 : 0;
-  out->facing = frame.quarters;
-  out->plane = to_float(placer.plane);
+  write_front(upright, frame.quarters, placer.plane, out);
   out->spread = static_cast<float>(rig.spread) / 65536.0f;
 }
 
@@ -187,10 +194,11 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   sinew_rig_options o = sinew_rig_options_init();
   const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstRigOptionsSize, sizeof o, &o);
   if (status != SINEW_OK) return status;
-  uint32_t up_axis = 0;
-  if (read_up_axis(o.up, &up_axis) != SINEW_OK || o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine ||
-      o.no_toes > 1 || o.no_ends > 1 || o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr ||
-      o.method > SINEW_RIG_SLOTS || o.category >= kSlotCategories || (o.category != 0 && o.method != SINEW_RIG_SLOTS)) {
+  const sinew_status front = plan_front(o, &plan->front);
+  if (front != SINEW_OK) return front;
+  if (o.mirror > SINEW_MIRROR_NEVER || o.spine_count > kMaxSpine || o.no_toes > 1 || o.no_ends > 1 ||
+      o.weights_in_place > 1 || kernel_name(o.kernel) == nullptr || o.method > SINEW_RIG_SLOTS ||
+      o.category >= kSlotCategories || (o.category != 0 && o.method != SINEW_RIG_SLOTS)) {
     return SINEW_ERROR_ARGUMENT;
   }
   const bool published = o.method == SINEW_RIG_REGIONS || o.method == SINEW_RIG_SLOTS;
@@ -215,14 +223,14 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
   plan->counts.corners = corners;
   plan->network = NetworkOptions();
   plan->network.weights_in_place = o.weights_in_place != 0 || o.kernel == SINEW_KERNEL_REF;
-  plan->slots.network = plan->network;
+  plan->slots.network = plan->front.network = plan->network;
   plan->tree = RigOptions();
   plan->tree.spine = o.spine_count == 0 ? -1 : static_cast<int32_t>(o.spine_count);
   plan->tree.toes = o.no_toes == 0;
   plan->tree.ends = o.no_ends == 0;
   plan->mirroring = published ? Mirroring::kNever : static_cast<Mirroring>(o.mirror);
   plan->method = o.method;
-  plan->up_axis = up_axis;
+  plan->up_axis = plan->front.up_axis;
   plan->kernel = o.kernel;
   plan->progress = Progress{o.progress, o.progress_user};
   plan->other = OtherNetwork();
@@ -235,31 +243,29 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
   VoteStore store;
   Rig rig;
   MirrorFrame frame;
-  GridQuantizer quantizer;
+  UprightMesh upright;
   bool sheet = false;
   const bool votes_wanted = plan.method == SINEW_RIG_VOTES;
   (void)mesh.allocate(arena, plan.counts);
   if (votes_wanted) (void)store.allocate(arena, kRigSets);
   if (!rig.allocate(arena)) return SINEW_ERROR_WORKSPACE;
-  sinew_status status = SINEW_OK;
+  sinew_status status = stand_upright(plan.front, mesh_input, plan.counts, kernels, arena, &mesh, &upright);
+  if (status != SINEW_OK) return status;
   int32_t middles[2] = {0, 0};
   if (!arena.measuring()) {
-    status = make_grid_quantizer(mesh_input.positions, mesh_input.vertex_count, plan.up_axis, &quantizer);
-    if (status != SINEW_OK) return status;
     const float zero[3] = {0, 0, 0};
-    const Vec3i middle = quantize_point(quantizer, zero);
+    const Vec3i middle = quantize_point(upright.quantizer, zero);
     middles[0] = middle.x;
     middles[1] = middle.z;
   }
-  status = build_mesh(mesh_input, quantizer, plan.counts, arena, &mesh);
-  if (status != SINEW_OK) return status;
-  if (!find_mirror_frame(mesh, plan.mirroring, middles, arena, &frame)) return SINEW_ERROR_WORKSPACE;
+  if (!find_mirror_frame(mesh, plan.mirroring, middles, plan.front.may_turn(), arena, &frame))
+    return SINEW_ERROR_WORKSPACE;
   if (!arena.measuring()) {
     apply_mirror_frame(frame, &mesh);
     if (!plan.progress.report(kMeshEnds)) return SINEW_ERROR_CANCELLED;
   }
   if (votes_wanted) {
-    status = vote(plan, kernels, arena, &frame, &mesh, &store, &sheet);
+    status = vote(plan, kernels, arena, upright.known, &frame, &mesh, &store, &sheet);
     if (status != SINEW_OK) return status;
     Votes votes;
     if (!arena.measuring()) {
@@ -274,7 +280,7 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
     status = follow_shape(plan, kernels, frame, mesh, arena, &rig);
   }
   if (status != SINEW_OK || arena.measuring()) return status;
-  write_outputs(mesh_input, plan, frame, rig, outputs);
+  write_outputs(upright, frame, rig, outputs);
   outputs->used_bytes = arena.high_water();
   return SINEW_OK;
 }

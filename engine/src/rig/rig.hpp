@@ -13,6 +13,7 @@
 #include "rig/rig_task.hpp"
 #include "rig/slots.hpp"
 #include "rig/tree.hpp"
+#include "rig/upright_mesh.hpp"
 
 namespace sinew {
 
@@ -31,7 +32,8 @@ struct RigPlan {
   Mirroring mirroring = Mirroring::kAuto;
   uint32_t method = SINEW_RIG_VOTES;
   SlotsPlan slots;  // with SINEW_RIG_SLOTS
-  uint32_t up_axis = 0, kernel = 0;
+  FrontPlan front;
+  uint32_t up_axis = 0, kernel = 0;  // up where it is not found
   Progress progress;
   OtherNetwork other;  // of a body's points; the model still says what memory it takes
 };

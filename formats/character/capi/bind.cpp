@@ -159,6 +159,8 @@ std::unique_ptr<LoadedModel> model_of(const sinew_character_models* models, Mode
         return {given.rig, given.rig_size};
       case ModelUse::kHands:
         return {given.hands, given.hands_size};
+      case ModelUse::kFront:
+        return {given.front, given.front_size};
       case ModelUse::kSlotJoints:
         break;
     }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // sinew_character_rig(): the job of `sinew rig`.
+#include <algorithm>
+
 #include "handle.hpp"
 #include "rig_of.hpp"
+#include "sinew_character/engine_views.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_character/skeleton_template.hpp"
 
@@ -23,7 +26,11 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   job.category = options.category;
   job.detail = static_cast<SkeletonDetail>(options.detail);
   job.mirror = options.mirror;
-  job.up_axis = up_axis_of("up", options.up);
+  job.up = options.up == SINEW_UP_AUTO         ? UpChoice::kFound
+           : up_axis_of("up", options.up) == 1 ? UpChoice::kZ
+                                               : UpChoice::kY;
+  check_at_most("front", options.front, SINEW_FRONT_MINUS_Y);
+  job.front = options.front;
   job.spine_count = options.spine_count;
   job.toes = options.no_toes == 0;
   job.ends = options.no_ends == 0;
@@ -72,6 +79,10 @@ void fill_result(const RiggedCharacter& rigged, ResultViews* views, sinew_charac
   filled.joint_count = count32(skeleton.joints.size());
   filled.spread = skeleton.spread;
   filled.scale = 1;
+  std::copy(skeleton.front.begin(), skeleton.front.end(), filled.front);
+  filled.up = engine_up(skeleton.up_axis);
+  filled.front_confidence = skeleton.front_confidence;
+  filled.up_confidence = skeleton.up_confidence;
   if (rigged.fitted) {
     filled.matched = count32(rigged.fitted->matched);
     filled.scale = rigged.fitted->scale;
@@ -91,12 +102,16 @@ RiggedCharacter rig_of(const sinew_character& from, const sinew_character_rig_op
   RigJobOptions job = job_of(options);
   job.progress = progress->callback();
   job.progress_user = progress->user();
-  std::unique_ptr<LoadedModel> rig, bind, hands;
+  std::unique_ptr<LoadedModel> rig, bind, hands, front;
   if (job.method == RigMethod::kAuto || job.method == RigMethod::kVotes) rig = model_of(options.models, ModelUse::kRig);
   if (job.method == RigMethod::kSlots) rig = model_of(options.models, ModelUse::kSlotJoints);
   if (job.bind) bind = model_of(options.models, ModelUse::kBind);
   if (job.detail != SkeletonDetail::kBody) hands = model_of(options.models, ModelUse::kHands);
+  front = options.models != nullptr && options_of(options.models).front != nullptr
+              ? model_of(options.models, ModelUse::kFront)
+              : load_front_model();
   RigModels models;
+  if (front) models.front = &front->model;
   if (rig) models.rig = &rig->model;
   if (bind) models.bind = &bind->model;
   if (hands) models.hands = &hands->model;

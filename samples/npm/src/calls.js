@@ -26,8 +26,8 @@ export class Model {
     }
     const words = blocks.view(Uint32Array, this.address, MODEL_BYTES / 4);
     this.parameters = words[9];
-    /** "weights", "skeletons" or "hands" */
-    this.task = words[13] === 0 ? "weights" : words[6] === 2 ? "hands" : "skeletons";
+    /** "weights", "skeletons", "hands" or "fronts" */
+    this.task = words[13] === 0 ? "weights" : words[6] === 2 ? "hands" : words[6] === 5 ? "fronts" : "skeletons";
     const size = blocks.bytes(4, 4);
     const packed = wasm.sinew_model_pack_workspace_size(this.address, size) === 0 ? blocks.view(Uint32Array, size, 1)[0] : 0;
     if (packed > 0) wasm.sinew_model_pack(this.address, blocks.bytes(packed, 64), packed);

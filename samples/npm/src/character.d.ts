@@ -27,8 +27,10 @@ export interface RigOptions {
   method?: "auto" | "votes" | "shape" | "regions" | "slots";
   detail?: "body" | "hands" | "full";
   mirror?: "auto" | "always" | "never";
-  /** y where it is missing */
-  up?: "x" | "y" | "z";
+  /** found where it is missing, or as the file's format says */
+  up?: "auto" | "y" | "z";
+  /** where the mesh faces, in its own axes; found where it is missing */
+  front?: "auto" | "plus-z" | "minus-z" | "plus-x" | "minus-x" | "plus-y" | "minus-y";
   spine?: number;
   toes?: boolean;
   ends?: boolean;

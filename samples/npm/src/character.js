@@ -13,7 +13,7 @@ const BIND = {
   softness: "softness_percent", surfaceVertices: "surface_vertices", keepTips: "keep_tips", bindProps: "bind_props", fit: "fit", symmetric: "symmetric", keepConfidence: "keep_confidence",
 };
 const RIG = {
-  method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, spine: "spine_count",
+  method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, front: WORDS.front, spine: "spine_count",
   toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", category: WORDS.slotCategory, template: "skeleton",
 };
 const RETARGET = {

@@ -8,6 +8,7 @@ import { choice, meshOf, skeletonOf, skinOf, typed } from "./shapes.js";
 const CLASS_OTHER = 17;
 const ROLE_END = 4; // sinew_joint_role
 const UP_AXES = [2, 3]; // sinew_up of "y" and "z"
+const FRONTS = ["auto", "+z", "-z", "+x", "-x", "+y", "-y"]; // in the order of sinew_front
 const [DETAIL_HANDS, DETAIL_FACE, DETAIL_PROPS] = [1, 2, 4]; // sinew_rig_detail
 
 /** The engine. Made by load(). */
@@ -30,11 +31,14 @@ export class Skin extends Binder {
     const m = meshOf(mesh);
     const method = choice(options.method, ["votes", "shape"], "rig: options.method");
     const model = method === 0 ? this.#calls.modelOf("rig", options, "skeletons") : 0;
+    const fronts = options.frontModel == null ? 0 : this.#calls.modelOf("rig", { model: options.frontModel }, "fronts");
     const hands = options.handsModel == null ? 0 : this.#calls.modelOf("rig", { model: options.handsModel }, "hands");
     return this.#calls.with(options.onProgress, (blocks) => {
       const meshAt = this.#calls.mesh(blocks, m);
       const settings = blocks.struct("rigOptions", {
-        up: UP_AXES[choice(options.upAxis, ["y", "z"], "rig: options.upAxis")],
+        up: [2, 3, 0][choice(options.upAxis, ["y", "z", "auto"], "rig: options.upAxis")],
+        front: choice(options.front, FRONTS, "rig: options.front"),
+        front_model: fronts,
         mirror: choice(options.mirror, WORDS.mirror, "rig: options.mirror"),
         spine_count: options.spine,
         no_toes: options.toes === false ? 1 : 0,
@@ -75,6 +79,10 @@ export class Skin extends Binder {
         facing: told.facing,
         plane: told.plane,
         spread: told.spread,
+        front: Array.from(told.front),
+        up: WORDS.up[told.up],
+        frontCertainty: told.front_confidence,
+        upCertainty: told.up_confidence,
       };
     });
   }

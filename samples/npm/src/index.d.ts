@@ -124,8 +124,11 @@ export interface RigOptions<M = Model> {
   face?: boolean;
   /** a joint for what a hand holds, where it is a loose part */
   props?: boolean;
+  /** of loadFrontModel(): which way the mesh faces is found at any angle, and with upAxis "auto" which axis is up */
+  frontModel?: M;
   method?: "votes" | "shape";
-  upAxis?: "y" | "z";
+  upAxis?: "y" | "z" | "auto";
+  front?: "auto" | "+z" | "-z" | "+x" | "-x" | "+y" | "-y";
   mirror?: "auto" | "always" | "never";
   /** joints between pelvis and neck or head, 1..16 */
   spine?: number;
@@ -149,6 +152,12 @@ export interface Rig extends Skeleton {
   mirrored: boolean;
   facing: number;
   plane: number;
+  /** unit vector, the mesh's axes */
+  front: number[];
+  up: "y" | "z";
+  /** 0..1; below 0.7 what was found is a coin toss */
+  frontCertainty: number;
+  upCertainty: number;
   /** below about 0.03 is good, above 0.09 the mesh resembles nothing that the model knows */
   spread: number;
 }
@@ -258,7 +267,7 @@ export class SinewError extends Error {
 
 export class Model {
   private constructor();
-  readonly task: "weights" | "skeletons" | "hands";
+  readonly task: "weights" | "skeletons" | "hands" | "fronts";
   readonly parameters: number;
   free(): void;
 }

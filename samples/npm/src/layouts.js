@@ -67,13 +67,14 @@ export const LAYOUTS = {
     "joint@0:u32 leg@4:u32 frames@8:u32 deep_frames@12:u32 contact_frames@16:u32 range_frames@20:u32 depth@24:f32 " +
     "greatest_depth@28:f32 error@32:f32 greatest_error@36:f32 reserved@40:u32x2"),
   contactSpot: layout(24, "kind@0:u32 position@4:f32x3 error@16:f32 reserved@20:u32"),
-  rigOptions: layout(48,
+  rigOptions: layout(60,
     "struct_size@0:u32 up@4:u32 mirror@8:u32 spine_count@12:u32 no_toes@16:u32 no_ends@20:u32 weights_in_place@24:u32 " +
-    "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 category@44:u32"),
-  rigOutputs: layout(60,
+    "kernel@28:u32 progress@32:u32 progress_user@36:u32 method@40:u32 category@44:u32 front_model@48:u32 front@52:u32 " +
+    "axes_known@56:u32"),
+  rigOutputs: layout(84,
     "struct_size@0:u32 joint_count@4:u32 positions@8:u32 parents@12:u32 flags@16:u32 joint_classes@20:u32 partners@24:u32 " +
     "confidence@28:u32 parent_confidence@32:u32 names@36:u32 mirrored@40:u32 facing@44:u32 plane@48:f32 spread@52:f32 " +
-    "used_bytes@56:u32"),
+    "used_bytes@56:u32 front@60:f32x3 up@72:u32 front_confidence@76:f32 up_confidence@80:f32"),
   jointVerdicts: layout(48,
     "struct_size@0:u32 mirror_axis@4:u32 classes@8:u32 roles@12:u32 sides@16:u32 numbers@20:u32 partners@24:u32 images@28:u32 " +
     "mirror_planes@32:f32x3 mirrored@44:u32"),
@@ -104,9 +105,9 @@ export const LAYOUTS = {
   characterClip: layout(48,
     "struct_size@0:u32 frame_count@4:u32 joint_count@8:u32 reserved@12:u32 frame_time@16:f64 name@24:u32 rotations@28:u32 " +
     "translations@32:u32 joint_names@36:u32 parents@40:u32"),
-  characterModels: layout(40,
+  characterModels: layout(48,
     "struct_size@0:u32 reserved@4:u32 bind@8:u32 bind_size@12:u32 rig@16:u32 rig_size@20:u32 hands@24:u32 hands_size@28:u32 " +
-    "slots@32:u32 slots_size@36:u32"),
+    "slots@32:u32 slots_size@36:u32 front@40:u32 front_size@44:u32"),
   characterBindOptions: layout(104,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 " +
     "influence_count@24:u32 up@28:u32 joints@32:u32 rigid_parts@36:u32 softness_percent@40:u32 surface_vertices@44:u32 " +
@@ -121,10 +122,11 @@ export const LAYOUTS = {
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +
     "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
     "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
-    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 reserved@92:u32"),
-  characterRigResult: layout(64,
+    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 front@92:u32"),
+  characterRigResult: layout(88,
     "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
-    "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32"),
+    "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32 front@60:f32x3 up@72:u32 " +
+    "front_confidence@76:f32 up_confidence@80:f32"),
   characterMapOptions: layout(48,
     "struct_size@0:u32 method@4:u32 no_names@8:u32 no_ends@12:u32 target_up@16:u32 source_up@20:u32 guess_up@24:u32 " +
     "pin_count@28:u32 pins@32:u32 pins_file@36:u32 branches_first@40:u32 branches_cost@44:u32"),
@@ -217,6 +219,7 @@ export const WORDS = {
   jointClass: ["pelvis", "spine", "neck", "head", "clavicle", "upper-arm", "forearm", "hand", "hip", "thigh", "calf", "foot",
     "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop"],
   mirror: ["auto", "always", "never"],
+  front: ["auto", "plus-z", "minus-z", "plus-x", "minus-x", "plus-y", "minus-y"],
   rigMethod: ["votes", "shape", "regions", "slots"],
   jointRole: ["deforms", "root", "control", "slot", "end", "twist", "face", "finger", "helper"],
   follows: ["unknown", "some", "none"],

@@ -4,4 +4,5 @@ export function loadModel(): Promise<Uint8Array>;
 /** The model of skeletons, 264 kB, for rig(). */
 export function loadRigModel(): Promise<Uint8Array>;
 /** The model of fingers, 128 kB, for rig(). */
+export function loadFrontModel(): Promise<Uint8Array>;
 export function loadHandsModel(): Promise<Uint8Array>;

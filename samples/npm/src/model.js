@@ -7,4 +7,5 @@ export const loadModel = async () => decodeBase64((await import("../models/weigh
 /** The model of skeletons, for Skin.rig(). @returns {Promise<Uint8Array>} */
 export const loadRigModel = async () => decodeBase64((await import("../models/skeletons.js")).default);
 /** The model of fingers, for Skin.rig(). @returns {Promise<Uint8Array>} */
+export const loadFrontModel = async () => decodeBase64((await import("../models/fronts.js")).default);
 export const loadHandsModel = async () => decodeBase64((await import("../models/hands.js")).default);

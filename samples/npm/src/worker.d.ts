@@ -6,7 +6,7 @@ import type {
 
 /** Skin of ./index.d.ts beside the page: the same calls, each a promise. */
 export interface RemoteModel {
-  readonly task: "weights" | "skeletons" | "hands";
+  readonly task: "weights" | "skeletons" | "hands" | "fronts";
   readonly parameters: number;
   free(): Promise<void>;
 }

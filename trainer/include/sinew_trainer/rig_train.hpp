@@ -14,7 +14,7 @@ namespace sinew {
 // trained the bundled model.
 struct RigTrainConfig : RunConfig {
   RigTrainConfig();
-  std::string architecture = "votes";  // or "slots", the published method
+  std::string architecture = "votes";  // or "slots", the published method, or "front", where a mesh faces
   uint32_t width = 64;                 // channels
   uint32_t rounds = 4;                 // of neighbours
   // "body": skeletons without fingers; "hands": the fingers of hands that were cut out (votes only).
@@ -31,6 +31,8 @@ struct RigTrainConfig : RunConfig {
   std::map<std::string, std::string> leave_out;
 };
 inline bool is_hands(const RigTrainConfig& config) { return config.part == "hands"; }
+// Defaults of the architecture "front".
+RigTrainConfig front_train_config();
 RigTrainConfig parse_rig_config(const std::string& json, const std::string& source);
 std::string rig_config_json(const RigTrainConfig& config);
 

@@ -40,10 +40,10 @@ MirrorFrame EngineMesh::mirror_frame() const {
   const Vec3i middle = quantize_point(quantizer, zero);
   const int32_t middles[2] = {middle.x, middle.z};
   Arena measuring;
-  (void)find_mirror_frame(mesh, Mirroring::kAuto, middles, measuring, &frame);
+  (void)find_mirror_frame(mesh, Mirroring::kAuto, middles, false, measuring, &frame);
   Workspace scratch(measuring.high_water());
   Arena arena(scratch.data(), scratch.size());
-  (void)find_mirror_frame(mesh, Mirroring::kAuto, middles, arena, &frame);
+  (void)find_mirror_frame(mesh, Mirroring::kAuto, middles, false, arena, &frame);
   return frame;
 }
 

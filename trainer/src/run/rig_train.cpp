@@ -10,9 +10,11 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "data/front_sample.hpp"
 #include "data/hand_sample.hpp"
 #include "data/rig_sample.hpp"
 #include "data/slot_sample.hpp"
+#include "run/front_task.hpp"
 #include "run/rig_task.hpp"
 #include "run/settings.hpp"
 #include "run/slot_task.hpp"
@@ -69,8 +71,22 @@ Samples hand_samples_of(const Character& character, uint32_t variants, uint64_t 
   return samples;
 }
 
+// The character itself is first, upright; its variants come with their tilted meshes.
+Samples front_samples_of(const Character& character, uint32_t variants, uint64_t seed) {
+  const FrontSource source(character);
+  Samples samples;
+  samples.push_back(std::make_unique<FrontSample>(source.original(mix_seeds(seed, 0))));
+  for (uint32_t v = 0; v < variants; ++v) {
+    const double strength = v % 4 == 0 ? 0 : v % 4 == 1 ? 0.5 : 1.0;
+    for (FrontSample& sample : source.make(mix_seeds(seed, 1 + v), strength))
+      samples.push_back(std::make_unique<FrontSample>(std::move(sample)));
+  }
+  return samples;
+}
+
 Samples samples_of(const Character& character, const RigTrainConfig& config, uint32_t variants, uint64_t seed) {
   if (is_hands(config)) return hand_samples_of(character, variants, seed);
+  if (config.architecture == "front") return front_samples_of(character, variants, seed);
   if (config.architecture == "slots") {
     const RigSource source(character);
     return samples_of(variants, seed,
@@ -141,18 +157,30 @@ RigTrainConfig::RigTrainConfig() {
   feature_dropout = 0;
 }
 
+RigTrainConfig front_train_config() {
+  RigTrainConfig config;
+  config.architecture = "front";
+  config.rounds = 2;
+  config.variants = 12;
+  config.synthetic = 0;
+  config.batch = 16;
+  return config;
+}
+
 RigTrainConfig parse_rig_config(const std::string& json, const std::string& source) {
   RigTrainConfig config;
   read_settings(json, source, "", [&](auto&& visit) { visit_settings(config, visit); });
   const Requirement require{source};
   check_run_settings(config, require);
-  require(config.architecture == "votes" || config.architecture == "slots", "architecture", "\"votes\" or \"slots\"");
+  require(config.architecture == "votes" || config.architecture == "slots" || config.architecture == "front",
+          "architecture", "\"votes\", \"slots\" or \"front\"");
   require(config.balance >= 0 && config.balance <= 1, "balance", "0 to 1");
   require(config.losses == "published" || config.losses == "balanced", "losses", "\"published\" or \"balanced\"");
   require(config.width >= 1 && config.width <= 256, "width", "1 to 256");
   require(config.rounds >= 2 && config.rounds <= 8, "rounds", "2 to 8");
   require(config.part == "body" || config.part == "hands", "part", "body or hands");
-  require(config.part == "body" || config.architecture == "votes", "part", "body with the architecture slots");
+  require(config.part == "body" || config.architecture == "votes", "part",
+          "body with the architectures slots and front");
   require(config.variants <= 64, "variants", "0 to 64");
   require(config.synthetic <= 1000, "synthetic", "0 to 1000");
   return config;
@@ -167,6 +195,7 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
   checked.threads = std::max(options.threads, 1u);
   std::unique_ptr<const TrainingTask> task = std::make_unique<RigTask>(config);
   if (config.architecture == "slots") task = std::make_unique<SlotTask>(config);
+  if (config.architecture == "front") task = std::make_unique<FrontTask>(config);
   const auto run_all = [&] {
     TrainingRun run(*task, config, checked);
     run.start();

@@ -206,6 +206,8 @@ typedef struct sinew_character_models {
   size_t hands_size;
   const void* slots; /* of SINEW_CHARACTER_RIG_SLOTS */
   size_t slots_size;
+  const void* front; /* of where a mesh faces */
+  size_t front_size;
 } sinew_character_models;
 
 static inline sinew_character_models sinew_character_models_init(void) {
@@ -334,7 +336,7 @@ typedef struct sinew_character_rig_options {
   uint32_t method;                      /* sinew_character_rig_method */
   uint32_t detail;                      /* sinew_character_detail */
   uint32_t mirror;                      /* sinew_mirror */
-  uint32_t up;                          /* sinew_up; 0 = Y */
+  uint32_t up;                          /* sinew_up; 0 = found, or as the file's format says */
   uint32_t spine_count;                 /* 1..16; 0 = as the model says */
   uint32_t no_toes, no_ends;            /* 1: without */
   uint32_t no_bind;                     /* 1: the skeleton alone */
@@ -348,7 +350,7 @@ typedef struct sinew_character_rig_options {
   const char* skeleton;                      /* a file, or template:NAME, that is put into the mesh; or null */
   const sinew_character* skeleton_character; /* the same of a character; or null */
   uint32_t category;                         /* sinew_slot_category of SINEW_CHARACTER_RIG_SLOTS */
-  uint32_t reserved;                         /* 0 */
+  uint32_t front;                            /* sinew_front; 0 = found */
 } sinew_character_rig_options;
 
 static inline sinew_character_rig_options sinew_character_rig_options_init(void) {
@@ -370,6 +372,10 @@ typedef struct sinew_character_rig_result {
   const uint8_t* ends;            /* [N] 1: a bone end */
   const float* confidence;        /* [N] 0..1 */
   const float* parent_confidence; /* [N] 0..1 */
+  float front[3];                 /* the direction that it faces, unit vector */
+  uint32_t up;                    /* sinew_up, Y or Z */
+  float front_confidence;         /* 0..1, see sinew_rig_outputs; below 0.7 a coin toss */
+  float up_confidence;
 } sinew_character_rig_result;
 
 static inline sinew_character_rig_result sinew_character_rig_result_init(void) {

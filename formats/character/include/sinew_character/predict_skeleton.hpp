@@ -3,6 +3,7 @@
 #ifndef SINEW_CHARACTER_PREDICT_SKELETON_HPP
 #define SINEW_CHARACTER_PREDICT_SKELETON_HPP
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,10 +14,14 @@ namespace sinew {
 
 // What sinew_rig_options says.
 struct SkeletonOptions {
-  uint32_t method = SINEW_RIG_VOTES;   // sinew_rig_method
-  const sinew_model* model = nullptr;  // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
-  uint32_t category = 0;               // of SINEW_RIG_SLOTS
-  uint32_t up_axis = 0;
+  uint32_t method = SINEW_RIG_VOTES;         // sinew_rig_method
+  const sinew_model* model = nullptr;        // of sinew_rig_model_open(); not needed for SINEW_RIG_SHAPE
+  uint32_t category = 0;                     // of SINEW_RIG_SLOTS
+  uint32_t up_axis = 0;                      // where up is not found
+  const sinew_model* front_model = nullptr;  // finds the front; null: by the votes
+  bool find_up = false;                      // with front_model: y or z
+  uint32_t front = SINEW_FRONT_AUTO;
+  bool axes_known = false;  // the file says that y is up and +z front
   uint32_t mirror = SINEW_MIRROR_AUTO;
   uint32_t spine_count = 0;  // 0 = as the model says
   bool toes = true, ends = true;
@@ -29,7 +34,10 @@ struct PredictedSkeleton {
   std::vector<int32_t> partners;                     // [J] mirror image or -1
   std::vector<float> confidence, parent_confidence;  // [J] 0..1
   bool mirrored = false;
-  uint32_t facing = 0;          // where it faces, see sinew_rig_outputs
+  uint32_t facing = 0;  // where it faces, see sinew_rig_outputs
+  std::array<float, 3> front = {0, 0, 1};
+  uint32_t up_axis = 0;
+  float front_confidence = 0, up_confidence = 0;
   float plane = 0, spread = 0;  // see sinew_rig_outputs
   size_t workspace_bytes = 0;
   double seconds = 0;  // in sinew_rig()
@@ -40,6 +48,9 @@ struct PredictedSkeleton {
 constexpr float kDoubtfulSpread = 0.08f;
 // Above it votes are as far off as the mesh's middle line (SINEW_RIG_SHAPE), which claims less: trainer/configs/RESULTS.md.
 constexpr float kUnknownSpread = 0.09f;
+
+// Below it a front or an up axis that was found is a coin toss, and the user is told so.
+constexpr float kCoinToss = 0.7f;
 
 // The character's own joints are not looked at. Throws Error with the character's name, and OutOfMemory.
 PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOptions& options);

@@ -24,10 +24,15 @@ enum class RigMethod {
   kSlots
 };
 
+// Found: by the file's format where it says so, else by the mesh.
+enum class UpChoice { kFound, kY, kZ };
+
 struct RigJobOptions {
   RigMethod method = RigMethod::kAuto;
   SkeletonDetail detail = SkeletonDetail::kBody;
-  uint32_t mirror = SINEW_MIRROR_AUTO, up_axis = 0, spine_count = 0;
+  uint32_t mirror = SINEW_MIRROR_AUTO, spine_count = 0;
+  UpChoice up = UpChoice::kFound;
+  uint32_t front = SINEW_FRONT_AUTO;
   uint32_t category = 0;  // SINEW_CATEGORY_*, of slots
   bool toes = true, ends = true, bind = true, keep_lengths = false;
   uint32_t influence_count = 4, thread_count = 1;
@@ -40,9 +45,9 @@ struct RigJobOptions {
 };
 
 // Opened for their tasks; those that a job does not need may be null: hands for the body alone, bind without one, rig for shape and
-// regions.
+// regions, front where it is known or the votes are to tell.
 struct RigModels {
-  const sinew_model *rig = nullptr, *bind = nullptr, *hands = nullptr;
+  const sinew_model *rig = nullptr, *bind = nullptr, *hands = nullptr, *front = nullptr;
 };
 
 struct RiggedCharacter {

@@ -21,12 +21,32 @@ uint32_t engine_method(RigMethod method) {
   return method == RigMethod::kShape ? SINEW_RIG_SHAPE : SINEW_RIG_VOTES;
 }
 
+// Where up or front was found and might as well be another, one line.
+void say_direction(const RigJobOptions& job, const PredictedSkeleton& skeleton, std::vector<std::string>* notes) {
+  const bool up = job.up == UpChoice::kFound && skeleton.up_confidence < kCoinToss;
+  const bool front =
+      job.front == SINEW_FRONT_AUTO && skeleton.front_confidence > 0 && skeleton.front_confidence < kCoinToss;
+  if (!up && !front) return;
+  notes->push_back(std::string("warning: ") + (up ? "which axis is up" : "which way is front") +
+                   (up && front ? ", and which way is front," : "") +
+                   " is a coin toss for this mesh, so left and right may be exchanged; say it with " +
+                   (up ? "--up y or z" : "") + (up && front ? " and " : "") +
+                   (front ? "--front, as in --front +z" : ""));
+}
+
 PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Character* character) {
   SkeletonOptions options;
   options.method = engine_method(job.method);
   if (options.method == SINEW_RIG_VOTES || options.method == SINEW_RIG_SLOTS) options.model = models.rig;
   options.category = job.category;
-  options.up_axis = job.up_axis;
+  options.axes_known = character->gltf != nullptr;  // y up, +z front
+  options.up_axis = job.up == UpChoice::kZ ? 1 : 0;
+  const bool published = job.method == RigMethod::kSlots || job.method == RigMethod::kRegions;
+  if (!published && models.front != nullptr) {
+    options.front_model = models.front;
+    options.find_up = job.up == UpChoice::kFound;
+  }
+  options.front = job.front;
   options.mirror = job.mirror;
   options.spine_count = job.spine_count;
   options.toes = job.toes;
@@ -45,13 +65,14 @@ PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Cha
         "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
         "--method shape");
   }
+  say_direction(job, skeleton, &character->notes);
   return skeleton;
 }
 
 // What the skeleton has besides a body: fingers, and a face.
 LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands, RiggedCharacter* rigged) {
   SkeletonOptions options;
-  options.up_axis = job.up_axis;
+  options.up_axis = rigged->skeleton.up_axis;
   for (std::string& note : predict_details(rigged->character, job.detail, hands, options, &rigged->skeleton))
     rigged->character.notes.push_back(std::move(note));
   LabelledSkeleton found = {rigged->skeleton.joints, rigged->skeleton.classes, rigged->skeleton.ends};
@@ -62,7 +83,7 @@ LabelledSkeleton add_details(const RigJobOptions& job, const sinew_model& hands,
 
 void put_own(const RigJobOptions& job, const LabelledSkeleton& found, RiggedCharacter* rigged) {
   FitOptions options;
-  options.up_axis = job.up_axis == 1 ? 2 : 1;
+  options.up_axis = rigged->skeleton.up_axis == 1 ? 2 : 1;
   options.keep_lengths = job.keep_lengths;
   const std::vector<Joint> own = job.own.empty() ? read_own_skeleton(job.skeleton) : job.own;
   rigged->fitted = fit_own_skeleton(own, job.skeleton, found, options, rigged->character, &rigged->skeleton);
@@ -76,7 +97,7 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
   options.method = SINEW_METHOD_MODEL;
   options.model = models.bind;
   options.influence_count = job.influence_count;
-  options.up_axis = job.up_axis;
+  options.up_axis = rigged->skeleton.up_axis;
   options.rigid_parts = job.rigid_parts;
   options.surface_vertices = job.surface_vertices;
   options.softness_percent = job.softness_percent;
@@ -122,8 +143,10 @@ RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const Ri
 }
 
 Character rig_bare_mesh(Character mesh) {
-  const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model("");
-  return rig_character(std::move(mesh), {}, {&rig->model, &bind->model, nullptr}).character;
+  const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model(""),
+                                     front = load_front_model();
+  const RigModels models = {&rig->model, &bind->model, nullptr, front ? &front->model : nullptr};
+  return rig_character(std::move(mesh), {}, models).character;
 }
 
 }  // namespace sinew

@@ -14,6 +14,8 @@ extern const uint8_t kBundledRigModel[];  // of skeletons; 8-byte aligned
 extern const size_t kBundledRigModelSize;
 extern const uint8_t kBundledHandsModel[];  // of hands' fingers; 8-byte aligned
 extern const size_t kBundledHandsModelSize;
+extern const uint8_t kBundledFrontModel[];  // of where a mesh faces; 8-byte aligned
+extern const size_t kBundledFrontModelSize;
 extern const uint8_t kBundledSlotsModel[];  // of joints in slots, as published; 8-byte aligned
 extern const size_t kBundledSlotsModelSize;
 

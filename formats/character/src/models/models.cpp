@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "models/bundled_models.hpp"
+#include "rig/front_points.hpp"
 #include "rig/joint_slots.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
@@ -21,6 +22,7 @@ sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model*
   // Bodies, hands and slots have models of their own.
   const uint32_t wanted = use == ModelUse::kHands        ? kHandsFeatureSet
                           : use == ModelUse::kSlotJoints ? kSlotsFeatureSet
+                          : use == ModelUse::kFront      ? kFrontFeatureSet
                                                          : kRigFeatureSet;
   return status == SINEW_OK && model->feature_set != wanted ? SINEW_ERROR_MODEL_TASK : status;
 }
@@ -57,6 +59,10 @@ std::string model_label(const std::string& path) {
   return is_bundled(path) ? "bundled model" : std::filesystem::path(path).filename().string();
 }
 
+std::unique_ptr<LoadedModel> load_front_model(const std::string& path) {
+  return is_bundled(path) && kBundledFrontModelSize == 0 ? nullptr : load_model(path, ModelUse::kFront);
+}
+
 std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
   if (!is_bundled(path)) return model_from_bytes(read_file(path), path, use);
   struct Bundled {
@@ -71,6 +77,8 @@ std::unique_ptr<LoadedModel> load_model(const std::string& path, ModelUse use) {
           ? Bundled{kBundledHandsModel, kBundledHandsModelSize, "no bundled model of hands: give --hands-model"}
       : use == ModelUse::kSlotJoints
           ? Bundled{kBundledSlotsModel, kBundledSlotsModelSize, "no bundled model of slots: give --model"}
+      : use == ModelUse::kFront
+          ? Bundled{kBundledFrontModel, kBundledFrontModelSize, "no bundled model of fronts: give --front-model"}
           : Bundled{kBundledModel, kBundledModelSize, "no bundled model: give --model or --method heat"};
   if (bundled.size == 0) throw Error(bundled.missing);
   auto loaded = std::make_unique<LoadedModel>();

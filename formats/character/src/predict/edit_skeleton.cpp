@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "predict/mirror_plane.hpp"
 #include "sinew_character/joint_mirror.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -74,7 +75,7 @@ size_t letters_apart(const std::string& a, const std::string& b) {
 class Editor {
  public:
   Editor(const PredictedSkeleton& skeleton, bool mirror)
-      : s_(skeleton), mirror_(mirror && skeleton.mirrored), axis_(skeleton.facing % 2 != 0 ? 2 : 0) {}
+      : s_(skeleton), mirror_(mirror && skeleton.mirrored), plane_(skeleton) {}
 
   void apply(const SkeletonEdit& edit) {
     switch (edit.kind) {
@@ -139,7 +140,7 @@ class Editor {
     const int32_t other = s_.partners[static_cast<size_t>(j)];
     return other < 0 ? j : other;
   }
-  Vec3 image(const Vec3& p) const { return mirrored(p, axis_, s_.plane); }
+  Vec3 image(const Vec3& p) const { return plane_.image(p); }
 
   std::vector<int32_t> children(int32_t parent) const {
     std::vector<int32_t> found;
@@ -151,7 +152,7 @@ class Editor {
   void move(const SkeletonEdit& edit) {
     const int32_t j = need(edit.joint), other = partner(j);
     Vec3 position = edit.position;
-    if (on_plane(j)) component(&position, axis_) = s_.plane;
+    if (on_plane(j)) plane_.move_there(&position);
     if (other >= 0) place_with_ends(other, image(position));
     place_with_ends(j, position);
     // A joint that was moved by itself has no mirror image any more.
@@ -222,12 +223,12 @@ class Editor {
     const bool end = edit.joint.size() > 4 && edit.joint.compare(edit.joint.size() - 4, 4, "_end") == 0;
     const std::string other_name = other_side_name(edit.joint);
     Vec3 position = edit.position;
-    const bool near_plane = std::fabs(component(position, axis_) - s_.plane) <= kOnPlane * longest_side();
+    const bool near_plane = std::fabs(plane_.distance(position)) <= kOnPlane * longest_side();
     if (mirror_ && other_name == edit.joint && partner(parent) >= 0)
       throw Error("the joint " + in_quotes(edit.joint) + " goes on both sides, as its parent " + in_quotes(edit.other) +
                   " is; give it a name with a side, as in LeftWing, or edit one side alone (--no-mirror)");
     const bool stands_on_plane = mirror_ && other_name == edit.joint && near_plane;
-    if (stands_on_plane) component(&position, axis_) = s_.plane;
+    if (stands_on_plane) plane_.move_there(&position);
     const int32_t j = append(edit.joint, parent, position, end);
     if (stands_on_plane) s_.partners[static_cast<size_t>(j)] = j;
     if (!mirror_ || other_name == edit.joint) return;
@@ -338,7 +339,7 @@ class Editor {
 
   PredictedSkeleton s_;
   bool mirror_;
-  uint32_t axis_;
+  MirrorPlane plane_;
 };
 
 }  // namespace

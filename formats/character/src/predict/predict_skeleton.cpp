@@ -2,7 +2,9 @@
 // A Character's mesh goes through sinew_rig(); joints come back.
 #include "sinew_character/predict_skeleton.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -19,7 +21,10 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   RigSettings engine_options;
   engine_options.method = options.method;
   engine_options.category = options.category;
-  engine_options.up = engine_up(options.up_axis);
+  engine_options.up = options.find_up ? uint32_t{SINEW_UP_AUTO} : engine_up(options.up_axis);
+  engine_options.front_model = options.front_model;
+  engine_options.front = options.front;
+  engine_options.axes_known = options.axes_known ? 1 : 0;
   engine_options.mirror = options.mirror;
   engine_options.spine_count = options.spine_count;
   engine_options.no_toes = options.toes ? 0 : 1;
@@ -53,6 +58,10 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   result.facing = rigged.facing;
   result.plane = rigged.plane;
   result.spread = rigged.spread;
+  std::copy(std::begin(rigged.front), std::end(rigged.front), result.front.begin());
+  result.up_axis = rigged.up == SINEW_UP_Z ? 1 : 0;
+  result.front_confidence = rigged.front_confidence;
+  result.up_confidence = rigged.up_confidence;
   return result;
 }
 

@@ -58,6 +58,8 @@ SkeletonArrays::SkeletonArrays(const Character& character, const PredictedSkelet
   outputs_.mirrored = skeleton.mirrored ? 1 : 0;
   outputs_.facing = skeleton.facing;
   outputs_.plane = skeleton.plane;
+  std::copy(skeleton.front.begin(), skeleton.front.end(), outputs_.front);
+  outputs_.up = engine_up(skeleton.up_axis);
 }
 
 void SkeletonArrays::grow(const Character& character, const SkeletonOptions& options, sinew_rig_detail detail,

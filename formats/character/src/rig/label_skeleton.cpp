@@ -55,6 +55,7 @@ PredictedSkeleton skeleton_from_joints(const std::vector<Joint>& joints) {
   JointVerdicts verdicts = joint_verdicts(skeleton.joints);
   skeleton.mirrored = verdicts.mirrored && verdicts.mirror_axis != 1;
   skeleton.facing = verdicts.mirror_axis == 2 ? 1 : 0;
+  if (skeleton.facing == 1) skeleton.front = {1, 0, 0};
   skeleton.plane = verdicts.mirror_planes[verdicts.mirror_axis];
   skeleton.partners = std::move(verdicts.images);
   if (!skeleton.mirrored) skeleton.partners.assign(joints.size(), -1);

@@ -78,6 +78,8 @@ JOINT_CLASS: Tuple[str, ...] = ("pelvis", "spine", "neck", "head", "clavicle", "
     "foot", "toe", "tail", "wing", "ear", "hair", "other", "", "thumb", "index", "middle", "ring", "pinky", "eye", "jaw", "prop")
 Mirror = Literal["auto", "always", "never"]
 MIRROR: Tuple[str, ...] = ("auto", "always", "never")
+Front = Literal["auto", "plus-z", "minus-z", "plus-x", "minus-x", "plus-y", "minus-y"]
+FRONT: Tuple[str, ...] = ("auto", "plus-z", "minus-z", "plus-x", "minus-x", "plus-y", "minus-y")
 RigMethod = Literal["votes", "shape", "regions", "slots"]
 RIG_METHOD: Tuple[str, ...] = ("votes", "shape", "regions", "slots")
 RIG_DETAIL: Dict[str, int] = {"DETAIL_HANDS": 1, "DETAIL_FACE": 2, "DETAIL_PROPS": 4}
@@ -233,13 +235,15 @@ class sinew_contact_spot(Structure):
 class sinew_rig_options(Structure):
     _fields_ = [("struct_size", c_uint32), ("up", c_uint32), ("mirror", c_uint32), ("spine_count", c_uint32), ("no_toes", c_uint32),
         ("no_ends", c_uint32), ("weights_in_place", c_uint32), ("kernel", c_uint32), ("progress", sinew_progress),
-        ("progress_user", c_void_p), ("method", c_uint32), ("category", c_uint32)]
+        ("progress_user", c_void_p), ("method", c_uint32), ("category", c_uint32), ("front_model", POINTER(sinew_model)),
+        ("front", c_uint32), ("axes_known", c_uint32)]
 
 
 class sinew_rig_outputs(Structure):
     _fields_ = [("struct_size", c_uint32), ("joint_count", c_uint32), ("positions", c_void_p), ("parents", c_void_p), ("flags", c_void_p),
         ("joint_classes", c_void_p), ("partners", c_void_p), ("confidence", c_void_p), ("parent_confidence", c_void_p), ("names", c_void_p),
-        ("mirrored", c_uint32), ("facing", c_uint32), ("plane", c_float), ("spread", c_float), ("used_bytes", c_size_t)]
+        ("mirrored", c_uint32), ("facing", c_uint32), ("plane", c_float), ("spread", c_float), ("used_bytes", c_size_t),
+        ("front", c_float * 3), ("up", c_uint32), ("front_confidence", c_float), ("up_confidence", c_float)]
 
 
 class sinew_joint_verdicts(Structure):
@@ -305,7 +309,8 @@ class sinew_character_clip(Structure):
 
 class sinew_character_models(Structure):
     _fields_ = [("struct_size", c_uint32), ("reserved", c_uint32), ("bind", c_void_p), ("bind_size", c_size_t), ("rig", c_void_p),
-        ("rig_size", c_size_t), ("hands", c_void_p), ("hands_size", c_size_t), ("slots", c_void_p), ("slots_size", c_size_t)]
+        ("rig_size", c_size_t), ("hands", c_void_p), ("hands_size", c_size_t), ("slots", c_void_p), ("slots_size", c_size_t),
+        ("front", c_void_p), ("front_size", c_size_t)]
 
 
 class sinew_character_bind_options(Structure):
@@ -334,13 +339,14 @@ class sinew_character_rig_options(Structure):
         ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
         ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
         ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p),
-        ("category", c_uint32), ("reserved", c_uint32)]
+        ("category", c_uint32), ("front", c_uint32)]
 
 
 class sinew_character_rig_result(Structure):
     _fields_ = [("struct_size", c_uint32), ("mirrored", c_uint32), ("matched", c_uint32), ("joint_count", c_uint32), ("spread", c_float),
         ("reserved", c_float), ("scale", c_double), ("seconds", c_double), ("bind_seconds", c_double), ("ends", c_void_p),
-        ("confidence", c_void_p), ("parent_confidence", c_void_p)]
+        ("confidence", c_void_p), ("parent_confidence", c_void_p), ("front", c_float * 3), ("up", c_uint32), ("front_confidence", c_float),
+        ("up_confidence", c_float)]
 
 
 class sinew_character_map_options(Structure):

@@ -12,15 +12,16 @@ import numpy as np
 
 from . import binding
 
-Task = Literal["weights", "skeletons", "hands"]
-BUNDLED: Dict[Task, str] = {"weights": "sinew_default.sinew", "skeletons": "sinew_rig.sinew", "hands": "sinew_hands.sinew"}
+Task = Literal["weights", "skeletons", "hands", "fronts"]
+BUNDLED: Dict[Task, str] = {"weights": "sinew_default.sinew", "skeletons": "sinew_rig.sinew", "hands": "sinew_hands.sinew",
+                           "fronts": "sinew_front.sinew"}
 
 
 class Model:
     """A model file.
 
     source  path of the file, or its bytes
-    task    "weights" for bind() and transfer(), "skeletons" for rig(), "hands" for its fingers
+    task    "weights" for bind() and transfer(), "skeletons" for rig(), "hands" for its fingers, "fronts" for where a mesh faces
     Raises binding.Error, which names the file, where it is missing or damaged.
     """
 

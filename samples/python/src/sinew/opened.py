@@ -12,7 +12,7 @@ import ctypes
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from . import binding, declarations
 from .arrays import Mesh, chosen, mask, real, whole
 from .binder import UP, UP_AXES, ProgressFunction, UpAxis, answers_of, question_of, skeleton_view
 from .character import Character, Clip, Question, Skeleton, Skin, multiply, skin_of, turn
+from .rigger import FRONTS, FoundUp
 
 Source = Union[str, os.PathLike, bytes]
 ModelFile = Union[None, str, os.PathLike, bytes]
@@ -45,7 +46,8 @@ class Bound:
 
 @dataclass
 class Rigged:
-    """What rig() made. ends, confidence, parent_confidence: a value a joint; spread: how far off the votes think they are."""
+    """What rig() made. ends, confidence, parent_confidence: a value a joint; spread: how far off the votes think they are;
+    front, up and how sure they are: as sinew.Rig has them."""
 
     mirrored: bool
     matched: int
@@ -54,6 +56,10 @@ class Rigged:
     ends: np.ndarray
     confidence: np.ndarray
     parent_confidence: np.ndarray
+    front: Tuple[float, float, float] = (0.0, 0.0, 1.0)
+    up: str = "y"
+    front_certainty: float = 0.0
+    up_certainty: float = 0.0
 
 
 @dataclass
@@ -376,10 +382,12 @@ class OpenCharacter:
                      _array(result.vertex_questions, np.uint32, (view.vertex_count,)) if result.vertex_questions else None)
 
     def rig(self, *, method: declarations.CharacterRigMethod = "auto", detail: declarations.CharacterDetail = "body",
-            mirror: declarations.Mirror = "auto", up: UpAxis = "y", spine: int = 0, toes: bool = True, ends: bool = True, bind: bool = True,
+            mirror: declarations.Mirror = "auto", up: FoundUp = "auto", front: str = "auto", spine: int = 0, toes: bool = True,
+            ends: bool = True, bind: bool = True,
             skeleton: Union[None, str, os.PathLike, "OpenCharacter"] = None, keep_lengths: bool = False,
             edits: Sequence[Tuple[declarations.EditKind, str]] = (), influences: int = 0, category: declarations.SlotCategory = "any",
-            model: ModelFile = None, hands_model: ModelFile = None, threads: int = 1, progress: ProgressFunction = None) -> Rigged:
+            model: ModelFile = None, hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
+            progress: ProgressFunction = None) -> Rigged:
         """A skeleton for the mesh, and weights for it. A skeleton that the character has is left out.
 
         detail    "body": down to the hands; "hands": with fingers; "full": with eyes, a jaw and props
@@ -392,7 +400,8 @@ class OpenCharacter:
         options = binding.init(declarations.sinew_character_rig_options)
         options.method = chosen(method, declarations.CHARACTER_RIG_METHOD, "method")
         options.detail, options.mirror = chosen(detail, declarations.CHARACTER_DETAIL, "detail"), chosen(mirror, declarations.MIRROR, "mirror")
-        options.up, options.spine_count = UP_AXES[chosen(up, UP, "up")], spine
+        options.up, options.spine_count = declarations.UP.index(get_args(FoundUp)[chosen(up, get_args(FoundUp), "up")]), spine
+        options.front = chosen(front, FRONTS, "front")
         options.no_toes, options.no_ends, options.no_bind = int(not toes), int(not ends), int(not bind)
         options.keep_lengths, options.influence_count = int(keep_lengths), influences
         options.category = chosen(category, declarations.SLOT_CATEGORY, "category")
@@ -406,11 +415,13 @@ class OpenCharacter:
             options.skeleton = os.fsencode(skeleton)
         result = binding.init(declarations.sinew_character_rig_result)
         self._job("rig", "sinew_character_rig", [], options, result, threads, progress,
-                  _Models(**{"slots" if method == "slots" else "rig": model}, hands=hands_model))
+                  _Models(**{"slots" if method == "slots" else "rig": model}, hands=hands_model, front=front_model))
         count = (result.joint_count,)
         return Rigged(bool(result.mirrored), result.matched, result.spread, result.scale,
                       _array(result.ends, np.uint8, count).astype(bool) if result.ends else np.zeros(count, bool),
-                      *(_array(a, np.float32, count) if a else np.zeros(count, np.float32) for a in (result.confidence, result.parent_confidence)))
+                      *(_array(a, np.float32, count) if a else np.zeros(count, np.float32) for a in (result.confidence, result.parent_confidence)),
+                      front=tuple(result.front), up=declarations.UP[result.up], front_certainty=result.front_confidence,
+                      up_certainty=result.up_confidence)
 
     def map(self, source: Union[str, os.PathLike, "OpenCharacter"], *, method: declarations.MapMethod = "auto", names: bool = True,
             ends: bool = True, first: declarations.BranchesFirst = "both", cost: declarations.BranchesCost = "mean",

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Union
+from typing import Any, Literal, Tuple, Union, get_args
 
 import numpy as np
 
 from . import binding, declarations
 from .arrays import Mesh, chosen
-from .binder import UP, UP_AXES, ProgressFunction, UpAxis
+from .binder import ProgressFunction
 from .character import Skeleton
 from .models import Model, model_for
 
 RIG_METHODS, MIRRORS = declarations.RIG_METHOD, declarations.MIRROR
+FoundUp = Literal["auto", "y", "z"]
+FRONTS = ("auto", "+z", "-z", "+x", "-x", "+y", "-y")  # in the order of sinew_front
 
 
 @dataclass
@@ -24,8 +26,10 @@ class Rig:
     confidence, parent_confidence  [j] float32, 0 to 1: of the joint's place, of its parent
     partners       [j] int32, the joint's mirror image, itself on the plane, -1 where nothing is mirrored
     mirrored       whether the skeleton is its own mirror image
-    facing         where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
+    facing         the nearest of where it faces: 0 = +z, 1 = +x, 2 = -z, 3 = -x
     plane          where the mirror plane is, across x for 0 and 2, else across z
+    front, up      where it faces, a unit vector of the mesh's axes, and which of them is up
+    front_certainty, up_certainty  0 to 1: below 0.7 what was found is a coin toss
     spread         how far off the votes think they are: below 0.03 is good, above 0.09 method="shape" is no worse
     """
 
@@ -37,9 +41,14 @@ class Rig:
     facing: int
     plane: float
     spread: float
+    front: Tuple[float, float, float] = (0.0, 0.0, 1.0)
+    up: str = "y"
+    front_certainty: float = 0.0
+    up_certainty: float = 0.0
 
 
-def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes", model: Union[None, str, Model] = None, up: UpAxis = "y",
+def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes", model: Union[None, str, Model] = None, up: FoundUp = "auto",
+        front: str = "auto", front_model: Union[None, str, Model] = None,
         mirror: declarations.Mirror = "auto", spine: int = 0, toes: bool = True, ends: bool = True, fingers: bool = False,
         face: bool = False, props: bool = False, hands_model: Union[None, str, Model] = None, progress: ProgressFunction = None) -> Rig:
     """Predicts a skeleton for a mesh. The same bytes on every machine; bind() takes its `skeleton` as it is.
@@ -48,7 +57,9 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     faces        as bind() takes them; None: the vertices are all that is seen
     method       "votes": by the model; "shape": the middle line of the mesh, without a model; "regions": for comparison
     model        file or Model of skeletons; None: the bundled one
-    up           axis that points up, "y" or "z"
+    up           axis that points up, "y" or "z"; "auto": found
+    front        where the mesh faces, "+z", "-z", "+x", "-x", "+y" or "-y"; "auto": found, at any angle
+    front_model  file or Model of fronts; None: the bundled one
     mirror       "auto": where the mesh is its own mirror image; "always", "never"
     spine        1 to 16 joints between pelvis and neck; 0: as the model says
     toes, ends   whether there are toe joints, and joints that only end bones
@@ -60,7 +71,10 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     mesh = Mesh(positions, faces)
     options = binding.init(binding.sinew_rig_options)
     options.method = chosen(method, RIG_METHODS, "method")
-    options.up = UP_AXES[chosen(up, UP, "up")]
+    options.up = declarations.UP.index(get_args(FoundUp)[chosen(up, get_args(FoundUp), "up")])
+    options.front = chosen(front, FRONTS, "front")
+    if method != "regions":
+        options.front_model = ctypes.pointer(model_for(front_model, "fronts").struct)
     options.mirror = chosen(mirror, MIRRORS, "mirror")
     if not 0 <= spine <= 16:
         raise ValueError(f"spine: expected 0 to 16, found {spine}")
@@ -90,4 +104,5 @@ def rig(positions: Any, faces: Any, *, method: declarations.RigMethod = "votes",
     skeleton = Skeleton(found["positions"].copy(), found["parents"], [n.decode() for n in found["names"]],
                         classes=found["joint_classes"], ends=found["flags"] & binding.JOINT_NEVER != 0)
     sure = [found[name].astype(np.float32) / np.float32(32768) for name in ("confidence", "parent_confidence")]
-    return Rig(skeleton, *sure, found["partners"], bool(outputs.mirrored), outputs.facing, outputs.plane, outputs.spread)
+    return Rig(skeleton, *sure, found["partners"], bool(outputs.mirrored), outputs.facing, outputs.plane, outputs.spread,
+               tuple(outputs.front), declarations.UP[outputs.up], outputs.front_confidence, outputs.up_confidence)

@@ -140,7 +140,7 @@ MirrorFrame frame_of(const MeshScene& scene, Mirroring mirroring = Mirroring::kA
   const Vec3i middle = quantize_point(quantizer, zero);
   const int32_t middles[2] = {middle.x, middle.z};
   MirrorFrame frame;
-  const auto stage = [&](Arena& arena) { (void)find_mirror_frame(run.mesh, mirroring, middles, arena, &frame); };
+  const auto stage = [&](Arena& arena) { (void)find_mirror_frame(run.mesh, mirroring, middles, false, arena, &frame); };
   const InBlock<decltype(stage)> done(stage);
   return frame;
 }

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Points to rows to answers; of mirrored meshes the answer chooses an end of the mirror plane, of others it is rounded to steps
+// from the mesh's own axis, so that the same mesh in another position is brought to the same place.
+#include "rig/front.hpp"
+
+#include "core/vector_math.hpp"
+#include "rig/mirror_angle.hpp"
+#include "rig/point_voter.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint64_t kSeed = 7;
+constexpr uint32_t kFrontSets = 2;  // of points, whose answers are added up
+constexpr int64_t kOne = 1 << 28;   // of a Heading
+// What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
+constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
+constexpr int32_t kUsualUp = 1536;  // the same of y, logit in Q10: five of six meshes have it up
+// Logit of an answer of length 1, Q10; fitted on makers that a network trained without.
+constexpr int64_t kSureness = 2816;
+constexpr int64_t kSnap = kOne / 96;      // sine of 0.6 degrees: the axis itself
+constexpr int64_t kKnownSnap = kOne / 3;  // of 20 degrees, where the file's axes are known
+
+// What the network wants beside the points' rows: no neighbours, one part.
+struct FrontMemory {
+  int16_t *features, *outputs;
+  uint16_t* joints;
+  uint32_t *part, *part_offsets, *part_vertices, *offsets;
+
+  bool allocate(Arena& arena) {
+    features = arena.alloc<int16_t>(size_t{kFrontPoints} * kFrontChannels);
+    outputs = arena.alloc<int16_t>(size_t{kFrontPoints} * kFrontOutputs);
+    joints = arena.alloc<uint16_t>(kFrontPoints);
+    part = arena.alloc<uint32_t>(kFrontPoints);
+    part_offsets = arena.alloc<uint32_t>(2);
+    part_vertices = arena.alloc<uint32_t>(kFrontPoints);
+    offsets = arena.alloc<uint32_t>(kFrontPoints + 1);
+    if (!arena.ok() || arena.measuring()) return arena.ok();
+    part_offsets[0] = 0;
+    part_offsets[1] = kFrontPoints;
+    for (uint32_t i = 0; i < kFrontPoints; ++i) {
+      joints[i] = kNoJoint;
+      part[i] = 0;
+      part_vertices[i] = i;
+    }
+    for (uint32_t i = 0; i <= kFrontPoints; ++i) offsets[i] = 0;
+    return true;
+  }
+  NetworkInput input() const {
+    NetworkInput input;
+    input.vertex_count = kFrontPoints;
+    input.candidate_count = 1;
+    input.inputs[0] = features;
+    input.joints = joints;
+    input.row_offsets = input.far_offsets = offsets;
+    input.col_indices = input.far_indices = part_vertices;
+    input.part = part;
+    input.part_offsets = part_offsets;
+    input.part_vertices = part_vertices;
+    input.part_count = 1;
+    input.joint_count = 1;
+    return input;
+  }
+};
+
+void add_rows(const FrontView& view, const int16_t* rows, FrontAnswer* answer) {
+  int64_t x = 0, z = 0, upright = 0;  // Q30, below 2^15 x 2^24 x 2^9
+  for (uint32_t i = 0; i < kFrontPoints; ++i) {
+    const int16_t* const row = rows + size_t{i} * kFrontOutputs;
+    const FrontOffset d = front_offset(view, i);
+    const int64_t p = int64_t{row[kFrontPosition]} * kFrontPositionScale;
+    const int64_t n = int64_t{row[kFrontNormalShare]} * kFrontNormalScale << (kGridBits - kNormalBits);
+    x += p * d.x + n * view.points[i].normal.x;
+    z += p * d.z + n * view.points[i].normal.z;
+    upright += row[kFrontUpright];
+  }
+  constexpr int kPointBits = 9, kToQ15 = 10 + kGridBits - 15;
+  static_assert(1u << kPointBits == kFrontPoints, "a mean by a shift");
+  answer->x += round_shift(x, kToQ15 + kPointBits);
+  answer->z += round_shift(z, kToQ15 + kPointBits);
+  answer->upright += static_cast<int32_t>(round_shift(upright, kPointBits));
+}
+
+Heading unit_heading(int64_t x, int64_t z) {
+  const Vec3i u = unit_vector(Vec3l{x, z, 0}, 28);
+  return {u.x, u.y};
+}
+
+int64_t dot(Heading a, Heading b) { return round_shift(a.x * b.x + a.z * b.z, 28); }
+
+// 1 / (1 + e^-x) of x in Q10, as a float of Q15.
+float likelihood(int64_t x) {
+  constexpr int64_t kLog2E = 94548;                                // Q16
+  const int64_t power = exp2_negative((abs64(x) * kLog2E) >> 10);  // Q30
+  const int64_t small = (power << 15) / ((int64_t{1} << 30) + power);
+  return static_cast<float>(x >= 0 ? (1 << 15) - small : small) / 32768.0f;
+}
+
+// The long axis of the surface in the floor's plane: moments of the vertices by their area, so that no choice of points moves it.
+Heading long_axis(const Mesh& mesh, uint32_t up_axis) {
+  uint64_t total = 0;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) total += mesh.areas[v] >> 8;
+  const int shift = top_bit(total) > 18 ? top_bit(total) - 18 : 0;
+  int64_t weights = 1, x = 0, z = 0;
+  const auto weight = [&](uint32_t v) { return static_cast<int64_t>(mesh.areas[v] >> (8 + shift)); };
+  const auto second = [&](Vec3i p) { return int64_t{up_axis == 0 ? p.z : -p.y}; };
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    weights += weight(v);
+    x += weight(v) * mesh.positions[v].x;
+    z += weight(v) * second(mesh.positions[v]);
+  }
+  x = round_div(x, weights);
+  z = round_div(z, weights);
+  int64_t xx = 0, xz = 0, zz = 0;  // below 2^19 x 2^42
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    const int64_t dx = mesh.positions[v].x - x, dz = second(mesh.positions[v]) - z;
+    xx += weight(v) * (dx * dx >> 2);
+    xz += weight(v) * (dx * dz >> 2);
+    zz += weight(v) * (dz * dz >> 2);
+  }
+  const Heading doubled = unit_heading(xx - zz, 2 * xz);
+  if (doubled.x == 0 && doubled.z == 0) return {kOne, 0};
+  return doubled.x >= 0 ? unit_heading(kOne + doubled.x, doubled.z) : unit_heading(doubled.z, kOne - doubled.x);
+}
+
+// The nearest of 24 directions, counted from the axis.
+Heading nearest_step(Heading axis, Heading wanted) {
+  constexpr int64_t kSteps[7][2] = {{268435456, 0},         {259288736, 69476207},  {232471924, 134217728},
+                                    {189812531, 189812531}, {134217728, 232471924}, {69476207, 259288736},
+                                    {0, 268435456}};
+  Heading best = axis;
+  int64_t most = INT64_MIN;
+  for (uint32_t k = 0; k < 24; ++k) {
+    int64_t c = kSteps[k % 6][0], s = kSteps[k % 6][1];
+    for (uint32_t quarter = 0; quarter < k / 6; ++quarter) {
+      const int64_t t = c;
+      c = -s;
+      s = t;
+    }
+    const Heading at = {round_shift(axis.x * c - axis.z * s, 28), round_shift(axis.x * s + axis.z * c, 28)};
+    if (dot(at, wanted) <= most) continue;
+    most = dot(at, wanted);
+    best = at;
+  }
+  return best;
+}
+
+Heading snapped(Heading h) {
+  if (abs64(h.x) < kSnap) return {0, h.z < 0 ? -kOne : kOne};
+  if (abs64(h.z) < kSnap) return {h.x < 0 ? -kOne : kOne, 0};
+  return h;
+}
+
+sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32_t grid_up, FrontAnswer answer,
+                         Arena& arena, Front* front) {
+  answer.z += question.axes_known ? kKnownFront : kUsualFront;
+  Heading wanted = unit_heading(answer.x, answer.z);
+  if (wanted.x == 0 && wanted.z == 0) wanted = {0, kOne};
+  Heading normal = {kOne, 0};
+  bool mirrored = false;
+  if (!find_mirror_angle(mesh, grid_up, wanted, arena, &normal, &mirrored)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return SINEW_OK;
+  Heading found = {-normal.z, normal.x};
+  if (mirrored) {
+    if (dot(found, wanted) < 0) found = {-found.x, -found.z};
+    found = snapped(found);
+  } else if (question.axes_known && wanted.z > 0 && abs64(wanted.x) < kKnownSnap) {
+    found = {0, kOne};
+  } else {
+    found = snapped(nearest_step(long_axis(mesh, grid_up), wanted));
+  }
+  const auto to_unit = [](int64_t q28) {
+    return static_cast<float>(static_cast<double>(q28) / static_cast<double>(kOne));
+  };
+  front->turn.sine = to_unit(found.x);
+  front->turn.cosine = to_unit(found.z);
+  // How much farther the answer reaches to this end than to the other.
+  front->confidence = likelihood((round_shift(answer.x * found.x + answer.z * found.z, 28) * kSureness) >> 15);
+  return SINEW_OK;
+}
+
+}  // namespace
+
+sinew_status ask_front(const sinew_model& model, const NetworkOptions& options, const Kernels& kernels,
+                       const SurfacePoint* points, uint32_t up_axis, Arena& arena, FrontAnswer* answer) {
+  const ArenaScope scope(arena);
+  FrontView view;
+  FrontMemory rows;
+  (void)view.allocate(arena);
+  if (!rows.allocate(arena)) return SINEW_ERROR_WORKSPACE;
+  if (arena.measuring()) return run_network(model, rows.input(), kernels, Progress(), arena, rows.outputs, options);
+  view_points(points, up_axis, &view);
+  *answer = FrontAnswer();
+  for (uint32_t frame = 0; frame < kFrontFrames; ++frame) {
+    front_rows(view, frame, rows.features);
+    const sinew_status status = run_network(model, rows.input(), kernels, Progress(), arena, rows.outputs, options);
+    if (status != SINEW_OK) return status;
+    add_rows(view, rows.outputs, answer);
+  }
+  constexpr int kFrameBits = 2;
+  static_assert(1u << kFrameBits == kFrontFrames, "a mean by a shift");
+  answer->x = round_shift(answer->x, kFrameBits);
+  answer->z = round_shift(answer->z, kFrameBits);
+  answer->upright = static_cast<int32_t>(round_shift(answer->upright, kFrameBits));
+  return SINEW_OK;
+}
+
+sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, const Mesh& mesh, Arena& arena,
+                        Front* front) {
+  const ArenaScope scope(arena);
+  SurfacePoint* const points = arena.alloc<SurfacePoint>(kFrontPoints);
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  FrontAnswer answers[2];
+  const uint32_t candidates = question.find_up ? 2 : 1;
+  for (uint32_t set = 0; set < kFrontSets; ++set) {
+    if (!arena.measuring()) spread_points(mesh, kFrontPoints, kSeed + set, points);
+    for (uint32_t up = 0; up < candidates; ++up) {
+      FrontAnswer answer;
+      const sinew_status status = ask_front(*question.model, question.network, kernels, points, up, arena, &answer);
+      if (status != SINEW_OK) return status;
+      answers[up].x += answer.x / kFrontSets;
+      answers[up].z += answer.z / kFrontSets;
+      answers[up].upright += answer.upright / static_cast<int32_t>(kFrontSets);
+    }
+  }
+  // The grid has the caller's up axis at y already where that is known.
+  uint32_t grid_up = 0;
+  *front = Front();
+  front->turn.up_axis = question.up_axis;
+  if (question.find_up) {
+    const int64_t by = int64_t{answers[1].upright} - answers[0].upright - kUsualUp;
+    grid_up = by > 0 ? 1 : 0;
+    front->turn.up_axis = grid_up;
+    front->up_confidence = likelihood(abs64(by));
+  }
+  return place_front(question, mesh, grid_up, answers[grid_up], arena, front);
+}
+
+}  // namespace sinew

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// Mirrored points are matched with the nearest ones, and the plane between the two is taken next.
+#include "rig/mirror_angle.hpp"
+
+#include "core/sort.hpp"
+#include "core/vector_math.hpp"
+#include "rig/point_grid.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr uint32_t kPoints = 4096, kAsked = 512;
+constexpr uint64_t kSeed = 11;
+constexpr uint32_t kAngles = 8, kRounds = 4, kVertexRounds = 3, kMostVertices = 1u << 15, kAskedVertices = 2048;
+constexpr uint32_t kFoldError = kSide * 3 / 100;  // as of find_mirror_frame()
+// What a plane across the expected front costs beside one along it.
+constexpr int64_t kTurnCost = kSide / 50;
+constexpr int32_t kVertexReach = kSide / 256;  // two vertices are each other's image when nearer
+
+struct Plane {
+  Heading normal = {1 << 28, 0};
+  int64_t at = 0;  // along the normal, grid units
+  uint32_t error = UINT32_MAX;
+};
+
+struct Scratch {
+  SurfacePoint* points;
+  Vec3i* upright;  // [kPoints]
+  PointGrid grid, vertices;
+  uint32_t* far;  // [kAsked]
+
+  bool allocate(Arena& arena) {
+    points = arena.alloc<SurfacePoint>(kPoints);
+    upright = arena.alloc<Vec3i>(kPoints);
+    (void)grid.allocate(arena, kPoints);
+    (void)vertices.allocate(arena, kMostVertices);
+    far = arena.alloc<uint32_t>(kAsked);
+    return arena.ok();
+  }
+};
+
+Vec3i turned_up(Vec3i p, uint32_t up_axis) { return up_axis == 0 ? p : Vec3i{p.x, p.z, -p.y}; }
+
+int64_t along(Heading n, int64_t x, int64_t z) { return round_shift(n.x * x + n.z * z, 28); }
+
+Vec3i mirrored(const Plane& plane, Vec3i p) {
+  const int64_t twice = 2 * (along(plane.normal, p.x, p.z) - plane.at);
+  return {p.x - static_cast<int32_t>(round_shift(twice * plane.normal.x, 28)), p.y,
+          p.z - static_cast<int32_t>(round_shift(twice * plane.normal.z, 28))};
+}
+
+// Second moments of what lies between matched points, and the middles between them.
+struct Matches {
+  int64_t xx = 0, xz = 0, zz = 0, middle_x = 0, middle_z = 0;
+  uint32_t count = 0;
+
+  void add(Vec3i a, Vec3i b) {
+    const int64_t dx = int64_t{a.x} - b.x, dz = int64_t{a.z} - b.z;  // below 2^21, of at most 2^15 points
+    xx += dx * dx;
+    xz += dx * dz;
+    zz += dz * dz;
+    middle_x += int64_t{a.x} + b.x;
+    middle_z += int64_t{a.z} + b.z;
+    ++count;
+  }
+  // The plane that they lie across.
+  void fit(Plane* plane) const {
+    const Vec3l doubled = {xx - zz, 2 * xz, 0};
+    if (count == 0 || (doubled.x == 0 && doubled.y == 0)) return;
+    // The direction of half the angle is the sum of the doubled direction and the axis, whichever does not cancel.
+    const Vec3i unit = unit_vector(doubled, 28);
+    constexpr int64_t kOne = 1 << 28;
+    const Vec3l half = unit.x >= 0 ? Vec3l{kOne + unit.x, unit.y, 0} : Vec3l{unit.y, kOne - unit.x, 0};
+    const Vec3i normal = unit_vector(half, 28);
+    plane->normal = {normal.x, normal.y};
+    const int64_t size = 2 * int64_t{count};
+    plane->at = along(plane->normal, round_div(middle_x, size), round_div(middle_z, size));
+  }
+};
+
+// Measures a plane and moves it between the points that it mirrors.
+void match(const Scratch& s, Plane* plane) {
+  Matches matches;
+  for (uint32_t i = 0; i < kAsked; ++i) {
+    const Vec3i p = s.upright[i * (kPoints / kAsked)];
+    uint32_t near = 0;
+    uint64_t squared = 0;
+    s.far[i] = kSide / 8;
+    if (!s.grid.nearest(mirrored(*plane, p), &near, &squared)) continue;
+    s.far[i] = isqrt64(squared);
+    if (s.far[i] < kSide / 16) matches.add(p, s.upright[near]);
+  }
+  heap_sort(s.far, kAsked, [](uint32_t a, uint32_t b) { return a < b; });
+  plane->error = s.far[kAsked * 9 / 10];
+  matches.fit(plane);
+}
+
+// The better of what was measured on the way.
+Plane refined(const Scratch& s, Plane start) {
+  Plane best;
+  for (uint32_t round = 0; round <= kRounds; ++round) {
+    const Plane before = start;
+    match(s, &start);
+    if (start.error < best.error) best = {before.normal, before.at, start.error};
+  }
+  return best;
+}
+
+// By vertices that mirror each other.
+void match_vertices(const Scratch& s, const Mesh& mesh, uint32_t up_axis, Plane* plane) {
+  const uint32_t step = s.vertices.count / kAskedVertices + 1;
+  for (uint32_t round = 0; round < kVertexRounds; ++round) {
+    Matches matches;
+    uint32_t asked = 0;
+    for (uint32_t i = 0; i < s.vertices.count; i += step, ++asked) {
+      const Vec3i p = s.vertices.positions[i];
+      uint32_t near = 0;
+      uint64_t squared = 0;
+      if (s.vertices.nearest(mirrored(*plane, p), &near, &squared) &&
+          squared < uint64_t{kVertexReach} * uint64_t{kVertexReach} >> (2 * round)) {
+        matches.add(p, turned_up(mesh.positions[near], up_axis));
+      }
+    }
+    if (matches.count < asked / 2) return;
+    matches.fit(plane);
+  }
+}
+
+}  // namespace
+
+bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal,
+                       bool* found) {
+  const ArenaScope scope(arena);
+  Scratch s;
+  if (!s.allocate(arena)) return false;
+  *found = false;
+  if (arena.measuring()) return true;
+  spread_points(mesh, kPoints, kSeed, s.points);
+  int64_t x = 0, z = 0;
+  for (uint32_t i = 0; i < kPoints; ++i) {
+    s.upright[i] = turned_up(s.points[i].position, up_axis);
+    x += s.upright[i].x;
+    z += s.upright[i].z;
+  }
+  s.grid.build(kPoints, [&](uint32_t i) { return s.upright[i]; });
+  // Eighths of half a turn: cosines and sines, Q28.
+  constexpr int64_t kTable[kAngles][2] = {{268435456, 0},          {248002075, 102725825}, {189812531, 189812531},
+                                          {102725825, 248002075},  {0, 268435456},         {-102725825, 248002075},
+                                          {-189812531, 189812531}, {-248002075, 102725825}};
+  const Heading first = expected.x == 0 && expected.z == 0 ? Heading{1 << 28, 0} : Heading{expected.z, -expected.x};
+  Plane best;
+  int64_t least = kFoldError;
+  for (const auto& angle : kTable) {
+    Plane start;
+    start.normal = {round_shift(first.x * angle[0] - first.z * angle[1], 28),
+                    round_shift(first.x * angle[1] + first.z * angle[0], 28)};
+    start.at = along(start.normal, round_div(x, kPoints), round_div(z, kPoints));
+    const Plane plane = refined(s, start);
+    const int64_t across = abs64(round_shift(plane.normal.x * expected.x + plane.normal.z * expected.z, 28));  // Q28
+    const int64_t cost = plane.error + round_shift(across * kTurnCost, 28);
+    if (plane.error >= kFoldError || (*found && cost >= least)) continue;
+    *found = true;
+    least = cost;
+    best = plane;
+  }
+  if (!*found) return true;
+  if (mesh.welded_count <= kMostVertices) {
+    s.vertices.build(mesh.welded_count, [&](uint32_t i) { return turned_up(mesh.positions[i], up_axis); });
+    match_vertices(s, mesh, up_axis, &best);
+  }
+  *normal = best.normal;
+  return true;
+}
+
+}  // namespace sinew

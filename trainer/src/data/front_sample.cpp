@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Sided names to a front, posed meshes to points.
+#include "data/front_sample.hpp"
+
+#include <cmath>
+
+#include "core/random.hpp"
+#include "sinew/names.h"
+#include "sinew_formats/error.hpp"
+
+namespace sinew {
+namespace {
+
+constexpr double kLeastSideways = 0.7;  // share of the way from right to left that is horizontal
+constexpr uint32_t kLeastSided = 2;     // joints of each side
+
+// A direction of the floor's plane from the mean of the right joints to that of the left ones, turned to the front.
+std::array<double, 2> front_of(const RigSource& source) {
+  const RigSource::Placed placed = source.make_mesh(0, 0);
+  std::array<double, 3> sums[2] = {};
+  uint32_t counts[2] = {0, 0};
+  for (size_t j = 0; j < placed.joints.size(); ++j) {
+    const TargetJoint& joint = source.target().joints[j];
+    const int side = joint.tip ? 0 : sinew_joint_side(joint.name.c_str());
+    if (side == 0) continue;
+    for (size_t axis = 0; axis < 3; ++axis) sums[side > 0 ? 0 : 1][axis] += placed.joints[j][axis];
+    ++counts[side > 0 ? 0 : 1];
+  }
+  if (counts[0] < kLeastSided || counts[1] < kLeastSided)
+    throw Error(source.name() + ": its joints' names do not tell left from right");
+  std::array<double, 3> left{};
+  double squared = 0;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    left[axis] = sums[0][axis] / counts[0] - sums[1][axis] / counts[1];
+    squared += left[axis] * left[axis];
+  }
+  const double flat = std::hypot(left[0], left[2]);
+  if (flat < kLeastSideways * std::sqrt(squared) || flat < 1e-6)
+    throw Error(source.name() + ": its left and right joints lie above each other");
+  return {-left[2] / flat, left[0] / flat};
+}
+
+int32_t rounded(double x) { return static_cast<int32_t>(std::lround(x)); }
+
+// Another axis is up: lying, in any direction, or one in five upside down.
+void tilt(Random* random, std::vector<SurfacePoint>* points) {
+  const double angle = random->uniform(0, 6.283185307179586), c = std::cos(angle), s = std::sin(angle);
+  const bool upside_down = random->uniform() < 0.2;
+  const auto tilted = [&](Vec3i v) {
+    const Vec3i t = {rounded(c * v.x + s * v.z), v.y, rounded(c * v.z - s * v.x)};
+    return upside_down ? Vec3i{t.x, -t.y, -t.z} : Vec3i{t.x, -t.z, t.y};
+  };
+  for (SurfacePoint& p : *points) {
+    p.position = tilted(p.position);
+    p.normal = tilted(p.normal);
+  }
+}
+
+std::vector<SurfacePoint> points_of(const RigSource::Placed& placed, uint64_t seed) {
+  std::vector<SurfacePoint> points(kFrontPoints);
+  spread_points(placed.engine.mesh, kFrontPoints, seed, points.data());
+  return points;
+}
+
+}  // namespace
+
+FrontSource::FrontSource(const Character& character) : source_(character), front_(front_of(source_)) {}
+
+FrontSample FrontSource::sample(const std::vector<SurfacePoint>& points, uint32_t frame, bool upright) const {
+  FrontSample s;
+  s.name = source_.name();
+  s.family = source_.family();
+  s.upright = upright;
+  s.front = {static_cast<float>(front_[0]), static_cast<float>(front_[1])};
+  s.vertices = kFrontPoints;
+  s.candidates = s.part_count = s.joints = 1;
+  s.inputs.resize(1);
+  s.inputs[0].channels = kFrontChannels;
+  s.inputs[0].rows.resize(size_t{kFrontPoints} * kFrontChannels);
+  s.candidate.assign(kFrontPoints, 0xFFFF);
+  s.row_offsets.assign(kFrontPoints + 1, 0);
+  s.part.assign(kFrontPoints, 0);
+  s.part_offsets = {0, kFrontPoints};
+  std::vector<FrontPoint> room(kFrontPoints);
+  FrontView view;
+  view.points = room.data();
+  view_points(points.data(), 0, &view);
+  front_rows(view, frame, s.inputs[0].rows.data());
+  constexpr float kUnit = 1.0f / (1 << kNormalBits);
+  for (uint32_t i = 0; i < kFrontPoints; ++i) {
+    s.part_vertices.push_back(i);
+    const FrontOffset d = front_offset(view, i);
+    s.positions.push_back(static_cast<float>(d.x) / kSide);
+    s.positions.push_back(static_cast<float>(d.z) / kSide);
+    s.normals.push_back(static_cast<float>(room[i].normal.x) * kUnit);
+    s.normals.push_back(static_cast<float>(room[i].normal.z) * kUnit);
+  }
+  return s;
+}
+
+std::vector<FrontSample> FrontSource::make(uint64_t seed, double strength) const {
+  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), strength);
+  Random random(mix_seeds(seed, 2));
+  const uint32_t first = random.below(kFrontFrames), turn = 1 + random.below(kFrontFrames - 1);
+  std::vector<FrontSample> samples;
+  samples.push_back(sample(points_of(placed, random.next()), first, true));
+  samples.push_back(sample(points_of(placed, random.next()), (first + turn) % kFrontFrames, true));
+  std::vector<SurfacePoint> points = points_of(placed, random.next());
+  tilt(&random, &points);
+  samples.push_back(sample(points, random.below(kFrontFrames), false));
+  return samples;
+}
+
+FrontSample FrontSource::original(uint64_t seed) const {
+  return sample(points_of(source_.make_mesh(seed, 0), seed), 0, true);
+}
+
+}  // namespace sinew

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Training samples of where a mesh faces: points of a character's surface in a frame of their own, with its true front.
+#ifndef SINEW_TRAINER_DATA_FRONT_SAMPLE_HPP
+#define SINEW_TRAINER_DATA_FRONT_SAMPLE_HPP
+
+#include <array>
+#include <vector>
+
+#include "data/rig_sample.hpp"
+#include "rig/front_points.hpp"
+
+namespace sinew {
+
+// N = kFrontPoints points. Vectors lie in the floor's plane: x and z.
+struct FrontSample : NetworkSample {
+  std::vector<float> positions;  // [N x 2] from the mean, shares of the longest side
+  std::vector<float> normals;    // [N x 2]
+  std::array<float, 2> front{};  // unit vector
+  bool upright = true;           // false: the mesh lies or stands on its head, and `front` says nothing
+};
+
+class FrontSource {
+ public:
+  // Throws Error as RigSource does, and for a skeleton whose names do not tell left from right, or not where the front is.
+  explicit FrontSource(const Character& character);
+
+  // Of one pose and stretch (RigSource): two upright samples in different frames, and one that is not upright.
+  std::vector<FrontSample> make(uint64_t seed, double strength) const;
+  // As it is, upright, in the first frame.
+  FrontSample original(uint64_t seed) const;
+
+  // Where it faces in its mirror frame: x and z.
+  const std::array<double, 2>& front() const { return front_; }
+
+ private:
+  FrontSample sample(const std::vector<SurfacePoint>& points, uint32_t frame, bool upright) const;
+
+  RigSource source_;
+  std::array<double, 2> front_{};
+};
+
+}  // namespace sinew
+#endif
