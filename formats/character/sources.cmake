@@ -26,6 +26,7 @@ set(sinew_character_sources
   pose/deform
   pose/pose
   pose/pose_file
+  pose/rest_pose
   predict/edit_skeleton
   predict/fit_skeleton
   predict/limbs
@@ -42,6 +43,7 @@ set(sinew_character_sources
   rig/joint_verdicts
   rig/joints_beside_mesh
   rig/label_skeleton
+  rig/rig_gate
   rig/simplify_skeleton
   rig/skeleton_fit
   style/style

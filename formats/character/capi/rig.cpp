@@ -25,6 +25,8 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   job.ends = options.no_ends == 0;
   job.bind = options.no_bind == 0;
   job.keep_lengths = options.keep_lengths != 0;
+  job.gate = options.gate != 0;
+  if (options.to_pose != nullptr) job.to_pose = options.to_pose;
   if (options.influence_count != 0) job.influence_count = options.influence_count;
   if (options.thread_count != 0) job.thread_count = options.thread_count;
   job.rigid_parts = options.rigid_parts;

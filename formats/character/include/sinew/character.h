@@ -344,6 +344,9 @@ typedef struct sinew_character_rig_options {
   const sinew_skeleton_edit* edits;          /* [edit_count] */
   const char* skeleton;                      /* a file, or template:NAME, that is put into the mesh; or null */
   const sinew_character* skeleton_character; /* the same of a character; or null */
+  uint32_t gate;     /* 1: the result is measured; what fails is a note that begins with "gate: " */
+  uint32_t reserved; /* 0 */
+  const char* to_pose; /* rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as the mesh stands */
 } sinew_character_rig_options;
 
 static inline sinew_character_rig_options sinew_character_rig_options_init(void) {
