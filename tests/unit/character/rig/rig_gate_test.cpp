@@ -27,7 +27,7 @@ void bind_to(Character* character, bool near) {
   const auto joints = static_cast<uint32_t>(character->joints.size());
   for (size_t v = 0; v < character->vertices.size(); ++v) {
     const auto nearest = static_cast<uint32_t>(character->vertices[v].x);
-    character->influences.push_back({{near ? nearest : static_cast<uint32_t>(v * 7) % joints, 1.0f}});
+    character->influences.push_back({{near ? nearest : static_cast<uint32_t>(v * 5) % joints, 1.0f}});
   }
 }
 
