@@ -175,7 +175,9 @@ void add_pose(CLI::App& app) {
   shared_option(sub, "--to-pose", s->to_pose);
   add_deform_options(sub, {"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"},
                      "linear and dual-quaternion: skinning alone; ", &s->deform);
-  shared_option(sub, "--up", s->up, "In the picture, and of --to-pose")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  shared_option(sub, "--up", s->up, "In the picture, and of --to-pose")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
   add_solver_options(sub, &s->deform);
   sub->footer(
       "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"

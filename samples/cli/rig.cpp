@@ -256,9 +256,10 @@ void add_inputs(CLI::App* sub, Settings* s) {
   shared_option(sub, "--up", s->up)->check(CLI::IsMember({"y", "z"}))->capture_default_str();
   shared_option(sub, "--png", s->png, "The mesh with its joints, coloured by weight");
   shared_flag(sub, "--json", s->json, "Joints with confidences; with a folder one line for every mesh");
-  sub->add_flag("--gate", s->gate,
-                "For pipelines: exit status 3 where the votes doubt, joints are unsure of their parents, vertices have no "
-                "weight, or the mesh tears in a test pose. Files are written all the same");
+  sub->add_flag(
+      "--gate", s->gate,
+      "For pipelines: exit status 3 where the votes doubt, joints are unsure of their parents, vertices have no "
+      "weight, or the mesh tears in a test pose. Files are written all the same");
 }
 
 void add_shape_options(CLI::App* sub, Settings* s) {

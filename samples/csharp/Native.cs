@@ -438,6 +438,8 @@ namespace Sinew
             public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
                 softness_percent, surface_vertices, edit_count;
             public IntPtr edits, skeleton, skeleton_character;
+            public uint gate, reserved;
+            public IntPtr to_pose;
         }
 
         [StructLayout(LayoutKind.Sequential)]

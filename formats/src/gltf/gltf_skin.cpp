@@ -278,8 +278,8 @@ class SkinWriter {
         for (double& value : matrices[v]) value /= totals[v];
     }
 
-    move_vertices(where, primitive, matrices,
-                  {static_cast<size_t>(mesh), static_cast<size_t>(part.primitive)}, &source_, &orphans_);
+    move_vertices(where, primitive, matrices, {static_cast<size_t>(mesh), static_cast<size_t>(part.primitive)},
+                  &source_, &orphans_);
   }
 
   // Joints and inverse bind matrices of a skin: joint's bind transform x inverse bind = where the mesh stands. Matrices

@@ -64,8 +64,9 @@ void move_vertices(const std::string& where, const tinygltf::Primitive& primitiv
 std::shared_ptr<const GltfSource> moved_document(const std::string& name, const GltfSource& source,
                                                  const std::vector<Affine>& matrices) {
   if (!source.bind_pose.agrees)
-    throw Error(name + ": its meshes know no common rest pose, so they are not put into another; write it once with "
-                       "sinew bind and start from that file");
+    throw Error(name +
+                ": its meshes know no common rest pose, so they are not put into another; write it once with "
+                "sinew bind and start from that file");
   auto moved = std::make_shared<GltfSource>(source);
   MeshNodes mesh_nodes(&moved->document);
   std::vector<int> orphans;

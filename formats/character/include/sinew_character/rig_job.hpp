@@ -31,7 +31,8 @@ struct RigJobOptions {
   uint32_t mirror = SINEW_MIRROR_AUTO, up_axis = 0, spine_count = 0;
   uint32_t category = 0;  // SINEW_CATEGORY_*, of slots
   bool toes = true, ends = true, bind = true, keep_lengths = false;
-  std::string to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as the mesh stands. Needs `bind`
+  std::string
+      to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as the mesh stands. Needs `bind`
   bool gate = false;  // measure the result: RiggedCharacter::gate
   uint32_t influence_count = 4, thread_count = 1;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;

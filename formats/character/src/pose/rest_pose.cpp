@@ -61,12 +61,14 @@ struct Body {
     // Where limbs begin, which a pose moves least; else all that has a side.
     std::optional<SidesOf> sides;
     for (const uint8_t one : {SINEW_CLASS_THIGH, SINEW_CLASS_UPPER_ARM})
-      add(sides_of(verdicts, [&](size_t j) { return verdicts.classes[j] == one && is_first_of_class(verdicts, j); }), &sides);
+      add(sides_of(verdicts, [&](size_t j) { return verdicts.classes[j] == one && is_first_of_class(verdicts, j); }),
+          &sides);
     if (!sides) add(sides_of(verdicts, [](size_t) { return true; }), &sides);
     const std::optional<Point> across = sides ? unit(sides->between - dot(sides->between, up) * up) : std::nullopt;
     if (!across)
-      throw Error(whose + ": its joints' names do not tell left from right, so its stance is not known; expected names like "
-                          "LeftArm and RightArm");
+      throw Error(whose +
+                  ": its joints' names do not tell left from right, so its stance is not known; expected names like "
+                  "LeftArm and RightArm");
     left = *across;
     front = cross(left, up);
     middle_ = dot((1 / sides->count) * sides->middle, left);
@@ -181,7 +183,8 @@ void put_upright(const Body& body, const RestPose& pose, Wishes* wishes) {
   if (!line) return;
   const double lean = std::acos(std::clamp(dot(*line, body.up), -1.0, 1.0));
   if (lean > kUpright)
-    throw Error("the pose " + pose.name + " is for characters that stand upright, and this trunk does not; give a file that "
+    throw Error("the pose " + pose.name +
+                " is for characters that stand upright, and this trunk does not; give a file that "
                 "stands as it shall");
   if (lean > kMostLean) (*wishes)[at(from)] = {line, body.up};
 }
@@ -275,7 +278,8 @@ std::vector<Affine> vertex_matrices(const Character& rest, const std::vector<Aff
         for (size_t k = 0; k < m.size(); ++k) m[k] += static_cast<double>(one.weight) / sum * palette[one.joint][k];
     }
     const Vec3 &from = rest.vertices[v], &to = posed.vertices[v];
-    const Point blended = transform_point(m, static_cast<double>(from.x), static_cast<double>(from.y), static_cast<double>(from.z));
+    const Point blended =
+        transform_point(m, static_cast<double>(from.x), static_cast<double>(from.y), static_cast<double>(from.z));
     m[3] += static_cast<double>(to.x) - blended[0];
     m[7] += static_cast<double>(to.y) - blended[1];
     m[11] += static_cast<double>(to.z) - blended[2];
@@ -295,9 +299,10 @@ void turn_corner_normals(const Character& rest, const std::vector<Affine>& matri
   for (size_t c = 0; c < posed->corner_normals.size(); ++c) {
     Vec3& normal = posed->corner_normals[c];
     const std::optional<Point> moved =
-        unit(transform_normal(matrices[rest.face_vertices[c]], static_cast<double>(normal.x), static_cast<double>(normal.y),
-                              static_cast<double>(normal.z)));
-    if (moved) normal = {static_cast<float>((*moved)[0]), static_cast<float>((*moved)[1]), static_cast<float>((*moved)[2])};
+        unit(transform_normal(matrices[rest.face_vertices[c]], static_cast<double>(normal.x),
+                              static_cast<double>(normal.y), static_cast<double>(normal.z)));
+    if (moved)
+      normal = {static_cast<float>((*moved)[0]), static_cast<float>((*moved)[1]), static_cast<float>((*moved)[2])};
   }
 }
 
@@ -329,7 +334,8 @@ std::vector<Affine> rest_pose_palette(const LabelledSkeleton& skeleton, const Re
       throw Error(pose.name + ": none of its limbs has a like in this skeleton, so it shows no stance for it");
   } else {
     if (!has_arms(body))
-      throw Error("the pose " + pose.name + " is for characters with arms, and the skeleton has none by its names; give a file "
+      throw Error("the pose " + pose.name +
+                  " is for characters with arms, and the skeleton has none by its names; give a file "
                   "that stands as it shall");
     straighten(body, pose.kind, &wishes);
     put_upright(body, pose, &wishes);

@@ -333,7 +333,8 @@ class sinew_character_rig_options(Structure):
         ("models", POINTER(sinew_character_models)), ("method", c_uint32), ("detail", c_uint32), ("mirror", c_uint32), ("up", c_uint32),
         ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
         ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
-        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p)]
+        ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p),
+        ("gate", c_uint32), ("reserved", c_uint32), ("to_pose", c_char_p)]
 
 
 class sinew_character_rig_result(Structure):

@@ -84,7 +84,8 @@ Vec3 place_of(const Character& character, const std::string& name) {
 
 std::array<double, 3> bone(const Character& character, const std::string& from, const std::string& to) {
   const Vec3 a = place_of(character, from), b = place_of(character, to);
-  const double x = static_cast<double>(b.x - a.x), y = static_cast<double>(b.y - a.y), z = static_cast<double>(b.z - a.z);
+  const double x = static_cast<double>(b.x - a.x), y = static_cast<double>(b.y - a.y),
+               z = static_cast<double>(b.z - a.z);
   const double size = std::sqrt(x * x + y * y + z * z);
   return {x / size, y / size, z / size};
 }
@@ -118,7 +119,8 @@ TEST(RestPose, TStretchesArmsAndLegsAndTurnsFeetAhead) {
     expect_bone(posed, name + "Leg", name + "Foot", {0, -1, 0});
     EXPECT_NEAR(bone(posed, name + "Foot", name + "ToeBase")[0], 0, 1e-4);
     EXPECT_GT(bone(posed, name + "Foot", name + "ToeBase")[2], 0.3);
-    EXPECT_NEAR(length_of(posed, name + "Arm", name + "ForeArm"), length_of(rest, name + "Arm", name + "ForeArm"), 1e-5);
+    EXPECT_NEAR(length_of(posed, name + "Arm", name + "ForeArm"), length_of(rest, name + "Arm", name + "ForeArm"),
+                1e-5);
   }
 }
 
@@ -164,7 +166,9 @@ TEST(RestPose, StandsAsAnotherFileDoes) {
   const Character t = in_rest_pose(figure(kSlouched), pose_of(RestPose::Kind::kT), 1);
   const Character back = in_rest_pose(t, read_rest_pose(file), 1);
   const Character slouched = figure(kSlouched);
-  for (const auto& [from, to] : {std::pair{"LeftArm", "LeftForeArm"}, {"LeftForeArm", "LeftHand"}, {"RightLeg", "RightFoot"},
+  for (const auto& [from, to] : {std::pair{"LeftArm", "LeftForeArm"},
+                                 {"LeftForeArm", "LeftHand"},
+                                 {"RightLeg", "RightFoot"},
                                  {"LeftUpLeg", "LeftLeg"}}) {
     const auto wanted = bone(slouched, from, to);
     expect_bone(back, from, to, wanted);
