@@ -30,6 +30,7 @@ set(sinew_character_sources
   predict/edit_skeleton
   predict/fit_skeleton
   predict/limbs
+  predict/marker_edits
   predict/match_limbs
   predict/predict_details
   predict/predict_face

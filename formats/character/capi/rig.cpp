@@ -33,7 +33,7 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   if (options.softness_percent != 0) job.softness_percent = options.softness_percent;
   if (options.surface_vertices != 0) job.surface_vertices = options.surface_vertices;
   for (uint32_t e = 0; e < options.edit_count; ++e) {
-    check_at_most("edits: kind", options.edits[e].kind, SINEW_EDIT_RENAME);
+    check_at_most("edits: kind", options.edits[e].kind, SINEW_EDIT_AT);
     need(options.edits[e].text != nullptr, "edits: text");
     job.edits.push_back(parse_edit(static_cast<EditKind>(options.edits[e].kind), options.edits[e].text));
   }

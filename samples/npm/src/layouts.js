@@ -228,7 +228,7 @@ export const WORDS = {
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions"],
   characterDetail: ["body", "hands", "full"],
-  editKind: ["move", "add", "remove", "parent", "rename"],
+  editKind: ["move", "add", "remove", "parent", "rename", "at"],
   animateMethod: ["auto", "copy", "contacts", "reference-points"],
   poseDeform: ["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"],
 };

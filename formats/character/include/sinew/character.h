@@ -311,7 +311,8 @@ typedef enum sinew_edit_kind {
   SINEW_EDIT_ADD = 1,    /* "NAME=PARENT:X,Y,Z" */
   SINEW_EDIT_REMOVE = 2, /* "JOINT" */
   SINEW_EDIT_PARENT = 3, /* "JOINT=OTHER" */
-  SINEW_EDIT_RENAME = 4  /* "JOINT=NAME" */
+  SINEW_EDIT_RENAME = 4, /* "JOINT=NAME" */
+  SINEW_EDIT_AT = 5      /* "JOINT=X,Y,Z": as MOVE; a joint that was not found is added, as LeftHand with its arm */
 } sinew_edit_kind;
 
 /* A change of a predicted skeleton, before the mesh is bound to it; to both sides where it is symmetric. */

@@ -385,7 +385,7 @@ class OpenCharacter:
         detail    "body": down to the hands; "hands": with fingers; "full": with eyes, a jaw and props
         skeleton  a file, "template:NAME" (see templates()) or an OpenCharacter whose skeleton is put into the mesh
         edits     ("move", "JOINT=X,Y,Z"), ("add", "NAME=PARENT:X,Y,Z"), ("remove", "JOINT"), ("parent", "JOINT=OTHER"),
-                  ("rename", "JOINT=NAME")
+                  ("rename", "JOINT=NAME"), ("at", "JOINT=X,Y,Z"): as move, and adds what was not found
         to_pose   "t", "a" or a file whose skeleton stands so: the rest pose that the character is put into
         gate      measure the result: what fails is a note that begins with "gate: "
         Other arguments are those of sinew.rig().
