@@ -21,6 +21,7 @@ set(sinew_formats_sources
   gltf/gltf_motion_write
   gltf/gltf_read
   gltf/gltf_skin
+  gltf/move_vertices
   gltf/gltf_summary
   gltf/gltf_write
   gltf/tinygltf

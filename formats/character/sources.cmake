@@ -30,9 +30,11 @@ set(sinew_character_sources
   pose/deform
   pose/pose
   pose/pose_file
+  pose/rest_pose
   predict/edit_skeleton
   predict/fit_skeleton
   predict/limbs
+  predict/marker_edits
   predict/match_limbs
   predict/predict_details
   predict/predict_face
@@ -47,6 +49,7 @@ set(sinew_character_sources
   rig/joint_verdicts
   rig/joints_beside_mesh
   rig/label_skeleton
+  rig/rig_gate
   rig/simplify_skeleton
   rig/skeleton_fit
   style/style

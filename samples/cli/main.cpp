@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Example:\n  sinew bind hero.obj --skeleton hero.rig.txt -o hero.glb --png hero.png\n"
-      "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage.\n"
+      "Every subcommand has its own --help. Exit status: 0 done, 1 the job failed, 2 wrong usage,\n"
+      "3 done, but --gate found it wanting.\n"
       "SINEW_KERNEL=ref|avx2|avxvnni|vnni in the environment chooses the instructions; results never\n"
       "depend on it.");
   sinew::cli::add_rig(app);
@@ -106,6 +107,8 @@ int main(int argc, char** argv) {
     return repeated(app) ? 0 : fail(complaint(app, words, error.what()), 2);
   } catch (const sinew::cli::UsageError& error) {
     return repeated(app) ? 0 : fail(error.what() + see_help(app), 2);
+  } catch (const sinew::cli::GateError& error) {
+    return fail(error.what(), 3);
   } catch (const sinew::RanksError& error) {
     return repeated(app) ? 0 : fail(error.what(), 1);
   } catch (const sinew::Error& error) {

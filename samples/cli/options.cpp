@@ -56,6 +56,7 @@ constexpr OptionWord kWords[] = {
     {"--stiffness", "K", "Of the springs in the lattice's tetrahedra, for xpbd"},
     {"--tet-weights", "SOURCE", "Where the lattice's tetrahedra have their weights from, for xpbd: skin, distance"},
     {"--threads", "N", "Threads at work"},
+    {"--to-pose", "POSE", "Put into a rest pose: t, a, or a file whose skeleton stands so"},
     {"--up", "AXIS", "Axis that points up"},
     {"--val", "DIR", "Characters for validation"},
 };

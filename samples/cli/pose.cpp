@@ -13,7 +13,9 @@
 #include "deform_options.hpp"
 #include "options.hpp"
 #include "sinew_character/deform.hpp"
+#include "sinew_character/label_skeleton.hpp"
 #include "sinew_character/pose_job.hpp"
+#include "sinew_character/rest_pose.hpp"
 #include "sinew_datasets/image.hpp"
 #include "sinew_formats/file_names.hpp"
 #include "sinew_formats/io.hpp"
@@ -25,7 +27,7 @@ namespace sinew::cli {
 namespace {
 
 struct Settings {
-  std::string character, output, matrices, up = "y", animation;
+  std::string character, output, matrices, up = "y", animation, to_pose;
   DeformSettings deform;
   std::vector<std::string> rotations;
   uint64_t seed = 0;
@@ -109,6 +111,10 @@ std::vector<Affine> chosen_palette(const Settings& s, const Character& character
     *what = "posed by " + file_name(s.matrices);
     return read_pose_matrices(s.matrices, character);
   }
+  if (!s.to_pose.empty()) {
+    *what = "in the rest pose " + s.to_pose;
+    return rest_pose_palette(label_skeleton(character.joints), read_rest_pose(s.to_pose), s.up == "z" ? 2 : 1);
+  }
   size_t turned = 0;
   const std::vector<Affine> palette = turned_palette(s, character, &turned);
   *what = std::to_string(turned) + " joints turned";
@@ -116,10 +122,12 @@ std::vector<Affine> chosen_palette(const Settings& s, const Character& character
 }
 
 void run(const Settings& s) {
-  if (int{s.random} + int{!s.rotations.empty()} + int{s.animated} + int{!s.matrices.empty()} != 1)
+  if (int{s.random} + int{!s.rotations.empty()} + int{s.animated} + int{!s.matrices.empty()} +
+          int{!s.to_pose.empty()} !=
+      1)
     throw UsageError(
-        "give one of --random SEED, --animation NAME, --matrices FILE.pose, and --joint NAME=rx,ry,rz as "
-        "often as needed");
+        "give one of --random SEED, --animation NAME, --matrices FILE.pose, --to-pose POSE, and --joint NAME=rx,ry,rz "
+        "as often as needed");
   (void)deform_options(s.deform);
   check_output(s.output, {".obj", ".png"});
   const Character character = read_character(s.character);
@@ -164,9 +172,12 @@ void add_pose(CLI::App& app) {
   sub->add_option("--matrices", s->matrices,
                   "A pose of skinning matrices (rest to posed space), a line a joint. pose NAME m00 m01 ... m23")
       ->type_name("FILE.pose");
+  shared_option(sub, "--to-pose", s->to_pose);
   add_deform_options(sub, {"linear", "dual-quaternion", "volume", "xpbd", "delta-mush"},
                      "linear and dual-quaternion: skinning alone; ", &s->deform);
-  shared_option(sub, "--up", s->up, "In the picture")->check(CLI::IsMember({"y", "z"}))->capture_default_str();
+  shared_option(sub, "--up", s->up, "In the picture, and of --to-pose")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->capture_default_str();
   add_solver_options(sub, &s->deform);
   sub->footer(
       "Examples:\n  sinew pose hero.glb --random 7 -o pose.png\n"

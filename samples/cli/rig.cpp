@@ -35,13 +35,14 @@ using Json = nlohmann::ordered_json;
 
 struct Settings {
   std::string detail = "body", hands_model, front_model;
-  std::string mesh, output, model, bind_model, png, up = "auto", front = "auto", format = "glb", prediction, skeleton;
+  std::string mesh, output, model, bind_model, png, up = "auto", front = "auto", format = "glb", prediction, skeleton,
+      to_pose;
   MethodOptions method;
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
   StyleOptions style;
   bool mirror = false, no_mirror = false, no_toes = false, no_ends = false, no_bind = false, json = false,
-       keep_lengths = false;
+       keep_lengths = false, gate = false;
 };
 
 struct Models {
@@ -82,6 +83,8 @@ RigJobOptions job_options(const Settings& s) {
   job.ends = !s.no_ends;
   job.bind = !s.no_bind;
   job.keep_lengths = s.keep_lengths;
+  job.gate = s.gate;
+  job.to_pose = s.to_pose;
   job.influence_count = s.influences;
   BindOptions style;
   style.method = SINEW_METHOD_MODEL;
@@ -142,6 +145,14 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
     json["joints"].push_back(std::move(one));
   }
   json["notes"] = rigged.character.notes;
+  if (s.gate) {
+    const GateFigures& figures = rigged.gate_figures;
+    json["gate"] = {{"spread", figures.spread},
+                    {"weak_parents", figures.weak_parents},
+                    {"unweighted", figures.unweighted},
+                    {"exploded", figures.exploded},
+                    {"fails", rigged.gate}};
+  }
   return json;
 }
 
@@ -182,7 +193,7 @@ void run_folder(const Settings& s) {
   check_skeleton_source(s.skeleton);
   const std::vector<FolderFile> files = folder_files(s.mesh, s.output, "." + s.format);
   const Models models = load_models(s);
-  size_t failed = 0;
+  size_t failed = 0, wanting = 0;
   Progress progress(files.size(), "meshes");
   for (const FolderFile& file : files) {
     try {
@@ -190,6 +201,9 @@ void run_folder(const Settings& s) {
       make_folder(std::filesystem::path(file.output).parent_path().string());
       write_rigged(s, rigged, file.output);
       if (s.json) progress.say(stdout, json_line(summary_json(s, rigged, file.mesh, file.output)));
+      wanting += rigged.gate.empty() ? 0 : 1;
+      for (const std::string& line : rigged.gate)
+        progress.say(stderr, "sinew: gate: " + printable(file.mesh + ": " + line));
     } catch (const Error& error) {
       ++failed;
       progress.say(stderr, "sinew: error: " + printable(error.what()));
@@ -199,12 +213,16 @@ void run_folder(const Settings& s) {
   if (failed > 0)
     throw Error(std::to_string(failed) + " of " + std::to_string(files.size()) + " meshes failed, see above");
   if (!s.json) std::printf("wrote %zu files to %s\n", files.size(), printable(s.output).c_str());
+  if (wanting > 0)
+    throw GateError(std::to_string(wanting) + " of " + std::to_string(files.size()) +
+                    " meshes do not pass the gate, see above; their files are written");
 }
 
 void run(Settings s) {
   if (s.mirror && s.no_mirror) throw UsageError("--mirror and --no-mirror: give one of the two");
   if (s.keep_lengths && s.skeleton.empty())
     throw UsageError("--keep-lengths is for a skeleton of your own: give --skeleton");
+  if (!s.to_pose.empty() && s.no_bind) throw UsageError("--to-pose moves the mesh by its weights: leave --no-bind out");
   if (!s.hands_model.empty() && s.detail == "body")
     throw UsageError("--hands-model is for fingers: give --detail hands or full");
   if (s.front.size() == 2 && s.front[1] == s.up[0])
@@ -222,6 +240,8 @@ void run(Settings s) {
   const Rigged rigged = rig_one(s, load_models(s), s.mesh);
   write_rigged(s, rigged, s.output);
   tell(s, rigged, s.mesh, s.output, s.output == "-" ? stderr : stdout);
+  if (!rigged.gate.empty())
+    throw GateError(s.mesh + ": does not pass the gate: " + rigged.gate.front() + "; what is written needs a look");
 }
 
 // What most meshes need.
@@ -264,6 +284,10 @@ void add_inputs(CLI::App* sub, Settings* s) {
       ->capture_default_str();
   shared_option(sub, "--png", s->png, "The mesh with its joints, coloured by weight");
   shared_flag(sub, "--json", s->json, "Joints with confidences; with a folder one line for every mesh");
+  sub->add_flag(
+      "--gate", s->gate,
+      "For pipelines: exit status 3 where the votes doubt, joints are unsure of their parents, vertices have no "
+      "weight, or the mesh tears in a test pose. Files are written all the same");
 }
 
 void add_shape_options(CLI::App* sub, Settings* s) {
@@ -275,6 +299,8 @@ void add_shape_options(CLI::App* sub, Settings* s) {
       ->type_name("N");
   sub->add_flag("--no-toes", s->no_toes, "Feet without toe joints");
   sub->add_flag("--no-ends", s->no_ends, "No NAME_end joints where chains end");
+  shared_option(sub, "--to-pose", s->to_pose,
+                "The mesh follows, its bends keep their volume, and what is written is bound in that pose");
   sub->add_flag("--keep-lengths", s->keep_lengths,
                 "With --skeleton: rotate its bones and scale them all alike, instead of each by itself");
   sub->add_option("--prediction", s->prediction,

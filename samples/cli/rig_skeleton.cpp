@@ -19,6 +19,8 @@ EditOptions::EditOptions(CLI::App* sub) : sub_(sub) {
     options_.push_back({kind, option, std::move(texts)});
   };
   add(EditKind::kMove, "--move", "JOINT=X,Y,Z", "Put a joint there, its mirror image likewise");
+  add(EditKind::kAt, "--at", "JOINT=X,Y,Z",
+      "A joint is there, as LeftHand; it is added where it was not found, with what is between it and the body");
   add(EditKind::kAdd, "--add", "NAME=PARENT:X,Y,Z", "A new joint; NAME_end is a bone end");
   add(EditKind::kRemove, "--remove", "JOINT", "Take a joint out; its children go to its parent");
   add(EditKind::kParent, "--parent", "JOINT=OTHER", "Hang a joint on another");

@@ -24,6 +24,12 @@ class UsageError : public Error {
   using Error::Error;
 };
 
+// The job is done and its files are written, and what was asked of the result is not so (--gate): exit status 3.
+class GateError : public Error {
+ public:
+  using Error::Error;
+};
+
 // Throws UsageError unless `path` is "-" (when allowed) or ends with one of `extensions`; Error when its folder is
 // missing or it is a folder itself. Called before any work.
 void check_output(const std::string& path, const std::vector<std::string>& extensions, bool stream_allowed = false);

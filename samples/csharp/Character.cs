@@ -45,6 +45,10 @@ namespace Sinew
         public Mirror Mirror;
         public int SpineCount, Influences;
         public bool ZUp, NoToes, NoEnds, NoBind, KeepLengths;
+        /// <summary>Measure the result: what fails is a note that begins with "gate: ".</summary>
+        public bool Gate;
+        /// <summary>The rest pose that the character is put into: "t", "a", or a file whose skeleton stands so; or null.</summary>
+        public string ToPose;
         /// <summary>A file or template:NAME that is put into the mesh; or null.</summary>
         public string Skeleton;
         /// <summary>Which slots a body may have, for CharacterRigMethod.Slots.</summary>
@@ -479,7 +483,7 @@ namespace Sinew
                     detail = (uint)settings.Detail, mirror = (uint)settings.Mirror, up = Axis(settings.ZUp),
                     spine_count = (uint)settings.SpineCount, no_toes = One(settings.NoToes), no_ends = One(settings.NoEnds),
                     no_bind = One(settings.NoBind), keep_lengths = One(settings.KeepLengths), influence_count = (uint)settings.Influences,
-                    skeleton = pins.Of(settings.Skeleton)
+                    skeleton = pins.Of(settings.Skeleton), gate = One(settings.Gate), to_pose = pins.Of(settings.ToPose)
                 }), result);
                 Check(status, handle_, "rig", watch);
                 return Read<Native.sinew_character_rig_result>(result).spread;

@@ -38,7 +38,7 @@ namespace Sinew
     public enum JointsFrom { Auto = 0, Own = 1, Names = 2, All = 3 }
     public enum CharacterRigMethod { Auto = 0, Votes = 1, Shape = 2, Regions = 3, Slots = 4 }
     public enum CharacterDetail { Body = 0, Hands = 1, Full = 2 }
-    public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4 }
+    public enum EditKind { Move = 0, Add = 1, Remove = 2, Parent = 3, Rename = 4, At = 5 }
     public enum AnimateMethod { Auto = 0, Copy = 1, Contacts = 2, ReferencePoints = 3 }
     public enum PoseDeform { Linear = 0, DualQuaternion = 1, Volume = 2, Xpbd = 3, DeltaMush = 4 }
 
@@ -449,7 +449,8 @@ namespace Sinew
             public uint method, detail, mirror, up, spine_count, no_toes, no_ends, no_bind, keep_lengths, influence_count, rigid_parts,
                 softness_percent, surface_vertices, edit_count;
             public IntPtr edits, skeleton, skeleton_character;
-            public uint category, front;
+            public uint category, front, gate, reserved;
+            public IntPtr to_pose;
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -207,6 +207,16 @@ TEST_F(CharacterC, RigsAsTheCommand) {
   save(caped, "ours.rig.txt");
   expect_same("ours.rig.txt", "command.rig.txt");
 
+  good("rig " + kCaped + " --to-pose t -o posed.glb");
+  options = sinew_character_rig_options_init();
+  options.to_pose = "t";
+  const Handle posed = open(kCaped);
+  good_call(sinew_character_rig(posed.get(), &options, nullptr), posed);
+  save(posed, "posed_ours.glb");
+  expect_same("posed_ours.glb", "posed.glb");
+  options.no_bind = 1;
+  EXPECT_NE(sinew_character_rig(posed.get(), &options, nullptr), SINEW_OK);
+
   good("rig " + kRobed + " --method shape --no-bind --no-mirror -o shape.rig.txt");
   options = sinew_character_rig_options_init();
   options.method = SINEW_CHARACTER_RIG_SHAPE;

@@ -55,6 +55,32 @@ TEST_F(CliRigEdit, EditsApplyInTheOrderOfTheCommandLine) {
   EXPECT_EQ(one_side.count("hand.R"), 1u);
 }
 
+TEST_F(CliRigEdit, ArmsOfATPoseLieOnALine) {
+  good("rig " + kRobed + " --prediction " + kRobedRig + " --to-pose t -o out.rig.txt");
+  const auto posed = out();
+  for (const std::string side : {".L", ".R"})
+    for (const std::string joint : {"forearm", "hand"})
+      EXPECT_NEAR(posed.at(joint + side).position.y, posed.at("upper_arm" + side).position.y, 1e-3f) << joint << side;
+  EXPECT_NE(bad(2, rig_ + "--to-pose t").error.find("--no-bind"), std::string::npos);
+  EXPECT_NE(bad(1, "rig " + kRobed + " --to-pose nowhere.rig.txt -o out.glb").error.find("nowhere"), std::string::npos);
+  EXPECT_NE(
+      bad(1, "rig " + kData + "/snake__long.obj --method shape --to-pose t -o out.glb").error.find("left from right"),
+      std::string::npos);
+}
+
+TEST_F(CliRigEdit, AGateEndsWithThreeAndWritesAllTheSame) {
+  const std::string sure = "rig " + kRobed + " --prediction " + kRobedRig + " -o sure.glb --gate";
+  EXPECT_EQ(good(sure).error, "");
+  const auto figures = nlohmann::json::parse(good(sure + " --json").out)["gate"];
+  EXPECT_EQ(figures["fails"].size(), 0u);
+  EXPECT_EQ(figures["unweighted"], 0);
+  put(in("cube.obj"),
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 "
+      "7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  EXPECT_NE(bad(3, "rig cube.obj -o cube.glb --gate").error.find("gate"), std::string::npos);
+  EXPECT_TRUE(fs::exists(in("cube.glb")));
+}
+
 TEST_F(CliRigEdit, WrongEditsAreOneLine) {
   EXPECT_NE(bad(1, rig_ + "--move hnd.L=0,0,0").error.find("near it: hand.L"), std::string::npos);
   EXPECT_NE(bad(2, rig_ + "--move hand.L=0,x,0").error.find("three numbers"), std::string::npos);

@@ -36,13 +36,15 @@ RigJobOptions job_of(const sinew_character_rig_options& options) {
   job.ends = options.no_ends == 0;
   job.bind = options.no_bind == 0;
   job.keep_lengths = options.keep_lengths != 0;
+  job.gate = options.gate != 0;
+  if (options.to_pose != nullptr) job.to_pose = options.to_pose;
   if (options.influence_count != 0) job.influence_count = options.influence_count;
   if (options.thread_count != 0) job.thread_count = options.thread_count;
   job.rigid_parts = options.rigid_parts;
   if (options.softness_percent != 0) job.softness_percent = options.softness_percent;
   if (options.surface_vertices != 0) job.surface_vertices = options.surface_vertices;
   for (uint32_t e = 0; e < options.edit_count; ++e) {
-    check_at_most("edits: kind", options.edits[e].kind, SINEW_EDIT_RENAME);
+    check_at_most("edits: kind", options.edits[e].kind, SINEW_EDIT_AT);
     need(options.edits[e].text != nullptr, "edits: text");
     job.edits.push_back(parse_edit(static_cast<EditKind>(options.edits[e].kind), options.edits[e].text));
   }

@@ -9,6 +9,7 @@
 #include "gltf/bind_pose.hpp"
 #include "gltf/gltf_source.hpp"
 #include "gltf/mesh_nodes.hpp"
+#include "gltf/move_vertices.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
@@ -277,49 +278,8 @@ class SkinWriter {
         for (double& value : matrices[v]) value /= totals[v];
     }
 
-    Json& json = document_["meshes"][static_cast<size_t>(mesh)]["primitives"][static_cast<size_t>(part.primitive)];
-    std::vector<double> normal_lengths(count, 1), tangent_lengths(count, 1);
-    // Moves one attribute; morph targets are differences, scaled as the normal or tangent they are added to was.
-    const auto move = [&](Json* attributes, const char* name, const std::map<std::string, int>& from, bool difference) {
-      const auto at = from.find(name);
-      if (at == from.end()) return;
-      const bool is_position = at->first == "POSITION", is_normal = at->first == "NORMAL";
-      const size_t width = at->first == "TANGENT" && !difference ? 4 : 3;
-      std::vector<float> values = accessor_floats(where, source_.model, at->second, static_cast<int>(width));
-      std::vector<double>& lengths = is_normal ? normal_lengths : tangent_lengths;
-      std::array<float, 3> low{}, high{};
-      for (size_t v = 0; v < count; ++v) {
-        Affine m = matrices[v];
-        if (!is_position || difference) m[3] = m[7] = m[11] = 0;
-        const double x = static_cast<double>(values[v * width]), y = static_cast<double>(values[v * width + 1]),
-                     z = static_cast<double>(values[v * width + 2]);
-        std::array<double, 3> moved = is_normal ? transform_normal(m, x, y, z) : transform_point(m, x, y, z);
-        if (!is_position) {
-          const double length = std::sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2]);
-          if (!difference) lengths[v] = length > 0 ? length : 1;
-          for (double& value : moved) value /= lengths[v];
-        }
-        for (size_t c = 0; c < 3; ++c) {
-          const float value = static_cast<float>(moved[c]);
-          values[v * width + c] = value;
-          low[c] = v == 0 ? value : std::min(low[c], value);
-          high[c] = v == 0 ? value : std::max(high[c], value);
-        }
-      }
-      const int accessor = add_accessor(&source_, values.data(), values.size() * 4, width == 4 ? "VEC4" : "VEC3",
-                                        TINYGLTF_COMPONENT_TYPE_FLOAT, count, true, false);
-      if (is_position) {
-        document_["accessors"][static_cast<size_t>(accessor)]["min"] = low;
-        document_["accessors"][static_cast<size_t>(accessor)]["max"] = high;
-      }
-      orphans_.push_back(at->second);
-      (*attributes)[name] = accessor;
-    };
-    for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
-      move(&json["attributes"], name, primitive.attributes, false);
-    for (size_t t = 0; t < primitive.targets.size(); ++t)
-      for (const char* name : {"POSITION", "NORMAL", "TANGENT"})
-        move(&json["targets"][t], name, primitive.targets[t], true);
+    move_vertices(where, primitive, matrices, {static_cast<size_t>(mesh), static_cast<size_t>(part.primitive)},
+                  &source_, &orphans_);
   }
 
   // Joints and inverse bind matrices of a skin: joint's bind transform x inverse bind = where the mesh stands. Matrices

@@ -42,6 +42,10 @@ export interface RigOptions {
   category?: "any" | "biped" | "quadruped" | "bird" | "fish";
   /** a bundled skeleton that is put into the mesh: "mixamo", "vrm", "unreal", "rigify", ... */
   template?: string;
+  /** the rest pose that the character is put into: arms out, or 45 degrees lower */
+  toPose?: "t" | "a";
+  /** measure the result: what fails is a note that begins with "gate: " */
+  gate?: boolean;
   onProgress?: Progress;
 }
 export interface RetargetOptions {

@@ -15,6 +15,7 @@ const BIND = {
 const RIG = {
   method: WORDS.characterRigMethod, detail: WORDS.characterDetail, mirror: WORDS.mirror, up: WORDS.up, front: WORDS.front, spine: "spine_count",
   toes: "!no_toes", ends: "!no_ends", bind: "!no_bind", keepLengths: "keep_lengths", influences: "influence_count", category: WORDS.slotCategory, template: "skeleton",
+  toPose: "to_pose", gate: "gate",
 };
 const RETARGET = {
   method: WORDS.animateMethod, inPlace: "in_place", range: "!no_range", force: "force", translations: "translations", targetUp: WORDS.up, motionUp: WORDS.up, deform: WORDS.poseDeform, bodyContact: "body_contact", shapes: "shapes", fps: "fps", from: "from", to: "to",

@@ -118,11 +118,11 @@ export const LAYOUTS = {
     "question_count@20:u32 answers_by_style@24:u32 reserved@28:u32 seconds@32:f64 workspace_bytes@40:u32 left_out@44:u32 " +
     "left_out_why@48:u32 questions@52:u32 vertex_questions@56:u32 hash@60:u32"),
   skeletonEdit: layout(12, "kind@0:u32 reserved@4:u32 text@8:u32"),
-  characterRigOptions: layout(96,
+  characterRigOptions: layout(108,
     "struct_size@0:u32 thread_count@4:u32 progress@8:u32 progress_user@12:u32 models@16:u32 method@20:u32 detail@24:u32 " +
     "mirror@28:u32 up@32:u32 spine_count@36:u32 no_toes@40:u32 no_ends@44:u32 no_bind@48:u32 keep_lengths@52:u32 " +
     "influence_count@56:u32 rigid_parts@60:u32 softness_percent@64:u32 surface_vertices@68:u32 edit_count@72:u32 edits@76:u32 " +
-    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 front@92:u32"),
+    "skeleton@80:u32 skeleton_character@84:u32 category@88:u32 front@92:u32 gate@96:u32 reserved@100:u32 to_pose@104:u32"),
   characterRigResult: layout(88,
     "struct_size@0:u32 mirrored@4:u32 matched@8:u32 joint_count@12:u32 spread@16:f32 reserved@20:f32 scale@24:f64 " +
     "seconds@32:f64 bind_seconds@40:f64 ends@48:u32 confidence@52:u32 parent_confidence@56:u32 front@60:f32x3 up@72:u32 " +
@@ -233,7 +233,7 @@ export const WORDS = {
   jointsFrom: ["auto", "own", "names", "all"],
   characterRigMethod: ["auto", "votes", "shape", "regions", "slots"],
   characterDetail: ["body", "hands", "full"],
-  editKind: ["move", "add", "remove", "parent", "rename"],
+  editKind: ["move", "add", "remove", "parent", "rename", "at"],
   animateMethod: ["auto", "copy", "contacts", "reference-points"],
   poseDeform: ["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"],
 };

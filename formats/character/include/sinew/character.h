@@ -316,7 +316,8 @@ typedef enum sinew_edit_kind {
   SINEW_EDIT_ADD = 1,    /* "NAME=PARENT:X,Y,Z" */
   SINEW_EDIT_REMOVE = 2, /* "JOINT" */
   SINEW_EDIT_PARENT = 3, /* "JOINT=OTHER" */
-  SINEW_EDIT_RENAME = 4  /* "JOINT=NAME" */
+  SINEW_EDIT_RENAME = 4, /* "JOINT=NAME" */
+  SINEW_EDIT_AT = 5      /* "JOINT=X,Y,Z": as MOVE; a joint that was not found is added, as LeftHand with its arm */
 } sinew_edit_kind;
 
 /* A change of a predicted skeleton, before the mesh is bound to it; to both sides where it is symmetric. */
@@ -351,6 +352,9 @@ typedef struct sinew_character_rig_options {
   const sinew_character* skeleton_character; /* the same of a character; or null */
   uint32_t category;                         /* sinew_slot_category of SINEW_CHARACTER_RIG_SLOTS */
   uint32_t front;                            /* sinew_front; 0 = found */
+  uint32_t gate;     /* 1: the result is measured; what fails is a note that begins with "gate: " */
+  uint32_t reserved; /* 0 */
+  const char* to_pose; /* rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as the mesh stands */
 } sinew_character_rig_options;
 
 static inline sinew_character_rig_options sinew_character_rig_options_init(void) {

@@ -12,6 +12,7 @@
 #include "sinew_character/fit_skeleton.hpp"
 #include "sinew_character/predict_details.hpp"
 #include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/rig_gate.hpp"
 #include "sinew_formats/character.hpp"
 
 namespace sinew {
@@ -35,6 +36,9 @@ struct RigJobOptions {
   uint32_t front = SINEW_FRONT_AUTO;
   uint32_t category = 0;  // SINEW_CATEGORY_*, of slots
   bool toes = true, ends = true, bind = true, keep_lengths = false;
+  std::string
+      to_pose;  // the rest pose of what is written: "t", "a" or a file that stands so; empty: as the mesh stands. Needs `bind`
+  bool gate = false;  // measure the result: RiggedCharacter::gate
   uint32_t influence_count = 4, thread_count = 1;
   uint32_t rigid_parts = SINEW_RIGID_PARTS_AUTO, softness_percent = 100, surface_vertices = 32768;
   std::vector<SkeletonEdit> edits;
@@ -54,6 +58,8 @@ struct RiggedCharacter {
   Character character;
   PredictedSkeleton skeleton;
   std::optional<FittedSkeleton> fitted;  // with RigJobOptions::skeleton
+  GateFigures gate_figures;              // with RigJobOptions::gate
+  std::vector<std::string> gate;         // the same: what fails, a line each, told in the notes as well
   double bind_seconds = 0;
 };
 

@@ -2,6 +2,7 @@
 // A bare mesh with a skeleton and weights.
 #include "sinew_character/rig_job.hpp"
 
+#include <map>
 #include <utility>
 
 #include "sinew/published.h"
@@ -9,6 +10,7 @@
 #include "sinew_character/own_skeleton.hpp"
 #include "sinew_character/predict_face.hpp"
 #include "sinew_character/predict_hands.hpp"
+#include "sinew_character/rest_pose.hpp"
 #include "sinew_character/thread_pool.hpp"
 #include "sinew_formats/error.hpp"
 
@@ -114,10 +116,29 @@ void bind_rigged(const RigJobOptions& job, const RigModels& models, RiggedCharac
   rigged->bind_seconds = result.seconds;
 }
 
+// The mesh and both of its skeletons in another rest pose.
+void put_into_pose(const RestPose& pose, RiggedCharacter* rigged) {
+  rigged->character = in_rest_pose(rigged->character, pose, rigged->skeleton.up_axis == 1 ? 2 : 1);
+  std::map<std::string, Vec3> places;
+  for (const Joint& joint : rigged->character.joints) places[joint.name] = joint.position;
+  for (Joint& joint : rigged->skeleton.joints)
+    if (const auto found = places.find(joint.name); found != places.end()) joint.position = found->second;
+  if (rigged->fitted) rigged->fitted->joints = rigged->character.joints;
+}
+
+void measure_gate(const RigJobOptions& job, RiggedCharacter* rigged) {
+  rigged->gate_figures = gate_figures(rigged->character, rigged->skeleton);
+  rigged->gate = gate_failures(rigged->gate_figures, job.bind);
+  for (const std::string& line : rigged->gate) rigged->character.notes.push_back("gate: " + line);
+}
+
 }  // namespace
 
 RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool by_names, const RigJobOptions& job,
                               const RigModels& models) {
+  if (!job.to_pose.empty() && !job.bind) throw Error("another rest pose needs weights: bind the mesh as well");
+  const std::optional<RestPose> pose =
+      job.to_pose.empty() ? std::nullopt : std::optional<RestPose>(read_rest_pose(job.to_pose));
   RiggedCharacter rigged;
   rigged.character = std::move(mesh);
   rigged.skeleton = std::move(predicted);
@@ -134,6 +155,8 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
   character.joints = rigged.fitted && job.edits.empty() ? rigged.fitted->joints : rigged.skeleton.joints;
   character.influences.clear();
   if (job.bind) bind_rigged(job, models, &rigged);
+  if (pose) put_into_pose(*pose, &rigged);
+  if (job.gate) measure_gate(job, &rigged);
   return rigged;
 }
 

@@ -8,8 +8,10 @@
 #include <optional>
 #include <string_view>
 
+#include "predict/marker_edits.hpp"
 #include "predict/mirror_plane.hpp"
 #include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/joint_verdicts.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
@@ -31,6 +33,8 @@ const char* form_of(EditKind kind) {
       return "--parent JOINT=OTHER";
     case EditKind::kRename:
       return "--rename JOINT=NAME";
+    case EditKind::kAt:
+      return "--at JOINT=X,Y,Z";
   }
   return "";
 }
@@ -89,6 +93,8 @@ class Editor {
         return set_parent(edit);
       case EditKind::kRename:
         return rename(edit);
+      case EditKind::kAt:
+        return mark(edit);
     }
   }
 
@@ -157,6 +163,14 @@ class Editor {
     place_with_ends(j, position);
     // A joint that was moved by itself has no mirror image any more.
     if (!mirror_) forget_partner(j);
+  }
+
+  void mark(const SkeletonEdit& edit) {
+    if (find(edit.joint)) return move(edit);
+    const size_t before = count();
+    for (const SkeletonEdit& step : marker_edits(s_.joints, edit)) add(step);
+    const JointVerdicts verdicts = joint_verdicts(s_.joints);
+    for (size_t j = before; j < count(); ++j) s_.classes[j] = verdicts.classes[j];
   }
 
   void place_with_ends(int32_t j, const Vec3& position) {
@@ -357,7 +371,7 @@ SkeletonEdit parse_edit(EditKind kind, const std::string& text) {
   }
   if (equals == std::string::npos || equals + 1 == text.size()) refuse();
   const std::string value = text.substr(equals + 1);
-  if (kind == EditKind::kMove) {
+  if (kind == EditKind::kMove || kind == EditKind::kAt) {
     edit.position = parse_position(kind, text, value);
   } else if (kind == EditKind::kAdd) {
     const size_t colon = value.rfind(':');  // mixamorig:Hips has one of its own

@@ -203,6 +203,8 @@ EMSCRIPTEN_KEEPALIVE const char* character_rig(sinew_character* character, const
         wish.take("keep_lengths", &o.keep_lengths);
         wish.take("influence_count", &o.influence_count);
         wish.take("category", &o.category);
+        wish.take("gate", &o.gate);
+        wish.take("to_pose", &o.to_pose);
         wish.take("skeleton", &o.skeleton);
         wish.take_array("skeleton_character", &o.skeleton_character);
       },

@@ -109,8 +109,8 @@ CharacterRigMethod = Literal["auto", "votes", "shape", "regions", "slots"]
 CHARACTER_RIG_METHOD: Tuple[str, ...] = ("auto", "votes", "shape", "regions", "slots")
 CharacterDetail = Literal["body", "hands", "full"]
 CHARACTER_DETAIL: Tuple[str, ...] = ("body", "hands", "full")
-EditKind = Literal["move", "add", "remove", "parent", "rename"]
-EDIT_KIND: Tuple[str, ...] = ("move", "add", "remove", "parent", "rename")
+EditKind = Literal["move", "add", "remove", "parent", "rename", "at"]
+EDIT_KIND: Tuple[str, ...] = ("move", "add", "remove", "parent", "rename", "at")
 AnimateMethod = Literal["auto", "copy", "contacts", "reference-points"]
 ANIMATE_METHOD: Tuple[str, ...] = ("auto", "copy", "contacts", "reference-points")
 PoseDeform = Literal["linear", "dual-quaternion", "volume", "xpbd", "delta-mush"]
@@ -339,7 +339,7 @@ class sinew_character_rig_options(Structure):
         ("spine_count", c_uint32), ("no_toes", c_uint32), ("no_ends", c_uint32), ("no_bind", c_uint32), ("keep_lengths", c_uint32),
         ("influence_count", c_uint32), ("rigid_parts", c_uint32), ("softness_percent", c_uint32), ("surface_vertices", c_uint32),
         ("edit_count", c_uint32), ("edits", POINTER(sinew_skeleton_edit)), ("skeleton", c_char_p), ("skeleton_character", c_void_p),
-        ("category", c_uint32), ("front", c_uint32)]
+        ("category", c_uint32), ("front", c_uint32), ("gate", c_uint32), ("reserved", c_uint32), ("to_pose", c_char_p)]
 
 
 class sinew_character_rig_result(Structure):

@@ -385,15 +385,18 @@ class OpenCharacter:
             mirror: declarations.Mirror = "auto", up: FoundUp = "auto", front: str = "auto", spine: int = 0, toes: bool = True,
             ends: bool = True, bind: bool = True,
             skeleton: Union[None, str, os.PathLike, "OpenCharacter"] = None, keep_lengths: bool = False,
-            edits: Sequence[Tuple[declarations.EditKind, str]] = (), influences: int = 0, category: declarations.SlotCategory = "any",
-            model: ModelFile = None, hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
+            edits: Sequence[Tuple[declarations.EditKind, str]] = (), to_pose: Union[None, str, os.PathLike] = None,
+            gate: bool = False, influences: int = 0, category: declarations.SlotCategory = "any", model: ModelFile = None,
+            hands_model: ModelFile = None, front_model: ModelFile = None, threads: int = 1,
             progress: ProgressFunction = None) -> Rigged:
         """A skeleton for the mesh, and weights for it. A skeleton that the character has is left out.
 
         detail    "body": down to the hands; "hands": with fingers; "full": with eyes, a jaw and props
         skeleton  a file, "template:NAME" (see templates()) or an OpenCharacter whose skeleton is put into the mesh
         edits     ("move", "JOINT=X,Y,Z"), ("add", "NAME=PARENT:X,Y,Z"), ("remove", "JOINT"), ("parent", "JOINT=OTHER"),
-                  ("rename", "JOINT=NAME")
+                  ("rename", "JOINT=NAME"), ("at", "JOINT=X,Y,Z"): as move, and adds what was not found
+        to_pose   "t", "a" or a file whose skeleton stands so: the rest pose that the character is put into
+        gate      measure the result: what fails is a note that begins with "gate: "
         category  of method "slots": which slots a body may have
         Other arguments are those of sinew.rig().
         """
@@ -403,8 +406,10 @@ class OpenCharacter:
         options.up, options.spine_count = declarations.UP.index(get_args(FoundUp)[chosen(up, get_args(FoundUp), "up")]), spine
         options.front = chosen(front, FRONTS, "front")
         options.no_toes, options.no_ends, options.no_bind = int(not toes), int(not ends), int(not bind)
-        options.keep_lengths, options.influence_count = int(keep_lengths), influences
+        options.keep_lengths, options.influence_count, options.gate = int(keep_lengths), influences, int(gate)
         options.category = chosen(category, declarations.SLOT_CATEGORY, "category")
+        if to_pose is not None:
+            options.to_pose = os.fsencode(to_pose)
         listed = (declarations.sinew_skeleton_edit * len(edits))()
         for one, (kind, text) in zip(listed, edits):
             one.kind, one.text = chosen(kind, declarations.EDIT_KIND, "edits"), text.encode()

@@ -228,5 +228,28 @@ TEST(EditSkeleton, TheLastJointStays) {
   EXPECT_EQ(s.joints.size(), 1u);
 }
 
+TEST(EditSkeleton, AMarkerMovesAJointOrMakesTheChainThatIsMissing) {
+  PredictedSkeleton s = small_body();
+  edit_skeleton({parse_edit(EditKind::kAt, "LeftHand=2.5,1,0")}, true, &s);
+  expect_at(s, "LeftHand", {2.5f, 1, 0});
+  expect_at(s, "RightHand", {-1.5f, 1, 0});
+
+  edit_skeleton({parse_edit(EditKind::kAt, "LeftFoot=1,0,0")}, true, &s);
+  EXPECT_EQ(parent(s, "LeftFoot"), "LeftLeg");
+  EXPECT_EQ(parent(s, "LeftLeg"), "LeftUpLeg");
+  EXPECT_EQ(parent(s, "LeftUpLeg"), "Hips");
+  EXPECT_NEAR(joint(s, "LeftUpLeg").position.y, 0.88f, 1e-5f);
+  EXPECT_NEAR(joint(s, "RightFoot").position.x, 0, 1e-5f);
+  EXPECT_EQ(s.partners[index_of(s, "LeftLeg")], static_cast<int>(index_of(s, "RightLeg")));
+  EXPECT_EQ(s.classes[index_of(s, "RightLeg")], SINEW_CLASS_CALF);
+
+  edit_skeleton({parse_edit(EditKind::kAt, "LeftToeBase=1,0,0.3")}, true, &s);
+  EXPECT_EQ(parent(s, "LeftToeBase"), "LeftFoot");
+  expect_at(s, "LeftToeBase", {1, 0, 0.3f});
+  const size_t before = s.joints.size();
+  EXPECT_ERROR(edit_skeleton({parse_edit(EditKind::kAt, "LeftClaw=0,0,0")}, true, &s), "LeftClaw", "--add");
+  EXPECT_EQ(s.joints.size(), before);
+}
+
 }  // namespace
 }  // namespace sinew
