@@ -6,6 +6,7 @@ if(TARGET sinew_cli)
     integration/cli_rig_edit_test.cpp integration/cli_slots_test.cpp integration/cli_hands_test.cpp integration/cli_simplify_test.cpp integration/cli_map_test.cpp integration/cli_animate_test.cpp integration/cli_transfer_test.cpp
     integration/cli_bake_test.cpp integration/cli_like_test.cpp integration/cli_readme_test.cpp integration/cli_options_test.cpp integration/cli_convert_test.cpp
     LIBS sinew::character nlohmann_json::nlohmann_json LABELS integration)
+  target_include_directories(cli_test PRIVATE ${CMAKE_SOURCE_DIR}/formats/src)  # walking_motion.hpp
   add_dependencies(cli_test sinew_cli)
   if(SINEW_HAS_ASSIMP)
     target_compile_definitions(cli_test PRIVATE SINEW_HAS_ASSIMP)

@@ -59,6 +59,31 @@ TEST(Stance, IsFoundInTheMotionWhateverTheRestPoseIs) {
   }
 }
 
+// Knees are never straight and the chest is never level with the hips, but feet are flat and shoulders are as wide as they are.
+TEST(Stance, FeetAreFlatAndShouldersAcross) {
+  Motion walk = walking_person();
+  for (MotionFrame& frame : walk.clips[0].frames) {
+    for (size_t j = 0; j < walk.joints.size(); ++j) {
+      const std::string& name = walk.joints[j].name;
+      if (name == "Chest") frame.rotations[j] = axis_rotation(1, 0.4);
+      if (name == "LeftLeg" || name == "RightLeg") frame.rotations[j] = axis_rotation(0, 0.5);
+    }
+    const WorldPose pose = world_pose(walk, frame);
+    for (size_t j = 0; j < walk.joints.size(); ++j) {
+      const std::string& name = walk.joints[j].name;
+      if (name == "LeftFoot" || name == "RightFoot")
+        frame.rotations[j] = conjugate(pose.rotations[static_cast<size_t>(walk.joints[j].parent)]);
+    }
+  }
+  const std::optional<Motion> found = standing_motion(with_random_axes(walk));
+  ASSERT_TRUE(found);
+  const std::vector<Joint> rest = rest_joints(*found);
+  for (const std::string side : {"Left", "Right"})
+    EXPECT_LT(length(rest_of(rest, side + "ToeBase") - rest_of(rest, side + "Foot") - Point3{0, -0.07, 0.13}), 0.02);
+  const Point3 across = rest_of(rest, "LeftArm") - rest_of(rest, "RightArm");
+  EXPECT_LT(std::hypot(across[1], across[2]), 0.01);
+}
+
 TEST(Stance, IsInTheMotionsOwnWorld) {
   const Motion upright = turned_world(walking_person(), axis_rotation(0, std::acos(0.0)));  // y to z
   for (const Motion& written : {with_random_axes(upright), with_random_axes(numbered(upright))}) {
