@@ -107,7 +107,9 @@ SINEW_API sinew_status sinew_retarget_reference_points_workspace_size(const sine
  * influence (c' + v t' / t) over the sum of influence; the joint's position is the mean of their wishes, which count (ours) by the
  * fourth power of their nearness. Here t and t' are lengths of the source's and the target's bones
  * as seen along v, summed over the path through the skeleton from the joint nearest to c at rest. Where t is 0, t' / t is the
- * ratio of heights. Arms bend so that elbow and wrist come there, with bones of their length; all else stays as it was copied.
+ * ratio of heights. Arms bend so that elbow and wrist come there, with bones of their length; a hand or
+ * forearm that lies deeper in the body than the source's, and than it was copied, comes out (ours); all else stays as it was
+ * copied.
  *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at), as
  *           sinew_corresponding_points() makes one of any mesh; null: capsules round both skeletons stand for the bodies,
  *           the source's as thick as limbs of such proportions are, the target's as its mesh is there; they push elbows and wrists
