@@ -41,6 +41,9 @@ constexpr float kDoubtfulSpread = 0.08f;
 // Above it votes are as far off as the mesh's middle line (SINEW_RIG_SHAPE), which claims less: trainer/configs/RESULTS.md.
 constexpr float kUnknownSpread = 0.09f;
 
+// The same of SINEW_RIG_SLOTS, whose spread says less: six of forty training characters lie above it.
+constexpr float kDoubtfulSlots = 0.05f;
+
 // The character's own joints are not looked at. Throws Error with the character's name, and OutOfMemory.
 PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOptions& options);
 
