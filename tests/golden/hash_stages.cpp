@@ -291,6 +291,7 @@ struct SetLine {
     if (key == "contact") return &deform_options.body_contact;
     if (key == "turns") return &turns;
     if (key == "method") return &rig_options.method;
+    if (key == "category") return &rig_options.category;
     if (key == "mirror") return &rig_options.mirror;
     if (key == "spine") return &rig_options.spine_count;
     if (key == "names") return &names;

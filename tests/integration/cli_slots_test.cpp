@@ -124,5 +124,20 @@ TEST_F(CliSlots, WrongUsage) {
   EXPECT_FALSE(fs::exists(in("set/biped__robot.rigged.glb")));
 }
 
+TEST_F(CliSlots, AMeshThatIsNoBodyIsTold) {
+  const std::string warning = "warning: this mesh resembles little";
+  put(in("point.obj"), "v 0 0 0\n");
+  put(in("sheet.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  put(in("cube.obj"),
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+      "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n");
+  const auto told = [&](const std::string& mesh) {
+    return good("rig " + mesh + " --method slots --no-bind -o out.rig.txt").out.find(warning) != std::string::npos;
+  };
+  for (const char* mesh : {"point.obj", "sheet.obj", "cube.obj"}) EXPECT_TRUE(told(mesh)) << mesh;
+  for (const char* mesh : {"biped__robed", "biped__robot", "quadruped__tailed"})
+    EXPECT_FALSE(told(kData + "/" + mesh + ".obj")) << mesh;
+}
+
 }  // namespace
 }  // namespace sinew

@@ -27,7 +27,8 @@ std::vector<std::vector<std::string>> table_rows() {
   const size_t begin = text.find("\n## Published methods\n");
   EXPECT_NE(begin, std::string::npos);
   std::vector<std::vector<std::string>> rows;
-  for (size_t at = text.find("\n|", begin); at != std::string::npos && text[at + 1] == '|'; at = text.find('\n', at + 1))
+  for (size_t at = text.find("\n|", begin); at != std::string::npos && text[at + 1] == '|';
+       at = text.find('\n', at + 1))
     rows.push_back(cells_of(text.substr(at + 1, text.find('\n', at + 1) - at - 1)));
   return {rows.begin() + std::min<ptrdiff_t>(2, static_cast<ptrdiff_t>(rows.size())), rows.end()};
 }

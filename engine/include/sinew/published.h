@@ -28,7 +28,8 @@ enum {
    * mapping skeletons. Nothing is mirrored */
   SINEW_RIG_REGIONS = 2,
   /* sinew_rig_options: joints in 44 fixed slots and a matrix of connections, by two networks; the model has both. Nothing is
-   * mirrored. Slots that the body's `category` has not stay empty */
+   * mirrored. Slots that the body's `category` has not stay empty. spread is a quarter of how far apart the surface's points
+   * put a joint, at least 0.1 for a sheet: above 0.05 the mesh resembles little that the networks know */
   SINEW_RIG_SLOTS = 3,
   /* sinew_map_options: paths from the root to every leaf, matched by the costs of their joints (place, place in the branch,
    * branches through it, bones, surface); several joints may get one source. Mirrored branches only get mirrored ones; what
@@ -107,7 +108,9 @@ SINEW_API sinew_status sinew_retarget_reference_points_workspace_size(const sine
  * influence (c' + v t' / t) over the sum of influence; the joint's position is the mean of their wishes, which count (ours) by the
  * fourth power of their nearness. Here t and t' are lengths of the source's and the target's bones
  * as seen along v, summed over the path through the skeleton from the joint nearest to c at rest. Where t is 0, t' / t is the
- * ratio of heights. Arms bend so that elbow and wrist come there, with bones of their length; all else stays as it was copied.
+ * ratio of heights. Arms bend so that elbow and wrist come there, with bones of their length; a hand or
+ * forearm that lies deeper in the body than the source's, and than it was copied, comes out (ours); all else stays as it was
+ * copied.
  *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at), as
  *           sinew_corresponding_points() makes one of any mesh; null: capsules round both skeletons stand for the bodies,
  *           the source's as thick as limbs of such proportions are, the target's as its mesh is there; they push elbows and wrists

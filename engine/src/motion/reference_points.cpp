@@ -2,9 +2,7 @@
 // Influences of triangles on joints, lengths of bones along the way, and limbs put where the sum is.
 #include "motion/reference_points.hpp"
 
-#include <stddef.h>
-
-#include "core/struct_size.hpp"
+#include "motion/arm_search.hpp"
 #include "motion/capsule_body.hpp"
 #include "motion/retarget.hpp"
 #include "sinew/rig.h"
@@ -13,9 +11,9 @@ namespace sinew::motion {
 namespace {
 
 constexpr uint32_t kNone = UINT32_MAX;
-constexpr double kNoFalloff = -1;  // SINEW_NO_FALLOFF
 // Parts of the body that reference points belong to.
 constexpr uint8_t kTorso = 0, kHead = 1, kFirstLimb = 2;
+constexpr double kGivesWay = 0.005;  // share of the height: so much deeper an arm may lie in the body, it gives way
 constexpr double kLeastLength =
     1e-6;  // share of the source's height: bones that are shorter as seen along the way say nothing
 
@@ -38,6 +36,8 @@ struct ReferenceScene : ClipScene {
   uint8_t* is_node = nullptr;     // [target joints] mapped, as the first of its source
   Vec3d* source_bones = nullptr;  // [target joints] of one way
   Vec3d* target_bones = nullptr;
+  ArmSearch search;
+  TriangleTree source_tree, target_tree;
 
   bool allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles) {
     (void)ClipScene::allocate(arena, source_joints, target_joints, vertices, triangles);
@@ -51,6 +51,9 @@ struct ReferenceScene : ClipScene {
     is_node = arena.alloc<uint8_t>(target_joints);
     source_bones = arena.alloc<Vec3d>(target_joints);
     target_bones = arena.alloc<Vec3d>(target_joints);
+    source_tree.allocate(arena, triangles);
+    target_tree.allocate(arena, triangles);
+    search.allocate(arena, vertices, triangles);
     return arena.ok();
   }
 };
@@ -69,6 +72,8 @@ class ReferencePoints {
     find_nodes();
     find_head();
     find_groups();
+    if (!options_.outwards) s_.search.open(s_);
+    if (s_.source.height > 0) heights_ = s_.target.height / s_.source.height;
   }
 
   sinew_status run() {
@@ -81,6 +86,7 @@ class ReferencePoints {
       if (options_.torso) take_torso();
       s_.target.pose(plan_.target_rotations, plan_.target_positions);
       s_.target.find_middles(s_.body->triangles, triangles_);
+      if (!options_.outwards) find_depths();
       Vec3d middles[kMostLimbs], lasts[kMostLimbs];
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (!is_moved(l)) continue;
@@ -91,6 +97,7 @@ class ReferencePoints {
       for (uint32_t l = 0; l < s_.limbs.count; ++l) {
         if (is_moved(l)) move_limb(s_.limbs.limbs[l], lasts[l], middles[l], &plan_);
       }
+      if (!options_.outwards) come_out();
       s_.store(f);
       if (!s_.in->progress.report(static_cast<uint32_t>(uint64_t{f + 1} * 1000 / frames))) return SINEW_ERROR_CANCELLED;
     }
@@ -224,7 +231,6 @@ class ReferencePoints {
   // which counts by nearness.
   Vec3d position(uint32_t joint, uint32_t own_part) {
     const Vec3d goal = plan_.source_positions[source_of(joint)];
-    const double heights = s_.source.height > 0 ? s_.target.height / s_.source.height : 1;
     Wish wishes[kFirstLimb + kMostLimbs];
     uint32_t node = joint;
     while (s_.is_node[node] == 0) node = s_.above[node];
@@ -244,7 +250,7 @@ class ReferencePoints {
             from += absolute(dot(along, s_.source_bones[b]));
             to += absolute(dot(along, s_.target_bones[b]));
           }
-          factor = from > kLeastLength * s_.source.height ? to / from : heights;
+          factor = from > kLeastLength * s_.source.height ? to / from : heights_;
         }
         const double own = influence(i, along, distance);
         Wish& wish = wishes[s_.parts_of[i]];
@@ -275,6 +281,28 @@ class ReferencePoints {
     const Vec3d out = s_.target.normal(s_.body->triangles + size_t{3} * nearest->triangle);
     const double along = dot(shift, out);
     return copied + (along < 0 ? Vec3d{0, 0, 0} : along * out);
+  }
+
+  // How deep hands and forearms may lie in the body: as the source's, or as they were copied.
+  void find_depths() {
+    s_.search.fill(s_.source, true, &s_.source_tree);
+    s_.search.fill(s_.target, true, &s_.target_tree);
+    for (uint32_t a = 0; a < s_.search.count(); ++a) {
+      const double source = heights_ * s_.search.deepest(&s_.source_tree, a, {0, 0, 0}, 0).depth;
+      depths_[a] = kGivesWay * s_.target.height + s_.search.deepest(&s_.target_tree, a, {0, 0, 0}, source).depth;
+    }
+  }
+
+  // Reference points bring joints, not skin: what is deeper than it may be comes out by as much.
+  void come_out() {
+    s_.target.pose(plan_.target_rotations, plan_.target_positions);
+    s_.search.fill(s_.target, true, &s_.target_tree);
+    for (uint32_t a = 0; a < s_.search.count(); ++a) {
+      const ArmDepth most = s_.search.deepest(&s_.target_tree, a, {0, 0, 0}, depths_[a]);
+      const Limb& limb = s_.limbs.limbs[s_.search.limb(a)];
+      const Vec3d last = plan_.target_positions[limb.last] + (most.depth - depths_[a]) * most.out;
+      if (most.depth > depths_[a]) move_limb(limb, last, plan_.target_positions[limb.middle], &plan_);
+    }
   }
 
   // The target's reference point; or the source's, where it lies when the bodies' middles are laid over each other.
@@ -334,36 +362,11 @@ class ReferencePoints {
   const MotionRig& rig_;
   uint32_t triangles_;
   uint32_t head_ = kNone, neck_ = kNone;  // target joints, and where the head turns
+  double heights_ = 1;                    // of the target's body per the source's
+  double depths_[kMostArms] = {};
 };
 
 }  // namespace
-
-sinew_status read_reference_options(const sinew_reference_options* options, ReferenceOptions* out, Progress* progress) {
-  sinew_reference_options o = sinew_reference_options_init();
-  // The struct of the first release, 0.1, ends with progress_user.
-  constexpr uint32_t kFirstSize = offsetof(sinew_reference_options, progress_user) + sizeof(void*);
-  const sinew_status status = options == nullptr ? SINEW_OK : read_struct(options, kFirstSize, sizeof o, &o);
-  if (status != SINEW_OK) return status;
-  const double falloff = static_cast<double>(o.falloff), least = static_cast<double>(o.least_cosine);
-  if ((o.area_power > 4 && o.area_power != SINEW_NO_AREA) || o.no_own_limb > 1 || o.own_limb > 1 ||
-      (o.no_own_limb != 0 && o.own_limb != 0) || o.legs > 1 || o.head > 1 || o.torso > 1 || o.source_points > 1 ||
-      !(falloff >= 0 || (falloff <= kNoFalloff && falloff >= kNoFalloff)) || !is_finite(falloff) ||
-      !(least >= 0 && least <= 1)) {
-    return SINEW_ERROR_ARGUMENT;
-  }
-  *out = ReferenceOptions();
-  if (o.area_power != 0) out->area_power = o.area_power == SINEW_NO_AREA ? 0 : o.area_power;
-  out->own_limb = o.own_limb != 0;
-  out->legs = o.legs != 0;
-  out->head = o.head != 0;
-  out->torso = o.torso != 0;
-  out->source_points = o.source_points != 0;
-  if (falloff > 0) out->falloff = falloff;
-  if (falloff < 0) out->falloff = 0;
-  if (least > 0) out->least_cosine = least;
-  *progress = Progress{o.progress, o.progress_user};
-  return SINEW_OK;
-}
 
 size_t measure_reference_points(uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles) {
   Arena arena;

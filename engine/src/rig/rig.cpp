@@ -22,8 +22,6 @@
 namespace sinew {
 namespace {
 
-// A sheet's votes are no better than the middle line, however sure they are: no mesh of the training is one. Q16 of the side.
-constexpr uint16_t kSheetSpread = 6554;
 // Ends of the stages, permille.
 constexpr uint32_t kMeshEnds = 150, kPointsEnd = 400, kVotesEnd = 800;
 

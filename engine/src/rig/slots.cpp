@@ -151,6 +151,15 @@ RigJoint make_joint(const SlotJoints& joints, const SlotTree& tree, uint32_t i, 
   return joint;
 }
 
+// Where a point says that a slot's joint is. Below 2^22.
+Vec3i pointed(const SurfacePoint& point, const int16_t* slot_row) {
+  constexpr int kToGrid = kGridBits - kLogitBits - 4;
+  static_assert(kRigOffsetScale == 16, "an offset's scale in bits");
+  const Vec3i p = point.position;
+  return {p.x + slot_row[kSlotPointOffset] * (1 << kToGrid), p.y + slot_row[kSlotPointOffset + 1] * (1 << kToGrid),
+          p.z + slot_row[kSlotPointOffset + 2] * (1 << kToGrid)};
+}
+
 }  // namespace
 
 void add_slot_joints(const SurfacePoint* points, const int16_t* rows, int64_t* attention, SlotJoints* sum) {
@@ -167,12 +176,8 @@ void add_slot_joints(const SurfacePoint* points, const int16_t* rows, int64_t* a
     for (uint32_t i = 0; i < kSetPoints; ++i) {
       const int16_t* const row = own + size_t{i} * kSlotRow;
       const int64_t a = exp2_negative(int64_t{most - row[kSlotAttention]} << (16 - kLogitBits)) >> 10;
-      constexpr int kToGrid = kGridBits - kLogitBits - 4;
-      static_assert(kRigOffsetScale == 16, "an offset's scale in bits");
-      const Vec3i p = points[i].position;
-      at.x += a * (p.x + (int64_t{row[kSlotPointOffset]} * (1 << kToGrid)));
-      at.y += a * (p.y + (int64_t{row[kSlotPointOffset + 1]} * (1 << kToGrid)));
-      at.z += a * (p.z + (int64_t{row[kSlotPointOffset + 2]} * (1 << kToGrid)));
+      const Vec3i p = pointed(points[i], row);
+      at = {at.x + a * p.x, at.y + a * p.y, at.z + a * p.z};
       presence += a * row[kSlotLogit];
       whole += a;
       attention[i] = a;
@@ -181,6 +186,13 @@ void add_slot_joints(const SurfacePoint* points, const int16_t* rows, int64_t* a
                         static_cast<int32_t>(round_div(at.z, whole))};
     sum->positions[slot] = {sum->positions[slot].x + mean.x, sum->positions[slot].y + mean.y,
                             sum->positions[slot].z + mean.z};
+    // Below 2^20 times 2^23 for each point.
+    int64_t apart = 0;
+    for (uint32_t i = 0; i < kSetPoints; ++i) {
+      const Vec3i d = pointed(points[i], own + size_t{i} * kSlotRow) - mean;
+      apart += attention[i] * static_cast<int64_t>(isqrt64(static_cast<uint64_t>(dot(d, d))));
+    }
+    sum->scatter[slot] += static_cast<int32_t>(apart / whole);
     sum->presence[slot] += static_cast<int32_t>(round_div(presence, whole));
   }
   for (uint32_t c = 0; c < kMeshChannels; ++c) sum->mesh[c] += rows[kMeshRow + c];
@@ -224,7 +236,11 @@ void join_slots(const SlotJoints& joints, SlotCategory category, const RigOption
       rig->joints[rig->count++] = make_joint(joints, tree, i, static_cast<int16_t>(next));
     }
   }
-  rig->spread = 0;
+  int64_t scatter = 0;
+  for (uint32_t i = 0; i < tree.count; ++i) scatter += joints.scatter[tree.slots[i]];
+  constexpr int kToSpread = kGridBits - 16 + 2;  // to Q16, and a quarter
+  const int64_t spread = (scatter / tree.count) >> kToSpread;
+  rig->spread = static_cast<uint16_t>(spread < UINT16_MAX ? spread : UINT16_MAX);
 }
 
 sinew_status find_slots(const SlotsPlan& plan, const RigOptions& options, const Mesh& mesh, const Kernels& kernels,
@@ -233,9 +249,13 @@ sinew_status find_slots(const SlotsPlan& plan, const RigOptions& options, const 
   SlotScratch s;
   if (!s.allocate(arena) || !build_interior(mesh, arena, &s.interior)) return SINEW_ERROR_WORKSPACE;
   constexpr uint64_t kFirstSeed = 7;
+  bool sheet = false;
   for (uint32_t i = 0; i < kSlotSets; ++i) {
     if (!make_point_set(mesh, s.interior, kFirstSeed + i, arena, &s.set)) return SINEW_ERROR_WORKSPACE;
-    if (!arena.measuring()) unfold_features(s.set, s.features);
+    if (!arena.measuring()) {
+      unfold_features(s.set, s.features);
+      sheet = sheet || is_sheet(s.set.points, kSetPoints);
+    }
     const Progress part = progress.part(800 * i / kSlotSets, 800 * (i + 1) / kSlotSets);
     const sinew_status status =
         run_network(plan.joints, s.point_input(), kernels, part, arena, s.outputs, plan.network);
@@ -248,6 +268,7 @@ sinew_status find_slots(const SlotsPlan& plan, const RigOptions& options, const 
       const Vec3i sum = s.joints->positions[i];
       s.joints->positions[i] = round_div(Vec3l{sum.x, sum.y, sum.z}, kSlotSets);
       s.joints->presence[i] = static_cast<int32_t>(round_div(int64_t{s.joints->presence[i]}, kSlotSets));
+      s.joints->scatter[i] /= int32_t{kSlotSets};
     }
     for (int32_t& value : s.joints->mesh) value = static_cast<int32_t>(round_div(int64_t{value}, kSlotSets));
     pair_rows(*s.joints, s.pairs);
@@ -255,8 +276,10 @@ sinew_status find_slots(const SlotsPlan& plan, const RigOptions& options, const 
   int16_t* const logits = arena.measuring() ? nullptr : s.joints->connection;
   const sinew_status status =
       run_network(plan.connections, s.pair_input(), kernels, progress.part(800, 1000), arena, logits, plan.network);
-  if (status == SINEW_OK && !arena.measuring()) join_slots(*s.joints, plan.category, options, rig);
-  return status;
+  if (status != SINEW_OK || arena.measuring()) return status;
+  join_slots(*s.joints, plan.category, options, rig);
+  if (sheet && rig->spread < kSheetSpread) rig->spread = kSheetSpread;
+  return SINEW_OK;
 }
 
 }  // namespace sinew

@@ -22,6 +22,7 @@ struct SlotsPlan {
 struct SlotJoints {
   Vec3i positions[kSlots];         // grid units in the mirror frame
   int32_t presence[kSlots];        // logits, Q10
+  int32_t scatter[kSlots];         // mean distance of what the points say from `positions`, grid units
   int32_t mesh[kMeshChannels];     // the mesh's row, Q10
   int16_t connection[kSlotPairs];  // logits, Q10
 };
@@ -32,7 +33,8 @@ void add_slot_joints(const SurfacePoint* points, const int16_t* rows, int64_t* a
 // Rows of the second network, [kSlotPairs x kPairChannels].
 void pair_rows(const SlotJoints& joints, int16_t* rows);
 // Slots that more likely than not hold a joint, or the likeliest one; joined by the tree of the likeliest connections from the
-// pelvis, or the first slot there is; bone ends hang on the joint that they likeliest hang on. Parents come first.
+// pelvis, or the first slot there is; bone ends hang on the joint that they likeliest hang on. Parents come first. The spread is a
+// quarter of the scatter of slots that hold a joint.
 void join_slots(const SlotJoints& joints, SlotCategory category, const RigOptions& options, Rig* rig);
 
 // All of it for a mesh in its mirror frame. Scratch is taken from the arena and released. Returns SINEW_OK,

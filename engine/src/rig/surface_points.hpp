@@ -25,6 +25,8 @@ void spread_points(const Mesh& mesh, uint32_t count, uint64_t seed, SurfacePoint
 // eigenvalues of the normals' covariance is above 4/5 of the square of their sum then; it is 1/3 for a ball, 1/2 for a long
 // tube, at most 0.72 for 490 characters.
 bool is_sheet(const SurfacePoint* points, uint32_t count);
+// A sheet's joints are no better than the middle line, however sure the votes are: no mesh of the training is one. Q16 of the side.
+constexpr uint16_t kSheetSpread = 6554;
 
 }  // namespace sinew
 #endif

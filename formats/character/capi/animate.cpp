@@ -100,8 +100,7 @@ void fill_result(const AnimatedCharacter& made, uint32_t first_clip, ResultViews
 
 void animate(const sinew_character_animate_options& options, ProgressOfCaller* progress, sinew_character* target,
              sinew_character* motion, sinew_character_animate_result* result) {
-  const std::optional<sinew_deform_options> deform =
-      corrections_of(options.deform, options);
+  const std::optional<sinew_deform_options> deform = corrections_of(options.deform, options);
   const uint32_t first = count32(own_clip_count(target) + target->clips.size());
   const AnimateOptions job = job_of(options, *target);
   AnimatedCharacter made = start(*target, options, progress);

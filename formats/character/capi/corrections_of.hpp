@@ -23,8 +23,8 @@ std::optional<sinew_deform_options> corrections_of(uint32_t deform, const Option
   check_at_most("rounds", options.rounds, SINEW_MAX_DEFORM_ROUNDS);
   check_at_most("tet_weights", options.tet_weights, SINEW_TET_WEIGHTS_DISTANCE);
   constexpr double kThousandths = 1000;
-  if (options.stiffness != 0 && !(options.stiffness >= 1 / kThousandths &&
-                                  options.stiffness <= SINEW_MAX_DEFORM_ENERGY / kThousandths))
+  if (options.stiffness != 0 &&
+      !(options.stiffness >= 1 / kThousandths && options.stiffness <= SINEW_MAX_DEFORM_ENERGY / kThousandths))
     throw Failure(SINEW_ERROR_ARGUMENT, "stiffness: expected 0.001 to 1000, or 0 for the method's own");
   if (deform != SINEW_POSE_XPBD && (options.stiffness != 0 || options.tet_weights != 0 || options.no_smoothing != 0))
     throw Failure(SINEW_ERROR_ARGUMENT, "stiffness, tet_weights and no_smoothing: are for SINEW_POSE_XPBD");

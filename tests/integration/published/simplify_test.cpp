@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "sinew/names.h"
+#include "sinew/published.h"
 #include "sinew_character/map_levels.hpp"
+#include "sinew_character/predict_skeleton.hpp"
 #include "sinew_character/simplify_job.hpp"
 #include "sinew_formats/io.hpp"
 
@@ -176,6 +178,40 @@ TEST(PublishedSimplify, AMapOfTheHighLevelIsReducedByTheLowOne) {
       {static_cast<uint32_t>(find(target, "forearm_twist.L")), static_cast<int32_t>(find(source, "forearm.L"))}};
   EXPECT_EQ(map_at_level(to, from, pinned, true).sources[find(target, "forearm_twist.L")],
             static_cast<int32_t>(find(source, "forearm.L")));
+}
+
+// Mean distance from every joint of one skeleton to the nearest of the other.
+double mean_distance(const std::vector<Joint>& from, const std::vector<Joint>& to) {
+  double sum = 0;
+  for (const Joint& one : from) {
+    double least = 1e30;
+    for (const Joint& other : to) {
+      const Vec3 &p = one.position, &q = other.position;
+      least = std::min(least, std::hypot(double{p.x} - q.x, double{p.y} - q.y, double{p.z} - q.z));
+    }
+    sum += least;
+  }
+  return sum / static_cast<double>(from.size());
+}
+
+TEST(PublishedSimplify, RegionsOfASurfaceAreASkeleton) {
+  for (const std::string name : {"biped__robed", "quadruped__tailed", "snake__long"}) {
+    const Character c = sample(name);
+    float low[3] = {1e30f, 1e30f, 1e30f}, high[3] = {-1e30f, -1e30f, -1e30f};
+    for (const Vec3& v : c.vertices) {
+      const float p[3] = {v.x, v.y, v.z};
+      for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], p[axis]);
+        high[axis] = std::max(high[axis], p[axis]);
+      }
+    }
+    const double side = double{std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]})};
+    SkeletonOptions options;
+    options.method = SINEW_RIG_REGIONS;
+    const std::vector<Joint> joints = predict_skeleton(c, options).joints;
+    ASSERT_GE(joints.size(), 4u) << name;
+    EXPECT_LT((mean_distance(joints, c.joints) + mean_distance(c.joints, joints)) / 2, 0.12 * side) << name;
+  }
 }
 
 }  // namespace

@@ -52,6 +52,9 @@ constexpr float kUnknownSpread = 0.09f;
 // Below it a front or an up axis that was found is a coin toss, and the user is told so.
 constexpr float kCoinToss = 0.7f;
 
+// The same of SINEW_RIG_SLOTS, whose spread says less: six of forty training characters lie above it.
+constexpr float kDoubtfulSlots = 0.05f;
+
 // The character's own joints are not looked at. Throws Error with the character's name, and OutOfMemory.
 PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOptions& options);
 

@@ -62,7 +62,7 @@ PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Cha
     character->notes.push_back(
         "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
         "names; --method votes gives the model's guess");
-  } else if (spread > kDoubtfulSpread) {
+  } else if (spread > (job.method == RigMethod::kSlots ? kDoubtfulSlots : kDoubtfulSpread)) {
     character->notes.push_back(
         "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
         "--method shape");

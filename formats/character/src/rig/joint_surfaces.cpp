@@ -51,7 +51,7 @@ JointSurfaces joint_surfaces(const Character& c) {
       whole += share;
     }
   }
-  if (!(whole > 0) || !std::isfinite(whole)) return {};
+  if (!(whole > 0)) return {};
   JointSurfaces surfaces;
   for (size_t j = 0; j < sums.size(); ++j) {
     surfaces.shares.push_back(static_cast<float>(sums[j] / whole));

@@ -15,7 +15,7 @@ struct JointSurfaces {
 };
 
 // Vertices are the samples, each as large as a third of the triangles around it; all alike where there is no surface, as in a
-// rig.txt without its mesh. Empty without weights, and for places that are not finite.
+// rig.txt without its mesh. Empty without weights.
 JointSurfaces joint_surfaces(const Character& character);
 
 }  // namespace sinew

@@ -43,6 +43,7 @@ TEST(Slots, AJointIsTheMeanOfPointsAndTheirOffsetsByAttention) {
   EXPECT_NEAR(p.y, 0.8 * kSide / 16, 40) << "2^-2 is off by 2^-15 at most";
   EXPECT_NEAR(p.z, -kSide / 2, 1);
   EXPECT_EQ(joints->presence[3], 0);
+  EXPECT_NEAR(joints->scatter[3], 2 * 0.8 * 0.2 * std::hypot(4 * 1024, kSide / 16), 40);
   EXPECT_EQ(joints->mesh[7], 77);
   add_slot_joints(points.data(), rows.data(), attention.data(), joints.get());
   EXPECT_EQ(joints->positions[3].x, 2 * p.x) << "sets add up";
@@ -91,10 +92,19 @@ struct Body {
   }
 };
 
+TEST(Slots, TheSpreadIsAQuarterOfTheScatterOfJointsThatAreThere) {
+  Body body;
+  for (int32_t& one : body.joints->scatter) one = kSide;
+  for (const uint32_t slot : {body.pelvis, body.head, body.thigh, body.end}) body.joints->scatter[slot] = kSide / 5;
+  body.join();
+  EXPECT_NEAR(body.rig.spread, 65536 / 20, 1);
+}
+
 TEST(Slots, TheTreeIsThatOfTheLikeliestConnections) {
   Body body;
   body.join();
   ASSERT_EQ(body.rig.count, 4u);
+  EXPECT_EQ(body.rig.spread, 0);
   EXPECT_EQ(body.room[0].joint_class, kClassPelvis);
   EXPECT_EQ(body.room[0].parent, -1);
   EXPECT_EQ(body.room[1].joint_class, kClassHead);
