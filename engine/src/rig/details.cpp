@@ -124,10 +124,13 @@ sinew_status run_details(const DetailsPlan& plan, const sinew_mesh& mesh_input, 
     kept.keep(*outputs);
     turning = turned.read(*outputs);
   }
+  float* const positions = arena.alloc<float>(size_t{3} * plan.shape.counts.vertices);
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
   sinew_mesh mesh = mesh_input;
-  if ((arena.measuring() || turning) && !turn_mesh(mesh_input, turned.turn(), plan.shape.counts.vertices, arena, &mesh))
-    return SINEW_ERROR_WORKSPACE;
-  if (turning) turned.turn_there(outputs);
+  if (turning) {
+    mesh = turn_mesh(mesh_input, turned.turn(), positions);
+    turned.turn_there(outputs);
+  }
   const bool told = !arena.measuring() && outputs->up != 0;
   const uint32_t up_axis = turning ? 0 : told ? (outputs->up == SINEW_UP_Z ? 1u : 0u) : plan.shape.up_axis;
   // A stage's plan, with its share of the progress.

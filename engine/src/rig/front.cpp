@@ -15,10 +15,10 @@ constexpr uint32_t kFrontSets = 2;  // of points, whose answers are added up
 constexpr int64_t kOne = 1 << 28;   // of a Heading
 // What the file's own +z counts beside the network's answer, whose length is about 1 where it is sure; Q15.
 constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
-constexpr int32_t kUsualUp = 1536;  // the same of y, logit in Q10: five of six meshes have it up
+constexpr int32_t kUsualUp = 1024;  // the same of y, logit in Q10: most meshes have it up
 // Logit of an answer of length 1, Q10; fitted on makers that a network trained without.
 constexpr int64_t kSureness = 2816;
-constexpr int64_t kSnap = kOne / 96;      // sine of 0.6 degrees: the axis itself
+constexpr int64_t kSnap = kOne / 384;     // sine of 0.15 degrees: the axis itself
 constexpr int64_t kKnownSnap = kOne / 3;  // of 20 degrees, where the file's axes are known
 
 // What the network wants beside the points' rows: no neighbours, one part.
@@ -81,11 +81,6 @@ void add_rows(const FrontView& view, const int16_t* rows, FrontAnswer* answer) {
   answer->upright += static_cast<int32_t>(round_shift(upright, kPointBits));
 }
 
-Heading unit_heading(int64_t x, int64_t z) {
-  const Vec3i u = unit_vector(Vec3l{x, z, 0}, 28);
-  return {u.x, u.y};
-}
-
 int64_t dot(Heading a, Heading b) { return round_shift(a.x * b.x + a.z * b.z, 28); }
 
 // 1 / (1 + e^-x) of x in Q10, as a float of Q15.
@@ -94,33 +89,6 @@ float likelihood(int64_t x) {
   const int64_t power = exp2_negative((abs64(x) * kLog2E) >> 10);  // Q30
   const int64_t small = (power << 15) / ((int64_t{1} << 30) + power);
   return static_cast<float>(x >= 0 ? (1 << 15) - small : small) / 32768.0f;
-}
-
-// The long axis of the surface in the floor's plane: moments of the vertices by their area, so that no choice of points moves it.
-Heading long_axis(const Mesh& mesh, uint32_t up_axis) {
-  uint64_t total = 0;
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) total += mesh.areas[v] >> 8;
-  const int shift = top_bit(total) > 18 ? top_bit(total) - 18 : 0;
-  int64_t weights = 1, x = 0, z = 0;
-  const auto weight = [&](uint32_t v) { return static_cast<int64_t>(mesh.areas[v] >> (8 + shift)); };
-  const auto second = [&](Vec3i p) { return int64_t{up_axis == 0 ? p.z : -p.y}; };
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    weights += weight(v);
-    x += weight(v) * mesh.positions[v].x;
-    z += weight(v) * second(mesh.positions[v]);
-  }
-  x = round_div(x, weights);
-  z = round_div(z, weights);
-  int64_t xx = 0, xz = 0, zz = 0;  // below 2^19 x 2^42
-  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
-    const int64_t dx = mesh.positions[v].x - x, dz = second(mesh.positions[v]) - z;
-    xx += weight(v) * (dx * dx >> 2);
-    xz += weight(v) * (dx * dz >> 2);
-    zz += weight(v) * (dz * dz >> 2);
-  }
-  const Heading doubled = unit_heading(xx - zz, 2 * xz);
-  if (doubled.x == 0 && doubled.z == 0) return {kOne, 0};
-  return doubled.x >= 0 ? unit_heading(kOne + doubled.x, doubled.z) : unit_heading(doubled.z, kOne - doubled.x);
 }
 
 // The nearest of 24 directions, counted from the axis.
@@ -167,7 +135,7 @@ sinew_status place_front(const FrontQuestion& question, const Mesh& mesh, uint32
   } else if (question.axes_known && wanted.z > 0 && abs64(wanted.x) < kKnownSnap) {
     found = {0, kOne};
   } else {
-    found = snapped(nearest_step(long_axis(mesh, grid_up), wanted));
+    found = snapped(nearest_step(surface_axis(mesh, grid_up).along, wanted));
   }
   const auto to_unit = [](int64_t q28) {
     return static_cast<float>(static_cast<double>(q28) / static_cast<double>(kOne));

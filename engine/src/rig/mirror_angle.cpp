@@ -11,11 +11,17 @@ namespace {
 
 constexpr uint32_t kPoints = 4096, kAsked = 512;
 constexpr uint64_t kSeed = 11;
-constexpr uint32_t kAngles = 8, kRounds = 4, kVertexRounds = 3, kMostVertices = 1u << 15, kAskedVertices = 2048;
+constexpr uint32_t kAngles = 8, kRounds = 6, kVertexRounds = 5, kMostVertices = 1u << 15, kAskedVertices = 2048;
 constexpr uint32_t kFoldError = kSide * 3 / 100;  // as of find_mirror_frame()
 // What a plane across the expected front costs beside one along it.
 constexpr int64_t kTurnCost = kSide / 50;
-constexpr int32_t kVertexReach = kSide / 256;  // two vertices are each other's image when nearer
+// Tenths of the mirrored points that have to be near: of a mirrored mesh, then of a posed one.
+constexpr uint32_t kShares[2] = {9, 6};
+constexpr int64_t kNearFront = (1 << 28) * 2 / 3;  // sine of 42 degrees
+constexpr int32_t kVertexReach = kSide / 40;  // two vertices are each other's image when nearer; half of it each round
+// The surface's axis is clear from this length on; a plane is beside it within this sine, of 6 degrees, and stays good there.
+constexpr int64_t kClearAxis = 30, kBesideAxis = (1 << 28) / 10;
+constexpr uint32_t kAxisLoss = kSide / 300;
 
 struct Plane {
   Heading normal = {1 << 28, 0};
@@ -78,8 +84,9 @@ struct Matches {
   }
 };
 
-// Measures a plane and moves it between the points that it mirrors.
-void match(const Scratch& s, Plane* plane) {
+// Measures a plane by the distance that so many tenths of the mirrored points keep within, and moves it between the points that
+// it mirrors.
+void match(const Scratch& s, uint32_t tenths, Plane* plane) {
   Matches matches;
   for (uint32_t i = 0; i < kAsked; ++i) {
     const Vec3i p = s.upright[i * (kPoints / kAsked)];
@@ -91,16 +98,16 @@ void match(const Scratch& s, Plane* plane) {
     if (s.far[i] < kSide / 16) matches.add(p, s.upright[near]);
   }
   heap_sort(s.far, kAsked, [](uint32_t a, uint32_t b) { return a < b; });
-  plane->error = s.far[kAsked * 9 / 10];
+  plane->error = s.far[kAsked * tenths / 10];
   matches.fit(plane);
 }
 
 // The better of what was measured on the way.
-Plane refined(const Scratch& s, Plane start) {
+Plane refined(const Scratch& s, uint32_t tenths, Plane start) {
   Plane best;
   for (uint32_t round = 0; round <= kRounds; ++round) {
     const Plane before = start;
-    match(s, &start);
+    match(s, tenths, &start);
     if (start.error < best.error) best = {before.normal, before.at, start.error};
   }
   return best;
@@ -128,6 +135,43 @@ void match_vertices(const Scratch& s, const Mesh& mesh, uint32_t up_axis, Plane*
 
 }  // namespace
 
+SurfaceAxis surface_axis(const Mesh& mesh, uint32_t up_axis) {
+  uint64_t total = 0;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) total += mesh.areas[v] >> 8;
+  const int top = top_bit(total) - 29, shift = top > 0 ? top : 0;
+  // Weights below 2^30 in all, places below 2^16 from their mean.
+  const auto weight = [&](uint32_t v) { return static_cast<int64_t>((mesh.areas[v] >> 8) >> shift); };
+  const auto place = [&](uint32_t v) {
+    const Vec3i p = turned_up(mesh.positions[v], up_axis);
+    return Heading{round_shift(p.x, 5), round_shift(p.z, 5)};
+  };
+  int64_t weights = 1, x = 0, z = 0;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    weights += weight(v);
+    x += weight(v) * place(v).x;
+    z += weight(v) * place(v).z;
+  }
+  x = round_div(x, weights);
+  z = round_div(z, weights);
+  int64_t xx = 0, xz = 0, zz = 0;
+  for (uint32_t v = 0; v < mesh.welded_count; ++v) {
+    const int64_t dx = place(v).x - x, dz = place(v).z - z;
+    xx += weight(v) * dx * dx;
+    xz += weight(v) * dx * dz;
+    zz += weight(v) * dz * dz;
+  }
+  xx >>= 2;
+  xz >>= 2;
+  zz >>= 2;
+  const Heading doubled = unit_heading(xx - zz, 2 * xz);
+  constexpr int64_t kOne = 1 << 28;
+  if (doubled.x == 0 && doubled.z == 0) return {{kOne, 0}, 0};
+  const int64_t size = static_cast<int64_t>(length(Vec3l{xx - zz, 2 * xz, 0}));
+  const int64_t along = (size >> 12) * 1024 / (((xx + zz) >> 12) + 1);
+  return {doubled.x >= 0 ? unit_heading(kOne + doubled.x, doubled.z) : unit_heading(doubled.z, kOne - doubled.x),
+          along};
+}
+
 bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal,
                        bool* found) {
   const ArenaScope scope(arena);
@@ -143,27 +187,51 @@ bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Are
     z += s.upright[i].z;
   }
   s.grid.build(kPoints, [&](uint32_t i) { return s.upright[i]; });
+  const auto plane_across = [&](Heading side) {
+    Plane plane;
+    plane.normal = side;
+    plane.at = along(side, round_div(x, kPoints), round_div(z, kPoints));
+    return plane;
+  };
   // Eighths of half a turn: cosines and sines, Q28.
   constexpr int64_t kTable[kAngles][2] = {{268435456, 0},          {248002075, 102725825}, {189812531, 189812531},
                                           {102725825, 248002075},  {0, 268435456},         {-102725825, 248002075},
                                           {-189812531, 189812531}, {-248002075, 102725825}};
-  const Heading first = expected.x == 0 && expected.z == 0 ? Heading{1 << 28, 0} : Heading{expected.z, -expected.x};
+  const SurfaceAxis axis = surface_axis(mesh, up_axis);
   Plane best;
-  int64_t least = kFoldError;
-  for (const auto& angle : kTable) {
-    Plane start;
-    start.normal = {round_shift(first.x * angle[0] - first.z * angle[1], 28),
-                    round_shift(first.x * angle[1] + first.z * angle[0], 28)};
-    start.at = along(start.normal, round_div(x, kPoints), round_div(z, kPoints));
-    const Plane plane = refined(s, start);
-    const int64_t across = abs64(round_shift(plane.normal.x * expected.x + plane.normal.z * expected.z, 28));  // Q28
-    const int64_t cost = plane.error + round_shift(across * kTurnCost, 28);
-    if (plane.error >= kFoldError || (*found && cost >= least)) continue;
-    *found = true;
-    least = cost;
-    best = plane;
+  int64_t least = 0;
+  // Of a mesh that is its own image but for its pose, most of it still is: then a plane near the expected front will do.
+  for (const uint32_t tenths : kShares) {
+    for (const auto& angle : kTable) {  // from the axis, so that the same mesh is asked alike in every position
+      const Heading start = {round_shift(axis.along.x * angle[0] - axis.along.z * angle[1], 28),
+                             round_shift(axis.along.x * angle[1] + axis.along.z * angle[0], 28)};
+      const Plane plane = refined(s, tenths, plane_across(start));
+      const int64_t across = abs64(round_shift(plane.normal.x * expected.x + plane.normal.z * expected.z, 28));  // Q28
+      const bool most = tenths != kShares[0];
+      const int64_t cost = plane.error + round_shift(across * kTurnCost, 28);
+      if (plane.error >= kFoldError || (most && across > kNearFront) || (*found && cost >= least)) continue;
+      *found = true;
+      least = cost;
+      best = plane;
+    }
+    if (*found && tenths != kShares[0]) {
+      *normal = best.normal;
+      return true;
+    }
+    if (*found) break;
   }
   if (!*found) return true;
+  const Heading sides[2] = {axis.along, {-axis.along.z, axis.along.x}};
+  for (const Heading& side : sides) {
+    if (axis.length < kClearAxis ||
+        abs64(round_shift(side.x * best.normal.z - side.z * best.normal.x, 28)) > kBesideAxis)
+      continue;
+    Plane moved = plane_across(side);
+    match(s, kShares[0], &moved);
+    if (moved.error > best.error + kAxisLoss) continue;
+    *normal = side;
+    return true;
+  }
   if (mesh.welded_count <= kMostVertices) {
     s.vertices.build(mesh.welded_count, [&](uint32_t i) { return turned_up(mesh.positions[i], up_axis); });
     match_vertices(s, mesh, up_axis, &best);

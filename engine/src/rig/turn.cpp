@@ -34,17 +34,15 @@ void Turn::direction(float* out) const {
   out[2] = up_axis == 0 ? cosine : 0;
 }
 
-bool turn_mesh(const sinew_mesh& mesh, const Turn& turn, uint32_t vertices, Arena& arena, sinew_mesh* turned) {
-  float* const positions = arena.alloc<float>(size_t{3} * vertices);
-  if (!arena.ok() || arena.measuring()) return arena.ok();
-  for (uint32_t v = 0; v < vertices; ++v) {
+sinew_mesh turn_mesh(const sinew_mesh& mesh, const Turn& turn, float* positions) {
+  for (uint32_t v = 0; v < mesh.vertex_count; ++v) {
     double at[3];
     turn.to(mesh.positions + size_t{3} * v, at);
     for (int axis = 0; axis < 3; ++axis) positions[size_t{3} * v + static_cast<size_t>(axis)] = to_float(at[axis]);
   }
-  *turned = mesh;
-  turned->positions = positions;
-  return true;
+  sinew_mesh turned = mesh;
+  turned.positions = positions;
+  return turned;
 }
 
 }  // namespace sinew

@@ -3,7 +3,6 @@
 #ifndef SINEW_RIG_TURN_HPP
 #define SINEW_RIG_TURN_HPP
 
-#include "core/arena.hpp"
 #include "grid/caller_units.hpp"
 
 namespace sinew {
@@ -22,9 +21,9 @@ struct Turn {
   void direction(float* out) const;  // of the front, the caller's axes
 };
 
-// A mesh with every position turned, in the arena; the rest is the caller's. With a measuring arena nothing is read.
-// Returns arena.ok().
-bool turn_mesh(const sinew_mesh& mesh, const Turn& turn, uint32_t vertices, Arena& arena, sinew_mesh* turned);
+// A mesh with every position turned; the rest is the caller's.
+//   positions  out  [V x 3]
+sinew_mesh turn_mesh(const sinew_mesh& mesh, const Turn& turn, float* positions);
 
 }  // namespace sinew
 #endif

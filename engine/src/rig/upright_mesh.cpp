@@ -73,8 +73,10 @@ sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const
   }
   upright->known = front.confidence >= kCoinToss;
   upright->up_axis = front.turn.up_axis;
-  if (plan.may_turn() && (arena.measuring() || !front.turn.nothing())) {
-    if (!turn_mesh(input, front.turn, counts.vertices, arena, &upright->mesh)) return SINEW_ERROR_WORKSPACE;
+  float* const turned = plan.may_turn() ? arena.alloc<float>(size_t{3} * counts.vertices) : nullptr;
+  if (!arena.ok()) return SINEW_ERROR_WORKSPACE;
+  if (turned != nullptr && !front.turn.nothing()) {
+    upright->mesh = turn_mesh(input, front.turn, turned);
     upright->up_axis = 0;
   }
   const bool seen = plan.asks() && front.turn.nothing() && front.turn.up_axis == seen_up && !arena.measuring();
