@@ -298,9 +298,9 @@ SINEW_API sinew_status sinew_character_bind(sinew_character* character, const si
                                             sinew_character_bind_result* result);
 
 typedef enum sinew_character_rig_method {
-  SINEW_CHARACTER_RIG_AUTO = 0,   /* votes, or shape where the votes know nothing */
-  SINEW_CHARACTER_RIG_VOTES = 1,  /* by the model */
-  SINEW_CHARACTER_RIG_SHAPE = 2,  /* along the middle line of the mesh */
+  SINEW_CHARACTER_RIG_AUTO = 0,    /* votes, or shape where the votes know nothing */
+  SINEW_CHARACTER_RIG_VOTES = 1,   /* by the model */
+  SINEW_CHARACTER_RIG_SHAPE = 2,   /* along the middle line of the mesh */
   SINEW_CHARACTER_RIG_REGIONS = 3, /* as published, for comparison */
   SINEW_CHARACTER_RIG_SLOTS = 4    /* by the two networks of another publication, for comparison */
 } sinew_character_rig_method;
