@@ -88,8 +88,9 @@ typedef struct sinew_rig_options {
   /* Of sinew_rig_model_open(), made for fronts: which way the mesh faces is found at any angle, and with SINEW_UP_AUTO which
    * of y and z is up. Null: SINEW_UP_AUTO is y, and the front is one of four, by where the votes are surest */
   const sinew_model* front_model;
-  uint32_t front;      /* sinew_front */
-  uint32_t axes_known; /* 1: the mesh's file says that y is up and +z front, which counts where the mesh itself does not tell */
+  uint32_t front; /* sinew_front */
+  uint32_t
+      axes_known; /* 1: the mesh's file says that y is up and +z front, which counts where the mesh itself does not tell */
 } sinew_rig_options;
 
 /* Options that ask for every default. */

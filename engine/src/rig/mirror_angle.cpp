@@ -202,6 +202,7 @@ bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Are
   int64_t least = 0;
   // Of a mesh that is its own image but for its pose, most of it still is: then a plane near the expected front will do.
   for (const uint32_t tenths : kShares) {
+    if (tenths != kShares[0] && expected.x == 0 && expected.z == 0) return true;
     for (const auto& angle : kTable) {  // from the axis, so that the same mesh is asked alike in every position
       const Heading start = {round_shift(axis.along.x * angle[0] - axis.along.z * angle[1], 28),
                              round_shift(axis.along.x * angle[1] + axis.along.z * angle[0], 28)};

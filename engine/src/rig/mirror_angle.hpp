@@ -29,7 +29,7 @@ SurfaceAxis surface_axis(const Mesh& mesh, uint32_t up_axis);
 // The upright plane that mirrors the mesh best, a plane along the expected front being liked better than one across it.
 //   up_axis   of the grid: 0 = y, 1 = z
 //   expected  unit vector, or (0, 0) where any will do
-//   normal    out  unit vector, untouched where no plane mirrors the mesh
+//   normal    out  unit vector, untouched where no plane mirrors the mesh, or six tenths of it near the expected front
 // A plane beside the surface's axis is put there, where the axis is clear; else it is that of the vertices that mirror each
 // other, where they do. So it is the same to the grid however the mesh is turned. Scratch is taken from the arena and
 // released. Returns arena.ok().

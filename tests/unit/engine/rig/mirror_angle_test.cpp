@@ -67,6 +67,13 @@ TEST(MirrorAngle, IsFoundToAHundredthOfADegree) {
   }
 }
 
+TEST(MirrorAngle, OfAPosedMeshIsThatOfItsLargerPart) {
+  constexpr int64_t kOne = 1 << 28;
+  const Found found = plane_of(animal(0, 1.5f), {kOne / 4, kOne * 968 / 1000});
+  EXPECT_TRUE(found.found);
+  EXPECT_NEAR(std::remainder(found.degrees, 180.0), 0, 5);
+}
+
 TEST(MirrorAngle, IsNotFoundWhereThereIsNone) { EXPECT_FALSE(plane_of(animal(0.4, 1.5f), {0, 0}).found); }
 
 }  // namespace
