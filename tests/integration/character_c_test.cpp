@@ -307,18 +307,20 @@ TEST_F(CharacterC, PublishedMethodsAsTheCommand) {
   save(robed, "ours.rig.txt");
   expect_same("ours.rig.txt", "command.rig.txt");
 
-  const Handle source = open(kRobed);
+  // A pair whose map is another one by each of these.
+  const std::string spider = kData + "/many-legged__plated.obj", quadruped = kData + "/quadruped__tailed.obj";
+  const Handle target = open(spider), source = open(quadruped);
   sinew_character_map_result mapped = sinew_character_map_result_init();
   for (const auto& [words, first, cost] :
        {std::tuple("--first source --cost sum", SINEW_BRANCHES_SOURCE, SINEW_BRANCHES_SUM),
         std::tuple("--first target --cost mean", SINEW_BRANCHES_TARGET, SINEW_BRANCHES_MEAN)}) {
-    good("map " + kCaped + " --from " + kRobed + " --no-names --method branches " + words + " -o command.map");
+    good("map " + spider + " --from " + quadruped + " --no-names --method branches " + words + " -o command.map");
     sinew_character_map_options map = sinew_character_map_options_init();
     map.method = SINEW_MAP_BRANCHES;
     map.no_names = 1;
     map.branches_first = static_cast<uint32_t>(first);
     map.branches_cost = static_cast<uint32_t>(cost);
-    good_call(sinew_character_map(caped.get(), source.get(), &map, &mapped), caped);
+    good_call(sinew_character_map(target.get(), source.get(), &map, &mapped), target);
     EXPECT_EQ(mapped.text, slurp(in("command.map"))) << words;
   }
 
