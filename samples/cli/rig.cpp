@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // sinew rig: a bare mesh in, a skeleton with weights out.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -103,6 +104,7 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   json["vertices"] = rigged.character.vertices.size();
   json["symmetric"] = skeleton.mirrored;
   json["spread"] = skeleton.spread;
+  if (skeleton.usable) json["usable"] = std::round(100.0 * static_cast<double>(*skeleton.usable)) / 100;
   json["seconds"] = skeleton.seconds;
   json["workspace_bytes"] = skeleton.workspace_bytes;
   if (rigged.fitted) {

@@ -2,6 +2,9 @@
 // A bare mesh with a skeleton and weights.
 #include "sinew_character/rig_job.hpp"
 
+#include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "sinew/published.h"
@@ -33,17 +36,19 @@ PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Cha
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
   const float spread = skeleton.spread;
+  const std::optional<float> usable = skeleton.usable;
   if (job.method == RigMethod::kAuto && spread > kUnknownSpread) {
     options.method = SINEW_RIG_SHAPE;
     skeleton = predict_skeleton(*character, options);
     skeleton.spread = spread;
+    skeleton.usable = usable;
     character->notes.push_back(
         "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
         "names; --method votes gives the model's guess");
-  } else if (spread > kDoubtfulSpread) {
+  } else if (usable && *usable < kDoubtfulUsable) {
     character->notes.push_back(
-        "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
-        "--method shape");
+        "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
+        std::to_string(std::lround(100 * *usable)) + " %; look at the joints before using them, or try --method shape");
   }
   return skeleton;
 }

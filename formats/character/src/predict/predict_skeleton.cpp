@@ -2,7 +2,9 @@
 // A Character's mesh goes through sinew_rig(); joints come back.
 #include "sinew_character/predict_skeleton.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -53,7 +55,15 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   result.facing = rigged.facing;
   result.plane = rigged.plane;
   result.spread = rigged.spread;
+  if (options.method == SINEW_RIG_VOTES) result.usable = usable_probability(result.spread, result.mirrored);
   return result;
+}
+
+float usable_probability(float spread, bool mirrored) {
+  constexpr double kSure = 1.68, kPerDoubling = -3.54, kNotMirrored = -0.74;
+  const double score =
+      kSure + kPerDoubling * std::log2(std::max(double{spread}, 1e-4) / 0.05) + (mirrored ? 0 : kNotMirrored);
+  return static_cast<float>(1 / (1 + std::exp(-score)));
 }
 
 }  // namespace sinew
