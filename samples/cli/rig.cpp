@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -119,6 +120,7 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   json["vertices"] = rigged.character.vertices.size();
   json["symmetric"] = skeleton.mirrored;
   json["spread"] = skeleton.spread;
+  if (skeleton.usable) json["usable"] = std::round(100.0 * static_cast<double>(*skeleton.usable)) / 100;
   if (s.prediction.empty()) {
     json["up"] = skeleton.up_axis == 1 ? "z" : "y";
     json["up_certainty"] = skeleton.up_confidence;

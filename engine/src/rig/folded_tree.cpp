@@ -4,6 +4,7 @@
 
 #include "core/vector_math.hpp"
 #include "rig/class_prior.hpp"
+#include "rig/limbs.hpp"
 
 namespace sinew {
 namespace {
@@ -15,7 +16,8 @@ constexpr uint32_t kClassFloor = 983;          // Q15, 0.03: what a class counts
 constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
 constexpr int64_t kCostPerUnit = 59093;        // Q32: 10 log2(e) / kSide
 constexpr int32_t kNever = INT32_MAX / 2;
-constexpr int32_t kFromBeside = 283650;  // Q16: 3 log2(e)
+constexpr int64_t kAcross = 12 << 16, kSecond = 6 << 16;  // bits, Q16
+constexpr int32_t kFromBeside = 283650;                   // Q16: 3 log2(e)
 // What beside the plane is moved there for its child.
 constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
 constexpr int32_t kEndSnap = side_share(400);      // an end of a joint on the plane
@@ -43,6 +45,9 @@ class Grower {
     choose_root();
     connect();
     if (tree_.mirrored) tree_.nodes[tree_.root].at.x = 0;
+    LimbVotes limbs = {};
+    count_limbs(limbs);
+    settle_limbs(limbs, &tree_);
     find_ends();
   }
 
@@ -160,30 +165,59 @@ class Grower {
     find_parents(kNever);
   }
 
+  int64_t limb_cost(uint32_t from, uint32_t to, const bool* continued) const {
+    const FoldedNode &a = tree_.nodes[from], &b = tree_.nodes[to];
+    const bool second = continued[from] && continues_limb(a.joint_class, b.joint_class);
+    return (lies_across(a, b) ? kAcross : 0) + (second ? kSecond : 0);
+  }
+
   // Prim's algorithm; from_beside is what a way from beside the plane to it costs more.
   SINEW_RARE void find_parents(int32_t from_beside) {
     const uint32_t n = tree_.count;
-    bool inside[kMaxFoldedJoints] = {};
+    bool inside[kMaxFoldedJoints] = {}, continued[kMaxFoldedJoints] = {};
     int64_t best[kMaxFoldedJoints];
     for (int64_t& b : best) b = INT64_MAX;
+    const auto offer = [&](uint32_t i, uint32_t j) {
+      const bool leaves = tree_.beside(i) && !tree_.beside(j);
+      const int64_t cost = int64_t{between_[i * n + j]} + (leaves ? from_beside : 0) + limb_cost(i, j, continued);
+      if (cost >= best[j]) return;
+      best[j] = cost;
+      tree_.nodes[j].parent = static_cast<int16_t>(i);
+    };
     tree_.nodes[tree_.root].parent = -1;
     tree_.nodes[tree_.root].parent_confidence = kOne;
     uint32_t last = tree_.root;
     for (uint32_t taken = 1; taken < n; ++taken) {
       inside[last] = true;
+      const int16_t above = tree_.nodes[last].parent;
+      const bool goes_on = above >= 0 && continues_limb(tree_.nodes[above].joint_class, tree_.nodes[last].joint_class);
+      const bool second = goes_on && !continued[above];  // from now on
+      if (goes_on) continued[above] = true;
       uint32_t next = n;
       for (uint32_t j = 0; j < n; ++j) {
         if (inside[j]) continue;
-        const bool leaves = tree_.beside(last) && !tree_.beside(j);
-        const int64_t cost = int64_t{between_[last * n + j]} + (leaves ? from_beside : 0);
-        if (cost < best[j]) {
-          best[j] = cost;
-          tree_.nodes[j].parent = static_cast<int16_t>(last);
+        if (second && tree_.nodes[j].parent == above) {
+          best[j] = INT64_MAX;
+          for (uint32_t i = 0; i < n; ++i)
+            if (inside[i]) offer(i, j);
         }
+        offer(last, j);
         if (next == n || best[j] < best[next]) next = j;
       }
       tree_.nodes[next].parent_confidence = static_cast<uint16_t>(exp2_negative(best[next]) >> 15);
       last = next;
+    }
+  }
+
+  SINEW_RARE void count_limbs(LimbVotes& votes) const {
+    for (uint32_t p = 0; p < votes_.points; ++p) {
+      for (uint32_t c = 0; c < kJointClasses; ++c) {
+        const Limb limb = limb_of(c);
+        if (limb == Limb::kNone) continue;
+        const auto k = static_cast<uint32_t>(limb);
+        if (starts_[p] != kNoJoint) votes[starts_[p]][k] += votes_.start_class[size_t{p} * kJointClasses + c];
+        if (ends_[p] != kNoJoint) votes[ends_[p]][k] += votes_.end_class[size_t{p} * kEndClasses + c];
+      }
     }
   }
 

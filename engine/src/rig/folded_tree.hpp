@@ -11,6 +11,7 @@ struct FoldedNode {
   Vec3i at = {0, 0, 0};
   int16_t parent = -1;
   uint8_t joint_class = kClassPelvis;
+  int8_t side = 0;  // 1 left, -1 right, 0: its position says
   bool has_end = false;
   uint16_t confidence = 0;         // Q15: mean trust in the votes for the joint, 0 where there are none
   uint16_t parent_confidence = 0;  // Q15: exp(-cost of the connection); the root's is 1
@@ -34,7 +35,8 @@ struct FoldedTree {
 // mean; where no joint is on the plane it is put there. Prim's algorithm takes one more joint at a time at the least
 // cost: surprise in the votes, distance, surprise in the two classes. Whether the way between two joints lies inside
 // the mesh does not matter: as a term of the cost it changed 13 of 158 trees, and the share of right edges by 0.1 %,
-// for the worse. Ends are modes of the end votes that are tips.
+// for the worse. A limb is a chain of its own: joints of paired classes that lie on two sides never hang together, and what goes on
+// from a joint of a limb that has its next already costs more (rig/limbs.hpp). Ends are modes of the end votes that are tips.
 //   joints  in   [count], count >= 1, as from find_folded_joints()
 //   tree    out  nodes have the joints' numbers
 //   arena        scratch, all of it released

@@ -55,7 +55,7 @@ class Unfolder {
 
   SINEW_RARE void add_node(uint32_t number, uint32_t side) {
     const FoldedNode& node = tree_.nodes[number];
-    RigJoint joint = {node.at, -1, -1, node.joint_class, 0, node.confidence, node.parent_confidence, 0};
+    RigJoint joint = {node.at, -1, -1, node.joint_class, 0, node.confidence, node.parent_confidence, node.side};
     if (node.parent >= 0) {
       const uint32_t above = static_cast<uint32_t>(node.parent);
       joint.parent = joints_[4 * above + (tree_.beside(above) ? side : 0)];

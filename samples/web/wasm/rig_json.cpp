@@ -57,7 +57,7 @@ Json rig_json(const Rigs& rigs) {
     reply["axis"] = skeleton.facing % 2 != 0 ? 2 : 0;
     reply["plane"] = skeleton.plane;
     reply["spread"] = skeleton.spread;
-    reply["doubtful"] = rig.predicted && skeleton.spread > kDoubtfulSpread;
+    reply["doubtful"] = rig.predicted && skeleton.usable && *skeleton.usable < kDoubtfulUsable;
     reply["seconds"] = skeleton.seconds;
   }
   reply["joints"] = std::move(joints);

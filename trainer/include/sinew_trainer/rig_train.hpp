@@ -21,6 +21,12 @@ struct RigTrainConfig : RunConfig {
   std::string part = "body";
   // Samples of a character beside two of itself: posed and stretched by its own weights, a third of them half as strongly.
   uint32_t variants = 12;
+  // 0: every character has as many. Else so many at least, and of `variants` the share that a character is drawn with: n to the
+  // power of family_power - 1 for one of n in its family.
+  uint32_t least_variants = 0;
+  // Bodies: shares of these, 0 to 1, in poses as meshes of strangers have (src/data/rig_pose.hpp), grown together to one closed
+  // shell (src/data/grown_shell.hpp), with double walls, and with specks (src/data/rough_surface.hpp).
+  double wide = 0, grown = 0, walls = 0, specks = 0;
   // Synthetic characters of each body plan (formats/datasets/src/synth), as families of their own.
   uint32_t synthetic = 20;
   // Slots: what the error of joints counts, 0 to 1; that of connections counts the rest.

@@ -16,7 +16,7 @@ constexpr uint32_t kLeastSided = 2;     // joints of each side
 
 // A direction of the floor's plane from the mean of the right joints to that of the left ones, turned to the front.
 std::array<double, 2> front_of(const RigSource& source) {
-  const RigSource::Placed placed = source.make_mesh(0, 0);
+  const RigSource::Placed placed = source.make_mesh(0, {});
   std::array<double, 3> sums[2] = {};
   uint32_t counts[2] = {0, 0};
   for (size_t j = 0; j < placed.joints.size(); ++j) {
@@ -99,7 +99,7 @@ FrontSample FrontSource::sample(const std::vector<SurfacePoint>& points, uint32_
 }
 
 std::vector<FrontSample> FrontSource::make(uint64_t seed, double strength) const {
-  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), strength);
+  const RigSource::Placed placed = source_.make_mesh(mix_seeds(seed, 1), {.strength = strength});
   Random random(mix_seeds(seed, 2));
   const uint32_t first = random.below(kFrontFrames), turn = 1 + random.below(kFrontFrames - 1);
   std::vector<FrontSample> samples;
@@ -112,7 +112,7 @@ std::vector<FrontSample> FrontSource::make(uint64_t seed, double strength) const
 }
 
 FrontSample FrontSource::original(uint64_t seed) const {
-  return sample(points_of(source_.make_mesh(seed, 0), seed), 0, true);
+  return sample(points_of(source_.make_mesh(seed, {}), seed), 0, true);
 }
 
 }  // namespace sinew

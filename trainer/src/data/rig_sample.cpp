@@ -8,8 +8,8 @@
 #include <map>
 #include <numeric>
 
-#include "core/random.hpp"
 #include "data/engine_mesh.hpp"
+#include "data/grown_shell.hpp"
 #include "data/point_sample.hpp"
 #include "rig/rig_task.hpp"
 #include "sinew_formats/error.hpp"
@@ -23,36 +23,16 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+constexpr double kYaw = 0.1;  // radians, standard deviation
+
 std::array<double, 3> arr(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-// How far joints of a class turn, standard deviation in radians.
-double rotation_sigma(JointClass c) {
-  switch (c) {
-    case kClassUpperArm:
-      return 0.45;
-    case kClassForearm:
-    case kClassWing:
-    case kClassHair:
-    case kClassEar:
-      return 0.3;
-    case kClassThigh:
-    case kClassCalf:
-    case kClassTail:
-      return 0.25;
-    case kClassHand:
-      return 0.2;
-    case kClassToe:
-      return 0.1;
-    case kClassSpine:
-    case kClassClavicle:
-      return 0.08;
-    case kClassHip:
-      return 0.05;
-    case kClassPelvis:
-      return 0;
-    default:
-      return 0.15;
-  }
+// The least rotation from one direction to another; between opposite ones about z.
+Matrix3d rotation_between(const Vector3d& from, const Vector3d& to) {
+  const Vector3d axis = from.cross(to);
+  const double sine = axis.norm(), cosine = from.dot(to);
+  const Vector3d unit = sine > 1e-12 ? Vector3d(axis / sine) : Vector3d::UnitZ();
+  return Eigen::AngleAxisd(std::atan2(sine, cosine), unit).toRotationMatrix();
 }
 
 double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
@@ -64,7 +44,7 @@ double segment_distance(const Vector3d& p, const Vector3d& a, const Vector3d& b)
 }  // namespace
 
 RigSource::RigSource(const Character& character)
-    : name_(character.name), family_(family_of(character.name)), target_(target_skeleton(character)) {
+    : name_(character.name), family_(family_of(character.name)), body_{target_skeleton(character), {}, {}, {}} {
   std::vector<Point> vertices;
   std::vector<uint32_t> source;
   surface_of(character, &vertices, &triangles_, &source);
@@ -100,30 +80,40 @@ RigSource::RigSource(const Character& character)
     if (order_.size() == before) throw Error(name_ + ": the joints' parents form a circle");
   }
 
-  kids_.resize(target_.joints.size());
-  for (uint32_t i = 0; i < target_.joints.size(); ++i) {
-    target_joints_.push_back(to_frame(vec(target_.joints[i].position)));
-    if (target_.joints[i].parent >= 0) kids_[static_cast<size_t>(target_.joints[i].parent)].push_back(i);
+  body_.kids.resize(body_.target.joints.size());
+  for (uint32_t i = 0; i < body_.target.joints.size(); ++i) {
+    const TargetJoint& joint = body_.target.joints[i];
+    body_.joints.push_back(to_frame(vec(joint.position)));
+    if (joint.parent >= 0) body_.kids[static_cast<size_t>(joint.parent)].push_back(i);
   }
-  for (uint32_t i = 0; i < target_joints_.size(); ++i) {
-    Vector3d mirrored = vec(target_joints_[i]);
+  find_partners();
+  find_parts();
+}
+
+void RigSource::find_partners() {
+  const std::vector<TargetJoint>& joints = body_.target.joints;
+  std::vector<int>& partner = body_.partner;
+  for (uint32_t i = 0; i < joints.size(); ++i) {
+    Vector3d mirrored = vec(body_.joints[i]);
     mirrored.x() = -mirrored.x();
     int best = -1;
     double least = 0.04;
-    for (uint32_t j = 0; j < target_joints_.size(); ++j) {
-      const double d = (vec(target_joints_[j]) - mirrored).norm();
-      if (target_.joints[i].tip == target_.joints[j].tip && d < least) {
+    for (uint32_t j = 0; j < joints.size(); ++j) {
+      const double d = (vec(body_.joints[j]) - mirrored).norm();
+      if (joints[i].tip == joints[j].tip && d < least) {
         least = d;
         best = static_cast<int>(j);
       }
     }
-    partner_.push_back(best);
+    partner.push_back(best);
   }
-  for (uint32_t i = 0; i < partner_.size(); ++i) {
-    if (partner_[i] >= 0 && partner_[static_cast<size_t>(partner_[i])] != static_cast<int>(i)) partner_[i] = -1;
+  for (uint32_t i = 0; i < partner.size(); ++i) {
+    if (partner[i] >= 0 && partner[static_cast<size_t>(partner[i])] != static_cast<int>(i)) partner[i] = -1;
   }
+}
 
-  // Connected parts of welded triangles.
+// Connected parts of welded triangles.
+void RigSource::find_parts() {
   std::map<Point, uint32_t> weld;
   std::vector<uint32_t> root(vertices_.size());
   std::iota(root.begin(), root.end(), 0u);
@@ -131,7 +121,7 @@ RigSource::RigSource(const Character& character)
     while (root[v] != v) v = root[v] = root[root[v]];
     return v;
   };
-  for (uint32_t v = 0; v < vertices.size(); ++v) root[find(v)] = find(weld.emplace(vertices[v], v).first->second);
+  for (uint32_t v = 0; v < vertices_.size(); ++v) root[find(v)] = find(weld.emplace(vertices_[v], v).first->second);
   for (const auto& t : triangles_) {
     root[find(t[1])] = find(t[0]);
     root[find(t[2])] = find(t[0]);
@@ -145,132 +135,134 @@ RigSource::RigSource(const Character& character)
   parts_ = static_cast<uint32_t>(part_number.size());
 }
 
-RigSource::Posed RigSource::pose(uint64_t seed, double strength) const {
-  Posed posed{vertices_, target_joints_, std::vector<uint8_t>(triangles_.size(), 0), true};
-  if (strength <= 0) return posed;
-  Random random(seed);
-  posed.symmetric = random.uniform() < 0.7;
-  const size_t bones = static_cast<size_t>(
-      std::count_if(target_.joints.begin(), target_.joints.end(), [](const TargetJoint& j) { return !j.tip; }));
-  std::vector<Vector3d> turn(bones, Vector3d::Zero());
-  std::vector<std::array<double, 2>> stretch(bones);
-  for (size_t i = 0; i < bones; ++i) {
-    const JointClass c = target_.joints[i].joint_class;
-    const int partner = partner_[i];
-    if (posed.symmetric && partner >= 0 && partner < static_cast<int>(i)) {
-      const size_t p = static_cast<size_t>(partner);
-      turn[i] = turn[p].cwiseProduct(Vector3d(1, -1, -1));
-      stretch[i] = stretch[p];
-      continue;
-    }
-    constexpr double kStrengths[3] = {0.5, 1, 1.5};
-    const double sigma = rotation_sigma(c) * strength * kStrengths[random.below(3)];
-    for (int axis = 0; axis < 3; ++axis) turn[i][axis] = sigma * random.normal();
-    if (random.uniform() < 0.3) turn[i].setZero();
-    if (posed.symmetric && partner == static_cast<int>(i)) turn[i].y() = turn[i].z() = 0;
-    const bool trunk = c == kClassPelvis || c == kClassSpine || c == kClassNeck;
-    const double spread = c == kClassHead ? 0.22 : trunk ? 0.12 : 0.18;
-    const double along = spread * random.normal(), across = c == kClassHead ? along : spread * random.normal();
-    stretch[i] = {std::clamp(strength * along, -0.5, 0.5), std::clamp(strength * across, -0.5, 0.5)};
-  }
+// The character's own joints turn where a target joint has its place from them; scales act at the joint, not below it.
+RigSource::Palette RigSource::palette(const RigPose& pose) const {
+  const size_t bones = body_.bones();
   std::vector<Matrix3d> scale(bones);
-  for (size_t i = 0; i < bones; ++i) {
-    Vector3d along(0, 1, 0);
-    if (!kids_[i].empty()) {
-      Vector3d mean = Vector3d::Zero();
-      for (const uint32_t k : kids_[i]) mean += vec(target_joints_[k]);
-      const Vector3d offset = mean / static_cast<double>(kids_[i].size()) - vec(target_joints_[i]);
-      if (offset.norm() > 1e-9) along = offset.normalized();
-    }
-    const double s = std::exp(stretch[i][0]), r = std::exp(stretch[i][1]);
-    scale[i] = r * Matrix3d::Identity() + (s - r) * along * along.transpose();
-  }
-  // The character's own joints turn where a target joint has its place from them; scales act at the joint, not below it.
   std::map<uint32_t, size_t> target_of;
-  for (size_t i = 0; i < bones; ++i) target_of[target_.joints[i].source] = i;
-  std::vector<Matrix3d> rotation(joints_.size()), linear(joints_.size());
-  std::vector<Vector3d> origin(joints_.size());
+  for (size_t i = 0; i < bones; ++i) {
+    const Vector3d offset = body_.direction(i), along = offset.norm() > 1e-9 ? offset.normalized() : Vector3d(0, 1, 0);
+    const double s = std::exp(pose.stretch[i][0]), r = std::exp(pose.stretch[i][1]);
+    scale[i] = r * Matrix3d::Identity() + (s - r) * along * along.transpose();
+    target_of[body_.target.joints[i].source] = i;
+  }
+  Palette palette;
+  palette.origin.resize(joints_.size());
+  palette.linear.resize(joints_.size());
+  std::vector<Matrix3d> rotation(joints_.size());
   for (const uint32_t j : order_) {
-    Matrix3d own = Matrix3d::Identity();
+    const bool top = parents_[j] < 0;
+    const size_t p = top ? 0 : static_cast<size_t>(parents_[j]);
+    const Matrix3d above = top ? Matrix3d::Identity() : rotation[p];
+    rotation[j] = above;
     const auto at = target_of.find(j);
-    if (at != target_of.end() && turn[at->second].norm() > 1e-12) {
-      own = Eigen::AngleAxisd(turn[at->second].norm(), turn[at->second].normalized()).toRotationMatrix();
+    if (at != target_of.end() && pose.aim[at->second].norm() > 1e-12) {
+      const Vector3d now = above * body_.direction(at->second);
+      rotation[j] = rotation_between(now, pose.aim[at->second]) * above;
+    } else if (at != target_of.end() && pose.turn[at->second].norm() > 1e-12) {
+      const Vector3d turn = pose.turn[at->second];
+      rotation[j] = above * Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
     }
-    if (parents_[j] < 0) {
-      rotation[j] = own;
-      origin[j] = vec(joints_[j]);
-    } else {
-      const size_t p = static_cast<size_t>(parents_[j]);
-      rotation[j] = rotation[p] * own;
-      origin[j] = origin[p] + linear[p] * (vec(joints_[j]) - vec(joints_[p]));
-    }
-    linear[j] = rotation[j] * scale[target_.owners[j]];
+    palette.origin[j] = vec(joints_[j]);
+    if (!top) palette.origin[j] = palette.origin[p] + palette.linear[p] * (vec(joints_[j]) - vec(joints_[p]));
+    palette.linear[j] = rotation[j] * scale[body_.target.owners[j]];
   }
-  const Vector3d whole(std::exp(0.1 * strength * random.normal()), std::exp(0.1 * strength * random.normal()),
-                       std::exp(0.1 * strength * random.normal()));
-  for (size_t v = 0; v < vertices_.size(); ++v) {
-    Vector3d sum = Vector3d::Zero();
-    double weights = 0;
-    for (const Influence& i : influences_[v]) {
-      sum += i.weight * (origin[i.joint] + linear[i.joint] * (vec(vertices_[v]) - vec(joints_[i.joint])));
-      weights += i.weight;
-    }
-    const Vector3d moved = weights > 1e-6 ? Vector3d(sum / weights) : vec(vertices_[v]);
-    posed.vertices[v] = arr(moved.cwiseProduct(whole));
-  }
-  for (size_t i = 0; i < target_joints_.size(); ++i) {
-    const uint32_t j = target_.joints[i].source;
-    posed.joints[i] = arr((origin[j] + linear[j] * (vec(target_joints_[i]) - vec(joints_[j]))).cwiseProduct(whole));
-  }
+  return palette;
+}
 
-  // Small parts vanish, as hats and belts do; never more than half of what a joint moves.
-  if (random.uniform() < 0.4 && parts_ > 1) {
-    std::vector<double> area(parts_, 0.0), moved(bones, 0.0);
-    std::vector<uint32_t> owner(triangles_.size());
-    std::vector<double> sums(bones);
-    for (size_t t = 0; t < triangles_.size(); ++t) {
-      area[part_[t]] += area_[t];
-      std::fill(sums.begin(), sums.end(), 0.0);
-      for (const uint32_t v : triangles_[t])
-        for (const Influence& i : influences_[v]) sums[target_.owners[i.joint]] += i.weight;
-      owner[t] = static_cast<uint32_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
-      moved[owner[t]] += area_[t];
-    }
-    const double all = std::accumulate(area.begin(), area.end(), 0.0);
-    const auto largest = static_cast<uint32_t>(std::max_element(area.begin(), area.end()) - area.begin());
-    for (uint32_t p = 0; p < parts_; ++p) {
-      if (p == largest || area[p] >= 0.15 * all || random.uniform() >= 0.35) continue;
-      std::vector<double> own(bones, 0.0);
-      for (size_t t = 0; t < triangles_.size(); ++t)
-        if (part_[t] == p) own[owner[t]] += area_[t];
-      bool small = true;
-      for (size_t j = 0; j < bones; ++j) small = small && own[j] <= 0.5 * moved[j] + 1e-12;
-      if (!small) continue;
-      for (size_t t = 0; t < triangles_.size(); ++t)
-        if (part_[t] == p) posed.gone[t] = 1;
-    }
+// Small parts vanish, as hats and belts do; never more than half of what a joint moves.
+std::vector<uint8_t> RigSource::vanish(Random* random) const {
+  const size_t bones = body_.bones();
+  std::vector<uint8_t> gone(triangles_.size(), 0);
+  std::vector<double> area(parts_, 0.0), moved(bones, 0.0), sums(bones);
+  std::vector<uint32_t> owner(triangles_.size());
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    area[part_[t]] += area_[t];
+    std::fill(sums.begin(), sums.end(), 0.0);
+    for (const uint32_t v : triangles_[t])
+      for (const Influence& i : influences_[v]) sums[body_.target.owners[i.joint]] += i.weight;
+    owner[t] = static_cast<uint32_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+    moved[owner[t]] += area_[t];
   }
+  const double all = std::accumulate(area.begin(), area.end(), 0.0);
+  const auto largest = static_cast<uint32_t>(std::max_element(area.begin(), area.end()) - area.begin());
+  for (uint32_t p = 0; p < parts_; ++p) {
+    if (p == largest || area[p] >= 0.15 * all || random->uniform() >= 0.35) continue;
+    std::vector<double> own(bones, 0.0);
+    for (size_t t = 0; t < triangles_.size(); ++t)
+      if (part_[t] == p) own[owner[t]] += area_[t];
+    bool small = true;
+    for (size_t j = 0; j < bones; ++j) small = small && own[j] <= 0.5 * moved[j] + 1e-12;
+    for (size_t t = 0; t < triangles_.size() && small; ++t)
+      if (part_[t] == p) gone[t] = 1;
+  }
+  return gone;
+}
+
+// The triangles that stay, and the vertices that they have; others would spoil the box.
+SourcedSurface RigSource::surface(const std::vector<Point>& vertices, const std::vector<uint8_t>& gone) const {
+  SourcedSurface surface;
+  std::vector<uint32_t> number(vertices.size(), UINT32_MAX);
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    if (gone[t]) continue;
+    std::array<uint32_t, 3> corners = triangles_[t];
+    for (uint32_t& v : corners) {
+      if (number[v] == UINT32_MAX) {
+        number[v] = static_cast<uint32_t>(surface.vertices.size());
+        surface.vertices.push_back(vertices[v]);
+        surface.source.push_back(v);
+      }
+      v = number[v];
+    }
+    surface.triangles.push_back(corners);
+  }
+  return surface;
+}
+
+RigSource::Posed RigSource::pose(uint64_t seed, const RigVariant& variant) const {
+  Random random(seed);
+  Posed posed{{}, body_.joints, true};
+  std::vector<Point> vertices = vertices_;
+  std::vector<uint8_t> gone(triangles_.size(), 0);
+  if (variant.strength > 0) {
+    const double strength = variant.strength;
+    const RigPose pose = variant.wide ? wide_pose(body_, strength, &random) : mild_pose(body_, strength, &random);
+    posed.symmetric = pose.symmetric;
+    const Palette moved = palette(pose);
+    const auto stretch = [&] { return std::exp(0.1 * strength * random.normal()); };
+    const double width = stretch(), height = stretch(), depth = stretch();
+    Matrix3d whole = Vector3d(width, height, depth).asDiagonal();
+    if (variant.wide && !pose.symmetric)  // no plane tells exactly where such a mesh faces
+      whole = Eigen::AngleAxisd(std::clamp(kYaw * random.normal(), -2 * kYaw, 2 * kYaw), Vector3d::UnitY()) * whole;
+    const auto follow = [&](uint32_t j, const Point& p) -> Vector3d {
+      return moved.origin[j] + moved.linear[j] * (vec(p) - vec(joints_[j]));
+    };
+    for (size_t v = 0; v < vertices.size(); ++v) {
+      Vector3d sum = Vector3d::Zero();
+      double weights = 0;
+      for (const Influence& i : influences_[v]) {
+        sum += i.weight * follow(i.joint, vertices_[v]);
+        weights += i.weight;
+      }
+      vertices[v] = arr(whole * (weights > 1e-6 ? Vector3d(sum / weights) : vec(vertices_[v])));
+    }
+    for (size_t i = 0; i < posed.joints.size(); ++i)
+      posed.joints[i] = arr(whole * follow(body_.target.joints[i].source, body_.joints[i]));
+    if (random.uniform() < 0.4 && parts_ > 1) gone = vanish(&random);
+  }
+  posed.surface = surface(vertices, gone);
+  if (variant.wall) add_wall(&random, &posed.surface);
+  if (variant.cells > 0) {
+    GrownShell shell = grow_shell(posed.surface.vertices, posed.surface.triangles, variant.cells);
+    for (uint32_t& v : shell.source) v = posed.surface.source[v];
+    posed.surface = {std::move(shell.vertices), std::move(shell.triangles), std::move(shell.source)};
+  }
+  if (variant.specks) add_specks(&random, &posed.surface);
   return posed;
 }
 
 RigSource::Placed RigSource::place(const Posed& posed, uint64_t seed) const {
-  std::vector<uint32_t> number(vertices_.size(), UINT32_MAX), source;
-  std::vector<Point> vertices;
-  std::vector<std::array<uint32_t, 3>> triangles;
-  for (size_t t = 0; t < triangles_.size(); ++t) {
-    if (posed.gone[t]) continue;
-    std::array<uint32_t, 3> corners = triangles_[t];
-    for (uint32_t& v : corners) {
-      if (number[v] == UINT32_MAX) {
-        number[v] = static_cast<uint32_t>(vertices.size());
-        vertices.push_back(posed.vertices[v]);
-        source.push_back(v);
-      }
-      v = number[v];
-    }
-    triangles.push_back(corners);
-  }
-  Placed placed{EngineMesh(name_, vertices, triangles), {}, {}};
+  Placed placed{EngineMesh(name_, posed.surface.vertices, posed.surface.triangles), {}, {}};
   EngineMesh& engine = placed.engine;
   MirrorFrame frame;  // of the character before it was posed
   const float zero[3] = {0, 0, 0};
@@ -284,9 +276,9 @@ RigSource::Placed RigSource::place(const Posed& posed, uint64_t seed) const {
     placed.joints.push_back(arr(Vector3d(at.x, at.y, at.z) / kSide));
   }
   placed.source.assign(engine.mesh.welded_count, UINT32_MAX);
-  for (uint32_t v = 0; v < vertices.size(); ++v) {
+  for (uint32_t v = 0; v < posed.surface.vertices.size(); ++v) {
     uint32_t& first = placed.source[engine.mesh.vertex_to_welded[v]];
-    if (first == UINT32_MAX) first = source[v];
+    if (first == UINT32_MAX) first = posed.surface.source[v];
   }
   return placed;
 }
@@ -308,13 +300,6 @@ void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function
   use(set);
 }
 
-RigSample RigSource::sample(const Posed& posed, uint64_t seed) const {
-  const Placed placed = place(posed, seed);
-  RigSample s;
-  with_point_set(placed.engine, seed, [&](const PointSet& set) { s = label(placed, set); });
-  return s;
-}
-
 RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
   std::vector<Vector3d> joints;
   for (const Point& p : placed.joints) joints.push_back(vec(p));
@@ -322,19 +307,19 @@ RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
   RigSample s = point_sample(set);
   s.name = name_;
   s.family = family_;
-  std::vector<double> sums(target_.joints.size());
+  std::vector<double> sums(body_.target.joints.size());
   for (uint32_t i = 0; i < kSetPoints; ++i) {
     const SurfacePoint& point = set.points[i];
     std::fill(sums.begin(), sums.end(), 0.0);
     for (int corner = 0; corner < 3; ++corner) {
       for (const Influence& influence : influences_[placed.source[point.corner[corner]]])
-        sums[target_.owners[influence.joint]] += influence.weight * point.share[corner] / 32768.0;
+        sums[body_.target.owners[influence.joint]] += influence.weight * point.share[corner] / 32768.0;
     }
     const size_t own = static_cast<size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
     const Vector3d p = Vector3d(point.position.x, point.position.y, point.position.z) / kSide;
     size_t end = own;
     double least = 1e9;
-    for (const uint32_t k : kids_[own]) {
+    for (const uint32_t k : body_.kids[own]) {
       const double d = segment_distance(p, joints[own], joints[k]);
       if (d < least) {
         least = d;
@@ -351,19 +336,22 @@ RigSample RigSource::label(const Placed& placed, const PointSet& set) const {
     put(joints[own], &s.start);
     put(joints[end], &s.end);
     s.weight.push_back(static_cast<float>(sums[own] * sums[own]));
-    s.start_class.push_back(target_.joints[own].joint_class);
-    s.end_class.push_back(target_.joints[end].tip ? static_cast<uint8_t>(kClassTip)
-                                                  : static_cast<uint8_t>(target_.joints[end].joint_class));
+    s.start_class.push_back(body_.target.joints[own].joint_class);
+    s.end_class.push_back(body_.target.joints[end].tip ? static_cast<uint8_t>(kClassTip)
+                                                       : static_cast<uint8_t>(body_.target.joints[end].joint_class));
   }
   return s;
 }
 
-RigSample RigSource::make(uint64_t seed, double strength) const {
-  return sample(pose(mix_seeds(seed, 1), strength), mix_seeds(seed, 2));
+RigSample RigSource::make(uint64_t seed, const RigVariant& variant) const {
+  const Placed placed = make_mesh(seed, variant);
+  RigSample s;
+  with_point_set(placed.engine, mix_seeds(seed, 2), [&](const PointSet& set) { s = label(placed, set); });
+  return s;
 }
 
-RigSource::Placed RigSource::make_mesh(uint64_t seed, double strength) const {
-  return place(pose(mix_seeds(seed, 1), strength), mix_seeds(seed, 2));
+RigSource::Placed RigSource::make_mesh(uint64_t seed, const RigVariant& variant) const {
+  return place(pose(mix_seeds(seed, 1), variant), mix_seeds(seed, 2));
 }
 
 }  // namespace sinew

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "data/engine_mesh.hpp"
+#include "data/rig_pose.hpp"
+#include "data/rough_surface.hpp"
 #include "rig/rig_points.hpp"
 #include "sinew_datasets/target_skeleton.hpp"
 #include "sinew_formats/character.hpp"
@@ -30,6 +32,17 @@ struct RigSample : NetworkSample {
 // Makes a set of points of a mesh that is in its mirror frame, with the interior behind them, and hands it to `use`.
 void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function<void(const PointSet&)>& use);
 
+// How a copy of a character differs from it.
+struct RigVariant {
+  double strength =
+      0;  // 0: not at all, if the rest says nothing else; 1: joints turn by up to a radian, bones and the whole are
+          // stretched, small parts vanish
+  bool wide = false;   // wide_pose() (rig_pose.hpp), not mild_pose()
+  uint32_t cells = 0;  // grown together: a shell of so many cells (grown_shell.hpp)
+  bool wall = false;   // double (rough_surface.hpp)
+  bool specks = false;
+};
+
 // A character in its mirror frame, ready to be posed, stretched and sampled. What a point learns follows its joints, so that
 // labels stay exact.
 class RigSource {
@@ -37,9 +50,8 @@ class RigSource {
   // Throws Error where target_skeleton() does, and for a mesh that the engine refuses.
   explicit RigSource(const Character& character);
 
-  // strength 0: the character as it is; 1: joints turn by up to a radian, bones and the whole are stretched, small parts
-  // vanish. The same seed gives the same sample.
-  RigSample make(uint64_t seed, double strength) const;
+  // The same seed gives the same sample.
+  RigSample make(uint64_t seed, const RigVariant& variant) const;
 
   using Point = std::array<double, 3>;
   // The mesh of such a sample, U welded vertices in their mirror frame.
@@ -48,21 +60,30 @@ class RigSource {
     std::vector<Point> joints;     // [target] shares of the longest side, not folded
     std::vector<uint32_t> source;  // [U] vertex of the surface that a welded vertex has its weights from
   };
-  Placed make_mesh(uint64_t seed, double strength) const;
+  Placed make_mesh(uint64_t seed, const RigVariant& variant) const;
 
   const std::string& name() const { return name_; }
   const std::string& family() const { return family_; }
-  const TargetSkeleton& target() const { return target_; }
+  const TargetSkeleton& target() const { return body_.target; }
 
  private:
   struct Posed {
-    std::vector<Point> vertices, joints;  // of the target
-    std::vector<uint8_t> gone;            // [T] triangles that were left out
+    SourcedSurface surface;
+    std::vector<Point> joints;  // of the target
     bool symmetric = true;
   };
-  Posed pose(uint64_t seed, double strength) const;
+  // Where the character's own joints went: a vertex p of joint j goes to origin + linear (p - joint).
+  struct Palette {
+    std::vector<Eigen::Vector3d> origin;  // [J]
+    std::vector<Eigen::Matrix3d> linear;  // [J]
+  };
+  void find_partners();
+  void find_parts();
+  Posed pose(uint64_t seed, const RigVariant& variant) const;
+  Palette palette(const RigPose& pose) const;
+  std::vector<uint8_t> vanish(Random* random) const;  // [T] triangles that are gone
+  SourcedSurface surface(const std::vector<Point>& vertices, const std::vector<uint8_t>& gone) const;
   Placed place(const Posed& posed, uint64_t seed) const;
-  RigSample sample(const Posed& posed, uint64_t seed) const;
   RigSample label(const Placed& placed, const PointSet& set) const;
 
   std::string name_, family_;
@@ -72,12 +93,9 @@ class RigSource {
   std::vector<Point> joints_;                       // [J] of the character
   std::vector<int> parents_;                        // [J]
   std::vector<uint32_t> order_;                     // [J] parents first
-  TargetSkeleton target_;
-  std::vector<Point> target_joints_;         // [target] mirror frame
-  std::vector<std::vector<uint32_t>> kids_;  // [target]
-  std::vector<int> partner_;                 // [target] mirror image or -1
-  std::vector<uint32_t> part_;               // [T]
-  std::vector<double> area_;                 // [T] doubled
+  PoseBody body_;
+  std::vector<uint32_t> part_;  // [T]
+  std::vector<double> area_;    // [T] doubled
   uint32_t parts_ = 0;
 };
 

@@ -32,7 +32,7 @@ double skin_offset(const NetworkSample& sample, const std::array<double, 3>& pos
 }
 
 SlotSample make_slot_sample(const RigSource& source, uint64_t seed, double strength) {
-  const RigSource::Placed placed = source.make_mesh(seed, strength);
+  const RigSource::Placed placed = source.make_mesh(seed, {.strength = strength});
   SlotSample s;
   with_point_set(placed.engine, seed, [&](const PointSet& set) { static_cast<NetworkSample&>(s) = slot_points(set); });
   s.name = source.name();

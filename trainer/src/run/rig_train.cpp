@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -35,12 +36,19 @@ void visit_settings(Config& c, Visitor&& visit) {
   visit("rounds", c.rounds);
   visit("part", c.part);
   visit("variants", c.variants);
+  visit("least_variants", c.least_variants);
   visit("synthetic", c.synthetic);
+  visit("wide", c.wide);
+  visit("grown", c.grown);
+  visit("walls", c.walls);
+  visit("specks", c.specks);
   visit("balance", c.balance);
   visit("losses", c.losses);
   visit("leave_out", c.leave_out);
   visit_run_settings(c, visit);
 }
+
+constexpr uint32_t kLeastCells = 64, kMostCells = 104;  // of a shell: 5,000 to 60,000 faces
 
 using Samples = std::vector<std::unique_ptr<const NetworkSample>>;  // of one character
 
@@ -56,6 +64,20 @@ Samples samples_of(uint32_t variants, uint64_t seed, Make&& make) {
   if (variants > 0) add(1, 0);
   for (uint32_t v = 0; v < variants; ++v) add(2 + v, v % 3 == 0 ? 0.5 : 1.0);
   return samples;
+}
+
+// What a copy is; the character itself stays as it is.
+RigVariant draw_variant(const RigTrainConfig& config, uint64_t seed, double strength) {
+  RigVariant variant;
+  variant.strength = strength;
+  if (strength <= 0) return variant;
+  Random random(mix_seeds(seed, 0x67726f776e));
+  variant.wide = random.uniform() < config.wide;
+  const uint32_t cells = kLeastCells + random.below(kMostCells - kLeastCells + 1);
+  if (random.uniform() < config.grown) variant.cells = cells;
+  variant.wall = random.uniform() < config.walls;
+  variant.specks = random.uniform() < config.specks;
+  return variant;
 }
 
 // The same of its hands, which take turns.
@@ -93,17 +115,35 @@ Samples samples_of(const Character& character, const RigTrainConfig& config, uin
                       [&](uint64_t own, double strength) { return make_slot_sample(source, own, strength); });
   }
   const RigSource source(character);
-  return samples_of(variants, seed, [&](uint64_t own, double strength) { return source.make(own, strength); });
+  return samples_of(variants, seed, [&](uint64_t own, double strength) {
+    return source.make(own, draw_variant(config, own, strength));
+  });
 }
 
 struct Request {
   std::string path, name;  // of a file, or
   BodyPlan plan = BodyPlan::kBiped;
   uint64_t seed = 0;
+  std::string family() const { return path.empty() ? body_plan_name(plan) : family_of(name); }
 };
 
-std::vector<Samples> make_samples(const std::vector<Request>& requests, const RigTrainConfig& config, uint32_t variants,
-                                  uint32_t threads, bool quiet) {
+// How many of each; a family that is drawn seldom per character needs fewer.
+std::vector<uint32_t> count_variants(const std::vector<Request>& requests, const RigTrainConfig& config) {
+  std::map<std::string, uint32_t> members;
+  for (const Request& r : requests) ++members[r.family()];
+  std::vector<uint32_t> counts;
+  for (const Request& r : requests) {
+    const double share = std::pow(members[r.family()], config.family_power - 1);
+    const auto few = static_cast<uint32_t>(std::lround(config.variants * share));
+    counts.push_back(config.least_variants == 0 ? config.variants
+                                                : std::min(config.variants, std::max(few, config.least_variants)));
+  }
+  return counts;
+}
+
+// variants  [requests]
+std::vector<Samples> make_samples(const std::vector<Request>& requests, const RigTrainConfig& config,
+                                  const std::vector<uint32_t>& variants, uint32_t threads, bool quiet) {
   std::vector<Samples> made(requests.size());
   std::atomic<size_t> done{0};
   parallel_for(requests.size(), threads, [&](size_t i, unsigned) {
@@ -120,7 +160,7 @@ std::vector<Samples> make_samples(const std::vector<Request>& requests, const Ri
         character = read_character(r.path);
         character.name = r.name;
       }
-      made[i] = samples_of(character, config, variants, mix_seeds(config.seed, i));
+      made[i] = samples_of(character, config, variants[i], mix_seeds(config.seed, i));
     } catch (const Error& error) {
       if (!quiet && !is_hands(config)) std::fprintf(stderr, "left out: %s\n", error.what());  // most have no hands
     }
@@ -182,6 +222,10 @@ RigTrainConfig parse_rig_config(const std::string& json, const std::string& sour
   require(config.part == "body" || config.architecture == "votes", "part",
           "body with the architectures slots and front");
   require(config.variants <= 64, "variants", "0 to 64");
+  require(config.least_variants <= config.variants, "least_variants", "0 to variants");
+  for (const auto& [name, share] : {std::pair("wide", config.wide), std::pair("grown", config.grown),
+                                    std::pair("walls", config.walls), std::pair("specks", config.specks)})
+    require(share >= 0 && share <= 1, name, "0 to 1");
   require(config.synthetic <= 1000, "synthetic", "0 to 1000");
   return config;
 }
@@ -210,10 +254,13 @@ void train_rig(const RigTrainConfig& config, const TrainOptions& options) {
     for (const BodyPlan plan : kBodyPlans) add_synthetic(plan);
     for (const BodyPlan plan : kCreaturePlans) add_synthetic(plan);
     const bool quiet = checked.quiet || (checked.ranks != nullptr && checked.ranks->rank() > 0);
-    const std::vector<Samples> characters = make_samples(requests, config, config.variants, checked.threads, quiet);
+    const std::vector<Samples> characters =
+        make_samples(requests, config, count_variants(requests, config), checked.threads, quiet);
     std::vector<Samples> validation;
-    if (!checked.val_dir.empty())
-      validation = make_samples(character_requests(checked.val_dir, {}), config, 0, checked.threads, quiet);
+    if (!checked.val_dir.empty()) {
+      const std::vector<Request> kept = character_requests(checked.val_dir, {});
+      validation = make_samples(kept, config, std::vector<uint32_t>(kept.size(), 0), checked.threads, quiet);
+    }
     TrainingItems items;
     for (const Samples& samples : characters) {
       items.families.push_back(samples[0]->family);

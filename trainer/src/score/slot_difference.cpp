@@ -28,7 +28,7 @@ void each_set(const std::string& folder, size_t limit, const std::function<void(
   for (size_t i = 0; i < count; ++i) {
     try {
       const RigSource source(read_character(paths[i * paths.size() / count]));
-      with_point_set(source.make_mesh(i, 0).engine, i, use);
+      with_point_set(source.make_mesh(i, {}).engine, i, use);
       ++used;
     } catch (const Error& error) {
       last = error.what();

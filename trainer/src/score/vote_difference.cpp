@@ -26,7 +26,7 @@ std::vector<RigSample> some_samples(const FloatNetwork& network, const std::stri
     try {
       const Character character = read_character(paths[i * paths.size() / count]);
       if (network.feature_set != kHandsFeatureSet) {
-        samples.push_back(RigSource(character).make(i, 0));
+        samples.push_back(RigSource(character).make(i, {}));
         continue;
       }
       for (const HandSource& hand : hand_sources(character)) {

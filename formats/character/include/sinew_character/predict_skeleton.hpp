@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sinew/sinew.h"
@@ -39,13 +40,17 @@ struct PredictedSkeleton {
   uint32_t up_axis = 0;
   float front_confidence = 0, up_confidence = 0;
   float plane = 0, spread = 0;  // see sinew_rig_outputs
+  std::optional<float> usable;  // of votes: usable_probability()
   size_t workspace_bytes = 0;
   double seconds = 0;  // in sinew_rig()
 };
 
-// The votes' own idea of how far off they are, PredictedSkeleton::spread: above it the mesh resembles nothing that the
-// model knows, and the user is told so.
-constexpr float kDoubtfulSpread = 0.08f;
+// How likely votes of that spread (PredictedSkeleton::spread) make a skeleton that can be used as it is or mended, 0..1:
+// logistic, fitted on 151 samples of families that the votes were not trained on (trainer/configs/RESULTS.md).
+float usable_probability(float spread, bool mirrored);
+// Below it the user is told.
+constexpr float kDoubtfulUsable = 0.4f;
+// PredictedSkeleton::spread, the votes' own idea of how far off they are, says when they know nothing.
 // Above it votes are as far off as the mesh's middle line (SINEW_RIG_SHAPE), which claims less: trainer/configs/RESULTS.md.
 constexpr float kUnknownSpread = 0.09f;
 

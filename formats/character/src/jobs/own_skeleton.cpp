@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "sinew_character/joint_mirror.hpp"
+#include "sinew_character/joint_verdicts.hpp"
+#include "sinew_character/predict_face.hpp"
 #include "sinew_character/skeleton_template.hpp"
 #include "sinew_formats/box.hpp"
 #include "sinew_formats/error.hpp"
@@ -16,6 +18,15 @@ namespace sinew {
 namespace {
 
 constexpr const char* kTemplate = "template:";
+
+// Eyes and jaws of a template take no weight where the mesh shows none: its head would follow them.
+void rest_faces(const LabelledSkeleton& found, FittedSkeleton* fitted) {
+  for (const uint8_t c : joint_verdicts(found.joints).classes)
+    if (is_face_class(c)) return;
+  const std::vector<uint8_t> classes = joint_verdicts(fitted->joints).classes;
+  for (size_t j = 0; j < classes.size(); ++j)
+    if (is_face_class(classes[j])) fitted->joints[j].deforms = false;
+}
 
 }  // namespace
 
@@ -44,9 +55,10 @@ FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string
   } catch (const Error& error) {
     throw Error(source + ": " + error.what());
   }
+  if (is_template(source)) rest_faces(found, &fitted);
   PredictedSkeleton result = skeleton_from_joints(fitted.joints);
   std::map<std::string, std::optional<bool>> deforms;
-  for (const Joint& joint : own) deforms.emplace(joint.name, joint.deforms);
+  for (const Joint& joint : fitted.joints) deforms.emplace(joint.name, joint.deforms);
   for (Joint& joint : result.joints) joint.deforms = deforms.at(joint.name);
   if (fitted.symmetric && !result.mirrored) {  // but for details that are on one side alone
     JointMirror mirror = find_joint_mirror(result.joints);
@@ -54,6 +66,7 @@ FittedSkeleton fit_own_skeleton(const std::vector<Joint>& own, const std::string
     if (result.mirrored) result.partners = std::move(mirror.partners);
   }
   result.spread = skeleton->spread;
+  result.usable = skeleton->usable;
   result.seconds = skeleton->seconds;
   result.workspace_bytes = skeleton->workspace_bytes;
   *skeleton = std::move(result);

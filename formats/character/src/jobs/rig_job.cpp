@@ -2,7 +2,10 @@
 // A bare mesh with a skeleton and weights.
 #include "sinew_character/rig_job.hpp"
 
+#include <cmath>
 #include <map>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "sinew/published.h"
@@ -55,17 +58,23 @@ PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Cha
   options.ends = job.ends;
   PredictedSkeleton skeleton = predict_skeleton(*character, options);
   const float spread = skeleton.spread;
+  const std::optional<float> usable = skeleton.usable;
   if (job.method == RigMethod::kAuto && spread > kUnknownSpread) {
     options.method = SINEW_RIG_SHAPE;
     skeleton = predict_skeleton(*character, options);
     skeleton.spread = spread;
+    skeleton.usable = usable;
     character->notes.push_back(
         "warning: this mesh resembles nothing that the model knows, so the joints follow its middle line and have no "
         "names; --method votes gives the model's guess");
-  } else if (spread > (job.method == RigMethod::kSlots ? kDoubtfulSlots : kDoubtfulSpread)) {
+  } else if (job.method == RigMethod::kSlots && spread > kDoubtfulSlots) {
     character->notes.push_back(
         "warning: this mesh resembles little that the model knows; look at the joints before using them, or try "
         "--method shape");
+  } else if (usable && *usable < kDoubtfulUsable) {
+    character->notes.push_back(
+        "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
+        std::to_string(std::lround(100 * *usable)) + " %; look at the joints before using them, or try --method shape");
   }
   say_direction(job, skeleton, &character->notes);
   return skeleton;

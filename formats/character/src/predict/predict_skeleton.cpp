@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -62,7 +63,15 @@ PredictedSkeleton predict_skeleton(const Character& character, const SkeletonOpt
   result.up_axis = rigged.up == SINEW_UP_Z ? 1 : 0;
   result.front_confidence = rigged.front_confidence;
   result.up_confidence = rigged.up_confidence;
+  if (options.method == SINEW_RIG_VOTES) result.usable = usable_probability(result.spread, result.mirrored);
   return result;
+}
+
+float usable_probability(float spread, bool mirrored) {
+  constexpr double kSure = 1.68, kPerDoubling = -3.54, kNotMirrored = -0.74;
+  const double score =
+      kSure + kPerDoubling * std::log2(std::max(double{spread}, 1e-4) / 0.05) + (mirrored ? 0 : kNotMirrored);
+  return static_cast<float>(1 / (1 + std::exp(-score)));
 }
 
 }  // namespace sinew

@@ -10,8 +10,8 @@ namespace sinew {
 namespace {
 
 TEST(RigTrainConfig, ShippedFilesAreValid) {
-  for (const char* name : {"votes", "votes_more", "votes_left_out", "hands", "hands_more", "slots", "slots_first",
-                           "slots_more", "front"}) {
+  for (const char* name : {"votes", "votes_more", "votes_left_out", "votes_grown", "hands", "hands_more", "slots",
+                           "slots_first", "slots_more", "front"}) {
     const std::string path = std::string(SINEW_SOURCE_DIR) + "/trainer/configs/" + name + ".json";
     const RigTrainConfig config = parse_rig_config(read_text_file(path), path);
     const std::string first = std::string(name).substr(0, std::string(name).find('_'));
@@ -25,6 +25,8 @@ TEST(RigTrainConfig, ErrorsNameFileAndKey) {
                "\"votes\", \"slots\" or \"front\"");
   EXPECT_ERROR(parse_rig_config(R"({"balance": 1.5})", "run.json"), "run.json: balance: expected 0 to 1");
   EXPECT_ERROR(parse_rig_config(R"({"patience": -1})", "run.json"), "run.json: patience");
+  EXPECT_ERROR(parse_rig_config(R"({"grown": 1.5})", "run.json"), "run.json: grown: expected 0 to 1");
+  EXPECT_ERROR(parse_rig_config(R"({"least_variants": 13})", "run.json"), "run.json: least_variants", "0 to variants");
   EXPECT_ERROR(parse_rig_config(R"({"rounds": 9})", "run.json"), "run.json: rounds: expected 2 to 8");
 }
 

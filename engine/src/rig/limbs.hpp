@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Limbs of a tree: which joint goes on from which, and what a whole limb is.
+#ifndef SINEW_RIG_LIMBS_HPP
+#define SINEW_RIG_LIMBS_HPP
+
+#include "rig/folded_tree.hpp"
+
+namespace sinew {
+
+// What hangs on a trunk. Toes are of a leg.
+enum class Limb : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
+constexpr uint32_t kLimbs = 5;
+Limb limb_of(uint32_t joint_class);
+
+// Whether a joint of the second class is the next of an arm or a leg behind one of the first.
+bool continues_limb(uint32_t from, uint32_t to);
+
+// Whether both joints are of paired classes and lie on two sides, further from the plane than 0.6 % of the side. Of a mirrored tree
+// none do: both sides are one.
+bool lies_across(const FoldedNode& a, const FoldedNode& b);
+
+// For each joint of a tree, what the votes that it owns are for: [joints x kLimbs] sums of probabilities, Q15.
+using LimbVotes = int64_t[kMaxFoldedJoints][kLimbs];
+
+// Classes compete along a whole limb, not joint by joint: all of what hangs on the trunk becomes an arm, a leg, a tail, an ear or
+// hair, as most of the votes for its joints say. A thigh of an arm becomes an upper arm, a foot a hand, all of an ear an ear.
+// Tails, ears and hair of an arm or a leg stay, and so do toes of an arm.
+// Where nothing is mirrored all joints of a limb are on the side where the limb is in the mean.
+//   votes  in, out: the sums of a limb's joints are added to its first
+void settle_limbs(LimbVotes& votes, FoldedTree* tree);
+
+}  // namespace sinew
+#endif

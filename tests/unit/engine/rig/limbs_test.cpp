@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Limbs: chains of their own on one side, of one kind.
+#include "rig/limbs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "rig_votes.hpp"
+
+namespace sinew {
+namespace {
+
+using sinew_test::FoundRig;
+using sinew_test::KnownJoint;
+using sinew_test::place;
+using sinew_test::votes_for;
+using sinew_test::VoteScene;
+
+// Both sides as they stand, nothing is mirrored: `joints` says where each joint is.
+VoteScene standing(const std::vector<KnownJoint>& joints, uint32_t each) {
+  VoteScene scene;
+  test::Random random(3);
+  for (const KnownJoint& end : joints) {
+    if (end.parent < 0) continue;
+    const KnownJoint& start = joints[static_cast<size_t>(end.parent)];
+    const auto vote = [&](const KnownJoint& j) {
+      return place(j.x + 0.003 * random.normal(), j.y + 0.003 * random.normal(), j.z + 0.003 * random.normal());
+    };
+    for (uint32_t i = 0; i < each; ++i) {
+      const Vec3i from = vote(start);
+      scene.add(from, start.joint_class, vote(end), end.joint_class);
+    }
+  }
+  scene.folded = false;
+  return scene;
+}
+
+// A walker whose left foot is under its right knee: {pelvis, spine, left leg 2 to 4, right leg 5 to 7}.
+std::vector<KnownJoint> walker() {
+  return {{0, .6, 0, kClassPelvis, -1},   {0, .8, 0, kClassSpine, 0},      {.04, .55, 0, kClassThigh, 0},
+          {.04, .3, .1, kClassCalf, 2},   {.03, .05, -.08, kClassFoot, 3}, {-.04, .55, 0, kClassThigh, 0},
+          {-.04, .3, -.1, kClassCalf, 5}, {-.03, .05, .08, kClassFoot, 6}};
+}
+
+TEST(Limbs, NoneCrossesToTheOtherSide) {
+  VoteScene scene = standing(walker(), 60);
+  const auto joints = walker();
+  for (uint32_t i = 0; i < 90; ++i) {  // votes say that each foot hangs on the other knee
+    for (const auto& [knee, foot] : {std::pair(3, 7), std::pair(6, 4)}) {
+      const KnownJoint &a = joints[static_cast<size_t>(knee)], &b = joints[static_cast<size_t>(foot)];
+      scene.add(place(a.x, a.y, a.z), kClassCalf, place(b.x, b.y, b.z), kClassFoot);
+    }
+  }
+  const FoundRig found(scene);
+  size_t limbs = 0;
+  for (const RigJoint& joint : found.joints) {
+    if (joint.parent < 0 || joint.tip != 0 || !is_paired_class(joint.joint_class)) continue;
+    const RigJoint& parent = found.joints[static_cast<size_t>(joint.parent)];
+    EXPECT_EQ(joint.side, joint.position.x > 0 ? 1 : -1);
+    if (!is_paired_class(parent.joint_class)) continue;
+    ++limbs;
+    EXPECT_EQ(joint.position.x > 0, parent.position.x > 0) << joint.position.y;
+  }
+  EXPECT_EQ(limbs, 4u);
+}
+
+TEST(Limbs, AJointNearThePlaneIsOnTheSideOfItsLimb) {
+  std::vector<KnownJoint> joints = walker();
+  joints[4].x = -0.004;
+  const FoundRig found(standing(joints, 60));
+  int feet = 0;
+  for (const RigJoint& joint : found.joints) {
+    if (joint.joint_class != kClassFoot || joint.position.z > 0) continue;
+    ++feet;
+    EXPECT_LT(joint.position.x, 0);
+    EXPECT_EQ(joint.side, 1);
+  }
+  EXPECT_EQ(feet, 1);
+}
+
+TEST(Limbs, AFootAtTheEndOfAnArmIsAHand) {
+  std::vector<KnownJoint> joints = {{0, .5, 0, kClassPelvis, -1},      {0, .5, .4, kClassSpine, 0},
+                                    {.08, .45, .4, kClassUpperArm, 1}, {.08, .25, .4, kClassForearm, 2},
+                                    {.08, .05, .4, kClassFoot, 3},     {.08, .45, 0, kClassThigh, 0},
+                                    {.08, .25, 0, kClassCalf, 5},      {.08, .05, 0, kClassFoot, 6}};
+  const FoundRig found(votes_for(joints, 60, 0.003, 1));
+  EXPECT_EQ(found.count_of(kClassHand), 2u);
+  EXPECT_EQ(found.count_of(kClassFoot), 2u);
+  joints[2].joint_class = joints[3].joint_class = joints[4].joint_class = kClassEar;
+  joints[4].joint_class = kClassForearm;
+  const FoundRig eared(votes_for(joints, 60, 0.003, 1));
+  EXPECT_EQ(eared.count_of(kClassForearm), 0u) << "most of it is an ear";
+  EXPECT_EQ(eared.count_of(kClassEar), 6u);
+}
+
+TEST(Limbs, ASecondForearmIsALimbOfItsOwn) {
+  std::vector<KnownJoint> joints = {{0, .5, 0, kClassPelvis, -1},   {0, .7, 0, kClassSpine, 0},
+                                    {.1, .7, 0, kClassUpperArm, 1}, {.25, .7, 0, kClassForearm, 2},
+                                    {.4, .7, 0, kClassHand, 3},     {.15, .85, 0, kClassForearm, 1},
+                                    {.3, .95, 0, kClassHand, 5}};
+  VoteScene scene = votes_for(joints, 60, 0.003, 1);
+  for (uint32_t i = 0; i < 40; ++i) scene.add(place(.1, .7, 0), kClassUpperArm, place(.15, .85, 0), kClassForearm);
+  const FoundRig found(scene);
+  for (const RigJoint& joint : found.joints) {
+    if (joint.joint_class != kClassUpperArm || joint.tip != 0) continue;
+    size_t next = 0;
+    for (const RigJoint& other : found.joints)
+      next += other.tip == 0 && other.parent >= 0 && &found.joints[static_cast<size_t>(other.parent)] == &joint ? 1 : 0;
+    EXPECT_EQ(next, 1u);
+  }
+}
+
+TEST(Limbs, WhichClassesAreWhichLimb) {
+  EXPECT_EQ(limb_of(kClassClavicle), Limb::kArm);
+  EXPECT_EQ(limb_of(kClassToe), Limb::kLeg);
+  EXPECT_EQ(limb_of(kClassWing), Limb::kNone) << "a wing begins as an arm";
+  EXPECT_EQ(limb_of(kClassSpine), Limb::kNone);
+  EXPECT_TRUE(continues_limb(kClassCalf, kClassFoot));
+  EXPECT_TRUE(continues_limb(kClassThigh, kClassThigh)) << "a leg of more joints";
+  EXPECT_FALSE(continues_limb(kClassFoot, kClassToe)) << "a foot has many toes";
+  EXPECT_FALSE(continues_limb(kClassForearm, kClassFoot));
+}
+
+}  // namespace
+}  // namespace sinew
