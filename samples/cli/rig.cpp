@@ -37,7 +37,7 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   std::string detail = "body", hands_model, front_model;
   std::string mesh, output, model, bind_model, png, up = "auto", front = "auto", format = "glb", prediction, skeleton,
-      to_pose;
+                                                    to_pose;
   MethodOptions method;
   std::vector<SkeletonEdit> edits;
   unsigned spine = 0, influences = 4;
@@ -149,11 +149,9 @@ Json summary_json(const Settings& s, const Rigged& rigged, const std::string& me
   json["notes"] = rigged.character.notes;
   if (s.gate) {
     const GateFigures& figures = rigged.gate_figures;
-    json["gate"] = {{"spread", figures.spread},
-                    {"weak_parents", figures.weak_parents},
-                    {"unweighted", figures.unweighted},
-                    {"exploded", figures.exploded},
-                    {"fails", rigged.gate}};
+    json["gate"] = {
+        {"usable", figures.usable},         {"front", figures.front},       {"weak_parents", figures.weak_parents},
+        {"unweighted", figures.unweighted}, {"exploded", figures.exploded}, {"fails", rigged.gate}};
   }
   return json;
 }

@@ -354,7 +354,8 @@ typedef struct sinew_character_rig_options {
   uint32_t front;                            /* sinew_front; 0 = found */
   uint32_t gate;     /* 1: the result is measured; what fails is a note that begins with "gate: " */
   uint32_t reserved; /* 0 */
-  const char* to_pose; /* rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as the mesh stands */
+  const char*
+      to_pose; /* rest pose of the result: "t", "a", or a file whose skeleton stands so; null = as the mesh stands */
 } sinew_character_rig_options;
 
 static inline sinew_character_rig_options sinew_character_rig_options_init(void) {

@@ -11,14 +11,15 @@
 
 namespace sinew {
 
-// Figures of a gate, each with the bound above which it fails. `sinew rig FOLDER --gate --json` prints them.
+// Figures of a gate, each with its bound. `sinew rig FOLDER --gate --json` prints them.
 struct GateFigures {
   double unweighted = 0;    // share of vertices without weight
-  double spread = 0;        // of the votes, share of the longest side
+  double usable = 1;        // how likely the votes make a skeleton that can be used; 1 for one that was not predicted
+  double front = 1;         // how likely what was found in front is the front; below it left and right are a coin toss
   double weak_parents = 0;  // share of joints whose parent is a guess: less than 2 % sure
   double exploded = 0;      // share of edges torn in the test pose: 4 times as long, and by 2 % of the longest side
 };
-constexpr double kMostUnweighted = 0.005, kMostSpread = 0.05, kMostWeakParents = 0.25, kMostExploded = 0.003;
+constexpr double kMostUnweighted = 0.005, kMostWeakParents = 0.25, kMostExploded = 0.003;
 
 // Edges of a bound character that tear where all of its joints but the roots turn by up to 30 degrees about each axis, in
 // three poses that are the same for every character; the worst one. 0 without weights or edges.

@@ -72,7 +72,8 @@ double exploded_share(const Character& character) {
 
 GateFigures gate_figures(const Character& character, const PredictedSkeleton& skeleton) {
   GateFigures figures;
-  figures.spread = static_cast<double>(skeleton.spread);
+  if (skeleton.usable) figures.usable = static_cast<double>(*skeleton.usable);
+  if (skeleton.front_confidence > 0) figures.front = static_cast<double>(skeleton.front_confidence);
   size_t joints = 0, weak = 0;
   for (size_t j = 0; j < skeleton.joints.size(); ++j) {
     if (skeleton.ends[j] != 0 || skeleton.joints[j].parent < 0) continue;
@@ -93,7 +94,12 @@ std::vector<std::string> gate_failures(const GateFigures& figures, bool bound) {
   const auto fail = [&](double value, double most, const char* what) {
     if (value > most) failures.push_back(print("%.2g %s, more than %.2g", value, what, most));
   };
-  fail(figures.spread, kMostSpread, "of the longest side is how far off the votes think they are");
+  if (figures.usable < static_cast<double>(kDoubtfulUsable))
+    failures.push_back(print("the skeleton can be used with a probability of %.2g, less than %.2g", figures.usable,
+                             static_cast<double>(kDoubtfulUsable)));
+  if (figures.front < static_cast<double>(kCoinToss))
+    failures.push_back(print("left is left with a probability of %.2g, less than %.2g", figures.front,
+                             static_cast<double>(kCoinToss)));
   fail(figures.weak_parents, kMostWeakParents, "of the joints are unsure of their parents");
   if (!bound) return failures;
   fail(figures.unweighted, kMostUnweighted, "of the vertices have no weight");

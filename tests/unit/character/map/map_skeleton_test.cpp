@@ -19,9 +19,11 @@ TEST(MapRig, NodesThatMoveWithoutAMeshAreOne) {
   builder.root({{"name", "hips"}, {"children", {1}}});
   builder.add("nodes", {{"name", "spine"}, {"translation", {0, 1, 0}}});
   EXPECT_ERROR((void)read_map_rig(folder.write("still.glb", builder.glb())), "still.glb", "without a skin");
-  nlohmann::json animation = {{"name", "a"}, {"samplers", nlohmann::json::array()}, {"channels", nlohmann::json::array()}};
-  animation["samplers"].push_back({{"input", builder.accessor(std::vector<float>{0, 1}, "SCALAR")},
-                                   {"output", builder.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, "VEC4")}});
+  nlohmann::json animation = {
+      {"name", "a"}, {"samplers", nlohmann::json::array()}, {"channels", nlohmann::json::array()}};
+  animation["samplers"].push_back(
+      {{"input", builder.accessor(std::vector<float>{0, 1}, "SCALAR")},
+       {"output", builder.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0.6f, 0.8f}, "VEC4")}});
   animation["channels"].push_back({{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}});
   builder.add("animations", animation);
   const MapRig rig = read_map_rig(folder.write("moving.glb", builder.glb()));

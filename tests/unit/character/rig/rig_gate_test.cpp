@@ -36,7 +36,7 @@ PredictedSkeleton sure(const Character& character) {
   skeleton.joints = character.joints;
   skeleton.ends.assign(character.joints.size(), 0);
   skeleton.parent_confidence.assign(character.joints.size(), 1.0f);
-  skeleton.spread = 0.01f;
+  skeleton.usable = 0.9f;
   return skeleton;
 }
 
@@ -65,13 +65,14 @@ TEST(RigGate, SeesWhatHasNoWeightAndWhatIsDoubted) {
   bind_to(&character, true);
   character.influences[3].clear();
   PredictedSkeleton skeleton = sure(character);
-  skeleton.spread = 0.06f;
+  skeleton.usable = 0.3f;
+  skeleton.front_confidence = 0.5f;
   for (size_t j = 1; j < 5; ++j) skeleton.parent_confidence[j] = 0.01f;
   const GateFigures figures = gate_figures(character, skeleton);
   EXPECT_DOUBLE_EQ(figures.unweighted, 1.0 / 122);
   EXPECT_DOUBLE_EQ(figures.weak_parents, 4.0 / 6);
-  EXPECT_EQ(gate_failures(figures, true).size(), 3u);
-  EXPECT_EQ(gate_failures(figures, false).size(), 2u);
+  EXPECT_EQ(gate_failures(figures, true).size(), 4u);
+  EXPECT_EQ(gate_failures(figures, false).size(), 3u);
 }
 
 TEST(RigGate, TakesAMeshWithoutWeightsOrEdges) {
