@@ -16,7 +16,7 @@ constexpr uint32_t kClassFloor = 983;          // Q15, 0.03: what a class counts
 constexpr int64_t kLogPerUnit = 3298;          // Q26: log2(e) / kVoteWidth
 constexpr int64_t kCostPerUnit = 59093;        // Q32: 10 log2(e) / kSide
 constexpr int32_t kNever = INT32_MAX / 2;
-constexpr int64_t kAcross = 12 << 16, kSecond = 6 << 16;  // bits, Q16
+constexpr int64_t kAstray = 12 << 16, kSecond = 4 << 16;  // bits, Q16
 constexpr int32_t kFromBeside = 283650;                   // Q16: 3 log2(e)
 // What beside the plane is moved there for its child.
 constexpr int32_t kMiddle = side_share(300), kPairMiddle = side_share(200);
@@ -167,8 +167,9 @@ class Grower {
 
   int64_t limb_cost(uint32_t from, uint32_t to, const bool* continued) const {
     const FoldedNode &a = tree_.nodes[from], &b = tree_.nodes[to];
+    const bool astray = lies_across(a, b) || leaves_limb(a.joint_class, b.joint_class);
     const bool second = continued[from] && continues_limb(a.joint_class, b.joint_class);
-    return (lies_across(a, b) ? kAcross : 0) + (second ? kSecond : 0);
+    return (astray ? kAstray : 0) + (second ? kSecond : 0);
   }
 
   // Prim's algorithm; from_beside is what a way from beside the plane to it costs more.

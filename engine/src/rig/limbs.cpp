@@ -5,7 +5,7 @@
 namespace sinew {
 namespace {
 
-constexpr int32_t kClearSide = side_share(60);
+constexpr int32_t kClearSide = side_share(250);
 
 // The same joint of another limb.
 uint8_t class_in(Limb limb, uint8_t c) {
@@ -41,6 +41,11 @@ Limb limb_of(uint32_t joint_class) {
 bool continues_limb(uint32_t from, uint32_t to) {
   const bool arm = from >= kClassClavicle && from <= kClassForearm && to >= kClassUpperArm && to <= kClassHand;
   return arm || (from >= kClassHip && from <= kClassCalf && to >= kClassThigh && to <= kClassFoot);
+}
+
+bool leaves_limb(uint32_t from, uint32_t to) {
+  const Limb limb = limb_of(to);
+  return (limb == Limb::kArm || limb == Limb::kLeg) && limb_of(from) >= Limb::kTail && limb_of(from) != Limb::kNone;
 }
 
 bool lies_across(const FoldedNode& a, const FoldedNode& b) {

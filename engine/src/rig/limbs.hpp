@@ -15,7 +15,10 @@ Limb limb_of(uint32_t joint_class);
 // Whether a joint of the second class is the next of an arm or a leg behind one of the first.
 bool continues_limb(uint32_t from, uint32_t to);
 
-// Whether both joints are of paired classes and lie on two sides, further from the plane than 0.6 % of the side. Of a mirrored tree
+// Whether a joint of an arm or a leg would hang on a tail, an ear or hair.
+bool leaves_limb(uint32_t from, uint32_t to);
+
+// Whether both joints are of paired classes and lie on two sides, further from the plane than 2.5 % of the side. Of a mirrored tree
 // none do: both sides are one.
 bool lies_across(const FoldedNode& a, const FoldedNode& b);
 

@@ -10,8 +10,8 @@
 
 namespace sinew {
 
-// Read from and written to JSON (unknown keys are an Error). trainer/configs/votes.json and votes_more.json
-// trained the bundled model.
+// Read from and written to JSON (unknown keys are an Error). trainer/configs/votes.json, votes_more.json and
+// votes_grown.json trained the bundled model.
 struct RigTrainConfig : RunConfig {
   RigTrainConfig();
   std::string architecture = "votes";  // or "slots", the published method, or "front", where a mesh faces

@@ -21,11 +21,12 @@ constexpr const char* kTemplate = "template:";
 
 // Eyes and jaws of a template take no weight where the mesh shows none: its head would follow them.
 void rest_faces(const LabelledSkeleton& found, FittedSkeleton* fitted) {
-  for (const uint8_t c : joint_verdicts(found.joints).classes)
-    if (is_face_class(c)) return;
+  const std::vector<uint8_t> shown = joint_verdicts(found.joints).classes;
   const std::vector<uint8_t> classes = joint_verdicts(fitted->joints).classes;
-  for (size_t j = 0; j < classes.size(); ++j)
-    if (is_face_class(classes[j])) fitted->joints[j].deforms = false;
+  for (size_t j = 0; j < classes.size(); ++j) {
+    if (is_face_class(classes[j]) && std::find(shown.begin(), shown.end(), classes[j]) == shown.end())
+      fitted->joints[j].deforms = false;
+  }
 }
 
 }  // namespace
