@@ -10,8 +10,8 @@ namespace sinew {
 namespace {
 
 TEST(RigTrainConfig, ShippedFilesAreValid) {
-  for (const char* name : {"votes", "votes_more", "votes_left_out", "votes_grown", "hands", "hands_more", "slots",
-                           "slots_first", "slots_more"}) {
+  for (const char* name : {"votes", "votes_more", "votes_left_out", "votes_grown", "votes_grown_more", "hands",
+                           "hands_more", "slots", "slots_first", "slots_more"}) {
     const std::string path = std::string(SINEW_SOURCE_DIR) + "/trainer/configs/" + name + ".json";
     const RigTrainConfig config = parse_rig_config(read_text_file(path), path);
     EXPECT_EQ(config.architecture, std::string(name).rfind("slots", 0) == 0 ? "slots" : "votes");
