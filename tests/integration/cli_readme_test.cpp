@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every line of the README that calls the command, as it stands there, on sample characters under the names that it uses.
 #include "cli_fixture.hpp"
+#include "walking_motion.hpp"
 
 namespace sinew {
 namespace {
@@ -42,7 +43,8 @@ class CliReadme : public Cli {
     sample("snake__long.obj", "mesh.obj");
     sample("snake__long.rig.txt", "skeleton.rig.txt");
     sample("biped__robed.obj", "jacket.obj");
-    fs::copy_file(SINEW_SOURCE_DIR "/tests/fuzz/corpus/bvh/small.bvh", folder_ / "walk.bvh");
+    const Motion walk = walking_person();
+    write_bvh(in("walk.bvh"), walk, walk.clips[0]);
     good("bind " + kCaped + " -o character.glb");
     for (const std::string set : {"train", "val"}) {
       fs::create_directories(folder_ / "characters" / set);

@@ -315,7 +315,7 @@ TEST(SkeletonOfAMesh, ASheetIsSaidToBeUnknown) {
   for (uint32_t y = 0; y < 9; ++y)
     for (uint32_t x = 0; x < 9; ++x) sheet.add_face({10 * y + x, 10 * y + x + 1, 10 * y + x + 11, 10 * y + x + 10});
   EXPECT_GE(RiggedScene(sheet, sinew_rig_options_init()).outputs.spread, 0.1f);
-  EXPECT_LT(RiggedScene(post_with_arms(), sinew_rig_options_init()).outputs.spread, 0.1f);
+  EXPECT_LT(RiggedScene(from_file("biped__robot.obj"), sinew_rig_options_init()).outputs.spread, 0.1f);
 }
 
 TEST(SkeletonOfAMesh, RubbishGetsAtLeastOneJoint) {

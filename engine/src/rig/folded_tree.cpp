@@ -213,8 +213,8 @@ class Grower {
   SINEW_RARE void count_limbs(LimbVotes& votes) const {
     for (uint32_t p = 0; p < votes_.points; ++p) {
       for (uint32_t c = 0; c < kJointClasses; ++c) {
-        const Limb limb = limb_of(c);
-        if (limb == Limb::kNone) continue;
+        const LimbClass limb = limb_of(c);
+        if (limb == LimbClass::kNone) continue;
         const auto k = static_cast<uint32_t>(limb);
         if (starts_[p] != kNoJoint) votes[starts_[p]][k] += votes_.start_class[size_t{p} * kJointClasses + c];
         if (ends_[p] != kNoJoint) votes[ends_[p]][k] += votes_.end_class[size_t{p} * kEndClasses + c];

@@ -8,20 +8,20 @@ namespace {
 constexpr int32_t kClearSide = side_share(250);
 
 // The same joint of another limb.
-uint8_t class_in(Limb limb, uint8_t c) {
-  const Limb now = limb_of(c);
-  if (now == Limb::kNone || now == limb) return c;
+uint8_t class_in(LimbClass limb, uint8_t c) {
+  const LimbClass now = limb_of(c);
+  if (now == LimbClass::kNone || now == limb) return c;
   switch (limb) {
-    case Limb::kTail:
+    case LimbClass::kTail:
       return kClassTail;
-    case Limb::kEar:
+    case LimbClass::kEar:
       return kClassEar;
-    case Limb::kHair:
+    case LimbClass::kHair:
       return kClassHair;
-    case Limb::kLeg:
-      return now == Limb::kArm ? static_cast<uint8_t>(c + (kClassHip - kClassClavicle)) : c;
+    case LimbClass::kLeg:
+      return now == LimbClass::kArm ? static_cast<uint8_t>(c + (kClassHip - kClassClavicle)) : c;
     default:
-      return now == Limb::kLeg && c != kClassToe ? static_cast<uint8_t>(c - (kClassHip - kClassClavicle)) : c;
+      return now == LimbClass::kLeg && c != kClassToe ? static_cast<uint8_t>(c - (kClassHip - kClassClavicle)) : c;
   }
 }
 static_assert(kClassHip - kClassClavicle == kClassFoot - kClassHand &&
@@ -30,12 +30,12 @@ static_assert(kClassHip - kClassClavicle == kClassFoot - kClassHand &&
 
 }  // namespace
 
-Limb limb_of(uint32_t joint_class) {
-  if (joint_class >= kClassClavicle && joint_class <= kClassHand) return Limb::kArm;
-  if (joint_class >= kClassHip && joint_class <= kClassToe) return Limb::kLeg;
-  if (joint_class == kClassTail) return Limb::kTail;
-  if (joint_class == kClassEar) return Limb::kEar;
-  return joint_class == kClassHair ? Limb::kHair : Limb::kNone;
+LimbClass limb_of(uint32_t joint_class) {
+  if (joint_class >= kClassClavicle && joint_class <= kClassHand) return LimbClass::kArm;
+  if (joint_class >= kClassHip && joint_class <= kClassToe) return LimbClass::kLeg;
+  if (joint_class == kClassTail) return LimbClass::kTail;
+  if (joint_class == kClassEar) return LimbClass::kEar;
+  return joint_class == kClassHair ? LimbClass::kHair : LimbClass::kNone;
 }
 
 bool continues_limb(uint32_t from, uint32_t to) {
@@ -44,8 +44,9 @@ bool continues_limb(uint32_t from, uint32_t to) {
 }
 
 bool leaves_limb(uint32_t from, uint32_t to) {
-  const Limb limb = limb_of(to);
-  return (limb == Limb::kArm || limb == Limb::kLeg) && limb_of(from) >= Limb::kTail && limb_of(from) != Limb::kNone;
+  const LimbClass limb = limb_of(to);
+  return (limb == LimbClass::kArm || limb == LimbClass::kLeg) && limb_of(from) >= LimbClass::kTail &&
+         limb_of(from) != LimbClass::kNone;
 }
 
 bool lies_across(const FoldedNode& a, const FoldedNode& b) {
@@ -60,8 +61,8 @@ SINEW_RARE void settle_limbs(LimbVotes& votes, FoldedTree* tree) {
   for (uint32_t i = 0; i < count; ++i) {
     const uint32_t j = order[i];
     const FoldedNode& node = tree->nodes[j];
-    const bool goes_on = node.parent >= 0 && limb_of(node.joint_class) != Limb::kNone &&
-                         limb_of(tree->nodes[node.parent].joint_class) != Limb::kNone;
+    const bool goes_on = node.parent >= 0 && limb_of(node.joint_class) != LimbClass::kNone &&
+                         limb_of(tree->nodes[node.parent].joint_class) != LimbClass::kNone;
     first[j] = goes_on ? first[node.parent] : j;
     across[first[j]] += node.at.x;
     for (uint32_t k = 0; k < kLimbs && goes_on; ++k) votes[first[j]][k] += votes[j][k];
@@ -73,7 +74,7 @@ SINEW_RARE void settle_limbs(LimbVotes& votes, FoldedTree* tree) {
     const uint32_t limb = first[order[i]];
     uint32_t best = 0;
     for (uint32_t k = 1; k < kLimbs; ++k) best = votes[limb][k] > votes[limb][best] ? k : best;
-    if (votes[limb][best] > 0) node.joint_class = class_in(static_cast<Limb>(best), node.joint_class);
+    if (votes[limb][best] > 0) node.joint_class = class_in(static_cast<LimbClass>(best), node.joint_class);
     if (!tree->mirrored && is_paired_class(node.joint_class)) node.side = across[limb] >= 0 ? 1 : -1;
   }
 }

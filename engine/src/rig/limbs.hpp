@@ -8,9 +8,9 @@
 namespace sinew {
 
 // What hangs on a trunk. Toes are of a leg.
-enum class Limb : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
+enum class LimbClass : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
 constexpr uint32_t kLimbs = 5;
-Limb limb_of(uint32_t joint_class);
+LimbClass limb_of(uint32_t joint_class);
 
 // Whether a joint of the second class is the next of an arm or a leg behind one of the first.
 bool continues_limb(uint32_t from, uint32_t to);

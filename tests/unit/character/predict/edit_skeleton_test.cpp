@@ -110,6 +110,7 @@ TEST(EditSkeleton, WithoutMirrorOnlyOneSideChanges) {
 TEST(EditSkeleton, ATurnedSkeletonIsMirroredAcrossZ) {
   PredictedSkeleton s = small_body();
   s.facing = 1;
+  s.front = {1, 0, 0};
   for (Joint& one : s.joints) one.position = {one.position.z, one.position.y, one.position.x};
   edit_skeleton({parse_edit(EditKind::kMove, "RightHand=0.5,1.25,-2")}, true, &s);
   expect_at(s, "LeftHand", {0.5f, 1.25f, 3});

@@ -113,10 +113,10 @@ TEST(Limbs, ASecondArmIsALimbOfItsOwn) {
 }
 
 TEST(Limbs, WhichClassesAreWhichLimb) {
-  EXPECT_EQ(limb_of(kClassClavicle), Limb::kArm);
-  EXPECT_EQ(limb_of(kClassToe), Limb::kLeg);
-  EXPECT_EQ(limb_of(kClassWing), Limb::kNone) << "a wing begins as an arm";
-  EXPECT_EQ(limb_of(kClassSpine), Limb::kNone);
+  EXPECT_EQ(limb_of(kClassClavicle), LimbClass::kArm);
+  EXPECT_EQ(limb_of(kClassToe), LimbClass::kLeg);
+  EXPECT_EQ(limb_of(kClassWing), LimbClass::kNone) << "a wing begins as an arm";
+  EXPECT_EQ(limb_of(kClassSpine), LimbClass::kNone);
   EXPECT_TRUE(continues_limb(kClassCalf, kClassFoot));
   EXPECT_TRUE(continues_limb(kClassThigh, kClassThigh)) << "a leg of more joints";
   EXPECT_FALSE(continues_limb(kClassFoot, kClassToe)) << "a foot has many toes";
