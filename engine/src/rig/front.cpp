@@ -18,7 +18,8 @@ constexpr int64_t kKnownFront = 11469, kUsualFront = 3277;
 constexpr int32_t kUsualUp = 1024;  // the same of y, logit in Q10: most meshes have it up
 // Logit of an answer of length 1, Q10; fitted on makers that a network trained without.
 constexpr int64_t kSureness = 2816;
-constexpr int64_t kSnap = kOne / 384;     // sine of 0.15 degrees: the axis itself
+constexpr int64_t kSnap =
+    kOne / 38;  // sine of 1.5 degrees: files stand along their axes, and what is off by less is off by accident
 constexpr int64_t kKnownSnap = kOne / 3;  // of 20 degrees, where the file's axes are known
 
 // What the network wants beside the points' rows: no neighbours, one part.
