@@ -25,6 +25,10 @@ constexpr double kMostUnweighted = 0.005, kMostWeakParents = 0.25, kMostExploded
 // three poses that are the same for every character; the worst one. 0 without weights or edges.
 double exploded_share(const Character& character);
 
+// Share of joints whose parent is a guess, bone ends aside.
+double weak_parents(const PredictedSkeleton& skeleton);
+constexpr double kMostGuessed = 0.5;  // above it the user is told, gate or not
+
 GateFigures gate_figures(const Character& character, const PredictedSkeleton& skeleton);
 // One line for each figure that fails, with its bound: empty, the rig passes.
 //   bound  false: the skeleton alone is looked at

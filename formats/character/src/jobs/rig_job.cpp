@@ -75,6 +75,8 @@ PredictedSkeleton predict(const RigJobOptions& job, const RigModels& models, Cha
     character->notes.push_back(
         "warning: this mesh resembles little that the model knows: the skeleton can be used with a probability of " +
         std::to_string(std::lround(100 * *usable)) + " %; look at the joints before using them, or try --method shape");
+  } else if (options.method == SINEW_RIG_VOTES && weak_parents(skeleton) > kMostGuessed) {
+    character->notes.push_back("warning: most joints guess what they hang on; look at the hierarchy before using it");
   }
   say_direction(job, skeleton, &character->notes);
   return skeleton;

@@ -70,17 +70,21 @@ double exploded_share(const Character& character) {
   return worst;
 }
 
-GateFigures gate_figures(const Character& character, const PredictedSkeleton& skeleton) {
-  GateFigures figures;
-  if (skeleton.usable) figures.usable = static_cast<double>(*skeleton.usable);
-  if (skeleton.front_confidence > 0) figures.front = static_cast<double>(skeleton.front_confidence);
+double weak_parents(const PredictedSkeleton& skeleton) {
   size_t joints = 0, weak = 0;
   for (size_t j = 0; j < skeleton.joints.size(); ++j) {
     if (skeleton.ends[j] != 0 || skeleton.joints[j].parent < 0) continue;
     ++joints;
     weak += skeleton.parent_confidence[j] < kWeakParent ? 1 : 0;
   }
-  if (joints > 0) figures.weak_parents = static_cast<double>(weak) / static_cast<double>(joints);
+  return joints == 0 ? 0 : static_cast<double>(weak) / static_cast<double>(joints);
+}
+
+GateFigures gate_figures(const Character& character, const PredictedSkeleton& skeleton) {
+  GateFigures figures;
+  if (skeleton.usable) figures.usable = static_cast<double>(*skeleton.usable);
+  if (skeleton.front_confidence > 0) figures.front = static_cast<double>(skeleton.front_confidence);
+  figures.weak_parents = weak_parents(skeleton);
   size_t unweighted = 0;
   for (const auto& row : character.influences) unweighted += row.empty() ? 1 : 0;
   if (!character.influences.empty())
