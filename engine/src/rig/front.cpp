@@ -70,7 +70,7 @@ void add_rows(const FrontView& view, const int16_t* rows, FrontAnswer* answer) {
     const int16_t* const row = rows + size_t{i} * kFrontOutputs;
     const FrontOffset d = front_offset(view, i);
     const int64_t p = int64_t{row[kFrontPosition]} * kFrontPositionScale;
-    const int64_t n = int64_t{row[kFrontNormalShare]} * kFrontNormalScale << (kGridBits - kNormalBits);
+    const int64_t n = int64_t{row[kFrontNormalShare]} * (int64_t{kFrontNormalScale} << (kGridBits - kNormalBits));
     x += p * d.x + n * view.points[i].normal.x;
     z += p * d.z + n * view.points[i].normal.z;
     upright += row[kFrontUpright];
