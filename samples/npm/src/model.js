@@ -6,6 +6,7 @@ import { decodeBase64 } from "./loader.js";
 export const loadModel = async () => decodeBase64((await import("../models/weights.js")).default);
 /** The model of skeletons, for Skin.rig(). @returns {Promise<Uint8Array>} */
 export const loadRigModel = async () => decodeBase64((await import("../models/skeletons.js")).default);
-/** The model of fingers, for Skin.rig(). @returns {Promise<Uint8Array>} */
+/** The model of where a mesh faces, for Skin.rig(). @returns {Promise<Uint8Array>} */
 export const loadFrontModel = async () => decodeBase64((await import("../models/fronts.js")).default);
+/** The model of fingers, for Skin.rig(). @returns {Promise<Uint8Array>} */
 export const loadHandsModel = async () => decodeBase64((await import("../models/hands.js")).default);

@@ -5,7 +5,7 @@ import { Worker } from "node:worker_threads";
 import { babylonBuffers, load, playcanvasBuffers } from "@sinew/skin";
 import { load as loadBind } from "@sinew/skin/bind";
 import { bindWasm, wasm } from "@sinew/skin/url";
-import { loadHandsModel, loadModel, loadRigModel } from "@sinew/skin/model";
+import { loadFrontModel, loadHandsModel, loadModel, loadRigModel } from "@sinew/skin/model";
 import { connect } from "@sinew/skin/worker";
 import { bindHash, readObj, readRig, triangles } from "./characters.mjs";
 
@@ -41,10 +41,11 @@ out.byUrl = [await hashBy(load, { wasm }), await hashBy(load, { wasm, scalar: tr
 out.smallHas = Object.getOwnPropertyNames(Object.getPrototypeOf(await loadBind())).sort();
 
 const rigModel = skin.openModel(await loadRigModel()), handsModel = skin.openModel(await loadHandsModel());
+const frontModel = skin.openModel(await loadFrontModel()), found = { frontModel, upAxis: "auto" };
 for (const name of names) {
   const { mesh } = read(name);
-  const rig = skin.rig(mesh, { model: rigModel });
-  const full = skin.rig(mesh, { model: rigModel, handsModel, face: true, props: true });
+  const rig = skin.rig(mesh, { model: rigModel, ...found });
+  const full = skin.rig(mesh, { model: rigModel, handsModel, face: true, props: true, ...found });
   out.rigs[name] = [rig, full].map((one) => ({
     names: one.names, positions: Array.from(one.positions), parents: Array.from(one.parents), sure: one.confidence.length,
   }));
