@@ -62,6 +62,7 @@ const chosenName = () => at.character.joints[at.view.selected]?.name;
 export async function predict(wishes = at.editor.wishes) {
   const chosen = chosenName();
   if (!models.skeletons) await fetchModel("sinew_rig.sinew");
+  if (!models.fronts) await fetchModel("sinew_front.sinew");
   if (wishes.detail > 0 && !models.hands) await fetchModel("sinew_hands.sinew");
   const rig = await engine.call("rig", { wishes: { ...wishes, upAxis: at.character.upAxis } });
   setEditing(true);

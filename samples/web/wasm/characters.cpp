@@ -54,6 +54,8 @@ Json predict(Session& s, const Json& wishes) {
   if (s.rig_model.bytes.empty()) throw Error("no model of skeletons is loaded");
   SkeletonOptions options;
   options.model = &s.rig_model.model;
+  if (!s.front_model.bytes.empty()) options.front_model = &s.front_model.model;
+  options.axes_known = s.character.gltf != nullptr;
   options.up_axis = wishes.at("upAxis").get<uint32_t>();
   options.mirror = wishes.at("mirror").get<uint32_t>();
   options.spine_count = wishes.at("spine").get<uint32_t>();

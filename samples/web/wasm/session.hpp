@@ -30,7 +30,7 @@ struct OpenModel {
 };
 
 struct Session {
-  OpenModel bind_model, rig_model, hands_model;
+  OpenModel bind_model, rig_model, hands_model, front_model;
   Character character;               // with the joints of rigs().now()
   std::map<uint32_t, Rigs> rigs_of;  // of all characters that are open, by the page's numbers
   uint32_t number = 0;               // the character's

@@ -16,6 +16,7 @@
 #include "characters.hpp"
 #include "colours.hpp"
 #include "paint.hpp"
+#include "rig/front_points.hpp"
 #include "rig/rig_task.hpp"
 #include "session.hpp"
 #include "sinew_character/pose.hpp"
@@ -146,13 +147,18 @@ EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
     if (of_weights) status = sinew_model_open(opened.bytes.data(), bytes.size(), &opened.model);
     check(path, status);
     const bool of_hands = !of_weights && opened.model.feature_set == kHandsFeatureSet;
+    const bool of_fronts = !of_weights && opened.model.feature_set == kFrontFeatureSet;
     const Json reply = {{"bytes", bytes.size()},
                         {"parameters", opened.model.parameter_count},
                         {"layers", opened.model.layer_count},
-                        {"task", of_weights ? "weights"
-                                 : of_hands ? "hands"
-                                            : "skeletons"}};
-    (of_weights ? s.bind_model : of_hands ? s.hands_model : s.rig_model) = std::move(opened);
+                        {"task", of_weights  ? "weights"
+                                 : of_hands  ? "hands"
+                                 : of_fronts ? "fronts"
+                                             : "skeletons"}};
+    (of_weights  ? s.bind_model
+     : of_hands  ? s.hands_model
+     : of_fronts ? s.front_model
+                 : s.rig_model) = std::move(opened);
     return reply;
   });
 }
