@@ -10,25 +10,15 @@
 #include <set>
 
 #include "rig_scene.hpp"
+#include "sample_mesh.hpp"
 #include "sinew/published.h"
-#include "sinew_formats/io.hpp"
 
 namespace {
 
 using sinew_test::add_cube;
+using sinew_test::from_file;
 using sinew_test::MeshScene;
 using sinew_test::RiggedScene;
-
-MeshScene from_file(const std::string& name) {
-  const sinew::Character character = sinew::read_mesh(SINEW_SOURCE_DIR "/samples/data/" + name);
-  MeshScene scene;
-  for (const sinew::Vec3& v : character.vertices) scene.add_vertex(v.x, v.y, v.z);
-  for (size_t f = 0; f < character.face_count(); ++f) {
-    scene.add_face(std::vector<uint32_t>(character.face_vertices.begin() + character.face_offsets[f],
-                                         character.face_vertices.begin() + character.face_offsets[f + 1]));
-  }
-  return scene;
-}
 
 // The mesh beside its mirror image: symmetric to the last bit.
 MeshScene mirrored(const MeshScene& half) {
