@@ -22,46 +22,20 @@ constexpr int64_t kSnap =
     kOne / 38;  // sine of 1.5 degrees: files stand along their axes, and what is off by less is off by accident
 constexpr int64_t kKnownSnap = kOne / 3;  // of 20 degrees, where the file's axes are known
 
-// What the network wants beside the points' rows: no neighbours, one part.
+static_assert(kFrontPoints == kSetPoints, "rows are those of a set of points");
+
 struct FrontMemory {
   int16_t *features, *outputs;
-  uint16_t* joints;
-  uint32_t *part, *part_offsets, *part_vertices, *offsets;
+  PointRows points;
 
   bool allocate(Arena& arena) {
     features = arena.alloc<int16_t>(size_t{kFrontPoints} * kFrontChannels);
     outputs = arena.alloc<int16_t>(size_t{kFrontPoints} * kFrontOutputs);
-    joints = arena.alloc<uint16_t>(kFrontPoints);
-    part = arena.alloc<uint32_t>(kFrontPoints);
-    part_offsets = arena.alloc<uint32_t>(2);
-    part_vertices = arena.alloc<uint32_t>(kFrontPoints);
-    offsets = arena.alloc<uint32_t>(kFrontPoints + 1);
-    if (!arena.ok() || arena.measuring()) return arena.ok();
-    part_offsets[0] = 0;
-    part_offsets[1] = kFrontPoints;
-    for (uint32_t i = 0; i < kFrontPoints; ++i) {
-      joints[i] = kNoJoint;
-      part[i] = 0;
-      part_vertices[i] = i;
-    }
-    for (uint32_t i = 0; i <= kFrontPoints; ++i) offsets[i] = 0;
+    if (!points.allocate(arena)) return false;
+    if (!arena.measuring()) points.fill(0);
     return true;
   }
-  NetworkInput input() const {
-    NetworkInput input;
-    input.vertex_count = kFrontPoints;
-    input.candidate_count = 1;
-    input.inputs[0] = features;
-    input.joints = joints;
-    input.row_offsets = input.far_offsets = offsets;
-    input.col_indices = input.far_indices = part_vertices;
-    input.part = part;
-    input.part_offsets = part_offsets;
-    input.part_vertices = part_vertices;
-    input.part_count = 1;
-    input.joint_count = 1;
-    return input;
-  }
+  NetworkInput input() const { return points.input(features); }
 };
 
 void add_rows(const FrontView& view, const int16_t* rows, FrontAnswer* answer) {

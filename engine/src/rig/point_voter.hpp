@@ -23,7 +23,8 @@ struct PointRows {
     offsets = arena.alloc<uint32_t>(kSetPoints + 1);
     return arena.ok();
   }
-  void fill() {
+  //   neighbours  of each point; 0: none
+  void fill(uint32_t neighbours) {
     part_offsets[0] = 0;
     part_offsets[1] = kSetPoints;
     for (uint32_t i = 0; i < kSetPoints; ++i) {
@@ -31,22 +32,28 @@ struct PointRows {
       part[i] = 0;
       part_vertices[i] = i;
     }
-    for (uint32_t i = 0; i <= kSetPoints; ++i) offsets[i] = i * kNeighbours;
+    for (uint32_t i = 0; i <= kSetPoints; ++i) offsets[i] = i * neighbours;
   }
-  NetworkInput input(const PointSet& set) const {
+  // Of points without neighbours.
+  NetworkInput input(const int16_t* features) const {
     NetworkInput input;
     input.vertex_count = kSetPoints;
     input.candidate_count = 1;
-    input.inputs[0] = set.features;
+    input.inputs[0] = features;
     input.joints = joints;
     input.row_offsets = input.far_offsets = offsets;
-    input.col_indices = set.near_neighbours;
-    input.far_indices = set.far_neighbours;
+    input.col_indices = input.far_indices = part_vertices;
     input.part = part;
     input.part_offsets = part_offsets;
     input.part_vertices = part_vertices;
     input.part_count = 1;
     input.joint_count = 1;
+    return input;
+  }
+  NetworkInput input(const PointSet& set) const {
+    NetworkInput input = this->input(set.features);
+    input.col_indices = set.near_neighbours;
+    input.far_indices = set.far_neighbours;
     return input;
   }
 };
@@ -69,7 +76,7 @@ struct PointVoter {
     (void)set.allocate(arena);
     (void)rows.allocate(arena);
     outputs = arena.alloc<int16_t>(size_t{kSetPoints} * kRigOutputs);
-    if (arena.ok() && !arena.measuring()) rows.fill();
+    if (arena.ok() && !arena.measuring()) rows.fill(kNeighbours);
     return arena.ok();
   }
   // Makes set `index` of a mesh whose interior is built, and the network's rows for it.

@@ -45,7 +45,7 @@ struct SlotScratch {
     pair_vertices = arena.alloc<uint32_t>(kSlotPairs);
     pair_offsets = arena.alloc<uint32_t>(kSlotPairs + 1);
     if (!arena.ok() || arena.measuring()) return arena.ok();
-    points.fill();
+    points.fill(kNeighbours);
     for (uint32_t i = 0; i < kSetPoints; ++i) points.joints[i] = 0;  // one slot a point, which is present
     *joints = SlotJoints();
     for (uint32_t i = 0; i < kSlotPairs; ++i) {
