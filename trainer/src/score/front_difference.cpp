@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "data/front_sample.hpp"
+#include "data/some_characters.hpp"
 #include "run/front_loss.hpp"
-#include "sinew_formats/error.hpp"
-#include "sinew_formats/io.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/network_input.hpp"
@@ -18,20 +17,11 @@ namespace sinew {
 namespace {
 
 std::vector<FrontSample> some_samples(const std::string& folder, size_t limit) {
-  const std::vector<std::string> paths = list_characters(folder);
-  const size_t count = limit == 0 ? paths.size() : std::min(limit, paths.size());
   std::vector<FrontSample> samples;
-  std::string last;
-  for (size_t i = 0; i < count; ++i) {
-    try {
-      for (FrontSample& sample : FrontSource(read_character(paths[i * paths.size() / count])).make(i, 1))
-        samples.push_back(std::move(sample));
-    } catch (const Error& error) {
-      last = error.what();
-    }
-  }
-  if (samples.empty())
-    throw Error(last.empty() ? folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)" : last);
+  each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {
+    for (FrontSample& sample : FrontSource(character).make(i, 1)) samples.push_back(std::move(sample));
+    return true;
+  });
   return samples;
 }
 

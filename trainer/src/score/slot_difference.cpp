@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "data/slot_sample.hpp"
+#include "data/some_characters.hpp"
 #include "network/slot_network.hpp"
 #include "rig/slots.hpp"
 #include "rig/slots_model.hpp"
-#include "sinew_formats/error.hpp"
-#include "sinew_formats/io.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network_input.hpp"
 
@@ -21,20 +20,10 @@ namespace {
 
 // Calls `use` with the points of each character.
 void each_set(const std::string& folder, size_t limit, const std::function<void(const PointSet&)>& use) {
-  const std::vector<std::string> paths = list_characters(folder);
-  const size_t count = limit == 0 ? paths.size() : std::min(limit, paths.size());
-  size_t used = 0;
-  std::string last = folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)";
-  for (size_t i = 0; i < count; ++i) {
-    try {
-      const RigSource source(read_character(paths[i * paths.size() / count]));
-      with_point_set(source.make_mesh(i, {}).engine, i, use);
-      ++used;
-    } catch (const Error& error) {
-      last = error.what();
-    }
-  }
-  if (used == 0) throw Error(last);
+  each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {
+    with_point_set(RigSource(character).make_mesh(i, {}).engine, i, use);
+    return true;
+  });
 }
 
 NetworkSample pair_sample(const SlotJoints& joints) {

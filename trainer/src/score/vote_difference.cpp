@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "data/hand_sample.hpp"
+#include "data/some_characters.hpp"
 #include "rig/rig_task.hpp"
-#include "sinew_formats/error.hpp"
-#include "sinew_formats/io.hpp"
 #include "sinew_trainer/calibrate.hpp"
 #include "sinew_trainer/network.hpp"
 #include "sinew_trainer/network_input.hpp"
@@ -18,27 +17,19 @@ namespace sinew {
 namespace {
 
 std::vector<RigSample> some_samples(const FloatNetwork& network, const std::string& folder, size_t limit) {
-  const std::vector<std::string> paths = list_characters(folder);
-  const size_t count = limit == 0 ? paths.size() : std::min(limit, paths.size());
   std::vector<RigSample> samples;
-  std::string last;
-  for (size_t i = 0; i < count; ++i) {
-    try {
-      const Character character = read_character(paths[i * paths.size() / count]);
-      if (network.feature_set != kHandsFeatureSet) {
-        samples.push_back(RigSource(character).make(i, {}));
-        continue;
-      }
-      for (const HandSource& hand : hand_sources(character)) {
-        std::optional<RigSample> sample = hand.make(i, 0);
-        if (sample) samples.push_back(std::move(*sample));
-      }
-    } catch (const Error& error) {
-      last = error.what();
+  each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {
+    const size_t before = samples.size();
+    if (network.feature_set != kHandsFeatureSet) {
+      samples.push_back(RigSource(character).make(i, {}));
+      return true;
     }
-  }
-  if (samples.empty())
-    throw Error(last.empty() ? folder + ": no characters (NAME.obj with NAME.rig.txt, or .glb)" : last);
+    for (const HandSource& hand : hand_sources(character)) {
+      std::optional<RigSample> sample = hand.make(i, 0);
+      if (sample) samples.push_back(std::move(*sample));
+    }
+    return samples.size() > before;
+  });
   return samples;
 }
 
