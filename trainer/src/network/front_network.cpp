@@ -6,23 +6,9 @@
 #include "rig/front_points.hpp"
 
 namespace sinew {
-namespace {
-
-class Builder : public NetworkBuilder {
- public:
-  explicit Builder(uint64_t seed) : NetworkBuilder("front", seed) {
-    network_.task = kTaskRig;
-    network_.feature_set = kFrontFeatureSet;
-    network_.candidate_count = 1;
-    network_.grid_size = 0;
-    network_.input_names = {"frnt"};
-  }
-};
-
-}  // namespace
 
 FloatNetwork make_front_network(const FrontNetworkOptions& options, uint64_t seed) {
-  Builder b(seed);
+  PointNetworkBuilder b("front", seed, kFrontFeatureSet, 0, "frnt");
   const uint32_t width = options.width;
   const Region input = b.fresh(Domain::kVertex, kFrontChannels);
   constexpr uint32_t kViews = 3;  // itself, largest, mean

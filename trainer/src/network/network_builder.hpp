@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/random.hpp"
+#include "model/task.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/float_network.hpp"
 
@@ -70,6 +71,21 @@ class NetworkBuilder {
 
  private:
   Random random_;
+};
+
+// A network over points of a surface, of the engine's rig task: one input, no candidates.
+class PointNetworkBuilder : public NetworkBuilder {
+ public:
+  //   grid_size  cells along the longest side of what its features march through; 0: they march through nothing
+  PointNetworkBuilder(const std::string& architecture, uint64_t seed, uint32_t feature_set, uint32_t grid_size,
+                      const std::string& input)
+      : NetworkBuilder(architecture, seed) {
+    network_.task = kTaskRig;
+    network_.feature_set = feature_set;
+    network_.candidate_count = 1;
+    network_.grid_size = grid_size;
+    network_.input_names = {input};
+  }
 };
 
 }  // namespace sinew

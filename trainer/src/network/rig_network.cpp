@@ -8,15 +8,9 @@
 namespace sinew {
 namespace {
 
-class Builder : public NetworkBuilder {
+class Builder : public PointNetworkBuilder {
  public:
-  Builder(uint64_t seed, uint32_t feature_set) : NetworkBuilder("votes", seed) {
-    network_.task = kTaskRig;
-    network_.feature_set = feature_set;
-    network_.candidate_count = 1;
-    network_.grid_size = kRigCells;
-    network_.input_names = {"pnts"};
-  }
+  Builder(uint64_t seed, uint32_t feature_set) : PointNetworkBuilder("votes", seed, feature_set, kRigCells, "pnts") {}
   void far_max(const Region& in, const Region& out) {
     apply(LayerKind::kRingMax, in, out);
     network_.layers.back().flags = kLayerFar;

@@ -19,17 +19,6 @@ constexpr uint32_t kPairHidden = 64, kPairLast = 32;  // of the second network
 constexpr double kLog2 = 0.69314718055994531;         // attention is in log2
 enum HeadBlock : size_t { kFirstBlock, kSecondBlock, kOutBlock, kHeadBlocks };
 
-class Builder : public NetworkBuilder {
- public:
-  explicit Builder(uint64_t seed) : NetworkBuilder("slots", seed) {
-    network_.task = kTaskRig;
-    network_.feature_set = kSlotsFeatureSet;
-    network_.candidate_count = 1;
-    network_.grid_size = 0;
-    network_.input_names = {"pnts"};
-  }
-};
-
 size_t head_of(const FloatNetwork& network) { return network.parameters.size() - kHeadBlocks; }
 
 template <class S>
@@ -70,7 +59,7 @@ S sigmoid(S x) {
 namespace {
 
 // h = relu(L [h, mean of h over near points, largest h of far points])
-Region convolve(Builder* b, const Region& state, uint32_t channels, bool far) {
+Region convolve(PointNetworkBuilder* b, const Region& state, uint32_t channels, bool far) {
   const uint32_t in = state.channels, views = far ? 3 : 2;
   const uint16_t concat = b->add_buffer(Domain::kVertex, views * in);
   b->apply(LayerKind::kCopy, state, b->part(concat, 0, in));
@@ -82,7 +71,8 @@ Region convolve(Builder* b, const Region& state, uint32_t channels, bool far) {
 }
 
 // What the first network says of every point, into `out`.
-void add_joint_layers(Builder* b, const SlotNetworkOptions& options, const Region& input, const Region& out) {
+void add_joint_layers(PointNetworkBuilder* b, const SlotNetworkOptions& options, const Region& input,
+                      const Region& out) {
   const uint32_t width = options.width;
   const uint16_t pooled = b->add_buffer(Domain::kVertex, options.rounds * width);
   Region first, state = input;
@@ -104,7 +94,8 @@ void add_joint_layers(Builder* b, const SlotNetworkOptions& options, const Regio
 }
 
 // The mesh's row, by graph convolutions of its own.
-void add_mesh_layers(Builder* b, const SlotNetworkOptions& options, const Region& input, const Region& out) {
+void add_mesh_layers(PointNetworkBuilder* b, const SlotNetworkOptions& options, const Region& input,
+                     const Region& out) {
   const uint32_t width = std::max(options.width / 2, 2u);
   const uint16_t pooled = b->add_buffer(Domain::kVertex, 2 * width);
   Region state = input;
@@ -118,7 +109,7 @@ void add_mesh_layers(Builder* b, const SlotNetworkOptions& options, const Region
 }  // namespace
 
 FloatNetwork make_slot_network(const SlotNetworkOptions& options, uint64_t seed) {
-  Builder b(seed);
+  PointNetworkBuilder b("slots", seed, kSlotsFeatureSet, 0, "pnts");
   const Region input = b.fresh(Domain::kVertex, kRigChannels);
   const uint16_t rows = b.add_buffer(Domain::kVertex, kSlotRow);
   add_joint_layers(&b, options, input, b.part(rows, 0, kMeshRow));
