@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sums, products and directions of points, and the rotations between directions.
-#ifndef SINEW_CHARACTER_MOTION_POINTS_HPP
-#define SINEW_CHARACTER_MOTION_POINTS_HPP
+#ifndef SINEW_FORMATS_MOTION_POINTS_HPP
+#define SINEW_FORMATS_MOTION_POINTS_HPP
 
 #include <cmath>
 

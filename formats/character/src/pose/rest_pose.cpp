@@ -32,13 +32,9 @@ Point place(const Joint& joint) {
           static_cast<double>(joint.position.z)};
 }
 
-std::optional<Point> unit(const Point& p) {
+std::optional<Point> direction_of(const Point& p) {
   const double size = length(p);
   return size > 1e-9 ? std::optional<Point>((1 / size) * p) : std::nullopt;
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 // The shortest turn of one unit vector onto another; half a turn goes about `axis`.
@@ -64,7 +60,8 @@ struct Body {
       add(sides_of(verdicts, [&](size_t j) { return verdicts.classes[j] == one && is_first_of_class(verdicts, j); }),
           &sides);
     if (!sides) add(sides_of(verdicts, [](size_t) { return true; }), &sides);
-    const std::optional<Point> across = sides ? unit(sides->between - dot(sides->between, up) * up) : std::nullopt;
+    const std::optional<Point> across =
+        sides ? direction_of(sides->between - dot(sides->between, up) * up) : std::nullopt;
     if (!across)
       throw Error(whose +
                   ": its joints' names do not tell left from right, so its stance is not known; expected names like "
@@ -85,7 +82,7 @@ struct Body {
     return sum > 0 ? 1 : -1;
   }
   std::optional<Point> bone(const Limb& limb, size_t k) const {
-    return k + 1 < limb.joints.size() ? unit(joint(limb.joints[k + 1]) - joint(limb.joints[k])) : std::nullopt;
+    return k + 1 < limb.joints.size() ? direction_of(joint(limb.joints[k + 1]) - joint(limb.joints[k])) : std::nullopt;
   }
   uint8_t class_of(int j) const { return skeleton.classes[at(j)]; }
   // A direction of another body's axes in these.
@@ -172,7 +169,7 @@ std::optional<Point> trunk_line(const Body& body, int* from) {
     for (size_t k = 0; k < limb.joints.size(); ++k)
       if (body.class_of(limb.joints[k]) <= SINEW_CLASS_NECK && body.skeleton.ends[at(limb.joints[k])] == 0) last = k;
     *from = limb.joints[0];
-    return last == 0 ? std::nullopt : unit(body.joint(limb.joints[last]) - body.joint(limb.joints[0]));
+    return last == 0 ? std::nullopt : direction_of(body.joint(limb.joints[last]) - body.joint(limb.joints[0]));
   }
   return std::nullopt;
 }
@@ -299,8 +296,8 @@ void turn_corner_normals(const Character& rest, const std::vector<Affine>& matri
   for (size_t c = 0; c < posed->corner_normals.size(); ++c) {
     Vec3& normal = posed->corner_normals[c];
     const std::optional<Point> moved =
-        unit(transform_normal(matrices[rest.face_vertices[c]], static_cast<double>(normal.x),
-                              static_cast<double>(normal.y), static_cast<double>(normal.z)));
+        direction_of(transform_normal(matrices[rest.face_vertices[c]], static_cast<double>(normal.x),
+                                      static_cast<double>(normal.y), static_cast<double>(normal.z)));
     if (moved)
       normal = {static_cast<float>((*moved)[0]), static_cast<float>((*moved)[1]), static_cast<float>((*moved)[2])};
   }

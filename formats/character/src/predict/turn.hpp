@@ -3,20 +3,15 @@
 #ifndef SINEW_CHARACTER_PREDICT_TURN_HPP
 #define SINEW_CHARACTER_PREDICT_TURN_HPP
 
-#include <array>
 #include <vector>
 
+#include "motion/points.hpp"
 #include "sinew_formats/affine.hpp"
 
 namespace sinew {
 
-using Point = std::array<double, 3>;
+using Point = Point3;
 
-inline Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Point operator*(double s, const Point& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double length(const Point& a);
 Point turned(const Rotation& r, const Point& p);
 
 struct RotationPair {
