@@ -53,7 +53,6 @@ JointRotation parse_rotation(const std::string& text, const Character& character
 }
 
 std::vector<JointRotation> random_rotations(const Character& character, uint64_t seed, double limit) {
-  std::vector<JointRotation> rotations;
   uint64_t state = seed;
   const auto draw = [&state, limit] {  // splitmix64, so that a seed means the same pose everywhere
     uint64_t z = (state += 0x9E3779B97F4A7C15ull);
@@ -61,16 +60,7 @@ std::vector<JointRotation> random_rotations(const Character& character, uint64_t
     z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
     return (static_cast<double>((z ^ (z >> 31)) >> 11) / 9007199254740992.0 * 2 - 1) * limit;
   };
-  for (size_t j = 0; j < character.joints.size(); ++j) {
-    if (character.joints[j].parent < 0) continue;  // a turned root only turns the whole character
-    JointRotation rotation;
-    rotation.joint = j;
-    rotation.x = draw();
-    rotation.y = draw();
-    rotation.z = draw();
-    rotations.push_back(rotation);
-  }
-  return rotations;
+  return rotate_joints(character, draw);
 }
 
 Character deformed(const Settings& s, const Character& character, const std::vector<Affine>& palette) {

@@ -4,6 +4,7 @@
 #define SINEW_CHARACTER_POSE_HPP
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "sinew_formats/affine.hpp"
@@ -20,6 +21,8 @@ struct JointRotation {
   size_t joint = 0;
   double x = 0, y = 0, z = 0;
 };
+// Of every joint that has a parent, x, y and z in turn by `degrees`; a rotated root only rotates the whole character.
+std::vector<JointRotation> rotate_joints(const Character& character, const std::function<double()>& degrees);
 std::vector<Affine> pose_palette(const Character& character, const std::vector<JointRotation>& rotations);
 // Skins with linear blend (or dual quaternions) through the engine's C API: weights as unorm16, the 12 strongest of a
 // row, rows without weight stay where they are. Returns the character with moved vertices and joints; its corner

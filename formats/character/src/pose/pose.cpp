@@ -77,6 +77,20 @@ std::vector<size_t> parents_first(const Character& character) {
   return order;
 }
 
+std::vector<JointRotation> rotate_joints(const Character& character, const std::function<double()>& degrees) {
+  std::vector<JointRotation> rotations;
+  for (size_t j = 0; j < character.joints.size(); ++j) {
+    if (character.joints[j].parent < 0) continue;
+    JointRotation rotation;
+    rotation.joint = j;
+    rotation.x = degrees();
+    rotation.y = degrees();
+    rotation.z = degrees();
+    rotations.push_back(rotation);
+  }
+  return rotations;
+}
+
 std::vector<Affine> pose_palette(const Character& character, const std::vector<JointRotation>& rotations) {
   const std::vector<size_t> order = parents_first(character);
   std::vector<Rotation> local(character.joints.size(), kNoRotation);

@@ -24,21 +24,11 @@ double length_between(const Vec3& a, const Vec3& b) {
 }
 
 std::vector<JointRotation> test_pose(const Character& character, std::minstd_rand* draws) {
-  std::vector<JointRotation> rotations;
   const auto degrees = [draws] {
     constexpr double kRange = std::minstd_rand::max() - std::minstd_rand::min();
     return (static_cast<double>((*draws)()) / kRange * 2 - 1) * kTestDegrees;
   };
-  for (size_t j = 0; j < character.joints.size(); ++j) {
-    if (character.joints[j].parent < 0) continue;
-    JointRotation rotation;
-    rotation.joint = j;
-    rotation.x = degrees();
-    rotation.y = degrees();
-    rotation.z = degrees();
-    rotations.push_back(rotation);
-  }
-  return rotations;
+  return rotate_joints(character, degrees);
 }
 
 double torn_share(const Character& rest, const Character& posed, double side) {
