@@ -8,13 +8,14 @@
 #include <numeric>
 #include <utility>
 
+#include "motion/points.hpp"
 #include "sinew_character/mesh_neighbours.hpp"
 #include "sinew_character/pose.hpp"
 
 namespace sinew {
 namespace {
 
-using Point = std::array<double, 3>;
+using Point = Point3;
 
 constexpr float kLeast = 0.02f, kMost = 0.98f;  // weight of a vertex that moves in part
 constexpr double kLeastPart = 0.2;              // of the largest part's volume
@@ -25,11 +26,6 @@ Point point(const std::vector<float>& positions, uint32_t v) {
   return {static_cast<double>(positions[3 * v]), static_cast<double>(positions[3 * v + 1]),
           static_cast<double>(positions[3 * v + 2])};
 }
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Sets that are joined, by their least member.
 class Groups {
@@ -53,8 +49,8 @@ double six_volumes(const std::vector<std::array<uint32_t, 3>>& triangles, const 
                    const Point& from) {
   double sum = 0;
   for (const auto& t : triangles) {
-    const Point a = minus(point(positions, t[0]), from), b = minus(point(positions, t[1]), from);
-    sum += dot(a, cross(b, minus(point(positions, t[2]), from)));
+    const Point a = point(positions, t[0]) - from, b = point(positions, t[1]) - from;
+    sum += dot(a, cross(b, point(positions, t[2]) - from));
   }
   return sum;
 }
@@ -114,11 +110,11 @@ double BendVolumes::volume(const Part& part, const std::vector<float>& positions
     Point middle = {0, 0, 0};
     for (const Edge& edge : hole)
       for (const uint32_t v : edge) {
-        const Point p = minus(point(positions, v), from);
+        const Point p = point(positions, v) - from;
         for (size_t i = 0; i < 3; ++i) middle[i] += p[i] / (2.0 * static_cast<double>(hole.size()));
       }
     for (const Edge& edge : hole)  // the other way round than the triangle has it
-      sum += dot(middle, cross(minus(point(positions, edge[1]), from), minus(point(positions, edge[0]), from)));
+      sum += dot(middle, cross(point(positions, edge[1]) - from, point(positions, edge[0]) - from));
   }
   return sum / 6;
 }
@@ -146,7 +142,7 @@ double BendVolumes::area(const Part& part) const {
   double sum = 0;
   for (const Triangle& t : part.triangles) {
     const Point a = point(rest_, t[0]);
-    const Point n = cross(minus(point(rest_, t[1]), a), minus(point(rest_, t[2]), a));
+    const Point n = cross(point(rest_, t[1]) - a, point(rest_, t[2]) - a);
     sum += std::sqrt(dot(n, n)) / 2;
   }
   return sum;

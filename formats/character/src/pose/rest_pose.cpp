@@ -27,11 +27,6 @@ constexpr double kStanding = 0.1;           // a foot's share along the floor be
 
 size_t at(int j) { return static_cast<size_t>(j); }
 
-Point place(const Joint& joint) {
-  return {static_cast<double>(joint.position.x), static_cast<double>(joint.position.y),
-          static_cast<double>(joint.position.z)};
-}
-
 std::optional<Point> direction_of(const Point& p) {
   const double size = length(p);
   return size > 1e-9 ? std::optional<Point>((1 / size) * p) : std::nullopt;
@@ -73,7 +68,7 @@ struct Body {
     limbs = find_limbs(s, widest, 0);
   }
 
-  Point joint(int j) const { return place(skeleton.joints[at(j)]); }
+  Point joint(int j) const { return point(skeleton.joints[at(j)].position); }
   // 1 left, -1 right, of arms and legs; 0 of others.
   int side_of(const Limb& limb) const {
     if (limb.kind != LimbKind::kArm && limb.kind != LimbKind::kLeg) return limb.side;
@@ -104,7 +99,7 @@ struct Body {
     for (size_t j = 0; j < verdicts.sides.size(); ++j) {
       if (verdicts.sides[j] == 0 || !wanted(j)) continue;
       const size_t side = verdicts.sides[j] > 0 ? 0 : 1;
-      sums[side] = sums[side] + place(skeleton.joints[j]);
+      sums[side] = sums[side] + point(skeleton.joints[j].position);
       ++counts[side];
     }
     if (counts[0] == 0 || counts[1] == 0) return std::nullopt;
@@ -252,7 +247,7 @@ std::vector<Affine> follow(const Body& body, const Wishes& wishes) {
         if (wanted) turn = turn_between(bone, *wanted, wish.is_foot ? body.up : body.front);
       }
       turns[j] = multiply(turn, before);
-      const Point rest = place(joints[j]);
+      const Point rest = point(joints[j].position);
       const Point posed = parent < 0 ? rest : transform_point(palette[at(parent)], rest[0], rest[1], rest[2]);
       const Point moved = posed - turned(turns[j], rest);
       const Rotation& r = turns[j];

@@ -11,9 +11,6 @@
 
 namespace sinew {
 
-inline Point point(const Vec3& p) {
-  return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
-}
 inline size_t at(int joint) { return static_cast<size_t>(joint); }
 
 struct Similar {
