@@ -148,7 +148,7 @@ void tell_float(const RigEvaluation& evaluation, const std::vector<FoundCharacte
 
 FloatNetwork votes_of(const std::string& checkpoint) {
   FloatNetwork network = read_checkpoint(checkpoint).network;
-  if (network.architecture != "votes" || network.feature_set != kRigFeatureSet)
+  if (network.architecture != "votes" || network.feature_set != sinew::rigging::kRigFeatureSet)
     throw Error(checkpoint + ": expected a network of votes for bodies, found one of " + network.architecture);
   return network;
 }

@@ -170,14 +170,15 @@ void quantize_rig(const Settings& s, const Checkpoint& checkpoint) {
     throw UsageError(s.checkpoint +
                      " predicts skeletons: --calibrate-confidence and --correction are for skin weights");
   if (checkpoint.network.architecture == "slots") return quantize_slots(s, checkpoint.network);
-  if (checkpoint.network.feature_set == kFrontFeatureSet) return quantize_front(s, checkpoint.network);
+  if (checkpoint.network.feature_set == sinew::rigging::kFrontFeatureSet) return quantize_front(s, checkpoint.network);
   const QuantizedModel model =
       quantize(checkpoint.network, calibrate_rig(checkpoint.network, s.folder, s.characters), s.options);
   write_file(s.output, model.bytes);
   release(s, checkpoint.network);
   if (s.quiet) return;
   const std::unique_ptr<LoadedModel> loaded = model_from_bytes(
-      model.bytes, s.output, checkpoint.network.feature_set == kHandsFeatureSet ? ModelUse::kHands : ModelUse::kRig);
+      model.bytes, s.output,
+      checkpoint.network.feature_set == sinew::rigging::kHandsFeatureSet ? ModelUse::kHands : ModelUse::kRig);
   constexpr size_t kCompared = 16;
   const VoteDifference d = compare_votes(checkpoint.network, loaded->model, s.measured_on(), kCompared);
   std::printf(

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Who includes whom: rooms of engine/src by the order that engine/README.md states, and the houses above the engine.
+"""Who includes whom: rooms of engine/src by the order that engine/README.md states, their namespaces, and the houses above the engine.
 
-  rooms.py SOURCE_DIR     prints each include that goes the wrong way; exits with 1 when there is one
+  rooms.py SOURCE_DIR     prints each include that goes the wrong way and each namespace of another room; exits with 1 when there is one
 """
 import pathlib
 import re
@@ -10,6 +10,8 @@ import sys
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
 SENTENCE = re.compile(r"A room includes only rooms that stand before it in this list:\s*([^.]+)\.")
+OWN_NAMESPACES = re.compile(r"Rooms with a namespace of their own:\s*([^.]+)\.")
+NAMESPACE = re.compile(r"^(?:inline )?namespace (sinew[\w:]*) \{", re.MULTILINE)
 # Above the rooms; no room includes it, so the sentence does not name it.
 DOOR = "api"
 # A house with its folders, and what it must not include. A folder belongs to the house with the longest name that fits.
@@ -58,6 +60,25 @@ def allowed_rooms(readme):
     return allowed
 
 
+def own_namespaces(readme):
+    """room -> its namespace, of the rooms that have one beside sinew's."""
+    found = OWN_NAMESPACES.search(readme)
+    entries = " ".join(found.group(1).split()).split(", ") if found else []
+    return {room: "sinew::" + (other.rstrip(")") or room) for room, _, other in (entry.partition(" (") for entry in entries)}
+
+
+def check_namespaces(source):
+    faults, own = [], own_namespaces((source / "engine/README.md").read_text(encoding="utf-8"))
+    for path in sources(source / "engine/src"):
+        room = path.parent.name
+        for found in NAMESPACE.finditer(path.read_text(encoding="utf-8")):
+            space = found.group(1)
+            if room == DOOR or space in ([own[room]] if room in own else ["sinew", "sinew::" + room]):
+                continue
+            faults.append(f"{path.relative_to(source)}: opens {space}; engine/README.md gives {room} {own.get(room, 'sinew')}")
+    return faults, f"{len(own)} rooms with a namespace of their own"
+
+
 def check_rooms(source):
     faults = []
     allowed = allowed_rooms((source / "engine/README.md").read_text(encoding="utf-8"))
@@ -100,10 +121,10 @@ def check_houses(source):
 def main():
     source = pathlib.Path(sys.argv[1])
     faults = []
-    for check in (check_rooms, check_houses):
+    for check in (check_rooms, check_namespaces, check_houses):
         found, said = check(source)
         faults += found
-        print(f"rooms: {said}, {len(found)} of the wrong way")
+        print(f"rooms: {said}, {len(found)} faults")
     for fault in faults:
         print(fault)
     return 1 if faults else 0

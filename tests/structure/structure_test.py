@@ -56,6 +56,14 @@ class Structure(unittest.TestCase):
             with self.assertRaises(SystemExit):
                 self.faults("engine/README.md", readme)
 
+    def test_namespaces(self):
+        self.write("engine/README.md", README + "Rooms with a namespace of their own: mapping,\nsolve (solving).\n")
+        for name, space in (("mapping/a.cpp", "sinew::mapping"), ("solve/a.hpp", "sinew::solving"), ("mesh/a.cpp", "sinew"), ("mesh/b.cpp", "sinew::mesh"), ("api/a.cpp", "sinew::mapping")):
+            self.assertEqual(self.faults("engine/src/" + name, f"namespace {space} {{\nnamespace {{\n", rooms.check_namespaces), [])
+        for name, space in (("mapping/a.cpp", "sinew"), ("solve/a.hpp", "sinew::solve"), ("mesh/a.cpp", "sinew::solving")):
+            self.assertRegex(self.faults("engine/src/" + name, f"namespace {space} {{\n", rooms.check_namespaces)[0], f"opens {space};")
+            self.write("engine/src/" + name, "")
+
     def test_houses(self):
         def houses(name, include):
             return self.faults(name, f"#include {include}\n", rooms.check_houses)

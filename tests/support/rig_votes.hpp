@@ -37,11 +37,11 @@ struct VoteScene {
     ends.push_back(end);
     start_spreads.push_back(static_cast<uint16_t>(spread * 65536));
     end_spreads.push_back(static_cast<uint16_t>(spread * 65536));
-    add_row(&start_classes, sinew::kJointClasses, start_class, share);
-    add_row(&end_classes, sinew::kEndClasses, end_class, share);
+    add_row(&start_classes, sinew::rigging::kJointClasses, start_class, share);
+    add_row(&end_classes, sinew::rigging::kEndClasses, end_class, share);
   }
-  sinew::Votes votes() const {
-    sinew::Votes v;
+  sinew::rigging::Votes votes() const {
+    sinew::rigging::Votes v;
     v.points = static_cast<uint32_t>(starts.size());
     v.folded = folded;
     v.start = starts.data();
@@ -70,8 +70,8 @@ struct VoteScene {
         to->insert(to->end(), from.begin() + static_cast<ptrdiff_t>(i * width),
                    from.begin() + static_cast<ptrdiff_t>((i + 1) * width));
       };
-      row(start_classes, sinew::kJointClasses, &scene.start_classes);
-      row(end_classes, sinew::kEndClasses, &scene.end_classes);
+      row(start_classes, sinew::rigging::kJointClasses, &scene.start_classes);
+      row(end_classes, sinew::rigging::kEndClasses, &scene.end_classes);
     }
     return scene;
   }
@@ -85,7 +85,7 @@ struct KnownJoint {
 };
 
 inline std::vector<KnownJoint> known_humanoid() {
-  using namespace sinew;
+  using namespace sinew::rigging;
   return {{0, .52, 0, kClassPelvis, -1},    {0, .60, -.01, kClassSpine, 0},   {0, .70, -.02, kClassSpine, 1},
           {0, .82, 0, kClassNeck, 2},       {0, .88, .01, kClassHead, 3},     {0, .99, .01, kClassTip, 4},
           {.04, .79, 0, kClassClavicle, 2}, {.12, .79, 0, kClassUpperArm, 6}, {.27, .79, 0, kClassForearm, 7},
@@ -130,30 +130,32 @@ inline VoteScene random_votes(uint32_t points, uint32_t gathered, uint32_t seed)
   };
   for (uint32_t i = 0; i < points; ++i) {
     const sinew::Vec3i start = vote();
-    scene.add(start, random.below(sinew::kJointClasses), vote(), random.below(sinew::kEndClasses),
+    scene.add(start, random.below(sinew::rigging::kJointClasses), vote(), random.below(sinew::rigging::kEndClasses),
               0.001 + 0.3 * random.uniform() * random.uniform(), random.uniform());
   }
   scene.folded = random.below(4) != 0;
   return scene;
 }
 
-inline bool same_joints(const std::vector<sinew::RigJoint>& a, const std::vector<sinew::RigJoint>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const sinew::RigJoint& p, const sinew::RigJoint& q) {
-    return p.position == q.position && p.parent == q.parent && p.partner == q.partner &&
-           p.joint_class == q.joint_class && p.tip == q.tip && p.confidence == q.confidence &&
-           p.parent_confidence == q.parent_confidence;
-  });
+inline bool same_joints(const std::vector<sinew::rigging::RigJoint>& a,
+                        const std::vector<sinew::rigging::RigJoint>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const sinew::rigging::RigJoint& p, const sinew::rigging::RigJoint& q) {
+                      return p.position == q.position && p.parent == q.parent && p.partner == q.partner &&
+                             p.joint_class == q.joint_class && p.tip == q.tip && p.confidence == q.confidence &&
+                             p.parent_confidence == q.parent_confidence;
+                    });
 }
 
 // What find_rig() makes of votes, in a block of the size that it asks for less `missing` bytes.
 struct FoundRig {
   sinew_status status;
-  std::vector<sinew::RigJoint> joints;
+  std::vector<sinew::rigging::RigJoint> joints;
   uint16_t spread = 0;
 
-  explicit FoundRig(const VoteScene& scene, const sinew::RigOptions& options = {}, size_t missing = 0) {
-    const sinew::Votes votes = scene.votes();
-    sinew::Rig rig;
+  explicit FoundRig(const VoteScene& scene, const sinew::rigging::RigOptions& options = {}, size_t missing = 0) {
+    const sinew::rigging::Votes votes = scene.votes();
+    sinew::rigging::Rig rig;
     sinew::Arena measuring;
     rig.allocate(measuring);
     status = find_rig(votes, options, measuring, &rig);
@@ -169,7 +171,7 @@ struct FoundRig {
   bool scratch_kept = false;
 
   uint32_t count_of(uint32_t joint_class, bool tips = false) const {
-    return static_cast<uint32_t>(std::count_if(joints.begin(), joints.end(), [&](const sinew::RigJoint& j) {
+    return static_cast<uint32_t>(std::count_if(joints.begin(), joints.end(), [&](const sinew::rigging::RigJoint& j) {
       return j.joint_class == joint_class && (j.tip != 0) == tips;
     }));
   }

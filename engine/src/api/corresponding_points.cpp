@@ -5,7 +5,7 @@
 #include "transfer/match.hpp"
 #include "transfer/rebind.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 // Arguments with skeletons of this library's version, and their plan.
@@ -59,7 +59,7 @@ sinew_status find_points(const TransferPlan& plan, const TransferInput& input, A
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring
 
 extern "C" {
 
@@ -71,11 +71,11 @@ sinew_status sinew_corresponding_points_workspace_size(const sinew_bound_charact
       skeleton == nullptr) {
     return SINEW_ERROR_ARGUMENT;
   }
-  sinew::Arguments own;
+  sinew::transferring::Arguments own;
   const sinew_status status = own.read(sinew::read_skeleton_counts, *source, *target, skeleton);
   if (status != SINEW_OK) return status;
   return sinew::measure(size_bytes, [&](sinew::Arena& arena) {
-    return sinew::find_points(own.plan, {own.source, *target, own.skeleton}, arena, nullptr, nullptr);
+    return sinew::transferring::find_points(own.plan, {own.source, *target, own.skeleton}, arena, nullptr, nullptr);
   });
 }
 
@@ -87,12 +87,12 @@ sinew_status sinew_corresponding_points(const sinew_bound_character* source, con
       skeleton == nullptr || workspace == nullptr || vertices == nullptr || shares == nullptr) {
     return SINEW_ERROR_ARGUMENT;
   }
-  sinew::Arguments own;
+  sinew::transferring::Arguments own;
   const sinew_status status = own.read(sinew::read_skeleton, *source, *target, skeleton);
   if (status != SINEW_OK) return status;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
   sinew::Arena arena(workspace, workspace_bytes);
-  return sinew::find_points(own.plan, {own.source, *target, own.skeleton}, arena, vertices, shares);
+  return sinew::transferring::find_points(own.plan, {own.source, *target, own.skeleton}, arena, vertices, shares);
 }
 
 }  // extern "C"

@@ -29,15 +29,16 @@ sinew_status sinew_rig_model_open(const void* bytes, size_t size_bytes, sinew_mo
   sinew::ModelTask task;
   if (header.task != sinew::kTaskRig) return SINEW_ERROR_MODEL_TASK;
   if constexpr (sinew::kHasPublished) {
-    if (header.feature_set == sinew::kSlotsFeatureSet && sinew::slots_task(header.feature_set, &task)) {
+    if (header.feature_set == sinew::rigging::kSlotsFeatureSet &&
+        sinew::rigging::slots_task(header.feature_set, &task)) {
       sinew_model opened;
       sinew_status both = sinew::open_model(bytes, size_bytes, task, &opened, true);
-      if (both == SINEW_OK) both = sinew::prove_connections(opened);
+      if (both == SINEW_OK) both = sinew::rigging::prove_connections(opened);
       if (both == SINEW_OK) *model = opened;
       return both;
     }
   }
-  if (!sinew::rig_task(header.feature_set, &task) && !sinew::front_task(header.feature_set, &task))
+  if (!sinew::rigging::rig_task(header.feature_set, &task) && !sinew::rigging::front_task(header.feature_set, &task))
     return SINEW_ERROR_MODEL_VERSION;
   return sinew::open_model(bytes, size_bytes, task, model);
 }
@@ -46,11 +47,12 @@ sinew_status sinew_rig_workspace_size(const sinew_model* model, uint32_t vertex_
                                       uint32_t corner_count, const sinew_rig_options* options, size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
-  sinew::RigPlan plan;
-  const sinew_status status = sinew::plan_rig(model, vertex_count, face_count, corner_count, options, &plan);
+  sinew::rigging::RigPlan plan;
+  const sinew_status status = sinew::rigging::plan_rig(model, vertex_count, face_count, corner_count, options, &plan);
   if (status != SINEW_OK) return status;
-  return sinew::measure(
-      size_bytes, [&](sinew::Arena& arena) { return sinew::run_rig(plan, {}, sinew::Kernels(), arena, nullptr); });
+  return sinew::measure(size_bytes, [&](sinew::Arena& arena) {
+    return sinew::rigging::run_rig(plan, {}, sinew::Kernels(), arena, nullptr);
+  });
 }
 
 sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const sinew_rig_options* options,
@@ -60,14 +62,14 @@ sinew_status sinew_rig(const sinew_model* model, const sinew_mesh* mesh, const s
   sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.positions == nullptr || own.parents == nullptr) return SINEW_ERROR_ARGUMENT;
-  sinew::RigPlan plan;
-  status = sinew::plan_rig(model, mesh->vertex_count, mesh->face_count, mesh->corner_count, options, &plan);
+  sinew::rigging::RigPlan plan;
+  status = sinew::rigging::plan_rig(model, mesh->vertex_count, mesh->face_count, mesh->corner_count, options, &plan);
   if (status != SINEW_OK) return status;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
   sinew::Kernels kernels;
   if (!sinew::select_kernels(plan.kernel, &kernels)) return SINEW_ERROR_KERNEL;
   sinew::Arena arena(workspace, workspace_bytes);
-  status = sinew::run_rig(plan, *mesh, kernels, arena, &own);
+  status = sinew::rigging::run_rig(plan, *mesh, kernels, arena, &own);
   if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
   return status;
 }
@@ -77,12 +79,13 @@ sinew_status sinew_rig_details_workspace_size(const sinew_model* hands_model, ui
                                               const sinew_rig_options* options, size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
-  sinew::DetailsPlan plan;
+  sinew::rigging::DetailsPlan plan;
   const sinew_status status =
-      sinew::plan_details(hands_model, vertex_count, face_count, corner_count, wanted, options, &plan);
+      sinew::rigging::plan_details(hands_model, vertex_count, face_count, corner_count, wanted, options, &plan);
   if (status != SINEW_OK) return status;
-  return sinew::measure(
-      size_bytes, [&](sinew::Arena& arena) { return sinew::run_details(plan, {}, sinew::Kernels(), arena, nullptr); });
+  return sinew::measure(size_bytes, [&](sinew::Arena& arena) {
+    return sinew::rigging::run_details(plan, {}, sinew::Kernels(), arena, nullptr);
+  });
 }
 
 sinew_status sinew_rig_details(const sinew_model* hands_model, const sinew_mesh* mesh, uint32_t wanted,
@@ -93,16 +96,16 @@ sinew_status sinew_rig_details(const sinew_model* hands_model, const sinew_mesh*
   sinew_status status = sinew::read_struct(outputs, kFirstSize, sizeof own, &own);
   if (status != SINEW_OK) return status;
   if (own.positions == nullptr || own.parents == nullptr || own.joint_classes == nullptr) return SINEW_ERROR_ARGUMENT;
-  sinew::DetailsPlan plan;
-  status = sinew::plan_details(hands_model, mesh->vertex_count, mesh->face_count, mesh->corner_count, wanted, options,
-                               &plan);
+  sinew::rigging::DetailsPlan plan;
+  status = sinew::rigging::plan_details(hands_model, mesh->vertex_count, mesh->face_count, mesh->corner_count, wanted,
+                                        options, &plan);
   if (status != SINEW_OK) return status;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
   sinew::Kernels kernels;
   if ((wanted & SINEW_DETAIL_HANDS) != 0 && !sinew::select_kernels(plan.hands.kernel, &kernels))
     return SINEW_ERROR_KERNEL;
   sinew::Arena arena(workspace, workspace_bytes);
-  status = sinew::run_details(plan, *mesh, kernels, arena, &own);
+  status = sinew::rigging::run_details(plan, *mesh, kernels, arena, &own);
   if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
   return status;
 }

@@ -13,10 +13,11 @@ extern "C" {
 sinew_status sinew_simplify_workspace_size(uint32_t joint_count, size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
-  sinew::SimplifyPlan plan;
-  const sinew_status status = sinew::plan_simplify(joint_count, nullptr, &plan);
+  sinew::simplifying::SimplifyPlan plan;
+  const sinew_status status = sinew::simplifying::plan_simplify(joint_count, nullptr, &plan);
   if (status != SINEW_OK) return status;
-  return sinew::measure(size_bytes, [&](sinew::Arena& arena) { return sinew::run_simplify(plan, arena, nullptr); });
+  return sinew::measure(size_bytes,
+                        [&](sinew::Arena& arena) { return sinew::simplifying::run_simplify(plan, arena, nullptr); });
 }
 
 sinew_status sinew_simplify(const sinew_skeleton* skeleton, const float* areas, const uint8_t* keep,
@@ -26,15 +27,15 @@ sinew_status sinew_simplify(const sinew_skeleton* skeleton, const float* areas, 
   sinew_skeleton joints;
   sinew_status status = sinew::read_skeleton(skeleton, &joints);
   if (status != SINEW_OK) return status;
-  sinew::SimplifyPlan plan;
-  status = sinew::plan_simplify(joints.joint_count, options, &plan);
+  sinew::simplifying::SimplifyPlan plan;
+  status = sinew::simplifying::plan_simplify(joints.joint_count, options, &plan);
   if (status != SINEW_OK) return status;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
   plan.skeleton = joints;
   plan.areas = areas;
   plan.keep = keep;
   sinew::Arena arena(workspace, workspace_bytes);
-  return sinew::run_simplify(plan, arena, into);
+  return sinew::simplifying::run_simplify(plan, arena, into);
 }
 
 }  // extern "C"

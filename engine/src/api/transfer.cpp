@@ -49,12 +49,12 @@ sinew_status sinew_transfer_workspace_size(const sinew_model* model, const sinew
   OwnInput own_input(*source);
   sinew_status status = own_input.read(sinew::read_skeleton_counts, *source, skeleton);
   if (status != SINEW_OK) return status;
-  const sinew::TransferInput input = {own_input.source, *target, own_input.skeleton};
-  sinew::TransferPlan plan;
-  status = sinew::plan_transfer(model, input, options, &plan);
+  const sinew::transferring::TransferInput input = {own_input.source, *target, own_input.skeleton};
+  sinew::transferring::TransferPlan plan;
+  status = sinew::transferring::plan_transfer(model, input, options, &plan);
   if (status != SINEW_OK) return status;
-  return sinew::measure(size_bytes,
-                        [&](sinew::Arena& arena) { return sinew::run_transfer(plan, input, arena, nullptr); });
+  return sinew::measure(
+      size_bytes, [&](sinew::Arena& arena) { return sinew::transferring::run_transfer(plan, input, arena, nullptr); });
 }
 
 sinew_status sinew_transfer(const sinew_model* model, const sinew_bound_character* source, const sinew_mesh* target,
@@ -73,13 +73,13 @@ sinew_status sinew_transfer(const sinew_model* model, const sinew_bound_characte
   OwnInput own_input(*source);
   status = own_input.read(sinew::read_skeleton, *source, skeleton);
   if (status != SINEW_OK) return status;
-  const sinew::TransferInput input = {own_input.source, *target, own_input.skeleton};
-  sinew::TransferPlan plan;
-  status = sinew::plan_transfer(model, input, options, &plan);
+  const sinew::transferring::TransferInput input = {own_input.source, *target, own_input.skeleton};
+  sinew::transferring::TransferPlan plan;
+  status = sinew::transferring::plan_transfer(model, input, options, &plan);
   if (status != SINEW_OK) return status;
   if (!sinew::is_aligned(workspace)) return SINEW_ERROR_WORKSPACE;
   sinew::Arena arena(workspace, workspace_bytes);
-  status = sinew::run_transfer(plan, input, arena, &own);
+  status = sinew::transferring::run_transfer(plan, input, arena, &own);
   if (status == SINEW_OK) sinew::write_struct(&own, sizeof own, outputs);
   return status;
 }

@@ -6,7 +6,7 @@
 
 #include "core/vec3d.hpp"
 
-namespace sinew {
+namespace sinew::motion {
 
 struct Quat {
   double x, y, z, w;
@@ -47,5 +47,5 @@ inline Quat shortest_arc(Vec3d from, Vec3d to) {
   return normalised({axis.x, axis.y, axis.z, 1 + c});
 }
 
-}  // namespace sinew
+}  // namespace sinew::motion
 #endif

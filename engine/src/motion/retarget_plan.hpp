@@ -12,27 +12,28 @@ struct sinew_retarget {
   int32_t* map = nullptr;        // [target joints] source joint or -1
   uint8_t* classes = nullptr;    // [target joints] sinew_joint_class
   int32_t* long_ends = nullptr;  // [target joints] where a limb's long bone that begins here ends, else -1
-  sinew::Quat* align = nullptr;  // [target joints] from the target's rest direction of its long bone to the source's
-  uint8_t* moved = nullptr;      // [target joints] 1 below `mover`, itself included
-  uint32_t* anchors = nullptr;   // [anchor_count] target joints whose middle goes where that of their sources goes
+  sinew::motion::Quat* align =
+      nullptr;                  // [target joints] from the target's rest direction of its long bone to the source's
+  uint8_t* moved = nullptr;     // [target joints] 1 below `mover`, itself included
+  uint32_t* anchors = nullptr;  // [anchor_count] target joints whose middle goes where that of their sources goes
   uint32_t* floor_joints = nullptr;  // [floor_count] target joints the lowest of which stands on the floor
   uint32_t anchor_count = 0, floor_count = 0;
   bool has_legs = false;
-  int32_t mover = -1;                         // target joint that takes the translation
-  sinew::Quat rotation = sinew::kNoRotation;  // from the source's world to the target's
-  sinew::Vec3d up = {0, 1, 0};                // of the target's world
-  double scale = 1;                           // lengths of the target per length of the source
-  double source_floor = 0;                    // height of the floor joints' sources at rest, the source's units
-  double source_lowest = 0;                   // of all its joints
-  double leg_length = 0;                      // of the source; without legs its extent
-  double target_floor = 0;                    // height of the floor joints at rest
+  int32_t mover = -1;                                         // target joint that takes the translation
+  sinew::motion::Quat rotation = sinew::motion::kNoRotation;  // from the source's world to the target's
+  sinew::Vec3d up = {0, 1, 0};                                // of the target's world
+  double scale = 1;                                           // lengths of the target per length of the source
+  double source_floor = 0;   // height of the floor joints' sources at rest, the source's units
+  double source_lowest = 0;  // of all its joints
+  double leg_length = 0;     // of the source; without legs its extent
+  double target_floor = 0;   // height of the floor joints at rest
   bool in_place = false;
   bool translations = false;
   bool same_rig = false;  // mapped joints lie as their sources do: nothing is left to be mended
   // Scratch of a frame: turned against the rest pose, and where; the source's in the target's world.
-  sinew::Quat* source_rotations = nullptr;
+  sinew::motion::Quat* source_rotations = nullptr;
   sinew::Vec3d* source_positions = nullptr;
-  sinew::Quat* target_rotations = nullptr;
+  sinew::motion::Quat* target_rotations = nullptr;
   sinew::Vec3d* target_positions = nullptr;
 };
 

@@ -5,7 +5,7 @@
 
 #include "rig/joint_class.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // -log2 P(class of the parent | class of the joint) in Q12: kParentSurprise[parent][joint].
 // Counted on the 445 skeletons that the rig models are trained with (179 of them MakeHuman's, which count a quarter
@@ -53,5 +53,5 @@ constexpr uint16_t kParentSurprise[kJointClasses][kJointClasses] = {
      24847, 3065},  // other
 };
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "core/sort.hpp"
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 // Shares of the weight that all votes would have at most, 2 N in Q15, in parts of 10,000.
@@ -34,7 +34,7 @@ constexpr int32_t kSnap = side_share(140), kPairSnap = side_share(50);
 bool comes_before(const FoldedJoint& a, const FoldedJoint& b) {
   if (a.mass != b.mass) return a.mass > b.mass;
   if (a.joint_class != b.joint_class) return a.joint_class < b.joint_class;
-  return comes_before(a.at, b.at);
+  return rigging::comes_before(a.at, b.at);
 }
 
 bool is_far(Vec3i p, const FoldedJoint* joints, uint32_t count, int32_t distance) {
@@ -210,4 +210,4 @@ SINEW_RARE sinew_status find_folded_joints(const VotePool& pool, Arena& arena, F
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

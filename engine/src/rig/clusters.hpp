@@ -8,7 +8,7 @@
 #include "rig/votes.hpp"
 #include "sinew/sinew.h"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr int32_t kVoteWidth = side_share(280);  // of the kernel: how far votes for one joint lie apart
 
@@ -49,5 +49,5 @@ struct FoldedJoint {
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE. A function of the votes as a set: their order does not matter.
 sinew_status find_folded_joints(const VotePool& pool, Arena& arena, FoldedJoint* joints, uint32_t* count);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

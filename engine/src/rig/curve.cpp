@@ -6,7 +6,7 @@
 #include "core/union_find.hpp"
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFFu;
@@ -300,4 +300,4 @@ SINEW_RARE sinew_status grow_curve(const Interior& interior, bool folded, Arena&
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

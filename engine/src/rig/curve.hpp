@@ -6,7 +6,7 @@
 #include "rig/folded_tree.hpp"
 #include "rig/interior.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // The solid cells fall into bands by their way from the body's middle, and bands into regions that hang together (level
 // sets of the distance: Verroust and Lazarus 2000). A region hangs on the one through which it is reached. Branches that are short
@@ -18,5 +18,5 @@ namespace sinew {
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status grow_curve(const Interior& interior, bool folded, Arena& arena, FoldedTree* tree);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

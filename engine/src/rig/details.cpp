@@ -9,7 +9,7 @@
 #include "rig/hands.hpp"
 #include "rig/props.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kAllDetails = SINEW_DETAIL_HANDS | SINEW_DETAIL_FACE | SINEW_DETAIL_PROPS;
@@ -162,4 +162,4 @@ sinew_status run_details(const DetailsPlan& plan, const sinew_mesh& mesh_input, 
   return status;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "rig/rig.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 struct DetailsPlan {
   uint32_t wanted = 0;  // sinew_rig_detail bits
@@ -22,5 +22,5 @@ sinew_status plan_details(const sinew_model* hands_model, uint32_t vertices, uin
 sinew_status run_details(const DetailsPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
                          sinew_rig_outputs* outputs);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

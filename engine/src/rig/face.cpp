@@ -5,7 +5,7 @@
 #include "core/vector_math.hpp"
 #include "rig/mirror_frame.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kLeastVertices = 8;  // of a ball
@@ -281,4 +281,4 @@ sinew_status run_face(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena,
   return grow_given(plan, mesh, arena, Faces(), outputs);
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

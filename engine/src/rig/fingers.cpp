@@ -4,7 +4,7 @@
 
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kSeeds = 8;
@@ -138,4 +138,4 @@ sinew_status find_fingers(const VotePool& pool, Arena& arena, Finger (&fingers)[
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

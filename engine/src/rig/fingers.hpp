@@ -6,7 +6,7 @@
 #include "rig/clusters.hpp"
 #include "rig/hand_class.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 struct Finger {
   uint8_t joints = 0;  // 0: there is none; at least kFewestFingerJoints otherwise
@@ -26,5 +26,5 @@ constexpr uint32_t kFewestFingers = 3;  // of a hand that has any
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE. A function of the votes as a set.
 sinew_status find_fingers(const VotePool& pool, Arena& arena, Finger (&fingers)[kFingers]);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

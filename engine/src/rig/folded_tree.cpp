@@ -6,7 +6,7 @@
 #include "rig/class_prior.hpp"
 #include "rig/limbs.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint8_t kNoJoint = 0xFF;
@@ -289,4 +289,4 @@ sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

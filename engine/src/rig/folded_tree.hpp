@@ -5,7 +5,7 @@
 
 #include "rig/clusters.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 struct FoldedNode {
   Vec3i at = {0, 0, 0};
@@ -43,5 +43,5 @@ struct FoldedTree {
 // Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status grow_tree(const VotePool& pool, const FoldedJoint* joints, uint32_t count, Arena& arena, FoldedTree* tree);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -7,7 +7,7 @@
 #include "rig/mirror_angle.hpp"
 #include "rig/point_voter.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint64_t kSeed = 7;
@@ -205,4 +205,4 @@ sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, c
   return place_front(question, mesh, grid_up, answers[grid_up], arena, front);
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

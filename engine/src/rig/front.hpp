@@ -7,7 +7,7 @@
 #include "rig/front_points.hpp"
 #include "rig/turn.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // What the network says of one candidate of up.
 struct FrontAnswer {
@@ -38,5 +38,5 @@ struct Front {
 sinew_status find_front(const FrontQuestion& question, const Kernels& kernels, const Mesh& mesh, Arena& arena,
                         Front* front);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -4,7 +4,7 @@
 
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr int16_t kLimit = 16383;
@@ -91,4 +91,4 @@ void front_rows(const FrontView& view, uint32_t frame, int16_t* rows) {
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

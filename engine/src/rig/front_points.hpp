@@ -7,7 +7,7 @@
 #include "model/task.hpp"
 #include "rig/surface_points.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kFrontFeatureSet = 5;  // of the rig task
 constexpr uint32_t kFrontPoints = 512;
@@ -78,5 +78,5 @@ inline FrontOffset frame_axis(const FrontView& view, uint32_t frame) {
 //   rows  out  [kFrontPoints x kFrontChannels]
 void front_rows(const FrontView& view, uint32_t frame, int16_t* rows);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

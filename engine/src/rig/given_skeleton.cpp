@@ -7,7 +7,7 @@
 #include "core/same_text.hpp"
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kNameRoom = SINEW_JOINT_NAME_BYTES - 1, kLongestTail = 12;  // of a new name and its number
@@ -106,4 +106,4 @@ SINEW_RARE void append_joint(const Units& units, uint32_t up_axis, const NewJoin
   if (skeleton->names != nullptr) name_joint(joint, j, skeleton);
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

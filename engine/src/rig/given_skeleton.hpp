@@ -7,7 +7,7 @@
 #include "mesh/mesh.hpp"
 #include "rig/rig.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kMostGivenJoints = SINEW_MAX_RIG_JOINTS;
 
@@ -71,5 +71,5 @@ sinew_status grow_given(const RigPlan& plan, const sinew_mesh& input, Arena& are
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 
 #include "rig/joint_class.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kFingers = 5;       // thumb, index, middle, ring, pinky
 constexpr uint32_t kFingerJoints = 3;  // of a finger, from the palm outward
@@ -23,5 +23,5 @@ constexpr uint8_t finger_class(uint32_t finger, uint32_t joint) {
 static_assert(finger_class(kFingers - 1, kFingerJoints - 1) < kHandNothing && kHandNothing < kJointClasses,
               "the classes have room in the rows of a rig network");
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -6,7 +6,7 @@
 #include "core/vector_math.hpp"
 #include "rig/mirror_frame.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr int kAxisBits = 28, kFineBits = 8;
@@ -284,4 +284,4 @@ bool crop_hand(const Mesh& mesh, const HandPosition& position, const Counts& cou
   return true;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "mesh/mesh.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Where a hand is thought to be. Grid units of the mesh.
 struct HandPosition {
@@ -51,5 +51,5 @@ struct HandCrop {
 // Scratch is taken from the arena and released. Returns arena.ok().
 bool crop_hand(const Mesh& mesh, const HandPosition& position, const Counts& counts, Arena& arena, HandCrop* crop);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -9,7 +9,7 @@
 #include "rig/point_voter.hpp"
 #include "rig/read_votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kMostJoints = kMostGivenJoints;
@@ -219,4 +219,4 @@ sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh_input, const 
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "rig/rig.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Sets of points of a hand, each a run of the network.
 constexpr uint32_t kHandSets = 4;
@@ -15,5 +15,5 @@ constexpr uint32_t kHandSets = 4;
 sinew_status run_hands(const RigPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
                        sinew_rig_outputs* outputs);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

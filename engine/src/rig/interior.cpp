@@ -4,7 +4,7 @@
 
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kNone = 0xFFFFFFFFu;
@@ -192,4 +192,4 @@ bool build_interior(const Mesh& mesh, Arena& arena, Interior* interior) {
   return true;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "voxels/voxels.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kRigCells = 64;      // along the longest side
 constexpr uint16_t kDepthUnits = 3;     // of a cell: chamfer distance 3-4-5
@@ -38,5 +38,5 @@ struct Interior {
 // Fills an interior, allocated beforehand. Scratch is taken from the arena and released. Returns arena.ok().
 bool build_interior(const Mesh& mesh, Arena& arena, Interior* interior);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

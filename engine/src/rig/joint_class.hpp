@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Front legs are arms, hind legs are legs. Numbers are in models and tables; never reused.
 enum JointClass : uint8_t {
@@ -40,5 +40,5 @@ constexpr bool is_chain_class(uint32_t c) {
          c == kClassOther;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "names/standard_names.hpp"
 #include "rig/joint_class.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 enum Side : int8_t { kNoSide = 0, kLeft = 1, kRight = -1 };
@@ -53,4 +53,4 @@ SINEW_RARE void name_joints(const RigJoint* joints, uint32_t count, char (*names
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

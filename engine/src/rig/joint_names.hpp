@@ -5,7 +5,7 @@
 
 #include "rig/rig_joint.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kMaxJointName = 32;  // bytes, with the 0 at the end
 
@@ -16,5 +16,5 @@ constexpr uint32_t kMaxJointName = 32;  // bytes, with the 0 at the end
 //   names   out  [count]
 void name_joints(const RigJoint* joints, uint32_t count, char (*names)[kMaxJointName]);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -2,7 +2,7 @@
 // The table of slots, and rows of points that are not folded.
 #include "rig/joint_slots.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 struct SlotTable {
@@ -90,4 +90,4 @@ void unfold_features(const PointSet& set, int16_t* rows) {
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

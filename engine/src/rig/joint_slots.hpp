@@ -8,7 +8,7 @@
 #include "rig/joint_class.hpp"
 #include "rig/rig_points.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 enum class SlotSide : uint8_t { kMiddle, kLeft, kRight };  // left is +x of the mirror frame
 
@@ -54,5 +54,5 @@ bool slots_task(uint32_t feature_set, ModelTask* task);
 //   rows  out  [kSetPoints x kRigChannels]
 void unfold_features(const PointSet& set, int16_t* rows);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

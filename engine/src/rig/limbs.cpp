@@ -2,7 +2,7 @@
 // Votes of a limb's joints, counted together.
 #include "rig/limbs.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr int32_t kClearSide = side_share(250);
@@ -79,4 +79,4 @@ SINEW_RARE void settle_limbs(LimbVotes& votes, FoldedTree* tree) {
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

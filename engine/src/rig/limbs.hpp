@@ -5,7 +5,7 @@
 
 #include "rig/folded_tree.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // What hangs on a trunk. Toes are of a leg.
 enum class LimbClass : uint8_t { kArm, kLeg, kTail, kEar, kHair, kNone };
@@ -32,5 +32,5 @@ using LimbVotes = int64_t[kMaxFoldedJoints][kLimbs];
 //   votes  in, out: the sums of a limb's joints are added to its first
 void settle_limbs(LimbVotes& votes, FoldedTree* tree);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "core/sort.hpp"
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kSeedPoints = 1500;
@@ -176,4 +176,4 @@ uint32_t find_modes(const Cloud& cloud, int32_t bandwidth, bool mirrored, uint32
   return kept;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -7,7 +7,7 @@
 #include "grid/grid_quantizer.hpp"
 #include "rig/votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Share n / 10,000 of the mesh's longest side, grid units.
 constexpr int32_t side_share(int64_t n) { return static_cast<int32_t>((n * kSide + 5000) / 10000); }
@@ -51,5 +51,5 @@ uint32_t find_modes(const Cloud& cloud, int32_t bandwidth, bool mirrored, uint32
 // The order of points in a cloud.
 inline bool comes_before(Vec3i a, Vec3i b) { return a.y != b.y ? a.y < b.y : a.x != b.x ? a.x < b.x : a.z < b.z; }
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

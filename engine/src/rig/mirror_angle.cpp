@@ -6,7 +6,7 @@
 #include "core/vector_math.hpp"
 #include "rig/point_grid.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kPoints = 4096, kAsked = 512;
@@ -241,4 +241,4 @@ bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Are
   return true;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -6,7 +6,7 @@
 #include "core/vector_math.hpp"
 #include "rig/surface_points.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // A direction in the floor's plane, Q28.
 struct Heading {
@@ -36,5 +36,5 @@ SurfaceAxis surface_axis(const Mesh& mesh, uint32_t up_axis);
 bool find_mirror_angle(const Mesh& mesh, uint32_t up_axis, Heading expected, Arena& arena, Heading* normal,
                        bool* found);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "core/sort.hpp"
 #include "rig/point_grid.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kPoints = 4096, kAsked = 1024;  // points of the surface; of these, those that are mirrored
@@ -131,4 +131,4 @@ void turn_frame(uint32_t quarters, MirrorFrame* frame, Mesh* mesh) {
   frame->quarters = (frame->quarters + quarters) % 4;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

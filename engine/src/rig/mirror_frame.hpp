@@ -5,7 +5,7 @@
 
 #include "rig/surface_points.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 enum class Mirroring : uint8_t { kAuto, kAlways, kNever };
 
@@ -51,5 +51,5 @@ void apply_mirror_frame(const MirrorFrame& frame, Mesh* mesh);
 // Turns a mesh that is in its frame by more quarters, and says so in the frame.
 void turn_frame(uint32_t quarters, MirrorFrame* frame, Mesh* mesh);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -4,7 +4,7 @@
 
 #include "core/eigenpairs.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 void OrientedBox::turn() {
   double m[9], v[9];
@@ -35,4 +35,4 @@ bool OrientedBox::overlaps(const OrientedBox& other, double gap) const {
   return true;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "core/vec3d.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Filled in three steps: add() every point, turn(), hold() every point again.
 class OrientedBox {
@@ -54,5 +54,5 @@ class OrientedBox {
   bool held_ = false;
 };
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -8,7 +8,7 @@
 #include "core/arena.hpp"
 #include "grid/grid_quantizer.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Points in cells of a coarse grid, for the nearest of them. Cells along x follow each other, so that a row of them is one
 // run of points.
@@ -96,5 +96,5 @@ struct PointGrid {
   }
 };
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

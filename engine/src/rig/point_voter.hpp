@@ -8,7 +8,7 @@
 #include "rig/rig_points.hpp"
 #include "rig/rig_task.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // What the network wants beside the points: one part, no candidates.
 struct PointRows {
@@ -89,5 +89,5 @@ struct PointVoter {
   }
 };
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

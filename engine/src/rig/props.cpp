@@ -4,7 +4,7 @@
 
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kLeastVertices = 4;
@@ -177,4 +177,4 @@ sinew_status run_props(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena
   return grow_given(plan, mesh, arena, Props(), outputs);
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

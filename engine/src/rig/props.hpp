@@ -6,11 +6,11 @@
 #include "rig/given_skeleton.hpp"
 #include "rig/rig.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Runs everything; `outputs` is a skeleton that becomes one with props, at the end. With a measuring arena neither mesh nor
 // skeleton is read. Errors are those of sinew_rig_details().
 sinew_status run_props(const RigPlan& plan, const sinew_mesh& mesh, Arena& arena, sinew_rig_outputs* outputs);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "core/vector_math.hpp"
 #include "rig/rig_task.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr int32_t kOffsetUnit = kSide / (1024 * kRigOffsetScale);  // grid units of a Q10 step
@@ -78,4 +78,4 @@ Votes VoteStore::votes(bool folded) const {
   return votes;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

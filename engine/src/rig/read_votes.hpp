@@ -8,7 +8,7 @@
 #include "rig/rig_points.hpp"
 #include "rig/votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Votes with room for `sets` sets, set by set.
 class VoteStore {
@@ -26,5 +26,5 @@ class VoteStore {
   uint16_t *start_spread_ = nullptr, *end_spread_ = nullptr, *start_class_ = nullptr, *end_class_ = nullptr;
 };
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

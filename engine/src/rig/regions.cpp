@@ -8,8 +8,11 @@
 #include "rig/oriented_box.hpp"
 #include "simplify/collapse_cost.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
+
+using simplifying::collapse_cost;
+using simplifying::EdgesAtNode;
 
 constexpr uint32_t kMostSeeds = 96;
 constexpr uint32_t kSamples = 64;               // points of a region that are compared with another's
@@ -308,4 +311,4 @@ SINEW_RARE sinew_status grow_regions(const Mesh& mesh, const Counts& counts, Are
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

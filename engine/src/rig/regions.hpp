@@ -6,7 +6,7 @@
 #include "mesh/mesh.hpp"
 #include "rig/folded_tree.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Seeds as far from each other as can be; regions that grow from them over edges; an oriented box around each. Regions whose
 // boxes overlap and whose points come near each other are joined in a graph of the boxes' middles. Its edges collapse, the
@@ -17,5 +17,5 @@ namespace sinew {
 // Scratch is taken from the arena and released. Returns SINEW_OK or SINEW_ERROR_WORKSPACE.
 sinew_status grow_regions(const Mesh& mesh, const Counts& counts, Arena& arena, FoldedTree* tree);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -19,7 +19,7 @@
 #include "rig/wishes.hpp"
 #include "sinew/published.h"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 // Ends of the stages, permille.
@@ -283,4 +283,4 @@ sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh_input, const Ke
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -15,7 +15,7 @@
 #include "rig/tree.hpp"
 #include "rig/upright_mesh.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Sets of points, each a run of the network; their votes are counted together. One gives joints that are 3 % worse, eight none
 // that are better.
@@ -47,5 +47,5 @@ sinew_status plan_rig(const sinew_model* model, uint32_t vertices, uint32_t face
 sinew_status run_rig(const RigPlan& plan, const sinew_mesh& mesh, const Kernels& kernels, Arena& arena,
                      sinew_rig_outputs* outputs);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

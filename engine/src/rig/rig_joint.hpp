@@ -5,7 +5,7 @@
 
 #include "core/fixed.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kMaxFoldedJoints = 48;                 // on the plane and on one side of it
 constexpr uint32_t kMaxRigJoints = 4 * kMaxFoldedJoints;  // both sides, and every joint's bone end
@@ -22,5 +22,5 @@ struct RigJoint {
   int8_t side;                 // 1 left, -1 right, 0: its position says
 };
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "core/sort.hpp"
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr int16_t kLimit = 16383;
@@ -182,4 +182,4 @@ bool make_point_set(const Mesh& mesh, const Interior& interior, uint64_t seed, A
   return true;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

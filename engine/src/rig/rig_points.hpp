@@ -7,7 +7,7 @@
 #include "rig/mirror_frame.hpp"
 #include "rig/surface_points.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Channels of a point, Q13. Lengths are shares of the longest side; x is counted away from the mirror plane, so that both
 // sides look the same ("folded").
@@ -43,5 +43,5 @@ struct PointSet {
 // arena.ok().
 bool make_point_set(const Mesh& mesh, const Interior& interior, uint64_t seed, Arena& arena, PointSet* set);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

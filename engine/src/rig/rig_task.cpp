@@ -2,7 +2,7 @@
 // What surface points look like to a network.
 #include "rig/rig_task.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 bool rig_task(uint32_t feature_set, ModelTask* task) {
   if (feature_set != kRigFeatureSet && feature_set != kHandsFeatureSet) return false;
@@ -15,4 +15,4 @@ bool rig_task(uint32_t feature_set, ModelTask* task) {
   return true;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

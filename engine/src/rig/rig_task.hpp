@@ -7,7 +7,7 @@
 #include "rig/joint_class.hpp"
 #include "rig/rig_points.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kRigFeatureSet = 1;
 constexpr uint32_t kHandsFeatureSet = 2;  // the same of a hand's crop; classes are those of hand_class.hpp
@@ -27,5 +27,5 @@ constexpr int32_t kRigLeastSpread = -9;  // log2; spreads are between this and 0
 
 bool rig_task(uint32_t feature_set, ModelTask* task);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "core/vector_math.hpp"
 #include "rig/point_voter.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr uint32_t kSlotSets = 4;  // of points, whose joints are averaged
@@ -282,4 +282,4 @@ sinew_status find_slots(const SlotsPlan& plan, const RigOptions& options, const 
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

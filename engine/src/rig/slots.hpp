@@ -10,7 +10,7 @@
 #include "rig/joint_slots.hpp"
 #include "rig/tree.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 struct SlotsPlan {
   sinew_model joints, connections;  // the file's two networks
@@ -42,5 +42,5 @@ void join_slots(const SlotJoints& joints, SlotCategory category, const RigOption
 sinew_status find_slots(const SlotsPlan& plan, const RigOptions& options, const Mesh& mesh, const Kernels& kernels,
                         const Progress& progress, Arena& arena, Rig* rig);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -4,7 +4,7 @@
 
 #include "rig/joint_slots.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 sinew_status prove_connections(const sinew_model& model) {
   const size_t second = second_network(model);
@@ -27,4 +27,4 @@ sinew_model connections_of(const sinew_model& model) {
   return proven_model(model.bytes + second, model.size_bytes - second, task);
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "model/reader.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Proves the second network of a file whose first one open_model() gave. Returns what read_header() and open_model() do;
 // SINEW_ERROR_MODEL_LAYOUT where there is none.
@@ -14,5 +14,5 @@ sinew_status prove_connections(const sinew_model& model);
 // It, of a file that was proved so.
 sinew_model connections_of(const sinew_model& model);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

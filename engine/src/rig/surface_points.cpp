@@ -4,7 +4,7 @@
 
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 // Knuth's MMIX generator; its high bits are good.
@@ -106,4 +106,4 @@ bool is_sheet(const SurfacePoint* points, uint32_t count) {
   return whole > 0 && sum * 5 > whole * whole * 4;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "mesh/mesh.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kNoTriangle = 0xFFFFFFFFu;
 
@@ -28,5 +28,5 @@ bool is_sheet(const SurfacePoint* points, uint32_t count);
 // A sheet's joints are no better than the middle line, however sure the votes are: no mesh of the training is one. Q16 of the side.
 constexpr uint16_t kSheetSpread = 6554;
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 #include "core/vector_math.hpp"
 #include "rig/wishes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 class Unfolder {
@@ -122,4 +122,4 @@ SINEW_RARE void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* ri
   Unfolder(*tree, options.ends, rig).run();
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -9,7 +9,7 @@
 #include "rig/votes.hpp"
 #include "sinew/sinew.h"
 
-namespace sinew {
+namespace sinew::rigging {
 
 struct RigOptions {
   bool fold =
@@ -41,5 +41,5 @@ sinew_status find_rig(const Votes& votes, const RigOptions& options, Arena& aren
 // The last stage of find_rig(), for a tree from elsewhere: the caller's wishes, then both sides.
 void unfold_tree(const RigOptions& options, FoldedTree* tree, Rig* rig);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -2,7 +2,7 @@
 // Rotation about the upright axis, point by point.
 #include "rig/turn.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 Turn Turn::of(const float* front, uint32_t up_axis) {
   Turn turn;
@@ -45,4 +45,4 @@ sinew_mesh turn_mesh(const sinew_mesh& mesh, const Turn& turn, float* positions)
   return turned;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "grid/caller_units.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // Where the front is, with y up: (sine, 0, cosine). Products and sums are doubles of one order, so the same everywhere.
 struct Turn {
@@ -25,5 +25,5 @@ struct Turn {
 //   positions  out  [V x 3]
 sinew_mesh turn_mesh(const sinew_mesh& mesh, const Turn& turn, float* positions);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -4,7 +4,7 @@
 
 #include "core/read_skeleton.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 // Below this likelihood the votes decide, and it is a coin toss.
@@ -103,4 +103,4 @@ void write_front(const UprightMesh& upright, uint32_t quarters, double plane, si
   outputs->up_confidence = upright.front.up_confidence;
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -5,7 +5,7 @@
 
 #include "rig/front.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 // What the caller says of up and front.
 struct FrontPlan {
@@ -39,5 +39,5 @@ sinew_status stand_upright(const FrontPlan& plan, const sinew_mesh& input, const
 // `plane` across that.
 void write_front(const UprightMesh& upright, uint32_t quarters, double plane, sinew_rig_outputs* outputs);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -6,7 +6,7 @@
 #include "core/fixed.hpp"
 #include "rig/joint_class.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kMaxRigPoints = 4096;
 
@@ -24,5 +24,5 @@ struct Votes {
   Vec3i mean = {0, 0, 0};                  // of the points
 };
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

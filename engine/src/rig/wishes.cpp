@@ -4,7 +4,7 @@
 
 #include "core/vector_math.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 constexpr int16_t kNone = -1;
@@ -185,4 +185,4 @@ SINEW_RARE void drop_toes(FoldedTree* tree) {
   remove(gone, tree, numbers);
 }
 
-}  // namespace sinew
+}  // namespace sinew::rigging

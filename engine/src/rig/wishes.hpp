@@ -5,7 +5,7 @@
 
 #include "rig/folded_tree.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 
 constexpr uint32_t kMaxSpine = 16;
 
@@ -20,5 +20,5 @@ void set_spine(FoldedTree* tree, uint32_t joints);
 // toe hangs on the foot.
 void drop_toes(FoldedTree* tree);
 
-}  // namespace sinew
+}  // namespace sinew::rigging
 #endif

@@ -5,7 +5,7 @@
 
 #include "core/vec3d.hpp"
 
-namespace sinew {
+namespace sinew::simplifying {
 
 constexpr double kSamplingWeight = 0.1;  // beside the shape's 1
 
@@ -37,5 +37,5 @@ inline double collapse_cost(const EdgesAtNode& a, const EdgesAtNode& b, const Ve
   return a.error(half) + b.error(half) + kSamplingWeight * apart * sum;
 }
 
-}  // namespace sinew
+}  // namespace sinew::simplifying
 #endif

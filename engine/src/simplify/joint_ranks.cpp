@@ -5,7 +5,7 @@
 #include "mapping/limb_classes.hpp"
 #include "names/joint_verdicts.hpp"
 
-namespace sinew {
+namespace sinew::simplifying {
 namespace {
 
 constexpr double kNoSurface = 1e-6;  // share of the whole; less is what exporters leave behind
@@ -112,4 +112,4 @@ sinew_status find_joint_ranks(const sinew_skeleton& skeleton, const float* areas
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::simplifying

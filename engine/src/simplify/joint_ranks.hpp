@@ -6,7 +6,7 @@
 #include "core/arena.hpp"
 #include "sinew/skeleton.h"
 
-namespace sinew {
+namespace sinew::simplifying {
 
 // In the order in which joints go.
 enum JointRank : uint8_t {
@@ -23,5 +23,5 @@ enum JointRank : uint8_t {
 sinew_status find_joint_ranks(const sinew_skeleton& skeleton, const float* areas, Arena& arena, uint8_t* ranks,
                               uint8_t* is_end);
 
-}  // namespace sinew
+}  // namespace sinew::simplifying
 #endif

@@ -10,7 +10,7 @@
 #include "simplify/collapse_cost.hpp"
 #include "simplify/joint_ranks.hpp"
 
-namespace sinew {
+namespace sinew::simplifying {
 namespace {
 
 using mapping::Hierarchy;
@@ -239,4 +239,4 @@ sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::simplifying

@@ -6,7 +6,7 @@
 #include "core/arena.hpp"
 #include "sinew/simplify.h"
 
-namespace sinew {
+namespace sinew::simplifying {
 
 struct SimplifyPlan {
   sinew_skeleton skeleton = {};
@@ -26,5 +26,5 @@ sinew_status plan_simplify(uint32_t joint_count, const sinew_simplify_options* o
 // SINEW_ERROR_RANGE, SINEW_ERROR_INDEX, SINEW_ERROR_HIERARCHY.
 sinew_status run_simplify(const SimplifyPlan& plan, Arena& arena, uint32_t* into);
 
-}  // namespace sinew
+}  // namespace sinew::simplifying
 #endif

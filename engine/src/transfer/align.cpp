@@ -4,7 +4,7 @@
 
 #include "transfer/best_rotation.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 constexpr double kShortest = 1e-3;                     // of the longest side: a shorter bone has no direction
@@ -138,4 +138,4 @@ Vec3d Alignment::warp(Vec3d point, const uint16_t* row_joints, const uint32_t* r
   return whole > 0 ? (1 / whole) * sum : joints[0](point);
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -7,7 +7,7 @@
 #include "transfer/real.hpp"
 #include "weights/rows.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // Places in longest sides of a mesh: its own grid over 2^20.
 inline Vec3d position_of(Vec3i grid) {
@@ -29,5 +29,5 @@ struct Alignment {
   Vec3d warp(Vec3d point, const uint16_t* row_joints, const uint32_t* row_weights) const;
 };
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

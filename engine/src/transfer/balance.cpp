@@ -2,7 +2,7 @@
 // Shares by style and mismatch, or by distance, and rows by shares.
 #include "transfer/balance.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 constexpr double kStyleFactor = 1.5;    // style counts more: the mismatch holds what the binder gets wrong, too
@@ -109,4 +109,4 @@ void mix_rows(const Rows& bound, double share, uint32_t vertex, const Rows& carr
   make_whole(carried, vertex);
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

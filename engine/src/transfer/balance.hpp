@@ -5,7 +5,7 @@
 
 #include "transfer/match.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // Numbers of the target's welded vertices that decide; differences of rows are sums over joints, 0..2.
 struct Balance {
@@ -34,5 +34,5 @@ void fold_new_joints(const JointCounterparts& map, const Rows& bound, uint32_t v
 // share * carried + (1 - share) * bound, into `carried`.
 void mix_rows(const Rows& bound, double share, uint32_t vertex, const Rows& carried);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

@@ -4,7 +4,7 @@
 
 #include "core/eigenpairs.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 Mat3 best_rotation(const Mat3& sums, double* gap) {
   // m[i][j] = sum of v_i u_j; Horn's matrix has s_ij = sum of u_i v_j.
@@ -40,4 +40,4 @@ Mat3 rotation_between(Vec3d from, Vec3d to) {
   return rotation(w / norm, axis.x / norm, axis.y / norm, axis.z / norm);
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

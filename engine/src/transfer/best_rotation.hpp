@@ -5,7 +5,7 @@
 
 #include "transfer/real.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // The rotation R that makes the sum of v . (R u) largest (Horn 1987).
 //   sums  row-major sum of v u^T
@@ -14,5 +14,5 @@ Mat3 best_rotation(const Mat3& sums, double* gap);
 // The smallest rotation that turns u to v's direction; any about a half turn.
 Mat3 rotation_between(Vec3d u, Vec3d v);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

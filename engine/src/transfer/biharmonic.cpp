@@ -5,7 +5,7 @@
 #include "transfer/references.hpp"
 #include "transfer/surface_distances.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 constexpr uint32_t kNearest = DistanceMatch::kNearest;
@@ -196,4 +196,4 @@ sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, cons
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -5,7 +5,7 @@
 
 #include "transfer/match.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // A vertex of the target as a mean of vertices of the source.
 struct DistanceMatch {
@@ -31,5 +31,5 @@ struct DistanceMatch {
 sinew_status match_by_distances(const TransferPlan& plan, const Pair& pair, const Rows& source_rows, Arena& arena,
                                 DistanceMatch* match);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

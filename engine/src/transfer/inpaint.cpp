@@ -7,7 +7,7 @@
 #include "solve/ordering.hpp"
 #include "transfer/sparse_ldl.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 constexpr uint32_t kMostUnknown = 32768;
@@ -144,4 +144,4 @@ sinew_status inpaint(const Mesh& mesh, const uint8_t* known, uint32_t joints, co
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

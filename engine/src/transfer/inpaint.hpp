@@ -7,7 +7,7 @@
 #include "transfer/thin_plate.hpp"
 #include "weights/rows.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // Minimises w^T (L + L A^-1 L) w in every part that has a known vertex, joint by joint, with the rows of the known ones held.
 // Negative weights become 0, rows are normalised. Parts without a known vertex keep their rows, and so do parts whose equations
@@ -19,5 +19,5 @@ namespace sinew {
 sinew_status inpaint(const Mesh& mesh, const uint8_t* known, uint32_t joints, const Counts& counts, Arena& arena,
                      Rows* rows);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

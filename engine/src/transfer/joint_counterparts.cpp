@@ -2,7 +2,7 @@
 // Completes the caller's joint map up and down the two hierarchies.
 #include "transfer/joint_counterparts.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 bool JointCounterparts::allocate(Arena& arena, uint32_t source_joints, uint32_t target_joints) {
   same = arena.alloc<int32_t>(source_joints);
@@ -56,4 +56,4 @@ void JointCounterparts::complete(const int32_t* counterparts, const Skeleton& so
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -5,7 +5,7 @@
 
 #include "skeleton/skeleton.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 struct JointCounterparts {
   int32_t* same = nullptr;   // [source joints] its counterpart in the target, or -1
@@ -22,5 +22,5 @@ struct JointCounterparts {
   void complete(const int32_t* counterparts, const Skeleton& source, const Skeleton& target, uint32_t* scratch);
 };
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

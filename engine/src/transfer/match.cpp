@@ -5,7 +5,7 @@
 #include "bind/pipeline.hpp"
 #include "grid/caller_units.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 // Rows of the source and its map name joints that exist.
@@ -162,4 +162,4 @@ sinew_status find_match(const TransferPlan& plan, const TransferInput& input, co
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -8,7 +8,7 @@
 #include "transfer/plan.hpp"
 #include "weights/rows.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // Source and target on their grids, and what was found of both.
 struct Pair {
@@ -56,5 +56,5 @@ struct Match {
 sinew_status find_match(const TransferPlan& plan, const TransferInput& input, const Pair& pair, const Rows& source_rows,
                         Arena& arena, Match* match);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

@@ -4,7 +4,7 @@
 
 #include "core/triangle_point.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 bool SurfaceTree::allocate(Arena& arena, const Counts& counts) {
   const uint32_t most = capacity(counts);
   items_ = arena.alloc<uint32_t>(most);
@@ -175,4 +175,4 @@ MatchedPoint SurfaceTree::nearest(Vec3d point, Vec3d normal, Facing facing) cons
   return best;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

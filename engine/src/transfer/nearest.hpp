@@ -6,7 +6,7 @@
 #include "mesh/morton.hpp"
 #include "transfer/real.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 struct MatchedPoint {
   uint32_t corners[3] = {0, 0, 0};
@@ -62,5 +62,5 @@ class SurfaceTree {
   Level levels_[kLevels] = {};
 };
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

@@ -10,7 +10,7 @@
 #include "kernels/select.hpp"
 #include "sinew/published.h"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 // The struct of the first release, 0.1.
@@ -98,4 +98,4 @@ sinew_status plan_transfer(const sinew_model* model, const TransferInput& input,
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

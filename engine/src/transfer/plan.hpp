@@ -6,7 +6,7 @@
 #include "bind/plan.hpp"
 #include "sinew/transfer.h"
 
-namespace sinew {
+namespace sinew::transferring {
 
 constexpr uint32_t kNothingBound = 2;  // sinew_transfer_outputs::bound_by
 
@@ -39,5 +39,5 @@ struct TransferPlan {
 sinew_status plan_transfer(const sinew_model* model, const TransferInput& input, const sinew_transfer_options* options,
                            TransferPlan* plan);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

@@ -9,7 +9,7 @@
 
 #include "core/vec3d.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // Row-major 3 x 3.
 struct Mat3 {
@@ -50,5 +50,5 @@ inline Mat3 rotation(double w, double x, double y, double z) {
   return r;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

@@ -7,7 +7,7 @@
 #include "bind/bind.hpp"
 #include "weights/given.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 void OwnRows::gather(const Mesh& mesh, const uint16_t* joints, const void* weights, uint32_t format,
                      uint32_t influence_count) {
@@ -63,4 +63,4 @@ void DressedMesh::join(const sinew_mesh& body, const sinew_mesh& garment) {
   mesh = {positions_, vertices, offsets_, corners_, faces, corners};
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -6,7 +6,7 @@
 #include "transfer/plan.hpp"
 #include "weights/rows.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // Rows of welded vertices; those without weight stay empty.
 struct OwnRows {
@@ -42,5 +42,5 @@ struct DressedMesh {
   uint32_t *offsets_ = nullptr, *corners_ = nullptr;
 };
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

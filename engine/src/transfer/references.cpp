@@ -2,7 +2,7 @@
 // Rays across the bones of both skeletons, and vertices whose nearest points agree in both directions.
 #include "transfer/references.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 constexpr uint32_t kRays = 4, kStations = 2;
@@ -292,4 +292,4 @@ sinew_status References::find(const TransferPlan& plan, const Pair& pair, const 
   return SINEW_OK;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -5,7 +5,7 @@
 
 #include "transfer/match.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // A place on a triangle of welded vertices, or on one vertex.
 struct TrianglePosition {
@@ -42,5 +42,5 @@ struct References {
                     Arena& arena);
 };
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

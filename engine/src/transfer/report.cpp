@@ -4,7 +4,7 @@
 
 #include "weights/influences.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 uint32_t to_q16(double v) { return static_cast<uint32_t>(clamped(v, 0, 65535) * kWholeRow + 0.5); }
@@ -104,4 +104,4 @@ void write_transfer(const TransferOutcome& r, const PartReport& report, sinew_tr
   outputs->reference_count = r.reference_count;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -5,7 +5,7 @@
 
 #include "transfer/balance.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 struct TransferOutcome {
   const TransferPlan& plan;
@@ -34,5 +34,5 @@ struct PartReport {
 // Writes everything: nothing can fail any more.
 void write_transfer(const TransferOutcome& result, const PartReport& report, sinew_transfer_outputs* outputs);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

@@ -6,7 +6,7 @@
 
 #include "core/arena.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // A matrix gives its rows: row(k, visit) calls visit(column, value) for every entry of row k, diagonal and upper half included
 // or not, a column more than once or not; values of a column are added up.
@@ -204,5 +204,5 @@ inline void SparseLdl::square_diagonal(const double* weights, double* out) {
   }
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

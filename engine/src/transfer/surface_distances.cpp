@@ -6,7 +6,7 @@
 
 #include "features/parts.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 constexpr uint32_t kBatch = SparseLdl::kBatch;
@@ -180,4 +180,4 @@ void SurfaceDistances::turn_to_distances(const Mesh& mesh, const References& ref
   for (size_t i = 0; i < size_t{n} * mesh.welded_count; ++i) g[i] *= scale;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -8,7 +8,7 @@
 #include "transfer/sparse_ldl.hpp"
 #include "transfer/thin_plate.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // L is the cotangent Laplacian with ties: each part hangs by the quarter of its vertices that is nearest to larger parts, at most
 // 24, on its hosts there. One vertex is held, and L is factorised once. d(x, i)^2 = g(x, x) + g(i, i) - 2 g(x, i) where g is the
@@ -52,5 +52,5 @@ class SurfaceDistances {
   double area_sum_ = 0;
 };
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

@@ -7,7 +7,7 @@
 #include "solve/laplacian.hpp"
 #include "spectral/operator.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 struct ThinPlate {
   const Mesh* mesh = nullptr;
@@ -56,5 +56,5 @@ struct ThinPlate {
   }
 };
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

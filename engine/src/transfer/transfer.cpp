@@ -11,7 +11,7 @@
 #include "transfer/report.hpp"
 #include "weights/given.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 // A match that is farther, in longest sides of the target, or faces elsewhere is none, and is filled in.
@@ -303,4 +303,4 @@ sinew_status run_transfer(const TransferPlan& plan, const TransferInput& input, 
   return status;
 }
 
-}  // namespace sinew
+}  // namespace sinew::transferring

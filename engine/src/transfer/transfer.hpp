@@ -5,7 +5,7 @@
 
 #include "transfer/plan.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 
 // Runs the stages of a plan and writes the outputs at the end. Arguments as in sinew_transfer(), checked but for what the arrays
 // hold. With a measuring arena only the memory is counted.
@@ -13,5 +13,5 @@ namespace sinew {
 sinew_status run_transfer(const TransferPlan& plan, const TransferInput& input, Arena& arena,
                           sinew_transfer_outputs* outputs);
 
-}  // namespace sinew
+}  // namespace sinew::transferring
 #endif

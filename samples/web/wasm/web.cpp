@@ -146,8 +146,8 @@ EMSCRIPTEN_KEEPALIVE const char* web_model(const char* path) {
     const bool of_weights = status == SINEW_ERROR_MODEL_TASK;
     if (of_weights) status = sinew_model_open(opened.bytes.data(), bytes.size(), &opened.model);
     check(path, status);
-    const bool of_hands = !of_weights && opened.model.feature_set == kHandsFeatureSet;
-    const bool of_fronts = !of_weights && opened.model.feature_set == kFrontFeatureSet;
+    const bool of_hands = !of_weights && opened.model.feature_set == rigging::kHandsFeatureSet;
+    const bool of_fronts = !of_weights && opened.model.feature_set == rigging::kFrontFeatureSet;
     const Json reply = {{"bytes", bytes.size()},
                         {"parameters", opened.model.parameter_count},
                         {"layers", opened.model.layer_count},

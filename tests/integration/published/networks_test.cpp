@@ -26,6 +26,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 const std::string kData = SINEW_SOURCE_DIR "/samples/data/";
 
 Character sample_character(const char* name) { return read_character(kData + name + ".obj"); }

@@ -20,12 +20,13 @@ constexpr uint32_t kSlotOffset = 3, kSlotPresence = 4, kSlotNumbers = 5;
 // outside first; each takes the first free slot of its class and side. Of a chain that is longer than its slots, joints
 // at equal steps stay. Classes without slots (hair, other) and what finds none free are left out.
 //   places  in  [target] in the mirror frame: x tells the side
-std::array<int, kSlots> assign_slots(const TargetSkeleton& target, const std::vector<std::array<double, 3>>& positions);
+std::array<int, rigging::kSlots> assign_slots(const TargetSkeleton& target,
+                                              const std::vector<std::array<double, 3>>& positions);
 
 // Pairs of slots that hang together: one's joint is the other's nearest ancestor with a slot.
-//   connected  out  [kSlotPairs] 0 or 1
-void connected_slots(const TargetSkeleton& target, const std::array<int, kSlots>& slots,
-                     std::array<uint8_t, kSlotPairs>* connected);
+//   connected  out  [rigging::kSlotPairs] 0 or 1
+void connected_slots(const TargetSkeleton& target, const std::array<int, rigging::kSlots>& slots,
+                     std::array<uint8_t, rigging::kSlotPairs>* connected);
 
 }  // namespace sinew
 #endif

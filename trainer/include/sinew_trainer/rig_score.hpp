@@ -20,9 +20,9 @@ namespace sinew {
 // N joints, bone ends among them. Lengths in longest sides of the mesh.
 struct ScoredSkeleton {
   std::vector<std::array<double, 3>> positions;
-  std::vector<int> parents;                        // -1 = root
-  std::vector<std::optional<JointClass>> classes;  // nullopt: a detail
-  std::vector<uint8_t> tips;                       // 1: a bone end
+  std::vector<int> parents;                                 // -1 = root
+  std::vector<std::optional<rigging::JointClass>> classes;  // nullopt: a detail
+  std::vector<uint8_t> tips;                                // 1: a bone end
 };
 ScoredSkeleton scored_skeleton(const TargetSkeleton& target);
 // As a file says it: classes by names, and a leaf called NAME_end or NAME_tip is a bone end. `side` is the mesh's.

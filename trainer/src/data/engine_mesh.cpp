@@ -6,6 +6,8 @@
 
 namespace sinew {
 
+using namespace rigging;
+
 EngineMesh::EngineMesh(const std::string& name, const std::vector<std::array<double, 3>>& vertices,
                        const std::vector<std::array<uint32_t, 3>>& triangles) {
   for (const auto& v : vertices)

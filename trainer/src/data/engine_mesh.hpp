@@ -26,7 +26,7 @@ struct EngineMesh {
   EngineMesh(const std::string& name, const std::vector<std::array<double, 3>>& vertices,
              const std::vector<std::array<uint32_t, 3>>& triangles);
   // Where it is its own mirror image, about the caller's middle if that will do.
-  MirrorFrame mirror_frame() const;
+  rigging::MirrorFrame mirror_frame() const;
 };
 
 // The triangles of a character's faces and the vertices that they have; others would spoil the box.

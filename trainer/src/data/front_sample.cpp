@@ -11,6 +11,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 constexpr double kLeastSideways = 0.7;  // share of the way from right to left that is horizontal
 constexpr uint32_t kLeastSided = 2;     // joints of each side
 

@@ -33,7 +33,7 @@ class FrontSource {
   const std::array<double, 2>& front() const { return front_; }
 
  private:
-  FrontSample sample(const std::vector<SurfacePoint>& points, uint32_t frame, bool upright) const;
+  FrontSample sample(const std::vector<rigging::SurfacePoint>& points, uint32_t frame, bool upright) const;
 
   RigSource source_;
   std::array<double, 2> front_{};

@@ -27,7 +27,7 @@ class HandSource {
   struct HandJoint {
     Point at{};
     int parent = -1;  // of these
-    uint8_t hand_class = kHandRest;
+    uint8_t hand_class = rigging::kHandRest;
   };
   struct HandFinger {
     uint32_t finger = 0;

@@ -10,6 +10,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 // A foot without toes ends where toes end.
 JointClass slot_class(const TargetJoint& joint) {
   return joint.tip && joint.joint_class == kClassFoot ? kClassToe : joint.joint_class;

@@ -8,7 +8,8 @@
 
 namespace sinew {
 
-inline RigSample point_sample(const PointSet& set) {
+inline RigSample point_sample(const rigging::PointSet& set) {
+  using namespace rigging;
   RigSample s;
   s.vertices = kSetPoints;
   s.candidates = 1;

@@ -8,6 +8,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 using Eigen::Vector3d;
 
 Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }

@@ -19,6 +19,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 

@@ -30,7 +30,7 @@ struct RigSample : NetworkSample {
 };
 
 // Makes a set of points of a mesh that is in its mirror frame, with the interior behind them, and hands it to `use`.
-void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function<void(const PointSet&)>& use);
+void with_point_set(const EngineMesh& engine, uint64_t seed, const std::function<void(const rigging::PointSet&)>& use);
 
 // How a copy of a character differs from it.
 struct RigVariant {
@@ -84,7 +84,7 @@ class RigSource {
   std::vector<uint8_t> vanish(Random* random) const;  // [T] triangles that are gone
   SourcedSurface surface(const std::vector<Point>& vertices, const std::vector<uint8_t>& gone) const;
   Placed place(const Posed& posed, uint64_t seed) const;
-  RigSample label(const Placed& placed, const PointSet& set) const;
+  RigSample label(const Placed& placed, const rigging::PointSet& set) const;
 
   std::string name_, family_;
   std::vector<Point> vertices_;  // [V] mirror frame, side 1

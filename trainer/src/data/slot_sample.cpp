@@ -10,6 +10,8 @@
 
 namespace sinew {
 
+using namespace rigging;
+
 NetworkSample slot_points(const PointSet& set) {
   NetworkSample s = point_sample(set);
   unfold_features(set, s.inputs[0].rows.data());

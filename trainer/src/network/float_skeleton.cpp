@@ -21,7 +21,7 @@ struct FloatRows {
   const FloatNetwork& network;
   NetworkRunner runner;
 
-  static sinew_status run(void* user, const PointSet& set, int16_t* rows) {
+  static sinew_status run(void* user, const rigging::PointSet& set, int16_t* rows) {
     FloatRows& self = *static_cast<FloatRows*>(user);
     const std::vector<float>& exact = self.runner.forward(self.network, point_sample(set));
     for (size_t i = 0; i < exact.size(); ++i) {
@@ -53,9 +53,9 @@ PredictedSkeleton predict_float_skeleton(const Character& character, const Float
   engine_options.front_model = options.front_model;
   engine_options.front = options.front;
   engine_options.mirror = options.mirror;
-  RigPlan plan;
-  throw_status(character, plan_rig(options.model, views.mesh.vertex_count, views.mesh.face_count,
-                                   views.mesh.corner_count, &engine_options, &plan));
+  rigging::RigPlan plan;
+  throw_status(character, rigging::plan_rig(options.model, views.mesh.vertex_count, views.mesh.face_count,
+                                            views.mesh.corner_count, &engine_options, &plan));
   FloatRows rows{network, {}};
   plan.other = {FloatRows::run, &rows};
   Kernels kernels;

@@ -8,9 +8,9 @@
 namespace sinew {
 
 FloatNetwork make_front_network(const FrontNetworkOptions& options, uint64_t seed) {
-  PointNetworkBuilder b("front", seed, kFrontFeatureSet, 0, "frnt");
+  PointNetworkBuilder b("front", seed, rigging::kFrontFeatureSet, 0, "frnt");
   const uint32_t width = options.width;
-  const Region input = b.fresh(Domain::kVertex, kFrontChannels);
+  const Region input = b.fresh(Domain::kVertex, rigging::kFrontChannels);
   constexpr uint32_t kViews = 3;  // itself, largest, mean
   uint16_t views = b.add_buffer(Domain::kVertex, kViews * width);
   b.relu(input, b.part(views, 0, width));
@@ -25,7 +25,7 @@ FloatNetwork make_front_network(const FrontNetworkOptions& options, uint64_t see
   }
   const Region last = b.fresh(Domain::kVertex, width);
   b.relu(b.part(views, 0, width), last);
-  b.linear(last, b.fresh(Domain::kVertex, kFrontOutputs), 0, {}, 0.3);
+  b.linear(last, b.fresh(Domain::kVertex, rigging::kFrontOutputs), 0, {}, 0.3);
   return b.take();
 }
 

@@ -8,6 +8,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 class Builder : public PointNetworkBuilder {
  public:
   Builder(uint64_t seed, uint32_t feature_set) : PointNetworkBuilder("votes", seed, feature_set, kRigCells, "pnts") {}

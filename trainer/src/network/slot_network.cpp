@@ -15,6 +15,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 constexpr uint32_t kPairHidden = 64, kPairLast = 32;  // of the second network
 constexpr double kLog2 = 0.69314718055994531;         // attention is in log2
 enum HeadBlock : size_t { kFirstBlock, kSecondBlock, kOutBlock, kHeadBlocks };

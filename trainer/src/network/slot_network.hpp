@@ -13,8 +13,8 @@
 
 namespace sinew {
 
-// What the runner returns: [kSlots x kSlotNumbers], then the probability of every pair to hang together [kSlotPairs].
-constexpr uint32_t kSlotOutputs = kSlots * kSlotNumbers + kSlotPairs;
+// What the runner returns: [kSlots x kSlotNumbers], then the probability of every pair to hang together [rigging::kSlotPairs].
+constexpr uint32_t kSlotOutputs = rigging::kSlots * kSlotNumbers + rigging::kSlotPairs;
 
 struct SlotNetworkOptions {
   uint32_t width = 48;  // of graph convolutions

@@ -9,6 +9,8 @@
 
 namespace sinew {
 
+using namespace rigging;
+
 FrontLoss front_loss(const FrontSample& sample, const std::vector<float>& outputs, std::vector<float>* d_outputs) {
   if (outputs.size() != size_t{sample.vertices} * kFrontOutputs)
     throw Error(sample.name + ": the network's output is not that of fronts");

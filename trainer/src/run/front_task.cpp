@@ -19,7 +19,7 @@ FloatNetwork FrontTask::make_network() const {
 
 void FrontTask::check(const FloatNetwork& network, const std::string& source) const {
   check_network(network, source);
-  if (network.task != kTaskRig || network.feature_set != kFrontFeatureSet)
+  if (network.task != kTaskRig || network.feature_set != rigging::kFrontFeatureSet)
     throw Error(source + ": not a network that says where a mesh faces");
 }
 

@@ -12,6 +12,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 constexpr double kClassShare = 0.3, kSmoothing = 0.05, kLog2 = 0.6931471805599453;
 
 // distance / b + log b for b = 2^log2_spread, of an offset in units of 1 / kRigOffsetScale.

@@ -21,7 +21,7 @@ FloatNetwork RigTask::make_network() const {
 void RigTask::check(const FloatNetwork& network, const std::string& source) const {
   check_network(network, source);
   if (network.task != kTaskRig) throw Error(source + ": not a network that predicts skeletons");
-  const bool hands = network.feature_set == kHandsFeatureSet;
+  const bool hands = network.feature_set == rigging::kHandsFeatureSet;
   if (hands != is_hands(config_))
     throw Error(source + ": a network of " + (hands ? "hands" : "bodies") + ", expected one of " + config_.part);
 }
@@ -42,7 +42,7 @@ double RigTask::score(const NetworkSample& sample, const std::vector<float>& out
 }
 
 double RigTask::baseline_score(const NetworkSample& sample) const {
-  return score(sample, std::vector<float>(size_t{sample.vertices} * kRigOutputs, 0.0f));
+  return score(sample, std::vector<float>(size_t{sample.vertices} * rigging::kRigOutputs, 0.0f));
 }
 
 }  // namespace sinew

@@ -10,6 +10,8 @@
 
 namespace sinew {
 
+using namespace rigging;
+
 SlotLoss slot_loss(const SlotSample& sample, const SlotLossOptions& options, const std::vector<float>& outputs,
                    std::vector<float>* d_outputs) {
   if (outputs.size() != kSlotOutputs) throw Error(sample.name + ": the network's output is not that of slots");

@@ -42,7 +42,7 @@ FrontDifference compare_fronts(const FloatNetwork& network, const sinew_model& m
   for (const FrontSample& sample : some_samples(folder, limit)) {
     const FrontLoss exact = front_loss(sample, runner.forward(network, sample), nullptr);
     std::vector<float> integers;
-    for (const int16_t value : engine_rows(model, sample, size_t{sample.vertices} * kFrontOutputs))
+    for (const int16_t value : engine_rows(model, sample, size_t{sample.vertices} * rigging::kFrontOutputs))
       integers.push_back(static_cast<float>(value) / 1024.0f);
     const FrontLoss rounded = front_loss(sample, integers, nullptr);
     const double distance = std::hypot(exact.answer[0] - rounded.answer[0], exact.answer[1] - rounded.answer[1]);

@@ -14,6 +14,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 using Point = std::array<double, 3>;
 
 constexpr double kBoneStep = 0.005;

@@ -18,6 +18,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 // Calls `use` with the points of each character.
 void each_set(const std::string& folder, size_t limit, const std::function<void(const PointSet&)>& use) {
   each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {

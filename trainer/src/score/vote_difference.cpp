@@ -16,6 +16,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 std::vector<RigSample> some_samples(const FloatNetwork& network, const std::string& folder, size_t limit) {
   std::vector<RigSample> samples;
   each_of_some_characters(folder, limit, [&](const Character& character, size_t i) {

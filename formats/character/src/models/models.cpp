@@ -14,6 +14,8 @@
 
 namespace sinew {
 
+using namespace rigging;
+
 namespace {
 
 sinew_status open_for(ModelUse use, const void* bytes, size_t size, sinew_model* model) {

@@ -15,13 +15,13 @@
 namespace sinew {
 
 struct TargetJoint {
-  std::string name;                      // a bone end: its joint's with "_end" behind
-  std::array<double, 3> position = {};   // rest pose, the mesh's units
-  int parent = -1;                       // index into TargetSkeleton::joints, -1 for the root
-  JointClass joint_class = kClassOther;  // a bone end: its joint's
-  bool tip = false;                      // a bone end: where a leaf's bone stops, no joint of its own
-  uint32_t source = 0;                   // joint of the character whose place it has; a bone end: its joint's
-  double mass = 0;  // share of the surface that it moves, 0..1; all joints together 1; a bone end: 0
+  std::string name;                                        // a bone end: its joint's with "_end" behind
+  std::array<double, 3> position = {};                     // rest pose, the mesh's units
+  int parent = -1;                                         // index into TargetSkeleton::joints, -1 for the root
+  rigging::JointClass joint_class = rigging::kClassOther;  // a bone end: its joint's
+  bool tip = false;                                        // a bone end: where a leaf's bone stops, no joint of its own
+  uint32_t source = 0;  // joint of the character whose place it has; a bone end: its joint's
+  double mass = 0;      // share of the surface that it moves, 0..1; all joints together 1; a bone end: 0
 };
 
 struct TargetSkeleton {

@@ -13,6 +13,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 using Point = std::array<double, 3>;
 
 constexpr double kLeastVertices = 0.5;  // by weight, that a joint has to move

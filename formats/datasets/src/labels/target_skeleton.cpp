@@ -16,6 +16,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 using Point = std::array<double, 3>;
 
 constexpr double kBound = 0.002;          // of the vertices or of the surface

@@ -13,6 +13,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 // Joints, and squares of side 1 across z that move with them. A strip on joint 0 makes the longest side 10.
 class Doll {
  public:

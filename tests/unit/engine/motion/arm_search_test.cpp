@@ -24,7 +24,7 @@ class Searched {
     for (uint32_t f = 0; f < frames; ++f) {
       Pose pose = rest_pose(clip_.source);
       for (const uint32_t j : {kSpine, kLeftUpperArm, kLeftForearm, kRightUpperArm, kRightForearm, kLeftThigh}) {
-        const sinew::Quat q = sinew::normalised({any(random), any(random), any(random), 0.8});
+        const sinew::motion::Quat q = sinew::motion::normalised({any(random), any(random), any(random), 0.8});
         pose.set(j, q, vec(&pose.translations[3 * j]));
       }
       clip_.add(pose);

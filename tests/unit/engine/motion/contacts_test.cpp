@@ -28,8 +28,8 @@ TEST(Contacts, FeetThatStandStayWhereTheyStand) {
     for (int f = 0; f < 30; ++f) {
       const double bend = 0.3 + 0.2 * std::sin(0.5 * f);
       Pose pose = rest_pose(clip.source);
-      const Quat knee = sinew::normalised({std::sin(bend), 0, 0, std::cos(bend)});
-      const Quat hip = sinew::normalised({-std::sin(bend / 4), 0, 0, std::cos(bend / 4)});
+      const Quat knee = sinew::motion::normalised({std::sin(bend), 0, 0, std::cos(bend)});
+      const Quat hip = sinew::motion::normalised({-std::sin(bend / 4), 0, 0, std::cos(bend / 4)});
       for (const uint32_t thigh : {kLeftThigh, kRightThigh}) {
         pose.set(thigh, hip, vec(&pose.translations[3 * thigh]));
         pose.set(thigh + 1, knee, vec(&pose.translations[3 * (thigh + 1)]));
@@ -37,7 +37,7 @@ TEST(Contacts, FeetThatStandStayWhereTheyStand) {
       }
       const Vec3d foot = placed(clip.source, pose).places[kLeftFoot];
       const Vec3d back = clip.source.at(kLeftFoot) - foot;
-      pose.set(0, sinew::kNoRotation, clip.source.at(0) + Vec3d{0, back.y, back.z});
+      pose.set(0, sinew::motion::kNoRotation, clip.source.at(0) + Vec3d{0, back.y, back.z});
       ASSERT_LT(distance(placed(clip.source, pose).places[kLeftFoot], clip.source.at(kLeftFoot)), 1e-6);
       clip.add(pose);
     }
@@ -73,9 +73,9 @@ void reach_forward(PlayedClip* clip, Vec3d upper_arm, uint32_t frames = 12) {
   const MotionScene& scene = clip->source;
   for (uint32_t f = 0; f < frames; ++f) {
     Pose pose = rest_pose(scene);
-    const Quat upper = sinew::shortest_arc(scene.at(kLeftForearm) - scene.at(kLeftUpperArm), upper_arm);
+    const Quat upper = sinew::motion::shortest_arc(scene.at(kLeftForearm) - scene.at(kLeftUpperArm), upper_arm);
     const Quat lower =
-        sinew::shortest_arc(rotate(upper, scene.at(kLeftHand) - scene.at(kLeftForearm)), {-0.9, 0.05, 0.1});
+        sinew::motion::shortest_arc(rotate(upper, scene.at(kLeftHand) - scene.at(kLeftForearm)), {-0.9, 0.05, 0.1});
     pose.set(kLeftUpperArm, upper, vec(&pose.translations[3 * kLeftUpperArm]));
     pose.set(kLeftForearm, conjugate(upper) * lower * upper, vec(&pose.translations[3 * kLeftForearm]));
     clip->add(pose);
@@ -148,9 +148,9 @@ TEST(Contacts, KneesAndElbowsStayInTheirRange) {
   const BoxBody own(scene, 0.1);
   const auto bend = [&](PlayedClip* clip, double angle) {
     Pose pose = rest_pose(clip->source);
-    const Quat knee = sinew::normalised({std::sin(angle / 2), 0, 0, std::cos(angle / 2)});
+    const Quat knee = sinew::motion::normalised({std::sin(angle / 2), 0, 0, std::cos(angle / 2)});
     pose.set(kLeftCalf, knee, vec(&pose.translations[3 * kLeftCalf]));
-    pose.set(0, sinew::kNoRotation, clip->source.at(0) + Vec3d{0, 3, 0});  // in the air: no foot stands
+    pose.set(0, sinew::motion::kNoRotation, clip->source.at(0) + Vec3d{0, 3, 0});  // in the air: no foot stands
     clip->add(pose);
   };
   const auto angle_of = [&](const Placed& pose) {  // of the calf to the back, degrees

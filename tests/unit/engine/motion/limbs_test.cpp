@@ -34,7 +34,7 @@ TEST(MoveLimb, ReachesItsGoalWithBonesOfTheirLengthAndTheElbowOnItsSide) {
        {Vec3d{-0.1, 0.1, 0.2}, {0.05, -0.2, 0.1}, {-0.3, 0, 0.05}, {0, 0, 0}, {9, 9, 9}, {-0.5, 0.15, 0}}) {
     sinew::motion::load_target(plan, rest.rotations.data(), rest.translations.data());
     const Vec3d shoulder = plan->target_positions[arm.first], goal = plan->target_positions[arm.last] + way;
-    const sinew::Quat hand = plan->target_rotations[arm.last];
+    const sinew::motion::Quat hand = plan->target_rotations[arm.last];
     const double upper = distance(scene.at(arm.first), scene.at(arm.middle)),
                  lower = distance(scene.at(arm.middle), scene.at(arm.last));
     sinew::motion::move_limb(arm, goal, plan->target_positions[arm.middle], plan);

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace sinew {
+namespace sinew::motion {
 namespace {
 
 class Draw {
@@ -48,4 +48,4 @@ TEST(Quat, NothingHasNoRotation) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::motion

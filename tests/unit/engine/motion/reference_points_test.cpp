@@ -133,8 +133,9 @@ Pose arms_forward(const MotionScene& scene, double amount) {
   Pose pose = random_pose(scene, 3, 0.4, {0.2, 0.05, 0});
   for (const uint32_t arm : {kLeftUpperArm, kRightUpperArm}) {
     const double side = arm == kLeftUpperArm ? 1 : -1;
-    pose.set(arm, sinew::shortest_arc({side, -0.36, 0}, {side * 0.3, -0.5, amount}), vec(&pose.translations[3 * arm]));
-    pose.set(arm + 1, sinew::shortest_arc({side, -0.36, 0.1}, {-side * 0.4, -0.36, 0.5}),
+    pose.set(arm, sinew::motion::shortest_arc({side, -0.36, 0}, {side * 0.3, -0.5, amount}),
+             vec(&pose.translations[3 * arm]));
+    pose.set(arm + 1, sinew::motion::shortest_arc({side, -0.36, 0.1}, {-side * 0.4, -0.36, 0.5}),
              vec(&pose.translations[3 * (arm + 1)]));
   }
   return pose;

@@ -40,7 +40,7 @@ double farthest(const Placed& a, const Placed& b) {
 TEST(Retarget, TheSameRigMovesAsItself) {
   MotionScene turned = body(40);
   for (uint32_t j = 0; j < turned.count(); ++j) {  // joints with axes of their own, as editors give them
-    const Quat q = sinew::normalised({0.3 * j, 0.5, -0.2 * j, 1});
+    const Quat q = sinew::motion::normalised({0.3 * j, 0.5, -0.2 * j, 1});
     for (const double x : {q.x, q.y, q.z, q.w}) turned.rotations.push_back(static_cast<float>(x));
   }
   for (const MotionScene& scene : {body(40), turned}) {
@@ -115,7 +115,7 @@ TEST(Retarget, AnotherAxisUpAndCentimetresGiveTheSameMotion) {
     source.positions[3 * j + 1] = -z;
     source.positions[3 * j + 2] = y;
   }
-  const Quat raise = sinew::shortest_arc({0, 1, 0}, {0, 0, 1});
+  const Quat raise = sinew::motion::shortest_arc({0, 1, 0}, {0, 0, 1});
   for (uint32_t seed = 0; seed < 10; ++seed) {
     const Pose wanted = random_pose(target, seed, 1.2, {1, 0.2, 0.5});
     const Placed world = placed(target, wanted);
@@ -373,10 +373,10 @@ TEST(Quaternion, ReciprocalRootsAndArcs) {
     EXPECT_NEAR(sinew::reciprocal_root(x) * std::sqrt(x), 1, 4e-16) << x;
   const Vec3d a = sinew::unit({1, 2, 3});
   for (const Vec3d b : {a, sinew::unit({-3, 1, 2}), -1.0 * a, Vec3d{0, 1, 0}, Vec3d{0, -1, 0}})
-    EXPECT_LT(distance(rotate(sinew::shortest_arc(a, b), a), b), 1e-12);
-  EXPECT_EQ(sinew::shortest_arc(a, {0, 0, 0}).w, 1);
-  EXPECT_NEAR(sinew::shortest_arc(a, a).w, 1, 1e-15);
-  EXPECT_EQ(sinew::shortest_arc(a, a).x, 0);
+    EXPECT_LT(distance(rotate(sinew::motion::shortest_arc(a, b), a), b), 1e-12);
+  EXPECT_EQ(sinew::motion::shortest_arc(a, {0, 0, 0}).w, 1);
+  EXPECT_NEAR(sinew::motion::shortest_arc(a, a).w, 1, 1e-15);
+  EXPECT_EQ(sinew::motion::shortest_arc(a, a).x, 0);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "rig_votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 using sinew_test::Block;
@@ -143,4 +143,4 @@ TEST(FoldedJoints, TrustFallsWithSpread) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::rigging

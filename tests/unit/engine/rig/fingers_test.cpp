@@ -6,7 +6,7 @@
 
 #include "rig_votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 using sinew_test::Block;
@@ -126,4 +126,4 @@ TEST(Fingers, AreAFunctionOfTheVotesAsASet) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::rigging

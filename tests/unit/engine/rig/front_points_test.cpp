@@ -11,6 +11,7 @@
 namespace {
 
 using namespace sinew;
+using namespace sinew::rigging;
 
 std::vector<SurfacePoint> points() {
   std::mt19937 random(2);

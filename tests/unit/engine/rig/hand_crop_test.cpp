@@ -15,6 +15,7 @@
 namespace {
 
 using namespace sinew;
+using namespace sinew::rigging;
 using sinew_test::MeshScene;
 
 struct MeshRun : sinew_test::MeshRun {

@@ -10,7 +10,7 @@
 
 #include "rig_votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 using sinew_test::FoundRig;
@@ -82,4 +82,4 @@ TEST(JointNames, NoneComesTwiceAndAllFit) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::rigging

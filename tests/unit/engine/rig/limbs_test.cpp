@@ -9,7 +9,7 @@
 
 #include "rig_votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 using sinew_test::FoundRig;
@@ -127,4 +127,4 @@ TEST(Limbs, WhichClassesAreWhichLimb) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -12,7 +12,7 @@
 #include "arena_block.hpp"
 #include "random.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 using sinew_test::Block;
@@ -147,4 +147,4 @@ TEST(MeanShift, KeepsWithinItsSeedsAndSums) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -11,6 +11,7 @@
 namespace {
 
 using namespace sinew;
+using namespace sinew::rigging;
 using sinew_test::add_cube;
 using sinew_test::MeshRun;
 using sinew_test::MeshScene;

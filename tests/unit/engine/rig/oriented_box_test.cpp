@@ -8,7 +8,7 @@
 
 namespace {
 
-using sinew::OrientedBox;
+using sinew::rigging::OrientedBox;
 using Point = sinew::Vec3d;
 
 // A grid of points that fills a box of 4 x 2 x 1 around `at`, turned about z and then about x.

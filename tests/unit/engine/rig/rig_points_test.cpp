@@ -14,6 +14,7 @@
 namespace {
 
 using namespace sinew;
+using namespace sinew::rigging;
 using sinew_test::add_cube;
 using sinew_test::cube_sphere;
 using sinew_test::MeshRun;

@@ -10,7 +10,7 @@
 #include <memory>
 #include <vector>
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 uint32_t slot_of(JointClass c, SlotSide side = SlotSide::kMiddle, bool tip = false) {
@@ -137,4 +137,4 @@ TEST(Slots, OptionsAndCategoriesTakeSlotsAway) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::rigging

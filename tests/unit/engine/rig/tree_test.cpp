@@ -11,7 +11,7 @@
 #include "rig/wishes.hpp"
 #include "rig_votes.hpp"
 
-namespace sinew {
+namespace sinew::rigging {
 namespace {
 
 using sinew_test::FoundRig;
@@ -304,4 +304,4 @@ TEST(Rig, AFullBlockIsAStatus) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::rigging

@@ -9,7 +9,7 @@
 
 #include "mesh_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 using sinew_test::MeshRun;
@@ -121,4 +121,4 @@ TEST(Alignment, WarpsByTheWeightsOfARow) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -9,7 +9,7 @@
 #include "arena_block.hpp"
 #include "mesh_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 using sinew_test::Block;
@@ -120,4 +120,4 @@ TEST(Rows, MixingIsBetweenBoth) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 void expect_rotation(const Mat3& r) {
@@ -80,4 +80,4 @@ TEST(RotationBetween, TurnsOneDirectionIntoTheOther) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -8,7 +8,7 @@
 
 #include "transfer_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 using sinew_test::MeshRun;
@@ -109,4 +109,4 @@ TEST(Inpaint, AFullWorkspaceIsAStatus) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

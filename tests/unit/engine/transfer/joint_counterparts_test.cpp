@@ -9,7 +9,7 @@
 
 #include "mesh_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 using sinew_test::MeshRun;
@@ -80,4 +80,4 @@ TEST(JointCounterparts, JointsThatOnlyTheTargetHasShareTheirHeads) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 // Rows of four vertices.
@@ -82,4 +82,4 @@ TEST(Match, CarriesBetweenCorners) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -12,7 +12,7 @@
 #include "core/triangle_point.hpp"
 #include "mesh_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 using sinew_test::Block;
@@ -117,4 +117,4 @@ TEST(SurfaceTree, AMeshWithoutTrianglesOffersItsPoints) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

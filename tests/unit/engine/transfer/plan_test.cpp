@@ -7,7 +7,7 @@
 #include "sinew/published.h"
 #include "transfer_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 class Planned {
@@ -80,4 +80,4 @@ TEST(TransferPlan, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

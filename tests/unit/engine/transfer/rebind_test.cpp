@@ -9,7 +9,7 @@
 #include "arena_block.hpp"
 #include "mesh_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 using sinew_test::Block;
@@ -76,4 +76,4 @@ TEST(OwnRows, AreMeansOfWhatIsWelded) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

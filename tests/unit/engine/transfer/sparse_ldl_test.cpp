@@ -10,7 +10,7 @@
 
 #include "arena_block.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 using sinew_test::Block;
@@ -114,4 +114,4 @@ TEST(SparseLdl, ASingularMatrixGivesFiniteNumbers) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

@@ -10,7 +10,7 @@
 #include "arena_block.hpp"
 #include "mesh_scene.hpp"
 
-namespace sinew {
+namespace sinew::transferring {
 namespace {
 
 struct Plate {
@@ -59,4 +59,4 @@ TEST(ThinPlate, AreasAreInMeans) {
 }
 
 }  // namespace
-}  // namespace sinew
+}  // namespace sinew::transferring

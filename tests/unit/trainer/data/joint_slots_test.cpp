@@ -11,6 +11,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 struct Body {
   TargetSkeleton target;
   std::vector<std::array<double, 3>> places;

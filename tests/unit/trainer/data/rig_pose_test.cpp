@@ -7,6 +7,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 using Eigen::Vector3d;
 
 // Arms to the side, legs down; with `four`, arms that reach the floor.

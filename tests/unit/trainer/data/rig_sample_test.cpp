@@ -13,6 +13,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 const RigSource& biped() {
   static const RigSource source = [] {
     SynthesizeOptions options;

@@ -14,6 +14,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 // A ring of vertices with random rows.
 NetworkSample ring(uint32_t vertices, uint64_t seed) {
   std::mt19937_64 random(seed);

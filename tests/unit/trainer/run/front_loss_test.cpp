@@ -22,14 +22,15 @@ FrontSample scene(bool upright, uint32_t points = 24) {
   s.upright = upright;
   s.front = {0.6f, 0.8f};
   s.inputs.resize(1);
-  s.inputs[0].channels = kFrontChannels;
+  s.inputs[0].channels = rigging::kFrontChannels;
   s.candidate.assign(points, 0xFFFF);
   s.part.assign(points, 0);
   s.part_offsets = {0, points};
   s.row_offsets.assign(points + 1, 0);
   for (uint32_t i = 0; i < points; ++i) {
     s.part_vertices.push_back(i);
-    for (uint32_t c = 0; c < kFrontChannels; ++c) s.inputs[0].rows.push_back(static_cast<int16_t>(4000 * value()));
+    for (uint32_t c = 0; c < rigging::kFrontChannels; ++c)
+      s.inputs[0].rows.push_back(static_cast<int16_t>(4000 * value()));
     for (int axis = 0; axis < 2; ++axis) {
       s.positions.push_back(0.4f * value());
       s.normals.push_back(value());
@@ -62,7 +63,7 @@ TEST(FrontLoss, GradientIsThatOfTheTotal) {
       const FrontSample s = scene(upright);
       std::mt19937 random(3);
       std::vector<float> outputs;
-      for (uint32_t i = 0; i < s.vertices * kFrontOutputs; ++i)
+      for (uint32_t i = 0; i < s.vertices * rigging::kFrontOutputs; ++i)
         outputs.push_back(size * (static_cast<float>(random() % 1000) / 500.0f - 1));
       std::vector<float> d;
       front_loss(s, outputs, &d);

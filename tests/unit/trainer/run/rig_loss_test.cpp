@@ -10,6 +10,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 RigSample two_points() {
   RigSample s;
   s.vertices = 2;

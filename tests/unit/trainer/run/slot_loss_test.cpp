@@ -12,6 +12,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 // Two joints, which hang together, and a third that does not.
 struct Scene {
   SlotSample sample;

@@ -51,7 +51,7 @@ TEST(RigReport, PicturesOfTwoSkeletonsDiffer) {
   TargetSkeleton reference;
   reference.joints.resize(2);
   reference.joints[0].name = "low";
-  reference.joints[1] = {"high", {0.2, 1, 0}, 0, kClassOther, false, 0, 0};
+  reference.joints[1] = {"high", {0.2, 1, 0}, 0, rigging::kClassOther, false, 0, 0};
   const RigReportPicture same =
       rig_report_picture(character, reference, {{"low", {0, 0, 0}, -1}, {"high", {0.2f, 1, 0}, 0}}, 64);
   EXPECT_EQ(same.character, "one");

@@ -12,6 +12,8 @@
 namespace sinew {
 namespace {
 
+using namespace rigging;
+
 // A side of 2, so that lengths in the file are twice those of the figures.
 constexpr double kSide = 2;
 
