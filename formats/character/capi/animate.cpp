@@ -90,7 +90,7 @@ void fill_result(const AnimatedCharacter& made, uint32_t first_clip, ResultViews
     views->before.insert(views->before.end(), one.report.before.begin(), one.report.before.end());
     views->after.insert(views->after.end(), one.report.after.begin(), one.report.after.end());
   }
-  views->sources.assign(made.sources.begin(), made.sources.end());
+  views->sources.assign(made.map.sources.begin(), made.map.sources.end());
   filled.limbs_before = views->before.data();
   filled.limbs_after = views->after.data();
   filled.mapped_by = views->text.c_str();

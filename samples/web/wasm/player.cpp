@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sinew/published.h"
-#include "sinew_character/map_skeleton.hpp"
 #include "sinew_formats/error.hpp"
 
 namespace sinew::web {
@@ -42,32 +40,28 @@ void Player::make(MotionMethod method, Opened* opened) {
     opened->now = &at->second;
     return;
   }
-  RetargetSettings settings;
-  settings.method = method == MotionMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
-  Retargeter retargeter(opened->source, opened->character.joints, opened->map.sources, opened->classes, settings,
-                        {SINEW_UP_AUTO, opened->up == 1 ? SINEW_UP_Z : SINEW_UP_AUTO});
-  const Character* const body = opened->body ? &*opened->body : nullptr;
-  retargeter.take_bodies(opened->character, body);
-  if (method == MotionMethod::kReferencePoints) {
-    retargeter.follow_reference_points(sinew_reference_options_init(), opened->character, body);
-  } else if (method == MotionMethod::kContacts) {
-    retargeter.keep_contacts();
-    retargeter.keep_range();
-  }
-  Made made;
-  made.motion = motion_of(opened->character.joints);
-  for (const Clip& clip : opened->source.clips) {
-    made.reports.emplace_back();
-    made.motion.clips.push_back(retargeter.run(clip, {}, &made.reports.back()));
-  }
-  opened->now = &opened->made.emplace(method, std::move(made)).first->second;
+  AnimateOptions options;
+  options.character = opened->work.character.name;
+  if (opened->up == 1) options.up = "z";
+  options.pins = opened->pins;
+  options.method = method == MotionMethod::kCopy              ? AnimateMethod::kCopy
+                   : method == MotionMethod::kReferencePoints ? AnimateMethod::kReferencePoints
+                                                              : AnimateMethod::kContacts;
+  options.report = options.force = true;  // what does not fit is told beside the map, where it can be mended
+  AnimatedCharacter& work = opened->work;
+  work.motion = motion_of(work.character.joints);
+  work.made.clear();
+  add_motion(
+      options, {opened->file, "", &opened->source, [opened] { return opened->body; }},
+      [](size_t) { return [] { return true; }; }, &work);
+  opened->now = &opened->made.emplace(method, Made{std::move(work.motion), std::move(work.made)}).first->second;
 }
 
 Json Player::clips_json(const Opened& opened) {
   Json list = Json::array();
   for (size_t c = 0; c < opened.now->motion.clips.size(); ++c) {
     const Clip& clip = opened.now->motion.clips[c];
-    const ClipReport& report = opened.now->reports[c];
+    const ClipReport& report = opened.now->clips[c].report;
     Json limbs = Json::array();
     for (size_t l = 0; l < report.before.size(); ++l)
       limbs.push_back({{"joint", report.before[l].joint},
@@ -90,29 +84,27 @@ Json Player::open(const std::string& file, const Character& character, uint32_t 
   clips.erase(std::remove_if(clips.begin(), clips.end(), [](const Clip& clip) { return clip.frames.empty(); }),
               clips.end());
   if (clips.empty()) throw Error(file + ": expected a motion, found a skeleton without frames");
-  MapRig target = map_rig_of(character), from = map_rig_of(opened->source);
-  target.name = character.name;
-  from.name = file;
-  const std::string axis = up == 1 ? "z" : "auto";
-  opened->map = map_motion(target, from, axis, "auto", "", pins);
-  opened->classes = motion_classes(target, from, axis, opened->map.sources);
-  opened->character = character;
+  opened->file = file;
+  opened->work.character = character;
   opened->body = body_of_motion(file);
+  opened->pins = pins;
   opened->up = up;
   opened->own = own;
   make(method, opened.get());
   Json reply;
   reply["clips"] = clips_json(*opened);
   reply["joints"] = character.joints.size();
-  const std::vector<int>& sources = opened->map.sources;
-  reply["mapped"] = sources.size() - static_cast<size_t>(std::count(sources.begin(), sources.end(), -1));
-  reply["how"] = opened->map.how;
+  const MotionMap& map = opened->work.map;
+  reply["mapped"] = map.sources.size() - static_cast<size_t>(std::count(map.sources.begin(), map.sources.end(), -1));
+  reply["how"] = map.how;
   reply["sourceJoints"] = joints_json(opened->source);
-  reply["map"] = map_json(opened->map);
-  reply["notes"] = opened->source.notes;
-  if (opened->map.certainty < kDoubtfulSides)
-    reply["notes"].push_back(
-        "Which way is front is not sure: left and right may be exchanged; one pair of the map settles it");
+  reply["map"] = map_json(map);
+  reply["notes"] = Json::array();
+  for (std::string note : opened->now->motion.notes) {  // the page names the file itself
+    const size_t at = note.find(file + ": ");
+    if (at != std::string::npos) note.erase(at, file.size() + 2);
+    reply["notes"].push_back(std::move(note));
+  }
   open_ = std::move(opened);
   return reply;
 }
@@ -136,7 +128,7 @@ std::vector<Affine> Player::palette(uint32_t clip, double seconds) const {
 Json Player::spots(uint32_t clip, double seconds) const {
   const Made& made = *opened(clip).now;
   const Clip& one = made.motion.clips[clip];
-  const ClipReport& report = made.reports[clip];
+  const ClipReport& report = made.clips[clip].report;
   const double last = static_cast<double>(one.frames.size() - 1);
   const auto frame = static_cast<size_t>(std::clamp(std::round(seconds / one.frame_time), 0.0, last));
   Json list = Json::array();

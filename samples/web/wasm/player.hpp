@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sinew_character/motion_map.hpp"
-#include "sinew_character/retarget.hpp"
+#include "sinew_character/animate_job.hpp"
 #include "sinew_formats/motion.hpp"
 
 namespace sinew::web {
@@ -43,14 +42,14 @@ class Player {
   // By one method.
   struct Made {
     Motion motion;  // of the character's joints
-    std::vector<ClipReport> reports;
+    std::vector<AnimatedClip> clips;
   };
   struct Opened {
+    std::string file;
     Motion source;
-    Character character;  // joints, mesh and weights
+    AnimatedCharacter work;  // the character, and the method that is being made
     std::optional<Character> body;
-    MotionMap map;
-    std::vector<uint8_t> classes;
+    std::vector<sinew_map_pin> pins;
     uint32_t up = 0;
     bool own = false;
     std::map<MotionMethod, Made> made;

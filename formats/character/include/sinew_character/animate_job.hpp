@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sinew_character/bake.hpp"
+#include "sinew_character/motion_map.hpp"
 #include "sinew_character/retarget.hpp"
 #include "sinew_formats/character.hpp"
 #include "sinew_formats/motion.hpp"
@@ -23,10 +24,11 @@ struct AnimateOptions {
   std::string up = "auto", motion_up = "auto";  // x, y, z
   std::string map;                              // a map's file, or empty
   std::vector<int> sources;                     // [J] joint of the motion or -1, in place of a map; or empty
+  std::vector<sinew_map_pin> pins;              // that a found map keeps
   AnimateMethod method = AnimateMethod::kAuto;
   bool in_place = false, range = true, report = false;
-  bool translations = false;           // bones of the body stretch as the source's do
-  bool force = false;                  // plays a motion whose map reaches less than kLeastCover, which is an Error else
+  bool translations = false;  // bones of the body stretch as the source's do
+  bool force = false;         // plays a motion whose map reaches less than kLeastCover, with a note; an Error else
   double fps = 0, from = 0, to = 1e9;  // seconds
   sinew_reference_options reference = sinew_reference_options_init();
 };
@@ -55,7 +57,7 @@ struct AnimatedCharacter {
   std::vector<AnimatedClip> made;  // [motion.clips]
   Morphs morphs;                   // of bake_clips()
   bool rigged = false;             // was a bare mesh
-  std::vector<int> sources;        // [J] map of the last motion
+  MotionMap map;                   // of the last motion
   float certainty = 1;             // how sure its front and sides are, and no more than what it covers of both bodies
 };
 

@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "sinew_character/motion_map.hpp"
 #include "sinew_character/rig_job.hpp"
 #include "sinew_character/stance.hpp"
 #include "sinew_formats/error.hpp"
@@ -95,7 +94,7 @@ std::optional<Motion> find_standing(const AnimateOptions& s, const MotionInput& 
 
 // The caller's map, a file's, or a found one.
 MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& from) {
-  if (s.sources.empty()) return map_motion(target, from, s.up, s.motion_up, s.map);
+  if (s.sources.empty()) return map_motion(target, from, s.up, s.motion_up, s.map, s.pins);
   MotionMap map;
   map.sources = s.sources;
   map.reasons.assign(s.sources.size(), SINEW_MAP_PINNED);
@@ -103,12 +102,15 @@ MotionMap map_of(const AnimateOptions& s, const MapRig& target, const MapRig& fr
   return map;
 }
 
-void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const MotionMap& map, const MapRig& target) {
-  if (s.force || map.cover.share >= kLeastCover) return;
+// Says so where the user wants it played as it is.
+void refuse_misfit(const AnimateOptions& s, const MotionInput& input, const MotionMap& map, const MapRig& target,
+                   std::vector<std::string>* notes) {
+  if (map.cover.share >= kLeastCover) return;
   const auto mapped = std::count_if(map.sources.begin(), map.sources.end(), [](int joint) { return joint >= 0; });
-  throw Error(input.file + ": does not fit " + target.name + ": " + map.cover.missing + ", " + std::to_string(mapped) +
-              " of its " + std::to_string(target.joints.size()) +
-              " joints would move; --map FILE says which move as which, --force plays it as it is");
+  const std::string what = input.file + ": does not fit " + target.name + ": " + map.cover.missing + ", " +
+                           std::to_string(mapped) + " of its " + std::to_string(target.joints.size()) + " joints ";
+  if (!s.force) throw Error(what + "would move; --map FILE says which move as which, --force plays it as it is");
+  notes->push_back("warning: " + what + "move; it is played as it is");
 }
 
 }  // namespace
@@ -133,8 +135,9 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
   MapRig target = map_rig_of(out->character), from = map_rig_of(source);
   target.name = s.character;
   from.name = choice.file;
-  const MotionMap map = map_of(s, target, from);
-  refuse_misfit(s, choice, map, target);
+  out->map = map_of(s, target, from);
+  const MotionMap& map = out->map;
+  refuse_misfit(s, choice, map, target, &out->motion.notes);
   RetargetSettings settings;
   settings.method = s.method == AnimateMethod::kCopy ? SINEW_RETARGET_COPY : SINEW_RETARGET_AUTO;
   settings.in_place = s.in_place ? 1 : 0;
@@ -155,14 +158,12 @@ void add_motion(const AnimateOptions& s, const MotionInput& choice, const StepsO
     out->motion.clips.push_back(retargeter.run(clip, keep_going, s.report ? &report : nullptr));
     out->made.push_back({choice.file, clip.name, map.how, clip.frames.size(), mapped, clip.frame_time, report});
   }
-  out->sources = map.sources;
   out->certainty = std::min(map.certainty, map.cover.share);
   if (map.certainty < kDoubtfulSides)
-    out->motion.notes.push_back(
-        choice.file +
-        print(": which way is front is not sure (%.0f %%), left and right may be exchanged; sinew map with "
-              "one --set settles it, and --map takes what it writes",
-              100 * static_cast<double>(map.certainty)));
+    out->motion.notes.push_back(choice.file + print(": which way is front is not sure (%.0f %%), left and right may be "
+                                                    "exchanged; one pair of the map settles it "
+                                                    "(sinew map --set, and --map takes what it writes)",
+                                                    100 * static_cast<double>(map.certainty)));
   for (const std::string& note : source.notes) out->motion.notes.push_back(choice.file + ": " + note);
 }
 
