@@ -22,7 +22,7 @@
 #include "network/network.hpp"
 #include "sinew/sinew.hpp"
 #if !defined(__EMSCRIPTEN__)
-#include "thread_pool.hpp"
+#include "sinew_character/thread_pool.hpp"
 #endif
 
 namespace {
@@ -154,8 +154,8 @@ void measure_threads(const Input& in, const sinew_model& model, sinew_options op
       bind();
       way.push_back(lanes.way(sinew_bench::thread_seconds() - start));
       time_stages(in, model, options, threads, stages);
-      sinew::cli::ThreadPool pool(threads);
-      options.parallel_for = sinew::cli::ThreadPool::parallel_for;
+      sinew::ThreadPool pool(threads);
+      options.parallel_for = sinew::ThreadPool::parallel_for;
       options.parallel_user = &pool;
       const auto begin = std::chrono::steady_clock::now();
       bind();

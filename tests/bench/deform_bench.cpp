@@ -12,7 +12,7 @@
 #include "bench_report.hpp"
 #include "heat_scene.hpp"
 #include "sinew/sinew.hpp"
-#include "thread_pool.hpp"
+#include "sinew_character/thread_pool.hpp"
 
 namespace {
 
@@ -115,12 +115,12 @@ void run(double vertices, int repeats) {
       double single = 0;
       uint64_t expected = 0;
       for (const uint32_t threads : {1u, 2u, 4u}) {
-        cli::ThreadPool pool(threads);
+        ThreadPool pool(threads);
         sinew_deform_options options = sinew_deform_options_init();
         options.cell_count = cells;
         options.round_count = rounds;
         options.thread_count = threads;
-        options.parallel_for = cli::ThreadPool::parallel_for;
+        options.parallel_for = ThreadPool::parallel_for;
         options.parallel_user = &pool;
         Deformer deformer;
         const double start = sinew_bench::thread_seconds();
