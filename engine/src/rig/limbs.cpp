@@ -54,29 +54,103 @@ bool lies_across(const FoldedNode& a, const FoldedNode& b) {
   return (a.at.x > kClearSide && b.at.x < -kClearSide) || (a.at.x < -kClearSide && b.at.x > kClearSide);
 }
 
-SINEW_RARE void settle_limbs(LimbVotes& votes, FoldedTree* tree) {
-  uint32_t order[kMaxFoldedJoints], first[kMaxFoldedJoints], count = 0;
-  int64_t across[kMaxFoldedJoints] = {};
-  order[count++] = tree->root;
-  for (uint32_t i = 0; i < count; ++i) {
-    const uint32_t j = order[i];
-    const FoldedNode& node = tree->nodes[j];
+namespace {
+
+// Limbs of a tree, joint by joint from the root.
+class Limbs {
+ public:
+  Limbs(LimbVotes& votes, FoldedTree& tree) : votes_(votes), tree_(tree) {}
+
+  void settle() {
+    order_[count_++] = tree_.root;
+    for (uint32_t i = 0; i < count_; ++i) take(order_[i]);
+    for (uint32_t i = 0; i < count_; ++i) {
+      FoldedNode& node = tree_.nodes[order_[i]];
+      const int64_t(&votes)[kLimbs] = votes_[first_[order_[i]]];
+      uint32_t best = 0;
+      for (uint32_t k = 1; k < kLimbs; ++k) best = votes[k] > votes[best] ? k : best;
+      if (votes[best] > 0) node.joint_class = class_in(static_cast<LimbClass>(best), node.joint_class);
+    }
+    if (!tree_.mirrored) choose_sides();
+  }
+
+ private:
+  bool begins(uint32_t limb) const { return first_[limb] == limb && is_paired_class(tree_.nodes[limb].joint_class); }
+
+  void take(uint32_t j) {
+    const FoldedNode& node = tree_.nodes[j];
     const bool goes_on = node.parent >= 0 && limb_of(node.joint_class) != LimbClass::kNone &&
-                         limb_of(tree->nodes[node.parent].joint_class) != LimbClass::kNone;
-    first[j] = goes_on ? first[node.parent] : j;
-    across[first[j]] += node.at.x;
-    for (uint32_t k = 0; k < kLimbs && goes_on; ++k) votes[first[j]][k] += votes[j][k];
-    for (uint32_t k = 0; k < tree->count; ++k)
-      if (tree->nodes[k].parent == static_cast<int16_t>(j)) order[count++] = k;
+                         limb_of(tree_.nodes[node.parent].joint_class) != LimbClass::kNone;
+    const bool forks =
+        goes_on && forks_[node.parent] && continues_limb(tree_.nodes[node.parent].joint_class, node.joint_class);
+    first_[j] = goes_on && !forks ? first_[node.parent] : j;
+    stem_[j] = forks ? node.parent : int16_t{-1};
+    across_[first_[j]] += node.at.x;
+    ++joints_[first_[j]];
+    for (uint32_t k = 0; k < kLimbs && first_[j] != j; ++k) votes_[first_[j]][k] += votes_[j][k];
+    uint32_t next = 0;
+    for (uint32_t k = 0; k < tree_.count; ++k) {
+      if (tree_.nodes[k].parent != static_cast<int16_t>(j)) continue;
+      order_[count_++] = k;
+      next += continues_limb(node.joint_class, tree_.nodes[k].joint_class) ? 1 : 0;
+    }
+    forks_[j] = !tree_.mirrored && next > 1;
   }
-  for (uint32_t i = 0; i < count; ++i) {
-    FoldedNode& node = tree->nodes[order[i]];
-    const uint32_t limb = first[order[i]];
-    uint32_t best = 0;
-    for (uint32_t k = 1; k < kLimbs; ++k) best = votes[limb][k] > votes[limb][best] ? k : best;
-    if (votes[limb][best] > 0) node.joint_class = class_in(static_cast<LimbClass>(best), node.joint_class);
-    if (!tree->mirrored && is_paired_class(node.joint_class)) node.side = across[limb] >= 0 ? 1 : -1;
+
+  // What a limb hangs on; of two that fork from one joint, what that one's limb hangs on.
+  int64_t trunk_at(uint32_t limb) const {
+    const int16_t above = tree_.nodes[stem_[limb] < 0 ? limb : first_[stem_[limb]]].parent;
+    return above < 0 ? 0 : tree_.nodes[above].at.x;
   }
-}
+  int64_t lean(uint32_t limb) const { return across_[limb] / joints_[limb] - trunk_at(limb); }
+  bool is_stem(uint32_t limb) const {
+    for (uint32_t j = 0; j < tree_.count; ++j)
+      if (stem_[j] >= 0 && first_[stem_[j]] == limb) return true;
+    return false;
+  }
+
+  int8_t side_of(uint32_t limb) const {
+    const LimbClass kind = limb_of(tree_.nodes[limb].joint_class);
+    uint32_t others = 0, other = limb;
+    for (uint32_t k = 0; k < tree_.count; ++k) {
+      if (k == limb || !begins(k) || limb_of(tree_.nodes[k].joint_class) != kind || is_stem(k)) continue;
+      ++others;
+      other = k;
+    }
+    if (is_stem(limb) || others != 1 || (kind != LimbClass::kArm && kind != LimbClass::kLeg))
+      return lean(limb) >= 0 ? 1 : -1;
+    const int64_t begin = (tree_.nodes[limb].at.x - trunk_at(limb)) - (tree_.nodes[other].at.x - trunk_at(other));
+    const int64_t whole = lean(limb) - lean(other);
+    const bool clear = begin > kClearSide || begin < -kClearSide;
+    const int64_t x = clear ? begin : whole;
+    return x > 0 || (x == 0 && limb < other) ? 1 : -1;
+  }
+
+  void choose_sides() {
+    int8_t side[kMaxFoldedJoints] = {};
+    for (uint32_t j = 0; j < tree_.count; ++j)
+      if (begins(j)) side[j] = side_of(j);
+    for (uint32_t j = 0; j < tree_.count; ++j)
+      if (is_paired_class(tree_.nodes[j].joint_class)) tree_.nodes[j].side = side[first_[j]];
+    // Two that fork from a joint of one of them: the other hangs on the trunk.
+    for (uint32_t j = 0; j < tree_.count; ++j) {
+      if (stem_[j] < 0 || side[j] == side[first_[stem_[j]]]) continue;
+      const int16_t trunk = tree_.nodes[first_[stem_[j]]].parent;
+      if (trunk >= 0) tree_.nodes[j].parent = trunk;
+    }
+  }
+
+  LimbVotes& votes_;
+  FoldedTree& tree_;
+  uint32_t order_[kMaxFoldedJoints], count_ = 0;
+  uint32_t first_[kMaxFoldedJoints], joints_[kMaxFoldedJoints] = {};
+  int64_t across_[kMaxFoldedJoints] = {};  // sum of a limb's joints' x
+  int16_t stem_[kMaxFoldedJoints];         // the joint that a limb and another one fork from, or -1
+  bool forks_[kMaxFoldedJoints] = {};
+};
+
+}  // namespace
+
+SINEW_RARE void settle_limbs(LimbVotes& votes, FoldedTree* tree) { Limbs(votes, *tree).settle(); }
 
 }  // namespace sinew::rigging

@@ -28,7 +28,8 @@ using LimbVotes = int64_t[kMaxFoldedJoints][kLimbs];
 // Classes compete along a whole limb, not joint by joint: all of what hangs on the trunk becomes an arm, a leg, a tail, an ear or
 // hair, as most of the votes for its joints say. A thigh of an arm becomes an upper arm, a foot a hand, all of an ear an ear.
 // Tails, ears and hair of an arm or a leg stay, and so do toes of an arm.
-// Where nothing is mirrored all joints of a limb are on the side where the limb is in the mean.
+// Where nothing is mirrored all joints of a limb are on one side: of two arms or two legs one is left, the one that begins, or else lies, further to the left
+// of what it hangs on; others are on their own side of that. Of two that fork from one joint the one on the other side hangs on the trunk.
 //   votes  in, out: the sums of a limb's joints are added to its first
 void settle_limbs(LimbVotes& votes, FoldedTree* tree);
 

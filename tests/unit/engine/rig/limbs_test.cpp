@@ -80,6 +80,42 @@ TEST(Limbs, AJointNearThePlaneIsOnTheSideOfItsLimb) {
   EXPECT_EQ(feet, 1);
 }
 
+// Pelvis, chest, a clavicle that both arms fork from, left arm 3 to 5, right arm 6 to 8; `beside` is where the trunk stands.
+std::vector<KnownJoint> one_clavicle(double beside) {
+  return {{beside, .5, 0, kClassPelvis, -1},        {beside, .8, 0, kClassSpine, 0},
+          {beside + .02, .8, 0, kClassClavicle, 1}, {beside + .1, .78, 0, kClassUpperArm, 2},
+          {beside + .2, .75, 0, kClassForearm, 3},  {beside + .3, .75, 0, kClassHand, 4},
+          {beside - .1, .78, 0, kClassUpperArm, 2}, {beside - .2, .75, 0, kClassForearm, 6},
+          {beside - .3, .75, 0, kClassHand, 7}};
+}
+
+TEST(Limbs, OfTwoArmsThatForkOneHangsOnTheTrunk) {
+  const FoundRig found(standing(one_clavicle(0), 60));
+  int arms = 0;
+  for (const RigJoint& joint : found.joints) {
+    if (joint.joint_class != kClassUpperArm) continue;
+    ++arms;
+    EXPECT_EQ(joint.side, joint.position.x > 0 ? 1 : -1);
+    const uint8_t above = found.joints[static_cast<size_t>(joint.parent)].joint_class;
+    EXPECT_EQ(above == kClassClavicle, joint.position.x > 0);
+    EXPECT_TRUE(above == kClassClavicle || !is_paired_class(above));
+  }
+  EXPECT_EQ(arms, 2);
+}
+
+TEST(Limbs, OneOfTwoArmsIsLeftWhereverTheTrunkStands) {
+  const FoundRig found(standing(one_clavicle(-.36), 60));
+  int sides = 0, hands = 0;
+  for (const RigJoint& joint : found.joints) {
+    if (joint.joint_class != kClassHand) continue;
+    ++hands;
+    sides += joint.side;
+    EXPECT_LT(joint.position.x, 0);
+  }
+  EXPECT_EQ(hands, 2);
+  EXPECT_EQ(sides, 0);
+}
+
 TEST(Limbs, AFootAtTheEndOfAnArmIsAHand) {
   std::vector<KnownJoint> joints = {{0, .5, 0, kClassPelvis, -1},      {0, .5, .4, kClassSpine, 0},
                                     {.08, .45, .4, kClassUpperArm, 1}, {.08, .25, .4, kClassForearm, 2},
