@@ -78,7 +78,7 @@ fi
 configuration_of() {
   case $1 in
     gcc-O0) echo "-DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS_RELEASE=-O0" ;;
-    gcc-O3) echo "-DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS_RELEASE=-O3" ;;
+    gcc-O3) echo "-DCMAKE_CXX_COMPILER=g++" ;;
     # and the portable 128-bit products
     clang-O0) echo "-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_CXX_FLAGS=-DSINEW_NO_INT128" ;;
     clang-O3) echo "-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS_RELEASE=-O3" ;;
