@@ -3,21 +3,21 @@
 . "$root/tests/wasm/emscripten.sh"
 
 step() { echo "$who: $*" >&2; }
-# start_build WHO OUTPUT_DIR: makes OUTPUT_DIR and OUTPUT_DIR.build; their full paths are $out and $build from then on.
+# start_build WHO OUTPUT_DIR: makes OUTPUT_DIR and OUTPUT_DIR.build; their full paths are $out and $build from then on. Engine and host are in the folder
+# $SINEW_WASM_ENGINE, where several that need them name one, else below $build.
 start_build() {
   who=$1
   mkdir -p "$2" "$2.build"
   out=$(cd "$2" && pwd) build=$(cd "$2.build" && pwd)
+  export SINEW_WASM_ENGINE=${SINEW_WASM_ENGINE:-$build/engine}
 }
-# build_host KIND: what page and package have of formats and character, in $SINEW_WASM_ENGINE/host-KIND, where several that need it name one
-# such folder; build_engine KIND came first. $host_archive is an argument of cmake for host.cmake then, and nothing without the folder.
+# build_host: what page and package have of formats and character, once for both kinds: SIMD is the engine's. build_engine came first. $host_archive is an
+# argument of cmake for host.cmake then.
 build_host() {
-  host_archive=-DSINEW_HOST_ARCHIVE=
-  [ -n "${SINEW_WASM_ENGINE:-}" ] || return 0
-  local work=$SINEW_WASM_ENGINE/host-$1
-  emcmake cmake -S "$root/samples/npm/wasm/host" -B "$work" -DCMAKE_BUILD_TYPE=Release -DSINEW_HOST_SIMD="$([ "$1" = simd ] && echo ON || echo OFF)" "$engine_archive" >"$work.log" 2>&1 &&
+  local work=$SINEW_WASM_ENGINE/host
+  emcmake cmake -S "$root/samples/npm/wasm/host" -B "$work" -DCMAKE_BUILD_TYPE=Release "$engine_archive" >"$work.log" 2>&1 &&
     cmake --build "$work" -j "$(nproc)" --target sinew_host >>"$work.log" 2>&1 || { cat "$work.log" >&2; return 1; }
-  host_archive+=$work/libsinew_host.a
+  host_archive=-DSINEW_HOST_ARCHIVE=$work/libsinew_host.a
 }
 # build_module NAME SOURCE_DIR ARGUMENT...: one CMake project into $build/NAME; shows its log where that fails.
 build_module() {
@@ -33,7 +33,7 @@ build_modules() {
     step "to WebAssembly, $kind"
     build_engine "$kind" || exit 1
     host_archive=
-    [ -z "${3:-}" ] || build_host "$kind" || exit 1
+    [ -z "${3:-}" ] || build_host || exit 1
     build_module "$kind" "$1" -D"$2"="$([ $kind = simd ] && echo ON || echo OFF)" ${host_archive:+"$host_archive"}
   done
 }
@@ -41,7 +41,7 @@ build_modules() {
 build_scenes() {
   local sources
   step "the readers of FBX and COLLADA to WebAssembly"
-  scenes=${SINEW_WASM_ENGINE:-$build}/scenes
+  scenes=$SINEW_WASM_ENGINE/scenes
   sources=$("$root/samples/npm/wasm/scenes/assimp.sh") || exit 1
   engine_archive=-DSINEW_ENGINE_ARCHIVE= build="${scenes%/*}" build_module scenes "$root/samples/npm/wasm/scenes" -DSINEW_ASSIMP_SOURCE="$sources" --no-warn-unused-cli
 }
