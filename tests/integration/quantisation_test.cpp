@@ -153,7 +153,8 @@ TEST(Quantisation, BundledModelIsWithinThreeThousandthsOfItsWeights) {
 // What a shipped model computes, as float, quantised again with ranges of other characters: signal to noise on trained
 // weights, of the network as published for weights.
 TEST(Quantisation, SignalToNoiseOfTrainedClassicWeights) {
-  FloatNetwork network = make_classic(8, 64, 1, kSpectralFlag);
+  constexpr uint32_t kPublished = kSpectralFlag | kAttributesFlag;
+  FloatNetwork network = make_classic(8, 64, 1, kPublished);
   read_model_weights(kData + "/sinew_classic.sinew", &network);
   const Calibration calibration = calibrate(network, calibration_characters(network));
   double last = 1000;
@@ -165,7 +166,7 @@ TEST(Quantisation, SignalToNoiseOfTrainedClassicWeights) {
     const auto model = model_from_bytes(quantize(network, calibration, options).bytes, "classic");
     LogitNoise noise;
     for (const char* name : {"snake__long", "bird__winged"}) {
-      const Sample sample = make_sample(read_character(kData + "/" + name + ".obj"), 8, 64, kSpectralFlag);
+      const Sample sample = make_sample(read_character(kData + "/" + name + ".obj"), 8, 64, kPublished);
       noise.add(sample, forward(network, sample), engine_logits(model->model, sample));
     }
     std::printf("| %d | %.1f |\n", bits, noise.decibels());

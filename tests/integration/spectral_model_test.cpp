@@ -78,7 +78,7 @@ TEST(SpectralModel, ShippedClassicModelBindsASample) {
   std::memcpy(aligned.data(), file.data(), file.size());
   sinew_model model;
   ASSERT_EQ(sinew_model_open(aligned.data(), file.size(), &model), SINEW_OK);
-  EXPECT_EQ(model.feature_set, kFeatureSet | kSpectralFlag);
+  EXPECT_EQ(model.feature_set, kFeatureSet | kSpectralFlag | kAttributesFlag);
   EXPECT_NE(model.fixed_candidates, 0u);
   BindOptions options;
   options.method = SINEW_METHOD_MODEL;
