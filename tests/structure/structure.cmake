@@ -8,5 +8,7 @@ endif()
 foreach(check rooms type_names)
   add_test(NAME structure_${check} COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/structure/${check}.py ${CMAKE_SOURCE_DIR})
 endforeach()
+# Also: the table of extensions as front-ends have it, and that none has a list of its own.
+add_test(NAME structure_file_kinds COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/scripts/file_kinds.py --check)
 add_test(NAME structure_checks COMMAND ${Python3_EXECUTABLE} ${CMAKE_SOURCE_DIR}/tests/structure/structure_test.py)
-set_tests_properties(structure_rooms structure_type_names structure_checks PROPERTIES LABELS unit)
+set_tests_properties(structure_rooms structure_type_names structure_file_kinds structure_checks PROPERTIES LABELS unit)

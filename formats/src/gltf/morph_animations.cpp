@@ -39,7 +39,7 @@ void MorphAnimations::write(size_t node, const std::vector<size_t>& shapes, size
 }
 
 void MorphAnimations::add_channel(const MorphClip& clip, size_t node, const std::vector<size_t>& shapes, size_t before,
-                 Json* animation) {
+                                  Json* animation) {
   if (clip.weights.empty()) return;
   std::vector<float> times, values;
   for (size_t f = 0; f < clip.weights.size(); ++f) {
@@ -57,8 +57,8 @@ void MorphAnimations::add_channel(const MorphClip& clip, size_t node, const std:
 
 // An animation that moves targets which the mesh had before: its keys get values for the new ones, and where they are joined
 // by lines, keys at the clip's frames too.
-void MorphAnimations::extend_channel(const MorphClip* clip, const std::vector<size_t>& shapes, size_t before, size_t number,
-                    Json* animation, Json* channel) {
+void MorphAnimations::extend_channel(const MorphClip* clip, const std::vector<size_t>& shapes, size_t before,
+                                     size_t number, Json* animation, Json* channel) {
   const std::string where = path_ + ": animation " + std::to_string(number);
   const Json sampler = (*animation)["samplers"].at((*channel)["sampler"].get<size_t>());
   std::vector<float> times = accessor_floats(where, model_, sampler.at("input").get<int>(), 1);

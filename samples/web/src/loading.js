@@ -3,7 +3,7 @@
 import { listQuestions, lookNowhere, useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
 import { predict, setEditing, showSkeleton } from "./editing.js";
-import { isBeside, pairFiles } from "./files.js";
+import { isBeside, isWhole, pairFiles } from "./files.js";
 import { clearError, run, save } from "./jobs.js";
 import { Pose } from "./pose.js";
 import { sampleFiles } from "./samples.js";
@@ -100,8 +100,7 @@ export async function load(source, anew = false) {
   if (loaded.joints.length === 0 || (anew && loaded.predicted)) await predict();
   await useStyleAnswers();
   await bind();
-  const isScene = /\.(glb|gltf|vrm|fbx|dae)$/i.test(mesh);
-  if (isScene && source.motion === undefined && !at.character.predicted) await at.motions.open(mesh).catch(() => {}); // most files have no animations
+  if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open(mesh).catch(() => {}); // most files have no animations
 }
 
 function longestSide(positions) {

@@ -5,6 +5,7 @@ import { BendPanel } from "./bends.js";
 import { bind, endStroke, forgetPaint, lockJoint, nextBrush, showBrush, strokes, switchJoint } from "./binding.js";
 import { setMode, showLegend } from "./colours.js";
 import { dragJoint, edit, editSkeleton, endDrag, moves, predict, toMiddle, undoEdit } from "./editing.js";
+import { allFiles, motionFiles } from "./files.js";
 import { clearError, queue, run, showError } from "./jobs.js";
 import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
@@ -43,6 +44,8 @@ function listen() {
     const sample = samples.find(({ name }) => name === $("sample").value);
     if (sample) run(() => openSample(sample));
   };
+  $("files").accept = allFiles;
+  $("motion-files").accept = motionFiles;
   $("open").onclick = () => $("files").click();
   $("files").onchange = () => {
     const list = [...$("files").files];
