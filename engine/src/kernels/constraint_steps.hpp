@@ -11,7 +11,9 @@ namespace sinew {
 
 inline int32_t clamped(int32_t x, int32_t most) { return x > most ? most : x < -most ? -most : x; }
 inline Vec3i clamped(Vec3i v, int32_t most) { return {clamped(v.x, most), clamped(v.y, most), clamped(v.z, most)}; }
-inline int32_t rounded(int64_t v, int shift) { return static_cast<int32_t>((v + (int64_t{1} << (shift - 1))) >> shift); }
+inline int32_t rounded(int64_t v, int shift) {
+  return static_cast<int32_t>((v + (int64_t{1} << (shift - 1))) >> shift);
+}
 
 // A vector of products over the cell's edge.
 inline Vec3i over_cell(Vec3l v) {
