@@ -17,6 +17,7 @@ set(sinew_formats_sources
   gltf/gltf_from_scene
   gltf/gltf_meshopt
   gltf/gltf_morphs_write
+  gltf/morph_animations
   gltf/gltf_motion_read
   gltf/gltf_motion_write
   gltf/gltf_read

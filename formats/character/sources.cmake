@@ -63,6 +63,7 @@ set(sinew_job_sources
   src/jobs/find_joint_map
   src/jobs/own_skeleton
   src/jobs/pose_job
+  src/jobs/rig_bare_mesh
   src/jobs/rig_job
   src/jobs/simplify_job
   src/jobs/thread_pool

@@ -62,6 +62,12 @@ TEST(WithoutPublishedMethods, TheyAreNotBuilt) {
   transfer.method = SINEW_TRANSFER_NEAREST;
   EXPECT_EQ(sinew::transfer(nullptr, bound, kMesh, joints, transfer, &workspace, &carried), SINEW_OK);
 
+  uint32_t vertices[12] = {};
+  float shares[12] = {};
+  EXPECT_EQ(sinew_corresponding_points_workspace_size(&bound, &kMesh, &joints, &bytes), SINEW_ERROR_NOT_BUILT);
+  EXPECT_EQ(sinew_corresponding_points(&bound, &kMesh, &joints, workspace.data(), workspace.size(), vertices, shares),
+            SINEW_ERROR_NOT_BUILT);
+
   sinew::RetargetPlan plan;
   ASSERT_EQ(plan.make(joints, joints, same, nullptr), SINEW_OK);
   const sinew_motion_body body = {kPositions, kCorners, rows, 4, 4};

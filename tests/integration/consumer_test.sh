@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The engine configures alone (no package is looked for), installs as an archive and as a shared library, and a 5-line project finds and links
-# it: through CMake, and through pkg-config by a C compiler alone. Every installed header compiles alone, in C99 and in C++17.
+# The engine configures alone (no package is looked for), installs as an archive and as a shared library (this one without published methods,
+# and says so), and a 5-line project finds and links it: through CMake, and through pkg-config by a C compiler alone. Every installed header
+# compiles alone, in C99 and in C++17.
 #   consumer_test.sh SOURCE_DIR WORK_DIR
 set -euo pipefail
 source_dir=$1 work=$2
@@ -14,7 +15,9 @@ strict=(-pedantic-errors -Wall -Wextra -Werror)
 
 for shared in OFF ON; do
   prefix=$work/prefix_$shared
-  quietly cmake -S "$source_dir/engine" -B "$work/engine" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=$shared
+  published=ON
+  [ $shared = OFF ] || published=OFF  # the shared library without the methods of sinew/published.h
+  quietly cmake -S "$source_dir/engine" -B "$work/engine" -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=$shared -DSINEW_PUBLISHED_METHODS=$published
   if grep -q '_DIR:PATH' "$work/engine/CMakeCache.txt"; then
     echo "the engine looked for a package:"; grep '_DIR:PATH' "$work/engine/CMakeCache.txt"; exit 1
   fi
@@ -30,7 +33,13 @@ for shared in OFF ON; do
   cc -std=c99 "${strict[@]}" "$consumer/main.c" -o "$work/by_pkg_config_$shared" "${flags[@]}"
   library=$(find "$prefix" -name 'libsinew.*' -print -quit)
   LD_LIBRARY_PATH=$(dirname "$library") "$work/by_pkg_config_$shared" | grep '^sinew [0-9]' >/dev/null
+  cc -std=c99 "${strict[@]}" "$consumer/published.c" -o "$work/published_$shared" "${flags[@]}"
+  LD_LIBRARY_PATH=$(dirname "$library") "$work/published_$shared" "$([ $published = ON ] && echo built || echo left-out)"
 done
+if cmake -S "$source_dir" -B "$work/whole" -DSINEW_PUBLISHED_METHODS=OFF >"$work/log" 2>&1; then
+  echo "a trainer without the methods that it trains is no error"; exit 1
+fi
+grep 'SINEW_BUILD_TRAINER needs SINEW_PUBLISHED_METHODS=ON' "$work/log" >/dev/null || { cat "$work/log"; exit 1; }
 ldd "$work/by_pkg_config_ON" | grep 'libsinew\.so\.' >/dev/null || { echo "the shared library was not linked"; exit 1; }
 if ldd "$work/by_pkg_config_OFF" | grep libsinew >/dev/null; then echo "the archive was not linked"; exit 1; fi
 

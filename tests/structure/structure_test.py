@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""rooms.py and type_names.py find what they are for: on small trees that break each rule once."""
+"""rooms.py, type_names.py, script_circles.py and scripts/file_kinds.py find what they are for: on small trees that break each rule once."""
 import contextlib
 import io
 import pathlib
@@ -9,7 +9,10 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+import file_kinds
 import rooms
+import script_circles
 import type_names
 
 README = "A room includes only rooms that stand before it in this list: core, mesh and\nskeleton (neither knows the other), solve, mapping (core alone), bind. More.\n"
@@ -75,6 +78,34 @@ class Structure(unittest.TestCase):
                               ("quant/src/a.cpp", '"sinew_trainer/trainer.hpp"')):
             self.assertEqual(len(houses(name, include)), 1, f"{name}: {include}")
             (self.root / name).unlink()
+
+    def test_script_circles(self):
+        for name, text in (("a", 'import { b } from "./b.js";\nimport "three";'), ("b", 'export {\n  c,\n} from "./c.js";'), ("c", 'const later = () => import("./a.js");'), ("d", 'import "./a.js";')):
+            self.write(f"src/{name}.js", text)
+        folder = self.root / "src"
+        self.assertEqual(script_circles.imports(folder), {"a.js": {"b.js"}, "b.js": {"c.js"}, "c.js": set(), "d.js": {"a.js"}})
+        self.assertEqual(script_circles.circles(script_circles.imports(folder)), [])
+        self.write("src/c.js", 'import * as a from "./a.js";')
+        self.assertEqual(script_circles.circles(script_circles.imports(folder)), [["a.js", "b.js", "c.js"]])
+
+    def test_file_kinds(self):
+        self.write(file_kinds.HEADER, "enum FileUse : uint32_t {\n  kReadsMesh = 1,\n  kReadsMotion = 2,\n  kOffered = 4  // said\n};\n")
+        self.write(file_kinds.TABLE, "constexpr uint32_t kWhole = kReadsMesh | kReadsMotion;\n"
+                   '{".glb", "GLB", kWhole | kOffered, FileReader::kGltf},\n{".fbx", "FBX", kWhole, FileReader::kScene},\n{".bvh", "BVH", kReadsMotion, FileReader::kBvh},')
+        rows = file_kinds.kinds(self.root)
+        self.assertEqual(rows[0], (".glb", "GLB", ["readsMesh", "readsMotion", "offered"], "gltf"))
+        self.assertEqual(rows[2], (".bvh", "BVH", ["readsMotion"], "bvh"))
+        for name, text, found in (("web/src/a.js", 'const all = [".glb", ".fbx", ".bvh"];', 1), ("web/src/a.js", "const any = /\\.(glb|fbx|bvh)$/i;", 1),
+                                  ("web/src/a.js", "// .glb, .fbx, .bvh", 0), ("web/src/a.js", 'const two = ".glb .fbx";', 0),
+                                  ("godot/addons/a.gd", 'return ["glb", "fbx", "bvh"]', 1), ("blender/sinew_blender/a.py", 'GLOB = "*.glb;*.fbx;*.bvh"', 1),
+                                  ("python/src/a.py", '"""Opens .glb,\n.fbx, .bvh."""', 0), ("web/src/a.html", '<input accept=".glb,.fbx,.bvh" />', 1)):
+            path = "samples/" + name
+            self.write(path, text)
+            self.assertEqual(len(file_kinds.own_lists(self.root, rows)), found, text)
+            self.write(path, "")
+        self.write(file_kinds.TABLE, '{".glb", kBroken, FileReader::kGltf},')
+        with self.assertRaises(SystemExit):
+            file_kinds.kinds(self.root)
 
     def test_type_names(self):
         def names(text):

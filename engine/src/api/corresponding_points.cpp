@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The C API: the match of a transfer by itself, in the caller's vertices.
 #include "api/arguments.hpp"
+#include "core/build.hpp"
 #include "sinew/published.h"
 #include "transfer/match.hpp"
 #include "transfer/rebind.hpp"
@@ -67,6 +68,7 @@ sinew_status sinew_corresponding_points_workspace_size(const sinew_bound_charact
                                                        const sinew_skeleton* skeleton, size_t* size_bytes) {
   if (size_bytes == nullptr) return SINEW_ERROR_ARGUMENT;
   *size_bytes = 0;
+  if (!sinew::kHasPublished) return SINEW_ERROR_NOT_BUILT;
   if (source == nullptr || source->mesh == nullptr || source->skeleton == nullptr || target == nullptr ||
       skeleton == nullptr) {
     return SINEW_ERROR_ARGUMENT;
@@ -82,6 +84,7 @@ sinew_status sinew_corresponding_points_workspace_size(const sinew_bound_charact
 sinew_status sinew_corresponding_points(const sinew_bound_character* source, const sinew_mesh* target,
                                         const sinew_skeleton* skeleton, void* workspace, size_t workspace_bytes,
                                         uint32_t* vertices, float* shares) {
+  if (!sinew::kHasPublished) return SINEW_ERROR_NOT_BUILT;
   if (source == nullptr || !sinew::is_mesh(source->mesh) || source->skin.joint_indices == nullptr ||
       source->skin.weights == nullptr || source->joint_map == nullptr || !sinew::is_mesh(target) ||
       skeleton == nullptr || workspace == nullptr || vertices == nullptr || shares == nullptr) {

@@ -5,7 +5,7 @@
 #include "api/arguments.hpp"
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
-#include "motion/contacts.hpp"
+#include "motion/measure_clip.hpp"
 #include "motion/reference_points.hpp"
 #include "motion/retarget.hpp"
 #include "sinew/motion_clips.h"

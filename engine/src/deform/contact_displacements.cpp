@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How the lattice gives way to what touches: smooth displacements of its nodes.
-#include "deform/contacts.hpp"
+#include "deform/contact_displacements.hpp"
+
 #include "deform/pins.hpp"
 
 namespace sinew::deform {
@@ -15,8 +16,8 @@ constexpr double kShare = 1.0 / (1 << kShareBits);
 
 class DisplacementMaker {
  public:
-  DisplacementMaker(const DeformRest& rest, ContactState* state)
-      : rest_(rest), lattice_(rest.lattice), state_(*state) {}
+  DisplacementMaker(const DeformRest& rest, const ContactState& state, ContactDisplacements* out)
+      : rest_(rest), lattice_(rest.lattice), state_(state), out_(*out) {}
 
   void run() {
     find_edges();
@@ -33,37 +34,37 @@ class DisplacementMaker {
 
   void find_edges() {
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-      state_.displacements[n] = {0, 0, 0};
-      state_.reached[n] = 0;
-      state_.counts[n] = 0;
+      out_.displacements[n] = {0, 0, 0};
+      out_.reached[n] = 0;
+      out_.counts[n] = 0;
     }
     for (uint32_t u = 0; u < rest_.welded_count; ++u) {
       if (state_.pushes[u] <= 0) continue;
       const uint32_t* const at = lattice_.tetrahedra + 4 * static_cast<size_t>(lattice_.vertices[u].tetrahedron);
-      for (int k = 0; k < 4; ++k) state_.reached[at[k]] = 1;
+      for (int k = 0; k < 4; ++k) out_.reached[at[k]] = 1;
     }
-    grow_nodes(lattice_, 1, kRings, state_.reached);
-    state_.edge_count = 0;
+    grow_nodes(lattice_, 1, kRings, out_.reached);
+    out_.edge_count = 0;
     for (uint32_t i = 0; i < lattice_.edge_count; ++i) {
       const LatticeEdge& edge = lattice_.edges[i];
-      state_.counts[edge.a] += state_.reached[edge.a];
-      state_.counts[edge.b] += state_.reached[edge.b];
-      if ((state_.reached[edge.a] & state_.reached[edge.b]) != 0) state_.edges[state_.edge_count++] = i;
+      out_.counts[edge.a] += out_.reached[edge.a];
+      out_.counts[edge.b] += out_.reached[edge.b];
+      if ((out_.reached[edge.a] & out_.reached[edge.b]) != 0) out_.edges[out_.edge_count++] = i;
     }
   }
 
   // All nodes at once go towards the mean of their neighbours. Displacements are 0 beyond.
   void smooth() {
-    for (uint32_t n = 0; n < lattice_.node_count; ++n) state_.sums[n] = {0, 0, 0};
-    for (uint32_t i = 0; i < state_.edge_count; ++i) {
-      const LatticeEdge& edge = lattice_.edges[state_.edges[i]];
-      state_.sums[edge.a] = state_.sums[edge.a] + state_.displacements[edge.b];
-      state_.sums[edge.b] = state_.sums[edge.b] + state_.displacements[edge.a];
+    for (uint32_t n = 0; n < lattice_.node_count; ++n) out_.sums[n] = {0, 0, 0};
+    for (uint32_t i = 0; i < out_.edge_count; ++i) {
+      const LatticeEdge& edge = lattice_.edges[out_.edges[i]];
+      out_.sums[edge.a] = out_.sums[edge.a] + out_.displacements[edge.b];
+      out_.sums[edge.b] = out_.sums[edge.b] + out_.displacements[edge.a];
     }
     for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-      if (state_.counts[n] == 0) continue;
-      state_.displacements[n] =
-          state_.displacements[n] + kSmoothing * ((1.0 / state_.counts[n]) * state_.sums[n] - state_.displacements[n]);
+      if (out_.counts[n] == 0) continue;
+      out_.displacements[n] =
+          out_.displacements[n] + kSmoothing * ((1.0 / out_.counts[n]) * out_.sums[n] - out_.displacements[n]);
     }
   }
 
@@ -74,33 +75,45 @@ class DisplacementMaker {
     double gone = 0, squares = 0;
     for (int k = 0; k < 4; ++k) {
       const double share = kShare * position.shares[k];
-      gone += share * dot(state_.directions[u], state_.displacements[at[k]]);
+      gone += share * dot(state_.directions[u], out_.displacements[at[k]]);
       squares += share * share * yield(at[k]);
     }
     const double left = state_.pushes[u] - gone;
     if (left <= 0) return;
     const double step = left / greater(squares, kLeastSquares);
     for (int k = 0; k < 4; ++k) {
-      state_.displacements[at[k]] =
-          state_.displacements[at[k]] + (step * kShare * position.shares[k] * yield(at[k])) * state_.directions[u];
+      out_.displacements[at[k]] =
+          out_.displacements[at[k]] + (step * kShare * position.shares[k] * yield(at[k])) * state_.directions[u];
     }
   }
 
   const DeformRest& rest_;
   const Lattice& lattice_;
-  ContactState& state_;
+  const ContactState& state_;
+  ContactDisplacements& out_;
 };
 
 }  // namespace
 
-void press_contacts(const DeformRest& rest, ContactState* state) { DisplacementMaker(rest, state).run(); }
+bool ContactDisplacements::allocate(Arena& arena, const Lattice& lattice) {
+  displacements = arena.alloc<Vec3d>(lattice.node_count);
+  sums = arena.alloc<Vec3d>(lattice.node_count);
+  reached = arena.alloc<uint8_t>(lattice.node_count);
+  edges = arena.alloc<uint32_t>(lattice.edge_count);
+  counts = arena.alloc<uint32_t>(lattice.node_count);
+  return arena.ok();
+}
 
-Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t vertex) {
+void press_contacts(const DeformRest& rest, const ContactState& state, ContactDisplacements* out) {
+  DisplacementMaker(rest, state, out).run();
+}
+
+Vec3d contact_push(const DeformRest& rest, const ContactDisplacements& moved, uint32_t vertex) {
   const Embedding& position = rest.lattice.vertices[rest.welded[vertex]];
   if (position.tetrahedron == kNoTetrahedron) return {0, 0, 0};
   const uint32_t* const at = rest.lattice.tetrahedra + 4 * static_cast<size_t>(position.tetrahedron);
   Vec3d sum = {0, 0, 0};
-  for (int k = 0; k < 4; ++k) sum = sum + (kShare * position.shares[k]) * state.displacements[at[k]];
+  for (int k = 0; k < 4; ++k) sum = sum + (kShare * position.shares[k]) * moved.displacements[at[k]];
   return rest.unit * sum;
 }
 

@@ -319,7 +319,7 @@ class ContactFinder {
 
 }  // namespace
 
-bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count, uint32_t edges_most) {
+bool ContactState::allocate(Arena& arena, uint32_t vertices) {
   bucket_bits = 4;
   while (bucket_bits < 24 && (uint32_t{1} << bucket_bits) < vertices) ++bucket_bits;
   const size_t bucket_count = size_t{1} << bucket_bits;
@@ -331,11 +331,6 @@ bool ContactState::allocate(Arena& arena, uint32_t vertices, uint32_t node_count
   pushes = arena.alloc<double>(vertices);
   directions = arena.alloc<Vec3d>(vertices);
   borne = arena.alloc<double>(vertices);
-  displacements = arena.alloc<Vec3d>(node_count);
-  sums = arena.alloc<Vec3d>(node_count);
-  reached = arena.alloc<uint8_t>(node_count);
-  edges = arena.alloc<uint32_t>(edges_most);
-  counts = arena.alloc<uint32_t>(node_count);
   return arena.ok();
 }
 

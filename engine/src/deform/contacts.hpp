@@ -7,10 +7,7 @@
 
 namespace sinew::deform {
 
-// Passes of find_contacts() and press_contacts() over one pose: what one pass leaves inside, the next one finds nearer to the surface.
-constexpr int kContactPasses = 3;
-
-// U welded vertices, n nodes, e edges, B buckets.
+// U welded vertices, B buckets.
 struct ContactState {
   struct Bucket {
     Vec3i low, high;  // box around its vertices at rest, lattice units
@@ -29,15 +26,8 @@ struct ContactState {
   double* pushes = nullptr;     // [U] how far a vertex is to go, lattice units; 0 for one that touches nothing
   Vec3d* directions = nullptr;  // [U] where to: unit vectors
   double* borne = nullptr;      // [U] scratch
-  // How the lattice gives way.
-  Vec3d* displacements = nullptr;  // [n] how far its nodes go, lattice units
-  Vec3d* sums = nullptr;           // [n] scratch
-  uint8_t* reached = nullptr;      // [n] 1: near something that touches
-  uint32_t* edges = nullptr;       // [e] those between such nodes
-  uint32_t* counts = nullptr;      // [n] how many of these a node has
-  uint32_t edge_count = 0;
 
-  bool allocate(Arena& arena, uint32_t vertices, uint32_t node_count, uint32_t edges_most);
+  bool allocate(Arena& arena, uint32_t vertices);
 };
 
 // A corrected pose.
@@ -49,16 +39,10 @@ struct ContactInput {
   Vec3d middle;             // the caller's units
 };
 
-// Fills pushes and ways: a vertex that lies in a tetrahedron of another part of the body, and the surface that it came through, are to meet half
+// Fills pushes and directions: a vertex that lies in a tetrahedron of another part of the body, and the surface that it came through, are to meet half
 // way, or nearer to what gives way less. How deep it lies is measured at rest, where the tetrahedron says that it is: A. McAdams et al., "Efficient
 // elasticity for character skinning with contact and collisions", ACM TOG 30(4), 2011. Returns whether anything touches.
 bool find_contacts(const ContactInput& input, ContactState* state);
-
-// Fills the displacements: smooth, and as long as the pushes where there are some. They fall to 0 with them, so that nothing jumps when a touch begins.
-void press_contacts(const DeformRest& rest, ContactState* state);
-
-// How far a caller's vertex goes with them, the caller's units.
-Vec3d contact_push(const DeformRest& rest, const ContactState& state, uint32_t vertex);
 
 }  // namespace sinew::deform
 #endif

@@ -2,7 +2,7 @@
 // The published correction: linear blending of the mesh and of its tetrahedra, stretch, energy, volume and contact by extended
 // position-based dynamics, the barycentric map back and smoothing of the bends. In doubles of one order of operations.
 #include "deform/bend_smoothing.hpp"
-#include "deform/contacts.hpp"
+#include "deform/contact_displacements.hpp"
 #include "deform/correction.hpp"
 #include "deform/half_spaces.hpp"
 #include "deform/pins.hpp"
@@ -35,7 +35,7 @@ class PublishedPose {
     if (!state_.allocate(arena, lattice_, rest_.welded_count)) return SINEW_ERROR_WORKSPACE;
     if (rest_.has_contact()) {
       contact_nodes_ = arena.alloc<SolverNode>(lattice_.node_count);
-      if (!contacts_.allocate(arena, rest_.vertex_count, lattice_.node_count, lattice_.edge_count)) {
+      if (!(contacts_.allocate(arena, rest_.vertex_count) && pressed_.allocate(arena, lattice_))) {
         return SINEW_ERROR_WORKSPACE;
       }
     }
@@ -133,12 +133,12 @@ class PublishedPose {
     }
     for (int pass = 0; pass < kContactPasses; ++pass) {
       if (!find_contacts({posed_, spaces_, positions_, contact_nodes_, middle_}, &contacts_)) return;
-      press_contacts(rest_, &contacts_);
+      press_contacts(rest_, contacts_, &pressed_);
       for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-        if (!is_rigid(v)) positions_[v] = positions_[v] + contact_push(rest_, contacts_, v);
+        if (!is_rigid(v)) positions_[v] = positions_[v] + contact_push(rest_, pressed_, v);
       }
       for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-        contact_nodes_[n].position = contact_nodes_[n].position + to_units(contacts_.displacements[n]);
+        contact_nodes_[n].position = contact_nodes_[n].position + to_units(pressed_.displacements[n]);
       }
     }
   }
@@ -151,6 +151,7 @@ class PublishedPose {
   const double cell_;  // the caller's units
   XpbdState state_;
   ContactState contacts_;
+  ContactDisplacements pressed_;
   SolverNode* contact_nodes_ = nullptr;  // [n] lattice units
   uint8_t* moved_ = nullptr;             // [U] 1: a vertex that goes with the lattice
   HalfSpace* spaces_ = nullptr;          // [V] of bends

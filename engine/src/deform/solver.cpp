@@ -2,7 +2,7 @@
 // Lists, rounds and contact points; edges and volumes are in kernels/constraints.hpp.
 #include "deform/solver.hpp"
 
-#include "core/vector_math.hpp"
+#include "kernels/constraint_steps.hpp"
 
 namespace sinew::deform {
 namespace {
@@ -11,21 +11,6 @@ constexpr uint32_t kWorthThreads = 2048;
 // A node keeps 0.8 of the way of its last round, at most a cell. 20 rounds reach what took more than 30.
 constexpr int32_t kMomentum = 205;      // Q8
 constexpr uint32_t kRoundsWithout = 2;  // at the end, in which the constraints settle
-
-int32_t clamped(int32_t x, int32_t most) { return x > most ? most : x < -most ? -most : x; }
-Vec3i clamped(Vec3i v, int32_t most) { return {clamped(v.x, most), clamped(v.y, most), clamped(v.z, most)}; }
-int32_t rounded(int64_t v, int shift) { return static_cast<int32_t>((v + (int64_t{1} << (shift - 1))) >> shift); }
-
-// A vector of products over the cell's edge.
-Vec3i over_cell(Vec3l v) {
-  return {static_cast<int32_t>(v.x >> kCellBits), static_cast<int32_t>(v.y >> kCellBits),
-          static_cast<int32_t>(v.z >> kCellBits)};
-}
-void step(Vec3i* p, int64_t ratio, Vec3i v, int shift) {
-  p->x += rounded(ratio * v.x, shift);
-  p->y += rounded(ratio * v.y, shift);
-  p->z += rounded(ratio * v.z, shift);
-}
 
 void solve_point(const SolverPoint& point, SolverNode* nodes) {
   int64_t position = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Volume: dual quaternions, then the lattice near bends solved in integers and mapped back.
 #include "core/vector_math.hpp"
-#include "deform/contacts.hpp"
+#include "deform/contact_displacements.hpp"
 #include "deform/correction.hpp"
 #include "deform/half_spaces.hpp"
 #include "deform/pins.hpp"
@@ -34,7 +34,7 @@ class VolumePose {
     if (!state_.allocate(arena, lattice_.node_count, lattice_.tetrahedron_count, lattice_.edge_count,
                          rest_.welded_count) ||
         (rest_.has_contact() &&
-         !contacts_.allocate(arena, rest_.vertex_count, lattice_.node_count, lattice_.edge_count))) {
+         !(contacts_.allocate(arena, rest_.vertex_count) && pressed_.allocate(arena, lattice_)))) {
       return SINEW_ERROR_WORKSPACE;
     }
     if (arena.measuring()) return SINEW_OK;
@@ -84,12 +84,12 @@ class VolumePose {
   void keep_apart() {
     for (int pass = 0; pass < kContactPasses; ++pass) {
       if (!find_contacts({posed_, spaces_, positions_, state_.nodes, middle_}, &contacts_)) return;
-      press_contacts(rest_, &contacts_);
+      press_contacts(rest_, contacts_, &pressed_);
       for (uint32_t v = 0; v < rest_.vertex_count; ++v) {
-        positions_[v] = positions_[v] + kept(v) * contact_push(rest_, contacts_, v);
+        positions_[v] = positions_[v] + kept(v) * contact_push(rest_, pressed_, v);
       }
       for (uint32_t n = 0; n < lattice_.node_count; ++n) {
-        state_.nodes[n].position = state_.nodes[n].position + to_units(contacts_.displacements[n]);
+        state_.nodes[n].position = state_.nodes[n].position + to_units(pressed_.displacements[n]);
       }
     }
   }
@@ -224,6 +224,7 @@ class VolumePose {
   SolverState state_;
   HalfSpace* spaces_ = nullptr;  // [V] of bends
   ContactState contacts_;
+  ContactDisplacements pressed_;
   Vec3i* begin_ = nullptr;
   uint8_t* flags_ = nullptr;
   uint16_t* faded_ = nullptr;  // [2 n] Q14, of overturned joints; the second half is scratch

@@ -1,25 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The definition of a soft edge and of a hard volume in integers.
-#include "core/vector_math.hpp"
-#include "kernels/constraints.hpp"
+#include "kernels/constraint_steps.hpp"
 
 namespace sinew {
 namespace {
-
-int32_t clamped(int32_t x, int32_t most) { return x > most ? most : x < -most ? -most : x; }
-Vec3i clamped(Vec3i v, int32_t most) { return {clamped(v.x, most), clamped(v.y, most), clamped(v.z, most)}; }
-int32_t rounded(int64_t v, int shift) { return static_cast<int32_t>((v + (int64_t{1} << (shift - 1))) >> shift); }
-
-// A vector of products over the cell's edge.
-Vec3i over_cell(Vec3l v) {
-  return {static_cast<int32_t>(v.x >> kCellBits), static_cast<int32_t>(v.y >> kCellBits),
-          static_cast<int32_t>(v.z >> kCellBits)};
-}
-void step(Vec3i* p, int64_t ratio, Vec3i v, int shift) {
-  p->x += rounded(ratio * v.x, shift);
-  p->y += rounded(ratio * v.y, shift);
-  p->z += rounded(ratio * v.z, shift);
-}
 
 int64_t sum_of_sides(Vec3i v) { return abs64(v.x) + abs64(v.y) + abs64(v.z); }
 

@@ -82,6 +82,9 @@ struct Anatomy {
   void begin_limbs();
   bool pair_limbs(Arena& arena);
   void find_legs();
+  void find_pairs_on_ground();
+  void find_short_legs();
+  void find_hip();
   void climb_to_trunk();
   void join_feet();
   void find_front(bool flip_it);

@@ -19,7 +19,6 @@ int32_t Anatomy::common_attach(const LimbPair& pair) const {
 }
 
 void Anatomy::find_legs() {
-  const double size = rig->size;
   ground = height[0];
   double top = height[0];
   for (int32_t i = 1; i < rig->n; ++i) {
@@ -27,57 +26,7 @@ void Anatomy::find_legs() {
     top = greater(top, height[i]);
   }
   tall = greater(top - ground, 1e-9);
-  LimbPair* const pairs = limbs.pairs;
-  const int32_t pair_count = limbs.pair_count;
-  const auto single = [&](const LimbPair& p) { return limb(p.a).joint_count == 1 && limb(p.b).joint_count == 1; };
-
-  leg_count = foot_count = 0;
-  int32_t few = 0;
-  for (int32_t k = 0; k < pair_count; ++k) {
-    const bool near_ground = low(pairs[k]) < ground + 0.15 * tall;
-    if (near_ground) feet[foot_count++] = pairs[k];
-    if (near_ground && drop(pairs[k]) > 0.12 * tall && drop(pairs[k]) > 0.06 * size) legs[leg_count++] = pairs[k];
-    few += single(pairs[k]) ? 1 : 0;
-  }
-  if (leg_count == 1 && tall <= 0.3 * size && drop(legs[0]) <= (limb(legs[0].a).joint_count <= 2 ? 0.2 : 0.1) * size)
-    leg_count = 0;                                          // fins under a flat body
-  if (leg_count == 0 && (tall > 0.3 * size || few >= 2)) {  // legs of one joint: the lowest pairs
-    const auto short_leg = [&](const LimbPair& p) {
-      const Limb& a = limb(p.a);
-      return a.joint_count <= 2 && limb(p.b).joint_count <= 2 &&
-             dot(limbs.point(a, 0) - limbs.last_point(a), frame.up) >= 0;
-    };
-    double least = 0;
-    bool any = false;
-    for (int32_t k = 0; k < pair_count; ++k) {
-      if (!short_leg(pairs[k])) continue;
-      least = any ? lesser(least, low(pairs[k])) : low(pairs[k]);
-      any = true;
-    }
-    if (any && least < ground + 0.5 * tall) {
-      for (int32_t k = 0; k < pair_count; ++k) {
-        if (short_leg(pairs[k]) && low(pairs[k]) < least + 0.12 * tall) legs[leg_count++] = pairs[k];
-      }
-      if (leg_count == 1 && limb(legs[0].a).joint_count == 1) {  // feet alone under the root: the legs above them
-        const Point& foot = limbs.point(limb(legs[0].a), 0);
-        double nearest = 0;
-        int32_t best = -1;
-        for (int32_t k = 0; k < pair_count; ++k) {
-          const Limb& q = limb(pairs[k].a);
-          if (pairs[k].a == legs[0].a || q.joint_count < 2 ||
-              !(dot(limbs.point(q, 0) - limbs.last_point(q), frame.up) > 0.2 * q.length)) {
-            continue;
-          }
-          const double d = distance(limbs.last_point(q), foot);
-          if (best < 0 || d < nearest) {
-            nearest = d;
-            best = k;
-          }
-        }
-        if (best >= 0) legs[0] = pairs[best];
-      }
-    }
-  }
+  find_pairs_on_ground();
   if (leg_count > 1) {  // IK feet: short pairs that begin near the ground are no legs of their own
     const auto both = [&](const LimbPair& p) { return limb(p.a).length + limb(p.b).length; };
     double longest = 0;
@@ -89,7 +38,69 @@ void Anatomy::find_legs() {
     leg_count = kept;
   }
   join_feet();
+  find_hip();
+}
 
+// Fills legs and feet.
+void Anatomy::find_pairs_on_ground() {
+  const double size = rig->size;
+  const LimbPair* const pairs = limbs.pairs;
+  leg_count = foot_count = 0;
+  int32_t few = 0;
+  for (int32_t k = 0; k < limbs.pair_count; ++k) {
+    const LimbPair& p = pairs[k];
+    const bool near_ground = low(p) < ground + 0.15 * tall;
+    if (near_ground) feet[foot_count++] = p;
+    if (near_ground && drop(p) > 0.12 * tall && drop(p) > 0.06 * size) legs[leg_count++] = p;
+    few += limb(p.a).joint_count == 1 && limb(p.b).joint_count == 1 ? 1 : 0;
+  }
+  if (leg_count == 1 && tall <= 0.3 * size && drop(legs[0]) <= (limb(legs[0].a).joint_count <= 2 ? 0.2 : 0.1) * size)
+    leg_count = 0;  // fins under a flat body
+  if (leg_count == 0 && (tall > 0.3 * size || few >= 2)) find_short_legs();
+}
+
+// Legs of one joint or two: the lowest pairs.
+void Anatomy::find_short_legs() {
+  const LimbPair* const pairs = limbs.pairs;
+  const int32_t pair_count = limbs.pair_count;
+  const auto short_leg = [&](const LimbPair& p) {
+    const Limb& a = limb(p.a);
+    return a.joint_count <= 2 && limb(p.b).joint_count <= 2 &&
+           dot(limbs.point(a, 0) - limbs.last_point(a), frame.up) >= 0;
+  };
+  double least = 0;
+  bool any = false;
+  for (int32_t k = 0; k < pair_count; ++k) {
+    if (!short_leg(pairs[k])) continue;
+    least = any ? lesser(least, low(pairs[k])) : low(pairs[k]);
+    any = true;
+  }
+  if (!any || !(least < ground + 0.5 * tall)) return;
+  for (int32_t k = 0; k < pair_count; ++k) {
+    if (short_leg(pairs[k]) && low(pairs[k]) < least + 0.12 * tall) legs[leg_count++] = pairs[k];
+  }
+  if (leg_count != 1 || limb(legs[0].a).joint_count != 1) return;
+  // Feet alone under the root: the legs above them.
+  const Point& foot = limbs.point(limb(legs[0].a), 0);
+  double nearest = 0;
+  int32_t best = -1;
+  for (int32_t k = 0; k < pair_count; ++k) {
+    const Limb& q = limb(pairs[k].a);
+    if (pairs[k].a == legs[0].a || q.joint_count < 2 ||
+        !(dot(limbs.point(q, 0) - limbs.last_point(q), frame.up) > 0.2 * q.length)) {
+      continue;
+    }
+    const double d = distance(limbs.last_point(q), foot);
+    if (best < 0 || d < nearest) {
+      nearest = d;
+      best = k;
+    }
+  }
+  if (best >= 0) legs[0] = pairs[best];
+}
+
+// Where the legs hang that hang highest; without legs the first joint on the plane that branches.
+void Anatomy::find_hip() {
   hip_pair = LimbPair();
   hip = -1;
   if (leg_count > 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is left to be mended in a clip, limb by limb.
-#include "motion/contacts.hpp"
+// Sums over the frames of a clip.
+#include "motion/measure_clip.hpp"
+
 #include "motion/foot_search.hpp"
 #include "motion/natural_range.hpp"
 

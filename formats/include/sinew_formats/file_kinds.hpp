@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The files that there are: one row an extension. Readers, lists of folders, error lines, help texts and file dialogs ask here.
-// formats/README.md says how to add one.
+// The files that there are: one row an extension. Readers, lists of folders, error lines, help texts and file dialogs ask here; those of
+// front-ends without C++ are written by scripts/file_kinds.py. formats/README.md says how to add one.
 #ifndef SINEW_FORMATS_FILE_KINDS_HPP
 #define SINEW_FORMATS_FILE_KINDS_HPP
 
@@ -19,7 +19,8 @@ enum FileUse : uint32_t {
   kReadsWhole = 8,        // mesh, skeleton and weights in one file
   kWritesCharacter = 16,  // mesh, skeleton and weights
   kWritesMotion = 32,
-  kWritesMesh = 64  // a mesh alone: poses
+  kWritesMesh = 64,  // a mesh alone: poses
+  kOffered = 128     // dialogs of the page and of editors offer it, and the WebAssembly modules read it
 };
 
 // Who reads it.

@@ -8,20 +8,20 @@ namespace sinew {
 namespace {
 
 constexpr uint32_t kWhole = kReadsMesh | kReadsSkeleton | kReadsMotion | kReadsWhole;
-constexpr uint32_t kGltfUses = kWhole | kWritesCharacter | kWritesMotion;
+constexpr uint32_t kGltfUses = kWhole | kWritesCharacter | kWritesMotion | kOffered;
 
 }  // namespace
 
 const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds = {
-      {".obj", "OBJ", kReadsMesh | kWritesCharacter | kWritesMesh, FileReader::kObj},
-      {".rig.txt", "rig.txt", kReadsSkeleton | kWritesCharacter, FileReader::kRig},
+      {".obj", "OBJ", kReadsMesh | kWritesCharacter | kWritesMesh | kOffered, FileReader::kObj},
+      {".rig.txt", "rig.txt", kReadsSkeleton | kWritesCharacter | kOffered, FileReader::kRig},
       {".txt", "rig.txt", kReadsSkeleton, FileReader::kRig},
       {".gltf", "glTF", kGltfUses, FileReader::kGltf},
       {".glb", "GLB", kGltfUses, FileReader::kGltf},
       {".vrm", "VRM", kGltfUses, FileReader::kGltf},
-      {".fbx", "FBX", kWhole, FileReader::kScene},
-      {".dae", "COLLADA", kWhole, FileReader::kScene},
+      {".fbx", "FBX", kWhole | kOffered, FileReader::kScene},
+      {".dae", "COLLADA", kWhole | kOffered, FileReader::kScene},
       {".b3d", "Blitz3D", kWhole, FileReader::kScene},
       {".x", "DirectX", kWhole, FileReader::kScene},
       {".mesh.xml", "OGRE", kWhole, FileReader::kScene},
@@ -29,7 +29,7 @@ const std::vector<FileKind>& file_kinds() {
       {".md5mesh", "MD5", kWhole, FileReader::kScene},
       {".ms3d", "MilkShape", kWhole, FileReader::kScene},
       {".smd", "Valve SMD", kWhole, FileReader::kScene},
-      {".bvh", "BVH", kReadsSkeleton | kReadsMotion | kWritesMotion, FileReader::kBvh},
+      {".bvh", "BVH", kReadsSkeleton | kReadsMotion | kWritesMotion | kOffered, FileReader::kBvh},
   };
   return kinds;
 }

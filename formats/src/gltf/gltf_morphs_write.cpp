@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Puts corrective shapes into a glTF document: morph targets behind those that a mesh has, what drives them in the extras of
-// their meshes (formats/spec/correctives.md), and weights over time in its animations. Everything else of the document stays.
+// Puts corrective shapes into a glTF document: morph targets behind those that a mesh has, and what drives them in the extras of
+// their meshes (formats/spec/correctives.md). Everything else of the document stays.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,89 +9,14 @@
 #include "gltf/gltf_container.hpp"
 #include "gltf/gltf_morphs.hpp"
 #include "gltf/mesh_nodes.hpp"
+#include "gltf/morph_animations.hpp"
 #include "gltf/node_parts.hpp"
+#include "gltf/surface_normals.hpp"
 #include "sinew_formats/error.hpp"
 #include "text/text_lines.hpp"
 
 namespace sinew {
 namespace {
-
-using Direction = std::array<double, 3>;
-
-Direction to_direction(const Vec3& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
-}
-
-// Area-weighted normals of the welded surface, vertex by vertex.
-class SurfaceNormals {
- public:
-  explicit SurfaceNormals(const Character& character) : character_(character), faces_of_(character.vertices.size()) {
-    for (const Vec3& v : character.vertices) positions_.push_back(to_direction(v));
-    for (uint32_t f = 0; f < character.face_count(); ++f)
-      for (size_t c = character.face_offsets[f]; c < character.face_offsets[f + 1]; ++c)
-        faces_of_[character.face_vertices[c]].push_back(f);
-    for (uint32_t v = 0; v < positions_.size(); ++v) rest_.push_back(normal_of(v, positions_));
-  }
-
-  const Direction& rest(uint32_t vertex) const { return rest_[vertex]; }
-
-  // With the shape at weight 1: of the vertices beside those that it moves. Of length 1 or 0.
-  std::map<uint32_t, Direction> under(const MorphShape& shape) {
-    std::map<uint32_t, Direction> normals;
-    move(shape, 1);
-    for (const uint32_t moved : shape.vertices)
-      for (const uint32_t f : faces_of_[moved])
-        for (size_t c = character_.face_offsets[f]; c < character_.face_offsets[f + 1]; ++c) {
-          const uint32_t v = character_.face_vertices[c];
-          if (normals.count(v) == 0) normals[v] = normal_of(v, positions_);
-        }
-    move(shape, 0);
-    return normals;
-  }
-
- private:
-  void move(const MorphShape& shape, double weight) {
-    for (size_t i = 0; i < shape.vertices.size(); ++i) {
-      const Direction rest = to_direction(character_.vertices[shape.vertices[i]]),
-                      interpolation = to_direction(shape.moves[i]);
-      for (size_t c = 0; c < 3; ++c) positions_[shape.vertices[i]][c] = rest[c] + weight * interpolation[c];
-    }
-  }
-
-  Direction normal_of(uint32_t vertex, const std::vector<Direction>& positions) const {
-    Direction normal{};
-    for (const uint32_t f : faces_of_[vertex])
-      for (size_t c = character_.face_offsets[f] + 2; c < character_.face_offsets[f + 1]; ++c) {
-        const Direction& at = positions[character_.face_vertices[character_.face_offsets[f]]];
-        Direction u{}, v{};
-        for (size_t i = 0; i < 3; ++i) {
-          u[i] = positions[character_.face_vertices[c - 1]][i] - at[i];
-          v[i] = positions[character_.face_vertices[c]][i] - at[i];
-        }
-        for (size_t i = 0; i < 3; ++i) normal[i] += u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
-      }
-    const double length = std::hypot(normal[0], normal[1], normal[2]);
-    for (double& x : normal) x = length > 1e-300 ? x / length : 0;
-    return normal;
-  }
-
-  const Character& character_;
-  std::vector<std::vector<uint32_t>> faces_of_;  // [V]
-  std::vector<Direction> positions_, rest_;      // [V]
-};
-
-// `v` turned as the shortest turn takes `from` to `to`, all of length 1.
-Direction turned(const Direction& v, const Direction& from, const Direction& to) {
-  const Direction axis = {from[1] * to[2] - from[2] * to[1], from[2] * to[0] - from[0] * to[2],
-                          from[0] * to[1] - from[1] * to[0]};
-  const double cosine = from[0] * to[0] + from[1] * to[1] + from[2] * to[2];
-  if (!(cosine > -0.99)) return v;
-  const Direction across = {axis[1] * v[2] - axis[2] * v[1], axis[2] * v[0] - axis[0] * v[2],
-                            axis[0] * v[1] - axis[1] * v[0]};
-  const double along = (axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2]) / (1 + cosine);
-  return {cosine * v[0] + across[0] + along * axis[0], cosine * v[1] + across[1] + along * axis[1],
-          cosine * v[2] + across[2] + along * axis[2]};
-}
 
 class MorphWriter {
  public:
@@ -101,11 +26,11 @@ class MorphWriter {
         character_(character),
         morphs_(morphs),
         joints_(joints),
-        new_animations_(new_animations),
         source_(*source),
         document_(source->document),
         mesh_nodes_(&source->document),
-        normals_(character) {}
+        normals_(character),
+        animations_(path, morphs, new_animations, model_, source) {}
 
   void write() {
     model_ = load_gltf(path_, pack_glb(path_, &document_, source_.bytes)).model;
@@ -114,7 +39,7 @@ class MorphWriter {
     for (size_t j = 0; j < joints_.nodes.size(); ++j)
       joint_of_node_.at(static_cast<size_t>(joints_.nodes[j])) = static_cast<int>(j);
     for_each_node(source_.parts, [&](size_t first, size_t last) { write_node(first, last); });
-    drop_unused_accessors(orphans_, &source_);
+    drop_unused_accessors(animations_.orphans(), &source_);
   }
 
  private:
@@ -145,7 +70,7 @@ class MorphWriter {
     if (document_["nodes"][node].contains("weights"))
       document_["nodes"][node]["weights"].get_ref<Json::array_t&>().resize(before + shapes.size(), 0.0);
     write_extras(shapes, before, &json);
-    write_animations(node, shapes, before);
+    animations_.write(node, shapes, before);
   }
 
   void write_targets(const GltfPart& part, const std::vector<size_t>& shapes, Json* mesh) {
@@ -374,119 +299,10 @@ class MorphWriter {
     (*mesh)["extras"] = std::move(extras);
   }
 
-  void write_animations(size_t node, const std::vector<size_t>& shapes, size_t before) {
-    const size_t count = document_.contains("animations") ? document_["animations"].size() : 0;
-    for (size_t a = 0; a < count; ++a) {
-      const MorphClip* clip = nullptr;
-      for (const MorphClip& one : morphs_.clips)
-        if ((one.is_new ? count - new_animations_ + one.animation : one.animation) == a) clip = &one;
-      Json& animation = document_["animations"][a];
-      Json* channel = nullptr;
-      for (Json& one : animation["channels"])
-        if (one["target"].value("node", SIZE_MAX) == node && one["target"].value("path", std::string()) == "weights")
-          channel = &one;
-      if (channel != nullptr)
-        extend_channel(clip, shapes, before, a, &animation, channel);
-      else if (clip != nullptr)
-        add_channel(*clip, node, shapes, before, &animation);
-    }
-  }
-
-  static std::vector<float> weights_at(const MorphClip& clip, const std::vector<size_t>& shapes, double seconds) {
-    const double at =
-        std::clamp((seconds - clip.start) / clip.frame_time, 0.0, static_cast<double>(clip.weights.size() - 1));
-    const size_t below = static_cast<size_t>(at), above = std::min(below + 1, clip.weights.size() - 1);
-    const float t = static_cast<float>(at - static_cast<double>(below));
-    std::vector<float> out;
-    for (const size_t s : shapes)
-      out.push_back(clip.weights[below][s] + t * (clip.weights[above][s] - clip.weights[below][s]));
-    return out;
-  }
-
-  void add_channel(const MorphClip& clip, size_t node, const std::vector<size_t>& shapes, size_t before,
-                   Json* animation) {
-    if (clip.weights.empty()) return;
-    std::vector<float> times, values;
-    for (size_t f = 0; f < clip.weights.size(); ++f) {
-      const double seconds = clip.start + static_cast<double>(f) * clip.frame_time;
-      times.push_back(static_cast<float>(seconds));
-      values.insert(values.end(), before, 0.0f);
-      const std::vector<float> own = weights_at(clip, shapes, seconds);
-      values.insert(values.end(), own.begin(), own.end());
-    }
-    (*animation)["channels"].push_back(
-        {{"sampler", (*animation)["samplers"].size()}, {"target", {{"node", node}, {"path", "weights"}}}});
-    (*animation)["samplers"].push_back(
-        {{"input", add_times(times)}, {"interpolation", "LINEAR"}, {"output", add_scalars(values)}});
-  }
-
-  // An animation that moves targets which the mesh had before: its keys get values for the new ones, and where they are joined
-  // by lines, keys at the clip's frames too.
-  void extend_channel(const MorphClip* clip, const std::vector<size_t>& shapes, size_t before, size_t number,
-                      Json* animation, Json* channel) {
-    const std::string where = path_ + ": animation " + std::to_string(number);
-    const Json sampler = (*animation)["samplers"].at((*channel)["sampler"].get<size_t>());
-    std::vector<float> times = accessor_floats(where, model_, sampler.at("input").get<int>(), 1);
-    const std::vector<float> old = accessor_floats(where, model_, sampler.at("output").get<int>(), 1);
-    const std::string interpolation = sampler.value("interpolation", std::string("LINEAR"));
-    const size_t values_a_key = interpolation == "CUBICSPLINE" ? 3 : 1;
-    if (times.empty() || old.size() != times.size() * values_a_key * before) return;  // not what glTF says: it stays
-    const std::vector<float> own_times = times;
-    if (clip != nullptr && interpolation == "LINEAR") {
-      for (size_t f = 0; f < clip->weights.size(); ++f)
-        times.push_back(static_cast<float>(clip->start + static_cast<double>(f) * clip->frame_time));
-      std::sort(times.begin(), times.end());
-      times.erase(std::unique(times.begin(), times.end()), times.end());
-    }
-    std::vector<float> values;
-    for (const float time : times) {
-      const auto behind = std::upper_bound(own_times.begin(), own_times.end(), time);
-      const size_t a = behind == own_times.begin() ? 0 : static_cast<size_t>(behind - own_times.begin()) - 1;
-      const size_t b = behind == own_times.begin() ? 0 : std::min(a + 1, own_times.size() - 1);
-      const float t = b == a ? 0 : (time - own_times[a]) / (own_times[b] - own_times[a]);
-      const std::vector<float> ours = clip == nullptr || clip->weights.empty()
-                                          ? std::vector<float>(shapes.size(), 0.0f)
-                                          : weights_at(*clip, shapes, static_cast<double>(time));
-      for (size_t part = 0; part < values_a_key; ++part) {  // of a cubic: tangent in, value, tangent out
-        for (size_t i = 0; i < before; ++i) {
-          const float from = old[(a * values_a_key + part) * before + i];
-          values.push_back(times.size() == own_times.size() ? from : from + t * (old[b * before + i] - from));
-        }
-        for (const float weight : ours) values.push_back(values_a_key == 3 && part != 1 ? 0 : weight);
-      }
-    }
-    Json extended = sampler;
-    if (times.size() != own_times.size()) extended["input"] = add_times(times);
-    extended["output"] = add_scalars(values);
-    const Json shared = (*channel)["sampler"];
-    size_t users = 0;
-    for (const Json& one : (*animation)["channels"]) users += one.at("sampler") == shared ? 1 : 0;
-    if (users == 1) {
-      (*animation)["samplers"][shared.get<size_t>()] = std::move(extended);
-    } else {
-      (*channel)["sampler"] = (*animation)["samplers"].size();
-      (*animation)["samplers"].push_back(std::move(extended));
-    }
-    orphans_.push_back(sampler.at("input").get<int>());
-    orphans_.push_back(sampler.at("output").get<int>());
-  }
-
-  int add_times(const std::vector<float>& times) {
-    const int input = add_scalars(times);
-    document_["accessors"][static_cast<size_t>(input)]["min"] = {times.front()};
-    document_["accessors"][static_cast<size_t>(input)]["max"] = {times.back()};
-    return input;
-  }
-  int add_scalars(const std::vector<float>& values) {
-    return add_accessor(&source_, values.data(), values.size() * sizeof(float), "SCALAR", TINYGLTF_COMPONENT_TYPE_FLOAT,
-                        values.size(), false, false);
-  }
-
   const std::string& path_;
   const Character& character_;
   const Morphs& morphs_;
   const GltfJoints& joints_;
-  const size_t new_animations_;
   GltfSource& source_;
   Json& document_;
   MeshNodes mesh_nodes_;
@@ -494,7 +310,7 @@ class MorphWriter {
   GltfNodes nodes_;
   std::vector<int> joint_of_node_;  // [N], -1 = no joint
   SurfaceNormals normals_;
-  std::vector<int> orphans_;  // accessors that may be used no more
+  MorphAnimations animations_;
 };
 
 }  // namespace

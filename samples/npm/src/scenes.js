@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // FBX and COLLADA by the module of wasm/scenes: Assimp, as the command has it. It is started when the first such file is there.
+import { fileKind } from "./file_kinds.js";
 
-export const isScene = (name) => /\.(fbx|dae)$/i.test(name);
+export const isScene = (name) => fileKind(name)?.reader === "scene" && fileKind(name).uses.includes("offered");
 // Of all that pictures are dropped as; those that glTF cannot hold are told of by the reader.
 const isPicture = (name) => /\.(png|jpe?g|webp|tga|bmp|tiff?|gif|psd|dds|ktx2?|exr|hdr)$/i.test(name);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Questions about parts, their answers, and styles.
-import { asNumbers, bind, how } from "./binding.js";
+import { bind } from "./binding.js";
 import { colour } from "./colours.js";
-import { number } from "./facts.js";
 import { clearError, run, save } from "./jobs.js";
-import { partName } from "./questions.js";
 import { sendPose } from "./showing.js";
-import { $, at, engine } from "./state.js";
+import { at, engine } from "./state.js";
+import { asNumbers, how } from "./wishes.js";
 
 const lookMilliseconds = 90; // the pointer stays that long on what is shown
 
@@ -18,12 +17,6 @@ export function lookAt(wanted) {
     at.lookTimer = 0;
     run(showLook);
   }, lookMilliseconds);
-}
-
-// What a bind brings ends what was looked at.
-export function lookNowhere() {
-  at.look = at.shownLook = null;
-  at.previewing = false;
 }
 
 async function showLook() {
@@ -40,26 +33,6 @@ async function showLook() {
   at.shownLook = wanted;
   await colour();
   if (isPreview || wasPreview) await sendPose();
-}
-
-export function lookText() {
-  if (!at.shownLook) return null;
-  const { question, answer } = at.shownLook;
-  const alike = question.parts > 1 ? ` in ${question.parts} parts alike` : "";
-  if (answer === undefined) return `Orange: ${partName(question)}, ${number.format(question.vertices)} vertices${alike}`;
-  return `${at.previewing ? "Preview" : "Answered"}: ${partName(question)} ${answer}${alike}`;
-}
-
-export function listQuestions(focus) {
-  const { answers } = at.character.source;
-  const list = at.character.result?.questions ?? [];
-  at.questions.show({ questions: list, answers, joints: at.character.joints, focus });
-  $("questions-count").textContent = at.character.result ? `${list.length} open${answers.length ? `, ${answers.length} answered` : ""}` : "";
-  $("style").hidden = !at.style;
-  const byStyle = answers.filter((answer) => answer.byStyle).length;
-  $("save-style").disabled = !at.character.result || answers.length === byStyle;
-  const label = $("style").firstElementChild;
-  label.textContent = label.title = at.style ? `${at.style.name}: ${byStyle} answers` : "";
 }
 
 export function take(answer) {

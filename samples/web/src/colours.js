@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the mesh's colours show, and the legend.
-import { lookText } from "./asking.js";
+import { lookText } from "./asked.js";
 import { run } from "./jobs.js";
 import { sureColour } from "./skeleton.js";
 import { $, at, engine, modes } from "./state.js";

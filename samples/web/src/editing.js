@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The skeleton: predicted, edited, dragged.
-import { lookNowhere } from "./asking.js";
-import { asNumbers, bind, how, pending } from "./binding.js";
+import { lookNowhere } from "./asked.js";
+import { bind } from "./binding.js";
 import { showLegend, showSure } from "./colours.js";
 import { run, showError } from "./jobs.js";
 import { Latest } from "./latest.js";
-import { fetchModel } from "./loading.js";
+import { fetchModel } from "./models.js";
 import { Pose } from "./pose.js";
 import { kinds } from "./questions.js";
 import { choose, listJoints, sendPose, showFacts, showPose } from "./showing.js";
 import { answersFor, editKinds, movedJoints } from "./skeleton.js";
 import { $, at, engine, models } from "./state.js";
+import { asNumbers, how, pending } from "./wishes.js";
 
 // Joints, their list and the panels, after any change of them.
 export function showSkeleton() {

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Which of the dropped files make a character together: names alone decide, contents are the module's business.
-
-const meshEndings = [".obj", ".glb", ".gltf", ".vrm", ".fbx", ".dae"];
+import { extensionsOf, fileKind } from "../../npm/src/file_kinds.js";
 
 const lower = (name) => name.toLowerCase();
-export const isMesh = (name) => meshEndings.some((ending) => lower(name).endsWith(ending));
-export const isRig = (name) => lower(name).endsWith(".txt");
+const isOffered = (name, use) => fileKind(name)?.uses.includes(use) === true && fileKind(name).uses.includes("offered");
+export const isMesh = (name) => isOffered(name, "readsMesh");
+export const isWhole = (name) => isOffered(name, "readsWhole");
+export const isRig = (name) => fileKind(name)?.reader === "rig";
 export const isModel = (name) => lower(name).endsWith(".sinew");
 export const isStyle = (name) => lower(name).endsWith(".style");
-export const isMotion = (name) => lower(name).endsWith(".bvh"); // glTF files are characters, unless one says so
+export const isMotion = (name) => fileKind(name)?.reader === "bvh"; // glTF files are characters, unless one says so
 export const isBeside = (name) => /\.(bin|png|jpe?g|webp|ktx2|mtl|tga|bmp|tiff?|gif|psd|dds)$/.test(lower(name)); // parts of a .gltf, .obj, .fbx or .dae
+
+// What the page's file dialogs offer.
+export const allFiles = [...extensionsOf("offered"), ".txt", ".bin", ".png", ".jpg", ".jpeg", ".tga", ".sinew", ".style"].join(",");
+export const motionFiles = extensionsOf("readsMotion", "offered").join(",");
 
 export function stem(name) {
   return name.replace(/(\.rig\.txt|\.[^.]*)$/i, "");
@@ -22,7 +27,7 @@ export function pairFiles(names, waiting = {}) {
   const problems = [];
   const others = names.filter((n) => !isMesh(n) && !isRig(n) && !isModel(n) && !isStyle(n) && !isMotion(n) && !isBeside(n));
   for (const name of others) {
-    problems.push(`${name}: expected .obj, .rig.txt, .glb, .gltf, .vrm, .fbx, .dae, .bvh, .sinew or .style, found another kind of file`);
+    problems.push(`${name}: expected ${extensionsOf("offered").join(", ")}, .sinew or .style, found another kind of file`);
   }
   const models = names.filter(isModel);
   const styles = names.filter(isStyle);
@@ -41,7 +46,7 @@ export function pairFiles(names, waiting = {}) {
   }
   const free = rigs.filter((r) => !used.has(r));
   const bare = characters.filter(({ skeleton }) => skeleton === "");
-  const lonely = bare.filter(({ mesh }) => lower(mesh).endsWith(".obj"));
+  const lonely = bare.filter(({ mesh }) => fileKind(mesh).reader === "obj");
   if (free.length === 1 && lonely.length === 1) {
     lonely[0].skeleton = free[0]; // one of each: they belong together
   } else if (free.length === 1 && characters.length === 1 && bare.length === 1) {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Files in and out: characters, models, motions.
-import { listQuestions, lookNowhere, useStyle, useStyleAnswers } from "./asking.js";
+import { listQuestions, lookNowhere } from "./asked.js";
+import { useStyle, useStyleAnswers } from "./asking.js";
 import { bind } from "./binding.js";
 import { predict, setEditing, showSkeleton } from "./editing.js";
-import { isBeside, pairFiles } from "./files.js";
+import { isBeside, isWhole, pairFiles } from "./files.js";
 import { clearError, run, save } from "./jobs.js";
+import { useModel } from "./models.js";
 import { Pose } from "./pose.js";
 import { sampleFiles } from "./samples.js";
-import { sendPose, showCharacters, showFacts } from "./showing.js";
-import { $, at, engine, models, modes } from "./state.js";
+import { sendPose, showFacts } from "./showing.js";
+import { $, at, engine, modes } from "./state.js";
 import { testClip } from "./test_clips.js";
 
 export async function openFiles(list) {
@@ -59,18 +61,21 @@ export async function openSample(sample) {
   $("sample").value = sample.name;
 }
 
-// A model of weights, of skeletons or of hands.
-async function useModel(name) {
-  const { task, ...model } = await engine.call("model", { name });
-  models[task] = { name, ...model };
-}
-
-export async function fetchModel(name) {
-  const response = await fetch(name);
-  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
-  const model = await response.arrayBuffer();
-  await engine.call("write", { files: [{ name, bytes: model }] }, [model]);
-  await useModel(name);
+function showCharacters() {
+  const tabs = $("characters");
+  tabs.hidden = at.open.length < 2;
+  tabs.replaceChildren(
+    ...at.open.map((one) => {
+      const tab = document.createElement("button");
+      tab.type = "button";
+      tab.role = "tab";
+      tab.textContent = one.name;
+      tab.title = one.name;
+      tab.ariaSelected = String(one.name === at.character?.name);
+      tab.onclick = () => run(async () => (clearError(), load(one)));
+      return tab;
+    }),
+  );
 }
 
 // anew: a predicted skeleton is predicted again, as for another up axis.
@@ -100,8 +105,7 @@ export async function load(source, anew = false) {
   if (loaded.joints.length === 0 || (anew && loaded.predicted)) await predict();
   await useStyleAnswers();
   await bind();
-  const isScene = /\.(glb|gltf|vrm|fbx|dae)$/i.test(mesh);
-  if (isScene && source.motion === undefined && !at.character.predicted) await at.motions.open(mesh).catch(() => {}); // most files have no animations
+  if (isWhole(mesh) && source.motion === undefined && !at.character.predicted) await at.motions.open(mesh).catch(() => {}); // most files have no animations
 }
 
 function longestSide(positions) {

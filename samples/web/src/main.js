@@ -2,13 +2,16 @@
 // The page: what the user does, and how it begins.
 import { forgetStyle, lookAt, saveStyle, take, takeBack } from "./asking.js";
 import { BendPanel } from "./bends.js";
-import { bind, endStroke, forgetPaint, lockJoint, nextBrush, showBrush, strokes, switchJoint } from "./binding.js";
+import { bind, endStroke, forgetPaint, lockJoint, switchJoint } from "./binding.js";
+import { nextBrush, showBrush, strokes } from "./brush.js";
 import { setMode, showLegend } from "./colours.js";
 import { dragJoint, edit, editSkeleton, endDrag, moves, predict, toMiddle, undoEdit } from "./editing.js";
+import { allFiles, motionFiles } from "./files.js";
 import { clearError, queue, run, showError } from "./jobs.js";
 import { JointList } from "./joint_list.js";
 import { listenForKeys } from "./keys.js";
-import { changeMotion, download, downloadFbx, downloadRig, fetchModel, load, motionChanged, openFiles, openMotionFile, openSample, playTestClip } from "./loading.js";
+import { changeMotion, download, downloadFbx, downloadRig, load, motionChanged, openFiles, openMotionFile, openSample, playTestClip } from "./loading.js";
+import { fetchModel } from "./models.js";
 import { Motions } from "./motions.js";
 import { BindOptions } from "./options.js";
 import { PosePanel } from "./pose_panel.js";
@@ -43,6 +46,8 @@ function listen() {
     const sample = samples.find(({ name }) => name === $("sample").value);
     if (sample) run(() => openSample(sample));
   };
+  $("files").accept = allFiles;
+  $("motion-files").accept = motionFiles;
   $("open").onclick = () => $("files").click();
   $("files").onchange = () => {
     const list = [...$("files").files];

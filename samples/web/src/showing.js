@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The pose, the chosen joint, the list of characters and the line of facts.
-import { isOff, showBrush } from "./binding.js";
+// The pose, the chosen joint and the line of facts.
+import { showBrush } from "./brush.js";
 import { colour } from "./colours.js";
 import { factsOf } from "./facts.js";
-import { clearError, run, showError } from "./jobs.js";
+import { run, showError } from "./jobs.js";
 import { Latest } from "./latest.js";
-import { load } from "./loading.js";
 import { $, at, engine, models, modes } from "./state.js";
+import { isOff } from "./wishes.js";
 
 export const poses = new Latest(async () => {
   if (!at.character?.result) return;
@@ -56,23 +56,6 @@ export function showPose() {
   $("motion").hidden = $("bending").hidden = at.view.editing;
   at.view.turnable = !at.player.motion;
   at.posePanel.show(at.character, at.pose, joint, at.view.also);
-}
-
-export function showCharacters() {
-  const tabs = $("characters");
-  tabs.hidden = at.open.length < 2;
-  tabs.replaceChildren(
-    ...at.open.map((one) => {
-      const tab = document.createElement("button");
-      tab.type = "button";
-      tab.role = "tab";
-      tab.textContent = one.name;
-      tab.title = one.name;
-      tab.ariaSelected = String(one.name === at.character?.name);
-      tab.onclick = () => run(async () => (clearError(), load(one)));
-      return tab;
-    }),
-  );
 }
 
 // result: what the line says of the bind, null while there is none.

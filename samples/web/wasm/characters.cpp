@@ -8,8 +8,7 @@
 #include "rig_json.hpp"
 #include "sinew_character/bind_character.hpp"
 #include "sinew_character/engine_views.hpp"
-#include "sinew_character/predict_details.hpp"
-#include "sinew_character/predict_skeleton.hpp"
+#include "sinew_character/rig_job.hpp"
 #include "sinew_character/skeleton_repair.hpp"
 #include "sinew_formats/error.hpp"
 #include "sinew_formats/io.hpp"
@@ -52,20 +51,24 @@ Json show_rig(Session& s) {
 
 Json predict(Session& s, const Json& wishes) {
   if (s.rig_model.bytes.empty()) throw Error("no model of skeletons is loaded");
-  SkeletonOptions options;
-  options.model = &s.rig_model.model;
-  if (!s.front_model.bytes.empty()) options.front_model = &s.front_model.model;
-  options.axes_known = s.character.gltf != nullptr;
-  options.up_axis = wishes.at("upAxis").get<uint32_t>();
-  options.mirror = wishes.at("mirror").get<uint32_t>();
-  options.spine_count = wishes.at("spine").get<uint32_t>();
-  options.toes = wishes.at("toes").get<bool>();
-  options.ends = wishes.at("ends").get<bool>();
-  PredictedSkeleton skeleton = predict_skeleton(s.character, options);
-  const auto detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
-  if (detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
-  const std::vector<std::string> notes = predict_details(s.character, detail, s.hands_model.model, options, &skeleton);
-  Rig rig = predicted_rig(s.character, std::move(skeleton));
+  RigJobOptions job;
+  job.bind = false;  // the page shows the skeleton first
+  job.detail = static_cast<SkeletonDetail>(wishes.at("detail").get<uint8_t>());
+  job.up = wishes.at("upAxis").get<uint32_t>() == 1 ? UpChoice::kZ : UpChoice::kY;
+  job.mirror = wishes.at("mirror").get<uint32_t>();
+  job.spine_count = wishes.at("spine").get<uint32_t>();
+  job.toes = wishes.at("toes").get<bool>();
+  job.ends = wishes.at("ends").get<bool>();
+  if (job.detail != SkeletonDetail::kBody && s.hands_model.bytes.empty()) throw Error("no model of hands is loaded");
+  const RigModels models = {&s.rig_model.model, nullptr, &s.hands_model.model,
+                            s.front_model.bytes.empty() ? nullptr : &s.front_model.model};
+  Character mesh = s.character;
+  mesh.joints.clear();
+  mesh.influences.clear();
+  mesh.notes.clear();
+  RiggedCharacter rigged = rig_character(std::move(mesh), job, models);
+  const std::vector<std::string> notes = std::move(rigged.character.notes);
+  Rig rig = predicted_rig(s.character, std::move(rigged.skeleton));
   if (s.character.joints.empty())
     s.rigs().start(std::move(rig));  // a mesh without skeleton is no step to go back to
   else

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/random.hpp"
+#include "data/eigen_points.hpp"
 #include "data/engine_mesh.hpp"
 #include "data/point_sample.hpp"
 #include "rig/hand_crop.hpp"
@@ -21,27 +21,10 @@ namespace {
 
 using namespace rigging;
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kAround = 3.2;  // of a hand's length: what of the body is kept
 constexpr size_t kWrist = 1;
-
-Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
-std::array<double, 3> arr(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Matrix3d turn(const Vector3d& by) {
-  const double angle = by.norm();
-  if (angle < 1e-12) return Matrix3d::Identity();
-  return Eigen::AngleAxisd(angle, by / angle).toRotationMatrix();
-}
-
-// One after the other, whatever order a compiler gives arguments.
-Vector3d normals(Random* random) {
-  Vector3d v = Vector3d::Zero();
-  for (int i = 0; i < 3; ++i) v[i] = random->normal();
-  return v;
-}
 
 // Of the longest side. Without an expression of Eigen's, which GCC 12 takes for uninitialised.
 Vector3d share(Vec3i p) {
@@ -131,103 +114,6 @@ HandSource::HandSource(const Character& character, const TargetHand& hand)
     const Point e = local_of(character.joints[static_cast<size_t>(hand.elbow)].position);
     if (vec(e).norm() > 0.3 * length_) elbow_ = e;
   }
-}
-
-HandSource::Posed HandSource::pose(uint64_t seed, double strength) const {
-  Posed posed;
-  posed.vertices = vertices_;
-  for (const HandJoint& j : joints_) {
-    posed.joints.push_back(j.at);
-    posed.classes.push_back(j.hand_class);
-  }
-  for (const HandFinger& f : fingers_) posed.ends.push_back(f.end);
-  posed.palm_end = palm_end_;
-  if (strength <= 0) return posed;
-  Random random(seed);
-  // The palm's plane, and to which side fingers bend.
-  Vector3d across = Vector3d(0, 0, 1), along = vec(palm_end_).normalized();
-  if (fingers_.size() > 2) across = vec(joints_[fingers_[1].joints[0]].at) - vec(joints_[fingers_.back().joints[0]].at);
-  Vector3d normal = across.cross(along);
-  if (normal.norm() < 1e-9) normal = Vector3d(0, 1, 0);
-  normal.normalize();
-  double bent = 0;
-  for (const HandFinger& f : fingers_) {
-    if (f.finger == 0 || f.joints.size() < 2 || !f.end) continue;
-    const Vector3d base = vec(joints_[f.joints[0]].at), middle = vec(joints_[f.joints[1]].at);
-    bent += normal.dot((vec(*f.end) - middle).normalized() - (middle - base).normalized());
-  }
-  if (bent > 0) normal = -normal;  // away from where they bend
-  const Vector3d bend_axis = normal.cross(along).normalized();
-
-  const double curl = strength * (random.uniform() < 0.25 ? std::abs(0.5 * random.normal()) : 0.2 * random.normal());
-  const double longer = 0.15 * strength * random.normal(), thicker = 0.12 * strength * random.normal();
-  const double spread = 0.1 * strength * random.normal();
-  int gone = -1;
-  if (fingers_.size() == 5 && random.uniform() < 0.2 * strength) gone = static_cast<int>(2 + random.below(3));
-  std::vector<Matrix3d> own(joints_.size(), Matrix3d::Identity()), scale = own, rotation = own, linear = own;
-  std::vector<Vector3d> origin(joints_.size(), Vector3d::Zero());
-  own[kWrist] = turn(0.2 * strength * normals(&random));
-  for (size_t i = 0; i < fingers_.size(); ++i) {
-    const HandFinger& f = fingers_[i];
-    const double this_long = longer + 0.08 * strength * random.normal(), this_thick = thicker;
-    for (size_t k = 0; k < f.joints.size(); ++k) {
-      const uint32_t j = f.joints[k];
-      const Vector3d next = k + 1 < f.joints.size() ? vec(joints_[f.joints[k + 1]].at)
-                            : f.end                 ? vec(*f.end)
-                                                    : vec(joints_[j].at) + along;
-      const Vector3d bone = (next - vec(joints_[j].at)).normalized();
-      Vector3d by = 0.08 * strength * normals(&random);
-      if (f.finger == 0) {
-        if (k == 0) by *= 3;
-      } else {
-        by += (curl + 0.1 * strength * random.normal()) * bend_axis;
-        if (k == 0) by += (spread * (static_cast<double>(f.finger) - 2.5) + 0.05 * strength * random.normal()) * normal;
-      }
-      own[j] = turn(by);
-      const double s = std::exp(this_long), r = std::exp(this_thick);
-      scale[j] = r * Matrix3d::Identity() + (s - r) * bone * bone.transpose();
-      if (gone == static_cast<int>(i)) scale[j] = 1e-3 * Matrix3d::Identity();
-    }
-  }
-  const Vector3d whole = (0.12 * strength * normals(&random)).array().exp().matrix();
-  const double roll = strength * (random.uniform() < 0.2 ? 0.9 : 0.25) * random.normal();
-  const Matrix3d all = whole.asDiagonal() * turn(roll * vec(elbow_).normalized());
-  for (size_t j = 1; j < joints_.size(); ++j) {
-    const size_t p = static_cast<size_t>(joints_[j].parent);
-    rotation[j] = rotation[p] * own[j];
-    origin[j] = origin[p] + linear[p] * (vec(joints_[j].at) - vec(joints_[p].at));
-    linear[j] = rotation[j] * scale[j];
-  }
-  const auto moved = [&](size_t j, const Point& p) {
-    return Vector3d(all * (origin[j] + linear[j] * (vec(p) - vec(joints_[j].at))));
-  };
-  for (size_t v = 0; v < vertices_.size(); ++v) {
-    Vector3d sum = Vector3d::Zero();
-    double weights = 0;
-    for (const Influence& i : influences_[v]) {
-      sum += static_cast<double>(i.weight) * moved(i.joint, vertices_[v]);
-      weights += static_cast<double>(i.weight);
-    }
-    posed.vertices[v] = arr(weights > 1e-6 ? Vector3d(sum / weights) : Vector3d(all * vec(vertices_[v])));
-  }
-  for (size_t j = 0; j < joints_.size(); ++j) posed.joints[j] = arr(moved(j, joints_[j].at));
-  for (size_t i = 0; i < fingers_.size(); ++i)
-    if (fingers_[i].end) posed.ends[i] = arr(moved(fingers_[i].joints.back(), *fingers_[i].end));
-  posed.palm_end = arr(moved(kWrist, palm_end_));
-  // Four fingers are thumb, index, middle and pinky.
-  if (gone >= 0) {
-    for (const uint32_t j : fingers_[static_cast<size_t>(gone)].joints) posed.classes[j] = kHandPalm;
-    posed.ends[static_cast<size_t>(gone)].reset();
-    constexpr uint32_t kThree[3] = {1, 2, 4};
-    uint32_t next = 0;
-    for (size_t i = 1; i < fingers_.size(); ++i) {
-      if (static_cast<int>(i) == gone) continue;
-      for (size_t k = 0; k < fingers_[i].joints.size(); ++k)
-        posed.classes[fingers_[i].joints[k]] = finger_class(kThree[next], static_cast<uint32_t>(k));
-      ++next;
-    }
-  }
-  return posed;
 }
 
 // What points of the crop are to vote for.

@@ -41,6 +41,7 @@ class HandSource {
     std::vector<uint8_t> classes;  // [joints_] HandClass; those of a missing finger are kHandPalm
   };
   class Labels;
+  class Motion;
   Posed pose(uint64_t seed, double strength) const;
 
   std::string name_, family_;

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "data/eigen_points.hpp"
+
 namespace sinew {
 namespace {
 
 using namespace rigging;
 
 using Eigen::Vector3d;
-
-Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 
 // How far joints of a class turn, standard deviation in radians.
 double mild_sigma(JointClass c) {

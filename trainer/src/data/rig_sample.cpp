@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 
+#include "data/eigen_points.hpp"
 #include "data/engine_mesh.hpp"
 #include "data/grown_shell.hpp"
 #include "data/point_sample.hpp"
@@ -24,10 +25,7 @@ using namespace rigging;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
 constexpr double kYaw = 0.1;  // radians, standard deviation
-
-std::array<double, 3> arr(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 // The least rotation from one direction to another; between opposite ones about z.
 Matrix3d rotation_between(const Vector3d& from, const Vector3d& to) {

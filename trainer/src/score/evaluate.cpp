@@ -131,6 +131,67 @@ double bound_l1(const DenseRows& reference, const DenseRows& predicted) {
   return sum;
 }
 
+// Rows of what was predicted, with what the reference gives to no joint of its own folded up.
+void fold_rows(const std::vector<uint32_t>& targets, DenseRows* rows) {
+  for (std::vector<double>& row : *rows) {
+    for (size_t j = 0; j < targets.size(); ++j) {
+      if (targets[j] == j || row[j] == 0) continue;
+      row[targets[j]] += row[j];
+      row[j] = 0;
+    }
+  }
+}
+
+void write_sums(const WeightSums& sums, double unfolded_l1, size_t vertex_count, Metrics* m) {
+  const auto n = static_cast<double>(sums.vertices);
+  m->precision = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.predicted_pairs));
+  m->recall = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.reference_pairs));
+  m->l1 = sums.l1 / n;
+  m->l1_file = unfolded_l1 / n;
+  m->argmax = static_cast<double>(sums.argmax_hits) / n;
+  m->kl = sums.kl / n;
+  m->bad = static_cast<double>(sums.bad) / n;
+  m->l1_area = sums.area > 0 ? sums.l1_area / sums.area : m->l1;
+  m->influences = static_cast<double>(sums.predicted_pairs) / n;
+  m->unweighted = static_cast<double>(sums.unweighted) / n;
+  m->vertices = vertex_count;
+  m->unbound = vertex_count - sums.vertices;
+}
+
+// How far the vertices `kept` lie apart in random poses, as shares of the longest side. Returns a sum for each pose.
+std::vector<double> measure_poses(const Character& reference, const std::string& name, const DenseRows& r,
+                                  const DenseRows& p, const std::vector<size_t>& kept, int poses, Metrics* m) {
+  const double side = longest_side(reference.vertices);
+  const double scale = side > 0 ? 1 / side : 1;
+  std::vector<Point> joint_positions;
+  for (const Joint& joint : reference.joints) joint_positions.push_back(scaled(joint.position, scale));
+  const std::vector<std::vector<Affine>> palettes = random_poses(reference, name, joint_positions, poses);
+  std::vector<double> largest(palettes.size(), 0.0);
+  std::vector<double> sum_of_pose(palettes.size(), 0.0);
+  double total = 0;
+  for (const size_t v : kept) {
+    if (r[v] == p[v]) continue;  // the same skin, distance 0
+    const auto reference_row = nonzero(r[v]), predicted_row = nonzero(p[v]);
+    const Point rest = scaled(reference.vertices[v], scale);
+    for (size_t k = 0; k < palettes.size(); ++k) {
+      Point difference = skin_point(reference_row, palettes[k], rest);
+      const Point other = skin_point(predicted_row, palettes[k], rest);
+      for (size_t i = 0; i < 3; ++i) difference[i] -= other[i];
+      const double distance = length(difference);
+      total += distance;
+      sum_of_pose[k] += distance;
+      largest[k] = std::max(largest[k], distance);
+    }
+  }
+  for (const double d : largest) {
+    m->max_dist += d / static_cast<double>(largest.size());
+    m->max_dist_all = std::max(m->max_dist_all, d);
+  }
+  if (!palettes.empty())
+    m->avg_dist = total / (static_cast<double>(kept.size()) * static_cast<double>(palettes.size()));
+  return sum_of_pose;
+}
+
 }  // namespace
 
 Metrics measure(const Character& reference, const std::vector<std::vector<Influence>>& predicted,
@@ -146,15 +207,8 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
   }
   const DenseRows r = normalised_rows(reference.influences, joint_count, name);
   DenseRows p = normalised_rows(predicted, joint_count, name);
-  const std::vector<uint32_t> targets = fold_targets(reference, r);
   const double unfolded_l1 = bound_l1(r, p);
-  for (std::vector<double>& row : p) {
-    for (size_t j = 0; j < joint_count; ++j) {
-      if (targets[j] == j || row[j] == 0) continue;
-      row[targets[j]] += row[j];
-      row[j] = 0;
-    }
-  }
+  fold_rows(fold_targets(reference, r), &p);
 
   std::vector<size_t> kept;
   for (size_t v = 0; v < vertex_count; ++v)
@@ -164,57 +218,17 @@ Metrics measure(const Character& reference, const std::vector<std::vector<Influe
   WeightSums sums;
   const std::vector<double> areas = vertex_areas(reference);
   if (vertex_l1) vertex_l1->assign(vertex_count, 0.0f);
-  for (size_t v : kept) {
+  for (const size_t v : kept) {
     const double l1 = add_vertex(r[v], p[v], areas[v], &sums);
     if (vertex_l1) (*vertex_l1)[v] = static_cast<float>(l1);
   }
-
   Metrics m;
-  const auto n = static_cast<double>(sums.vertices);
-  m.precision = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.predicted_pairs));
-  m.recall = static_cast<double>(sums.common_pairs) / std::max(1.0, static_cast<double>(sums.reference_pairs));
-  m.l1 = sums.l1 / n;
-  m.l1_file = unfolded_l1 / n;
-  m.argmax = static_cast<double>(sums.argmax_hits) / n;
-  m.kl = sums.kl / n;
-  m.bad = static_cast<double>(sums.bad) / n;
-  m.l1_area = sums.area > 0 ? sums.l1_area / sums.area : m.l1;
-  m.influences = static_cast<double>(sums.predicted_pairs) / n;
-  m.unweighted = static_cast<double>(sums.unweighted) / n;
-  m.vertices = vertex_count;
-  m.unbound = vertex_count - sums.vertices;
+  write_sums(sums, unfolded_l1, vertex_count, &m);
   m.joints = joint_count;
-
-  const double side = longest_side(reference.vertices);
-  const double scale = side > 0 ? 1 / side : 1;
-  std::vector<Point> joint_positions;
-  for (const Joint& joint : reference.joints) joint_positions.push_back(scaled(joint.position, scale));
-  const std::vector<std::vector<Affine>> palettes = random_poses(reference, name, joint_positions, poses);
-  std::vector<double> largest(palettes.size(), 0.0);
-  std::vector<double> sum_of_pose(palettes.size(), 0.0);
-  double total = 0;
-  for (size_t v : kept) {
-    if (r[v] == p[v]) continue;  // the same skin, distance 0
-    const auto reference_row = nonzero(r[v]), predicted_row = nonzero(p[v]);
-    const Point rest = scaled(reference.vertices[v], scale);
-    for (size_t k = 0; k < palettes.size(); ++k) {
-      Point difference = skin_point(reference_row, palettes[k], rest);
-      const Point other = skin_point(predicted_row, palettes[k], rest);
-      for (size_t i = 0; i < 3; ++i) difference[i] -= other[i];
-      const double distance = length(difference);
-      total += distance;
-      sum_of_pose[k] += distance;
-      largest[k] = std::max(largest[k], distance);
-    }
-  }
-  for (double d : largest) {
-    m.max_dist += d / static_cast<double>(largest.size());
-    m.max_dist_all = std::max(m.max_dist_all, d);
-  }
-  if (!palettes.empty()) m.avg_dist = total / (n * static_cast<double>(palettes.size()));
+  const std::vector<double> sum_of_pose = measure_poses(reference, name, r, p, kept, poses, &m);
   if (pose_distance) {
     pose_distance->clear();
-    for (const double sum : sum_of_pose) pose_distance->push_back(sum / n);
+    for (const double sum : sum_of_pose) pose_distance->push_back(sum / static_cast<double>(kept.size()));
   }
   return m;
 }

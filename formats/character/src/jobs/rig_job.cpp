@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "sinew/published.h"
-#include "sinew_character/models.hpp"
 #include "sinew_character/own_skeleton.hpp"
 #include "sinew_character/predict_face.hpp"
 #include "sinew_character/predict_hands.hpp"
@@ -174,13 +173,6 @@ RiggedCharacter rig_character(Character mesh, PredictedSkeleton predicted, bool 
 RiggedCharacter rig_character(Character mesh, const RigJobOptions& job, const RigModels& models) {
   PredictedSkeleton predicted = predict(job, models, &mesh);
   return rig_character(std::move(mesh), std::move(predicted), false, job, models);
-}
-
-Character rig_bare_mesh(Character mesh) {
-  const std::unique_ptr<LoadedModel> rig = load_model("", ModelUse::kRig), bind = load_model(""),
-                                     front = load_front_model();
-  const RigModels models = {&rig->model, &bind->model, nullptr, front ? &front->model : nullptr};
-  return rig_character(std::move(mesh), {}, models).character;
 }
 
 }  // namespace sinew

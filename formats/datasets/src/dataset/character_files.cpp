@@ -65,13 +65,6 @@ std::vector<fs::path> relative_files(const std::string& mesh_path) {
 
 }  // namespace
 
-std::vector<std::string> character_files(const std::string& mesh_path) {
-  std::vector<std::string> files;
-  for (const fs::path& file : relative_files(mesh_path))
-    files.push_back((fs::path(mesh_path).parent_path() / file).string());
-  return files;
-}
-
 void place_character(const std::string& mesh_path, const std::string& folder) {
   for (const fs::path& file : relative_files(mesh_path)) {
     const fs::path from = fs::path(mesh_path).parent_path() / file, to = fs::path(folder) / file;

@@ -103,87 +103,109 @@ size_t count_boundary_loops(const Character& character, const std::vector<std::v
   return loops;
 }
 
+// What is wrong with faces one by one.
+struct FaceCheck {
+  Examples broken, degenerate, duplicate;
+  std::vector<std::vector<uint32_t>> sound;
+  std::vector<char> used;  // [vertices] in a face
+
+  FaceCheck(const Character& character, const Box& box) : used(character.vertices.size(), 0) {
+    std::set<std::vector<uint32_t>> known;
+    for (size_t f = 0; f < character.face_count(); ++f) {
+      std::vector<uint32_t> corners(
+          character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f]),
+          character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f + 1]));
+      if (std::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return v >= used.size(); })) {
+        broken.add(f);
+        continue;
+      }
+      for (const uint32_t v : corners) used[v] = 1;
+      std::vector<uint32_t> sorted = corners;
+      std::sort(sorted.begin(), sorted.end());
+      const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+      if (corners.size() < 3 || repeats || !(twice_area(character, corners) > 1e-12 * box.longest * box.longest)) {
+        degenerate.add(f);
+        if (corners.size() < 3 || repeats) continue;  // one without area still joins its neighbours
+      }
+      if (!known.insert(std::move(sorted)).second) {
+        duplicate.add(f);
+        continue;
+      }
+      sound.push_back(std::move(corners));
+    }
+  }
+};
+
+// What faces share: edges, and the parts that hang together.
+struct EdgeCheck {
+  Examples non_manifold, flipped;
+  size_t boundary = 0;
+  std::map<Edge, size_t> faces_at;
+
+  EdgeCheck(const std::vector<std::vector<uint32_t>>& faces, size_t vertex_count) : set_of_(vertex_count) {
+    std::map<Edge, int> balance;  // +1 and -1 for the two directions: 0 where two neighbours agree on the side
+    std::iota(set_of_.begin(), set_of_.end(), 0u);
+    for (const std::vector<uint32_t>& corners : faces)
+      for (size_t c = 0; c < corners.size(); ++c) {
+        const uint32_t a = corners[c], b = corners[(c + 1) % corners.size()];
+        ++faces_at[edge_of(a, b)];
+        balance[edge_of(a, b)] += a < b ? 1 : -1;
+        set_of_[find(a)] = find(b);
+      }
+    for (const auto& [edge, count] : faces_at) {
+      const std::string name = std::to_string(edge.first) + "-" + std::to_string(edge.second);
+      if (count == 1) ++boundary;
+      if (count > 2) non_manifold.add(name);
+      if (count == 2 && balance[edge] != 0) flipped.add(name);
+    }
+  }
+  uint32_t find(uint32_t v) {
+    while (set_of_[v] != v) v = set_of_[v] = set_of_[set_of_[v]];
+    return v;
+  }
+
+ private:
+  std::vector<uint32_t> set_of_;
+};
+
 void check_mesh(const Character& character, const Box& box, CheckReport* report) {
   const size_t vertex_count = character.vertices.size();
-  Examples broken, not_finite, degenerate, duplicate, non_manifold, isolated, flipped;
+  Examples not_finite, isolated;
   for (size_t v = 0; v < vertex_count; ++v) {
     const Vec3& p = character.vertices[v];
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) not_finite.add(v);
   }
-  std::vector<std::vector<uint32_t>> faces;  // the sound ones
-  std::set<std::vector<uint32_t>> known;
-  std::vector<char> used(vertex_count, 0);
-  for (size_t f = 0; f < character.face_count(); ++f) {
-    std::vector<uint32_t> corners(
-        character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f]),
-        character.face_vertices.begin() + static_cast<std::ptrdiff_t>(character.face_offsets[f + 1]));
-    if (std::any_of(corners.begin(), corners.end(), [&](uint32_t v) { return v >= vertex_count; })) {
-      broken.add(f);
-      continue;
-    }
-    for (const uint32_t v : corners) used[v] = 1;
-    std::vector<uint32_t> sorted = corners;
-    std::sort(sorted.begin(), sorted.end());
-    const bool repeats = std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-    if (corners.size() < 3 || repeats || !(twice_area(character, corners) > 1e-12 * box.longest * box.longest)) {
-      degenerate.add(f);
-      if (corners.size() < 3 || repeats) continue;  // one without area still joins its neighbours
-    }
-    if (!known.insert(std::move(sorted)).second) {
-      duplicate.add(f);
-      continue;
-    }
-    faces.push_back(std::move(corners));
-  }
-
-  std::map<Edge, size_t> faces_at;
-  std::map<Edge, int> balance;  // +1 and -1 for the two directions: 0 where two neighbours agree on the side
-  std::vector<uint32_t> set_of(vertex_count);
-  std::iota(set_of.begin(), set_of.end(), 0u);
-  const auto find = [&](uint32_t v) {
-    while (set_of[v] != v) v = set_of[v] = set_of[set_of[v]];
-    return v;
-  };
-  for (const std::vector<uint32_t>& corners : faces)
-    for (size_t c = 0; c < corners.size(); ++c) {
-      const uint32_t a = corners[c], b = corners[(c + 1) % corners.size()];
-      ++faces_at[edge_of(a, b)];
-      balance[edge_of(a, b)] += a < b ? 1 : -1;
-      set_of[find(a)] = find(b);
-    }
-  for (const auto& [edge, count] : faces_at) {
-    const std::string name = std::to_string(edge.first) + "-" + std::to_string(edge.second);
-    if (count == 1) ++report->boundary_edges;
-    if (count > 2) non_manifold.add(name);
-    if (count == 2 && balance[edge] != 0) flipped.add(name);
-  }
+  const FaceCheck faces(character, box);
+  EdgeCheck edges(faces.sound, vertex_count);
   for (uint32_t v = 0; v < vertex_count; ++v) {
-    if (used[v] == 0)
+    if (faces.used[v] == 0)
       isolated.add(v);
-    else if (find(v) == v)
+    else if (edges.find(v) == v)
       ++report->parts;
   }
 
-  report->non_manifold_edges = non_manifold.count();
-  report->degenerate_faces = degenerate.count();
-  report->duplicate_faces = duplicate.count();
+  report->boundary_edges += edges.boundary;
+  report->non_manifold_edges = edges.non_manifold.count();
+  report->degenerate_faces = faces.degenerate.count();
+  report->duplicate_faces = faces.duplicate.count();
   report->isolated_vertices = isolated.count();
   not_finite.report(Level::kError, "not-finite", "vertices that are not finite", report);
-  broken.report(Level::kError, "bad-faces", "faces that name vertices which do not exist", report);
+  faces.broken.report(Level::kError, "bad-faces", "faces that name vertices which do not exist", report);
   if (character.face_count() == 0)
     report->findings.push_back(
         {Level::kError, "no-faces", 1, "the mesh has " + std::to_string(vertex_count) + " vertices and no faces"});
-  non_manifold.report(Level::kWarning, "non-manifold-edges", "edges with more than two faces", report);
-  flipped.report(Level::kWarning, "flipped-faces", "edges whose two faces are turned to different sides", report);
-  degenerate.report(Level::kWarning, "degenerate-faces", "faces without area or with a vertex twice", report);
-  duplicate.report(Level::kWarning, "duplicate-faces", "faces that repeat an earlier face", report);
+  edges.non_manifold.report(Level::kWarning, "non-manifold-edges", "edges with more than two faces", report);
+  edges.flipped.report(Level::kWarning, "flipped-faces", "edges whose two faces are turned to different sides", report);
+  faces.degenerate.report(Level::kWarning, "degenerate-faces", "faces without area or with a vertex twice", report);
+  faces.duplicate.report(Level::kWarning, "duplicate-faces", "faces that repeat an earlier face", report);
   isolated.report(Level::kWarning, "isolated-vertices", "vertices in no face", report);
   if (report->parts > 1)
     report->findings.push_back({Level::kNote, "parts", report->parts, std::to_string(report->parts) + " parts"});
   if (report->boundary_edges != 0)
     report->findings.push_back({Level::kNote, "boundary-edges", report->boundary_edges,
                                 std::to_string(report->boundary_edges) + " boundary edges in " +
-                                    std::to_string(count_boundary_loops(character, faces, faces_at)) + " loops"});
+                                    std::to_string(count_boundary_loops(character, faces.sound, edges.faces_at)) +
+                                    " loops"});
 }
 
 void check_skeleton(const Character& character, const Box& box, CheckReport* report) {

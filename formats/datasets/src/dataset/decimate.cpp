@@ -107,6 +107,86 @@ WeldedMesh weld(const Character& character) {
   return welded;
 }
 
+// Locks what must stay, drops vertices without faces. Returns how many vertices there are but for copies, which are locked and stay.
+size_t lock_and_count(const WeldedMesh& welded, const std::vector<uint32_t>& origin, TriMesh* mesh) {
+  std::vector<uint32_t> copies(welded.vertices.size(), 0);
+  for (const uint32_t from : origin) ++copies[from];
+  size_t vertex_count = 0;
+  std::vector<char> met(welded.vertices.size(), 0);
+  for (const auto v : mesh->vertices()) {
+    const uint32_t from = origin[static_cast<size_t>(v.idx())];
+    // Copies of a vertex must meet again afterwards, and so must the two sides of a seam.
+    if (copies[from] > 1 || welded.fixed[from] != 0) mesh->status(v).set_locked(true);
+    if (mesh->is_isolated(v)) {
+      mesh->delete_vertex(v, false);
+    } else if (met[from] == 0) {
+      ++vertex_count;
+      met[from] = 1;
+    }
+  }
+  return vertex_count;
+}
+
+double longest_side(const std::vector<Vec3>& vertices) {
+  double low[3] = {}, high[3] = {}, longest = 0;
+  for (size_t v = 0; v < vertices.size(); ++v) {
+    const double p[3] = {static_cast<double>(vertices[v].x), static_cast<double>(vertices[v].y),
+                         static_cast<double>(vertices[v].z)};
+    for (size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = v == 0 ? p[axis] : std::min(low[axis], p[axis]);
+      high[axis] = v == 0 ? p[axis] : std::max(high[axis], p[axis]);
+      longest = std::max(longest, high[axis] - low[axis]);
+    }
+  }
+  return longest;
+}
+
+void collapse(const std::string& name, size_t vertex_count, size_t target, double longest, TriMesh* mesh) {
+  Decimater decimater(*mesh);
+  OpenMesh::Decimater::ModQuadricT<TriMesh>::Handle quadric;
+  OpenMesh::Decimater::ModNormalFlippingT<TriMesh>::Handle flipping;
+  ModOutlineT<TriMesh>::Handle outline;
+  decimater.add(quadric);
+  decimater.module(quadric).unset_max_err();
+  decimater.add(flipping);
+  decimater.add(outline);
+  if (!decimater.initialize()) throw Error(name + ": cannot decimate, the decimater did not start");
+  // The outline is held as tightly as the target allows: hems of clothes are a large part of some characters. The
+  // decimater is set up once, because the quadrics must not start again from a mesh with deleted faces.
+  for (const double tolerance : {0.002, 0.01, 0.05, std::numeric_limits<double>::infinity()}) {
+    if (vertex_count <= target) break;
+    decimater.module(outline).set_tolerance(tolerance * longest);
+    vertex_count -= decimater.decimate(vertex_count - target);
+  }
+}
+
+// A character with these triangles of vertices, in the order of the faces they come from.
+Character with_triangles(const Character& character,
+                         const std::vector<std::pair<size_t, std::array<uint32_t, 3>>>& triangles) {
+  Character out;
+  out.name = character.name;
+  out.joints = character.joints;
+  out.material_names = character.material_names;
+  out.group_names = character.group_names;
+  std::vector<char> used(character.vertices.size(), 0);
+  for (const auto& [face, corners] : triangles)
+    for (const uint32_t v : corners) used[v] = 1;
+  std::vector<uint32_t> new_number(character.vertices.size(), 0);
+  for (size_t v = 0; v < used.size(); ++v) {
+    if (used[v] == 0) continue;
+    new_number[v] = static_cast<uint32_t>(out.vertices.size());
+    out.vertices.push_back(character.vertices[v]);
+    if (!character.influences.empty()) out.influences.push_back(character.influences[v]);
+  }
+  for (const auto& [face, corners] : triangles) {
+    for (const uint32_t v : corners) out.face_vertices.push_back(new_number[v]);
+    out.face_offsets.push_back(static_cast<uint32_t>(out.face_vertices.size()));
+    if (!character.face_materials.empty()) out.face_materials.push_back(character.face_materials[face]);
+    if (!character.face_groups.empty()) out.face_groups.push_back(character.face_groups[face]);
+  }
+  return out;
+}
+
 }  // namespace
 
 Character decimate(const Character& character, double ratio) {
@@ -124,80 +204,19 @@ Character decimate(const Character& character, double ratio) {
   std::vector<size_t> face_origin;
   const std::vector<uint32_t> origin = fill_half_edges(welded.vertices, welded.triangles, &mesh, &face_origin);
   mesh.update_face_normals();
-  std::vector<uint32_t> copies(welded.vertices.size(), 0);
-  for (const uint32_t from : origin) ++copies[from];
-  size_t vertex_count = 0;  // without copies, which are locked and stay
-  std::vector<char> met(welded.vertices.size(), 0);
-  for (const auto v : mesh.vertices()) {
-    const uint32_t from = origin[static_cast<size_t>(v.idx())];
-    // Copies of a vertex must meet again afterwards, and so must the two sides of a seam.
-    if (copies[from] > 1 || welded.fixed[from] != 0) mesh.status(v).set_locked(true);
-    if (mesh.is_isolated(v)) {
-      mesh.delete_vertex(v, false);
-    } else if (met[from] == 0) {
-      ++vertex_count;
-      met[from] = 1;
-    }
-  }
+  const size_t vertex_count = lock_and_count(welded, origin, &mesh);
+  const auto target = std::max<size_t>(4, static_cast<size_t>(std::lround(static_cast<double>(vertex_count) * ratio)));
+  collapse(character.name, vertex_count, target, longest_side(welded.vertices), &mesh);
 
-  double low[3] = {}, high[3] = {}, longest = 0;
-  for (size_t v = 0; v < welded.vertices.size(); ++v) {
-    const double p[3] = {static_cast<double>(welded.vertices[v].x), static_cast<double>(welded.vertices[v].y),
-                         static_cast<double>(welded.vertices[v].z)};
-    for (size_t axis = 0; axis < 3; ++axis) {
-      low[axis] = v == 0 ? p[axis] : std::min(low[axis], p[axis]);
-      high[axis] = v == 0 ? p[axis] : std::max(high[axis], p[axis]);
-      longest = std::max(longest, high[axis] - low[axis]);
-    }
-  }
-  const size_t target =
-      std::max<size_t>(4, static_cast<size_t>(std::lround(static_cast<double>(vertex_count) * ratio)));
-  Decimater decimater(mesh);
-  OpenMesh::Decimater::ModQuadricT<TriMesh>::Handle quadric;
-  OpenMesh::Decimater::ModNormalFlippingT<TriMesh>::Handle flipping;
-  ModOutlineT<TriMesh>::Handle outline;
-  decimater.add(quadric);
-  decimater.module(quadric).unset_max_err();
-  decimater.add(flipping);
-  decimater.add(outline);
-  if (!decimater.initialize()) throw Error(character.name + ": cannot decimate, the decimater did not start");
-  // The outline is held as tightly as the target allows: hems of clothes are a large part of some characters. The
-  // decimater is set up once, because the quadrics must not start again from a mesh with deleted faces.
-  for (const double tolerance : {0.002, 0.01, 0.05, std::numeric_limits<double>::infinity()}) {
-    if (vertex_count <= target) break;
-    decimater.module(outline).set_tolerance(tolerance * longest);
-    vertex_count -= decimater.decimate(vertex_count - target);
-  }
-
-  Character out;
-  out.name = character.name;
-  out.joints = character.joints;
-  out.material_names = character.material_names;
-  out.group_names = character.group_names;
-  std::vector<std::pair<size_t, std::array<uint32_t, 3>>> triangles;  // in the order of the faces they come from
-  std::vector<char> used(character.vertices.size(), 0);
+  std::vector<std::pair<size_t, std::array<uint32_t, 3>>> triangles;
   for (const auto face : mesh.faces()) {
     std::array<uint32_t, 3> corners{};
     size_t c = 0;
     for (const auto v : mesh.fv_range(face)) corners[c++] = welded.origin[origin[static_cast<size_t>(v.idx())]];
-    for (const uint32_t v : corners) used[v] = 1;
     triangles.emplace_back(welded.face_of[face_origin[static_cast<size_t>(face.idx())]], corners);
   }
   std::stable_sort(triangles.begin(), triangles.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<uint32_t> new_number(character.vertices.size(), 0);
-  for (size_t v = 0; v < used.size(); ++v) {
-    if (used[v] == 0) continue;
-    new_number[v] = static_cast<uint32_t>(out.vertices.size());
-    out.vertices.push_back(character.vertices[v]);
-    if (!character.influences.empty()) out.influences.push_back(character.influences[v]);
-  }
-  for (const auto& [face, corners] : triangles) {
-    for (const uint32_t v : corners) out.face_vertices.push_back(new_number[v]);
-    out.face_offsets.push_back(static_cast<uint32_t>(out.face_vertices.size()));
-    if (!character.face_materials.empty()) out.face_materials.push_back(character.face_materials[face]);
-    if (!character.face_groups.empty()) out.face_groups.push_back(character.face_groups[face]);
-  }
-  return out;
+  return with_triangles(character, triangles);
 }
 
 }  // namespace sinew

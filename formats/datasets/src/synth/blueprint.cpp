@@ -38,117 +38,158 @@ std::vector<int> chain(Blueprint* plan, const std::string& name, const std::stri
   return made;
 }
 
-void biped(Blueprint* plan, Random* random) {
-  const double leg = random->range(0.55, 0.95), torso = random->range(0.42, 0.62), girth = random->range(0.8, 1.5);
-  const double head = random->range(0.11, 0.21), neck_length = random->range(0.05, 0.12);
-  const double hip_half = random->range(0.09, 0.13) * girth, shoulder_half = random->range(0.15, 0.22) * girth;
-  const double waist = random->range(0.105, 0.135) * girth, chest_radius = waist * random->range(1.0, 1.25);
-  const double thigh_radius = random->range(0.065, 0.085) * girth,
-               ankle_radius = thigh_radius * random->range(0.5, 0.75);
-  const double arm_radius = thigh_radius * random->range(0.6, 0.8),
-               wrist_radius = arm_radius * random->range(0.65, 0.9);
-  const Point flat = {1.25, 1, 0.9};
+// What is drawn of a biped, in the order of its draws.
+struct BipedSizes {
+  double leg, torso, girth, head, neck_length, hip_half, shoulder_half, waist, chest_radius;
+  double thigh_radius, ankle_radius, arm_radius, wrist_radius;
 
+  explicit BipedSizes(Random* random) {
+    leg = random->range(0.55, 0.95), torso = random->range(0.42, 0.62), girth = random->range(0.8, 1.5);
+    head = random->range(0.11, 0.21), neck_length = random->range(0.05, 0.12);
+    hip_half = random->range(0.09, 0.13) * girth, shoulder_half = random->range(0.15, 0.22) * girth;
+    waist = random->range(0.105, 0.135) * girth, chest_radius = waist * random->range(1.0, 1.25);
+    thigh_radius = random->range(0.065, 0.085) * girth, ankle_radius = thigh_radius * random->range(0.5, 0.75);
+    arm_radius = thigh_radius * random->range(0.6, 0.8), wrist_radius = arm_radius * random->range(0.65, 0.9);
+  }
+};
+struct BipedLimbs {
+  bool clavicles, toes, fingers;
+  double droop, arm, hand, forward, spread;
+
+  BipedLimbs(const Blueprint& plan, Random* random) {
+    clavicles = random->chance(0.7), toes = random->chance(0.5), fingers = plan.cell < 0.032 && random->chance(0.6);
+    droop = random->range(0.0, 0.95), arm = random->range(0.46, 0.62), hand = random->range(0.07, 0.1);
+    forward = random->range(0.0, 0.12), spread = random->range(0.0, 0.16);
+  }
+};
+
+// Returns the points of the spine, from the hips to the neck.
+std::vector<Point> biped_trunk(Blueprint* plan, const BipedSizes& of, Random* random) {
+  const Point flat = {1.25, 1, 0.9};
   const int root = floor_root(plan, random);
   const int spine_count = random->integer(2, 4);
   std::vector<Point> spine;
   for (int i = 0; i <= spine_count; ++i) {
     const double t = static_cast<double>(i) / spine_count;
-    spine.push_back({0, leg + torso * t, -0.05 * sine(kPi * t)});
+    spine.push_back({0, of.leg + of.torso * t, -0.05 * sine(kPi * t)});
   }
   int parent = root;
   for (int i = 0; i < spine_count; ++i) {
     const std::string name = i == 0 ? "hips" : i == spine_count - 1 ? "chest" : "spine_" + std::to_string(i);
     parent = plan->add_joint(name, parent, spine[static_cast<size_t>(i)]);
     const double t0 = static_cast<double>(i) / spine_count, t1 = (i + 1.0) / spine_count;
-    const double r0 = mix(waist, chest_radius, t0),
-                 r1 = mix(waist, chest_radius, t1) * (i == spine_count - 1 ? 0.8 : 1.0);
+    const double r0 = mix(of.waist, of.chest_radius, t0),
+                 r1 = mix(of.waist, of.chest_radius, t1) * (i == spine_count - 1 ? 0.8 : 1.0);
     const Point top = i == spine_count - 1 ? spine.back() - Point{0, 0.5 * r1, 0} : spine[static_cast<size_t>(i) + 1];
     plan->add_bone(parent, spine[static_cast<size_t>(i)], top, r0, r1, flat);
     plan->trunk.push_back(parent);
   }
-  const int hips = plan->trunk.front(), chest = plan->trunk.back();
-  plan->body.push_back(
-      {hips, {-hip_half * 0.7, leg, 0}, {hip_half * 0.7, leg, 0}, waist * 0.95, waist * 0.95, {1, 1, 1}});
+  plan->body.push_back({plan->trunk.front(),
+                        {-of.hip_half * 0.7, of.leg, 0},
+                        {of.hip_half * 0.7, of.leg, 0},
+                        of.waist * 0.95,
+                        of.waist * 0.95,
+                        {1, 1, 1}});
+  return spine;
+}
 
-  const Point neck = spine.back(), skull = neck + Point{0, neck_length, 0.01};
-  plan->neck = plan->add_joint("neck", chest, neck);
+void biped_head(Blueprint* plan, const BipedSizes& of, const Point& neck) {
+  const double head = of.head;
+  const Point skull = neck + Point{0, of.neck_length, 0.01};
+  plan->neck = plan->add_joint("neck", plan->trunk.back(), neck);
   plan->add_bone(plan->neck, neck, skull, thick(*plan, head * 0.5), thick(*plan, head * 0.45));
   plan->head = plan->add_joint("head", plan->neck, skull);
   plan->head_centre = skull + Point{0, head * 0.9, 0.02};
   plan->head_radius = head;
   plan->add_bone(plan->head, skull + Point{0, head * 0.75, 0.02}, skull + Point{0, head * 1.1, 0.02}, head * 0.92, head,
                  {0.95, 1.05, 1});
+}
 
-  const bool clavicles = random->chance(0.7), toes = random->chance(0.5),
-             fingers = plan->cell < 0.032 && random->chance(0.6);
-  const double droop = random->range(0.0, 0.95), arm = random->range(0.46, 0.62), hand = random->range(0.07, 0.1);
-  const double forward = random->range(0.0, 0.12), spread = random->range(0.0, 0.16);
+// Three thick fingers and a thumb, as far apart as the voxels need.
+void biped_fingers(Blueprint* plan, int palm_joint, const Point& wrist, const Point& palm, const Point& bent,
+                   int side) {
+  const std::string suffix = kSides[side];
+  const double gap = 3.4 * plan->cell;
+  for (int f = 0; f < 3; ++f) {
+    const Point base = palm + Point{0, 0, gap * (1 - f)};
+    const Point out = unit(bent + Point{0, 0, 0.25 * (1 - f)});
+    chain(plan, "finger_" + std::to_string(f + 1), suffix, palm_joint,
+          {mirrored(base, side), mirrored(base + out * 0.07, side), mirrored(base + out * 0.14, side)},
+          1.1 * plan->cell, plan->cell);
+  }
+  const Point base = mix(wrist, palm, 0.4) + Point{0, 0, 0.5 * gap};
+  chain(plan, "thumb", suffix, palm_joint,
+        {mirrored(base, side), mirrored(base + unit(bent + Point{0, 0, 2.0}) * 0.13, side)}, 1.1 * plan->cell,
+        plan->cell);
+}
+
+void biped_arm(Blueprint* plan, const BipedSizes& of, const BipedLimbs& limbs, const Point& neck, int side) {
+  const std::string suffix = kSides[side];
+  const double arm_radius = of.arm_radius, wrist_radius = of.wrist_radius;
+  const Point along = unit({cosine(limbs.droop), -sine(limbs.droop), 0.0});
+  const Point bent = unit(along + Point{0, 0, limbs.forward});
+  const Point shoulder = neck + Point{of.shoulder_half, -0.06, 0}, elbow = shoulder + along * (limbs.arm * 0.52);
+  const Point wrist = elbow + bent * (limbs.arm * 0.48), palm = wrist + bent * limbs.hand;
+  int up = plan->trunk.back();
+  if (limbs.clavicles) {
+    const Point inner = neck + Point{0.03, -0.04, 0};
+    up = plan->add_joint("shoulder" + suffix, up, mirrored(inner, side));
+    plan->add_bone(up, mirrored(mix(inner, shoulder, 0.6), side), mirrored(shoulder, side),
+                   thick(*plan, arm_radius * 1.15), thick(*plan, arm_radius * 1.15));
+  }
+  const int upper = plan->add_joint("upper_arm" + suffix, up, mirrored(shoulder, side));
+  plan->add_bone(upper, mirrored(shoulder, side), mirrored(elbow, side), thick(*plan, arm_radius * 1.1),
+                 thick(*plan, arm_radius * 0.9));
+  const int fore = plan->add_joint("forearm" + suffix, upper, mirrored(elbow, side));
+  plan->add_bone(fore, mirrored(elbow, side), mirrored(wrist, side), thick(*plan, arm_radius * 0.92),
+                 thick(*plan, wrist_radius));
+  const int palm_joint = plan->add_joint("hand" + suffix, fore, mirrored(wrist, side));
+  plan->add_bone(palm_joint, mirrored(wrist, side), mirrored(palm, side), thick(*plan, wrist_radius * 1.05),
+                 thick(*plan, wrist_radius * 1.25), {1, 0.9, 1.2});
+  if (limbs.fingers) biped_fingers(plan, palm_joint, wrist, palm, bent, side);
+  Limb limb;
+  limb.joints = {upper, fore, palm_joint};
+  plan->arms.push_back(limb);
+}
+
+void biped_leg(Blueprint* plan, const BipedSizes& of, const BipedLimbs& limbs, int side, Random* random) {
+  const std::string suffix = kSides[side];
+  const double thigh_radius = of.thigh_radius, ankle_radius = of.ankle_radius;
+  const Point hip = {of.hip_half, of.leg * 0.97, 0}, ankle = {of.hip_half + limbs.spread, 0.08, -0.02};
+  const Point knee = mix(hip, ankle, 0.5) + Point{0, 0, 0.025};
+  const double foot = random->range(0.15, 0.17);
+  const Point ball = {ankle.x + 0.02, thick(*plan, ankle_radius), foot * 0.55}, tip = ball + Point{0, 0, foot * 0.5};
+  const int thigh = plan->add_joint("thigh" + suffix, plan->trunk.front(), mirrored(hip, side));
+  plan->add_bone(thigh, mirrored(hip, side), mirrored(knee, side), thigh_radius, thick(*plan, thigh_radius * 0.8));
+  const int shin = plan->add_joint("shin" + suffix, thigh, mirrored(knee, side));
+  plan->add_bone(shin, mirrored(knee, side), mirrored(ankle, side), thick(*plan, thigh_radius * 0.82),
+                 thick(*plan, ankle_radius));
+  const int foot_joint = plan->add_joint("foot" + suffix, shin, mirrored(ankle, side));
+  plan->add_bone(foot_joint, mirrored(ankle, side), mirrored(limbs.toes ? ball : mix(ball, tip, 0.7), side),
+                 thick(*plan, ankle_radius * 1.05), thick(*plan, ankle_radius));
+  Limb lower;
+  lower.joints = {thigh, shin, foot_joint};
+  if (limbs.toes) {
+    const int toe = plan->add_joint("toe" + suffix, foot_joint, mirrored(ball, side));
+    plan->add_bone(toe, mirrored(ball, side), mirrored(tip, side), thick(*plan, ankle_radius),
+                   thick(*plan, ankle_radius * 0.9));
+    lower.joints.push_back(toe);
+  }
+  plan->legs.push_back(lower);
+}
+
+void biped(Blueprint* plan, Random* random) {
+  const BipedSizes sizes(random);
+  const std::vector<Point> spine = biped_trunk(plan, sizes, random);
+  biped_head(plan, sizes, spine.back());
+  const BipedLimbs limbs(*plan, random);
   for (int side = 0; side < 2; ++side) {
-    const std::string suffix = kSides[side];
-    const Point along = unit({cosine(droop), -sine(droop), 0.0}), bent = unit(along + Point{0, 0, forward});
-    const Point shoulder = neck + Point{shoulder_half, -0.06, 0}, elbow = shoulder + along * (arm * 0.52);
-    const Point wrist = elbow + bent * (arm * 0.48), palm = wrist + bent * hand;
-    Limb limb;
-    int up = chest;
-    if (clavicles) {
-      const Point inner = neck + Point{0.03, -0.04, 0};
-      up = plan->add_joint("shoulder" + suffix, chest, mirrored(inner, side));
-      plan->add_bone(up, mirrored(mix(inner, shoulder, 0.6), side), mirrored(shoulder, side),
-                     thick(*plan, arm_radius * 1.15), thick(*plan, arm_radius * 1.15));
-    }
-    const int upper = plan->add_joint("upper_arm" + suffix, up, mirrored(shoulder, side));
-    plan->add_bone(upper, mirrored(shoulder, side), mirrored(elbow, side), thick(*plan, arm_radius * 1.1),
-                   thick(*plan, arm_radius * 0.9));
-    const int fore = plan->add_joint("forearm" + suffix, upper, mirrored(elbow, side));
-    plan->add_bone(fore, mirrored(elbow, side), mirrored(wrist, side), thick(*plan, arm_radius * 0.92),
-                   thick(*plan, wrist_radius));
-    const int palm_joint = plan->add_joint("hand" + suffix, fore, mirrored(wrist, side));
-    plan->add_bone(palm_joint, mirrored(wrist, side), mirrored(palm, side), thick(*plan, wrist_radius * 1.05),
-                   thick(*plan, wrist_radius * 1.25), {1, 0.9, 1.2});
-    limb.joints = {upper, fore, palm_joint};
-    if (fingers) {
-      // Three thick fingers and a thumb, as far apart as the voxels need.
-      const double gap = 3.4 * plan->cell;
-      for (int f = 0; f < 3; ++f) {
-        const Point base = palm + Point{0, 0, gap * (1 - f)};
-        const Point out = unit(bent + Point{0, 0, 0.25 * (1 - f)});
-        chain(plan, "finger_" + std::to_string(f + 1), suffix, palm_joint,
-              {mirrored(base, side), mirrored(base + out * 0.07, side), mirrored(base + out * 0.14, side)},
-              1.1 * plan->cell, plan->cell);
-      }
-      const Point base = mix(wrist, palm, 0.4) + Point{0, 0, 0.5 * gap};
-      chain(plan, "thumb", suffix, palm_joint,
-            {mirrored(base, side), mirrored(base + unit(bent + Point{0, 0, 2.0}) * 0.13, side)}, 1.1 * plan->cell,
-            plan->cell);
-    }
-    plan->arms.push_back(limb);
-
-    const Point hip = {hip_half, leg * 0.97, 0}, ankle = {hip_half + spread, 0.08, -0.02};
-    const Point knee = mix(hip, ankle, 0.5) + Point{0, 0, 0.025};
-    const double foot = random->range(0.15, 0.17);
-    const Point ball = {ankle.x + 0.02, thick(*plan, ankle_radius), foot * 0.55}, tip = ball + Point{0, 0, foot * 0.5};
-    const int thigh = plan->add_joint("thigh" + suffix, hips, mirrored(hip, side));
-    plan->add_bone(thigh, mirrored(hip, side), mirrored(knee, side), thigh_radius, thick(*plan, thigh_radius * 0.8));
-    const int shin = plan->add_joint("shin" + suffix, thigh, mirrored(knee, side));
-    plan->add_bone(shin, mirrored(knee, side), mirrored(ankle, side), thick(*plan, thigh_radius * 0.82),
-                   thick(*plan, ankle_radius));
-    const int foot_joint = plan->add_joint("foot" + suffix, shin, mirrored(ankle, side));
-    plan->add_bone(foot_joint, mirrored(ankle, side), mirrored(toes ? ball : mix(ball, tip, 0.7), side),
-                   thick(*plan, ankle_radius * 1.05), thick(*plan, ankle_radius));
-    Limb lower;
-    lower.joints = {thigh, shin, foot_joint};
-    if (toes) {
-      const int toe = plan->add_joint("toe" + suffix, foot_joint, mirrored(ball, side));
-      plan->add_bone(toe, mirrored(ball, side), mirrored(tip, side), thick(*plan, ankle_radius),
-                     thick(*plan, ankle_radius * 0.9));
-      lower.joints.push_back(toe);
-    }
-    plan->legs.push_back(lower);
+    biped_arm(plan, sizes, limbs, spine.back(), side);
+    biped_leg(plan, sizes, limbs, side, random);
   }
   if (random->chance(0.25)) {
-    const Point start = spine[0] + Point{0, 0, -waist * 0.8};
-    chain(plan, "tail", "", hips,
+    const Point start = spine[0] + Point{0, 0, -sizes.waist * 0.8};
+    chain(plan, "tail", "", plan->trunk.front(),
           {start, start + Point{0, -0.1, -0.16}, start + Point{0, -0.14, -0.32}, start + Point{0, -0.1, -0.48}}, 0.055,
           0.03);
   }

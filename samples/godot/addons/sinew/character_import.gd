@@ -4,6 +4,7 @@ tool
 extends EditorImportPlugin
 
 const Command = preload("command.gd")
+const FileKinds = preload("file_kinds.gd")
 const SceneImporter = preload("character_scene_importer.gd")
 
 enum { RIG, BIND, KEEP }
@@ -20,7 +21,7 @@ func get_visible_name() -> String:
 
 
 func get_recognized_extensions() -> Array:
-	return ["obj", "gltf", "glb", "vrm", "fbx", "dae"]
+	return FileKinds.MESHES
 
 
 func get_save_extension() -> String:
@@ -51,13 +52,12 @@ func get_preset_name(preset: int) -> String:
 func get_import_options(preset: int) -> Array:
 	return [
 		{ "name": "weights", "default_value": preset, "property_hint": PROPERTY_HINT_ENUM, "hint_string": "Rig,Bind,Keep" },
-		{ "name": "skeleton", "default_value": "", "property_hint": PROPERTY_HINT_FILE,
-			"hint_string": "*.rig.txt,*.glb,*.gltf,*.vrm,*.fbx,*.dae,*.bvh" },
+		{ "name": "skeleton", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": FileKinds.SKELETONS },
 		{ "name": "detail", "default_value": 0, "property_hint": PROPERTY_HINT_ENUM, "hint_string": "Body,Hands,Full" },
 		{ "name": "rigid_parts", "default_value": 0, "property_hint": PROPERTY_HINT_ENUM, "hint_string": "Auto,Always,Never" },
 		{ "name": "softness", "default_value": 1.0, "property_hint": PROPERTY_HINT_RANGE, "hint_string": "0.25,4,0.05" },
 		{ "name": "symmetric", "default_value": false },
-		{ "name": "motion/file", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": "*.bvh,*.glb,*.gltf,*.vrm" },
+		{ "name": "motion/file", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": FileKinds.MOTIONS },
 		{ "name": "motion/map", "default_value": "", "property_hint": PROPERTY_HINT_FILE, "hint_string": "*.txt" },
 		{ "name": "motion/in_place", "default_value": false },
 	]

@@ -13,14 +13,13 @@ namespace {
 TEST(CharacterFiles, BelongTogetherAndAreNeverReplaced) {
   const TempFolder folder;
   const std::string data = std::string(SINEW_SOURCE_DIR) + "/samples/data/";
-  EXPECT_EQ(character_files("x/a.glb"), std::vector<std::string>{"x/a.glb"});
-  EXPECT_EQ(character_files("x/a.obj"), (std::vector<std::string>{"x/a.obj", "x/a.rig.txt"}));
   folder.write("part one.bin", "1234");
   const std::string document =
       folder.write("c.gltf", R"({"buffers":[{"uri":"part%20one.bin"},{"uri":"data:,x"}],"images":[]})");
-  EXPECT_EQ(character_files(document), (std::vector<std::string>{document, folder.file("part one.bin")}));
+  place_character(document, folder.file("with_buffer"));
+  EXPECT_EQ(read_file(folder.file("with_buffer/part one.bin")), (std::vector<uint8_t>{49, 50, 51, 52}));
   const std::string outside = folder.write("d.gltf", R"({"buffers":[{"uri":"../secret.bin"}]})");
-  EXPECT_ERROR(character_files(outside), "outside");
+  EXPECT_ERROR(place_character(outside, folder.file("without")), "outside");
 
   place_character(data + "snake__long.obj", folder.file("out"));
   EXPECT_EQ(read_file(folder.file("out/snake__long.rig.txt")), read_file(data + "snake__long.rig.txt"));

@@ -1,0 +1,7 @@
+# SPDX-License-Identifier: MIT
+# Files by extension. Generated from formats/src/files/file_kinds.cpp by scripts/file_kinds.py; a test compares.
+extends Reference
+
+const MESHES = ["obj", "gltf", "glb", "vrm", "fbx", "dae"]
+const SKELETONS = "*.rig.txt,*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh"
+const MOTIONS = "*.gltf,*.glb,*.vrm,*.fbx,*.dae,*.bvh"

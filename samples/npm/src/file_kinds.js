@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Files by extension. Generated from formats/src/files/file_kinds.cpp by scripts/file_kinds.py; a test compares.
+
+export const fileKinds = [
+  { extension: ".obj", name: "OBJ", reader: "obj", uses: ["readsMesh", "writesCharacter", "writesMesh", "offered"] },
+  { extension: ".rig.txt", name: "rig.txt", reader: "rig", uses: ["readsSkeleton", "writesCharacter", "offered"] },
+  { extension: ".txt", name: "rig.txt", reader: "rig", uses: ["readsSkeleton"] },
+  { extension: ".gltf", name: "glTF", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
+  { extension: ".glb", name: "GLB", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
+  { extension: ".vrm", name: "VRM", reader: "gltf", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "writesCharacter", "writesMotion", "offered"] },
+  { extension: ".fbx", name: "FBX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "offered"] },
+  { extension: ".dae", name: "COLLADA", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole", "offered"] },
+  { extension: ".b3d", name: "Blitz3D", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
+  { extension: ".x", name: "DirectX", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
+  { extension: ".mesh.xml", name: "OGRE", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
+  { extension: ".mesh", name: "OGRE", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
+  { extension: ".md5mesh", name: "MD5", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
+  { extension: ".ms3d", name: "MilkShape", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
+  { extension: ".smd", name: "Valve SMD", reader: "scene", uses: ["readsMesh", "readsSkeleton", "readsMotion", "readsWhole"] },
+  { extension: ".bvh", name: "BVH", reader: "bvh", uses: ["readsSkeleton", "readsMotion", "writesMotion", "offered"] },
+];
+
+/** The row of a file's extension, without regard to case. */
+export const fileKind = (file) => fileKinds.find(({ extension }) => file.toLowerCase().endsWith(extension));
+
+/** Extensions of the files that have all these uses: readsMesh, readsSkeleton, readsMotion, readsWhole, ..., offered. */
+export const extensionsOf = (...uses) =>
+  fileKinds.filter((kind) => uses.every((use) => kind.uses.includes(use))).map(({ extension }) => extension);

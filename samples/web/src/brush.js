@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The brush: what it is, and its strokes. Binds that follow them are binding.js's.
+import { number } from "./facts.js";
+import { showError } from "./jobs.js";
+import { Latest } from "./latest.js";
+import { $, at, engine, modes } from "./state.js";
+
+const brushKind = () => document.querySelector("#brush-kind input:checked").value;
+
+export function showBrush() {
+  const kind = brushKind();
+  const ready = Boolean(at.character?.result) && !at.view.editing;
+  at.view.onStroke = ready && (kind === "smooth" || (kind === "add" && at.view.selected >= 0)) ? (vertex) => strokes.want(vertex).catch((error) => showError(error.message)) : null;
+  $("brush").hidden = at.view.editing;
+  if (kind !== "none") $("brush").open = true; // by its key
+  $("brush-settings").hidden = kind === "none";
+  for (const id of ["brush-size", "brush-strength"]) $(id).nextElementSibling.textContent = `${$(id).value} %`;
+  const painted = at.character?.result?.paintedVertices ?? 0;
+  $("painted").textContent = kind === "add" && at.view.selected < 0 ? "choose a joint" : painted ? `${number.format(painted)} vertices` : "";
+  $("forget-paint").disabled = painted === 0;
+}
+
+// The newest place of the brush; the next bind has what it left as hints.
+export const strokes = new Latest(async (vertex) => {
+  if (!at.character?.result) return;
+  const stroke = {
+    vertex,
+    radius: (Number($("brush-size").value) / 100) * at.character.size,
+    joint: brushKind() === "add" ? at.view.selected : -1,
+    strength: Number($("brush-strength").value) / 100,
+  };
+  const shown = at.mode === modes.material ? modes.joints : at.mode;
+  const { buffers } = await engine.call("paint", { stroke, mode: shown, joint: Math.max(0, at.view.selected) });
+  at.view.setColours(buffers.colours);
+});
+
+export function nextBrush() {
+  const kinds = [...document.querySelectorAll("#brush-kind input")];
+  kinds[(kinds.findIndex(({ checked }) => checked) + 1) % kinds.length].checked = true;
+  showBrush();
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Models: of the page's own folder, and the user's.
+import { engine, models } from "./state.js";
+
+// A model of weights, of skeletons or of hands.
+export async function useModel(name) {
+  const { task, ...model } = await engine.call("model", { name });
+  models[task] = { name, ...model };
+}
+
+export async function fetchModel(name) {
+  const response = await fetch(name);
+  if (!response.ok) throw new Error(`${name}: ${response.status} ${response.statusText}; build the page with samples/web/build.sh`);
+  const model = await response.arrayBuffer();
+  await engine.call("write", { files: [{ name, bytes: model }] }, [model]);
+  await useModel(name);
+}

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Points of arrays as Eigen's vectors, and back; random vectors.
+#ifndef SINEW_TRAINER_DATA_EIGEN_POINTS_HPP
+#define SINEW_TRAINER_DATA_EIGEN_POINTS_HPP
+
+#include <Eigen/Core>
+#include <array>
+
+#include "core/random.hpp"
+
+namespace sinew {
+
+inline Eigen::Vector3d vec(const std::array<double, 3>& p) { return {p[0], p[1], p[2]}; }
+inline std::array<double, 3> arr(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+// One after the other, whatever order a compiler gives arguments.
+inline Eigen::Vector3d normals(Random* random) {
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i) v[i] = random->normal();
+  return v;
+}
+
+}  // namespace sinew
+#endif
