@@ -64,6 +64,7 @@ namespace Sinew
         public const uint MAX_DEFORM_ROUNDS = 200;
         public const uint MAX_DEFORM_ENERGY = 1000000;
         public const uint MAX_MAP_LIMBS = 1024;
+        public const uint MAX_FLOOR_SIDE = 4096;
         public const uint MAX_MOTION_LIMBS = 16;
         public const uint MAX_RIG_JOINTS = 192;
         public const uint JOINT_NAME_BYTES = 32;
@@ -259,11 +260,20 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_floor
+        {
+            public IntPtr heights;
+            public uint columns, rows;
+            public float first_0, first_1, step;
+            public uint reserved;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_contact_options
         {
             public uint struct_size;
             public float fps;
-            public IntPtr progress, progress_user;
+            public IntPtr progress, progress_user, floor;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -839,6 +849,7 @@ namespace Sinew
             new StructSize("sinew_map_outputs", Marshal.SizeOf(typeof(sinew_map_outputs)), true),
             new StructSize("sinew_retarget_options", Marshal.SizeOf(typeof(sinew_retarget_options)), true),
             new StructSize("sinew_motion_body", Marshal.SizeOf(typeof(sinew_motion_body)), false),
+            new StructSize("sinew_floor", Marshal.SizeOf(typeof(sinew_floor)), false),
             new StructSize("sinew_contact_options", Marshal.SizeOf(typeof(sinew_contact_options)), true),
             new StructSize("sinew_motion_clip", Marshal.SizeOf(typeof(sinew_motion_clip)), false),
             new StructSize("sinew_limb_measure", Marshal.SizeOf(typeof(sinew_limb_measure)), false),

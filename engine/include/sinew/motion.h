@@ -113,12 +113,27 @@ typedef struct sinew_motion_body {
   uint32_t triangle_count;
 } sinew_motion_body;
 
+#define SINEW_MAX_FLOOR_SIDE 4096u
+
+/* An uneven floor: heights on a regular grid over the two axes of the target's world that are not up, in the order x, y, z; in
+ * between by bilinear interpolation, beyond the edges as at them. A grid and no callback, so that every language gives it in the
+ * same way and it is checked once. Never changes. */
+typedef struct sinew_floor {
+  const float* heights; /* [rows x columns] over the level floor, on which the target stands at rest */
+  uint32_t columns;     /* along the first axis, 1..SINEW_MAX_FLOOR_SIDE */
+  uint32_t rows;        /* along the second */
+  float first[2];       /* where the first height is, along the two axes */
+  float step;           /* from one height to the next, above 0 */
+  uint32_t reserved;    /* 0 */
+} sinew_floor;
+
 /* Start from sinew_contact_options_init(). Later versions add members at the end, as in sinew_retarget_options. */
 typedef struct sinew_contact_options {
   uint32_t struct_size;    /* sizeof(sinew_contact_options) */
   float fps;               /* frames a second; 0 = 30 */
   sinew_progress progress; /* or null */
   void* progress_user;
+  const sinew_floor* floor; /* of the target, the source's is level; null: level as well */
 } sinew_contact_options;
 
 static inline sinew_contact_options sinew_contact_options_init(void) {
@@ -147,8 +162,11 @@ SINEW_API sinew_status sinew_retarget_contacts_workspace_size(const sinew_retarg
 
 /* Keeps contacts in a clip that sinew_retarget_frame() made, by bending arms and legs:
  *   feet   a foot that stands in the source stands still in the target, as high above the floor as the source's
+ *   floor  what else of the source is on its floor is on the target's: hands, knees, elbows, seat, chest and head, by the height of the
+ *          body and the pitch of its trunk, then limb by limb. Nothing moves where feet alone are near it
  *   hands  a hand near a point of the source's body goes near the same point of the target's body
  *   depth  hands and forearms that are in the target's body come out, but for the depth that they have in the source's body
+ * On an uneven floor the body goes as much higher as the floor is under the lower foot.
  * Bones keep their lengths, hands and feet their rotations. Frames before and after are looked at, so it works on whole clips.
  *   source  the body that moved, of the same vertices and triangles as the target's (its `triangles` are not looked at);
  *           null: feet are seen by their joints alone, and arms may be in the target's body as deep as at rest

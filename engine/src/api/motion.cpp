@@ -2,6 +2,8 @@
 // The C API: argument checks of plans that retarget motion.
 #include "sinew/motion.h"
 
+#include <stddef.h>
+
 #include "api/arguments.hpp"
 #include "core/build.hpp"
 #include "core/struct_size.hpp"
@@ -12,6 +14,7 @@
 #include "sinew/published.h"
 
 static_assert(sizeof(sinew_retarget_options) == 5 * sizeof(uint32_t), "a hole in sinew_retarget_options");
+static_assert(sizeof(sinew_floor) == 6 * sizeof(uint32_t) + sizeof(void*), "sinew_floor never changes");
 static_assert(sizeof(sinew_limb_measure) == 12 * sizeof(uint32_t), "sinew_limb_measure never changes");
 static_assert(sizeof(sinew_contact_spot) == 6 * sizeof(uint32_t), "sinew_contact_spot never changes");
 static_assert(sizeof(sinew_reference_options) == 10 * sizeof(uint32_t) + 2 * sizeof(void*),
@@ -58,13 +61,14 @@ sinew_status read_contacts(const sinew_retarget* plan, const sinew_motion_body* 
                            const sinew_motion_clip* clip, const sinew_contact_options* options, const void* workspace,
                            sinew::motion::ClipInputs* inputs) {
   sinew_contact_options own = sinew_contact_options_init();
-  sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, sizeof own, sizeof own, &own);
+  constexpr uint32_t kFirstSize = offsetof(sinew_contact_options, floor);  // the struct of the first release
+  sinew_status status = options == nullptr ? SINEW_OK : sinew::read_struct(options, kFirstSize, sizeof own, &own);
   if (status == SINEW_OK) status = check_clip(plan, source, target, clip, workspace);
   if (status != SINEW_OK) return status;
   const double fps = own.fps == 0 ? 30.0 : static_cast<double>(own.fps);
   if (!(fps >= 1 && fps <= 1000)) return SINEW_ERROR_ARGUMENT;
   *inputs = clip_inputs(*clip, fps, sinew::Progress{own.progress, own.progress_user});
-  return SINEW_OK;
+  return inputs->floor.take(own.floor);
 }
 
 // spots: or null.

@@ -42,6 +42,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_map_outputs", sizeof(sinew_map_outputs)},
     {"sinew_retarget_options", sizeof(sinew_retarget_options)},
     {"sinew_motion_body", sizeof(sinew_motion_body)},
+    {"sinew_floor", sizeof(sinew_floor)},
     {"sinew_contact_options", sizeof(sinew_contact_options)},
     {"sinew_motion_clip", sizeof(sinew_motion_clip)},
     {"sinew_limb_measure", sizeof(sinew_limb_measure)},

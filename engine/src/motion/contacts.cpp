@@ -18,9 +18,11 @@ bool ContactScene::allocate_all(Arena& arena, uint32_t source_joints, uint32_t t
   target_tree.allocate(arena, triangles);
   moves = arena.alloc<Vec3d>(size_t{frames} * kMostLimbs);
   smooth = arena.alloc<Vec3d>(frames);
+  lifts = arena.alloc<Vec3d>(frames);
   stands = arena.alloc<uint8_t>(frames);
   heights = arena.alloc<double>(frames);
   hands = arena.alloc<HandContact>(size_t{frames} * kMostArms);
+  (void)floor_spots.allocate(arena, target_joints, vertices, frames);
   search.allocate(arena, vertices, triangles);
   return arena.ok();
 }
@@ -64,7 +66,7 @@ sinew_status run_contacts(sinew_retarget* plan, const sinew_motion_body* source,
   const sinew_status status = scene.open(plan, source, target, inputs);
   if (status != SINEW_OK || scene.is_same_body()) return status;
   for (uint32_t l = 0; l < scene.limbs.count; ++l) scene.limbs.limbs[l].natural = true;
-  hold_feet(&scene);
+  stand_on_floor(&scene);
   if (!inputs.progress.report(kFeetEnd)) return SINEW_ERROR_CANCELLED;
   return place_hands(&scene);
 }

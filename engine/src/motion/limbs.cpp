@@ -56,6 +56,21 @@ LimbList find_limbs(const sinew_retarget& plan) {
   return list;
 }
 
+void swing(uint32_t pivot, uint32_t end, Quat rotation, sinew_retarget* plan) {
+  const MotionRig& rig = plan->target;
+  const Vec3d at = plan->target_positions[pivot], before = plan->target_positions[end];
+  const Vec3d shift = at + rotate(rotation, before - at) - before;
+  for (uint32_t t = 0; t < rig.count; ++t) {
+    if (!rig.is_below(t, pivot)) continue;
+    if (rig.is_below(t, end)) {
+      plan->target_positions[t] = plan->target_positions[t] + shift;
+    } else {
+      plan->target_positions[t] = at + rotate(rotation, plan->target_positions[t] - at);
+      plan->target_rotations[t] = rotation * plan->target_rotations[t];
+    }
+  }
+}
+
 void move_limb(const Limb& limb, Vec3d goal, Vec3d wanted_middle, sinew_retarget* plan) {
   const MotionRig& rig = plan->target;
   const Vec3d a = plan->target_positions[limb.first], b = plan->target_positions[limb.middle],

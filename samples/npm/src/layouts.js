@@ -60,7 +60,8 @@ export const LAYOUTS = {
   motionBody: layout(32,
     "positions@0:u32 triangles@4:u32 joint_indices@8:u32 weights@12:u32 influence_count@16:u32 weight_format@20:u32 " +
     "vertex_count@24:u32 triangle_count@28:u32"),
-  contactOptions: layout(16, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32"),
+  floor: layout(28, "heights@0:u32 columns@4:u32 rows@8:u32 first@12:f32x2 step@20:f32 reserved@24:u32"),
+  contactOptions: layout(20, "struct_size@0:u32 fps@4:f32 progress@8:u32 progress_user@12:u32 floor@16:u32"),
   motionClip: layout(24,
     "source_rotations@0:u32 source_translations@4:u32 rotations@8:u32 translations@12:u32 frame_count@16:u32 ground@20:f32"),
   limbMeasure: layout(48,
@@ -183,6 +184,7 @@ export const MAX_DEFORM_CELLS = 64;
 export const MAX_DEFORM_ROUNDS = 200;
 export const MAX_DEFORM_ENERGY = 1000000;
 export const MAX_MAP_LIMBS = 1024;
+export const MAX_FLOOR_SIDE = 4096;
 export const MAX_MOTION_LIMBS = 16;
 export const MAX_RIG_JOINTS = 192;
 export const JOINT_NAME_BYTES = 32;

@@ -23,6 +23,7 @@ MAX_DEFORM_CELLS = 64
 MAX_DEFORM_ROUNDS = 200
 MAX_DEFORM_ENERGY = 1000000
 MAX_MAP_LIMBS = 1024
+MAX_FLOOR_SIDE = 4096
 MAX_MOTION_LIMBS = 16
 MAX_RIG_JOINTS = 192
 JOINT_NAME_BYTES = 32
@@ -213,8 +214,14 @@ class sinew_motion_body(Structure):
         ("triangle_count", c_uint32)]
 
 
+class sinew_floor(Structure):
+    _fields_ = [("heights", c_void_p), ("columns", c_uint32), ("rows", c_uint32), ("first", c_float * 2), ("step", c_float),
+        ("reserved", c_uint32)]
+
+
 class sinew_contact_options(Structure):
-    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("progress", sinew_progress), ("progress_user", c_void_p)]
+    _fields_ = [("struct_size", c_uint32), ("fps", c_float), ("progress", sinew_progress), ("progress_user", c_void_p),
+        ("floor", POINTER(sinew_floor))]
 
 
 class sinew_motion_clip(Structure):
@@ -418,7 +425,7 @@ class sinew_character_bake_result(Structure):
 
 STRUCTS: Tuple[Any, ...] = (sinew_mesh, sinew_model, sinew_answer, sinew_alternative, sinew_question, sinew_skeleton, sinew_skin,
     sinew_options, sinew_bind_outputs, sinew_deform_options, sinew_deformer, sinew_deform_outputs, sinew_map_pin, sinew_map_options,
-    sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
+    sinew_map_outputs, sinew_retarget_options, sinew_motion_body, sinew_floor, sinew_contact_options, sinew_motion_clip, sinew_limb_measure,
     sinew_contact_spot, sinew_rig_options, sinew_rig_outputs, sinew_joint_verdicts, sinew_bound_character, sinew_vertex_pair,
     sinew_transfer_options, sinew_transfer_part, sinew_transfer_outputs, sinew_reference_options, sinew_simplify_options)
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What of a body touches the floor beside its feet: hands, elbows and knees, seat and chest, by their lowest vertices.
+#ifndef SINEW_MOTION_FLOOR_SPOTS_HPP
+#define SINEW_MOTION_FLOOR_SPOTS_HPP
+
+#include "motion/clip_scene.hpp"
+
+namespace sinew::motion {
+
+// Spots of a body: the end of limb l is l, its middle kMostLimbs + l.
+constexpr uint32_t kSeat = 2 * kMostLimbs, kChest = kSeat + 1, kFloorSpots = kChest + 1;
+constexpr uint32_t middle_spot(uint32_t limb) { return kMostLimbs + limb; }
+
+// A spot of the source in one frame.
+struct FloorSpot {
+  double weight = 0;  // 0: far from its floor, 1: on it
+  double height = 0;  // over the floor, in the target's units
+};
+
+class FloorSpots {
+ public:
+  // Works with a measuring arena. Returns arena.ok().
+  bool allocate(Arena& arena, uint32_t target_joints, uint32_t vertices, uint32_t frames);
+  // Which vertices and joints a spot has, of a scene that is open and must outlive this, and where the source touches the floor
+  // in every frame. `source_floor`: its height, in the source's units. Frames are those that were copied.
+  void open(ClipScene* scene, double source_floor);
+
+  bool any() const { return any_; }  // some spot in some frame
+  const FloorSpot& at(uint32_t frame, uint32_t spot) const { return spots_[size_t{frame} * kFloorSpots + spot]; }
+  // In the plan's target pose, how far the lowest vertex of a spot in `mask` is to rise. 0 for one that is far from the floor.
+  // rises [kFloorSpots]
+  void find_rises(uint32_t frame, uint64_t mask, double* rises) const;
+  double rise(uint32_t frame, uint32_t spot) const {
+    double rises[kFloorSpots];
+    find_rises(frame, uint64_t{1} << spot, rises);
+    return rises[spot];
+  }
+
+ private:
+  static constexpr uint8_t kNoSpot = 255;
+  uint8_t spot_of(uint32_t joint, Vec3d position) const;
+  uint64_t near_floor(double source_floor, uint32_t (&lowest_joints)[kFloorSpots]) const;
+  // Heights of the spots in `mask`, over the target's floor or as they are.
+  void find_lowest(const PosedBody& posed, uint64_t mask, bool over_floor, double* heights) const;
+
+  ClipScene* s_ = nullptr;
+  uint8_t* vertex_spots_ = nullptr;  // [vertices]
+  uint8_t* joint_spots_ = nullptr;   // [target joints]
+  FloorSpot* spots_ = nullptr;       // [frames x kFloorSpots]
+  bool any_ = false;
+};
+
+}  // namespace sinew::motion
+#endif
