@@ -301,6 +301,15 @@ namespace Sinew
         }
 
         [StructLayout(LayoutKind.Sequential)]
+        public struct sinew_retarget_stream_options
+        {
+            public uint struct_size;
+            public float fps, ground;
+            public uint has_ground, no_contacts, no_range;
+            public IntPtr floor;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
         public struct sinew_rig_options
         {
             public uint struct_size, up, mirror, spine_count, no_toes, no_ends, weights_in_place, kernel;
@@ -666,6 +675,21 @@ namespace Sinew
             IntPtr workspace, UIntPtr workspace_bytes, IntPtr limbs, IntPtr limb_count, IntPtr spots);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_workspace_size(uint source_joints, uint target_joints, uint body_vertices,
+            out UIntPtr size_bytes);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_create(IntPtr source, IntPtr target, IntPtr map, IntPtr target_classes,
+            IntPtr plan_options, IntPtr body, IntPtr options, IntPtr memory, UIntPtr memory_bytes, out IntPtr stream);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_frame(IntPtr stream, IntPtr rotations, IntPtr translations, IntPtr out_rotations,
+            IntPtr out_translations);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern int sinew_retarget_stream_restart(IntPtr stream);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int sinew_rig_model_open(IntPtr bytes, UIntPtr size_bytes, IntPtr model);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -854,6 +878,7 @@ namespace Sinew
             new StructSize("sinew_motion_clip", Marshal.SizeOf(typeof(sinew_motion_clip)), false),
             new StructSize("sinew_limb_measure", Marshal.SizeOf(typeof(sinew_limb_measure)), false),
             new StructSize("sinew_contact_spot", Marshal.SizeOf(typeof(sinew_contact_spot)), false),
+            new StructSize("sinew_retarget_stream_options", Marshal.SizeOf(typeof(sinew_retarget_stream_options)), true),
             new StructSize("sinew_rig_options", Marshal.SizeOf(typeof(sinew_rig_options)), true),
             new StructSize("sinew_rig_outputs", Marshal.SizeOf(typeof(sinew_rig_outputs)), true),
             new StructSize("sinew_joint_verdicts", Marshal.SizeOf(typeof(sinew_joint_verdicts)), true),

@@ -7,6 +7,7 @@
 #include "sinew/model.h"
 #include "sinew/motion.h"
 #include "sinew/motion_clips.h"
+#include "sinew/motion_stream.h"
 #include "sinew/names.h"
 #include "sinew/published.h"
 #include "sinew/questions.h"
@@ -47,6 +48,7 @@ constexpr StructSize kStructSizes[] = {
     {"sinew_motion_clip", sizeof(sinew_motion_clip)},
     {"sinew_limb_measure", sizeof(sinew_limb_measure)},
     {"sinew_contact_spot", sizeof(sinew_contact_spot)},
+    {"sinew_retarget_stream_options", sizeof(sinew_retarget_stream_options)},
     {"sinew_rig_options", sizeof(sinew_rig_options)},
     {"sinew_rig_outputs", sizeof(sinew_rig_outputs)},
     {"sinew_joint_verdicts", sizeof(sinew_joint_verdicts)},

@@ -3,15 +3,14 @@
 #ifndef SINEW_MOTION_BODY_LIFT_HPP
 #define SINEW_MOTION_BODY_LIFT_HPP
 
-#include "motion/contacts.hpp"
-#include "motion/foot_search.hpp"
+#include "motion/floor_contacts.hpp"
 
 namespace sinew::motion {
 
 class BodyLift {
  public:
   // Of scenes that are open; they must outlive this.
-  BodyLift(ContactScene* scene, const FootSearch& feet) : s_(*scene), plan_(*scene->plan), feet_(feet) {}
+  BodyLift(FloorScene* scene, const FootSearch& feet) : s_(*scene), plan_(*scene->plan), feet_(feet) {}
 
   // On an uneven floor: as much higher as it is under the lower foot, smoothed over time.
   void follow_floor();
@@ -28,7 +27,7 @@ class BodyLift {
   Vec3d hips() const;
   Vec3d shoulders() const;
 
-  ContactScene& s_;
+  FloorScene& s_;
   sinew_retarget& plan_;
   const FootSearch& feet_;
 };

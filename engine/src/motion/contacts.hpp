@@ -5,7 +5,7 @@
 #define SINEW_MOTION_CONTACTS_HPP
 
 #include "motion/arm_search.hpp"
-#include "motion/floor_spots.hpp"
+#include "motion/floor_contacts.hpp"
 
 namespace sinew::motion {
 
@@ -23,16 +23,10 @@ struct HandContact {
   bool outside = false;                // the target's arm, where it is now, is no deeper than it may be
 };
 
-struct ContactScene : ClipScene {
+struct ContactScene : FloorScene {
   ArmSearch search;
   TriangleTree source_tree, target_tree;
-  Vec3d* moves = nullptr;        // [frames x limbs] where ends are to go from where they are
-  Vec3d* smooth = nullptr;       // [frames] scratch
-  Vec3d* lifts = nullptr;        // [frames] of the trunk, see BodyLift
-  uint8_t* stands = nullptr;     // [frames] scratch
-  double* heights = nullptr;     // [frames] scratch
   HandContact* hands = nullptr;  // [frames x arms]
-  FloorSpots floor_spots;
 
   // Works with a measuring arena. Returns arena.ok().
   bool allocate_all(Arena& arena, uint32_t source_joints, uint32_t target_joints, uint32_t vertices, uint32_t triangles,
@@ -43,11 +37,6 @@ struct ContactScene : ClipScene {
   void search_target_at_rest();
 };
 
-// x[i] becomes (x[i-1] + 2 x[i] + x[i+1]) / 4, ends stay. stride in elements; scratch [count].
-void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch);
-
-// Feet, hands, knees, elbows, seat and chest on the floor.
-void stand_on_floor(ContactScene* scene);
 // SINEW_OK or SINEW_ERROR_CANCELLED.
 sinew_status place_hands(ContactScene* scene);
 

@@ -42,44 +42,50 @@ uint8_t FloorSpots::spot_of(uint32_t joint, Vec3d position) const {
   return limb.leg && length(position - first) < 0.5 * upper ? static_cast<uint8_t>(kSeat) : kNoSpot;
 }
 
-void FloorSpots::open(ClipScene* scene, double source_floor) {
+void FloorSpots::open(ClipScene* scene) {
   s_ = scene;
-  any_ = false;
-  sinew_retarget* const plan = s_->plan;
-  for (uint32_t j = 0; j < plan->target.count; ++j) joint_spots_[j] = spot_of(j, plan->target.positions[j]);
+  const MotionRig& rig = s_->plan->target;
+  for (uint32_t j = 0; j < rig.count; ++j) joint_spots_[j] = spot_of(j, rig.positions[j]);
   for (uint32_t v = 0; v < s_->body->vertex_count; ++v)
     vertex_spots_[v] = spot_of(heaviest_joint(*s_->body, v), s_->target.rest(v));
+}
+
+void FloorSpots::look(double source_floor) {
+  any_ = false;
+  for (uint32_t f = 0; f < s_->in->frames; ++f) look_at(f, source_floor);
+}
+
+void FloorSpots::look_at(uint32_t frame, double source_floor) {
+  sinew_retarget* const plan = s_->plan;
   const double touch = (s_->has_source ? kTouchFloor : kGuessedTouch) * s_->source_height;
   const double leave = (s_->has_source ? kLeaveFloor : kGuessedLeave) * s_->source_height;
-  for (uint32_t f = 0; f < s_->in->frames; ++f) {
-    FloorSpot* const row = spots_ + size_t{f} * kFloorSpots;
-    for (uint32_t i = 0; i < kFloorSpots; ++i) row[i] = FloorSpot();
-    (void)s_->load_source(f, false);
-    uint32_t joints[kFloorSpots];
-    const uint64_t mask = near_floor(source_floor, joints);
-    if (mask == 0) continue;
-    double low[kFloorSpots], own[kFloorSpots];
-    if (s_->has_source) {
-      s_->source.take_pose(plan->source_rotations, plan->source_positions);
-      find_lowest(s_->source, mask, false, low);
-    } else {
-      s_->load(f);
-      s_->target.take_pose(plan->target_rotations, plan->target_positions);
-      find_lowest(s_->target, mask, false, own);
+  FloorSpot* const row = spots_ + size_t{frame} * kFloorSpots;
+  for (uint32_t i = 0; i < kFloorSpots; ++i) row[i] = FloorSpot();
+  (void)s_->load_source(frame, false);
+  uint32_t joints[kFloorSpots];
+  const uint64_t mask = near_floor(source_floor, joints);
+  if (mask == 0) return;
+  double low[kFloorSpots];
+  if (s_->has_source) {
+    s_->source.take_pose(plan->source_rotations, plan->source_positions);
+    find_lowest(s_->source, mask, false, low);
+  } else {
+    s_->load(frame);
+    s_->target.take_pose(plan->target_rotations, plan->target_positions);
+    find_lowest(s_->target, mask, false, low);
+  }
+  for (uint32_t i = 0; i < kFloorSpots; ++i) {
+    if ((mask >> i & 1) == 0) continue;
+    double height = low[i] - source_floor;
+    if (!s_->has_source) {  // flesh below the joint, scaled
+      const uint32_t t = joints[i];
+      const double flesh = dot(plan->up, plan->target_positions[t]) - low[i];
+      height = dot(plan->up, plan->source_positions[plan->map[t]]) - source_floor - flesh / plan->scale;
     }
-    for (uint32_t i = 0; i < kFloorSpots; ++i) {
-      if ((mask >> i & 1) == 0) continue;
-      double height = low[i] - source_floor;
-      if (!s_->has_source) {  // flesh below the joint, scaled
-        const uint32_t t = joints[i];
-        const double flesh = dot(plan->up, plan->target_positions[t]) - own[i];
-        height = dot(plan->up, plan->source_positions[plan->map[t]]) - source_floor - flesh / plan->scale;
-      }
-      row[i].weight = 1 - ramp(height, touch, leave);
-      if (!s_->has_source) height -= touch;
-      row[i].height = height > 0 ? plan->scale * height : 0;
-      any_ = any_ || row[i].weight > 0;
-    }
+    row[i].weight = 1 - ramp(height, touch, leave);
+    if (!s_->has_source) height -= touch;
+    row[i].height = height > 0 ? plan->scale * height : 0;
+    any_ = any_ || row[i].weight > 0;
   }
 }
 

@@ -21,9 +21,10 @@ class FloorSpots {
  public:
   // Works with a measuring arena. Returns arena.ok().
   bool allocate(Arena& arena, uint32_t target_joints, uint32_t vertices, uint32_t frames);
-  // Which vertices and joints a spot has, of a scene that is open and must outlive this, and where the source touches the floor
-  // in every frame. `source_floor`: its height, in the source's units. Frames are those that were copied.
-  void open(ClipScene* scene, double source_floor);
+  // Which vertices and joints a spot has, of a scene that is open and must outlive this.
+  void open(ClipScene* scene);
+  // Where the source touches the floor in every frame, as those were copied. `source_floor`: its height, in the source's units.
+  void look(double source_floor);
 
   bool any() const { return any_; }  // some spot in some frame
   const FloorSpot& at(uint32_t frame, uint32_t spot) const { return spots_[size_t{frame} * kFloorSpots + spot]; }
@@ -38,6 +39,7 @@ class FloorSpots {
 
  private:
   static constexpr uint8_t kNoSpot = 255;
+  void look_at(uint32_t frame, double source_floor);
   uint8_t spot_of(uint32_t joint, Vec3d position) const;
   uint64_t near_floor(double source_floor, uint32_t (&lowest_joints)[kFloorSpots]) const;
   // Heights of the spots in `mask`, over the target's floor or as they are.

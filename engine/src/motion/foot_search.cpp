@@ -30,13 +30,14 @@ void FootSearch::find_standing(const Limb& limb, uint8_t* stands) {
   Vec3d before = {0, 0, 0};
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     (void)s_.load_source(f, false);
-    const double a = lift(limb.last), b = lift(toe);
     const Vec3d position = s_.plan->source_positions[source_of(toe)];
-    const bool slow = f == 0 ? s_.source_height > 0 : is_slow(position - before);
+    const bool slow = is_slow(f == 0 ? Vec3d{0, 0, 0} : position - before);
     before = position;
-    stands[f] = (a < b ? a : b) < kContactHeight * s_.source_height && slow;
+    stands[f] = is_low(limb) && slow;
   }
 }
+
+bool FootSearch::is_low(const Limb& limb) const { return height(limb) < kContactHeight * s_.source_height; }
 
 bool FootSearch::is_slow(Vec3d way) const {
   return length(way) * (s_.in->fps / kContactFps) < kContactDistance * s_.source_height;
