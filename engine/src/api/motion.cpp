@@ -215,8 +215,8 @@ sinew_status sinew_retarget_reference_points(sinew_retarget* plan, const sinew_m
   }
 }
 
-sinew_status sinew_retarget_stream_workspace_size(uint32_t source_joints, uint32_t target_joints, uint32_t body_vertices,
-                                                  size_t* size_bytes) {
+sinew_status sinew_retarget_stream_workspace_size(uint32_t source_joints, uint32_t target_joints,
+                                                  uint32_t body_vertices, size_t* size_bytes) {
   const sinew_status status = sinew_retarget_create_workspace_size(source_joints, target_joints, size_bytes);
   if (status != SINEW_OK) return status;
   *size_bytes = 0;

@@ -7,15 +7,16 @@
 namespace sinew::motion {
 namespace {
 
-constexpr double kFloorReach = 0.1;   // share of the source's height up to which the floor is felt
-constexpr double kFade = 0.6;         // of an offset, in a thirtieth of a second
+constexpr double kFloorReach = 0.1;    // share of the source's height up to which the floor is felt
+constexpr double kFade = 0.6;          // of an offset, in a thirtieth of a second
 constexpr double kLeastOffset = 1e-5;  // share of the target's height, below which nothing is left of one
-constexpr double kBend = 0.2;         // share of the upper arm by which an elbow on no side is on its own
-constexpr double kNatural = 0.02;     // and that counts as much as where it is
-constexpr double kStraight = 0.9995;  // share of an arm's length that it reaches
-constexpr double kMostOffset = 0.1;   // of the target's height that a standing joint may be from where it was copied, frame by frame
-constexpr double kBendFade = 0.95;    // of the elbows' sides, in a frame
-constexpr uint32_t kRounds = 3;       // of the body's height and its knees and elbows
+constexpr double kBend = 0.2;          // share of the upper arm by which an elbow on no side is on its own
+constexpr double kNatural = 0.02;      // and that counts as much as where it is
+constexpr double kStraight = 0.9995;   // share of an arm's length that it reaches
+constexpr double kMostOffset =
+    0.1;  // of the target's height that a standing joint may be from where it was copied, frame by frame
+constexpr double kBendFade = 0.95;  // of the elbows' sides, in a frame
+constexpr uint32_t kRounds = 3;     // of the body's height and its knees and elbows
 
 // kFade to the power of 30 / fps: whole powers and roots of it, which need no libm.
 double fade_at(double fps) {
@@ -226,7 +227,8 @@ void FloorContacts::lock_next(const Held& held, bool again) {
     if (length(place.offset) > most) place.offset = most * unit(place.offset);
     place.stand = now + place.offset;
   } else {
-    place.offset = length(place.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps) * place.offset : Vec3d{0, 0, 0};
+    place.offset =
+        length(place.offset) > kLeastOffset * s_.target.height ? fade_at(s_.in->fps) * place.offset : Vec3d{0, 0, 0};
   }
   place.stood = stands;
   move = place.offset;

@@ -43,7 +43,7 @@ struct FloorMemory {
   Place places[2 * kMostLimbs];  // of ends, then of middles
   Vec3d bends[kMostLimbs] = {};
   Hinge hinges[kMostLimbs];  // of find_hinges(), once
-  bool any = false;  // a frame came before
+  bool any = false;          // a frame came before
 };
 
 class FloorContacts {
