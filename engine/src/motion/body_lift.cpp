@@ -11,10 +11,10 @@ constexpr double kMostPitch = 0.3;   // about the angle of one round
 constexpr double kStraight = 0.999;  // share of an arm's length that it reaches
 constexpr uint32_t kFloorPasses = 12, kNeedPasses = 1;
 
-// What several spots want of one height: what is below the floor comes first, and what is hardly on it holds nothing down.
+// What several patches want of one height: what is below the floor comes first, and what is hardly on it holds nothing down.
 struct Wanted {
   double greatest = -1e300, least = 0, weight = 0;
-  double slack = 0;  // a spot of no weight may be as far below
+  double slack = 0;  // a patch of no weight may be as far below
 
   void add(double own, double rise) {
     if (!(own > 0)) return;
@@ -56,23 +56,23 @@ void BodyLift::meet_floor() {
 
 // x: of all, y: of the trunk's pitch.
 Vec3d BodyLift::needs_of(uint32_t frame) {
-  const FloorSpots& spots = s_.floor_spots;
+  const FloorPatches& patches = s_.floor_patches;
   bool any = false;
-  for (uint32_t i = 0; i < kFloorSpots; ++i) any = any || spots.at(frame, i).weight > 0;
+  for (uint32_t i = 0; i < kPatchCount; ++i) any = any || patches.at(frame, i).weight > 0;
   if (!any) return {0, 0, 0};
   (void)s_.load_source(frame, false);
   s_.load(frame);
-  double rises[kFloorSpots];
-  spots.find_rises(frame, ~uint64_t{0}, rises);
+  double rises[kPatchCount];
+  patches.find_rises(frame, ~uint64_t{0}, rises);
   Wanted lower, upper;
   lower.slack = upper.slack = 0.1 * s_.target.height;
-  lower.add(spots.at(frame, kSeat).weight, rises[kSeat]);
-  upper.add(spots.at(frame, kChest).weight, rises[kChest]);
+  lower.add(patches.at(frame, kSeat).weight, rises[kSeat]);
+  upper.add(patches.at(frame, kChest).weight, rises[kChest]);
   double carried = 0;
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
     const Limb& limb = s_.limbs.limbs[l];
-    const uint32_t middle = middle_spot(l);
-    (limb.leg ? lower : upper).add(spots.at(frame, middle).weight, rises[middle]);
+    const uint32_t middle = middle_patch(l);
+    (limb.leg ? lower : upper).add(patches.at(frame, middle).weight, rises[middle]);
     if (limb.leg) carried = greater(carried, 1 - ramp(feet_.height(limb), 0, kFeltFeet * s_.source_height));
   }
   carried = greater(carried, lower.weight);
@@ -89,7 +89,7 @@ double BodyLift::arm_need(uint32_t frame, const double* rises) const {
   double need = 0;
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
     const Limb& limb = s_.limbs.limbs[l];
-    const double own = limb.leg ? 0 : s_.floor_spots.at(frame, l).weight;
+    const double own = limb.leg ? 0 : s_.floor_patches.at(frame, l).weight;
     if (!(own > 0)) continue;
     const Vec3d first = plan_.target_positions[limb.first], middle = plan_.target_positions[limb.middle],
                 last = plan_.target_positions[limb.last];

@@ -53,7 +53,7 @@ sinew_status run_contacts(sinew_retarget* plan, const sinew_motion_body* source,
   const sinew_status status = scene.open(plan, source, target, inputs);
   if (status != SINEW_OK || scene.is_same_body()) return status;
   for (uint32_t l = 0; l < scene.limbs.count; ++l) scene.limbs.limbs[l].natural = true;
-  scene.floor_spots.open(&scene);
+  scene.floor_patches.open(&scene);
   FloorContacts(&scene, nullptr).run();
   if (!inputs.progress.report(kFeetEnd)) return SINEW_ERROR_CANCELLED;
   return place_hands(&scene);

@@ -40,7 +40,7 @@ bool FloorScene::allocate_floor(Arena& arena, uint32_t target_joints, uint32_t v
   lifts = arena.alloc<Vec3d>(frames);
   stands = arena.alloc<uint8_t>(frames);
   heights = arena.alloc<double>(frames);
-  return floor_spots.allocate(arena, target_joints, vertices, frames);
+  return floor_patches.allocate(arena, target_joints, vertices, frames);
 }
 
 void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t passes, Vec3d* scratch) {
@@ -55,14 +55,14 @@ FloorContacts::FloorContacts(FloorScene* scene, FloorMemory* memory)
     : s_(*scene), memory_(memory), plan_(*scene->plan), search_(scene) {}
 
 void FloorContacts::run() {
-  s_.floor_spots.look(search_.source_floor());
-  if (s_.floor_spots.any()) find_bends();
+  s_.floor_patches.look(search_.source_floor());
+  if (s_.floor_patches.any()) find_bends();
   BodyLift lift(&s_, search_);
   lift.follow_floor();
-  for (uint32_t round = 0; round < kRounds && s_.floor_spots.any(); ++round) {
+  for (uint32_t round = 0; round < kRounds && s_.floor_patches.any(); ++round) {
     lift.meet_floor();
     for (uint32_t l = 0; l < s_.limbs.count; ++l)
-      hold({l, s_.limbs.limbs[l].middle, middle_spot(l), false, true}, round > 0);
+      hold({l, s_.limbs.limbs[l].middle, middle_patch(l), false, true}, round > 0);
   }
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
     const Limb& limb = s_.limbs.limbs[l];
@@ -136,7 +136,7 @@ void FloorContacts::hold(const Held& held, bool again) {
 bool FloorContacts::is_on_floor(const Held& held) const {
   if (memory_ != nullptr && dot(place_of(held).offset, place_of(held).offset) > 0) return true;
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
-    if (weight(f, held.spot) > 0) return true;
+    if (weight(f, held.patch) > 0) return true;
   }
   return false;
 }
@@ -149,7 +149,7 @@ void FloorContacts::find_standing(const Held& held) {
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     (void)s_.load_source(f, false);
     const Vec3d position = plan_.source_positions[source];
-    const bool low = held.foot ? search_.is_low(s_.limbs.limbs[held.limb]) : weight(f, held.spot) > 0.5;
+    const bool low = held.foot ? search_.is_low(s_.limbs.limbs[held.limb]) : weight(f, held.patch) > 0.5;
     s_.stands[f] = low && search_.is_slow(first ? Vec3d{0, 0, 0} : position - before);
     before = position;
     first = false;
@@ -158,10 +158,10 @@ void FloorContacts::find_standing(const Held& held) {
 }
 
 double FloorContacts::rise_of(const Held& held, uint32_t frame) {
-  const double own = weight(frame, held.spot);
+  const double own = weight(frame, held.patch);
   if (!(own > 0)) return 0;
   s_.load(frame);
-  return own * s_.floor_spots.rise(frame, held.spot);
+  return own * s_.floor_patches.rise(frame, held.patch);
 }
 
 // The first bone towards the middle's goal; the second one keeps its direction.
@@ -173,7 +173,7 @@ void FloorContacts::aim(const Limb& limb, Vec3d move) {
 void FloorContacts::reach(const Held& held, Vec3d move, uint32_t frame) {
   const Limb& limb = s_.limbs.limbs[held.limb];
   Vec3d goal = plan_.target_positions[limb.last] + move;
-  const double middle = weight(frame, middle_spot(held.limb)), end = held.foot ? 0 : weight(frame, held.spot);
+  const double middle = weight(frame, middle_patch(held.limb)), end = held.foot ? 0 : weight(frame, held.patch);
   if (middle > 0) {
     const Vec3d from = plan_.target_positions[limb.last] - plan_.target_positions[limb.middle];
     swing(limb.middle, limb.last, shortest_arc(from, from + middle * move), &plan_);
@@ -283,7 +283,7 @@ void FloorContacts::reach_floor(const Limb& limb, uint32_t number) {
     felt = s_.stands[f] != 0 || felt > 1 ? 1 : felt < 0 ? 0 : felt;
     // Below a knee on the floor an ankle may be lower than a standing one.
     const double source =
-        !s_.has_source && low.source < 0 ? (1 - weight(f, middle_spot(number))) * low.source : low.source;
+        !s_.has_source && low.source < 0 ? (1 - weight(f, middle_patch(number))) * low.source : low.source;
     s_.heights[f] = felt * (plan_.scale * source - low.target);
   }
 }

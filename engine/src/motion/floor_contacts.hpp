@@ -3,7 +3,7 @@
 #ifndef SINEW_MOTION_FLOOR_CONTACTS_HPP
 #define SINEW_MOTION_FLOOR_CONTACTS_HPP
 
-#include "motion/floor_spots.hpp"
+#include "motion/floor_patches.hpp"
 #include "motion/foot_search.hpp"
 #include "motion/natural_range.hpp"
 
@@ -15,7 +15,7 @@ struct FloorScene : ClipScene {
   Vec3d* lifts = nullptr;     // [frames] of the trunk, see BodyLift
   uint8_t* stands = nullptr;  // [frames] scratch
   double* heights = nullptr;  // [frames] scratch
-  FloorSpots floor_spots;
+  FloorPatches floor_patches;
 
   // What this adds to ClipScene. Works with a measuring arena. Returns arena.ok().
   bool allocate_floor(Arena& arena, uint32_t target_joints, uint32_t vertices, uint32_t frames);
@@ -28,7 +28,7 @@ void smooth_over_time(Vec3d* values, uint32_t count, uint32_t stride, uint32_t p
 struct Held {
   uint32_t limb = 0;
   uint32_t joint = 0;  // that stays at one place
-  uint32_t spot = 0;   // of the body, beside feet
+  uint32_t patch = 0;  // of the body, beside feet
   bool foot = false, middle = false;
 };
 
@@ -55,7 +55,7 @@ class FloorContacts {
 
  private:
   static size_t index(uint32_t frame, uint32_t limb) { return size_t{frame} * kMostLimbs + limb; }
-  double weight(uint32_t frame, uint32_t spot) const { return s_.floor_spots.at(frame, spot).weight; }
+  double weight(uint32_t frame, uint32_t patch) const { return s_.floor_patches.at(frame, patch).weight; }
   FloorMemory::Place& place_of(const Held& held) const {
     return memory_->places[held.middle ? kMostLimbs + held.limb : held.limb];
   }

@@ -92,7 +92,7 @@ sinew_status create_stream(const sinew_skeleton& source, const sinew_skeleton& t
   *room.stream = made;
   sinew_retarget_stream& own = *room.stream;
   (void)own.scene.open(own.plan, nullptr, own.body, own.inputs);  // without a frame nothing can fail
-  own.scene.floor_spots.open(&own.scene);
+  own.scene.floor_patches.open(&own.scene);
   find_hinges(own.scene, own.memory.hinges);
   *stream = room.stream;
   return SINEW_OK;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Joints say which spots may be near the floor; of those vertices say how near. A source without a body has the target's flesh.
-#include "motion/floor_spots.hpp"
+// Joints say which patches may be near the floor; of those vertices say how near. A source without a body has the target's flesh.
+#include "motion/floor_patches.hpp"
 
 #include "sinew/rig.h"
 
 namespace sinew::motion {
 namespace {
 
-// Shares of the source's height. A joint within the first may have skin on the floor; a spot touches up to the second and no longer from
+// Shares of the source's height. A joint within the first may have skin on the floor; a patch touches up to the second and no longer from
 // the third on. Flesh that is the target's is not that well known.
 constexpr double kJointReach = 0.15;
 constexpr double kTouchFloor = 0.012, kLeaveFloor = 0.04;
@@ -15,15 +15,15 @@ constexpr double kGuessedTouch = 0.03, kGuessedLeave = 0.06;
 
 }  // namespace
 
-bool FloorSpots::allocate(Arena& arena, uint32_t target_joints, uint32_t vertices, uint32_t frames) {
-  vertex_spots_ = arena.alloc<uint8_t>(vertices);
-  joint_spots_ = arena.alloc<uint8_t>(target_joints);
-  spots_ = arena.alloc<FloorSpot>(size_t{frames} * kFloorSpots);
+bool FloorPatches::allocate(Arena& arena, uint32_t target_joints, uint32_t vertices, uint32_t frames) {
+  vertex_patches_ = arena.alloc<uint8_t>(vertices);
+  joint_patches_ = arena.alloc<uint8_t>(target_joints);
+  patches_ = arena.alloc<FloorPatch>(size_t{frames} * kPatchCount);
   return arena.ok();
 }
 
 // Half a bone around knees and elbows, and around hips, is theirs; feet are held for themselves.
-uint8_t FloorSpots::spot_of(uint32_t joint, Vec3d position) const {
+uint8_t FloorPatches::patch_of(uint32_t joint, Vec3d position) const {
   const sinew_retarget& plan = *s_->plan;
   const BodyPart part = s_->joint_parts[joint];
   const uint32_t limb_index = s_->joint_limbs[joint], own = plan.classes[joint];
@@ -31,41 +31,41 @@ uint8_t FloorSpots::spot_of(uint32_t joint, Vec3d position) const {
     if (own == SINEW_CLASS_PELVIS || own == SINEW_CLASS_HIP) return kSeat;
     const bool trunk =
         own == SINEW_CLASS_SPINE || own == SINEW_CLASS_NECK || own == SINEW_CLASS_HEAD || own == SINEW_CLASS_CLAVICLE;
-    return trunk ? static_cast<uint8_t>(kChest) : kNoSpot;
+    return trunk ? static_cast<uint8_t>(kChest) : kNoPatch;
   }
-  if (part == BodyPart::kFoot) return kNoSpot;
+  if (part == BodyPart::kFoot) return kNoPatch;
   if (part == BodyPart::kHand) return static_cast<uint8_t>(limb_index);
   const Limb& limb = s_->limbs.limbs[limb_index];
   const Vec3d first = plan.target.positions[limb.first], middle = plan.target.positions[limb.middle];
   const double upper = length(middle - first), lower = length(plan.target.positions[limb.last] - middle);
-  if (length(position - middle) < 0.5 * lesser(upper, lower)) return static_cast<uint8_t>(middle_spot(limb_index));
-  return limb.leg && length(position - first) < 0.5 * upper ? static_cast<uint8_t>(kSeat) : kNoSpot;
+  if (length(position - middle) < 0.5 * lesser(upper, lower)) return static_cast<uint8_t>(middle_patch(limb_index));
+  return limb.leg && length(position - first) < 0.5 * upper ? static_cast<uint8_t>(kSeat) : kNoPatch;
 }
 
-void FloorSpots::open(ClipScene* scene) {
+void FloorPatches::open(ClipScene* scene) {
   s_ = scene;
   const MotionRig& rig = s_->plan->target;
-  for (uint32_t j = 0; j < rig.count; ++j) joint_spots_[j] = spot_of(j, rig.positions[j]);
+  for (uint32_t j = 0; j < rig.count; ++j) joint_patches_[j] = patch_of(j, rig.positions[j]);
   for (uint32_t v = 0; v < s_->body->vertex_count; ++v)
-    vertex_spots_[v] = spot_of(heaviest_joint(*s_->body, v), s_->target.rest(v));
+    vertex_patches_[v] = patch_of(heaviest_joint(*s_->body, v), s_->target.rest(v));
 }
 
-void FloorSpots::look(double source_floor) {
+void FloorPatches::look(double source_floor) {
   any_ = false;
   for (uint32_t f = 0; f < s_->in->frames; ++f) look_at(f, source_floor);
 }
 
-void FloorSpots::look_at(uint32_t frame, double source_floor) {
+void FloorPatches::look_at(uint32_t frame, double source_floor) {
   sinew_retarget* const plan = s_->plan;
   const double touch = (s_->has_source ? kTouchFloor : kGuessedTouch) * s_->source_height;
   const double leave = (s_->has_source ? kLeaveFloor : kGuessedLeave) * s_->source_height;
-  FloorSpot* const row = spots_ + size_t{frame} * kFloorSpots;
-  for (uint32_t i = 0; i < kFloorSpots; ++i) row[i] = FloorSpot();
+  FloorPatch* const row = patches_ + size_t{frame} * kPatchCount;
+  for (uint32_t i = 0; i < kPatchCount; ++i) row[i] = FloorPatch();
   (void)s_->load_source(frame, false);
-  uint32_t joints[kFloorSpots];
+  uint32_t joints[kPatchCount];
   const uint64_t mask = near_floor(source_floor, joints);
   if (mask == 0) return;
-  double low[kFloorSpots];
+  double low[kPatchCount];
   if (s_->has_source) {
     s_->source.take_pose(plan->source_rotations, plan->source_positions);
     find_lowest(s_->source, mask, false, low);
@@ -74,7 +74,7 @@ void FloorSpots::look_at(uint32_t frame, double source_floor) {
     s_->target.take_pose(plan->target_rotations, plan->target_positions);
     find_lowest(s_->target, mask, false, low);
   }
-  for (uint32_t i = 0; i < kFloorSpots; ++i) {
+  for (uint32_t i = 0; i < kPatchCount; ++i) {
     if ((mask >> i & 1) == 0) continue;
     double height = low[i] - source_floor;
     if (!s_->has_source) {  // flesh below the joint, scaled
@@ -89,45 +89,45 @@ void FloorSpots::look_at(uint32_t frame, double source_floor) {
   }
 }
 
-// Spots with a joint near the source's floor, and the lowest of their joints.
-uint64_t FloorSpots::near_floor(double source_floor, uint32_t (&lowest_joints)[kFloorSpots]) const {
+// Patches with a joint near the source's floor, and the lowest of their joints.
+uint64_t FloorPatches::near_floor(double source_floor, uint32_t (&lowest_joints)[kPatchCount]) const {
   const sinew_retarget& plan = *s_->plan;
   uint64_t mask = 0;
-  double lowest[kFloorSpots];
+  double lowest[kPatchCount];
   const double reach = source_floor + kJointReach * s_->source_height;
   for (uint32_t t = 0; t < plan.target.count; ++t) {
-    const uint32_t spot = joint_spots_[t];
-    if (spot == kNoSpot || plan.map[t] < 0) continue;
+    const uint32_t patch = joint_patches_[t];
+    if (patch == kNoPatch || plan.map[t] < 0) continue;
     const double height = dot(plan.up, plan.source_positions[plan.map[t]]);
-    if (height > reach || ((mask >> spot & 1) != 0 && height >= lowest[spot])) continue;
-    mask |= uint64_t{1} << spot;
-    lowest[spot] = height;
-    lowest_joints[spot] = t;
+    if (height > reach || ((mask >> patch & 1) != 0 && height >= lowest[patch])) continue;
+    mask |= uint64_t{1} << patch;
+    lowest[patch] = height;
+    lowest_joints[patch] = t;
   }
   return mask;
 }
 
-void FloorSpots::find_lowest(const PosedBody& posed, uint64_t mask, bool over_floor, double* heights) const {
-  for (uint32_t i = 0; i < kFloorSpots; ++i) heights[i] = 1e300;
+void FloorPatches::find_lowest(const PosedBody& posed, uint64_t mask, bool over_floor, double* heights) const {
+  for (uint32_t i = 0; i < kPatchCount; ++i) heights[i] = 1e300;
   for (uint32_t v = 0; v < s_->body->vertex_count; ++v) {
-    const uint32_t spot = vertex_spots_[v];
-    if (spot == kNoSpot || (mask >> spot & 1) == 0) continue;
+    const uint32_t patch = vertex_patches_[v];
+    if (patch == kNoPatch || (mask >> patch & 1) == 0) continue;
     const Vec3d p = posed.skinned(v);
     const double height = over_floor ? s_->over_floor(p) : dot(s_->plan->up, p);
-    if (height < heights[spot]) heights[spot] = height;
+    if (height < heights[patch]) heights[patch] = height;
   }
 }
 
-void FloorSpots::find_rises(uint32_t frame, uint64_t mask, double* rises) const {
-  for (uint32_t i = 0; i < kFloorSpots; ++i) {
+void FloorPatches::find_rises(uint32_t frame, uint64_t mask, double* rises) const {
+  for (uint32_t i = 0; i < kPatchCount; ++i) {
     rises[i] = 0;
     if (!(at(frame, i).weight > 0)) mask &= ~(uint64_t{1} << i);
   }
   if (mask == 0) return;
   s_->target.take_pose(s_->plan->target_rotations, s_->plan->target_positions);
-  double low[kFloorSpots];
+  double low[kPatchCount];
   find_lowest(s_->target, mask, true, low);
-  for (uint32_t i = 0; i < kFloorSpots; ++i) {
+  for (uint32_t i = 0; i < kPatchCount; ++i) {
     if ((mask >> i & 1) != 0 && low[i] < 1e299) rises[i] = at(frame, i).height - low[i];
   }
 }
