@@ -48,21 +48,22 @@ constexpr double kQuarter = kPi / 2;
 inline Vec3d direction(double angle) { return {0, -std::cos(angle), std::sin(angle)}; }
 
 inline Pose posed(const MotionScene& scene, const Directions& d, Vec3d shift) {
-  std::vector<Quat> world(scene.count(), sinew::kNoRotation);
-  const Quat trunk = sinew::shortest_arc({0, 1, 0}, direction(d.trunk));
+  std::vector<Quat> world(scene.count(), sinew::motion::kNoRotation);
+  const Quat trunk = sinew::motion::shortest_arc({0, 1, 0}, direction(d.trunk));
   for (uint32_t j : {kPelvis, kSpine, kNeck, kHead}) world[j] = trunk;
   for (int side = 0; side < 2; ++side) {
     const uint32_t arm = side == 0 ? kLeftUpperArm : kRightUpperArm, leg = side == 0 ? kLeftThigh : kRightThigh;
     const auto turn = [&](uint32_t j, double angle) {
-      return sinew::shortest_arc(scene.at(j + 1) - scene.at(j), direction(angle));
+      return sinew::motion::shortest_arc(scene.at(j + 1) - scene.at(j), direction(angle));
     };
     world[arm] = turn(arm, d.arms[side]);
     world[arm + 1] = turn(arm + 1, d.forearms[side]);
-    world[arm + 2] = sinew::shortest_arc(side == 0 ? scene.at(kLeftFinger) - scene.at(kLeftHand) : Vec3d{-1, 0, 0},
-                                         {0, 0, 1});  // flat, fingers to the front
+    world[arm + 2] =
+        sinew::motion::shortest_arc(side == 0 ? scene.at(kLeftFinger) - scene.at(kLeftHand) : Vec3d{-1, 0, 0},
+                                    {0, 0, 1});  // flat, fingers to the front
     world[leg] = turn(leg, d.thighs[side]);
     world[leg + 1] = turn(leg + 1, d.calves[side]);
-    world[leg + 2] = sinew::shortest_arc({0, -1, 0}, direction(d.feet));
+    world[leg + 2] = sinew::motion::shortest_arc({0, -1, 0}, direction(d.feet));
   }
   world[kLeftFinger] = world[kLeftHand];
   Pose pose = rest_pose(scene);
@@ -114,7 +115,7 @@ inline Directions crawling(double t) {
   const double s = 0.25 * std::sin(2 * kPi * t);
   d.thighs[0] = s;
   d.thighs[1] = -s;
-  d.calves[0] = d.calves[1] = -kQuarter + 0.03;
+  d.calves[0] = d.calves[1] = -kQuarter - 0.02;
   d.arms[0] = d.forearms[0] = -s;
   d.arms[1] = d.forearms[1] = s;
   d.feet = -kQuarter;
@@ -137,7 +138,7 @@ inline Directions pushing(double t) {
 inline Directions kneeling(double t) {
   Directions d;
   d.trunk = kPi - 0.1 * std::sin(kPi * t);
-  d.calves[0] = d.calves[1] = -kQuarter + 0.03;
+  d.calves[0] = d.calves[1] = -kQuarter - 0.02;
   d.feet = -kQuarter;
   return d;
 }

@@ -19,7 +19,8 @@ extern "C" {
 typedef enum sinew_retarget_method {
   SINEW_RETARGET_AUTO = 0, /* the best that this library has for the inputs */
   /* A mapped joint rotates as its source does. Upper and lower arms and legs point in the directions of the source's,
-   * whatever the rest poses are. Joints without a source follow their parents. Translations of the hips, and of joints that
+   * whatever the rest poses are. Joints without a source follow their parents. Feet and hands that hang elsewhere than on
+   * their limbs, for inverse kinematics, go with them where the source's hang on theirs. Translations of the hips, and of joints that
    * move against their parents but are no bone of trunk, arms or legs, are scaled by the ratio of the legs. Contacts come after it: sinew_retarget_contacts() */
   SINEW_RETARGET_COPY = 1
 } sinew_retarget_method;
@@ -90,7 +91,8 @@ SINEW_API sinew_status sinew_retarget_height(sinew_retarget* plan, const float* 
 
 /* How high a standing ankle of a clip is: the 5th percentile of its frames' heights. The source's own at rest where it
  * stands on the clip's floor: its lowest joint is within 20 % of a leg of the origin's height, or the two heights are
- * within 5 % of a leg of each other.
+ * within 5 % of a leg of each other. Not so where its feet never come down to that: from 25 % of a leg over it, and less than a whole
+ * one, the clip stands on a floor of its own.
  *   heights  [count] of sinew_retarget_height(); sorted on return. None: the source's own at rest
  * Returns SINEW_OK, SINEW_ERROR_ARGUMENT or SINEW_ERROR_NOT_FINITE. */
 SINEW_API sinew_status sinew_retarget_ground(const sinew_retarget* plan, float* heights, size_t count, float* ground);

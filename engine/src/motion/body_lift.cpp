@@ -7,9 +7,9 @@ namespace {
 
 constexpr double kFeltFeet = 0.1;    // share of the source's height up to which feet carry
 constexpr double kSteep = 0.04;      // square of the share of its length that a trunk lies level, at which it is steep
-constexpr double kMostPitch = 0.3;   // about the angle of one round
+constexpr double kMostPitch = 0.15;  // about the angle of one round
 constexpr double kStraight = 0.999;  // share of an arm's length that it reaches
-constexpr uint32_t kFloorPasses = 12, kNeedPasses = 1;
+constexpr uint32_t kFloorPasses = 12, kNeedPasses = 4;
 
 // What several patches want of one height: what is below the floor comes first, and what is hardly on it holds nothing down.
 struct Wanted {
@@ -76,21 +76,26 @@ Vec3d BodyLift::needs_of(uint32_t frame) {
     if (limb.leg) carried = greater(carried, 1 - ramp(feet_.height(limb), 0, kFeltFeet * s_.source_height));
   }
   carried = greater(carried, lower.weight);
-  const double above = upper.rise() + (1 - upper.weight) * arm_need(frame, rises);
+  double touch = 0;  // of arms
+  const double arms = arm_need(frame, rises, &touch);
+  const double above = upper.rise() + (1 - upper.weight) * arms;
   const double lift = lower.rise() + (1 - carried) * above;
+  // What is left once all is lifted. Arms that reach the floor then ask for nothing, and where nothing above touches the trunk stays.
+  const double left = upper.weight * (upper.rise() - lift) + (1 - upper.weight) * lesser(0, arms - touch * lift);
   const Vec3d trunk = shoulders() - hips();
   const double level = length(cross(trunk, plan_.up)), square = dot(trunk, trunk);
   if (!(square > 0)) return {lift, 0, 0};
-  return {lift, clamped((above - lift) * level / (level * level + kSteep * square), -kMostPitch, kMostPitch), 0};
+  return {lift, clamped(left * level / (level * level + kSteep * square), -kMostPitch, kMostPitch), 0};
 }
 
-// How far shoulders are to sink so that straight arms reach the floor; 0 or less.
-double BodyLift::arm_need(uint32_t frame, const double* rises) const {
+// How far shoulders are to sink so that straight arms reach the floor; 0 or less. touch: the greatest weight of a hand.
+double BodyLift::arm_need(uint32_t frame, const double* rises, double* touch) const {
   double need = 0;
   for (uint32_t l = 0; l < s_.limbs.count; ++l) {
     const Limb& limb = s_.limbs.limbs[l];
     const double own = limb.leg ? 0 : s_.floor_patches.at(frame, l).weight;
     if (!(own > 0)) continue;
+    *touch = greater(*touch, own);
     const Vec3d first = plan_.target_positions[limb.first], middle = plan_.target_positions[limb.middle],
                 last = plan_.target_positions[limb.last];
     const double whole = kStraight * (length(middle - first) + length(last - middle));

@@ -21,7 +21,7 @@ class BodyLift {
  private:
   double floor_below() const;
   Vec3d needs_of(uint32_t frame);
-  double arm_need(uint32_t frame, const double* rises) const;
+  double arm_need(uint32_t frame, const double* rises, double* touch) const;
   void apply(uint32_t passes);
   void move_trunk(double lift, double pitch);
   Vec3d hips() const;

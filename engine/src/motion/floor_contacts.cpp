@@ -115,6 +115,8 @@ void FloorContacts::hold(const Held& held, bool again) {
     lock(held);
     fade(held.limb);
   }
+  for (uint32_t f = 0; f < s_.in->frames; ++f)
+    s_.moves[index(f, held.limb)] = s_.moves[index(f, held.limb)] + s_.lifts[f];
   if (held.foot)
     reach_floor(s_.limbs.limbs[held.limb], held.limb);
   else
@@ -199,12 +201,15 @@ Vec3d FloorContacts::within_reach(const Limb& limb, Vec3d goal) const {
   return dot(level, level) > square && square > 0 ? first + rise + root(square) * unit(level) : goal;
 }
 
-// smooth: where the joint is over the floor.
+// smooth: where the joint is over the floor; a hand on it where it was copied, whatever the trunk did since, and lifts: the way back.
 void FloorContacts::find_flat(const Held& held) {
   for (uint32_t f = 0; f < s_.in->frames; ++f) {
     s_.load(f);
     const Vec3d p = plan_.target_positions[held.joint];
-    s_.smooth[f] = p - dot(p, plan_.up) * plan_.up;
+    const Vec3d flat = p - dot(p, plan_.up) * plan_.up;
+    const FloorPatch& patch = s_.floor_patches.at(f, held.patch);
+    s_.lifts[f] = held.foot || held.middle ? Vec3d{0, 0, 0} : patch.weight * (patch.place - flat);
+    s_.smooth[f] = flat + s_.lifts[f];
     s_.moves[index(f, held.limb)] = {0, 0, 0};
   }
 }

@@ -12,6 +12,9 @@ namespace {
 constexpr double kJointReach = 0.15;
 constexpr double kTouchFloor = 0.012, kLeaveFloor = 0.04;
 constexpr double kGuessedTouch = 0.03, kGuessedLeave = 0.06;
+constexpr double kMostRise = 0.12;  // from where it was copied, for a touch of full weight
+constexpr double kEarly = 2;        // heights over the floor per length that a patch has to go
+constexpr double kNone = 1e299;     // the lowest vertex of none
 
 }  // namespace
 
@@ -65,26 +68,33 @@ void FloorPatches::look_at(uint32_t frame, double source_floor) {
   uint32_t joints[kPatchCount];
   const uint64_t mask = near_floor(source_floor, joints);
   if (mask == 0) return;
-  double low[kPatchCount];
+  double low[kPatchCount], own[kPatchCount];
+  s_->load(frame);
+  s_->target.take_pose(plan->target_rotations, plan->target_positions);
+  find_lowest(s_->target, mask, false, own);
   if (s_->has_source) {
     s_->source.take_pose(plan->source_rotations, plan->source_positions);
     find_lowest(s_->source, mask, false, low);
-  } else {
-    s_->load(frame);
-    s_->target.take_pose(plan->target_rotations, plan->target_positions);
-    find_lowest(s_->target, mask, false, low);
   }
   for (uint32_t i = 0; i < kPatchCount; ++i) {
-    if ((mask >> i & 1) == 0) continue;
-    double height = low[i] - source_floor;
+    if ((mask >> i & 1) == 0 || own[i] > kNone) continue;
     if (!s_->has_source) {  // flesh below the joint, scaled
       const uint32_t t = joints[i];
-      const double flesh = dot(plan->up, plan->target_positions[t]) - low[i];
-      height = dot(plan->up, plan->source_positions[plan->map[t]]) - source_floor - flesh / plan->scale;
+      const double flesh = dot(plan->up, plan->target_positions[t]) - own[i];
+      low[i] = dot(plan->up, plan->source_positions[plan->map[t]]) - flesh / plan->scale;
     }
-    row[i].weight = 1 - ramp(height, touch, leave);
-    if (!s_->has_source) height -= touch;
-    row[i].height = height > 0 ? plan->scale * height : 0;
+    const double height = low[i] - source_floor;
+    const double rise = absolute(height - (own[i] - s_->target.lowest) / plan->scale);
+    // What is to go far begins to go early, so that it goes no faster than the source; what would go too far is another body's.
+    const double far = clamped(kEarly * rise, leave, kJointReach * s_->source_height);
+    row[i].weight = (1 - ramp(height, touch, far)) *
+                    (1 - ramp(rise, kMostRise * s_->source_height, 2 * kMostRise * s_->source_height));
+    const double over = s_->has_source ? height : height - touch;
+    row[i].height = over > 0 ? plan->scale * over : 0;
+    if (i < s_->limbs.count) {
+      const Vec3d wrist = plan->target_positions[s_->limbs.limbs[i].last];
+      row[i].place = wrist - dot(wrist, plan->up) * plan->up;
+    }
     any_ = any_ || row[i].weight > 0;
   }
 }
@@ -128,7 +138,7 @@ void FloorPatches::find_rises(uint32_t frame, uint64_t mask, double* rises) cons
   double low[kPatchCount];
   find_lowest(s_->target, mask, true, low);
   for (uint32_t i = 0; i < kPatchCount; ++i) {
-    if ((mask >> i & 1) != 0 && low[i] < 1e299) rises[i] = at(frame, i).height - low[i];
+    if ((mask >> i & 1) != 0 && low[i] < kNone) rises[i] = at(frame, i).height - low[i];
   }
 }
 

@@ -13,8 +13,9 @@ constexpr uint32_t middle_patch(uint32_t limb) { return kMostLimbs + limb; }
 
 // A patch of the source in one frame.
 struct FloorPatch {
-  double weight = 0;  // 0: far from its floor, 1: on it
-  double height = 0;  // over the floor, in the target's units
+  double weight = 0;        // 0: far from its floor, 1: on it
+  double height = 0;        // over the floor, in the target's units
+  Vec3d place = {0, 0, 0};  // of a wrist of the target's, over the floor, as it was copied
 };
 
 class FloorPatches {

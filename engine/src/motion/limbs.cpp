@@ -46,6 +46,7 @@ LimbList find_limbs(const sinew_retarget& plan) {
     limb.leg = own == SINEW_CLASS_THIGH;
     if (plan.long_ends[limb.middle] < 0) continue;
     limb.last = static_cast<uint32_t>(plan.long_ends[limb.middle]);
+    if (!rig.is_below(limb.last, limb.middle)) continue;  // carried
     for (uint32_t i = 0; i < rig.count && limb.toe < 0; ++i) {
       const uint32_t j = rig.order[i];
       if (plan.classes[j] == SINEW_CLASS_TOE && plan.map[j] >= 0 && rig.is_below(j, limb.last))

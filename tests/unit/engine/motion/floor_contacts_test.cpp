@@ -39,7 +39,7 @@ Figures play(const Motion& motion, const Proportions& p, bool with_source, int s
     out.below = std::max(out.below, -lowest(target, b, now, -1) / height);
     for (const uint32_t j : {kLeftHand, kRightHand, kLeftCalf, kRightCalf, kLeftForearm, kRightForearm, kLeftThigh,
                              kRightThigh, kLeftFoot, kRightFoot}) {
-      if (lowest(source, a, poses[f], static_cast<int>(j)) > 0.004) continue;
+      if (lowest(source, a, poses[f], static_cast<int>(j)) > 0.012) continue;
       ++out.contacts;
       double low = lowest(target, b, now, static_cast<int>(j));
       if (j == kLeftHand) low = std::min(low, lowest(target, b, now, kLeftFinger));
