@@ -61,17 +61,17 @@ class FloorContacts {
   }
 
   Quat axes_of(const Limb& limb) const;
-  void find_bends();
+  SINEW_RARE void find_bends();
   void hold(const Held& held, bool again);
   void find_standing(const Held& held);
   bool is_on_floor(const Held& held) const;
   double rise_of(const Held& held, uint32_t frame);
-  void aim(const Limb& limb, Vec3d move);
-  void reach(const Held& held, Vec3d move, uint32_t frame);
-  Vec3d within_reach(const Limb& limb, Vec3d goal) const;
+  SINEW_RARE void aim(const Limb& limb, Vec3d move);
+  SINEW_RARE void reach(const Held& held, Vec3d move, uint32_t frame);
+  SINEW_RARE Vec3d within_reach(const Limb& limb, Vec3d goal) const;
   void find_flat(const Held& held);
   void lock(const Held& held);
-  void lock_next(const Held& held, bool again);
+  SINEW_RARE void lock_next(const Held& held, bool again);
   void fade(uint32_t number);
   void reach_floor(const Limb& limb, uint32_t number);
   void add_heights(uint32_t number);
